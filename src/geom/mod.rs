@@ -1,0 +1,25 @@
+//! Plane geometry of lines and circular arcs, exact in `f64`; it knows no grippers.
+//!
+//! A **segment** is a line or a circular arc; a **path** is a chain of segments, open or closed.
+//! Lengths are mm and angles rad by convention only: nothing here depends on the unit.
+
+mod arc;
+mod bounds;
+mod intersect;
+mod line;
+mod nearest;
+mod path;
+mod point;
+mod region;
+mod segment;
+mod transform;
+
+pub use arc::Arc;
+pub use bounds::Bounds;
+pub use intersect::{intersections, path_intersections};
+pub use line::Line;
+pub use nearest::{Nearest, path_distance, segment_distance};
+pub use path::Path;
+pub use point::{Point, Vec2};
+pub use segment::Segment;
+pub use transform::Isometry;

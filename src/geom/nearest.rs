@@ -1,0 +1,83 @@
+//! Nearest points and distances.
+
+use crate::geom::Bounds;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::geom::intersections;
+
+/// The point of a path nearest to some given point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// Distance from the given point.
+    pub distance: f64,
+    /// The point on the path.
+    pub point: Point,
+    /// Index of its segment.
+    pub segment: usize,
+    /// Arc length from the path's start.
+    pub s: f64,
+}
+
+impl Path {
+    /// The point of the path nearest to `p`; `None` for the empty path. Of equals the first is taken.
+    pub fn nearest(&self, p: Point) -> Option<Nearest> {
+        let mut best: Option<Nearest> = None;
+        let mut before = 0.0;
+        for (i, segment) in self.segments.iter().enumerate() {
+            let t = segment.nearest_fraction(p);
+            let point = segment.point(t);
+            let distance = point.distance(p);
+            if best.is_none_or(|b| distance < b.distance) {
+                best = Some(Nearest { distance, point, segment: i, s: before + t * segment.length() });
+            }
+            before += segment.length();
+        }
+        best
+    }
+
+    /// Distance from `p` to the path; infinite for the empty path.
+    pub fn distance(&self, p: Point) -> f64 {
+        self.segments.iter().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Smallest distance between two segments, 0 if they touch or cross.
+pub fn segment_distance(a: &Segment, b: &Segment) -> f64 {
+    if !intersections(a, b).is_empty() {
+        return 0.0;
+    }
+    let ends = [b.distance(a.start()), b.distance(a.end()), a.distance(b.start()), a.distance(b.end())];
+    // A minimum inside both segments lies on a common normal, which passes through each arc's centre.
+    let inner = match (a, b) {
+        (Segment::Line(_), Segment::Line(_)) => f64::INFINITY,
+        (Segment::Line(_), Segment::Arc(arc)) => normal_through(arc.center, b, a),
+        (Segment::Arc(arc), Segment::Line(_)) => normal_through(arc.center, a, b),
+        (Segment::Arc(p), Segment::Arc(q)) => {
+            normal_through(p.center, a, b).min(normal_through(q.center, b, a))
+        }
+    };
+    ends.into_iter().fold(inner, f64::min)
+}
+
+/// Distance along the normal of `other` that passes through `center`, the centre of `arc`: both crossings of the circle.
+fn normal_through(center: Point, arc: &Segment, other: &Segment) -> f64 {
+    let foot = other.point(other.nearest_fraction(center));
+    let mirrored = center + (center - foot);
+    arc.distance(foot).min(other.distance(arc.point(arc.nearest_fraction(mirrored))))
+}
+
+/// Smallest distance between two paths, 0 if they touch or cross; infinite if one is empty.
+pub fn path_distance(a: &Path, b: &Path) -> f64 {
+    let boxes: Vec<Bounds> = b.segments.iter().map(Segment::bounds).collect();
+    let mut best = f64::INFINITY;
+    for s in &a.segments {
+        let bounds = s.bounds();
+        for (t, other) in b.segments.iter().zip(&boxes) {
+            if bounds.grown(best).overlaps(other) {
+                best = best.min(segment_distance(s, t));
+            }
+        }
+    }
+    best
+}

@@ -1,0 +1,3 @@
+//! The command line of `stargrip-cam`.
+
+fn main() {}

@@ -1,0 +1,1 @@
+//! The mechanics of hinges and stars.

@@ -1,0 +1,1 @@
+//! Numerical methods; they know no sheets.

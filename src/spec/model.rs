@@ -1,0 +1,209 @@
+//! The spec itself: one struct a section, every field complete and in range.
+
+use crate::units::{Angle, ArealDensity, Length, LineForce, Percent, Pressure, Speed, Temperature};
+
+/// A complete and valid specification of a gripper.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spec {
+    /// What the user calls it: 1 to 80 characters, none of them a control character. It may hold anything else.
+    pub name: String,
+    /// `[fabric]`
+    pub fabric: Fabric,
+    /// The stars from bottom to top: `[star]` with what `[stack]` and `[[stack.star]]` say, never empty.
+    pub stars: Vec<StarSpec>,
+    /// `[inlet]`; `None` if the tube is closed all around.
+    pub inlet: Option<Inlet>,
+    /// `[seal]`
+    pub seal: Seal,
+    /// `[mask]`
+    pub mask: Mask,
+    /// `[frame]`
+    pub frame: Frame,
+    /// `[sheet]`
+    pub sheet: Sheet,
+    /// `[machine]`
+    pub machine: MachineChoice,
+    /// `[load]`; `None` if no prediction is asked for.
+    pub load: Option<Load>,
+    /// `[accuracy]`
+    pub accuracy: Accuracy,
+}
+
+/// The fabric of one sheet.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fabric {
+    /// Thickness t.
+    pub thickness: Length,
+    /// Young's modulus E.
+    pub young_modulus: Pressure,
+    /// Poisson ratio nu, in (-1, 0.5].
+    pub poisson_ratio: f64,
+    /// Peel strength T_max of the seal, from the user's own T-peel test.
+    pub seal_strength: Option<LineForce>,
+    /// Mass of one sheet per area.
+    pub areal_density: Option<ArealDensity>,
+}
+
+/// One star, flat.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StarSpec {
+    /// Number of points n, 3 to 64.
+    pub points: u32,
+    /// Inner radius rho_0: from the axis to the tube's edge at a reentrant corner.
+    pub inner_radius: Length,
+    /// Tube width W, between the inner edges of the bands.
+    pub tube_width: Length,
+    /// Internal angle phi_i0 between the two arms of a point.
+    pub tip_angle: Angle,
+    /// Inner radius of curvature R_i of the tips.
+    pub tip_radius: Length,
+    /// Inner radius of curvature R_e of the reentrant corners.
+    pub corner_radius: Length,
+    /// Rotation against the star below (of star 1: against the frame).
+    pub rotation: Angle,
+    /// Distance to the star below (of star 1: unused).
+    pub pitch: Length,
+    /// The tip that carries the inlet, 1 to n.
+    pub inlet_tip: u32,
+}
+
+/// The channel through which the tube is inflated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Inlet {
+    /// Outer diameter d of the hose; the flat channel is pi d / 2 wide.
+    pub tube_diameter: Length,
+    /// From the tip's outer arc, along its ray, to the mouth.
+    pub length: Length,
+    /// Radius where the channel meets the tip's arc.
+    pub fillet: Length,
+}
+
+/// How the seal is made.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seal {
+    /// Temperature of the iron.
+    pub temperature: Temperature,
+    /// Speed of the iron in contact.
+    pub speed: Speed,
+    /// Width w of the band.
+    pub band: Length,
+    /// Path covered twice at contact height where a loop closes, ramps excluded.
+    pub overlap: Length,
+    /// Flap outside the star.
+    pub allowance: Length,
+    /// Flap on the hole side.
+    pub hole_allowance: Length,
+}
+
+/// The coating masks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mask {
+    /// How far the coated zone reaches along both arms from a corner's apex; `None`: the star's own W.
+    pub extent: Option<Length>,
+    /// The windows shrink by this.
+    pub creep: Length,
+    /// Plate beyond the outline.
+    pub border: Length,
+    /// Whether the copy for the other face is wanted too.
+    pub mirror: bool,
+    /// Thickness of the 3-D printed mask.
+    pub thickness: Length,
+}
+
+/// The frame that keeps the arms in their planes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// Thickness of a plate.
+    pub plate_thickness: Length,
+    /// Clearance around the moving parts.
+    pub clearance: Length,
+    /// Diameter of a post.
+    pub post_diameter: Length,
+    /// Number of posts, 3 to 64.
+    pub posts: u32,
+    /// Width of the cut.
+    pub kerf: Length,
+}
+
+/// The fabric as it lies on the machine.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sheet {
+    /// Width along X; `None`: as large as the parts need.
+    pub width: Option<Length>,
+    /// Height along Y; `None`: as large as the parts need.
+    pub height: Option<Length>,
+    /// Free strip along the sheet's border.
+    pub margin: Length,
+    /// Distance between parts.
+    pub gap: Length,
+    /// Whether parts may be turned to fit.
+    pub turn: bool,
+    /// Diameter of the registration holes; 0 for none.
+    pub hole_diameter: Length,
+}
+
+/// Which machine, and how it is driven.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MachineChoice {
+    /// A built-in profile's name, or a path relative to the spec.
+    pub profile: String,
+    /// One program a star or one a sheet.
+    pub program: ProgramScope,
+    /// What to do below the controller's lowest feed.
+    pub feed_floor: FeedFloor,
+}
+
+/// What one G-code program covers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ProgramScope {
+    /// One star.
+    Star,
+    /// All stars of one sheet.
+    Sheet,
+}
+
+/// What to do when the seal speed is below what the controller can hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FeedFloor {
+    /// Refuse to write the program.
+    Refuse,
+    /// Write micro-moves with dwells.
+    Chop,
+}
+
+/// What the gripper shall do; without it nothing is predicted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Load {
+    /// Gauge pressure p.
+    pub pressure: Option<Pressure>,
+    /// Radius of the object.
+    pub object_radius: Option<Length>,
+    /// Friction coefficient mu between corner and object.
+    pub friction: Option<f64>,
+}
+
+/// How exact outputs and predictions must be.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Accuracy {
+    /// Largest deviation of an output from the exact geometry.
+    pub path: Length,
+    /// Which model predicts.
+    pub model: ModelChoice,
+    /// The error of the prediction that `auto` may accept.
+    pub response: Percent,
+}
+
+/// A level of fidelity of the mechanics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModelChoice {
+    /// Published constants.
+    Fit,
+    /// Exact membrane limit.
+    Ring,
+    /// Penalised boundary-value problem.
+    Bvp,
+    /// Geometrically nonlinear shell.
+    Shell,
+    /// The cheapest that is accurate enough.
+    Auto,
+}
