@@ -1,1 +1,7 @@
-//! The mechanics of hinges and stars.
+//! What a star does when it is inflated: how far it closes, how hard it grips, when its seal fails.
+pub mod fault;
+pub mod fit;
+pub mod hinge;
+pub mod ring;
+#[cfg(test)]
+mod laws;
