@@ -1,4 +1,5 @@
 //! What a star does when it is inflated: how far it closes, how hard it grips, when its seal fails.
+pub mod bvp;
 pub mod fault;
 pub mod fit;
 pub mod hinge;

@@ -2,7 +2,9 @@
 //!
 //! This module knows no sheets and no grippers. What it returns is finite, or it is an error.
 
+pub mod band;
 pub mod chebyshev;
+pub mod collocation;
 pub mod dual;
 pub mod gauss;
 pub mod newton;

@@ -130,3 +130,9 @@ fn unsolved(r_star: f64, lambda: f64, fault: NewtonFault) -> HingeFault {
     };
     HingeFault::Unsolved { r_star, lambda, residual }
 }
+
+/// Slope angle (rad) and tension at the inner edge of the free section; `None` if it cannot be solved.
+pub(super) fn free_unknowns(r_star: f64, lambda: f64) -> Option<(f64, f64)> {
+    let solved = solve_free(r_star, lambda).ok()?;
+    Some((solved.unknowns[PHI_0], solved.unknowns[TENSION]))
+}
