@@ -46,7 +46,10 @@ impl fmt::Display for HingeFault {
             }
             Self::Unsolved { r_star, lambda, residual } => {
                 let (r_star, lambda) = (Readable(r_star), Readable(lambda));
-                write!(f, "no section found at R* = {r_star}, lambda = {lambda}: the residual stays at {residual:.1e}")
+                write!(
+                    f,
+                    "no section found at R* = {r_star}, lambda = {lambda}: the residual stays at {residual:.1e}"
+                )
             }
         }
     }

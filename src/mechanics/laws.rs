@@ -42,11 +42,19 @@ fn slopes_are_derivatives(model: &dyn HingeModel, step: f64, tolerance: f64) {
             let scale = 1.0 + r_star;
             if let (Some(low), Some(high)) = (below.volume, above.volume) {
                 let slope = (high - low) / (2.0 * step);
-                assert!((slope - at.slope).abs() < tolerance * scale, "R* {r_star}, lambda {lambda}: V' {slope} {}", at.slope);
+                assert!(
+                    (slope - at.slope).abs() < tolerance * scale,
+                    "R* {r_star}, lambda {lambda}: V' {slope} {}",
+                    at.slope
+                );
             }
             let curvature = (above.slope - below.slope) / (2.0 * step);
             let error = (curvature - at.curvature).abs();
-            assert!(error < tolerance * scale, "R* {r_star}, lambda {lambda}: V'' {curvature} {}", at.curvature);
+            assert!(
+                error < tolerance * scale,
+                "R* {r_star}, lambda {lambda}: V'' {curvature} {}",
+                at.curvature
+            );
         }
     }
 }
@@ -77,7 +85,11 @@ fn moments_scale_with_pressure_and_volume(model: &dyn HingeModel) {
 /// What is no hinge is refused.
 fn nonsense_is_refused(model: &dyn HingeModel) {
     for r_star in [-1e-9, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        assert!(model.state(r_star, 1.2).is_err() && model.target(r_star).is_err() && model.onset(r_star).is_err());
+        assert!(
+            model.state(r_star, 1.2).is_err()
+                && model.target(r_star).is_err()
+                && model.onset(r_star).is_err()
+        );
     }
     for lambda in [-1.0, f64::NAN, f64::INFINITY] {
         assert!(model.state(0.1, lambda).is_err());

@@ -113,10 +113,10 @@ mod tests {
         let mut matrix = Banded::zero(size, below, above);
         let solution: Vec<f64> = (0..23).map(|i| f64::from(i % 7) - 2.5).collect();
         let mut right = vec![0.0; size];
-        for i in 0..size {
+        for (i, sum) in right.iter_mut().enumerate() {
             for j in (0..size).filter(|&j| inside(i, j)) {
                 matrix.set(i, j, entry(i, j));
-                right[i] += entry(i, j) * solution[j];
+                *sum += entry(i, j) * solution[j];
             }
         }
         matrix.factor().expect("regular").solve(&mut right);

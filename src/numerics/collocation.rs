@@ -237,8 +237,8 @@ fn defects<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> O
         let (a, b) = (mesh[i], mesh[i + 1]);
         let f1 = problem.slope(b, &values[i + 1]);
         let fm = problem.slope(0.5 * (a + b), &profile.middle(i, &f0, &f1));
-        let rows = (0..N)
-            .map(|k| values[i + 1][k] - values[i][k] - (b - a) / 6.0 * (f0[k] + f1[k] + 4.0 * fm[k]));
+        let rows =
+            (0..N).map(|k| values[i + 1][k] - values[i][k] - (b - a) / 6.0 * (f0[k] + f1[k] + 4.0 * fm[k]));
         defects.extend(rows);
         f0 = f1;
     }
@@ -292,7 +292,8 @@ fn residuals<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) ->
         let (y0, y1, f0, f1) = (&values[i], &values[i + 1], &slopes[i], &slopes[i + 1]);
         let y: [f64; N] = std::array::from_fn(|k| {
             let (c0, c1) = (1.0 - t, t);
-            c0 * c0 * ((1.0 + 2.0 * t) * y0[k] + h * t * f0[k]) + c1 * c1 * ((3.0 - 2.0 * t) * y1[k] - h * c0 * f1[k])
+            c0 * c0 * ((1.0 + 2.0 * t) * y0[k] + h * t * f0[k])
+                + c1 * c1 * ((3.0 - 2.0 * t) * y1[k] - h * c0 * f1[k])
         });
         let f = problem.slope(mesh[i] + t * h, &y);
         let squares = (0..N).map(|k| {
@@ -331,7 +332,8 @@ fn remesh<const N: usize>(
                 let y = std::array::from_fn(|k| {
                     let (y0, y1) = (values[i][k], values[i + 1][k]);
                     let c = 1.0 - t;
-                    c * c * ((1.0 + 2.0 * t) * y0 + h * t * f0[k]) + t * t * ((3.0 - 2.0 * t) * y1 - h * c * f1[k])
+                    c * c * ((1.0 + 2.0 * t) * y0 + h * t * f0[k])
+                        + t * t * ((3.0 - 2.0 * t) * y1 - h * c * f1[k])
                 });
                 next.mesh.push(a + t * h);
                 next.values.push(y);
@@ -402,9 +404,8 @@ mod tests {
     #[test]
     fn the_error_falls_with_the_fourth_power() {
         let problem = Layers::new(0.3);
-        let errors = [8, 16, 32].map(|count| {
-            worst(&problem, &solve_on_mesh(&problem, flat(count)).expect("linear").profile)
-        });
+        let errors = [8, 16, 32]
+            .map(|count| worst(&problem, &solve_on_mesh(&problem, flat(count)).expect("linear").profile));
         for pair in errors.windows(2) {
             let order = (pair[0] / pair[1]).log2();
             assert!((3.8..4.3).contains(&order), "{errors:?}");

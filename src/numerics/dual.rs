@@ -101,11 +101,10 @@ impl<const N: usize> Sub for Dual<N> {
 impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
     #[inline]
+    #[expect(clippy::suspicious_arithmetic_impl, reason = "the product rule is a sum")]
     fn mul(self, other: Self) -> Self {
-        Self {
-            value: self.value * other.value,
-            slope: std::array::from_fn(|i| self.slope[i] * other.value + self.value * other.slope[i]),
-        }
+        let slope = |i: usize| self.slope[i] * other.value + self.value * other.slope[i];
+        Self { value: self.value * other.value, slope: std::array::from_fn(slope) }
     }
 }
 

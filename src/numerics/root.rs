@@ -106,6 +106,6 @@ mod tests {
     #[test]
     fn refuses_what_it_cannot_do() {
         assert!(matches!(root(1.0, 2.0, |x| x), Err(RootFault::NoSignChange { .. })));
-        assert!(matches!(root(-1.0, 2.0, |x| x.ln()), Err(RootFault::NotFinite { .. })));
+        assert!(matches!(root(-1.0, 2.0, f64::ln), Err(RootFault::NotFinite { .. })));
     }
 }

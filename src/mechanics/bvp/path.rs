@@ -24,25 +24,16 @@ pub(super) struct End {
     pub(super) section: Section,
     pub(super) solution: Solution<4>,
     pub(super) iterations: u32,
-    pub(super) steps: u32,
-}
-
-/// Why the path ended early.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Broken {
-    pub(super) beta: f64,
-    pub(super) fault: CollocationFault,
 }
 
 /// The penalised section at `beta`, its residual at most `tolerance`.
-pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Result<End, Broken> {
+pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Result<End, CollocationFault> {
     let first = beta.min(FIRST_BETA);
-    let broken = |beta: f64| move |fault| Broken { beta, fault };
-    let start = free_profile(r_star, lambda).ok_or(Broken { beta: 0.0, fault: CollocationFault::Diverged })?;
+    let start = free_profile(r_star, lambda).ok_or(CollocationFault::Diverged)?;
     let gap = start.values.iter().map(|y| y[2]).fold(0.0, f64::max) + FIRST_GAP;
     let mut section = Section { r_star, lambda, beta: first, offset: gap };
-    let mut here = solve(&section, start, ROUGH, MOST_INTERVALS).map_err(broken(first))?;
-    let (mut iterations, mut steps) = (here.iterations, 1);
+    let mut here = solve(&section, start, ROUGH, MOST_INTERVALS)?;
+    let mut iterations = here.iterations;
     // One parameter t: from 0 to 1 the offset falls to 0, beyond beta grows like exp(t - 1).
     let last = 1.0 + (beta / first).ln();
     let origin = section;
@@ -58,7 +49,6 @@ pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Res
         match solve(&trial, here.profile.clone(), ROUGH, MOST_INTERVALS) {
             Ok(solution) => {
                 iterations += solution.iterations;
-                steps += 1;
                 step *= if solution.iterations <= 8 { 1.6 } else { 1.0 };
                 (here, t, section) = (solution, next, trial);
             }
@@ -66,15 +56,15 @@ pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Res
                 iterations += 10;
                 step *= 0.4;
                 if step < 1e-4 {
-                    return Err(broken(section.beta)(fault));
+                    return Err(fault);
                 }
             }
         }
     }
     section = Section { beta, offset: 0.0, ..section };
-    let solution = solve(&section, here.profile, tolerance, MOST_INTERVALS).map_err(broken(beta))?;
+    let solution = solve(&section, here.profile, tolerance, MOST_INTERVALS)?;
     iterations += solution.iterations;
-    Ok(End { section, solution, iterations, steps })
+    Ok(End { section, solution, iterations })
 }
 
 /// The free section as a profile in (T, phi, u, z), by fourth-order Runge-Kutta steps.

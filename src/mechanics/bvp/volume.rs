@@ -12,9 +12,8 @@ pub(super) fn slopes(section: &Section, solution: &Solution<4>) -> Dual<1> {
     let slope_and_change = |j: usize| {
         let (s, y) = (profile.mesh[j], &profile.values[j]);
         let (jacobian, own) = (section.jacobian(s, y), section.by_lambda(s, y));
-        let change: [f64; 4] = std::array::from_fn(|k| {
-            own[k] + (0..4).map(|m| jacobian[k][m] * changes[j][m]).sum::<f64>()
-        });
+        let change: [f64; 4] =
+            std::array::from_fn(|k| own[k] + (0..4).map(|m| jacobian[k][m] * changes[j][m]).sum::<f64>());
         (section.slope(s, y), change)
     };
     let mut total = Dual::constant(0.0);

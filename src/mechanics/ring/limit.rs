@@ -61,7 +61,11 @@ mod tests {
             let state = Ring.target(r_star).expect("solved");
             let close = |value: f64, limit: f64| (value / limit - 1.0).abs() * r_star;
             assert!(close(state.lambda, limit.lambda) < 0.1, "lambda {}", state.lambda);
-            assert!(close(state.curvature / r_star, limit.curvature_per_r_star) < 1.0, "V'' {}", state.curvature);
+            assert!(
+                close(state.curvature / r_star, limit.curvature_per_r_star) < 1.0,
+                "V'' {}",
+                state.curvature
+            );
             assert!(close(seal_load(r_star, &state).unwrap_or(0.0), limit.seal_load) < 1.0);
             assert!(close(state.edges.map_or(0.0, |e| e.width), limit.width) < 0.1);
             assert!(cone_at_target(r_star) * r_star < 0.1);

@@ -22,10 +22,12 @@ mod section;
 mod solve;
 mod table;
 
-pub use limit::{RingLimit, limit};
+pub use limit::{RingLimit, limit, limit_volume_above_tube};
 pub use table::{RingTable, TargetEntry};
 
-use self::section::{CONE, LAMBDA, PHI_0, TENSION};
+#[cfg(test)]
+use self::section::CONE;
+use self::section::{LAMBDA, PHI_0, TENSION};
 use self::solve::{Solved, solve_cone, solve_free, solve_onset, solve_target};
 use super::fault::HingeFault;
 use super::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
@@ -62,7 +64,7 @@ impl HingeModel for Ring {
         if lambda < onset.unknowns[LAMBDA] {
             return Ok(state(&solve_free(r_star, lambda).map_err(unsolved)?));
         }
-        follow(r_star, target, lambda).map(|solved| state(&solved)).map_err(unsolved)
+        follow(r_star, &target, lambda).map(|solved| state(&solved)).map_err(unsolved)
     }
 
     fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
@@ -79,8 +81,8 @@ impl HingeModel for Ring {
 }
 
 /// Follows the branch with cone from `from` to `lambda`, in steps that Newton's iteration can take.
-fn follow(r_star: f64, from: Solved, lambda: f64) -> Result<Solved, NewtonFault> {
-    let mut here = from;
+fn follow(r_star: f64, from: &Solved, lambda: f64) -> Result<Solved, NewtonFault> {
+    let mut here = *from;
     let mut step = lambda - here.unknowns[LAMBDA];
     loop {
         let rest = lambda - here.unknowns[LAMBDA];

@@ -158,7 +158,12 @@ fn section(rule: &[(Wide, Wide, Wide)], r_star: f64, unknowns: [Wide; 4], cone: 
     let q2_cone = -(sin * length) * (q * q + q * gain + gain * gain * third);
     let next = tension + length * (q + gain * Wide::of(0.5)) * cos / sin;
     let [s2, z2, q22, _] = arc(rule, q + gain, next, -gamma, end);
-    [s1 + length + s2 - one, z1 - sin * length + z2, lambda * (q - axis) - s1, -(lambda * (q21 + q2_cone + q22))]
+    [
+        s1 + length + s2 - one,
+        z1 - sin * length + z2,
+        lambda * (q - axis) - s1,
+        -(lambda * (q21 + q2_cone + q22)),
+    ]
 }
 
 /// The volume at `lambda` in 30 digits: `solved` improved by Newton steps with its own Jacobian.
@@ -232,7 +237,9 @@ fn target_volume_and_curvature_meet_the_table() {
             target.section.volume.value / volume - 1.0,
             target.curvature / curvature - 1.0,
         ];
-        println!("R* {r_star:8}: lambda_t {lambda_t:.13} V {volume:.13} V'' {curvature:.11} errors {errors:?}");
+        println!(
+            "R* {r_star:8}: lambda_t {lambda_t:.13} V {volume:.13} V'' {curvature:.11} errors {errors:?}"
+        );
         assert!(errors[0].abs() < 1e-10 && errors[1].abs() < 1e-10 && errors[2].abs() < 1e-8);
     }
 }
