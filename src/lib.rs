@@ -1,5 +1,6 @@
 //! Fabrication CAM for fabric-based star soft grippers.
 
+pub mod design;
 pub mod geom;
 pub mod mechanics;
 pub mod numerics;
