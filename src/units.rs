@@ -45,9 +45,15 @@ pub trait Quantity: Copy + fmt::Display {
         if base.is_finite() { Ok(Self::from_base(base)) } else { Err(QuantityFault::NotANumber) }
     }
 
-    /// The units as a list for messages: "mm, cm, m".
+    /// The units as a list for messages: "mm, cm, m". Those with a letter that not every keyboard has, which
+    /// always have another spelling, are left out.
     fn unit_list() -> String {
-        Self::UNITS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
+        Self::UNITS
+            .iter()
+            .map(|(name, _)| *name)
+            .filter(|name| name.is_ascii())
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 }
 
