@@ -7,6 +7,8 @@ use std::fmt;
 pub struct Refusal {
     /// The key that is best changed: "star.points".
     pub key: String,
+    /// The star (1 = bottom) that the refusal speaks of, where the key is one of `[star]` and stars differ.
+    pub star: Option<u32>,
     /// A short name for scripts: "no-arm".
     pub code: &'static str,
     /// What was found, with numbers.
@@ -18,7 +20,13 @@ pub struct Refusal {
 impl Refusal {
     /// A refusal that points at `key`.
     pub fn new(key: &str, code: &'static str, found: String, remedy: String) -> Self {
-        Self { key: key.to_owned(), code, found, remedy }
+        Self { key: key.to_owned(), star: None, code, found, remedy }
+    }
+
+    /// The same refusal about star `index`, if it concerns one of the keys that stars can have of their own.
+    pub(super) fn of_star(self, index: usize) -> Self {
+        let own = self.key.starts_with("star.");
+        Self { star: u32::try_from(index).ok().filter(|_| own), ..self }
     }
 }
 

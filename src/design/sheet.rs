@@ -65,7 +65,7 @@ impl Design {
                     which.push(distinct.len());
                     distinct.push(design);
                 }
-                Err(found) => refusals.extend(found),
+                Err(found) => refusals.extend(found.into_iter().map(|refusal| refusal.of_star(i + 1))),
             }
         }
         if !refusals.is_empty() {
