@@ -5,3 +5,4 @@ pub mod mechanics;
 pub mod numerics;
 pub mod spec;
 pub mod units;
+pub mod verify;
