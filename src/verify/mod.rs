@@ -7,6 +7,7 @@
 pub mod compare;
 mod drawing;
 mod finding;
+pub mod gcode;
 mod measure;
 mod number;
 mod walk;
