@@ -6,13 +6,18 @@
 
 pub mod compare;
 mod drawing;
+mod dxf;
 mod finding;
 pub mod gcode;
 mod measure;
 mod number;
+mod svg;
+mod svg_path;
 mod walk;
 
 pub use compare::{Deviation, deviation};
 pub use drawing::Drawing;
+pub use dxf::read_dxf;
 pub use finding::{Finding, Findings};
+pub use svg::{SvgOrigin, read_svg};
 pub use walk::{Walk, walk};
