@@ -10,3 +10,4 @@ pub mod numerics;
 pub mod plan;
 pub mod spec;
 pub mod units;
+pub mod verify;

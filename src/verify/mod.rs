@@ -1,0 +1,23 @@
+//! Reads the output files back and compares them with the exact geometry: bytes to findings.
+//!
+//! Nothing here shares code with the writers: a **reader** (G-code, SVG, DXF) turns text into lines and
+//! arcs by its format's own rules, and the **comparer** measures how far those lie from what the design
+//! says. Whatever is wrong becomes a **finding**; no input makes a reader panic.
+
+pub mod compare;
+mod drawing;
+mod dxf;
+mod finding;
+pub mod gcode;
+mod measure;
+mod number;
+mod svg;
+mod svg_path;
+mod walk;
+
+pub use compare::{Deviation, deviation};
+pub use drawing::Drawing;
+pub use dxf::read_dxf;
+pub use finding::{Finding, Findings};
+pub use svg::{SvgOrigin, read_svg};
+pub use walk::{Walk, walk};
