@@ -13,6 +13,7 @@ use crate::plan::Program;
 use crate::spec::Machine;
 use crate::spec::ProgramScope;
 use crate::spec::Spec;
+use crate::verify::Archive;
 
 /// Everything that a build makes, in memory.
 #[derive(Clone, Debug)]
@@ -57,6 +58,11 @@ pub fn build(
 }
 
 impl Build {
+    /// The files as the verifier sees them.
+    pub fn archive(&self) -> Archive<'_> {
+        Archive { files: self.files().map(|(name, bytes)| (name.into(), bytes)).collect() }
+    }
+
     /// All files with their names, the manifest last.
     pub fn files(&self) -> impl Iterator<Item = (&str, std::borrow::Cow<'_, [u8]>)> {
         let artifacts = self.artifacts.iter().map(|a| (a.name.as_str(), a.bytes.as_slice().into()));

@@ -25,17 +25,12 @@ enum Command {
 
 /// Lists the built-in profiles, or prints one.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    match &args.command {
-        Some(Command::Show { name }) => match spec::builtin_machine(name) {
-            Some(text) => say(text),
-            None => {
-                let known: Vec<&str> = spec::builtin_machines().collect();
-                let known = known.join(", ");
-                Err(Failure::Message(format!("no built-in profile is called {name}; there are: {known}")))
-            }
-        },
-        None => say(&list()?),
-    }
+    let Some(Command::Show { name }) = &args.command else { return say(&list()?) };
+    let known: Vec<&str> = spec::builtin_machines().collect();
+    let text = spec::builtin_machine(name).ok_or_else(|| {
+        Failure::Message(format!("no built-in profile is called {name}; there are: {}", known.join(", ")))
+    })?;
+    say(text)
 }
 
 fn list() -> Result<String, Failure> {

@@ -18,8 +18,6 @@ use std::process::ExitCode;
 use clap::Parser;
 use clap::Subcommand;
 
-use crate::cli::failure::Failure;
-
 pub use publish::{PublishError, publish};
 
 /// Fabrication CAM for fabric-based star soft grippers.

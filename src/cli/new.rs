@@ -21,14 +21,14 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = spec::starter(&args.name).map_err(|fault| Failure::Message(fault.to_string()))?;
     let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
-    File::create_new(&path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
-        match error.kind() {
+    File::create_new(&path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(
+        |error| match error.kind() {
             io::ErrorKind::AlreadyExists => {
                 Failure::Message(format!("{} exists already; choose another name", path.display()))
             }
             _ => Failure::file("write", &path, &error),
-        }
-    })?;
+        },
+    )?;
     let path = path.display();
     say(&format!("wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"))
 }

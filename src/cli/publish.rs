@@ -127,7 +127,9 @@ fn check_ours(target: &Path) -> Result<(), PublishError> {
     let named: Vec<String> = fs::read(target.join(MANIFEST))
         .ok()
         .and_then(|bytes| serde_json::from_slice::<Manifest>(&bytes).ok())
-        .map(|manifest| manifest.files.into_iter().map(|file| file.path).chain([MANIFEST.to_owned()]).collect())
+        .map(|manifest| {
+            manifest.files.into_iter().map(|file| file.path).chain([MANIFEST.to_owned()]).collect()
+        })
         .unwrap_or_default();
     for entry in fs::read_dir(target).map_err(io_error("read", target))? {
         let entry = entry.map_err(io_error("read", target))?;

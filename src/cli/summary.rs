@@ -52,7 +52,8 @@ pub(super) fn design(spec: &Spec, design: &Design, programs: &[Program]) -> Stri
         }
     }
     for sheet in &design.sheets {
-        let _ = writeln!(out, "sheet {}: {} x {} mm", sheet.index, Readable(sheet.width), Readable(sheet.height));
+        let _ =
+            writeln!(out, "sheet {}: {} x {} mm", sheet.index, Readable(sheet.width), Readable(sheet.height));
     }
     let time: f64 = programs.iter().map(|program| program.time).sum();
     let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();

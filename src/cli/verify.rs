@@ -1,5 +1,6 @@
 //! `stargrip-cam verify`
 
+use std::fmt::Write;
 use std::fs;
 use std::io::Read;
 use std::path::Path;
@@ -35,21 +36,22 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     } else {
         let mut text = String::new();
         for (file, mm) in &proof.deviations {
-            text += &format!("{file:28} within {mm:.6} mm\n");
+            let _ = writeln!(text, "{file:28} within {mm:.6} mm");
         }
         for finding in &proof.findings {
-            text += &format!("{finding}\n");
+            let _ = writeln!(text, "{finding}");
         }
-        text += &match proof.findings.len() {
-            0 => format!("{}: proven, no findings\n", args.dir.display()),
-            n => format!("{}: {n} findings\n", args.dir.display()),
+        let verdict = match proof.findings.len() {
+            0 => "proven, no findings".to_owned(),
+            n => format!("{n} findings"),
         };
+        let _ = writeln!(text, "{}: {verdict}", args.dir.display());
         say(&text)?;
     }
     if proof.findings.is_empty() { Ok(()) } else { Err(Failure::Said) }
 }
 
-fn read_directory(dir: &Path) -> Result<Archive, Failure> {
+fn read_directory(dir: &Path) -> Result<Archive<'static>, Failure> {
     let mut files = Vec::new();
     let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;
     for entry in entries {
@@ -63,7 +65,7 @@ fn read_directory(dir: &Path) -> Result<Archive, Failure> {
                 .and_then(|file| file.take(FILE_LIMIT).read_to_end(&mut bytes))
                 .map_err(|error| Failure::file("read", &path, &error))?;
         }
-        files.push((name, bytes));
+        files.push((name.into(), bytes.into()));
     }
     files.sort();
     Ok(Archive { files })

@@ -123,7 +123,9 @@ pub fn walk(run: &[Segment], exact: &Path) -> Walk {
         }
         return result;
     };
-    let mut at = track.project(first.start, 0.0, track.length).0;
+    // An overlap covers the start twice, and rounding may bring the second pass nearer than the first.
+    let (near, distance) = track.project(first.start, 0.0, MARGIN.min(track.length));
+    let mut at = if distance <= MARGIN { near } else { track.project(first.start, 0.0, track.length).0 };
     result.start = at;
     let (mut there, mut back) = (Worst::NONE, Worst::NONE);
     let mut scratch = Vec::new();
