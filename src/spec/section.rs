@@ -84,6 +84,11 @@ impl<'r> Section<'_, 'r> {
         self.table.is_some()
     }
 
+    /// Whether `key` was written, whatever its value.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.table.is_some_and(|table| table.get(key).is_some())
+    }
+
     /// Where the section's header is.
     pub(super) fn place(&self) -> Range<usize> {
         self.place.clone()
@@ -107,8 +112,7 @@ impl<'r> Section<'_, 'r> {
 
     /// Adds one fault if some of `required`, pairs of a key and an example value, were not written.
     pub(super) fn require(&mut self, required: &[(&'static str, &str)]) {
-        let is_missing = |key: &str| self.table.is_none_or(|table| table.get(key).is_none());
-        let missing: Vec<_> = required.iter().filter(|(key, _)| is_missing(key)).collect();
+        let missing: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).collect();
         if missing.is_empty() {
             return;
         }
@@ -116,7 +120,7 @@ impl<'r> Section<'_, 'r> {
         let lines = missing.iter().map(|(key, example)| format!("{key} = {example}")).collect::<Vec<_>>();
         let (message, help) = match (self.name, self.table) {
             ("", _) => (format!("the file does not say {list}"), lines.join(", ")),
-            (name, Some(_)) => (format!("[{name}] does not say {list}"), lines.join(", ")),
+            (name, Some(_)) => (format!("{} does not say {list}", header(name)), lines.join(", ")),
             (name, None) => (
                 format!("there is no [{name}], so {list} is unknown"),
                 format!("[{name}] {}", lines.join(", ")),
@@ -143,7 +147,9 @@ impl<'r> Section<'_, 'r> {
                 Ok(found) if allowed.holds(found.base()) => return Some(found),
                 Ok(found) => {
                     let base = found.to_string();
-                    let same = if base == text.trim() { String::new() } else { format!(", that is {base}") };
+                    // Far out of every range the number in the base unit only adds digits.
+                    let is_plain = base == text.trim() || found.base().abs() > 1e9;
+                    let same = if is_plain { String::new() } else { format!(", that is {base}") };
                     Fault::error(
                         "out-of-range",
                         value.span.clone(),
@@ -246,7 +252,7 @@ impl<'r> Section<'_, 'r> {
     }
 
     fn wrong_type(&self, key: &str, value: &RawValue, label: &str) -> Fault {
-        let section = if self.name.is_empty() { String::new() } else { format!(" in [{}]", self.name) };
+        let section = if self.name.is_empty() { String::new() } else { format!(" in {}", header(self.name)) };
         let message = format!("`{key}`{section} is {}", value.in_words());
         Fault::error("wrong-type", value.span.clone(), message).label(label)
     }
@@ -261,6 +267,11 @@ impl<'r> Section<'_, 'r> {
 
 fn out_of_range(key: &str, number: &RawNumber, value: &RawValue) -> Fault {
     Fault::error("out-of-range", value.span.clone(), format!("`{key}` is {}", number.shown()))
+}
+
+/// A section's name as its header is written.
+pub(super) fn header(name: &str) -> String {
+    if name.contains('.') { format!("[[{name}]]") } else { format!("[{name}]") }
 }
 
 /// "a length", "an angle".
