@@ -187,4 +187,44 @@ mod tests {
         assert_eq!(machine.start, ["G21", "G17", "G90", "G91.1", "G94"]);
         assert_eq!((machine.pause.as_str(), machine.end), ("M0", vec!["M2".to_owned()]));
     }
+
+    /// The faults' codes of the generic profile with `old` replaced by `new`.
+    fn codes(old: &str, new: &str) -> Vec<&'static str> {
+        let text = builtin_machine("generic").expect("built in");
+        assert!(text.contains(old), "{old}");
+        match read_machine(&Source::new("changed", text.replacen(old, new, 1))) {
+            Ok(_) => Vec::new(),
+            Err(faults) => faults.list().iter().map(|fault| fault.code).collect(),
+        }
+    }
+
+    #[test]
+    fn a_line_for_the_controller_is_short_and_plain() {
+        let of_length = |n: usize| format!("\"M2 ;{}\"", "x".repeat(n - 4));
+        assert_eq!(codes("\"M2\"", &of_length(70)), [""; 0]);
+        assert_eq!(codes("\"M2\"", &of_length(71)), ["program-line"]);
+        assert_eq!(codes("\"M0\"", "\"\\u0000\""), ["program-line"]);
+        assert_eq!(codes("\"M0\"", "\" \""), ["program-line"]);
+        assert_eq!(codes("[\"M2\"]", "[]"), [""; 0]);
+    }
+
+    #[test]
+    fn heights_are_in_their_order() {
+        assert_eq!(codes("travel = \"5 mm\"", "travel = \"30 mm\""), ["out-of-range"]);
+        assert_eq!(codes("contact = \"-0.3 mm\"", "contact = \"5 mm\""), ["out-of-range"]);
+        assert_eq!(codes("contact = \"-0.3 mm\"", "contact = \"0 mm\""), [""; 0]);
+        assert_eq!(codes("travel = \"5 mm\"", ""), ["missing-key"]);
+    }
+
+    #[test]
+    fn a_work_area_is_known_whole_or_not_at_all() {
+        let text = builtin_machine("generic").expect("built in");
+        let known =
+            text.replace("x = \"unknown\"", "x = \"60 cm\"").replace("y = \"unknown\"", "y = \"400 mm\"");
+        let machine = read_machine(&Source::new("known", known)).expect("valid");
+        assert_eq!(machine.work_area, Some((Length(600.0), Length(400.0))));
+        assert_eq!(codes("x = \"unknown\"", "x = \"60 cm\""), ["conflict"]);
+        assert_eq!(codes("x = \"unknown\"", "x = 600"), ["conflict", "no-unit"]);
+        assert_eq!(codes("x = \"unknown\"\ny = \"unknown\"", ""), [""; 0]);
+    }
 }

@@ -9,8 +9,9 @@ use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::raw::RawSpec;
 use crate::spec::unknown::{self, Known};
-use crate::spec::value::{RawKind, RawNumber, RawTable, RawValue};
-use crate::units::{Quantity, QuantityFault};
+use crate::spec::value::{RawKind, RawTable, RawValue};
+use crate::spec::wording::{article, header, malformed, out_of_range};
+use crate::units::Quantity;
 
 /// Reads one document and collects its faults.
 pub(super) struct Reader<'r> {
@@ -122,7 +123,7 @@ impl<'r> Section<'_, 'r> {
             ("", _) => (format!("the file does not say {list}"), lines.join(", ")),
             (name, Some(_)) => (format!("{} does not say {list}", header(name)), lines.join(", ")),
             (name, None) => (
-                format!("there is no [{name}], so {list} is unknown"),
+                format!("there is no [{name}], which must say {list}"),
                 format!("[{name}] {}", lines.join(", ")),
             ),
         };
@@ -262,42 +263,5 @@ impl<'r> Section<'_, 'r> {
         let fault = self.wrong_type(key, value, label);
         self.report(fault);
         None
-    }
-}
-
-fn out_of_range(key: &str, number: &RawNumber, value: &RawValue) -> Fault {
-    Fault::error("out-of-range", value.span.clone(), format!("`{key}` is {}", number.shown()))
-}
-
-/// A section's name as its header is written.
-pub(super) fn header(name: &str) -> String {
-    if name.contains('.') { format!("[[{name}]]") } else { format!("[{name}]") }
-}
-
-/// "a length", "an angle".
-fn article(noun: &str) -> String {
-    let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
-    format!("{article} {noun}")
-}
-
-/// A text that should be a quantity and is none.
-fn malformed<Q: Quantity>(key: &str, text: &str, reason: &QuantityFault, span: Range<usize>) -> Fault {
-    let (kind, units, base) = (Q::KIND, Q::unit_list(), Q::UNITS[0].0);
-    let message = format!("`{key}` is {}", quoted(text));
-    match reason {
-        QuantityFault::NotANumber => Fault::error("not-a-number", span, message)
-            .label(format!("must be {}: a finite decimal number and a unit", article(kind)))
-            .help(format!("write for instance: {key} = \"5 {base}\"; units are {units}")),
-        QuantityFault::NoUnit => Fault::error("no-unit", span, format!("{message}, without a unit"))
-            .label(format!("{} needs a unit: {units}", article(kind)))
-            .help(format!("write for instance: {key} = \"{} {base}\"", text.trim())),
-        QuantityFault::UnknownUnit(unit) => {
-            let fault = Fault::error("unknown-unit", span, message)
-                .label(format!("{} is no unit of {kind}: must be one of {units}", quoted(unit)));
-            match Q::UNITS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit)) {
-                Some((near, _)) => fault.help(format!("did you mean `{near}`?")),
-                None => fault,
-            }
-        }
     }
 }

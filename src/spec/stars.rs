@@ -88,10 +88,10 @@ fn read_inlet(s: &mut Section<'_, '_>) -> (Option<Inlet>, Option<u32>) {
     }
     let others: Vec<_> = s.other_keys("none").into_iter().map(|key| format!("`{key}`")).collect();
     if !others.is_empty() {
-        let fault =
-            Fault::error("conflict", s.place_of("none"), format!("[inlet] has {}", others.join(", ")))
-                .label("no inlet has no other keys")
-                .help("delete the other keys, or this one");
+        let message = format!("[inlet] says `none = true` beside {}", others.join(", "));
+        let fault = Fault::error("conflict", s.place_of("none"), message)
+            .label("no inlet, so no other key is allowed here")
+            .help("delete the other keys, or this one");
         s.report(fault);
     }
     (None, tip)

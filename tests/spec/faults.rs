@@ -98,6 +98,14 @@ fn a_hot_iron_is_warned_of_and_a_hotter_one_refused() {
 }
 
 #[test]
+fn a_wrong_file_is_not_told_line_by_line() {
+    let faults = try_read(&"= 1\n".repeat(100_000)).expect_err("no spec");
+    let text = faults.to_string();
+    assert!(text.ends_with("spec.toml: 100 errors, the first 30 shown\n"), "{text}");
+    assert_eq!(text.lines().filter(|line| line.starts_with("error[")).count(), 30);
+}
+
+#[test]
 fn windows_files_read_as_others_do() {
     let text = format!("\u{feff}{SHORTEST}").replace('\n', "\r\n");
     assert_eq!(spec(&text), spec(SHORTEST));

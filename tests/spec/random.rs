@@ -128,6 +128,39 @@ fn document(lines: &[(&str, String)]) -> String {
     text
 }
 
+/// The shortest spec with `key` set to `base` in its base unit.
+fn with(key: &Key, base: f64) -> String {
+    let unit = key.units.first().map(|(name, _)| *name);
+    let value = unit.map_or(format!("{base:?}"), |unit| format!("\"{base:?} {unit}\""));
+    let line = format!("{} = {value}", key.name);
+    let required = format!("\n{} = ", key.name);
+    match (key.section, SHORTEST.split_once(&required)) {
+        ("star", Some((head, tail))) => {
+            let rest = tail.split_once('\n').map_or("", |(_, rest)| rest);
+            format!("{head}\n{line}\n{rest}")
+        }
+        ("star", None) => format!("{SHORTEST}{line}\n"),
+        (section, _) => format!("{SHORTEST}[{section}]\n{line}\n"),
+    }
+}
+
+#[test]
+fn every_range_ends_where_it_is_said_to() {
+    for key in KEYS.iter().chain(REQUIRED) {
+        for base in [key.low, key.high] {
+            let found = try_read(&with(key, base));
+            assert!(found.is_ok(), "{}", found.expect_err("checked"));
+        }
+        // Open ends lie within this distance of those of the table.
+        let below = key.low - (0.01 * key.low.abs()).max(2e-9);
+        let above = 1.001 * key.high;
+        for base in [below, above, f64::MAX, -f64::MAX, f64::NAN, f64::INFINITY] {
+            let found = try_read(&with(key, base));
+            assert!(found.is_err(), "{} = {base}", key.name);
+        }
+    }
+}
+
 fn config() -> ProptestConfig {
     ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(256) }
 }
