@@ -22,6 +22,7 @@ mod stars;
 mod starter;
 mod unknown;
 mod value;
+mod wording;
 mod words;
 
 pub use fault::{Fault, Faults, Level};

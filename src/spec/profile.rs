@@ -19,8 +19,10 @@ const BUILTIN: &[(&str, &str)] = &[("generic", include_str!("../../templates/mac
 
 /// Longest description, in characters.
 const DESCRIPTION_LENGTH: usize = 200;
-/// Heights of the tip: no iron is pressed in, and none is lifted, further than this.
-const HEIGHT: Allowed = Allowed::closed(-20.0, 1000.0);
+/// Height in contact: a spring is pressed in by less than 20 mm, a thick release layer is less than 5 mm.
+const CONTACT: Allowed = Allowed::closed(-20.0, 5.0);
+/// Heights without contact: above the release layer, below any gantry.
+const HEIGHT: Allowed = Allowed::above(0.0, 1000.0);
 /// Speeds of moves without sealing, up to 10 m/s.
 const FAST: Allowed = Allowed::closed(0.01, 1e4);
 
@@ -110,24 +112,29 @@ fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
 
 fn read_heights(s: &mut Section<'_, '_>) -> Heights {
     s.require(&[("contact", "\"0 mm\""), ("travel", "\"5 mm\""), ("park", "\"30 mm\"")]);
-    let mut height = |key, default| s.quantity(key, HEIGHT).unwrap_or(Length(default));
-    let heights = Heights {
-        contact: height("contact", 0.0),
-        travel: height("travel", 5.0),
-        park: height("park", 30.0),
-    };
-    for (low, low_key, high, high_key) in [
-        (heights.contact, "contact", heights.travel, "travel"),
-        (Length(0.0), "the release layer", heights.travel, "travel"),
-        (heights.travel, "travel", heights.park, "park"),
-    ] {
-        if high <= low {
-            let fault = Fault::error("out-of-range", s.place_of(high_key), format!("`{high_key}` is {high}"))
-                .label(format!("must be above `{low_key}`, {low}"));
+    let contact = s.quantity("contact", CONTACT);
+    let travel = s.quantity("travel", HEIGHT);
+    let park = s.quantity("park", HEIGHT);
+    for (low, low_key, high, high_key) in
+        [(contact, "contact", travel, "travel"), (travel, "travel", park, "park")]
+    {
+        if let (Some(Length(low)), Some(Length(high))) = (low, high)
+            && high <= low
+        {
+            let fault = Fault::error(
+                "out-of-range",
+                s.place_of(high_key),
+                format!("`{high_key}` is {}", Length(high)),
+            )
+            .label(format!("must be above `{low_key}`, {}", Length(low)));
             s.report(fault);
         }
     }
-    heights
+    Heights {
+        contact: contact.unwrap_or(Length(0.0)),
+        travel: travel.unwrap_or(Length(5.0)),
+        park: park.unwrap_or(Length(30.0)),
+    }
 }
 
 fn read_lines(s: &mut Section<'_, '_>, key: &'static str, length: usize) -> Vec<String> {
@@ -179,5 +186,45 @@ mod tests {
         assert_eq!((machine.line_length, machine.ramp, machine.work_area), (70, Length(3.0), None));
         assert_eq!(machine.start, ["G21", "G17", "G90", "G91.1", "G94"]);
         assert_eq!((machine.pause.as_str(), machine.end), ("M0", vec!["M2".to_owned()]));
+    }
+
+    /// The faults' codes of the generic profile with `old` replaced by `new`.
+    fn codes(old: &str, new: &str) -> Vec<&'static str> {
+        let text = builtin_machine("generic").expect("built in");
+        assert!(text.contains(old), "{old}");
+        match read_machine(&Source::new("changed", text.replacen(old, new, 1))) {
+            Ok(_) => Vec::new(),
+            Err(faults) => faults.list().iter().map(|fault| fault.code).collect(),
+        }
+    }
+
+    #[test]
+    fn a_line_for_the_controller_is_short_and_plain() {
+        let of_length = |n: usize| format!("\"M2 ;{}\"", "x".repeat(n - 4));
+        assert_eq!(codes("\"M2\"", &of_length(70)), [""; 0]);
+        assert_eq!(codes("\"M2\"", &of_length(71)), ["program-line"]);
+        assert_eq!(codes("\"M0\"", "\"\\u0000\""), ["program-line"]);
+        assert_eq!(codes("\"M0\"", "\" \""), ["program-line"]);
+        assert_eq!(codes("[\"M2\"]", "[]"), [""; 0]);
+    }
+
+    #[test]
+    fn heights_are_in_their_order() {
+        assert_eq!(codes("travel = \"5 mm\"", "travel = \"30 mm\""), ["out-of-range"]);
+        assert_eq!(codes("contact = \"-0.3 mm\"", "contact = \"5 mm\""), ["out-of-range"]);
+        assert_eq!(codes("contact = \"-0.3 mm\"", "contact = \"0 mm\""), [""; 0]);
+        assert_eq!(codes("travel = \"5 mm\"", ""), ["missing-key"]);
+    }
+
+    #[test]
+    fn a_work_area_is_known_whole_or_not_at_all() {
+        let text = builtin_machine("generic").expect("built in");
+        let known =
+            text.replace("x = \"unknown\"", "x = \"60 cm\"").replace("y = \"unknown\"", "y = \"400 mm\"");
+        let machine = read_machine(&Source::new("known", known)).expect("valid");
+        assert_eq!(machine.work_area, Some((Length(600.0), Length(400.0))));
+        assert_eq!(codes("x = \"unknown\"", "x = \"60 cm\""), ["conflict"]);
+        assert_eq!(codes("x = \"unknown\"", "x = 600"), ["conflict", "no-unit"]);
+        assert_eq!(codes("x = \"unknown\"\ny = \"unknown\"", ""), [""; 0]);
     }
 }

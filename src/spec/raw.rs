@@ -87,6 +87,7 @@ fn syntax_fault(error: &toml::de::Error) -> Fault {
         // A quantity without quotes.
         Some((found, "literal string")) => (found, "write it in quotes: \"...\"".to_owned()),
         Some((found, allowed)) => (found, format!("expected {allowed}")),
+        None if error.message() == "duplicate key" => (error.message(), "this was written before".to_owned()),
         None => (error.message(), String::new()),
     };
     Fault::error("syntax", error.span().unwrap_or(0..0), found).label(allowed)

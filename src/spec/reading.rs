@@ -34,6 +34,13 @@ pub struct Reading {
 
 /// Reads a spec.
 ///
+/// Ranges, ends included unless said otherwise: sizes 1 um to 100 m; radii, allowances, margins, creep, kerf, overlap
+/// and fillet 0 to 100 m; `points` and `posts` 3 to 64; `count` 1 to 64; `tip` and `inlet_tip` 1 to the star's points;
+/// `tip_angle` between 0 and 180 deg, both excluded; `rotation` up to 3600 deg either way; `temperature` above 0 C and
+/// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
+/// above -1, to 0.5; `seal_strength` 1e-6 to 1e4 N/mm; `areal_density` 1e-6 to 1e4 kg/m^2; `pressure` 1 Pa to 1 GPa;
+/// `friction` above 0, to 10; `path` 0.0001 to 1 mm; `response` above 0, to 100 %; `name` as [`check_name`] says.
+///
 /// # Errors
 /// All faults of the text at once, warnings among them, if at least one refuses it.
 pub fn read(source: &Source) -> Result<Reading, Faults> {

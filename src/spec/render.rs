@@ -3,6 +3,7 @@
 use annotate_snippets::{AnnotationKind, Level as Tone, Renderer, Snippet};
 
 use crate::spec::fault::{Fault, Faults, Level};
+use crate::spec::words::breaks_line;
 
 /// Most faults shown; a wrong file has thousands, and nobody reads them.
 const SHOWN: usize = 30;
@@ -44,7 +45,7 @@ fn one(faults: &Faults, fault: &Fault, renderer: &Renderer) -> String {
     };
     let snippet = Snippet::source(line)
         .line_start(1 + text[..start].matches('\n').count())
-        .path(faults.source().name.as_str())
+        .path(shown_name(faults))
         .annotation(AnnotationKind::Primary.span(span).label(fault.label.as_str()));
     let mut group = tone.primary_title(fault.message.as_str()).id(fault.code).element(snippet);
     if let Some(help) = &fault.help {
@@ -64,5 +65,10 @@ fn summary(faults: &Faults) -> String {
     let parts = [phrase(count(Level::Error), "error"), phrase(count(Level::Warning), "warning")];
     let parts = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
     let cut = if faults.list().len() > SHOWN { format!(", the first {SHOWN} shown") } else { String::new() };
-    format!("{}: {parts}{cut}", faults.source().name)
+    format!("{}: {parts}{cut}", shown_name(faults))
+}
+
+/// The source's name without what would command a terminal.
+fn shown_name(faults: &Faults) -> String {
+    faults.source().name.chars().map(|c| if breaks_line(c) { '?' } else { c }).collect()
 }

@@ -9,8 +9,9 @@ use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::raw::RawSpec;
 use crate::spec::unknown::{self, Known};
-use crate::spec::value::{RawKind, RawNumber, RawTable, RawValue};
-use crate::units::{Quantity, QuantityFault};
+use crate::spec::value::{RawKind, RawTable, RawValue};
+use crate::spec::wording::{article, header, malformed, out_of_range};
+use crate::units::Quantity;
 
 /// Reads one document and collects its faults.
 pub(super) struct Reader<'r> {
@@ -84,6 +85,11 @@ impl<'r> Section<'_, 'r> {
         self.table.is_some()
     }
 
+    /// Whether `key` was written, whatever its value.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.table.is_some_and(|table| table.get(key).is_some())
+    }
+
     /// Where the section's header is.
     pub(super) fn place(&self) -> Range<usize> {
         self.place.clone()
@@ -107,8 +113,7 @@ impl<'r> Section<'_, 'r> {
 
     /// Adds one fault if some of `required`, pairs of a key and an example value, were not written.
     pub(super) fn require(&mut self, required: &[(&'static str, &str)]) {
-        let is_missing = |key: &str| self.table.is_none_or(|table| table.get(key).is_none());
-        let missing: Vec<_> = required.iter().filter(|(key, _)| is_missing(key)).collect();
+        let missing: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).collect();
         if missing.is_empty() {
             return;
         }
@@ -116,9 +121,9 @@ impl<'r> Section<'_, 'r> {
         let lines = missing.iter().map(|(key, example)| format!("{key} = {example}")).collect::<Vec<_>>();
         let (message, help) = match (self.name, self.table) {
             ("", _) => (format!("the file does not say {list}"), lines.join(", ")),
-            (name, Some(_)) => (format!("[{name}] does not say {list}"), lines.join(", ")),
+            (name, Some(_)) => (format!("{} does not say {list}", header(name)), lines.join(", ")),
             (name, None) => (
-                format!("there is no [{name}], so {list} is unknown"),
+                format!("there is no [{name}], which must say {list}"),
                 format!("[{name}] {}", lines.join(", ")),
             ),
         };
@@ -143,7 +148,9 @@ impl<'r> Section<'_, 'r> {
                 Ok(found) if allowed.holds(found.base()) => return Some(found),
                 Ok(found) => {
                     let base = found.to_string();
-                    let same = if base == text.trim() { String::new() } else { format!(", that is {base}") };
+                    // Far out of every range the number in the base unit only adds digits.
+                    let is_plain = base == text.trim() || found.base().abs() > 1e9;
+                    let same = if is_plain { String::new() } else { format!(", that is {base}") };
                     Fault::error(
                         "out-of-range",
                         value.span.clone(),
@@ -246,7 +253,7 @@ impl<'r> Section<'_, 'r> {
     }
 
     fn wrong_type(&self, key: &str, value: &RawValue, label: &str) -> Fault {
-        let section = if self.name.is_empty() { String::new() } else { format!(" in [{}]", self.name) };
+        let section = if self.name.is_empty() { String::new() } else { format!(" in {}", header(self.name)) };
         let message = format!("`{key}`{section} is {}", value.in_words());
         Fault::error("wrong-type", value.span.clone(), message).label(label)
     }
@@ -256,37 +263,5 @@ impl<'r> Section<'_, 'r> {
         let fault = self.wrong_type(key, value, label);
         self.report(fault);
         None
-    }
-}
-
-fn out_of_range(key: &str, number: &RawNumber, value: &RawValue) -> Fault {
-    Fault::error("out-of-range", value.span.clone(), format!("`{key}` is {}", number.shown()))
-}
-
-/// "a length", "an angle".
-fn article(noun: &str) -> String {
-    let article = if noun.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
-    format!("{article} {noun}")
-}
-
-/// A text that should be a quantity and is none.
-fn malformed<Q: Quantity>(key: &str, text: &str, reason: &QuantityFault, span: Range<usize>) -> Fault {
-    let (kind, units, base) = (Q::KIND, Q::unit_list(), Q::UNITS[0].0);
-    let message = format!("`{key}` is {}", quoted(text));
-    match reason {
-        QuantityFault::NotANumber => Fault::error("not-a-number", span, message)
-            .label(format!("must be {}: a finite decimal number and a unit", article(kind)))
-            .help(format!("write for instance: {key} = \"5 {base}\"; units are {units}")),
-        QuantityFault::NoUnit => Fault::error("no-unit", span, format!("{message}, without a unit"))
-            .label(format!("{} needs a unit: {units}", article(kind)))
-            .help(format!("write for instance: {key} = \"{} {base}\"", text.trim())),
-        QuantityFault::UnknownUnit(unit) => {
-            let fault = Fault::error("unknown-unit", span, message)
-                .label(format!("{} is no unit of {kind}: must be one of {units}", quoted(unit)));
-            match Q::UNITS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit)) {
-                Some((near, _)) => fault.help(format!("did you mean `{near}`?")),
-                None => fault,
-            }
-        }
     }
 }

@@ -38,12 +38,14 @@ pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<StarSpec>, Option<Inlet>) {
 
     let mut stack = reader.section("stack");
     let count = stack.count("count", 1, MOST);
+    // A faulty count is reported already; then any index passes.
+    let highest = if count.is_none() && stack.has("count") { MOST } else { count.unwrap_or(1) };
     let base = StarSpec { inlet_tip: tip.unwrap_or(base.inlet_tip), ..read_place(&mut stack, &base) };
     read_list(&mut stack);
     let mut stars = vec![base; usize::try_from(count.unwrap_or(1)).unwrap_or(1)];
     // The bottom star has no star below it, hence no rotation against one unless its own section says so.
     stars[0].rotation = Angle(0.0);
-    read_overrides(reader, &mut stars, count, inlet.is_some());
+    read_overrides(reader, &mut stars, highest, inlet.is_some());
     check_inlet_tips(reader, &stars, inlet.is_some());
     (stars, inlet)
 }
@@ -86,10 +88,10 @@ fn read_inlet(s: &mut Section<'_, '_>) -> (Option<Inlet>, Option<u32>) {
     }
     let others: Vec<_> = s.other_keys("none").into_iter().map(|key| format!("`{key}`")).collect();
     if !others.is_empty() {
-        let fault =
-            Fault::error("conflict", s.place_of("none"), format!("[inlet] has {}", others.join(", ")))
-                .label("`none = true` allows no other key here")
-                .help("delete the other keys, or this one");
+        let message = format!("[inlet] says `none = true` beside {}", others.join(", "));
+        let fault = Fault::error("conflict", s.place_of("none"), message)
+            .label("no inlet, so no other key is allowed here")
+            .help("delete the other keys, or this one");
         s.report(fault);
     }
     (None, tip)
@@ -107,9 +109,7 @@ fn read_list(stack: &mut Section<'_, '_>) {
 }
 
 /// What single stars have different.
-fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], count: Option<u32>, has_inlet: bool) {
-    // A faulty count is reported already; then any index passes.
-    let highest = count.unwrap_or(MOST);
+fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32, has_inlet: bool) {
     let mut seen = [false; MOST as usize + 1];
     for value in reader.raw.overrides() {
         let mut section = reader.element("stack.star", value);

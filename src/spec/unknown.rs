@@ -2,6 +2,7 @@
 
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::value::RawTable;
+use crate::spec::wording::header;
 
 /// A section that was read: its keys and what was written in it.
 pub(super) struct Known<'r> {
@@ -35,8 +36,11 @@ pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
                     .label("no section has this name")
                     .help(section_hint(word, known))
             } else {
-                let home =
-                    if one.section.is_empty() { String::new() } else { format!(" in [{}]", one.section) };
+                let home = if one.section.is_empty() {
+                    String::new()
+                } else {
+                    format!(" in {}", header(one.section))
+                };
                 Fault::error("unknown-key", place, format!("unknown key {}{home}", quoted(word)))
                     .label("no key has this name here")
                     .help(key_hint(word, one, known))
@@ -84,8 +88,7 @@ fn section_hint(word: &str, known: &[Known<'_>]) -> String {
 fn key_hint(word: &str, here: &Known<'_>, known: &[Known<'_>]) -> String {
     let home = |one: &Known<'_>| match one.section {
         "" => "before the first section".to_owned(),
-        "stack.star" => "in [[stack.star]]".to_owned(),
-        name => format!("in [{name}]"),
+        name => format!("in {}", header(name)),
     };
     let elsewhere = || known.iter().filter(|one| one.section != here.section);
     if let Some(there) = elsewhere().find(|one| one.keys.contains(&word)) {
