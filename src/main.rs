@@ -1,3 +1,7 @@
 //! The command line of `stargrip-cam`.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    stargrip_cam::cli::main()
+}

@@ -45,9 +45,15 @@ pub trait Quantity: Copy + fmt::Display {
         if base.is_finite() { Ok(Self::from_base(base)) } else { Err(QuantityFault::NotANumber) }
     }
 
-    /// The units as a list for messages: "mm, cm, m".
+    /// The units as a list for messages: "mm, cm, m". Those with a letter that not every keyboard has, which
+    /// always have another spelling, are left out.
     fn unit_list() -> String {
-        Self::UNITS.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ")
+        Self::UNITS
+            .iter()
+            .map(|(name, _)| *name)
+            .filter(|name| name.is_ascii())
+            .collect::<Vec<_>>()
+            .join(", ")
     }
 }
 
@@ -152,5 +158,156 @@ impl fmt::Display for Readable {
         let text = format!("{x:.decimals$}");
         let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
         f.write_str(if text == "-0" { "0" } else { text })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(a: f64, b: f64) -> bool {
+        (a - b).abs() <= 1e-12 * b.abs()
+    }
+
+    #[test]
+    fn every_unit_has_its_size() {
+        let lengths = [
+            ("1 mm", 1.0),
+            ("1 cm", 10.0),
+            ("1 m", 1e3),
+            ("1 um", 1e-3),
+            ("1 µm", 1e-3),
+            ("1 μm", 1e-3),
+            ("1 in", 25.4),
+        ];
+        for (text, mm) in lengths {
+            assert!(close(Length::parse(text).expect(text).0, mm), "{text}");
+        }
+        assert_eq!(Angle::parse("30 deg"), Ok(Angle(30.0)));
+        assert!(close(Angle::parse("0.5235987755982988 rad").expect("rad").0, 30.0));
+        assert!(close(Angle(180.0).rad(), std::f64::consts::PI));
+        let pressures = [
+            ("1 kPa", 1.0),
+            ("1000 Pa", 1.0),
+            ("1 MPa", 1e3),
+            ("1 GPa", 1e6),
+            ("0.37 bar", 37.0),
+            ("370 mbar", 37.0),
+            ("1 psi", 6.894_757_293_168_361),
+        ];
+        for (text, kpa) in pressures {
+            assert!(close(Pressure::parse(text).expect(text).0, kpa), "{text}");
+        }
+        for text in ["200 C", "200 degC", "200 °C"] {
+            assert_eq!(Temperature::parse(text), Ok(Temperature(200.0)));
+        }
+        for text in ["0.1 mm/s", "6 mm/min", "0.0001 m/s", "0.006 m/min", "0.01 cm/s"] {
+            assert!(close(Speed::parse(text).expect(text).0, 0.1), "{text}");
+        }
+        assert_eq!(Acceleration::parse("0.5 m/s^2"), Ok(Acceleration(500.0)));
+        for text in ["1.2 N/mm", "1200 N/m", "12 N/cm", "18 N/15mm", "30 N/25mm"] {
+            assert!(close(LineForce::parse(text).expect(text).0, 1.2), "{text}");
+        }
+        assert!(close(ArealDensity::parse("300 g/m^2").expect("g/m^2").0, 0.3));
+        assert_eq!(Percent::parse("5 %").map(Percent::ratio), Ok(0.05));
+        for text in ["1 h", "60 min", "3600 s", "3600000 ms"] {
+            assert!(close(Duration::parse(text).expect(text).0, 3600.0), "{text}");
+        }
+    }
+
+    #[test]
+    fn numbers_and_blanks_may_be_written_as_people_do() {
+        let five = [
+            "5mm",
+            " 5  mm ",
+            "5\tmm",
+            "+5 mm",
+            "5. mm",
+            "5.0mm",
+            "05 mm",
+            "50e-1 mm",
+            ".5e1 mm",
+            "5E0mm",
+            "5\u{a0}mm",
+        ];
+        for text in five {
+            assert_eq!(Length::parse(text), Ok(Length(5.0)), "{text}");
+        }
+        assert_eq!(Length::parse("-.3mm"), Ok(Length(-0.3)));
+    }
+
+    #[test]
+    fn what_is_no_number_is_said_to_be_none() {
+        for text in [
+            "", " ", "mm", "nan mm", "inf mm", "-inf mm", "1e999 mm", "1e308 m", ".", "+", "-", "e5 mm",
+            ".e1 mm", "½ mm", "५ mm",
+        ] {
+            assert_eq!(Length::parse(text), Err(QuantityFault::NotANumber), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_unit_is_said_to_be_none() {
+        assert_eq!(Length::parse("5"), Err(QuantityFault::NoUnit));
+        assert_eq!(Length::parse("5 "), Err(QuantityFault::NoUnit));
+        let faulty = [
+            ("5e", "e"),
+            ("5e+", "e+"),
+            ("5e mm", "e mm"),
+            ("0x10 mm", "x10 mm"),
+            ("5 MM", "MM"),
+            ("5 mm mm", "mm mm"),
+            ("5 m\u{308}m", "m\u{308}m"),
+            ("5,3 mm", ",3 mm"),
+            ("5 5 mm", "5 mm"),
+            ("1_000 mm", "_000 mm"),
+            ("5 kPa", "kPa"),
+        ];
+        for (text, unit) in faulty {
+            assert_eq!(Length::parse(text), Err(QuantityFault::UnknownUnit(unit.to_owned())), "{text}");
+        }
+    }
+
+    #[test]
+    fn units_are_listed_as_a_keyboard_writes_them() {
+        assert_eq!(Length::unit_list(), "mm, cm, m, um, in");
+        assert_eq!(Temperature::unit_list(), "C, degC");
+    }
+
+    #[test]
+    fn numbers_print_as_people_read_them() {
+        let cases = [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (0.3, "0.3"),
+            (-6.2, "-6.2"),
+            (0.1 + 0.2, "0.3"),
+            (100_000.0, "100000"),
+            (123_456_789.0, "123456789"),
+            (1.0 / 3.0, "0.333333"),
+            (999_999.7, "1000000"),
+            (0.0001, "0.0001"),
+            (f64::NAN, "NaN"),
+            (f64::INFINITY, "inf"),
+        ];
+        for (x, text) in cases {
+            assert_eq!(Readable(x).to_string(), text);
+        }
+        assert_eq!(Length(-0.3).to_string(), "-0.3 mm");
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn no_text_makes_parsing_panic(text in "\\PC{0,20}") {
+            if let Ok(length) = Length::parse(&text) {
+                proptest::prop_assert!(length.0.is_finite());
+            }
+        }
+
+        #[test]
+        fn what_is_printed_reads_back_to_six_digits(mm in -1e5..1e5_f64) {
+            let back = Length::parse(&Length(mm).to_string()).expect("printed");
+            proptest::prop_assert!((back.0 - mm).abs() <= 1e-5 * mm.abs());
+        }
     }
 }

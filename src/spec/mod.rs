@@ -3,13 +3,37 @@
 //! A **raw spec** is what was written, with the place of each key and value in the source; a **spec**
 //! is complete (every default filled in) and valid (every value in its range). What only the
 //! geometry can tell, for instance that the arms would have a negative length, is refused later, by
-//! the design stage.
+//! the design stage; it points at the key concerned with [`RawSpec::span_of`].
+//!
+//! The way of a text: [`Source`] (bytes that are UTF-8), [`RawSpec`] (TOML), a reader that takes each key with
+//! its kind and range, [`Reading`] (the spec and its warnings) or [`Faults`]. A machine profile goes the same way.
 
+mod allowed;
+mod fault;
 mod machine;
 mod model;
+mod profile;
+mod raw;
+mod reading;
+mod render;
+mod section;
+mod source;
+mod stars;
+mod starter;
+mod unknown;
+mod value;
+mod wording;
+mod words;
 
+pub use fault::{Fault, Faults, Level};
 pub use machine::{Dialect, Heating, Heights, Machine};
 pub use model::{
     Accuracy, Fabric, FeedFloor, Frame, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
     Sheet, Spec, StarSpec,
 };
+pub use profile::{builtin_machine, builtin_machines, read_machine};
+pub use raw::RawSpec;
+pub use reading::{Reading, read};
+pub use source::{SIZE_LIMIT, Source};
+pub use starter::starter;
+pub use words::{NAME_LENGTH, NameFault, check_name};

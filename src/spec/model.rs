@@ -67,6 +67,14 @@ pub struct StarSpec {
     pub inlet_tip: u32,
 }
 
+impl StarSpec {
+    /// Whether the flat parts are the same, wherever they stand in the stack.
+    pub fn same_part(&self, other: &Self) -> bool {
+        let flat = |star: &Self| Self { rotation: Angle(0.0), pitch: Length(0.0), ..star.clone() };
+        flat(self) == flat(other)
+    }
+}
+
 /// The channel through which the tube is inflated.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inlet {

@@ -1,0 +1,54 @@
+//! `stargrip-cam build`
+
+use std::path::Path;
+use std::path::PathBuf;
+
+use clap::builder::PossibleValuesParser;
+use clap::builder::TypedValueParser;
+
+use crate::artifact::Kind;
+use crate::cli::failure::Failure;
+use crate::cli::failure::say;
+use crate::cli::load::Loaded;
+use crate::cli::publish;
+use crate::cli::summary;
+use crate::pipeline;
+use crate::verify;
+
+/// Arguments of `build`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// The spec to build.
+    spec: PathBuf,
+    /// Where to put the files; default: out/ and the spec's name without its ending.
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+    /// Build only these kinds; the spec, the machine profile and the manifest come always.
+    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = kind_parser())]
+    only: Vec<Kind>,
+}
+
+fn kind_parser() -> impl TypedValueParser<Value = Kind> {
+    PossibleValuesParser::new(Kind::ALL.map(Kind::name))
+        .try_map(|name| Kind::from_name(&name).ok_or("no such kind"))
+}
+
+/// Builds, proves and publishes.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let loaded = Loaded::new(&args.spec)?;
+    let spec = &loaded.reading.spec;
+    let build = pipeline::build(spec, &loaded.machine, loaded.sources(), &args.only)
+        .map_err(|refusals| loaded.refused(refusals))?;
+    let proof = verify::prove(&build.design, spec, &loaded.machine, &build.archive());
+    if !proof.findings.is_empty() {
+        return Err(Failure::Findings(proof.findings));
+    }
+    let target = args.output.clone().unwrap_or_else(|| default_output(&args.spec));
+    publish(&target, build.files())?;
+    say(&summary::built(spec, &loaded.machine, &build, &proof, &target))
+}
+
+/// `out/` and the spec's file name without its ending.
+fn default_output(spec: &Path) -> PathBuf {
+    Path::new("out").join(spec.file_stem().unwrap_or(std::ffi::OsStr::new("design")))
+}

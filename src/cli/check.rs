@@ -1,0 +1,26 @@
+//! `stargrip-cam check`
+
+use std::path::PathBuf;
+
+use crate::cli::failure::Failure;
+use crate::cli::failure::say;
+use crate::cli::load::Loaded;
+use crate::cli::summary;
+use crate::design::Design;
+use crate::plan;
+
+/// Arguments of `check`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// The spec to check.
+    spec: PathBuf,
+}
+
+/// Designs and plans, and says what came out.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let loaded = Loaded::new(&args.spec)?;
+    let spec = &loaded.reading.spec;
+    let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
+    let programs = plan::seal_programs(spec, &loaded.machine, &design);
+    say(&summary::design(spec, &design, &programs))
+}

@@ -1,0 +1,94 @@
+//! How a command fails, and what it prints then.
+
+use std::io;
+use std::io::IsTerminal;
+use std::io::Write;
+use std::path::Path;
+use std::process::ExitCode;
+
+use crate::cli::PublishError;
+use crate::spec::Faults;
+use crate::verify::Finding;
+
+/// Why a command did not do what it was asked for. All of them end with exit code 1.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// The spec, the profile or the design is refused.
+    Faults(Faults),
+    /// Outputs do not say what the design says.
+    Findings(Vec<Finding>),
+    /// Nothing could be published.
+    Publish(PublishError),
+    /// Anything else, in one sentence.
+    Message(String),
+    /// It has been said already, on standard output.
+    Said,
+    /// The reader of our standard output has gone; there is nobody left to tell.
+    Pipe,
+}
+
+impl Failure {
+    /// A file that could not be read or written.
+    pub(super) fn file(what: &str, path: &Path, error: &io::Error) -> Self {
+        Self::Message(format!("cannot {what} {}: {error}", path.display()))
+    }
+
+    /// Prints it to standard error.
+    pub(super) fn report(self) -> ExitCode {
+        let text = match self {
+            Self::Faults(faults) => rendered(&faults),
+            Self::Findings(findings) => {
+                let lines: Vec<String> = findings.iter().map(ToString::to_string).collect();
+                format!("error: {} findings; nothing was published\n{}", findings.len(), lines.join("\n"))
+            }
+            Self::Publish(error) => format!("error: {error}"),
+            Self::Message(text) => format!("error: {text}"),
+            Self::Said => return ExitCode::FAILURE,
+            Self::Pipe => return ExitCode::SUCCESS,
+        };
+        tell(&text);
+        ExitCode::FAILURE
+    }
+}
+
+impl From<Faults> for Failure {
+    fn from(faults: Faults) -> Self {
+        Self::Faults(faults)
+    }
+}
+
+impl From<PublishError> for Failure {
+    fn from(error: PublishError) -> Self {
+        Self::Publish(error)
+    }
+}
+
+/// Prints warnings to standard error, if there are any.
+pub(super) fn warn(faults: &Faults) {
+    if !faults.is_empty() {
+        tell(&rendered(faults));
+    }
+}
+
+/// Prints to standard output; a closed pipe ends the command quietly, as other filters do.
+pub(super) fn say(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    written.map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => Failure::Pipe,
+        _ => Failure::Message(format!("cannot write to standard output: {error}")),
+    })
+}
+
+fn rendered(faults: &Faults) -> String {
+    if io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
+        faults.coloured()
+    } else {
+        faults.to_string()
+    }
+}
+
+fn tell(text: &str) {
+    // Nothing is left to do if standard error is gone as well.
+    let _ = writeln!(io::stderr(), "{}", text.trim_end());
+}

@@ -1,0 +1,58 @@
+//! The face: commands, files, terminal. Only this room touches files, arguments and the environment.
+//!
+//! Exit codes: 0 done; 1 the spec, the design or the outputs are refused; 2 wrong usage. Results go to
+//! standard output, faults to standard error.
+
+mod build;
+mod check;
+mod failure;
+mod load;
+mod machines;
+mod new;
+mod publish;
+mod summary;
+mod verify;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+use clap::Subcommand;
+
+pub use publish::{PublishError, publish};
+
+/// Fabrication CAM for fabric-based star soft grippers.
+#[derive(Parser, Debug)]
+#[command(version, about, after_help = "Begin with `stargrip-cam new`, then `stargrip-cam build spec.toml`.")]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    /// Build everything that a spec asks for, prove it, and publish it as one directory.
+    Build(build::Args),
+    /// Read a spec and say what would be built, or everything that is wrong with it.
+    Check(check::Args),
+    /// Prove a published directory: hashes, and every file against the exact geometry.
+    Verify(verify::Args),
+    /// Write a commented starter spec.
+    New(new::Args),
+    /// List the built-in machine profiles.
+    Machines(machines::Args),
+}
+
+/// Runs the program with the arguments of the process.
+pub fn main() -> ExitCode {
+    let result = match Cli::parse().command {
+        Command::Build(args) => build::run(&args),
+        Command::Check(args) => check::run(&args),
+        Command::Verify(args) => verify::run(&args),
+        Command::New(args) => new::run(&args),
+        Command::Machines(args) => machines::run(&args),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}

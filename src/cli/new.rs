@@ -1,0 +1,48 @@
+//! `stargrip-cam new`
+
+use std::fs::File;
+use std::io;
+use std::io::Write;
+use std::path::PathBuf;
+
+use crate::cli::failure::Failure;
+use crate::cli::failure::say;
+use crate::spec;
+
+/// Arguments of `new`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// What to call the design; the file is called like it.
+    #[arg(default_value = "star")]
+    name: String,
+}
+
+/// Writes a starter spec into the current directory; never over a file that is there.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let text = spec::starter(&args.name).map_err(|fault| Failure::Message(fault.to_string()))?;
+    let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
+    File::create_new(&path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(
+        |error| match error.kind() {
+            io::ErrorKind::AlreadyExists => {
+                Failure::Message(format!("{} exists already; choose another name", path.display()))
+            }
+            _ => Failure::file("write", &path, &error),
+        },
+    )?;
+    let path = path.display();
+    say(&format!("wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"))
+}
+
+/// The name as a file name anywhere: ASCII letters, digits and dashes.
+fn file_stem(name: &str) -> String {
+    let mut stem = String::new();
+    for c in name.chars() {
+        if c.is_ascii_alphanumeric() {
+            stem.push(c.to_ascii_lowercase());
+        } else if !stem.is_empty() && !stem.ends_with('-') {
+            stem.push('-');
+        }
+    }
+    let stem = stem.trim_end_matches('-');
+    if stem.is_empty() { "star".to_owned() } else { stem.to_owned() }
+}

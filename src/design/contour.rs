@@ -1,0 +1,178 @@
+//! Contours: curves at a constant distance from the tube's edge, trimmed where they meet themselves.
+//!
+//! A contour lies on one **side** of the tube, at a distance `delta` from that side's edge: 0 is the
+//! edge itself, half a band the centre line of the band, band plus allowance the cut. On each side
+//! every hinge of one kind is **convex** (its arc grows with delta: the corners seen from the hole, the
+//! tips seen from outside) and every hinge of the other kind is **concave** (its arc shrinks with delta
+//! and, once used up, becomes a vertex that eats into the arms).
+//!
+//! With `q = R - delta` the concave radius left over and `m` the smallest radius wanted (0: a vertex),
+//! the arc has radius `max(q, m)`; its centre moves along the hinge's ray by
+//! `(max(q, m) - q) / sin(phi/2)` and each arm loses `(max(q, m) - q) cot(phi/2)`. When nothing is left
+//! of the arms, neighbouring convex arcs meet on the concave hinge's ray.
+
+use std::f64::consts::PI;
+
+use crate::design::Star;
+use crate::geom::Arc;
+use crate::geom::Line;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Segment;
+
+/// Which edge of the tube: towards the hole in the star's middle, or outside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The inner edge.
+    Hole,
+    /// The outer edge.
+    Outside,
+}
+
+/// What a segment of a contour belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Arm j, 1 to 2n; arm 2k - 1 runs from corner k to tip k, arm 2k from tip k to corner k + 1.
+    Arm(u32),
+    /// Tip k.
+    Tip(u32),
+    /// Reentrant corner k.
+    Corner(u32),
+}
+
+/// A closed contour, counterclockwise from the beginning of arm 1 (or of tip 1 where no arm is left).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Contour {
+    /// Its segments with what they belong to. Hinges that shrank to a vertex have none.
+    pub parts: Vec<(Part, Segment)>,
+    /// What is left of each arm; 0 if the contour has no straight parts.
+    pub arm: f64,
+}
+
+/// One hinge as the contour passes it, in the frame of its ray.
+#[derive(Clone, Copy)]
+struct Hinge {
+    /// Distance of the arc's centre from the axis.
+    center: f64,
+    /// Radius of the arc, 0 for a vertex.
+    radius: f64,
+    /// Half the angle of the arc.
+    half: f64,
+}
+
+impl Star {
+    /// The contour on `side` at distance `delta >= 0`, its concave hinges at least `least_radius` round.
+    ///
+    /// `None` if nothing is left: the hole is closed.
+    pub fn contour(&self, side: Side, delta: f64, least_radius: f64) -> Option<Contour> {
+        // Signed radii before trimming; their sum is always W + R_i + R_e.
+        let (corner_radius, tip_radius) = match side {
+            Side::Hole => (self.r_e + self.w + delta, self.r_i - delta),
+            Side::Outside => (self.r_e - delta, self.r_i + self.w + delta),
+        };
+        if side == Side::Hole && delta >= self.rho_0 {
+            return None;
+        }
+        let mut corner = Hinge { center: self.d_p, radius: corner_radius, half: (PI - self.phi_e) / 2.0 };
+        let mut tip = Hinge { center: self.d_t, radius: tip_radius, half: (PI - self.phi_i) / 2.0 };
+        let (concave, phi, away) = match side {
+            Side::Hole => (&mut tip, self.phi_i, -1.0),
+            Side::Outside => (&mut corner, self.phi_e, 1.0),
+        };
+        let grown = (least_radius - concave.radius).max(0.0);
+        concave.radius += grown;
+        concave.center += away * grown / (phi / 2.0).sin();
+        let arm = self.l - grown / (phi / 2.0).tan();
+        // An arm of rounding error's length is no arm: the smallest real ones are 1e6 times longer.
+        if arm > 1e-9 * self.l {
+            return Some(self.with_arms(corner, tip, arm));
+        }
+        let meet = self.convex_arcs_meet(side, corner_radius, tip_radius)?;
+        Some(match side {
+            Side::Hole => self.arcs_only(Hinge { half: meet, ..corner }, Part::Corner, -1.0),
+            Side::Outside => self.arcs_only(Hinge { half: meet, ..tip }, Part::Tip, 1.0),
+        })
+    }
+
+    fn with_arms(&self, corner: Hinge, tip: Hinge, arm: f64) -> Contour {
+        let corner_arc = |k| self.corner_arc(k, corner);
+        let tip_arc = |k| self.tip_arc(k, tip);
+        let mut parts = Vec::with_capacity(4 * self.n as usize);
+        for k in 1..=self.n {
+            let next = if k == self.n { 1 } else { k + 1 };
+            parts.push((Part::Arm(2 * k - 1), Line::new(corner_arc(k).end(), tip_arc(k).start()).into()));
+            if tip.radius > 0.0 {
+                parts.push((Part::Tip(k), tip_arc(k).into()));
+            }
+            parts.push((Part::Arm(2 * k), Line::new(tip_arc(k).end(), corner_arc(next).start()).into()));
+            if corner.radius > 0.0 {
+                parts.push((Part::Corner(next), corner_arc(next).into()));
+            }
+        }
+        Contour { parts, arm }
+    }
+
+    /// Half the angle of a convex arc that runs from one concave hinge's ray to the next.
+    fn convex_arcs_meet(&self, side: Side, corner_radius: f64, tip_radius: f64) -> Option<f64> {
+        let a = self.half_sector();
+        // On the concave ray, at distance t from the axis, the circle of radius r around distance d on
+        // the convex ray is met where t^2 - 2 t d cos a + d^2 = r^2: from the hole at the smaller root.
+        let (d, r, sign) = match side {
+            Side::Hole => (self.d_p, corner_radius, -1.0),
+            Side::Outside => (self.d_t, tip_radius, 1.0),
+        };
+        let square = r * r - (d * a.sin()).powi(2);
+        let t = d * a.cos() + sign * square.sqrt();
+        // NaN where the circle does not reach the ray.
+        if t.is_nan() || t <= 0.0 {
+            return None;
+        }
+        let seen = Point::polar(t, a) - Point::new(d, 0.0);
+        Some(match side {
+            Side::Hole => PI - seen.angle(),
+            Side::Outside => seen.angle(),
+        })
+    }
+
+    fn arcs_only(&self, hinge: Hinge, part: fn(u32) -> Part, turn: f64) -> Contour {
+        let parts = (1..=self.n)
+            .map(|k| {
+                let k = if turn < 0.0 { k % self.n + 1 } else { k };
+                let arc = if turn < 0.0 { self.corner_arc(k, hinge) } else { self.tip_arc(k, hinge) };
+                (part(k), arc.into())
+            })
+            .collect();
+        Contour { parts, arm: 0.0 }
+    }
+
+    /// The arc of corner `k`, which turns clockwise; of radius 0 for a vertex.
+    fn corner_arc(&self, k: u32, hinge: Hinge) -> Arc {
+        let ray = self.corner_ray(k);
+        Arc::new(Point::polar(hinge.center, ray), hinge.radius, ray + PI + hinge.half, -2.0 * hinge.half)
+    }
+
+    /// The arc of tip `k`, which turns counterclockwise; of radius 0 for a vertex.
+    fn tip_arc(&self, k: u32, hinge: Hinge) -> Arc {
+        let ray = self.tip_ray(k);
+        Arc::new(Point::polar(hinge.center, ray), hinge.radius, ray - hinge.half, 2.0 * hinge.half)
+    }
+}
+
+impl Contour {
+    /// The contour as a closed path.
+    pub fn path(&self) -> Path {
+        Path::closed(self.parts.iter().map(|(_, segment)| *segment).collect())
+    }
+
+    /// Arc length from the beginning to the middle of the first segment of `part`; `None` if it has none.
+    pub fn middle_of(&self, part: Part) -> Option<f64> {
+        let mut before = 0.0;
+        for (p, segment) in &self.parts {
+            if *p == part {
+                return Some(before + segment.length() / 2.0);
+            }
+            before += segment.length();
+        }
+        None
+    }
+}

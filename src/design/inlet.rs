@@ -1,0 +1,154 @@
+//! The inlet: a stub channel that opens the outer loop at one tip and runs outwards along the tip's ray.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::design::Contour;
+use crate::design::Part;
+use crate::design::Refusal;
+use crate::design::Star;
+use crate::geom::Arc;
+use crate::geom::Line;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::geom::Vec2;
+use crate::spec::Inlet;
+use crate::units::Readable;
+
+/// The channel of one star, in the star's frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Channel {
+    /// The tip that carries it.
+    pub tip: u32,
+    /// Half the flat width, pi d / 4 for a hose of outer diameter d: the flat tube has the hose's circumference.
+    pub half_width: f64,
+    /// Radius of the fillet between the channel and the tip's arc, at the tube's edge.
+    pub fillet: f64,
+    /// Distance of the mouth from the axis.
+    pub mouth: f64,
+}
+
+/// The junction of channel and tip at some distance from the tube's edge, in the frame of the tip's ray
+/// with the tip's centre T as the origin.
+struct Junction {
+    /// Half the angle of the tip's arc that the channel takes away.
+    psi: f64,
+    /// Where the straight side of the channel begins.
+    x: f64,
+    /// Distance of the side from the ray.
+    y: f64,
+    /// Radius of the fillet; 0 for a vertex.
+    radius: f64,
+}
+
+impl Channel {
+    /// The channel of `inlet` at tip `tip` of `star`.
+    pub fn new(star: &Star, inlet: &Inlet, tip: u32) -> Self {
+        Self {
+            tip,
+            half_width: PI * inlet.tube_diameter.0 / 4.0,
+            fillet: inlet.fillet.0,
+            mouth: star.tip_reach() + inlet.length.0,
+        }
+    }
+
+    /// The outer contour at `delta`, opened by the channel: from the mouth inwards, around the star, out to the mouth.
+    ///
+    /// Both ends run `beyond` past the mouth. Fillets are at least `least_radius` round.
+    ///
+    /// # Errors
+    /// If the channel with its strips does not fit on the tip's arc, or ends before it begins.
+    pub fn open(
+        &self,
+        star: &Star,
+        contour: &Contour,
+        delta: f64,
+        least_radius: f64,
+        beyond: f64,
+    ) -> Result<Path, Refusal> {
+        let arc = contour.parts.iter().enumerate().find_map(|(at, (part, segment))| match segment {
+            Segment::Arc(arc) if *part == Part::Tip(self.tip) => Some((at, *arc)),
+            _ => None,
+        });
+        let (Some((at, arc)), Some(junction)) = (arc, self.junction(star, delta, least_radius)) else {
+            return Err(self.too_wide(delta, star.r_i + star.w + delta));
+        };
+        // Strictly inside: the rest of the arc must be longer than rounding.
+        if junction.psi >= arc.sweep / 2.0 - 1e-9 {
+            return Err(self.too_wide(delta, arc.radius * (arc.sweep / 2.0).sin()));
+        }
+        let end = self.mouth - star.d_t + beyond;
+        if junction.x >= self.mouth - star.d_t {
+            return Err(Refusal::new(
+                "inlet.length",
+                "short-inlet",
+                format!("the mouth would lie {} mm inside the flap", Readable(junction.x - (end - beyond))),
+                format!("length must be above {} mm", Readable(junction.x - star.r_i - star.w)),
+            ));
+        }
+        let (into, out) = self.sides(star, &arc, &junction, end);
+        let rest = contour.parts[at + 1..].iter().chain(&contour.parts[..at]).map(|(_, segment)| *segment);
+        Ok(Path::open(into.into_iter().chain(rest).chain(out).collect()))
+    }
+
+    /// Where channel and arc meet; `None` if the channel is wider than the tip.
+    fn junction(&self, star: &Star, delta: f64, least_radius: f64) -> Option<Junction> {
+        let rim = star.r_i + star.w + delta;
+        let y = self.half_width + delta;
+        // The fillet is concave for the seal: its centre is fixed, its radius shrinks with delta.
+        let radius = (self.fillet - delta).max(least_radius);
+        let sin = (y + radius) / (rim + radius);
+        (sin < 1.0).then(|| Junction {
+            psi: sin.asin(),
+            x: (rim + radius) * (1.0 - sin * sin).sqrt(),
+            y,
+            radius,
+        })
+    }
+
+    /// The two sides of the channel with their fillets and what is left of the tip's arc: inwards and outwards.
+    fn sides(&self, star: &Star, arc: &Arc, junction: &Junction, end: f64) -> (Vec<Segment>, Vec<Segment>) {
+        let ray = star.tip_ray(self.tip);
+        let (along, across) = (Vec2::unit(ray), Vec2::unit(ray).perp());
+        let at = |x: f64, y: f64| -> Point { arc.center + along * x + across * y };
+        let Junction { psi, x, y, radius } = *junction;
+        let turn = FRAC_PI_2 - psi;
+        let mut into = vec![Line::new(at(end, y), at(x, y)).into()];
+        let mut out = vec![Arc::new(arc.center, arc.radius, arc.start_angle, arc.sweep / 2.0 - psi).into()];
+        if radius > 0.0 {
+            into.push(Arc::new(at(x, y + radius), radius, ray - FRAC_PI_2, -turn).into());
+            out.push(Arc::new(at(x, -y - radius), radius, ray - psi + PI, -turn).into());
+        }
+        into.push(Arc::new(arc.center, arc.radius, ray + psi, arc.sweep / 2.0 - psi).into());
+        out.push(Line::new(at(x, -y), at(end, -y)).into());
+        (into, out)
+    }
+
+    fn too_wide(&self, delta: f64, room: f64) -> Refusal {
+        let strips = if delta > 0.0 { " with the strips along it" } else { "" };
+        Refusal::new(
+            "inlet.tube_diameter",
+            "inlet-meets-arm",
+            format!(
+                "the channel{strips} would be {} mm wide and meet an arm, where tip {} leaves {} mm",
+                Readable(2.0 * (self.half_width + delta)),
+                self.tip,
+                Readable(2.0 * room.max(0.0)),
+            ),
+            "make tube_diameter, band or allowance smaller, or the tube wider".to_owned(),
+        )
+    }
+
+    /// The cut across the mouth: from one end of an open outline to its other.
+    pub fn mouth_cut(open: Path) -> Path {
+        let (Some(start), Some(end)) = (open.start(), open.end()) else { return open };
+        let mut segments = open.segments;
+        segments.push(Line::new(end, start).into());
+        Path::closed(segments)
+    }
+
+    /// The middle of the mouth in the star's frame.
+    pub fn mouth_center(&self, star: &Star) -> Point {
+        Point::polar(self.mouth, star.tip_ray(self.tip))
+    }
+}

@@ -1,0 +1,27 @@
+//! From a valid spec to the exact geometry of everything that is sealed and cut.
+//!
+//! A [`Star`] is the flat geometry with its hinges; a [`Contour`] is a curve at a constant distance
+//! from the tube's edge; a [`Seam`] is the centre line of a band as the iron travels it; an [`Outline`]
+//! is the cut. A [`StarDesign`] holds all of one star in the star's own frame (axis at the origin,
+//! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
+
+mod contour;
+mod drawing;
+mod inlet;
+mod outline;
+mod part;
+mod refusal;
+mod registration;
+mod seam;
+mod sheet;
+mod star;
+
+pub use contour::{Contour, Part, Side};
+pub use drawing::{Drawing, Layer, Shape};
+pub use inlet::Channel;
+pub use outline::{Circle, Outline};
+pub use part::{Realised, StarDesign};
+pub use refusal::Refusal;
+pub use seam::{MOUTH_OVERRUN, Seam};
+pub use sheet::{Design, PlacedStar, SheetLayout};
+pub use star::{Star, arm_length};

@@ -1,0 +1,103 @@
+//! The outline: where the fabric is cut, and the registration holes.
+
+use crate::design::Channel;
+use crate::design::Contour;
+use crate::design::Part;
+use crate::design::Refusal;
+use crate::design::Side;
+use crate::design::Star;
+use crate::design::registration;
+use crate::design::seam::hole_closed;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::spec::Seal;
+
+/// A round hole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Circle {
+    /// Its centre.
+    pub center: Point,
+    /// Its diameter.
+    pub diameter: f64,
+}
+
+/// The cut of one star, in the star's frame. Both paths are closed and counterclockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline {
+    /// Around the star, band plus allowance outside the tube, square across the inlet's mouth.
+    pub outside: Path,
+    /// Around the hole, band plus hole allowance inside the tube.
+    pub hole: Path,
+    /// The registration holes: three, so placed that the part fits in one position only; or none.
+    pub registration: Vec<Circle>,
+}
+
+impl Outline {
+    /// The outline of `star`; `hole_diameter` 0 for no registration holes. They keep clear of tip `first`.
+    ///
+    /// # Errors
+    /// Every reason for which it cannot be cut.
+    pub fn new(
+        star: &Star,
+        channel: Option<&Channel>,
+        first: u32,
+        seal: &Seal,
+        hole_diameter: f64,
+    ) -> Result<Self, Vec<Refusal>> {
+        let band = seal.band.0;
+        let mut refusals = Vec::new();
+        let hole = star.contour(Side::Hole, band + seal.hole_allowance.0, 0.0).map(|contour| contour.path());
+        if hole.is_none() {
+            refusals.push(hole_closed(star, seal));
+        }
+        let delta = band + seal.allowance.0;
+        let Some(flap) = star.contour(Side::Outside, delta, 0.0) else { return Err(refusals) };
+        let (flap, registration) = if hole_diameter > 0.0 {
+            punched(star, flap, first, seal, hole_diameter)
+        } else {
+            Ok((flap, Vec::new()))
+        }
+        .unwrap_or_else(|refusal| {
+            refusals.push(refusal);
+            Default::default()
+        });
+        let outside = match channel {
+            // Without a flap the refusal is already there.
+            Some(_) if flap.parts.is_empty() => None,
+            Some(channel) => channel
+                .open(star, &flap, delta, 0.0, 0.0)
+                .map(Channel::mouth_cut)
+                .map_err(|refusal| refusals.push(refusal))
+                .ok(),
+            None => Some(flap.path()),
+        };
+        match (outside, hole) {
+            (Some(outside), Some(hole)) if refusals.is_empty() => Ok(Self { outside, hole, registration }),
+            _ => Err(refusals),
+        }
+    }
+
+    /// Area of the fabric inside the cut, registration holes left out, mm^2.
+    pub fn area(&self) -> f64 {
+        self.outside.area() - self.hole.area()
+    }
+}
+
+/// The flap's contour with the registration holes in it, on ears where the flap is too narrow.
+fn punched(
+    star: &Star,
+    flap: Contour,
+    first: u32,
+    seal: &Seal,
+    diameter: f64,
+) -> Result<(Contour, Vec<Circle>), Refusal> {
+    let sites = registration::sites(star, &flap, first, seal, diameter)?;
+    let holes = sites.iter().map(|site| Circle { center: site.center(star), diameter }).collect();
+    let mut parts = Vec::with_capacity(flap.parts.len() + 2 * sites.len());
+    for (part, segment) in flap.parts {
+        let on_it = sites.iter().filter(|site| part == Part::Tip(site.tip));
+        let pieces = registration::with_ears(segment, on_it);
+        parts.extend(pieces.into_iter().map(|piece| (part, piece)));
+    }
+    Ok((Contour { parts, arm: flap.arm }, holes))
+}

@@ -1,0 +1,121 @@
+//! One distinct star with everything that is drawn of it, in the star's own frame.
+
+use crate::design::Channel;
+use crate::design::Outline;
+use crate::design::Refusal;
+use crate::design::Seam;
+use crate::design::Side;
+use crate::design::Star;
+use crate::geom::Bounds;
+use crate::geom::Path;
+use crate::spec::Spec;
+use crate::spec::StarSpec;
+
+/// A star with its seams and its cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StarDesign {
+    /// The flat geometry.
+    pub star: Star,
+    /// Width of the band.
+    pub band: f64,
+    /// The inlet; `None` if the tube is closed all around.
+    pub channel: Option<Channel>,
+    /// The tube's edges as drawn, towards the hole and outside (that one open where the inlet is).
+    pub edges: [Path; 2],
+    /// The tube's edges as a round iron makes them: no concave hinge sharper than half a band.
+    pub realised_edges: [Path; 2],
+    /// The seams in the order in which they are sealed: inner loop, then outer loop.
+    pub seams: [Seam; 2],
+    /// The cut.
+    pub outline: Outline,
+}
+
+/// The radius that the band makes of a hinge, and the cusp that it leaves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Realised {
+    /// max(R, w/2).
+    pub radius: f64,
+    /// From the hinge's edge as drawn to the band's edge, along the hinge's ray: what stays unsealed.
+    pub cusp: f64,
+}
+
+impl StarDesign {
+    /// The design of one star of `spec`.
+    ///
+    /// # Errors
+    /// Every reason for which it cannot be made, each once.
+    pub fn new(spec: &Spec, star_spec: &StarSpec) -> Result<Self, Vec<Refusal>> {
+        let star = Star::new(star_spec).map_err(|refusal| vec![refusal])?;
+        let seal = &spec.seal;
+        let half_band = seal.band.0 / 2.0;
+        let channel = spec.inlet.as_ref().map(|inlet| Channel::new(&star, inlet, star_spec.inlet_tip));
+        let mut refusals: Vec<Refusal> = Vec::new();
+        let mut refuse = |found: Vec<Refusal>| {
+            for refusal in found {
+                if !refusals.iter().any(|known| known.code == refusal.code && known.key == refusal.key) {
+                    refusals.push(refusal);
+                }
+            }
+        };
+        let inner = Seam::new(&star, Side::Hole, None, seal).map_err(|r| refuse(vec![r])).ok();
+        let outer = Seam::new(&star, Side::Outside, channel.as_ref(), seal).map_err(|r| refuse(vec![r])).ok();
+        let outline =
+            Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, spec.sheet.hole_diameter.0)
+                .map_err(&mut refuse)
+                .ok();
+        let mut edges = |least_radius| {
+            edges(&star, channel.as_ref(), least_radius).map_err(|refusal| refuse(vec![refusal])).ok()
+        };
+        let (drawn, realised) = (edges(0.0), edges(half_band));
+        match (inner, outer, outline, drawn, realised) {
+            (Some(inner), Some(outer), Some(outline), Some(edges), Some(realised_edges))
+                if refusals.is_empty() =>
+            {
+                let seams = [inner, outer];
+                Ok(Self { star, band: seal.band.0, channel, edges, realised_edges, seams, outline })
+            }
+            _ => Err(refusals),
+        }
+    }
+
+    /// What the band makes of the tips.
+    pub fn realised_tip(&self) -> Realised {
+        realised(self.star.r_i, self.star.phi_i, self.band)
+    }
+
+    /// What the band makes of the reentrant corners.
+    pub fn realised_corner(&self) -> Realised {
+        realised(self.star.r_e, self.star.phi_e, self.band)
+    }
+
+    /// The box that the part needs on the sheet: its cut, and the bands with ramps of length `ramp`.
+    pub fn footprint(&self, ramp: f64) -> Bounds {
+        self.seams
+            .iter()
+            .map(|seam| seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp)).bounds())
+            .map(|bounds| bounds.grown(self.band / 2.0))
+            .fold(self.outline.outside.bounds(), Bounds::union)
+    }
+
+    /// Radius of the largest circle around the axis that the hole-side flap leaves free.
+    pub fn clear_radius(&self) -> f64 {
+        self.outline.hole.distance(crate::geom::Point::ORIGIN)
+    }
+}
+
+/// A round iron of radius w/2 leaves `(w/2 - R) (1/sin(phi/2) - 1)` of a sharper hinge unsealed.
+fn realised(r: f64, phi: f64, band: f64) -> Realised {
+    let lost = (band / 2.0 - r).max(0.0);
+    Realised { radius: r.max(band / 2.0), cusp: lost * (1.0 / (phi / 2.0).sin() - 1.0) }
+}
+
+/// The tube's two edges, concave hinges and fillets at least `least_radius` round.
+fn edges(star: &Star, channel: Option<&Channel>, least_radius: f64) -> Result<[Path; 2], Refusal> {
+    let contour = |side| star.contour(side, 0.0, least_radius).unwrap_or_default();
+    let outside = contour(Side::Outside);
+    let outer = match channel {
+        Some(channel) => channel.open(star, &outside, 0.0, least_radius, 0.0)?,
+        None => outside.path(),
+    };
+    Ok([contour(Side::Hole).path(), outer])
+}

@@ -1,0 +1,113 @@
+//! Registration holes: one pattern that lets a part lie in one position only.
+//!
+//! Three holes beside the tips' arcs: one on the ray of the tip after the first, one on the same tip
+//! turned by up to 40 degrees, one on the ray of a tip across the star. The triangle is scalene for
+//! every n: its short side is a chord of one tip's arc, and the third hole lies off that chord's
+//! bisector by at least the sine of half the turn times the star's diameter.
+
+use crate::design::Contour;
+use crate::design::Part;
+use crate::design::Refusal;
+use crate::design::Star;
+use crate::geom::Arc;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::geom::Vec2;
+use crate::spec::Seal;
+use crate::units::Length;
+use crate::units::Readable;
+
+/// Turn of the second hole, rad: 40 degrees, well inside the 150-degree arcs of the paper's tips and far from a mirror image.
+const TURN: f64 = 40.0 * std::f64::consts::PI / 180.0;
+
+/// Where one hole is, in polar coordinates around its tip's centre T.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Site {
+    /// The tip.
+    pub(super) tip: u32,
+    /// Direction against the tip's ray, rad.
+    turn: f64,
+    /// Distance from T.
+    radius: f64,
+    /// Radius of the ear around the hole; `None` where the flap is wide enough.
+    ear: Option<f64>,
+}
+
+impl Site {
+    pub(super) fn center(&self, star: &Star) -> Point {
+        star.tip_center(self.tip) + Vec2::unit(star.tip_ray(self.tip) + self.turn) * self.radius
+    }
+}
+
+/// The three sites on the contour `flap`.
+///
+/// A hole keeps a band's width from the seal and its own radius of fabric to the cut.
+///
+/// # Errors
+/// If the tips' arcs have no room for them.
+pub(super) fn sites(
+    star: &Star,
+    flap: &Contour,
+    first: u32,
+    seal: &Seal,
+    diameter: f64,
+) -> Result<[Site; 3], Refusal> {
+    let r = diameter / 2.0;
+    let nearest = star.r_i + star.w + 2.0 * seal.band.0 + r;
+    let cut = star.r_i + star.w + seal.band.0 + seal.allowance.0;
+    let (radius, ear) = if nearest <= cut - 2.0 * r {
+        (0.5 * (nearest + cut - 2.0 * r), None)
+    } else {
+        // The ear reaches at least a hole's radius into the flap, so that it hangs on firmly.
+        (nearest, Some((2.0 * r).max(nearest - cut + r)))
+    };
+    let tip = |k: u32| (k - 1) % star.n + 1;
+    let (beside, across) = (tip(first + 1), tip(first + 1 + star.n / 2));
+    let half = flap
+        .parts
+        .iter()
+        .find_map(|(part, segment)| match segment {
+            Segment::Arc(arc) if *part == Part::Tip(beside) => Some(arc.sweep / 2.0),
+            _ => None,
+        })
+        .unwrap_or(0.0);
+    let reach = (ear.unwrap_or(2.0 * r) / radius).min(1.0).asin();
+    let turn = TURN.min(half - 1.1 * reach);
+    if turn * radius < 2.0 * ear.unwrap_or(2.0 * r) {
+        return Err(Refusal::new(
+            "sheet.hole_diameter",
+            "no-room-for-holes",
+            format!(
+                "two holes of {} side by side need {} mm of a tip's arc of {} mm",
+                Length(diameter),
+                Readable(radius * 2.2 * reach + 2.0 * ear.unwrap_or(2.0 * r)),
+                Readable(half * radius),
+            ),
+            "make hole_diameter smaller, or \"0 mm\" for no registration holes".to_owned(),
+        ));
+    }
+    let site = |tip, turn| Site { tip, turn, radius, ear };
+    Ok([site(beside, 0.0), site(beside, turn), site(across, 0.0)])
+}
+
+/// The tip's arc `segment` with an ear around every hole of `sites` that needs one.
+pub(super) fn with_ears<'a>(segment: Segment, sites: impl Iterator<Item = &'a Site>) -> Vec<Segment> {
+    let Segment::Arc(arc) = segment else { return vec![segment] };
+    let ray = arc.start_angle + arc.sweep / 2.0;
+    let mut pieces = Vec::new();
+    let mut from = arc.start_angle;
+    for site in sites {
+        let Some(ear) = site.ear else { continue };
+        let (rim, c) = (arc.radius, site.radius);
+        // Half the angle that the ear takes of the rim, seen from T (law of cosines).
+        let beta = ((rim * rim + c * c - ear * ear) / (2.0 * rim * c)).clamp(-1.0, 1.0).acos();
+        let direction = ray + site.turn;
+        let center = arc.center + Vec2::unit(direction) * c;
+        let foot = Vec2::new(rim * beta.cos() - c, -rim * beta.sin()).angle();
+        pieces.push(Arc::new(arc.center, rim, from, direction - beta - from).into());
+        pieces.push(Arc::new(center, ear, direction + foot, -2.0 * foot).into());
+        from = direction + beta;
+    }
+    pieces.push(Arc::new(arc.center, arc.radius, from, arc.end_angle() - from).into());
+    pieces
+}

@@ -1,0 +1,166 @@
+//! Sheets: the whole design, its parts placed side by side on fabric.
+
+use crate::design::Refusal;
+use crate::design::StarDesign;
+use crate::geom::Bounds;
+use crate::geom::Isometry;
+use crate::geom::Point;
+use crate::spec::Machine;
+use crate::spec::Sheet;
+use crate::spec::Spec;
+use crate::units::Readable;
+
+/// Everything that is made, exactly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// The distinct stars.
+    pub distinct: Vec<StarDesign>,
+    /// Every star from bottom to top, where it lies.
+    pub stars: Vec<PlacedStar>,
+    /// The sheets.
+    pub sheets: Vec<SheetLayout>,
+}
+
+/// One star of the stack, on its sheet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlacedStar {
+    /// Number of the star, 1 = bottom.
+    pub index: usize,
+    /// Which of [`Design::distinct`] it is.
+    pub distinct: usize,
+    /// Number of its sheet, from 1.
+    pub sheet: usize,
+    /// From the star's frame to the sheet's.
+    pub placement: Isometry,
+}
+
+/// One sheet: its frame has the origin at the lower left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SheetLayout {
+    /// Number of the sheet, from 1.
+    pub index: usize,
+    /// Extent along X.
+    pub width: f64,
+    /// Extent along Y.
+    pub height: f64,
+}
+
+impl Design {
+    /// The design of `spec` for `machine`.
+    ///
+    /// # Errors
+    /// Every reason for which a star cannot be made or does not fit on a sheet.
+    pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Vec<Refusal>> {
+        let mut distinct: Vec<StarDesign> = Vec::new();
+        let mut which: Vec<usize> = Vec::new();
+        let mut refusals = Vec::new();
+        for (i, star) in spec.stars.iter().enumerate() {
+            let same = |other: usize| spec.stars[other].same_part(star);
+            if let Some(twin) = (0..i).find(|other| same(*other)) {
+                which.extend(which.get(twin).copied());
+                continue;
+            }
+            match StarDesign::new(spec, star) {
+                Ok(design) => {
+                    which.push(distinct.len());
+                    distinct.push(design);
+                }
+                Err(found) => refusals.extend(found.into_iter().map(|refusal| refusal.of_star(i + 1))),
+            }
+        }
+        if !refusals.is_empty() {
+            return Err(refusals);
+        }
+        let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.ramp.0)).collect();
+        let footprints: Vec<Bounds> = which.iter().map(|i| boxes[*i]).collect();
+        let (places, sheets) = place(&footprints, &spec.sheet).map_err(|refusal| vec![refusal])?;
+        let stars = which
+            .iter()
+            .zip(places)
+            .zip(1..)
+            .map(|((&distinct, (sheet, placement)), index)| PlacedStar { index, distinct, sheet, placement })
+            .collect();
+        Ok(Self { distinct, stars, sheets })
+    }
+
+    /// The design of a placed star.
+    pub fn part(&self, star: &PlacedStar) -> &StarDesign {
+        &self.distinct[star.distinct]
+    }
+
+    /// The stars on sheet number `sheet`, in order.
+    pub fn on_sheet(&self, sheet: usize) -> impl Iterator<Item = &PlacedStar> {
+        self.stars.iter().filter(move |star| star.sheet == sheet)
+    }
+}
+
+type Placement = (usize, Isometry);
+
+/// Places the boxes row by row, in order, on as many sheets as needed.
+///
+/// An extent that the spec leaves open grows with the parts: in width for as many columns as make the
+/// sheet about square, in height without end.
+fn place(boxes: &[Bounds], sheet: &Sheet) -> Result<(Vec<Placement>, Vec<SheetLayout>), Refusal> {
+    let (margin, gap) = (sheet.margin.0, sheet.gap.0);
+    let limit = |extent: Option<crate::units::Length>| extent.map_or(f64::INFINITY, |l| l.0 - 2.0 * margin);
+    let (max_width, max_height) = (limit(sheet.width), limit(sheet.height));
+    for bounds in boxes {
+        fits("sheet.width", bounds.width(), max_width, margin)?;
+        fits("sheet.height", bounds.height(), max_height, margin)?;
+    }
+    let columns = match sheet.width {
+        Some(_) => usize::MAX,
+        None => (1..=boxes.len()).find(|c| c * c >= boxes.len()).unwrap_or(1),
+    };
+    let mut places = Vec::with_capacity(boxes.len());
+    let mut sheets: Vec<SheetLayout> = Vec::new();
+    let (mut used_width, mut used_height) = (0.0_f64, 0.0_f64);
+    let (mut x, mut y, mut row_height, mut in_row) = (0.0, 0.0, 0.0_f64, 0);
+    for bounds in boxes {
+        let (w, h) = (bounds.width(), bounds.height());
+        if in_row == columns || x + w > max_width {
+            (x, y, row_height, in_row) = (0.0, y + row_height + gap, 0.0, 0);
+        }
+        if y + h > max_height {
+            sheets.push(layout(sheets.len() + 1, used_width, used_height, sheet));
+            (x, y, row_height, in_row, used_width, used_height) = (0.0, 0.0, 0.0, 0, 0.0, 0.0);
+        }
+        let corner = Point::new(margin + x, margin + y);
+        places.push((sheets.len() + 1, Isometry::translation(corner - bounds.min)));
+        used_width = used_width.max(x + w);
+        used_height = used_height.max(y + h);
+        row_height = row_height.max(h);
+        x += w + gap;
+        in_row += 1;
+    }
+    sheets.push(layout(sheets.len() + 1, used_width, used_height, sheet));
+    Ok((places, sheets))
+}
+
+fn layout(index: usize, used_width: f64, used_height: f64, sheet: &Sheet) -> SheetLayout {
+    // Whole tenths of a millimetre read well in a file and lose nothing.
+    let extent = |given: Option<crate::units::Length>, used: f64| {
+        given.map_or_else(|| ((used + 2.0 * sheet.margin.0) * 10.0).ceil() / 10.0, |l| l.0)
+    };
+    SheetLayout { index, width: extent(sheet.width, used_width), height: extent(sheet.height, used_height) }
+}
+
+fn fits(key: &str, needed: f64, room: f64, margin: f64) -> Result<(), Refusal> {
+    if needed <= room {
+        return Ok(());
+    }
+    Err(Refusal::new(
+        key,
+        "sheet-too-small",
+        format!(
+            "a part needs {} mm where the margins leave {} mm",
+            Readable(needed),
+            Readable(room.max(0.0))
+        ),
+        format!(
+            "{} mm are missing: at least {} mm",
+            Readable(needed - room),
+            Readable(needed + 2.0 * margin)
+        ),
+    ))
+}

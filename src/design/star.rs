@@ -1,0 +1,140 @@
+//! The flat star: where its hinges and arms lie, exactly.
+//!
+//! All in the star's own frame: the axis at the origin, corner 1 on +X, counterclockwise from above.
+//!
+//! ```text
+//!                    T   centre of the tip's annulus, on the ray at pi/n
+//!                   / \
+//!     arm, length l/   \          hinge arcs: tip pi - phi_i, corner pi - phi_e
+//!                 /     \         tube: between radius R and R + W around T and P
+//!       P -------+       +---
+//!       centre of the reentrant corner's annulus, on the ray at 0, beyond the tube
+//! ```
+
+use std::f64::consts::PI;
+
+use crate::design::Refusal;
+use crate::geom::Point;
+use crate::spec::StarSpec;
+use crate::units::Readable;
+
+/// The flat geometry of a star that exists: every length positive. Lengths in mm, angles in rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Star {
+    /// Number of points n.
+    pub n: u32,
+    /// Inner radius rho_0.
+    pub rho_0: f64,
+    /// Tube width W.
+    pub w: f64,
+    /// Internal angle phi_i0 of the tips.
+    pub phi_i: f64,
+    /// External angle phi_e0 = phi_i0 + 2 pi / n of the reentrant corners.
+    pub phi_e: f64,
+    /// Inner radius of curvature R_i of the tips.
+    pub r_i: f64,
+    /// Inner radius of curvature R_e of the reentrant corners.
+    pub r_e: f64,
+    /// Arm length l.
+    pub l: f64,
+    /// Distance of a tip's centre T from the axis.
+    pub d_t: f64,
+    /// Distance of a reentrant corner's centre P from the axis, rho_0 + W + R_e.
+    pub d_p: f64,
+}
+
+/// Arm length l of the star that `spec` describes with `n` points, mm; it may come out negative.
+///
+/// `(rho_0 + W + R_e) sin(pi/n) = l sin(phi_i0/2) + (W + R_i + R_e) cos(phi_i0/2)`: Andrade-Silva and
+/// Marthelot, supplement, Eq. for l, which is the case R_i = R_e = 0.
+pub fn arm_length(spec: &StarSpec, n: u32) -> f64 {
+    let (sin, cos) = (spec.tip_angle.rad() / 2.0).sin_cos();
+    let (w, r_i, r_e) = (spec.tube_width.0, spec.tip_radius.0, spec.corner_radius.0);
+    ((spec.inner_radius.0 + w + r_e) * (PI / f64::from(n)).sin() - (w + r_i + r_e) * cos) / sin
+}
+
+impl Star {
+    /// The star of `spec`.
+    ///
+    /// # Errors
+    /// If the reentrant corners would be straight or the arms would have no length.
+    pub fn new(spec: &StarSpec) -> Result<Self, Refusal> {
+        let n = spec.points;
+        let phi_i = spec.tip_angle.rad();
+        let phi_e = phi_i + 2.0 * PI / f64::from(n);
+        // Rounding may leave a corner that is straight to 1e-16; below a microradian no arc is left to seal.
+        if phi_e >= PI - 1e-6 {
+            return Err(Refusal::new(
+                "star.tip_angle",
+                "straight-corner",
+                format!(
+                    "with {n} points and a tip angle of {} the reentrant corners would open to {} deg",
+                    spec.tip_angle,
+                    Readable(phi_e.to_degrees())
+                ),
+                format!(
+                    "tip_angle must be below {} deg for {n} points",
+                    Readable(180.0 - 360.0 / f64::from(n))
+                ),
+            ));
+        }
+        let l = arm_length(spec, n);
+        if l <= 0.0 {
+            return Err(no_arm(spec, l));
+        }
+        let (sin, cos) = (phi_i / 2.0).sin_cos();
+        let (w, r_i, r_e) = (spec.tube_width.0, spec.tip_radius.0, spec.corner_radius.0);
+        let d_p = spec.inner_radius.0 + w + r_e;
+        let d_t = d_p * (PI / f64::from(n)).cos() - (w + r_i + r_e) * sin + l * cos;
+        Ok(Self { n, rho_0: spec.inner_radius.0, w, phi_i, phi_e, r_i, r_e, l, d_t, d_p })
+    }
+
+    /// Half the angle of a sector, pi / n.
+    pub fn half_sector(&self) -> f64 {
+        PI / f64::from(self.n)
+    }
+
+    /// Direction of the ray of corner `k`, 1 to n.
+    pub fn corner_ray(&self, k: u32) -> f64 {
+        2.0 * f64::from(k - 1) * self.half_sector()
+    }
+
+    /// Direction of the ray of tip `k`, 1 to n.
+    pub fn tip_ray(&self, k: u32) -> f64 {
+        f64::from(2 * k - 1) * self.half_sector()
+    }
+
+    /// Centre P of the annulus of corner `k`.
+    pub fn corner_center(&self, k: u32) -> Point {
+        Point::polar(self.d_p, self.corner_ray(k))
+    }
+
+    /// Centre T of the annulus of tip `k`.
+    pub fn tip_center(&self, k: u32) -> Point {
+        Point::polar(self.d_t, self.tip_ray(k))
+    }
+
+    /// Distance from the axis to the outermost point of a tip's edge.
+    pub fn tip_reach(&self) -> f64 {
+        self.d_t + self.r_i + self.w
+    }
+}
+
+fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
+    let n = spec.points;
+    let fits = |m: &u32| {
+        let corner = spec.tip_angle.rad() + 2.0 * PI / f64::from(*m);
+        corner < PI - 1e-6 && arm_length(spec, *m) > 0.0
+    };
+    let remedy = match (3..n).rev().find(fits) {
+        Some(most) => format!("for this radius, width and tip angle at most {most} points fit"),
+        None => "no number of points fits: make inner_radius larger, tube_width smaller or tip_angle wider"
+            .to_owned(),
+    };
+    Refusal::new(
+        "star.points",
+        "no-arm",
+        format!("with {n} points the arm would be {:.1} mm long", if l > -0.05 { -0.0 } else { l }),
+        remedy,
+    )
+}

@@ -1,0 +1,148 @@
+//! DXF drawings (AC1015, millimetres): a polyline with bulges for every path, a layer for every purpose.
+//!
+//! What never changes of a drawing stands in `templates/drawing.dxf`; this room fills in layers and entities.
+
+use std::fmt::Write;
+
+use crate::design::Drawing;
+use crate::design::Layer;
+use crate::design::Shape;
+use crate::emit::number::Decimals;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::units::Length;
+
+const SKELETON: &str = include_str!("../../templates/drawing.dxf");
+
+/// First handle that the skeleton leaves free.
+const FIRST_HANDLE: u32 = 0x100;
+
+/// Bulges are pure numbers; with nine decimals an arc with a chord of 4 m is off by 1e-6 mm at most.
+const BULGE: u32 = 9;
+
+/// The drawing as a DXF document.
+pub fn dxf(drawing: &Drawing, path: Length) -> String {
+    let mut writer =
+        Writer { decimals: Decimals::for_tolerance(path), handle: FIRST_HANDLE, out: String::new() };
+    for (layer, _) in &drawing.layers {
+        writer.layer(*layer);
+    }
+    let layers = std::mem::take(&mut writer.out);
+    for (layer, shapes) in &drawing.layers {
+        for shape in shapes {
+            match shape {
+                Shape::Path(path) => writer.polyline(*layer, path),
+                Shape::Circle { center, radius } => writer.circle(*layer, *center, *radius),
+            }
+        }
+    }
+    let number = |x: f64| writer.decimals.text(x);
+    fill(&[
+        ("HANDSEED", &format!("{:X}", writer.handle)),
+        ("WIDTH", &number(drawing.width)),
+        ("HEIGHT", &number(drawing.height)),
+        ("CENTER_X", &number(drawing.width / 2.0)),
+        ("CENTER_Y", &number(drawing.height / 2.0)),
+        ("LAYER_COUNT", &(drawing.layers.len() + 1).to_string()),
+        ("LAYERS", &layers),
+        ("ENTITIES", &writer.out),
+    ])
+}
+
+/// The skeleton with every `@NAME@` replaced by its value.
+fn fill(values: &[(&str, &str)]) -> String {
+    let mut out = String::with_capacity(SKELETON.len() + values.iter().map(|(_, v)| v.len()).sum::<usize>());
+    let mut pieces = SKELETON.split('@');
+    while let Some(text) = pieces.next() {
+        out.push_str(text);
+        let Some(name) = pieces.next() else { break };
+        out.extend(values.iter().find(|(known, _)| *known == name).map(|(_, value)| *value));
+    }
+    out
+}
+
+struct Writer {
+    decimals: Decimals,
+    handle: u32,
+    out: String,
+}
+
+impl Writer {
+    fn tag(&mut self, code: u16, value: &str) {
+        let _ = write!(self.out, "{code:>3}\n{value}\n");
+    }
+
+    fn number(&mut self, code: u16, value: f64) {
+        let _ = writeln!(self.out, "{code:>3}");
+        self.decimals.write(&mut self.out, value);
+        self.out.push('\n');
+    }
+
+    /// Begins an object with a handle of its own; `owner` is the skeleton's handle of what holds it.
+    fn begin(&mut self, kind: &str, owner: &str) {
+        self.tag(0, kind);
+        let handle = format!("{:X}", self.handle);
+        self.handle += 1;
+        self.tag(5, &handle);
+        self.tag(330, owner);
+    }
+
+    fn layer(&mut self, layer: Layer) {
+        self.begin("LAYER", "2");
+        self.tag(100, "AcDbSymbolTableRecord");
+        self.tag(100, "AcDbLayerTableRecord");
+        self.tag(2, layer.name());
+        self.tag(70, "0");
+        self.tag(62, color(layer));
+        self.tag(6, "Continuous");
+        self.tag(390, "F");
+    }
+
+    fn entity(&mut self, kind: &str, layer: Layer, class: &str) {
+        self.begin(kind, "1F");
+        self.tag(100, "AcDbEntity");
+        self.tag(8, layer.name());
+        self.tag(100, class);
+    }
+
+    fn circle(&mut self, layer: Layer, center: Point, radius: f64) {
+        self.entity("CIRCLE", layer, "AcDbCircle");
+        self.number(10, center.x);
+        self.number(20, center.y);
+        self.tag(30, "0");
+        self.number(40, radius);
+    }
+
+    fn polyline(&mut self, layer: Layer, path: &Path) {
+        self.entity("LWPOLYLINE", layer, "AcDbPolyline");
+        let open_end = path.end().filter(|_| !path.closed);
+        self.tag(90, &(path.segments.len() + usize::from(open_end.is_some())).to_string());
+        self.tag(70, if path.closed { "1" } else { "0" });
+        for segment in &path.segments {
+            self.vertex(segment.start());
+            if let Segment::Arc(arc) = segment {
+                self.tag(42, &Decimals::exactly(BULGE).text(arc.bulge()));
+            }
+        }
+        if let Some(end) = open_end {
+            self.vertex(end);
+        }
+    }
+
+    fn vertex(&mut self, p: Point) {
+        self.number(10, p.x);
+        self.number(20, p.y);
+    }
+}
+
+/// AutoCAD colour index of a layer, as near to the SVG's colour as the palette is.
+fn color(layer: Layer) -> &'static str {
+    match layer {
+        Layer::SealInner => "5",
+        Layer::SealOuter => "3",
+        Layer::CutOutside => "1",
+        Layer::CutHole => "6",
+        Layer::Registration => "7",
+    }
+}

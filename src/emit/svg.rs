@@ -1,0 +1,146 @@
+//! SVG drawings at 1:1 for cutters: millimetres, arcs as arcs, hairlines, a group for each layer.
+
+use svg::Document;
+use svg::Node;
+use svg::node::element::Element;
+
+use crate::design::Drawing;
+use crate::design::Layer;
+use crate::design::Shape;
+use crate::emit::number::Decimals;
+use crate::emit::text::inert;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::units::Length;
+
+/// Width of a hairline, mm: cutters take lines this thin as cuts instead of engraving them.
+const HAIRLINE: &str = "0.01";
+
+/// The drawing as an SVG document.
+pub fn svg(title: &str, drawing: &Drawing, path: Length) -> String {
+    let page = Page { height: drawing.height, decimals: Decimals::for_tolerance(path) };
+    let mut document = page.document(title, drawing.width);
+    for (layer, shapes) in &drawing.layers {
+        let mut group = element("g");
+        group.assign("id", layer.name());
+        group.assign("fill", "none");
+        group.assign("stroke", color(*layer));
+        group.assign("stroke-width", HAIRLINE);
+        for shape in shapes {
+            group.append(page.shape(shape));
+        }
+        document.append(group);
+    }
+    format!("{document}\n")
+}
+
+/// One colour a layer; cutters order their work by colour.
+fn color(layer: Layer) -> &'static str {
+    match layer {
+        Layer::SealInner => "#0000ff",
+        Layer::SealOuter => "#008000",
+        Layer::CutOutside => "#ff0000",
+        Layer::CutHole => "#ff00ff",
+        Layer::Registration => "#000000",
+    }
+}
+
+/// An element without attributes.
+pub(super) fn element(name: &str) -> Element {
+    Element::new(name)
+}
+
+/// The sheet seen as an SVG page: same millimetres, Y pointing down from the top edge.
+#[derive(Clone, Copy)]
+pub(super) struct Page {
+    pub(super) height: f64,
+    pub(super) decimals: Decimals,
+}
+
+impl Page {
+    /// An empty document with a title.
+    pub(super) fn document(&self, title: &str, width: f64) -> Document {
+        let (w, h) = (self.decimals.text(width), self.decimals.text(self.height));
+        let mut caption = element("title");
+        caption.append(svg::node::Text::new(inert(title, 120)));
+        Document::new()
+            .set("width", format!("{w}mm"))
+            .set("height", format!("{h}mm"))
+            .set("viewBox", format!("0 0 {w} {h}"))
+            .add(caption)
+    }
+
+    pub(super) fn x(&self, p: Point) -> String {
+        self.decimals.text(p.x)
+    }
+
+    pub(super) fn y(&self, p: Point) -> String {
+        self.decimals.text(self.height - p.y)
+    }
+
+    fn shape(&self, shape: &Shape) -> Element {
+        match shape {
+            Shape::Path(path) => {
+                let mut out = element("path");
+                out.assign("d", self.data(path));
+                out
+            }
+            Shape::Circle { center, radius } => {
+                let mut out = element("circle");
+                out.assign("cx", self.x(*center));
+                out.assign("cy", self.y(*center));
+                out.assign("r", self.decimals.text(*radius));
+                out
+            }
+        }
+    }
+
+    /// The path as SVG path data.
+    ///
+    /// Arcs of more than 90 degrees are written as halves: SVG states only the ends, and near 180 degrees
+    /// the centre that follows from them is worthless.
+    pub(super) fn data(&self, path: &Path) -> String {
+        let mut out = String::with_capacity(40 * path.segments.len());
+        let Some(start) = path.start() else { return out };
+        self.point(&mut out, "M", start);
+        let last = path.segments.len() - 1;
+        for (i, segment) in path.segments.iter().enumerate() {
+            let closes = path.closed && i == last;
+            match segment {
+                // `Z` draws the last line of a closed path.
+                Segment::Line(_) if closes => {}
+                Segment::Line(line) => self.point(&mut out, " L", line.end),
+                Segment::Arc(arc) => {
+                    let halves = if arc.sweep.abs() > std::f64::consts::FRAC_PI_2 { 2 } else { 1 };
+                    let halves = if arc.sweep.abs() > std::f64::consts::PI { 4 } else { halves };
+                    for k in 1..=halves {
+                        // The closing arc ends at the very number at which the path began.
+                        let end = if closes && k == halves {
+                            start
+                        } else {
+                            segment.point(f64::from(k) / f64::from(halves))
+                        };
+                        out.push_str(" A");
+                        self.decimals.write(&mut out, arc.radius);
+                        out.push(' ');
+                        self.decimals.write(&mut out, arc.radius);
+                        // Y points down: what turned counterclockwise turns clockwise.
+                        self.point(&mut out, if arc.is_ccw() { " 0 0 0 " } else { " 0 0 1 " }, end);
+                    }
+                }
+            }
+        }
+        if path.closed {
+            out.push_str(" Z");
+        }
+        out
+    }
+
+    fn point(&self, out: &mut String, command: &str, p: Point) {
+        out.push_str(command);
+        self.decimals.write(out, p.x);
+        out.push(' ');
+        self.decimals.write(out, self.height - p.y);
+    }
+}

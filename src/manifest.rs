@@ -1,0 +1,172 @@
+//! The manifest: what a build wrote, so that `verify` can prove it and scripts can find it.
+
+use std::fmt::Write;
+
+use serde::Deserialize;
+use serde::Serialize;
+use sha2::Digest;
+use sha2::Sha256;
+
+use crate::artifact::Artifact;
+use crate::plan::Program;
+
+/// The manifest's file name in an output directory.
+pub const MANIFEST: &str = "manifest.json";
+
+/// Content of `manifest.json`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// Name and version of the tool that wrote it.
+    pub tool: Tool,
+    /// What the spec calls the design.
+    pub name: String,
+    /// Every file beside the manifest.
+    pub files: Vec<ManifestFile>,
+    /// Every star, bottom to top.
+    pub stars: Vec<ManifestStar>,
+    /// The frame's posts; empty without a frame.
+    pub posts: Vec<ManifestPosts>,
+}
+
+/// The program that wrote a manifest.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Tool {
+    /// Its name.
+    pub name: String,
+    /// Its version.
+    pub version: String,
+}
+
+/// One file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ManifestFile {
+    /// Name in the directory.
+    pub path: String,
+    /// Name of its kind, see [`crate::artifact::Kind`].
+    pub kind: String,
+    /// Length in bytes.
+    pub bytes: usize,
+    /// SHA-256 of the content, lower-case hexadecimal.
+    pub sha256: String,
+    /// The sheet it belongs to.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sheet: Option<usize>,
+    /// The star it belongs to.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub star: Option<usize>,
+}
+
+/// Length and time of one star's seams.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestStar {
+    /// Number of the star, 1 = bottom.
+    pub index: usize,
+    /// Number of its sheet.
+    pub sheet: usize,
+    /// Path of the iron in contact, overlaps included, mm.
+    pub seam_mm: f64,
+    /// Time of the iron in contact, ramps included, s.
+    pub time_s: f64,
+    /// The same, loop by loop.
+    pub seams: Vec<ManifestSeam>,
+}
+
+/// Length and time of one seam.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestSeam {
+    /// "inner" or "outer".
+    #[serde(rename = "loop")]
+    pub loop_name: String,
+    /// Path in contact, overlap included, mm.
+    pub length_mm: f64,
+    /// Path covered twice, mm.
+    pub overlap_mm: f64,
+    /// Time in contact, ramps included, s.
+    pub time_s: f64,
+}
+
+/// Posts of one length.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestPosts {
+    /// Length of a post.
+    pub length_mm: f64,
+    /// How many of them.
+    pub count: usize,
+}
+
+impl Manifest {
+    /// The manifest of `artifacts`, made by the sealing `programs`.
+    pub fn new(name: &str, artifacts: &[Artifact], programs: &[Program]) -> Self {
+        let mut stars: Vec<ManifestStar> = Vec::new();
+        for program in programs {
+            for &index in &program.stars {
+                let seams: Vec<ManifestSeam> = program
+                    .seams
+                    .iter()
+                    .filter(|seam| seam.star == index)
+                    .map(|seam| ManifestSeam {
+                        loop_name: seam.loop_name().to_owned(),
+                        length_mm: thousandths(seam.length),
+                        overlap_mm: thousandths(seam.overlap),
+                        time_s: thousandths(seam.time),
+                    })
+                    .collect();
+                stars.push(ManifestStar {
+                    index,
+                    sheet: program.sheet,
+                    seam_mm: thousandths(seams.iter().map(|seam| seam.length_mm).sum()),
+                    time_s: thousandths(seams.iter().map(|seam| seam.time_s).sum()),
+                    seams,
+                });
+            }
+        }
+        stars.sort_by_key(|star| star.index);
+        Self {
+            tool: Tool {
+                name: env!("CARGO_PKG_NAME").to_owned(),
+                version: env!("CARGO_PKG_VERSION").to_owned(),
+            },
+            name: name.to_owned(),
+            files: artifacts.iter().map(ManifestFile::of).collect(),
+            stars,
+            posts: Vec::new(),
+        }
+    }
+
+    /// The manifest as the bytes of `manifest.json`.
+    ///
+    /// # Panics
+    /// Never: every field can be written as JSON.
+    pub fn to_json(&self) -> Vec<u8> {
+        let mut json = serde_json::to_vec_pretty(self).expect("plain data");
+        json.push(b'\n');
+        json
+    }
+}
+
+impl ManifestFile {
+    /// The entry of one artifact.
+    pub fn of(artifact: &Artifact) -> Self {
+        Self {
+            path: artifact.name.clone(),
+            kind: artifact.kind.name().to_owned(),
+            bytes: artifact.bytes.len(),
+            sha256: sha256(&artifact.bytes),
+            sheet: artifact.sheet,
+            star: artifact.star,
+        }
+    }
+}
+
+/// SHA-256 of `bytes` in lower-case hexadecimal.
+pub fn sha256(bytes: &[u8]) -> String {
+    Sha256::digest(bytes).iter().fold(String::with_capacity(64), |mut hex, byte| {
+        let _ = write!(hex, "{byte:02x}");
+        hex
+    })
+}
+
+/// A figure for people, to a thousandth: the last bits of a sum are not worth a changed file.
+fn thousandths(x: f64) -> f64 {
+    (x * 1000.0).round() / 1000.0
+}

@@ -1,0 +1,121 @@
+//! Every stage by name: spec -> design -> plan -> text -> artifacts -> proof.
+
+use crate::artifact::Artifact;
+use crate::artifact::Kind;
+use crate::design::Design;
+use crate::design::Drawing;
+use crate::design::Refusal;
+use crate::emit;
+use crate::manifest::MANIFEST;
+use crate::manifest::Manifest;
+use crate::plan;
+use crate::plan::Program;
+use crate::spec::Machine;
+use crate::spec::ProgramScope;
+use crate::spec::Spec;
+use crate::verify::Archive;
+
+/// Everything that a build makes, in memory.
+#[derive(Clone, Debug)]
+pub struct Build {
+    /// The exact geometry.
+    pub design: Design,
+    /// The sealing programs.
+    pub programs: Vec<Program>,
+    /// The trace programs.
+    pub traces: Vec<Program>,
+    /// The files, without the manifest.
+    pub artifacts: Vec<Artifact>,
+    /// The manifest of the files.
+    pub manifest: Manifest,
+}
+
+/// The texts that a build was made from; they are published with it, so that it can be proven from its directory alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Sources<'a> {
+    /// The spec as read.
+    pub spec: &'a str,
+    /// The machine profile as resolved.
+    pub machine: &'a str,
+}
+
+/// Builds `spec` for `machine`. Only the kinds in `only` are made (spec and machine always); empty means all.
+///
+/// # Errors
+/// Every reason for which there is no such gripper.
+pub fn build(
+    spec: &Spec,
+    machine: &Machine,
+    sources: Sources<'_>,
+    only: &[Kind],
+) -> Result<Build, Vec<Refusal>> {
+    let design = Design::new(spec, machine)?;
+    let programs = plan::seal_programs(spec, machine, &design);
+    let traces = plan::trace_programs(spec, machine, &design);
+    let artifacts = artifacts(spec, machine, sources, only, &design, &programs, &traces);
+    let manifest = Manifest::new(&spec.name, &artifacts, &programs);
+    Ok(Build { design, programs, traces, artifacts, manifest })
+}
+
+impl Build {
+    /// The files as the verifier sees them.
+    pub fn archive(&self) -> Archive<'_> {
+        Archive { files: self.files().map(|(name, bytes)| (name.into(), bytes)).collect() }
+    }
+
+    /// All files with their names, the manifest last.
+    pub fn files(&self) -> impl Iterator<Item = (&str, std::borrow::Cow<'_, [u8]>)> {
+        let artifacts = self.artifacts.iter().map(|a| (a.name.as_str(), a.bytes.as_slice().into()));
+        artifacts.chain(std::iter::once((MANIFEST, self.manifest.to_json().into())))
+    }
+}
+
+fn artifacts(
+    spec: &Spec,
+    machine: &Machine,
+    sources: Sources<'_>,
+    only: &[Kind],
+    design: &Design,
+    programs: &[Program],
+    traces: &[Program],
+) -> Vec<Artifact> {
+    let wanted = |kind: Kind| only.is_empty() || only.contains(&kind);
+    let mut out = Vec::new();
+    let mut add = |name: String, kind, sheet, star, text: String| {
+        out.push(Artifact { name, kind, sheet, star, bytes: text.into_bytes() });
+    };
+    add("spec.toml".to_owned(), Kind::Spec, None, None, sources.spec.to_owned());
+    add("machine.toml".to_owned(), Kind::Machine, None, None, sources.machine.to_owned());
+    for (kind, word, list) in [(Kind::SealGcode, "seal", programs), (Kind::TraceGcode, "trace", traces)] {
+        for program in list.iter().filter(|_| wanted(kind)) {
+            let star = program.stars.first().copied().filter(|_| spec.machine.program == ProgramScope::Star);
+            let subject = star.map_or(format!("sheet-{}", program.sheet), |star| format!("star-{star}"));
+            let text = emit::gcode(spec, machine, program);
+            add(format!("{subject}-{word}.gcode"), kind, Some(program.sheet), star, text);
+        }
+    }
+    let path = spec.accuracy.path;
+    for sheet in design.sheets.iter().map(|sheet| sheet.index) {
+        let file = |what: &str| format!("sheet-{sheet}-{what}");
+        let drawings = [
+            ("seal", Drawing::seals(design, sheet), Kind::SealSvg, Kind::SealDxf),
+            ("outline", Drawing::outlines(design, sheet), Kind::OutlineSvg, Kind::OutlineDxf),
+        ];
+        for (what, drawing, svg, dxf) in drawings {
+            let Some(drawing) = drawing else { continue };
+            if wanted(svg) {
+                let title = format!("{what}, sheet {sheet}: {}", spec.name);
+                add(file(&format!("{what}.svg")), svg, Some(sheet), None, emit::svg(&title, &drawing, path));
+            }
+            if wanted(dxf) {
+                add(file(&format!("{what}.dxf")), dxf, Some(sheet), None, emit::dxf(&drawing, path));
+            }
+        }
+        if wanted(Kind::PreviewSvg)
+            && let Some(picture) = emit::preview(spec, design, programs, sheet)
+        {
+            add(file("preview.svg"), Kind::PreviewSvg, Some(sheet), None, picture);
+        }
+    }
+    out
+}

@@ -1,0 +1,15 @@
+//! What the machine does, step by step, in no controller's words.
+//!
+//! A [`Program`] is a list of [`Step`]s in the sheet's frame. The preview and the G-code are both made
+//! from it, so they cannot disagree about order, direction, starts and overlaps. The plan decides all of
+//! that, and also how long a single move is; the emitters only round and spell.
+
+mod pieces;
+mod program;
+mod seal;
+mod trace;
+
+pub use pieces::{LONGEST_MOVE, pieces};
+pub use program::{Level, Program, Purpose, Ramp, SeamReport, Step};
+pub use seal::seal_programs;
+pub use trace::trace_programs;

@@ -1,0 +1,34 @@
+//! Pieces: a path cut into moves short enough for pausing, progress and arcs that controllers read well.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::geom::Path;
+use crate::geom::Segment;
+
+/// Longest single move in contact, mm. At 0.1 mm/s it takes 50 s: the most that a pause has to wait for.
+pub const LONGEST_MOVE: f64 = 5.0;
+
+/// Cuts every segment of `path` into equal pieces of at most `longest` mm; arcs also at 90 degrees.
+pub fn pieces(path: &Path, longest: f64) -> Vec<Segment> {
+    let mut out = Vec::with_capacity(path.segments.len());
+    for segment in &path.segments {
+        let mut count = whole(segment.length() / longest);
+        if let Segment::Arc(arc) = segment {
+            count = count.max(whole(arc.sweep.abs() / FRAC_PI_2));
+        }
+        let steps = f64::from(count);
+        out.extend((0..count).map(|i| segment.part(f64::from(i) / steps, f64::from(i + 1) / steps)));
+    }
+    out
+}
+
+/// The number of pieces for a ratio: its ceiling, where an excess of rounding does not count.
+fn whole(ratio: f64) -> u32 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "path lengths are far below 2^32 moves"
+    )]
+    let count = (ratio - 1e-9).ceil().max(1.0) as u32;
+    count
+}

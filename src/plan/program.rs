@@ -1,0 +1,118 @@
+//! Programs and their steps.
+
+use crate::design::Side;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::units::Temperature;
+
+/// What a program is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Purpose {
+    /// Sealing, hot.
+    Seal,
+    /// A look at where the iron will go: at travel height, unheated, fast.
+    Trace,
+}
+
+/// One program of one sheet, for one star or for all of its stars.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Program {
+    /// What it is for.
+    pub purpose: Purpose,
+    /// Number of its sheet, from 1.
+    pub sheet: usize,
+    /// The stars it covers, by number.
+    pub stars: Vec<usize>,
+    /// What is done, in order.
+    pub steps: Vec<Step>,
+    /// The seams it seals, in order; empty for a trace.
+    pub seams: Vec<SeamReport>,
+    /// Time for all of it without heating and pauses, s.
+    pub time: f64,
+}
+
+/// One step. Heights and speeds are the machine's; positions are in the sheet's frame.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Step {
+    /// Straight up or down to a level, away from the fabric.
+    Height(Level),
+    /// The iron gets hot, and whoever heats it says so.
+    Heat(Temperature),
+    /// In a straight line, at the height where it is, clear of the fabric.
+    Travel(Point),
+    /// A new seam begins: index into [`Program::seams`].
+    Seam(usize),
+    /// Down to contact along the path.
+    TouchDown(Ramp),
+    /// In contact, at seal speed.
+    Seal(Vec<Segment>),
+    /// Up to travel height along the path.
+    Lift(Ramp),
+    /// At travel height, at trace speed.
+    Trace(Vec<Segment>),
+}
+
+/// A path on which the height changes evenly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ramp {
+    /// The path in pieces.
+    pub pieces: Vec<Segment>,
+    /// Height at its beginning, mm.
+    pub from: f64,
+    /// Height at its end, mm.
+    pub to: f64,
+}
+
+/// A height of the iron away from the fabric.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Between seams.
+    Travel,
+    /// Before and after the job.
+    Park,
+}
+
+/// Length and time of one seam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeamReport {
+    /// Number of the star.
+    pub star: usize,
+    /// Which loop.
+    pub side: Side,
+    /// Path in contact, overlap included, mm.
+    pub length: f64,
+    /// Part of it that is covered twice, mm.
+    pub overlap: f64,
+    /// Time in contact, ramps included, s.
+    pub time: f64,
+}
+
+impl SeamReport {
+    /// The loop's name in files.
+    pub fn loop_name(&self) -> &'static str {
+        match self.side {
+            Side::Hole => "inner",
+            Side::Outside => "outer",
+        }
+    }
+}
+
+impl Ramp {
+    /// Length of the way in space, mm.
+    pub fn length(&self) -> f64 {
+        let flat: f64 = self.pieces.iter().map(Segment::length).sum();
+        flat.hypot(self.to - self.from)
+    }
+
+    /// The pieces, each with the height at its end.
+    pub fn with_heights(&self) -> impl Iterator<Item = (&Segment, f64)> {
+        let total: f64 = self.pieces.iter().map(Segment::length).sum();
+        let mut done = 0.0;
+        let last = self.pieces.len();
+        self.pieces.iter().zip(1..).map(move |(piece, i)| {
+            done += piece.length();
+            let height = if i == last { self.to } else { self.from + (self.to - self.from) * (done / total) };
+            (piece, height)
+        })
+    }
+}

@@ -1,0 +1,108 @@
+//! The sealing programs: of every star the inner loop, then the outer loop.
+
+use crate::design::Design;
+use crate::design::PlacedStar;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::plan::LONGEST_MOVE;
+use crate::plan::Level;
+use crate::plan::Program;
+use crate::plan::Purpose;
+use crate::plan::Ramp;
+use crate::plan::SeamReport;
+use crate::plan::Step;
+use crate::plan::pieces;
+use crate::spec::Machine;
+use crate::spec::ProgramScope;
+use crate::spec::Spec;
+
+/// The stars of every program, by the spec's choice of one a star or one a sheet: (sheet, its stars).
+pub(super) fn scopes(design: &Design, scope: ProgramScope) -> Vec<(usize, Vec<&PlacedStar>)> {
+    match scope {
+        ProgramScope::Star => design.stars.iter().map(|star| (star.sheet, vec![star])).collect(),
+        ProgramScope::Sheet => {
+            design.sheets.iter().map(|sheet| (sheet.index, design.on_sheet(sheet.index).collect())).collect()
+        }
+    }
+}
+
+/// All sealing programs of `design`.
+pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
+    scopes(design, spec.machine.program)
+        .into_iter()
+        .map(|(sheet, stars)| seal_program(spec, machine, design, sheet, &stars))
+        .collect()
+}
+
+fn seal_program(
+    spec: &Spec,
+    machine: &Machine,
+    design: &Design,
+    sheet: usize,
+    stars: &[&PlacedStar],
+) -> Program {
+    let mut plan = Planner { spec, machine, steps: Vec::new(), seams: Vec::new(), time: 0.0, at: None };
+    plan.steps.push(Step::Height(Level::Park));
+    plan.steps.push(Step::Heat(spec.seal.temperature));
+    for star in stars {
+        plan.star(design, star);
+    }
+    plan.steps.push(Step::Height(Level::Park));
+    plan.travel(Point::ORIGIN);
+    let Planner { steps, seams, time, .. } = plan;
+    Program {
+        purpose: Purpose::Seal,
+        sheet,
+        stars: stars.iter().map(|star| star.index).collect(),
+        steps,
+        seams,
+        time,
+    }
+}
+
+struct Planner<'a> {
+    spec: &'a Spec,
+    machine: &'a Machine,
+    steps: Vec<Step>,
+    seams: Vec<SeamReport>,
+    time: f64,
+    at: Option<Point>,
+}
+
+impl Planner<'_> {
+    fn star(&mut self, design: &Design, placed: &PlacedStar) {
+        let heights = &self.machine.heights;
+        for seam in &design.part(placed).seams {
+            let place = |path: Path| placed.placement.path(&path);
+            let run = place(seam.run());
+            let length = run.length();
+            let down = ramp(&place(seam.lead_in(self.machine.ramp.0)), heights.travel.0, heights.contact.0);
+            let up = ramp(&place(seam.lead_out(self.machine.ramp.0)), heights.contact.0, heights.travel.0);
+            let time = (down.length() + length + up.length()) / self.spec.seal.speed.0;
+            self.time += time;
+            let Some(start) = down.pieces.first().map(crate::geom::Segment::start) else { continue };
+            self.travel(start);
+            self.at = up.pieces.last().map(crate::geom::Segment::end);
+            self.steps.extend([
+                Step::Height(Level::Travel),
+                Step::Seam(self.seams.len()),
+                Step::TouchDown(down),
+                Step::Seal(pieces(&run, LONGEST_MOVE)),
+                Step::Lift(up),
+            ]);
+            let (star, side, overlap) = (placed.index, seam.side, seam.overlap);
+            self.seams.push(SeamReport { star, side, length, overlap, time });
+        }
+    }
+
+    fn travel(&mut self, to: Point) {
+        self.time += self.at.map_or(0.0, |at| at.distance(to)) / self.machine.travel_speed.0;
+        self.steps.push(Step::Travel(to));
+        self.at = Some(to);
+    }
+}
+
+/// A ramp along `path`. It is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
+fn ramp(path: &Path, from: f64, to: f64) -> Ramp {
+    Ramp { pieces: pieces(path, LONGEST_MOVE), from, to }
+}

@@ -1,0 +1,69 @@
+//! The trace programs: the frame of the part and all paths, at travel height, unheated and fast.
+
+use crate::design::Design;
+use crate::design::PlacedStar;
+use crate::geom::Bounds;
+use crate::geom::Line;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::plan::Level;
+use crate::plan::Program;
+use crate::plan::Purpose;
+use crate::plan::Step;
+use crate::plan::pieces;
+use crate::plan::seal::scopes;
+use crate::spec::Machine;
+use crate::spec::Spec;
+
+/// All trace programs of `design`, one for each sealing program.
+pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
+    scopes(design, spec.machine.program)
+        .into_iter()
+        .map(|(sheet, stars)| trace_program(machine, design, sheet, &stars))
+        .collect()
+}
+
+fn trace_program(machine: &Machine, design: &Design, sheet: usize, stars: &[&PlacedStar]) -> Program {
+    let mut steps = vec![Step::Height(Level::Park)];
+    let mut length = 0.0;
+    let mut follow = |path: &Path| {
+        let Some(start) = path.start() else { return };
+        length += path.length();
+        // Nothing here waits, so moves are as long as the segments; arcs are cut at 90 degrees all the same.
+        let moves = pieces(path, f64::INFINITY);
+        steps.extend([Step::Travel(start), Step::Height(Level::Travel), Step::Trace(moves)]);
+    };
+    follow(&frame(design, stars, machine.ramp.0));
+    for placed in stars {
+        for seam in &design.part(placed).seams {
+            follow(&placed.placement.path(&seam.run()));
+        }
+    }
+    steps.push(Step::Height(Level::Park));
+    steps.push(Step::Travel(Point::ORIGIN));
+    let time = length / machine.trace_speed.0;
+    let stars = stars.iter().map(|star| star.index).collect();
+    Program { purpose: Purpose::Trace, sheet, stars, steps, seams: Vec::new(), time }
+}
+
+/// The rectangle around everything that the sealing program does to the fabric.
+fn frame(design: &Design, stars: &[&PlacedStar], ramp: f64) -> Path {
+    let bounds = stars
+        .iter()
+        .map(|placed| {
+            // A placement is a translation or a turn by whole quarters, so the box of the image is near enough
+            // the image of the box; take the image of the paths to be exact.
+            let part = design.part(placed);
+            let cut = placed.placement.path(&part.outline.outside).bounds();
+            part.seams.iter().fold(cut, |bounds, seam| {
+                let all = seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp));
+                bounds.union(placed.placement.path(&all).bounds().grown(part.band / 2.0))
+            })
+        })
+        .fold(Bounds::EMPTY, Bounds::union);
+    let (a, c) = (bounds.min, bounds.max);
+    let corners = [a, Point::new(c.x, a.y), c, Point::new(a.x, c.y), a];
+    let sides: Vec<Segment> = corners.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect();
+    Path::closed(sides)
+}

@@ -1,0 +1,72 @@
+//! Ranges of allowed values.
+
+use crate::units::Readable;
+
+/// A range of numbers, each end in or out; it never holds NaN.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Allowed {
+    low: f64,
+    low_in: bool,
+    high: f64,
+    high_in: bool,
+}
+
+impl Allowed {
+    /// `low <= x <= high`.
+    pub(super) const fn closed(low: f64, high: f64) -> Self {
+        Self { low, low_in: true, high, high_in: true }
+    }
+
+    /// `low < x <= high`.
+    pub(super) const fn above(low: f64, high: f64) -> Self {
+        Self { low, low_in: false, high, high_in: true }
+    }
+
+    /// `low < x < high`.
+    pub(super) const fn between(low: f64, high: f64) -> Self {
+        Self { low, low_in: false, high, high_in: false }
+    }
+
+    /// Whether `x` is in the range.
+    pub(super) fn holds(self, x: f64) -> bool {
+        let low = if self.low_in { x >= self.low } else { x > self.low };
+        let high = if self.high_in { x <= self.high } else { x < self.high };
+        low && high
+    }
+
+    /// The range in words; `unit` is "" for plain numbers.
+    pub(super) fn in_words(self, unit: &str) -> String {
+        let gap = if unit.is_empty() { "" } else { " " };
+        format!(
+            "must be {} {}{gap}{unit} and {} {}{gap}{unit}",
+            if self.low_in { "at least" } else { "more than" },
+            Readable(self.low),
+            if self.high_in { "at most" } else { "less than" },
+            Readable(self.high),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_are_in_or_out_as_said() {
+        assert!(Allowed::closed(0.0, 1.0).holds(0.0) && Allowed::closed(0.0, 1.0).holds(1.0));
+        assert!(!Allowed::above(0.0, 1.0).holds(0.0) && Allowed::above(0.0, 1.0).holds(1.0));
+        assert!(!Allowed::between(0.0, 1.0).holds(1.0) && Allowed::between(0.0, 1.0).holds(0.5));
+        for x in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            assert!(!Allowed::closed(-1e300, 1e300).holds(x));
+        }
+    }
+
+    #[test]
+    fn words_name_both_ends() {
+        assert_eq!(Allowed::above(-1.0, 0.5).in_words(""), "must be more than -1 and at most 0.5");
+        assert_eq!(
+            Allowed::between(0.0, 180.0).in_words("deg"),
+            "must be more than 0 deg and less than 180 deg"
+        );
+    }
+}

@@ -1,0 +1,234 @@
+//! From a raw spec to the [`Spec`]: each section with its defaults and its ranges.
+//!
+//! Reading goes on after a fault with a stand-in for the faulty value; a stand-in never leaves this
+//! room, because the faults then refuse the spec.
+
+use crate::spec::allowed::Allowed;
+use crate::spec::fault::{Fault, Faults, quoted};
+use crate::spec::model::{
+    Accuracy, Fabric, FeedFloor, Frame, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal, Sheet,
+    Spec,
+};
+use crate::spec::raw::RawSpec;
+use crate::spec::section::{Reader, Section};
+use crate::spec::source::Source;
+use crate::spec::stars;
+use crate::spec::words::{breaks_line, check_name};
+use crate::units::{Length, Percent, Pressure, Speed, Temperature};
+
+/// Lengths that must be there: 1 um to 100 m, far beyond what fabric and iron can do at both ends.
+pub(super) const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
+/// Lengths that may be zero, up to 100 m.
+pub(super) const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
+
+/// A spec that was read, and what can still be said about its text.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// The complete, valid spec.
+    pub spec: Spec,
+    /// What a person should know although the spec is valid; often empty.
+    pub warnings: Faults,
+    /// What was written, to find the place of a key that a later stage refuses.
+    pub raw: RawSpec,
+}
+
+/// Reads a spec.
+///
+/// Ranges, ends included unless said otherwise: sizes 1 um to 100 m; radii, allowances, margins, creep, kerf, overlap
+/// and fillet 0 to 100 m; `points` and `posts` 3 to 64; `count` 1 to 64; `tip` and `inlet_tip` 1 to the star's points;
+/// `tip_angle` between 0 and 180 deg, both excluded; `rotation` up to 3600 deg either way; `temperature` above 0 C and
+/// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
+/// above -1, to 0.5; `seal_strength` 1e-6 to 1e4 N/mm; `areal_density` 1e-6 to 1e4 kg/m^2; `pressure` 1 Pa to 1 GPa;
+/// `friction` above 0, to 10; `path` 0.0001 to 1 mm; `response` above 0, to 100 %; `name` as [`check_name`] says.
+///
+/// # Errors
+/// All faults of the text at once, warnings among them, if at least one refuses it.
+pub fn read(source: &Source) -> Result<Reading, Faults> {
+    let (spec, warnings, raw) = read_with(source, read_spec)?;
+    Ok(Reading { spec, warnings, raw })
+}
+
+/// Parses `source`, lets `body` take what it wants, and judges the faults of both.
+pub(super) fn read_with<T>(
+    source: &Source,
+    body: impl FnOnce(&mut Reader<'_>) -> T,
+) -> Result<(T, Faults, RawSpec), Faults> {
+    let (raw, mut faults) = RawSpec::parse(&source.text);
+    let mut reader = Reader::new(&raw);
+    let found = body(&mut reader);
+    let others = reader.finish();
+    faults.extend(if faults.is_empty() { others } else { beyond_syntax(others, &faults, &source.text) });
+    let faults = Faults::new(source, faults);
+    if faults.refuse() { Err(faults) } else { Ok((found, faults, raw)) }
+}
+
+/// Where the syntax is broken, keys are lost and values are the parser's guesses: keeps of `others` what does not
+/// come from that.
+fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault> {
+    let line = |at: usize| text.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
+    let broken: Vec<usize> = syntax.iter().map(|fault| line(fault.span.start)).collect();
+    let is_sound = |fault: &Fault| {
+        fault.code != "missing-key" && fault.span != (0..0) && !broken.contains(&line(fault.span.start))
+    };
+    others.into_iter().filter(is_sound).collect()
+}
+
+/// Reports a `schema` that is not `version`, the only one that is known.
+pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
+    if let Some(found) = root.count("schema", 0, u32::MAX).filter(|found| *found != version) {
+        let fault = Fault::error("schema", root.place_of("schema"), format!("`schema` is {found}"))
+            .label(format!("must be {version}, the only version this program knows"));
+        root.report(fault);
+    }
+}
+
+/// The required `name`.
+pub(super) fn read_name(root: &mut Section<'_, '_>) -> String {
+    let Some((name, span)) = root.text("name") else { return String::new() };
+    if let Err(reason) = check_name(name) {
+        root.report(
+            Fault::error("name", span, format!("`name` is {}", quoted(name))).label(reason.to_string()),
+        );
+    }
+    name.to_owned()
+}
+
+fn read_spec(reader: &mut Reader<'_>) -> Spec {
+    let mut root = reader.root();
+    root.require(&[("schema", "1"), ("name", "\"five-point star\"")]);
+    read_schema(&mut root, 1);
+    let name = read_name(&mut root);
+    let fabric = read_fabric(&mut reader.section("fabric"));
+    let (stars, inlet) = stars::read(reader);
+    Spec {
+        name,
+        fabric,
+        stars,
+        inlet,
+        seal: read_seal(&mut reader.section("seal")),
+        mask: read_mask(&mut reader.section("mask")),
+        frame: read_frame(&mut reader.section("frame")),
+        sheet: read_sheet(&mut reader.section("sheet")),
+        machine: read_choice(&mut reader.section("machine")),
+        load: read_load(&mut reader.section("load")),
+        accuracy: read_accuracy(&mut reader.section("accuracy")),
+    }
+}
+
+fn length(section: &mut Section<'_, '_>, key: &'static str, allowed: Allowed, default: f64) -> Length {
+    section.quantity(key, allowed).unwrap_or(Length(default))
+}
+
+fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
+    Fabric {
+        thickness: length(s, "thickness", SIZE, 0.3),
+        young_modulus: s.quantity("young_modulus", Allowed::closed(1e-3, 1e9)).unwrap_or(Pressure(128e3)),
+        poisson_ratio: s.number("poisson_ratio", Allowed::above(-1.0, 0.5)).unwrap_or(0.39),
+        seal_strength: s.quantity("seal_strength", Allowed::closed(1e-6, 1e4)),
+        areal_density: s.quantity("areal_density", Allowed::closed(1e-6, 1e4)),
+    }
+}
+
+fn read_seal(s: &mut Section<'_, '_>) -> Seal {
+    let seal = Seal {
+        temperature: s.quantity("temperature", Allowed::above(0.0, 400.0)).unwrap_or(Temperature(200.0)),
+        speed: s.quantity("speed", Allowed::closed(1e-3, 1e3)).unwrap_or(Speed(0.1)),
+        band: length(s, "band", SIZE, 2.0),
+        overlap: length(s, "overlap", EXTRA, 5.0),
+        allowance: length(s, "allowance", EXTRA, 8.0),
+        hole_allowance: length(s, "hole_allowance", EXTRA, 1.0),
+    };
+    check_ptfe(s, seal.temperature);
+    seal
+}
+
+/// Between iron and fabric lies a release layer of PTFE: above 260 C it ages, from 300 C its fumes are toxic.
+fn check_ptfe(s: &mut Section<'_, '_>, temperature: Temperature) {
+    let place = s.place_of("temperature");
+    let message = format!("`temperature` is {temperature}");
+    if temperature.0 >= 300.0 {
+        let fault = Fault::error("ptfe", place, message)
+            .label("must be less than 300 C: from there the PTFE release layer gives off toxic fumes");
+        s.report(fault);
+    } else if temperature.0 > 260.0 {
+        let fault = Fault::warning("ptfe", place, message)
+            .label("above 260 C the PTFE release layer decomposes slowly")
+            .help("seal at 260 C or below, or see to good ventilation");
+        s.report(fault);
+    }
+}
+
+fn read_mask(s: &mut Section<'_, '_>) -> Mask {
+    Mask {
+        extent: s.quantity("extent", SIZE),
+        creep: length(s, "creep", EXTRA, 0.0),
+        border: length(s, "border", EXTRA, 10.0),
+        mirror: s.truth("mirror").unwrap_or(false),
+        thickness: length(s, "thickness", SIZE, 2.0),
+    }
+}
+
+fn read_frame(s: &mut Section<'_, '_>) -> Frame {
+    Frame {
+        plate_thickness: length(s, "plate_thickness", SIZE, 5.0),
+        clearance: length(s, "clearance", EXTRA, 5.0),
+        post_diameter: length(s, "post_diameter", SIZE, 6.0),
+        posts: s.count("posts", 3, 64).unwrap_or(4),
+        kerf: length(s, "kerf", EXTRA, 0.0),
+    }
+}
+
+fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
+    Sheet {
+        width: s.quantity("width", SIZE),
+        height: s.quantity("height", SIZE),
+        margin: length(s, "margin", EXTRA, 10.0),
+        gap: length(s, "gap", EXTRA, 10.0),
+        turn: s.truth("turn").unwrap_or(false),
+        hole_diameter: length(s, "hole_diameter", EXTRA, 3.0),
+    }
+}
+
+fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
+    let profile = s.text("profile").map(|(profile, span)| {
+        if profile.trim().is_empty() || profile.chars().any(breaks_line) {
+            let fault = Fault::error("profile", span, format!("`profile` is {}", quoted(profile)))
+                .label("must be the name of a built-in profile, or a path relative to the spec");
+            s.report(fault);
+        }
+        profile.to_owned()
+    });
+    MachineChoice {
+        profile: profile.unwrap_or_else(|| "generic".to_owned()),
+        program: s
+            .choice("program", &[("star", ProgramScope::Star), ("sheet", ProgramScope::Sheet)])
+            .unwrap_or(ProgramScope::Star),
+        feed_floor: s
+            .choice("feed_floor", &[("refuse", FeedFloor::Refuse), ("chop", FeedFloor::Chop)])
+            .unwrap_or(FeedFloor::Refuse),
+    }
+}
+
+fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
+    let load = Load {
+        pressure: s.quantity("pressure", Allowed::closed(1e-3, 1e6)),
+        object_radius: s.quantity("object_radius", SIZE),
+        friction: s.number("friction", Allowed::above(0.0, 10.0)),
+    };
+    s.is_written().then_some(load)
+}
+
+fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {
+    let models = [
+        ("fit", ModelChoice::Fit),
+        ("ring", ModelChoice::Ring),
+        ("bvp", ModelChoice::Bvp),
+        ("shell", ModelChoice::Shell),
+        ("auto", ModelChoice::Auto),
+    ];
+    Accuracy {
+        path: length(s, "path", Allowed::closed(1e-4, 1.0), 0.001),
+        model: s.choice("model", &models).unwrap_or(ModelChoice::Auto),
+        response: s.quantity("response", Allowed::above(0.0, 100.0)).unwrap_or(Percent(10.0)),
+    }
+}

@@ -1,0 +1,74 @@
+//! Faults as a person reads them: file, line, caret, what was found, what is allowed, a hint.
+
+use annotate_snippets::{AnnotationKind, Level as Tone, Renderer, Snippet};
+
+use crate::spec::fault::{Fault, Faults, Level};
+use crate::spec::words::breaks_line;
+
+/// Most faults shown; a wrong file has thousands, and nobody reads them.
+const SHOWN: usize = 30;
+
+/// All of `faults` without colour.
+pub(super) fn plain(faults: &Faults) -> String {
+    render(faults, &Renderer::plain())
+}
+
+/// All of `faults` with the colours of a terminal.
+pub(super) fn coloured(faults: &Faults) -> String {
+    render(faults, &Renderer::styled())
+}
+
+fn render(faults: &Faults, renderer: &Renderer) -> String {
+    let mut text = String::new();
+    for fault in faults.list().iter().take(SHOWN) {
+        text.push_str(&one(faults, fault, renderer));
+        text.push_str("\n\n");
+    }
+    if !faults.is_empty() {
+        text.push_str(&summary(faults));
+        text.push('\n');
+    }
+    text
+}
+
+fn one(faults: &Faults, fault: &Fault, renderer: &Renderer) -> String {
+    let text = &faults.source().text;
+    // Only the line is handed on: the renderer's work grows with what it is given, once for each fault.
+    let start = text[..fault.span.start].rfind('\n').map_or(0, |at| at + 1);
+    let end = text[fault.span.start..].find('\n').map_or(text.len(), |n| fault.span.start + n);
+    let line = text[start..end].trim_end_matches('\r');
+    let local = |at: usize| at.min(end).saturating_sub(start).min(line.len());
+    let span = local(fault.span.start)..local(fault.span.end);
+    let tone = match fault.level {
+        Level::Error => Tone::ERROR,
+        Level::Warning => Tone::WARNING,
+    };
+    let snippet = Snippet::source(line)
+        .line_start(1 + text[..start].matches('\n').count())
+        .path(shown_name(faults))
+        .annotation(AnnotationKind::Primary.span(span).label(fault.label.as_str()));
+    let mut group = tone.primary_title(fault.message.as_str()).id(fault.code).element(snippet);
+    if let Some(help) = &fault.help {
+        group = group.element(Tone::HELP.message(help.as_str()));
+    }
+    renderer.render(&[group])
+}
+
+/// "spec.toml: 2 errors, 1 warning".
+fn summary(faults: &Faults) -> String {
+    let count = |level| faults.list().iter().filter(|fault| fault.level == level).count();
+    let phrase = |n: usize, word: &str| match n {
+        0 => None,
+        1 => Some(format!("1 {word}")),
+        n => Some(format!("{n} {word}s")),
+    };
+    let parts = [phrase(count(Level::Error), "error"), phrase(count(Level::Warning), "warning")];
+    let parts = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
+    let cut = if faults.list().len() > SHOWN { format!(", the first {SHOWN} shown") } else { String::new() };
+    format!("{}: {parts}{cut}", shown_name(faults))
+}
+
+/// The source's name without what would command a terminal.
+fn shown_name(faults: &Faults) -> String {
+    faults.source().name.chars().map(|c| if breaks_line(c) { '?' } else { c }).collect()
+}

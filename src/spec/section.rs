@@ -1,0 +1,267 @@
+//! Takes values out of what was written: key by key, each with its kind and its range.
+//!
+//! A **section** is a table with a name. Taking a key registers it as known, so that a key nobody asked
+//! for is an unknown one, and there is no second list of keys to keep in step.
+
+use std::ops::Range;
+
+use crate::spec::allowed::Allowed;
+use crate::spec::fault::{Fault, quoted};
+use crate::spec::raw::RawSpec;
+use crate::spec::unknown::{self, Known};
+use crate::spec::value::{RawKind, RawTable, RawValue};
+use crate::spec::wording::{article, header, malformed, out_of_range};
+use crate::units::Quantity;
+
+/// Reads one document and collects its faults.
+pub(super) struct Reader<'r> {
+    /// What was written.
+    pub(super) raw: &'r RawSpec,
+    /// What was found so far.
+    pub(super) faults: Vec<Fault>,
+    known: Vec<Known<'r>>,
+}
+
+/// One table of the document, or the lack of it.
+pub(super) struct Section<'a, 'r> {
+    reader: &'a mut Reader<'r>,
+    name: &'static str,
+    table: Option<&'r RawTable>,
+    place: Range<usize>,
+}
+
+impl<'r> Reader<'r> {
+    /// Begins to read `raw`.
+    pub(super) fn new(raw: &'r RawSpec) -> Self {
+        Self { raw, faults: Vec::new(), known: Vec::new() }
+    }
+
+    /// The keys that stand before the first section.
+    pub(super) fn root(&mut self) -> Section<'_, 'r> {
+        let table = Some(self.raw.root());
+        self.open("", table, 0..0)
+    }
+
+    /// Section `name`; it need not have been written.
+    pub(super) fn section(&mut self, name: &'static str) -> Section<'_, 'r> {
+        match self.raw.root().get(name) {
+            None => self.open(name, None, 0..0),
+            Some(value) => self.element(name, value),
+        }
+    }
+
+    /// One `value` that must be a table, as a section called `name`.
+    pub(super) fn element(&mut self, name: &'static str, value: &'r RawValue) -> Section<'_, 'r> {
+        let table = value.as_table();
+        if table.is_none() {
+            let fault =
+                Fault::error("wrong-type", value.span.clone(), format!("`{name}` is {}", value.in_words()))
+                    .label(format!("must be a section, [{name}]"));
+            self.faults.push(fault);
+        }
+        self.open(name, table, value.span.clone())
+    }
+
+    fn open(
+        &mut self,
+        name: &'static str,
+        table: Option<&'r RawTable>,
+        place: Range<usize>,
+    ) -> Section<'_, 'r> {
+        self.known.push(Known { section: name, keys: Vec::new(), table });
+        Section { reader: self, name, table, place }
+    }
+
+    /// Adds a fault for each key and section that nobody asked for, and hands over all faults.
+    pub(super) fn finish(mut self) -> Vec<Fault> {
+        self.faults.extend(unknown::faults(&self.known));
+        self.faults
+    }
+}
+
+impl<'r> Section<'_, 'r> {
+    /// Whether the section was written at all.
+    pub(super) fn is_written(&self) -> bool {
+        self.table.is_some()
+    }
+
+    /// Whether `key` was written, whatever its value.
+    pub(super) fn has(&self, key: &str) -> bool {
+        self.table.is_some_and(|table| table.get(key).is_some())
+    }
+
+    /// Where the section's header is.
+    pub(super) fn place(&self) -> Range<usize> {
+        self.place.clone()
+    }
+
+    /// Where the value of `key` is, or the section's header if it was not written.
+    pub(super) fn place_of(&self, key: &str) -> Range<usize> {
+        self.table.and_then(|table| table.get(key)).map_or(self.place(), |value| value.span.clone())
+    }
+
+    /// The written keys but `except`.
+    pub(super) fn other_keys(&self, except: &str) -> Vec<&'r str> {
+        let entries = self.table.into_iter().flat_map(|table| &table.0);
+        entries.map(|entry| entry.key.as_str()).filter(|key| *key != except).collect()
+    }
+
+    /// Adds a fault.
+    pub(super) fn report(&mut self, fault: Fault) {
+        self.reader.faults.push(fault);
+    }
+
+    /// Adds one fault if some of `required`, pairs of a key and an example value, were not written.
+    pub(super) fn require(&mut self, required: &[(&'static str, &str)]) {
+        let missing: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).collect();
+        if missing.is_empty() {
+            return;
+        }
+        let list = missing.iter().map(|(key, _)| format!("`{key}`")).collect::<Vec<_>>().join(", ");
+        let lines = missing.iter().map(|(key, example)| format!("{key} = {example}")).collect::<Vec<_>>();
+        let (message, help) = match (self.name, self.table) {
+            ("", _) => (format!("the file does not say {list}"), lines.join(", ")),
+            (name, Some(_)) => (format!("{} does not say {list}", header(name)), lines.join(", ")),
+            (name, None) => (
+                format!("there is no [{name}], which must say {list}"),
+                format!("[{name}] {}", lines.join(", ")),
+            ),
+        };
+        let label = if missing.len() == 1 { "this key is required" } else { "these keys are required" };
+        let fault = Fault::error("missing-key", self.place(), message);
+        self.report(fault.label(label).help(format!("write for instance: {help}")));
+    }
+
+    /// The value of `key`, which becomes a known key.
+    pub(super) fn take(&mut self, key: &'static str) -> Option<&'r RawValue> {
+        if let Some(known) = self.reader.known.iter_mut().rfind(|known| known.section == self.name) {
+            known.keys.push(key);
+        }
+        self.table?.get(key)
+    }
+
+    /// A quantity in its base unit within `allowed`; `None` if it is absent or faulty.
+    pub(super) fn quantity<Q: Quantity>(&mut self, key: &'static str, allowed: Allowed) -> Option<Q> {
+        let value = self.take(key)?;
+        let fault = match &value.kind {
+            RawKind::Text(text) => match Q::parse(text) {
+                Ok(found) if allowed.holds(found.base()) => return Some(found),
+                Ok(found) => {
+                    let base = found.to_string();
+                    // Far out of every range the number in the base unit only adds digits.
+                    let is_plain = base == text.trim() || found.base().abs() > 1e9;
+                    let same = if is_plain { String::new() } else { format!(", that is {base}") };
+                    Fault::error(
+                        "out-of-range",
+                        value.span.clone(),
+                        format!("`{key}` is {}{same}", quoted(text)),
+                    )
+                    .label(allowed.in_words(Q::UNITS[0].0))
+                }
+                Err(reason) => malformed::<Q>(key, text, &reason, value.span.clone()),
+            },
+            RawKind::Number(number) => {
+                let number = number.shown();
+                Fault::error("no-unit", value.span.clone(), format!("`{key}` is the bare number {number}"))
+                    .label(format!("{} needs a unit: {}", article(Q::KIND), Q::unit_list()))
+                    .help(format!("write for instance: {key} = \"{number} {}\"", Q::UNITS[0].0))
+            }
+            _ => {
+                let label =
+                    format!("must be {} in quotes, with a unit: {}", article(Q::KIND), Q::unit_list());
+                self.wrong_type(key, value, &label)
+            }
+        };
+        self.report(fault);
+        None
+    }
+
+    /// A plain number within `allowed`; `None` if it is absent or faulty.
+    pub(super) fn number(&mut self, key: &'static str, allowed: Allowed) -> Option<f64> {
+        let value = self.take(key)?;
+        let RawKind::Number(number) = &value.kind else {
+            return self.refuse_type(key, value, "must be a plain number, without quotes and unit");
+        };
+        if allowed.holds(number.value) {
+            return Some(number.value);
+        }
+        self.report(out_of_range(key, number, value).label(allowed.in_words("")));
+        None
+    }
+
+    /// A whole number from `low` to `high`; `None` if it is absent or faulty.
+    pub(super) fn count(&mut self, key: &'static str, low: u32, high: u32) -> Option<u32> {
+        let value = self.take(key)?;
+        let number = match &value.kind {
+            RawKind::Number(number) if number.is_integer => number,
+            _ => return self.refuse_type(key, value, "must be a whole number, without quotes and unit"),
+        };
+        let found = number.whole.and_then(|whole| u32::try_from(whole).ok());
+        if let Some(found) = found.filter(|found| (low..=high).contains(found)) {
+            return Some(found);
+        }
+        self.report(out_of_range(key, number, value).label(format!("must be from {low} to {high}")));
+        None
+    }
+
+    /// `true` or `false`; `None` if it is absent or faulty.
+    pub(super) fn truth(&mut self, key: &'static str) -> Option<bool> {
+        let value = self.take(key)?;
+        match value.kind {
+            RawKind::Truth(found) => Some(found),
+            _ => self.refuse_type(key, value, "must be true or false, without quotes"),
+        }
+    }
+
+    /// A text in quotes and its place; `None` if it is absent or something else.
+    pub(super) fn text(&mut self, key: &'static str) -> Option<(&'r str, Range<usize>)> {
+        let value = self.take(key)?;
+        match value.as_text() {
+            Some(found) => Some((found, value.span.clone())),
+            None => self.refuse_type(key, value, "must be a text in quotes"),
+        }
+    }
+
+    /// A list of texts, each with its place; `None` if it is absent or something else.
+    pub(super) fn texts(&mut self, key: &'static str) -> Option<Vec<(&'r str, Range<usize>)>> {
+        let value = self.take(key)?;
+        let label = "must be a list of texts: [\"...\", \"...\"]";
+        let Some(list) = value.as_list() else { return self.refuse_type(key, value, label) };
+        list.iter()
+            .map(|item| match item.as_text() {
+                Some(text) => Some((text, item.span.clone())),
+                None => self.refuse_type(key, item, label),
+            })
+            .collect()
+    }
+
+    /// One of `choices`, a word in quotes; `None` if it is absent or none of them.
+    pub(super) fn choice<T: Copy>(&mut self, key: &'static str, choices: &[(&str, T)]) -> Option<T> {
+        let (word, span) = self.text(key)?;
+        if let Some((_, found)) = choices.iter().find(|(name, _)| *name == word) {
+            return Some(*found);
+        }
+        let list = choices.iter().map(|(name, _)| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
+        let mut fault = Fault::error("unknown-choice", span, format!("`{key}` is {}", quoted(word))).label(
+            if choices.len() == 1 { format!("must be {list}") } else { format!("must be one of {list}") },
+        );
+        if let Some(near) = unknown::nearest(word, choices.iter().map(|(name, _)| *name)) {
+            fault = fault.help(format!("did you mean \"{near}\"?"));
+        }
+        self.report(fault);
+        None
+    }
+
+    fn wrong_type(&self, key: &str, value: &RawValue, label: &str) -> Fault {
+        let section = if self.name.is_empty() { String::new() } else { format!(" in {}", header(self.name)) };
+        let message = format!("`{key}`{section} is {}", value.in_words());
+        Fault::error("wrong-type", value.span.clone(), message).label(label)
+    }
+
+    /// Reports [`Self::wrong_type`]; always `None`.
+    fn refuse_type<T>(&mut self, key: &str, value: &RawValue, label: &str) -> Option<T> {
+        let fault = self.wrong_type(key, value, label);
+        self.report(fault);
+        None
+    }
+}

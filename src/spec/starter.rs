@@ -1,0 +1,79 @@
+//! The starter: a commented spec for a person to begin with.
+
+use crate::spec::words::{NameFault, check_name};
+
+/// The starter, with a placeholder for the name.
+const TEMPLATE: &str = include_str!("../../templates/spec.toml");
+/// The placeholder, a whole TOML string so that nothing else in the text can match it.
+const PLACEHOLDER: &str = "\"NAME\"";
+
+/// A valid spec called `name`, commented, with every key and its default: the paper's star.
+///
+/// # Errors
+/// If `name` cannot be a spec's name.
+pub fn starter(name: &str) -> Result<String, NameFault> {
+    check_name(name)?;
+    // A name holds no control characters, so these two are all that TOML wants escaped.
+    let escaped = name.replace('\\', "\\\\").replace('"', "\\\"");
+    Ok(TEMPLATE.replacen(PLACEHOLDER, &format!("\"{escaped}\""), 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::model::Spec;
+    use crate::spec::reading::read;
+    use crate::spec::source::Source;
+
+    fn spec(text: &str) -> Spec {
+        match read(&Source::new("starter", text)) {
+            Ok(reading) => {
+                assert!(reading.warnings.is_empty(), "{}", reading.warnings);
+                reading.spec
+            }
+            Err(faults) => panic!("{faults}"),
+        }
+    }
+
+    /// The starter with the lines behind `mark` switched on.
+    fn switched_on(mark: &str) -> String {
+        let is_key = |rest: &str| {
+            let word = rest.trim_start_matches('[').split([' ', ']']).next().unwrap_or_default();
+            rest.starts_with('[') || rest[word.len()..].starts_with(" = ")
+        };
+        let text = starter("x").expect("a name");
+        let lines = text.lines().map(|line| match line.strip_prefix(mark) {
+            Some(rest) if is_key(rest) => rest,
+            _ => line,
+        });
+        lines.collect::<Vec<_>>().join("\n")
+    }
+
+    #[test]
+    fn the_starter_reads_back_under_any_name() {
+        for name in
+            ["paper star", r#"a "b" \ 'c' {{name}} NAME"#, "\\", "\"\"\"", "../é星 # x = 1", &"n".repeat(80)]
+        {
+            assert_eq!(spec(&starter(name).expect("a name")).name, name);
+        }
+        assert_eq!(starter("a\nb"), Err(NameFault::Control('\n')));
+        assert_eq!(starter(""), Err(NameFault::Empty));
+    }
+
+    #[test]
+    fn every_default_shown_is_the_default() {
+        let text = switched_on("# ");
+        assert!(text.lines().filter(|line| line.contains(" = ")).count() >= 40, "{text}");
+        assert_eq!(spec(&text), spec(&starter("x").expect("a name")));
+    }
+
+    #[test]
+    fn everything_shown_as_absent_can_be_written() {
+        let with = spec(&switched_on("## "));
+        let without = spec(&starter("x").expect("a name"));
+        assert_eq!((without.load, without.sheet.width, without.mask.extent), (None, None, None));
+        assert!(with.load.is_some() && with.sheet.width.is_some() && with.mask.extent.is_some());
+        assert!(with.fabric.seal_strength.is_some() && with.fabric.areal_density.is_some());
+        assert!(with.stars[0].inner_radius < without.stars[0].inner_radius);
+    }
+}

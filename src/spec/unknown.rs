@@ -1,0 +1,120 @@
+//! Keys and sections that nobody asked for, and what their writer may have meant.
+
+use crate::spec::fault::{Fault, quoted};
+use crate::spec::value::RawTable;
+use crate::spec::wording::header;
+
+/// A section that was read: its keys and what was written in it.
+pub(super) struct Known<'r> {
+    /// Its name; "" for the keys before the first section.
+    pub(super) section: &'static str,
+    /// The keys that were asked for.
+    pub(super) keys: Vec<&'static str>,
+    /// What was written, if anything was.
+    pub(super) table: Option<&'r RawTable>,
+}
+
+/// Longest word compared with the known ones, in bytes; the comparison's cost grows with its square.
+const COMPARED: usize = 40;
+
+/// Most unknown keys reported.
+const REPORTED: usize = 200;
+
+/// A fault for each key and section in `known` that is not known.
+pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for one in known {
+        for entry in one.table.into_iter().flat_map(|table| &table.0) {
+            let word = entry.key.as_str();
+            let place = entry.key_span.clone();
+            let is_section = one.section.is_empty() && section_names(known).any(|name| name == word);
+            if one.keys.contains(&word) || is_section || faults.len() >= REPORTED {
+                continue;
+            }
+            let fault = if one.section.is_empty() && entry.value.as_table().is_some() {
+                Fault::error("unknown-section", place, format!("unknown section [{}]", bare(word)))
+                    .label("no section has this name")
+                    .help(section_hint(word, known))
+            } else {
+                let home = if one.section.is_empty() {
+                    String::new()
+                } else {
+                    format!(" in {}", header(one.section))
+                };
+                Fault::error("unknown-key", place, format!("unknown key {}{home}", quoted(word)))
+                    .label("no key has this name here")
+                    .help(key_hint(word, one, known))
+            };
+            faults.push(fault);
+        }
+    }
+    faults
+}
+
+/// The word of `candidates` that differs from `word` by few enough slips of the keyboard.
+pub(super) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
+    if word.len() > COMPARED {
+        return None;
+    }
+    let lower = word.to_lowercase().replace('-', "_");
+    candidates
+        .into_iter()
+        .map(|candidate| (strsim::damerau_levenshtein(&lower, candidate), candidate))
+        .filter(|(slips, candidate)| *slips <= candidate.len().max(3) / 3)
+        .min_by_key(|(slips, _)| *slips)
+        .map(|(_, candidate)| candidate)
+}
+
+fn bare(word: &str) -> String {
+    quoted(word).trim_matches('`').to_owned()
+}
+
+/// The sections of the first level.
+fn section_names<'k>(known: &'k [Known<'_>]) -> impl Iterator<Item = &'static str> + 'k {
+    known.iter().map(|one| one.section).filter(|name| !name.is_empty() && !name.contains('.'))
+}
+
+fn section_hint(word: &str, known: &[Known<'_>]) -> String {
+    let names = || section_names(known);
+    match nearest(word, names()) {
+        Some(near) => format!("did you mean [{near}]?"),
+        None => {
+            format!("sections are {}", names().map(|name| format!("[{name}]")).collect::<Vec<_>>().join(", "))
+        }
+    }
+}
+
+/// Near here, else the same elsewhere, else near elsewhere, else everything that is known here.
+fn key_hint(word: &str, here: &Known<'_>, known: &[Known<'_>]) -> String {
+    let home = |one: &Known<'_>| match one.section {
+        "" => "before the first section".to_owned(),
+        name => format!("in {}", header(name)),
+    };
+    let elsewhere = || known.iter().filter(|one| one.section != here.section);
+    if let Some(there) = elsewhere().find(|one| one.keys.contains(&word)) {
+        return format!("`{word}` belongs {}", home(there));
+    }
+    if let Some(near) = nearest(word, here.keys.iter().copied()) {
+        return format!("did you mean `{near}`?");
+    }
+    let near = elsewhere().find_map(|one| nearest(word, one.keys.iter().copied()).map(|near| (near, one)));
+    if let Some((near, there)) = near {
+        return format!("did you mean `{near}`, which belongs {}?", home(there));
+    }
+    format!("keys here are {}", here.keys.iter().map(|key| format!("`{key}`")).collect::<Vec<_>>().join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slips_are_forgiven_and_other_words_are_not() {
+        let known = ["tube_width", "tip_angle", "points"];
+        assert_eq!(nearest("tube_widht", known), Some("tube_width"));
+        assert_eq!(nearest("Tube-Width", known), Some("tube_width"));
+        assert_eq!(nearest("point", known), Some("points"));
+        assert_eq!(nearest("colour", known), None);
+        assert_eq!(nearest(&"tube_width".repeat(100_000), known), None);
+    }
+}

@@ -1,0 +1,75 @@
+//! Free words of a spec: names and descriptions, which later stand in file headers and title blocks.
+
+use std::fmt;
+
+/// Longest name, in characters.
+pub const NAME_LENGTH: usize = 80;
+
+/// Why a text is no name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NameFault {
+    /// It is empty or blank.
+    Empty,
+    /// It has this many characters, more than [`NAME_LENGTH`].
+    TooLong(usize),
+    /// It holds a control character or a line break.
+    Control(char),
+}
+
+impl fmt::Display for NameFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Empty => f.write_str("a name needs at least one visible character"),
+            Self::TooLong(length) => {
+                write!(f, "the name has {length} characters, at most {NAME_LENGTH} are allowed")
+            }
+            Self::Control(c) => {
+                write!(
+                    f,
+                    "a name must be one line without control characters, here is U+{:04X}",
+                    u32::from(*c)
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for NameFault {}
+
+/// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break.
+///
+/// # Errors
+/// If it cannot.
+pub fn check_name(text: &str) -> Result<(), NameFault> {
+    if let Some(c) = text.chars().find(|c| breaks_line(*c)) {
+        return Err(NameFault::Control(c));
+    }
+    if text.trim().is_empty() {
+        return Err(NameFault::Empty);
+    }
+    match text.chars().count() {
+        length if length > NAME_LENGTH => Err(NameFault::TooLong(length)),
+        _ => Ok(()),
+    }
+}
+
+/// Whether `c` is a control character or one of Unicode's two line breaks, which Rust does not count as such.
+pub(super) fn breaks_line(c: char) -> bool {
+    c.is_control() || matches!(c, '\u{2028}' | '\u{2029}')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_one_visible_line() {
+        assert_eq!(check_name("../a) ; <script> é 星"), Ok(()));
+        assert_eq!(check_name(" \u{a0} "), Err(NameFault::Empty));
+        assert_eq!(check_name(&"星".repeat(80)), Ok(()));
+        assert_eq!(check_name(&"星".repeat(81)), Err(NameFault::TooLong(81)));
+        for c in ['\n', '\r', '\0', '\u{85}', '\u{2028}', '\u{1b}'] {
+            assert_eq!(check_name(&format!("a{c}b")), Err(NameFault::Control(c)));
+        }
+    }
+}

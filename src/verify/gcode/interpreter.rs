@@ -1,0 +1,136 @@
+//! The interpreter: line after line, in constant memory.
+
+use crate::verify::Finding;
+use crate::verify::gcode::Command;
+use crate::verify::gcode::Comment;
+use crate::verify::gcode::Dialect;
+use crate::verify::gcode::Event;
+use crate::verify::gcode::HeatBy;
+use crate::verify::gcode::Pause;
+use crate::verify::gcode::block::Block;
+use crate::verify::gcode::lexer;
+use crate::verify::gcode::lexer::Word;
+use crate::verify::gcode::machine::Machine;
+use crate::verify::gcode::machine::report;
+
+/// A simulated controller that is fed one line at a time.
+///
+/// A line with a fault is reported and not executed, as on the real one. Until the first rapids have told all
+/// three axes, moves set the position and yield no [`Event::Move`].
+#[derive(Clone, Debug)]
+pub struct Interpreter {
+    dialect: Dialect,
+    machine: Machine,
+    block: Block,
+    words: Vec<Word>,
+    line: usize,
+    /// The temperature that a comment announced and the next pause puts into force.
+    announced: Option<f64>,
+    ended: Option<usize>,
+    /// Whether the last line was the right sentinel, and whether it had its line end.
+    sentinel: bool,
+    complete: bool,
+}
+
+impl Interpreter {
+    /// A controller that was just switched on.
+    pub fn new(dialect: Dialect) -> Self {
+        Self {
+            dialect,
+            machine: Machine::default(),
+            block: Block::default(),
+            words: Vec::new(),
+            line: 0,
+            announced: None,
+            ended: None,
+            sentinel: false,
+            complete: true,
+        }
+    }
+
+    /// Number of lines so far.
+    pub fn lines(&self) -> usize {
+        self.line
+    }
+
+    /// Reads the next line, with its line end if it has one, and adds what it does to `events`.
+    pub fn feed(&mut self, text: &str, events: &mut Vec<Event>) {
+        self.line += 1;
+        let line = text.strip_suffix('\n');
+        self.complete = line.is_some();
+        let line = line.unwrap_or(text);
+        let line = line.strip_suffix('\r').unwrap_or(line);
+        if line.len() > self.dialect.line_length {
+            let found = format!("{} characters", line.len());
+            let allowed = format!("at most {}", self.dialect.line_length);
+            report(events, "line-too-long", self.line, &found, &allowed);
+        }
+        let (comment, fault) = lexer::cut(line, &self.dialect, &mut self.words);
+        let fault = fault.or_else(|| self.block.read(&self.words, &self.dialect).err());
+        if let Some((code, found, allowed)) = fault {
+            events.push(Event::Finding(Finding::new(code, self.line, found, allowed)));
+        } else if !self.words.is_empty() {
+            self.execute(events);
+        }
+        self.sentinel = line == format!("; end of program, {} lines", self.line);
+        if let Some(comment) = comment {
+            self.remark(comment.trim(), events);
+        }
+    }
+
+    /// After the last line: reports what is missing.
+    pub fn finish(&mut self, events: &mut Vec<Event>) {
+        if self.ended.is_none() {
+            report(events, "truncated", self.line, "no end of the program", "M2 or M30");
+        }
+        if !self.sentinel || !self.complete {
+            let allowed = format!("last line \"; end of program, {} lines\" and a line end", self.line);
+            report(events, "truncated", self.line, "another last line", &allowed);
+        }
+        if self.announced.take().is_some() {
+            report(events, "heat-without-pause", self.line, "a heating that nobody waits for", "M0 after it");
+        }
+    }
+
+    fn execute(&mut self, events: &mut Vec<Event>) {
+        if let Some(end) = self.ended {
+            let found = format!("words after the program's end in line {end}");
+            report(events, "after-end", self.line, &found, "comments only");
+            return;
+        }
+        let pause = self.block.has(Command::Pause);
+        if !pause && self.announced.take().is_some() {
+            report(events, "heat-without-pause", self.line, "words between heating and pause", "M0 first");
+        }
+        self.machine.execute(&self.block, self.line, &self.dialect, events);
+        if pause {
+            let heat = self.announced.take();
+            self.machine.heated = heat.or(self.machine.heated);
+            events.push(Event::Pause(Pause { line: self.line, at: self.machine.at(), heat }));
+        }
+        if self.block.has(Command::End) {
+            self.ended = Some(self.line);
+            events.push(Event::End(self.line));
+        }
+    }
+
+    fn remark(&mut self, text: &str, events: &mut Vec<Event>) {
+        let comment = Comment { line: self.line, text: text.to_owned() };
+        if self.dialect.heat == HeatBy::OperatorAtPause && comment.key() == Some("heat") {
+            self.announced = comment.number("temperature_C");
+            if self.announced.is_none() {
+                report(
+                    events,
+                    "bad-comment",
+                    self.line,
+                    "heat without a temperature",
+                    "temperature_C=number",
+                );
+            }
+        }
+        events.push(Event::Comment(comment));
+    }
+}
+
+#[cfg(test)]
+mod tests;

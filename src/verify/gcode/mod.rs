@@ -1,0 +1,22 @@
+//! Reads G-code as a controller would: lines to moves, dwells, pauses and findings.
+//!
+//! A **dialect** is a table of what one family of controllers understands. The **lexer** cuts a line into
+//! words and a comment; a **block** is a line whose words the dialect understands; the **machine** holds the
+//! modes (units, distance, feed, ...) and the position, and executes blocks; the **interpreter** drives them line
+//! by line and reports **events**. It holds one line at a time; a
+//! **program** is the list of all events of a file, for those that fit into memory.
+
+mod arc;
+mod block;
+mod comment;
+mod dialect;
+mod interpreter;
+mod lexer;
+mod machine;
+mod modes;
+mod program;
+
+pub use comment::Comment;
+pub use dialect::{ArcTolerance, Command, Dialect, DwellUnit, HeatBy};
+pub use interpreter::Interpreter;
+pub use program::{Dwell, Event, Move, MoveKind, Pause, Point3, Program, read_program};

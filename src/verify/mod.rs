@@ -1,0 +1,29 @@
+//! Reads the output files back and compares them with the exact geometry: bytes to findings.
+//!
+//! Nothing here shares code with the writers: a **reader** (G-code, SVG, DXF) turns text into lines and
+//! arcs by its format's own rules, and the **comparer** measures how far those lie from what the design
+//! says. Whatever is wrong becomes a **finding**; no input makes a reader panic.
+
+mod archive;
+pub mod compare;
+mod drawing;
+mod drawings;
+mod dxf;
+mod finding;
+pub mod gcode;
+mod job;
+mod measure;
+mod number;
+mod proof;
+mod svg;
+mod svg_path;
+mod walk;
+
+pub use archive::Archive;
+pub use compare::{Deviation, deviation};
+pub use drawing::Drawing;
+pub use dxf::read_dxf;
+pub use finding::{Finding, Findings};
+pub use proof::{Proof, prove, prove_archive};
+pub use svg::{SvgOrigin, read_svg};
+pub use walk::{Walk, walk};

@@ -1,0 +1,190 @@
+//! The proof: from the files of an output directory alone to a list of findings, best an empty one.
+//!
+//! The directory's own spec and machine profile say what should be there; the exact geometry is
+//! computed from them anew, and every file is read back and compared with it.
+
+use crate::artifact::Kind;
+use crate::design::Design;
+use crate::design::Drawing;
+use crate::manifest::MANIFEST;
+use crate::manifest::Manifest;
+use crate::manifest::ManifestFile;
+use crate::manifest::sha256;
+use crate::spec;
+use crate::spec::Machine;
+use crate::spec::Source;
+use crate::spec::Spec;
+use crate::verify::Archive;
+use crate::verify::Finding;
+use crate::verify::Findings;
+use crate::verify::drawings;
+use crate::verify::job;
+use crate::verify::job::Job;
+
+/// What the verifier has to say about a directory.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Proof {
+    /// Everything that is wrong.
+    pub findings: Vec<Finding>,
+    /// Of every file with geometry: its largest deviation from the exact geometry either way, mm.
+    pub deviations: Vec<(String, f64)>,
+}
+
+/// What the files are compared with.
+#[derive(Clone, Copy)]
+pub(super) struct Truth<'a> {
+    pub(super) design: &'a Design,
+    pub(super) spec: &'a Spec,
+    pub(super) machine: &'a Machine,
+}
+
+/// Proves a directory from its files alone.
+pub fn prove_archive(archive: &Archive<'_>) -> Proof {
+    let mut refused = Findings::default();
+    let text = |name: &'static str, findings: &mut Findings| -> Option<Source> {
+        let Some(bytes) = archive.get(name) else {
+            findings.push(
+                Finding::new("missing-file", None, "no such file", "the file of the build").in_file(name),
+            );
+            return None;
+        };
+        let source = Source::from_bytes(name, bytes);
+        source.map_err(|faults| findings.push(unreadable(name, &faults))).ok()
+    };
+    let spec = text("spec.toml", &mut refused).and_then(|source| {
+        spec::read(&source).map_err(|faults| refused.push(unreadable("spec.toml", &faults))).ok()
+    });
+    let machine = text("machine.toml", &mut refused).and_then(|source| {
+        spec::read_machine(&source).map_err(|faults| refused.push(unreadable("machine.toml", &faults))).ok()
+    });
+    let (Some(reading), Some(machine)) = (spec, machine) else {
+        return Proof { findings: refused.into_vec(), deviations: Vec::new() };
+    };
+    match Design::new(&reading.spec, &machine) {
+        Ok(design) => prove(&design, &reading.spec, &machine, archive),
+        Err(refusals) => {
+            for refusal in refusals {
+                refused.push(
+                    Finding::new(refusal.code, None, refusal.found, refusal.remedy).in_file("spec.toml"),
+                );
+            }
+            Proof { findings: refused.into_vec(), deviations: Vec::new() }
+        }
+    }
+}
+
+fn unreadable(name: &str, faults: &spec::Faults) -> Finding {
+    let found = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
+    Finding::new("unreadable", None, found, "text that `check` accepts").in_file(name)
+}
+
+/// Proves the files of `archive` against a design that is known.
+pub fn prove(design: &Design, spec: &Spec, machine: &Machine, archive: &Archive<'_>) -> Proof {
+    let truth = Truth { design, spec, machine };
+    let mut proof = Proof::default();
+    let Some(manifest) =
+        archive.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok())
+    else {
+        let finding =
+            Finding::new("manifest", None, "no manifest that can be read", "the manifest of the build");
+        proof.findings.push(finding.in_file(MANIFEST));
+        return proof;
+    };
+    names(archive, &manifest, &mut proof);
+    let mut seals = drawings::Seals::default();
+    for entry in &manifest.files {
+        let Some(bytes) = archive.get(&entry.path) else { continue };
+        let mut findings = Findings::default();
+        check_hash(entry, bytes, &mut findings);
+        let deviation = if let Ok(text) = std::str::from_utf8(bytes) {
+            file(truth, entry, text, &mut seals, &mut findings)
+        } else {
+            findings.add("not-text", None, "bytes that are not UTF-8", "text");
+            None
+        };
+        proof.deviations.extend(deviation.map(|mm| (entry.path.clone(), mm)));
+        proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&entry.path)));
+    }
+    proof.findings.extend(seals.disagreements(spec.accuracy.path.0));
+    proof.findings.extend(job::manifest_figures(truth, &manifest));
+    proof
+}
+
+/// Files that the manifest names and that are missing, and the other way round.
+fn names(archive: &Archive<'_>, manifest: &Manifest, proof: &mut Proof) {
+    let named = |name: &str| manifest.files.iter().any(|entry| entry.path == name);
+    for required in ["spec.toml", "machine.toml"].into_iter().filter(|name| !named(name)) {
+        proof.findings.push(
+            Finding::new("manifest", None, "does not name this file", "a file the build wrote")
+                .in_file(required),
+        );
+    }
+    for entry in manifest.files.iter().filter(|entry| archive.get(&entry.path).is_none()) {
+        let finding = Finding::new("missing-file", None, "no such file", format!("{} bytes", entry.bytes));
+        proof.findings.push(finding.in_file(&entry.path));
+    }
+    for (name, _) in archive.files.iter().filter(|(name, _)| *name != MANIFEST && !named(name)) {
+        let finding = Finding::new(
+            "unnamed-file",
+            None,
+            "a file that the manifest does not name",
+            "only what it names",
+        );
+        proof.findings.push(finding.in_file(name));
+    }
+}
+
+fn check_hash(entry: &ManifestFile, bytes: &[u8], findings: &mut Findings) {
+    if bytes.len() != entry.bytes {
+        findings.add("size", None, format!("{} bytes", bytes.len()), format!("{} bytes", entry.bytes));
+    }
+    let hash = sha256(bytes);
+    if hash != entry.sha256 {
+        findings.add("hash", None, hash, entry.sha256.clone());
+    }
+}
+
+/// Compares one file with the exact geometry; its deviation, if it has geometry.
+fn file(
+    truth: Truth<'_>,
+    entry: &ManifestFile,
+    text: &str,
+    seals: &mut drawings::Seals,
+    findings: &mut Findings,
+) -> Option<f64> {
+    let Some(kind) = Kind::from_name(&entry.kind) else {
+        findings.add("unknown-kind", None, entry.kind.clone(), "a kind of this tool");
+        return None;
+    };
+    let sheet = entry.sheet.unwrap_or(0);
+    let drawing = match kind {
+        Kind::Spec | Kind::Machine | Kind::PreviewSvg => return None,
+        Kind::SealGcode | Kind::TraceGcode => {
+            let Some(job) = Job::new(truth, kind == Kind::SealGcode, sheet, entry.star) else {
+                findings.add(
+                    "manifest",
+                    None,
+                    format!("sheet {sheet}, star {:?}", entry.star),
+                    "a part of the design",
+                );
+                return None;
+            };
+            return Some(job.check(text, findings));
+        }
+        Kind::SealSvg | Kind::SealDxf => Drawing::seals(truth.design, sheet),
+        Kind::OutlineSvg | Kind::OutlineDxf => Drawing::outlines(truth.design, sheet),
+    };
+    let Some(drawing) = drawing else {
+        findings.add("manifest", None, format!("sheet {sheet}"), "a sheet of the design");
+        return None;
+    };
+    let found = match kind {
+        Kind::SealSvg | Kind::OutlineSvg => drawings::read_page(text, &drawing, findings),
+        _ => drawings::read_plan(text, findings),
+    };
+    let deviation = drawings::compare(&found, &drawing, truth.spec.accuracy.path.0, findings);
+    if matches!(kind, Kind::SealSvg | Kind::SealDxf) {
+        seals.add(sheet, &entry.path, &found);
+    }
+    Some(deviation)
+}
