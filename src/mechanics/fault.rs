@@ -76,6 +76,8 @@ pub enum StarFault {
     },
     /// A hinge's model refused.
     Hinge(HingeFault),
+    /// The shell model was asked for, which this version does not have.
+    NoShell,
     /// No equilibrium or radius in the range of angles searched.
     Root(RootFault),
 }
@@ -92,6 +94,9 @@ impl fmt::Display for StarFault {
                  inner radius make them longer",
                 Readable(found * 1e3)
             ),
+            Self::NoShell => {
+                f.write_str("this version has no shell model; it has fit, ring and bvp, and auto to choose")
+            }
             Self::Hinge(fault) => fault.fmt(f),
             Self::Root(RootFault::NoSignChange { low, high }) => {
                 let (low, high) = (Readable(low), Readable(high));

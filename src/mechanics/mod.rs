@@ -8,6 +8,7 @@
 //! | [`star`] | the mechanism: arm length, inner radius against the tip's angle |
 //! | [`response`] | an inflated star: where it rests, with which preload and stiffness, force against radius |
 //! | [`strength`] | fabric, seal and friction: bendability, operating and burst pressure, payload |
+//! | [`choice`], [`predict`] | a spec: which model answers, and its answer with the evidence |
 //! | [`cone`] | the reduction of the test that measures the radial force |
 //!
 //! Three models of the hinge share one trait, [`hinge::HingeModel`]: [`fit::Fit`], the published constants;
@@ -36,12 +37,17 @@
 //! ```
 
 pub mod bvp;
+pub mod choice;
 pub mod cone;
+pub mod cut;
 pub mod fault;
 pub mod fit;
 pub mod hinge;
 #[cfg(test)]
 mod laws;
+pub mod predict;
+pub mod prediction;
+pub mod report;
 pub mod response;
 pub mod ring;
 pub mod star;

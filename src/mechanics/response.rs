@@ -11,7 +11,7 @@
 //! hinges, with the exact ring it is softer on closing than on opening.
 
 use super::fault::StarFault;
-use super::hinge::{Hinge, HingeModel, HingeState};
+use super::hinge::{Hinge, HingeModel, HingeState, Level};
 use super::star::{Radius, Star};
 use crate::numerics::bracketed_root;
 use std::f64::consts::PI;
@@ -56,6 +56,16 @@ impl<'a> Inflated<'a> {
             return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "0 or more" });
         }
         Ok(Self { star, model, pressure, tip, corner })
+    }
+
+    /// The star.
+    pub fn star(&self) -> &Star {
+        self.star
+    }
+
+    /// The model's level.
+    pub fn level(&self) -> Level {
+        self.model.level()
     }
 
     /// The tip's hinge at its target.
@@ -168,6 +178,17 @@ impl<'a> Inflated<'a> {
     pub fn force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         let phi = self.angle_at(rho, rest)?;
         let (torque, _) = self.torque(phi)?;
+        Ok(torque / self.star.radius(phi).slope)
+    }
+
+    /// Radial force (N) of linear hinges on an object of radius `rho` (m): `n (C_i + C_e) (phi - phi_eq) dphi/drho`.
+    ///
+    /// # Errors
+    /// As for [`Inflated::angle_at`].
+    pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
+        let phi = self.angle_at(rho, rest)?;
+        let (tip, corner) = self.hinge_stiffness();
+        let torque = f64::from(self.star.geometry().points) * (tip + corner) * (phi - rest.equilibrium);
         Ok(torque / self.star.radius(phi).slope)
     }
 
