@@ -45,10 +45,14 @@ pub mod fit;
 pub mod hinge;
 #[cfg(test)]
 mod laws;
+pub mod optimize;
+pub mod point;
 pub mod predict;
 pub mod prediction;
 pub mod report;
 pub mod response;
+pub mod rewrite;
 pub mod ring;
 pub mod star;
 pub mod strength;
+pub mod sweep;

@@ -136,6 +136,15 @@ impl Star {
         Radius { value: value / sector, slope: slope / sector, curvature: curvature / sector }
     }
 
+    /// Distance from the axis to the centres T of the flat tips' arcs, m.
+    pub fn tip_distance(&self) -> f64 {
+        let StarGeometry { inner_radius, width, corner_radius, tip_angle, tip_radius, .. } = self.geometry;
+        let (sin, cos) = (0.5 * tip_angle).sin_cos();
+        // T - P along the tip's ray, from P at rho_0 + W + R_e on the ray pi/n beside it.
+        (inner_radius + width + corner_radius) * (0.5 * self.turn()).cos() + self.arm * cos
+            - (width + tip_radius + corner_radius) * sin
+    }
+
     /// Area of the flat tube seen from above, m^2: 2 n arms and 2 n annulus sectors.
     pub fn tube_area(&self) -> f64 {
         let StarGeometry { points, width, tip_radius, corner_radius, .. } = self.geometry;

@@ -17,7 +17,7 @@ const CENTRE: f64 = 0.5;
 /// Target quantities of the ring for any R*.
 #[derive(Clone, Debug)]
 pub struct RingTable {
-    series: [Chebyshev; 6],
+    series: [Chebyshev; 7],
 }
 
 /// A hinge at its target, as the table gives it.
@@ -35,6 +35,8 @@ pub struct TargetEntry {
     pub tension: f64,
     /// Inflated width r(1) in units of W.
     pub width: f64,
+    /// Slope angle at the inner edge, rad.
+    pub angle: f64,
 }
 
 impl RingTable {
@@ -46,7 +48,7 @@ impl RingTable {
     /// # Errors
     /// Only if the ring cannot be solved at one of the points, which the tests exclude.
     pub fn new() -> Result<Self, HingeFault> {
-        let mut columns: [Vec<f64>; 6] = Default::default();
+        let mut columns: [Vec<f64>; 7] = Default::default();
         for x in Chebyshev::points(TERMS) {
             let r_star = CENTRE * x / (1.0 - x);
             let target = solve_target(r_star).map_err(|fault| unsolved(r_star, 1.3, fault))?;
@@ -74,6 +76,7 @@ impl RingTable {
             curvature: value(3) * grow,
             tension: value(4) * grow,
             width: value(5),
+            angle: value(6),
         })
     }
 
@@ -84,8 +87,8 @@ impl RingTable {
     }
 }
 
-/// The six quantities, bounded for R* -> infinity.
-fn scaled(r_star: f64, target: &Solved, onset: &Solved) -> [f64; 6] {
+/// The seven quantities, bounded for R* -> infinity.
+fn scaled(r_star: f64, target: &Solved, onset: &Solved) -> [f64; 7] {
     let grow = 1.0 + r_star;
     [
         target.unknowns[3],
@@ -94,6 +97,7 @@ fn scaled(r_star: f64, target: &Solved, onset: &Solved) -> [f64; 6] {
         target.curvature / grow,
         target.unknowns[1] / grow,
         target.section.width.value,
+        target.unknowns[0],
     ]
 }
 
@@ -121,6 +125,7 @@ mod tests {
                 (entry.curvature, exact.curvature),
                 (entry.tension, edges.tension),
                 (entry.width, edges.width),
+                (entry.angle, edges.angle),
             ];
             for (got, want) in pairs {
                 let error = (got / want - 1.0).abs();
