@@ -88,7 +88,9 @@ fn the_keys_are_the_published_ones() {
 fn what_is_not_asked_for_is_null() {
     let bare = PAPER.split("[load]").next().unwrap_or_default().replace("seal_strength = \"3 N/mm\"", "");
     let value = json(&predict(&spec(&bare)).expect("predictable"));
-    for key in ["hinge_stiffness_Nm", "radial_stiffness_N_per_m", "bendability", "burst_pressure_kPa", "payload_kg"] {
+    for key in
+        ["hinge_stiffness_Nm", "radial_stiffness_N_per_m", "bendability", "burst_pressure_kPa", "payload_kg"]
+    {
         assert!(value[key].is_null(), "{key}");
     }
     assert!(value["final_radius_mm"].is_number() && value["mass_g"].is_number());
@@ -114,7 +116,10 @@ fn all_models_answer_and_agree() {
         predict(&spec).expect("predictable").first
     };
     let [fit, ring, bvp] = [ModelChoice::Fit, ModelChoice::Ring, ModelChoice::Bvp].map(answer);
-    assert!((ring.lambda_t.tip - bvp.lambda_t.tip).abs() < 0.02 && (ring.lambda_t.tip - fit.lambda_t.tip).abs() < 0.02);
+    assert!(
+        (ring.lambda_t.tip - bvp.lambda_t.tip).abs() < 0.02
+            && (ring.lambda_t.tip - fit.lambda_t.tip).abs() < 0.02
+    );
     assert!((ring.final_radius_mm / bvp.final_radius_mm - 1.0).abs() < 0.15);
     assert!(fit.nonlinear.is_none() && ring.nonlinear.is_some() && bvp.nonlinear.is_some());
     assert!(!fit.evidence.warnings.is_empty(), "the published coiling does not cover R* = 0");

@@ -5,13 +5,18 @@
 
 mod build;
 mod check;
+mod cone;
 mod failure;
 mod load;
 mod machines;
 mod new;
+mod optimize;
 mod predict;
 mod publish;
+mod quantity;
 mod summary;
+mod sweep;
+mod trade;
 mod verify;
 
 use std::process::ExitCode;
@@ -37,6 +42,14 @@ enum Command {
     Check(check::Args),
     /// Say what the gripper of a spec does: closing, force, pressures, payload.
     Predict(predict::Args),
+    /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
+    Optimize(optimize::Args),
+    /// Compute many designs at once: one CSV row for every combination of values.
+    Sweep(sweep::Args),
+    /// Measure time and error of every model on this machine.
+    Trade(trade::Args),
+    /// Reduce a cone test to radial force against radius.
+    Cone(cone::Args),
     /// Prove a published directory: hashes, and every file against the exact geometry.
     Verify(verify::Args),
     /// Write a commented starter spec.
@@ -51,6 +64,10 @@ pub fn main() -> ExitCode {
         Command::Build(args) => build::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Predict(args) => predict::run(&args),
+        Command::Optimize(args) => optimize::run(&args),
+        Command::Sweep(args) => sweep::run(&args),
+        Command::Trade(args) => trade::run(&args),
+        Command::Cone(args) => cone::run(&args),
         Command::Verify(args) => verify::run(&args),
         Command::New(args) => new::run(&args),
         Command::Machines(args) => machines::run(&args),

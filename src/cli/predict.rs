@@ -63,7 +63,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 
 /// A fault of the prediction as a refusal at its key.
 pub(super) fn refusal(fault: &PredictFault) -> Refusal {
-    let star = fault.star.and_then(|star| u32::try_from(star).ok()).filter(|_| fault.key.starts_with("star."));
+    let star =
+        fault.star.and_then(|star| u32::try_from(star).ok()).filter(|_| fault.key.starts_with("star."));
     let remedy = "needed for a prediction".to_owned();
     Refusal { star, ..Refusal::new(fault.key, "no-prediction", fault.what.clone(), remedy) }
 }

@@ -11,6 +11,7 @@
 //! The paper prints `+ mu`, which is the balance of a corner that slides inwards on the plate.
 
 use super::fault::StarFault;
+use std::fmt::Write;
 
 /// Which balance of forces reduces the test.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -63,9 +64,81 @@ impl Cone {
     }
 }
 
+/// What a prediction says of a radius (m): the radial force, N, of linear hinges and of the model's own.
+pub type Overlay<'a> = &'a dyn Fn(f64) -> [Option<f64>; 2];
+
+/// Reduces a test's CSV (a header, then travel in mm and vertical load in N) to radius and radial force.
+///
+/// `first` is the radius (m) at first contact, where the travel is 0. With `overlay` two columns of predicted force
+/// are added; they are empty where the star cannot be.
+///
+/// # Errors
+/// One sentence with the line, if one is not two finite numbers.
+pub fn reduce(
+    csv: &str,
+    cone: &Cone,
+    balance: Balance,
+    first: f64,
+    overlay: Option<Overlay<'_>>,
+) -> Result<String, String> {
+    let mut out = String::from("travel_mm,load_N,radius_mm,force_N");
+    out.push_str(if overlay.is_some() { ",linear_N,nonlinear_N\n" } else { "\n" });
+    let ratio = cone.ratio(balance);
+    let mut found = false;
+    for (line, number) in csv.lines().zip(1_usize..) {
+        if line.trim().is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let mut fields = line.split([',', ';', '\t']).map(|field| field.trim().parse::<f64>());
+        let (Some(Ok(travel)), Some(Ok(load))) = (fields.next(), fields.next()) else {
+            if !found && number == 1 {
+                continue;
+            }
+            return Err(format!("line {number}: `{line}` is not a travel in mm and a load in N"));
+        };
+        if !(travel.is_finite() && load.is_finite()) {
+            return Err(format!("line {number}: `{line}` is not finite"));
+        }
+        found = true;
+        let radius = cone.radius(first, travel * 1e-3);
+        let _ = write!(out, "{travel},{load},{:.6},{:.6}", radius * 1e3, ratio * load);
+        for force in overlay.map_or([None; 2], |overlay| overlay(radius)).iter().filter(|_| overlay.is_some())
+        {
+            let _ = match force {
+                Some(force) => write!(out, ",{force:.6}"),
+                None => write!(out, ","),
+            };
+        }
+        out.push('\n');
+    }
+    if found { Ok(out) } else { Err("there are no rows of travel and load".to_owned()) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_test_is_reduced_line_by_line() {
+        let cone = Cone::new(30.0_f64.to_radians(), 0.1).expect("valid");
+        let csv = "travel_mm,load_N\n0,0\n10,2.5\n";
+        let plain = reduce(csv, &cone, Balance::Derived, 0.015, None).expect("two rows");
+        assert_eq!(plain.lines().nth(2), Some("10,2.5,20.773503,3.226925"));
+        let overlay = |radius: f64| [Some(radius * 100.0), None];
+        let laid = reduce(csv, &cone, Balance::Published, 0.015, Some(&overlay)).expect("two rows");
+        assert_eq!(laid.lines().next(), Some("travel_mm,load_N,radius_mm,force_N,linear_N,nonlinear_N"));
+        assert_eq!(laid.lines().nth(1), Some("0,0,15.000000,0.000000,1.500000,"));
+    }
+
+    #[test]
+    fn a_bad_line_is_named() {
+        let cone = Cone::new(0.5, 0.1).expect("valid");
+        let fault = |csv| reduce(csv, &cone, Balance::Derived, 0.01, None).expect_err("refused");
+        assert!(fault("a,b\n1,2\nx,3\n").starts_with("line 3"));
+        assert!(
+            fault("a,b\n1,NaN\n").starts_with("line 2") && fault("a,b\n").starts_with("there are no rows")
+        );
+    }
 
     #[test]
     fn balances_of_the_papers_cone() {

@@ -56,3 +56,4 @@ pub mod ring;
 pub mod star;
 pub mod strength;
 pub mod sweep;
+pub mod trade;

@@ -82,7 +82,13 @@ const SMALLEST_STEP: f64 = 1e-4;
 pub const SHORTEST_ARM: f64 = 0.5;
 
 /// Searches around `base`, whose other values are kept.
-pub fn search(base: &Point, bounds: &Bounds, constraints: &Constraints, goal: Goal, table: &RingTable) -> Found {
+pub fn search(
+    base: &Point,
+    bounds: &Bounds,
+    constraints: &Constraints,
+    goal: Goal,
+    table: &RingTable,
+) -> Found {
     let all: Vec<u32> = bounds.points.clone().collect();
     let found: Vec<Vec<Candidate>> = all
         .into_par_iter()
@@ -166,7 +172,8 @@ fn violation(point: &Point, outcome: &Outcome, constraints: &Constraints) -> f64
     };
     let mut sum = short(Some(outcome.arm), Some(SHORTEST_ARM * geometry.width));
     if let Some([close, open]) = constraints.grasp {
-        sum += ((outcome.final_radius - close) / close).max(0.0) + short(Some(geometry.inner_radius), Some(open));
+        sum += ((outcome.final_radius - close) / close).max(0.0)
+            + short(Some(geometry.inner_radius), Some(open));
     }
     sum += short(outcome.payload, constraints.payload);
     if let Some(side) = constraints.sheet {
@@ -253,7 +260,8 @@ mod tests {
     #[test]
     fn the_optimum_is_the_best_of_a_dense_grid() {
         let bounds = Bounds { tip_angle: [0.3, 1.0], width: [0.015, 0.04], points: 4..=5, ..bounds() };
-        let constraints = Constraints { payload: Some(0.5), grasp: Some([0.02, 0.05]), ..Constraints::default() };
+        let constraints =
+            Constraints { payload: Some(0.5), grasp: Some([0.02, 0.05]), ..Constraints::default() };
         let table = table();
         let found = search(&base(), &bounds, &constraints, Goal::Fabric, &table);
         let best = found.best[0];
@@ -288,7 +296,9 @@ mod tests {
             }
         }
         let shown = thinned(&found.front, 5);
-        assert!(shown.len() == 5 && shown[0] == found.front[0] && shown[4] == found.front[found.front.len() - 1]);
+        assert!(
+            shown.len() == 5 && shown[0] == found.front[0] && shown[4] == found.front[found.front.len() - 1]
+        );
     }
 
     #[test]

@@ -206,7 +206,10 @@ fn object_force(
 ) -> Option<f64> {
     let rho_0 = inflated.star().geometry().inner_radius;
     if rho > rho_0 {
-        warnings.push(format!("the object is wider than the flat star's {:.2} mm: it does not enter", rho_0 * 1e3));
+        warnings.push(format!(
+            "the object is wider than the flat star's {:.2} mm: it does not enter",
+            rho_0 * 1e3
+        ));
         return None;
     }
     if rho < rest.radius {

@@ -55,7 +55,13 @@ impl<'a> Inflated<'a> {
         if !(pressure >= 0.0 && pressure.is_finite()) {
             return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "0 or more" });
         }
-        Ok(Self { star, model, pressure, tip, corner })
+        let inflated = Self { star, model, pressure, tip, corner };
+        let (c_i, c_e) = inflated.hinge_stiffness();
+        if (c_i + c_e).is_finite() {
+            Ok(inflated)
+        } else {
+            Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "such that p W^3 is finite" })
+        }
     }
 
     /// The star.

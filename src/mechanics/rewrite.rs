@@ -2,6 +2,7 @@
 
 use crate::spec::Source;
 use crate::spec::read;
+use std::fmt::Write;
 
 /// The text with `values` (key, TOML value) set in `[star]`; the result is read back and must say so.
 ///
@@ -23,7 +24,7 @@ pub fn with_star(text: &str, values: &[(&str, String)]) -> Result<String, String
             Some(i) => {
                 let comment = line.find('#').map_or("", |at| line[at..].trim_end());
                 let gap = if comment.is_empty() { "" } else { "  " };
-                out.push_str(&format!("{key} = {}{gap}{comment}\n", values[i].1));
+                let _ = writeln!(out, "{key} = {}{gap}{comment}", values[i].1);
                 written[i] = true;
             }
             None => out.push_str(line),
@@ -32,15 +33,14 @@ pub fn with_star(text: &str, values: &[(&str, String)]) -> Result<String, String
             end_of_section = out.len();
         }
     }
-    let missing: String = values
-        .iter()
-        .zip(&written)
-        .filter(|(_, written)| !**written)
-        .map(|((key, value), _)| format!("{key} = {value}\n"))
-        .collect();
+    let mut missing = String::new();
+    for ((key, value), _) in values.iter().zip(&written).filter(|(_, written)| !**written) {
+        let _ = writeln!(missing, "{key} = {value}");
+    }
     out.insert_str(end_of_section, &missing);
     let source = Source::new("the optimised spec", out.as_str());
-    read(&source).map_err(|_| "the spec's layout is not understood: write [star] with one key a line".to_owned())?;
+    let _ = read(&source)
+        .map_err(|_| "the spec's layout is not understood: write [star] with one key a line".to_owned())?;
     Ok(out)
 }
 
@@ -58,7 +58,10 @@ mod tests {
         let spec = read(&Source::new("x", text.as_str())).expect("valid").spec;
         assert_eq!((spec.stars[0].points, spec.stars[0].tip_radius.0, spec.stars.len()), (4, 2.0, 2));
         assert!(text.contains("points = 4  # n\n") && text.contains("# the end\n"));
-        assert_eq!(text.replace("tip_radius = \"2 mm\"\n", "").replace("points = 4  # n", "points = 5   # n"), TEXT);
+        assert_eq!(
+            text.replace("tip_radius = \"2 mm\"\n", "").replace("points = 4  # n", "points = 5   # n"),
+            TEXT
+        );
     }
 
     #[test]

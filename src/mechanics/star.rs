@@ -67,7 +67,8 @@ impl Star {
         need(size(width), "W", width, "above 0")?;
         need(radius(tip_radius), "R_i", tip_radius, "0 or more")?;
         need(radius(corner_radius), "R_e", corner_radius, "0 or more")?;
-        let most = PI - 2.0 * PI / f64::from(points);
+        // A straight corner has no hinge and an infinite stiffness: it must turn by a microradian at least.
+        let most = PI - 2.0 * PI / f64::from(points) - 1e-6;
         need(
             tip_angle > 0.0 && tip_angle < most,
             "phi_i0",
@@ -241,6 +242,7 @@ pub(super) mod tests {
         assert_eq!(symbol(bad(|g| g.tip_radius = -1e-9)), "R_i");
         assert_eq!(symbol(bad(|g| g.corner_radius = f64::INFINITY)), "R_e");
         assert_eq!(symbol(bad(|g| g.tip_angle = 0.0)), "phi_i0");
+        assert_eq!(symbol(bad(|g| (g.points, g.tip_angle) = (3, 60.0_f64.to_radians()))), "phi_i0");
         assert_eq!(symbol(bad(|g| g.tip_angle = 108.1_f64.to_radians())), "phi_i0");
     }
 }

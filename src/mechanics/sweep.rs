@@ -81,9 +81,11 @@ impl Axis {
             .ok_or_else(|| format!("`{}` cannot be varied; these can: {}", name.trim(), known()))?;
         let values = match list.split_once("..") {
             Some((from, rest)) => {
-                let (to, count) =
-                    rest.split_once('/').ok_or(format!("`{list}` lacks the number of values: FROM..TO/COUNT"))?;
-                let count: u32 = count.trim().parse().map_err(|_| format!("`{count}` is not a number of values"))?;
+                let (to, count) = rest
+                    .split_once('/')
+                    .ok_or(format!("`{list}` lacks the number of values: FROM..TO/COUNT"))?;
+                let count: u32 =
+                    count.trim().parse().map_err(|_| format!("`{count}` is not a number of values"))?;
                 let (from, to) = (key.parse(from)?, key.parse(to)?);
                 if !(1..=1_000_000).contains(&count) {
                     return Err(format!("{count} values; allowed are 1 to 1000000"));
@@ -100,13 +102,14 @@ impl Axis {
 impl Key {
     fn parse(self, text: &str) -> Result<f64, String> {
         fn quantity<Q: Quantity>(text: &str) -> Result<f64, String> {
-            Q::parse(text.trim())
-                .map(Q::base)
-                .map_err(|_| format!("`{}` is no {}; write a number and one of {}", text.trim(), Q::KIND, Q::unit_list()))
+            Q::parse(text.trim()).map(Q::base).map_err(|_| {
+                format!("`{}` is no {}; write a number and one of {}", text.trim(), Q::KIND, Q::unit_list())
+            })
         }
         match self {
             Self::Points | Self::Friction => {
-                let value: f64 = text.trim().parse().map_err(|_| format!("`{}` is not a number", text.trim()))?;
+                let value: f64 =
+                    text.trim().parse().map_err(|_| format!("`{}` is not a number", text.trim()))?;
                 let whole = self == Self::Friction || (value.fract() == 0.0 && (3.0..=64.0).contains(&value));
                 if value.is_finite() && value > 0.0 && whole {
                     Ok(value)
@@ -126,7 +129,11 @@ impl Key {
         let mm = 1e-3 * value;
         let geometry = &mut point.geometry;
         match self {
-            #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked to be 3 to 64")]
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "checked to be 3 to 64"
+            )]
             Self::Points => geometry.points = value as u32,
             Self::InnerRadius => geometry.inner_radius = mm,
             Self::TubeWidth => geometry.width = mm,
@@ -309,12 +316,14 @@ mod tests {
     use crate::spec::{Source, read, starter};
 
     fn base() -> Point {
-        let text = starter("x").expect("a name") + "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.5\n";
+        let text = starter("x").expect("a name")
+            + "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.5\n";
         Point::of(&read(&Source::new("x", text)).expect("valid").spec).expect("a star")
     }
 
     fn sweep() -> Sweep {
-        let axes = ["star.points=3,4,5,9", "star.tube_width=20 mm..40 mm/33", "star.tip_angle=20 deg..60 deg/101"];
+        let axes =
+            ["star.points=3,4,5,9", "star.tube_width=20 mm..40 mm/33", "star.tip_angle=20 deg..60 deg/101"];
         Sweep::new(base(), axes.map(|text| Axis::parse(text).expect("valid")).to_vec()).expect("small")
     }
 
@@ -333,7 +342,16 @@ mod tests {
         assert_eq!((axis.key, axis.values), (Key::TubeWidth, vec![10.0, 20.0, 30.0, 40.0]));
         assert_eq!(Axis::parse("load.pressure=10 kPa, 0.2 bar").expect("valid").values, vec![10.0, 20.0]);
         assert_eq!(Axis::parse("star.points=5..5/1").expect("valid").values, vec![5.0]);
-        for wrong in ["x", "star.width=1 mm", "star.points=2", "star.points=4.5", "star.tube_width=3", "star.tube_width=1 mm..2 mm", "star.tube_width=1 mm..2 mm/0", "load.friction=-1"] {
+        for wrong in [
+            "x",
+            "star.width=1 mm",
+            "star.points=2",
+            "star.points=4.5",
+            "star.tube_width=3",
+            "star.tube_width=1 mm..2 mm",
+            "star.tube_width=1 mm..2 mm/0",
+            "load.friction=-1",
+        ] {
             assert!(Axis::parse(wrong).is_err(), "{wrong}");
         }
     }
@@ -349,13 +367,18 @@ mod tests {
         assert_eq!(whole, pool.install(|| csv(&sweep, 0..sweep.rows())));
         assert_eq!(whole.lines().count(), sweep.rows());
         let columns = sweep.header().split(',').count();
-        assert!(whole.lines().filter(|line| !line.contains('"')).all(|line| line.split(',').count() == columns));
+        assert!(
+            whole.lines().filter(|line| !line.contains('"')).all(|line| line.split(',').count() == columns)
+        );
         assert!(whole.contains("9,") && whole.contains("arms would be"), "refusals are said");
     }
 
     #[test]
     fn numbers_are_plain() {
         let texts = [30.0, 0.5, 1.0 / 3.0, 12345.6789, 1e-7, -2.5, -0.0].map(|x| Plain(x).to_string());
-        assert_eq!(texts, ["30", "0.500000000", "0.333333333", "12345.6789", "1.00000000e-7", "-2.50000000", "0"]);
+        assert_eq!(
+            texts,
+            ["30", "0.500000000", "0.333333333", "12345.6789", "1.00000000e-7", "-2.50000000", "0"]
+        );
     }
 }
