@@ -354,7 +354,7 @@ fn a_hostile_name_is_a_harmless_literal() {
         assert_code(&run(dir.path(), &["verify", &out]), 0);
         for (file, bytes) in files(&dir.path().join(&out)) {
             let text = String::from_utf8(bytes).expect("UTF-8");
-            if file.ends_with(".gcode") {
+            if ending(&file) == "gcode" {
                 assert!(text.is_ascii() && !text.contains(['(', ')', '%']), "{file}: {name}");
                 assert!(text.lines().all(|line| line.matches(';').count() <= 1), "{file}: {name}");
                 assert!(
@@ -364,7 +364,7 @@ fn a_hostile_name_is_a_harmless_literal() {
                             || line.contains("G0 Z-50") && !line.starts_with(';'))
                 );
             }
-            if file.ends_with(".svg") {
+            if ending(&file) == "svg" {
                 assert!(!text.contains("<script"), "{file}");
             }
         }
@@ -374,6 +374,10 @@ fn a_hostile_name_is_a_harmless_literal() {
         fs::write(dir.path().join("star.toml"), spec).expect("written");
         assert_code(&run(dir.path(), &["build", "star.toml", "-o", "no"]), 1);
     }
+}
+
+fn ending(file: &str) -> &str {
+    file.rsplit_once('.').map_or("", |(_, ending)| ending)
 }
 
 /// A TOML basic string.

@@ -51,7 +51,15 @@ struct Writer<'a> {
 impl<'a> Writer<'a> {
     fn new(spec: &'a Spec, machine: &'a Machine) -> Self {
         let decimals = Decimals::for_tolerance(spec.accuracy.path);
-        Self { spec, machine, decimals, out: String::new(), lines: 0, at: Point::ORIGIN, feed: None }
+        Self {
+            spec,
+            machine,
+            decimals,
+            out: String::with_capacity(1 << 14),
+            lines: 0,
+            at: Point::ORIGIN,
+            feed: None,
+        }
     }
 
     fn line(&mut self, text: &str) {
