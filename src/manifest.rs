@@ -54,6 +54,15 @@ pub struct ManifestFile {
     /// The star it belongs to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub star: Option<usize>,
+    /// The lowest plate of the frame that it is for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plate: Option<usize>,
+    /// The paper that it is laid out for: "a4" or "letter".
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub paper: Option<String>,
+    /// Whether it is for the face that the iron does not touch.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub mirrored: bool,
 }
 
 /// Length and time of one star's seams.
@@ -154,6 +163,9 @@ impl ManifestFile {
             sha256: sha256(&artifact.bytes),
             sheet: artifact.sheet,
             star: artifact.star,
+            plate: artifact.variant.plate,
+            paper: artifact.variant.paper.map(str::to_owned),
+            mirrored: artifact.variant.mirrored,
         }
     }
 }

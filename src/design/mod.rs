@@ -7,21 +7,32 @@
 
 mod contour;
 mod drawing;
+mod frame;
 mod inlet;
+mod label;
+mod lettering;
+mod mask;
 mod outline;
+mod paper;
 mod part;
 mod refusal;
 mod registration;
 mod seam;
 mod sheet;
+mod stack;
 mod star;
+mod window;
 
 pub use contour::{Contour, Part, Side};
-pub use drawing::{Drawing, Layer, Shape};
+pub use drawing::{Drawing, Layer, Origin, Shape};
 pub use inlet::Channel;
+pub use frame::{Frame, Plate};
+pub use mask::MaskPlate;
 pub use outline::{Circle, Outline};
+pub use paper::{Page as PaperPage, Paper};
 pub use part::{Realised, StarDesign};
 pub use refusal::Refusal;
 pub use seam::{MOUTH_OVERRUN, Seam};
 pub use sheet::{Design, PlacedStar, SheetLayout};
+pub use stack::Stack;
 pub use star::{Star, arm_length};

@@ -1,6 +1,8 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
+use crate::design::Frame;
 use crate::design::Refusal;
+use crate::design::Stack;
 use crate::design::StarDesign;
 use crate::geom::Bounds;
 use crate::geom::Isometry;
@@ -19,6 +21,10 @@ pub struct Design {
     pub stars: Vec<PlacedStar>,
     /// The sheets.
     pub sheets: Vec<SheetLayout>,
+    /// Heights and turns of the stars.
+    pub stack: Stack,
+    /// The frame around them.
+    pub frame: Frame,
 }
 
 /// One star of the stack, on its sheet.
@@ -74,18 +80,26 @@ impl Design {
         let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.ramp.0)).collect();
         let footprints: Vec<Bounds> = which.iter().map(|i| boxes[*i]).collect();
         let (places, sheets) = place(&footprints, &spec.sheet).map_err(|refusal| vec![refusal])?;
+        let stack = Stack::new(spec)?;
+        let parts: Vec<&StarDesign> = which.iter().map(|i| &distinct[*i]).collect();
+        let frame = Frame::new(spec, &stack, &parts)?;
         let stars = which
             .iter()
             .zip(places)
             .zip(1..)
             .map(|((&distinct, (sheet, placement)), index)| PlacedStar { index, distinct, sheet, placement })
             .collect();
-        Ok(Self { distinct, stars, sheets })
+        Ok(Self { distinct, stars, sheets, stack, frame })
     }
 
     /// The design of a placed star.
     pub fn part(&self, star: &PlacedStar) -> &StarDesign {
         &self.distinct[star.distinct]
+    }
+
+    /// Of every distinct star the first star of the stack that is one, in order.
+    pub fn firsts(&self) -> impl Iterator<Item = &PlacedStar> {
+        (0..self.distinct.len()).filter_map(|i| self.stars.iter().find(|star| star.distinct == i))
     }
 
     /// The stars on sheet number `sheet`, in order.
