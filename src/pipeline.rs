@@ -56,7 +56,7 @@ pub fn build(
     let programs = plan::seal_programs(spec, machine, &design);
     let traces = plan::trace_programs(spec, machine, &design);
     let artifacts = artifacts(spec, machine, sources, only, &design, &programs, &traces);
-    let manifest = Manifest::new(&spec.name, &artifacts, &programs);
+    let manifest = Manifest::new(spec, &design, &artifacts, &programs);
     Ok(Build { design, programs, traces, artifacts, manifest })
 }
 

@@ -5,6 +5,7 @@
 //! is the cut. A [`StarDesign`] holds all of one star in the star's own frame (axis at the origin,
 //! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
 
+mod coating;
 mod contour;
 mod drawing;
 mod frame;
@@ -23,6 +24,7 @@ mod stack;
 mod star;
 mod window;
 
+pub use coating::COATING_ASSUMES;
 pub use contour::{Contour, Part, Side};
 pub use drawing::{Drawing, Layer, Origin, Shape};
 pub use inlet::Channel;

@@ -23,7 +23,7 @@ const FOOT: f64 = 28.0;
 /// What neighbouring tiles share, mm: room for tape and for the crosses.
 const OVERLAP: f64 = 10.0;
 /// Least width of a large page: ruler, square and name stand side by side.
-const LEAST_WIDTH: f64 = 180.0;
+const LEAST_WIDTH: f64 = 200.0;
 /// Most tiles that are written: nobody tapes more than a hundred pages.
 const MOST_TILES: f64 = 100.0;
 
@@ -182,7 +182,7 @@ impl Grid<'_> {
         let page = format!("PAGE {name} OF {columns} X {rows}");
         out.extend(lettering::straight(&page, at(0.0, 14.0), 3.0));
         out.extend(lettering::straight(self.caption, at(0.0, 20.0), 3.0));
-        out.extend(lettering::straight("PRINT AT 100 PER CENT", at(50.0, 14.0), 2.0));
+        out.extend(lettering::straight("PRINT AT 100 PER CENT", at(134.0, 9.0), 2.0));
     }
 }
 
