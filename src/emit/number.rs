@@ -10,10 +10,13 @@ use crate::units::Length;
 pub struct Decimals(u32);
 
 impl Decimals {
-    /// As many decimals as keep rounding below a tenth of the tolerance `path`, so that the shape gets the rest: 2 to 6.
+    /// As many decimals as keep rounding below a tenth of the tolerance `path`, so that the shape gets the rest: 3 to 6.
+    ///
+    /// Never fewer than 3: GRBL refuses an arc whose radii at its ends differ by more than 0.005 mm, which is
+    /// what hundredths would make of a small one.
     pub fn for_tolerance(path: Length) -> Self {
         let quantum = path.0 / 10.0;
-        Self((2..6).find(|d| 10_f64.powi(-d) <= quantum * (1.0 + 1e-9)).map_or(6, i32::unsigned_abs))
+        Self((3..6).find(|d| 10_f64.powi(-d) <= quantum * (1.0 + 1e-9)).map_or(6, i32::unsigned_abs))
     }
 
     /// Exactly `n` decimals, at most 9.

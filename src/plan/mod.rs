@@ -9,7 +9,7 @@ mod program;
 mod seal;
 mod trace;
 
-pub use pieces::LONGEST_MOVE;
+pub use pieces::{LONGEST_MOVE, pieces};
 pub use program::{Level, Program, Purpose, Ramp, SeamReport, Step};
 pub use seal::seal_programs;
 pub use trace::trace_programs;

@@ -9,7 +9,7 @@ use crate::geom::Segment;
 pub const LONGEST_MOVE: f64 = 5.0;
 
 /// Cuts every segment of `path` into equal pieces of at most `longest` mm; arcs also at 90 degrees.
-pub(super) fn pieces(path: &Path, longest: f64) -> Vec<Segment> {
+pub fn pieces(path: &Path, longest: f64) -> Vec<Segment> {
     let mut out = Vec::with_capacity(path.segments.len());
     for segment in &path.segments {
         let mut count = whole(segment.length() / longest);

@@ -11,7 +11,7 @@ use crate::plan::Purpose;
 use crate::plan::Ramp;
 use crate::plan::SeamReport;
 use crate::plan::Step;
-use crate::plan::pieces::pieces;
+use crate::plan::pieces;
 use crate::spec::Machine;
 use crate::spec::ProgramScope;
 use crate::spec::Spec;

@@ -11,7 +11,7 @@ use crate::plan::Level;
 use crate::plan::Program;
 use crate::plan::Purpose;
 use crate::plan::Step;
-use crate::plan::pieces::pieces;
+use crate::plan::pieces;
 use crate::plan::seal::scopes;
 use crate::spec::Machine;
 use crate::spec::Spec;
