@@ -5,6 +5,7 @@ mod gcode;
 mod number;
 mod pdf;
 mod preview;
+mod stack_view;
 mod stl;
 mod svg;
 mod text;

@@ -56,7 +56,8 @@ impl<'a> Job<'a> {
         let layout = truth.design.sheets.iter().find(|layout| layout.index == sheet)?;
         let stars: Vec<_> = truth
             .design
-            .on_sheet(sheet)
+            .nearest_first(sheet)
+            .into_iter()
             .filter(|placed| star.is_none_or(|index| placed.index == index))
             .collect();
         let corner = Point::new(layout.width, layout.height);
