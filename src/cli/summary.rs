@@ -80,8 +80,9 @@ fn materials(spec: &Spec, design: &Design) -> String {
             part.mask.area(&part.outline) * spec.mask.thickness.0 / 1000.0,
             spec.mask.thickness,
         );
-        let _ = writeln!(out, "  coating about {thin:.0} to {thick:.0} um thick ({COATING_ASSUMES})");
+        let _ = writeln!(out, "  coating about {thin:.0} to {thick:.0} um thick");
     }
+    let _ = writeln!(out, "  the coating's thickness assumes {COATING_ASSUMES}");
     let (frame, stack) = (&design.frame, &design.stack);
     let _ = writeln!(
         out,
@@ -113,7 +114,8 @@ pub(super) fn built(spec: &Spec, machine: &Machine, build: &Build, proof: &Proof
     let largest = |of: &dyn Fn(&str) -> bool| {
         proof.deviations.iter().filter(|(name, _)| of(name)).map(|(_, mm)| *mm).fold(0.0, f64::max)
     };
-    let (paper, solid) = (|name: &str| name.ends_with(".pdf"), |name: &str| name.ends_with(".stl"));
+    let ends = |name: &str, ending: &str| Path::new(name).extension().is_some_and(|e| e == ending);
+    let (paper, solid) = (|name: &str| ends(name, "pdf"), |name: &str| ends(name, "stl"));
     let _ = writeln!(
         out,
         "proven: every file within {:.6} mm of the exact geometry (paper {:.4} mm, solids {:.4} mm)",

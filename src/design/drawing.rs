@@ -109,7 +109,9 @@ impl Shape {
     pub fn moved(&self, motion: &Isometry) -> Self {
         match self {
             Self::Path(path) => Self::Path(motion.path(path)),
-            Self::Circle { center, radius } => Self::Circle { center: motion.point(*center), radius: *radius },
+            Self::Circle { center, radius } => {
+                Self::Circle { center: motion.point(*center), radius: *radius }
+            }
         }
     }
 }
@@ -133,7 +135,8 @@ impl Drawing {
 
     /// The cuts of all stars on sheet `sheet`, holes first, so that no part moves before its holes are made.
     pub fn outlines(design: &Design, sheet: usize) -> Option<Self> {
-        let (mut labels, mut holes, mut inside, mut outside) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (mut labels, mut holes, mut inside, mut outside) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for placed in design.on_sheet(sheet) {
             let part = design.part(placed);
             let outline = &part.outline;

@@ -35,8 +35,7 @@ pub(super) fn on_outline(part: &StarDesign, placed: &PlacedStar) -> Vec<Path> {
     let turn = placed.placement.rotation;
     let Some(line) = fit(part, &text, rim + strip / 2.0, strip) else { return Vec::new() };
     let center = at(part.star.tip_center(line.stretch.tip));
-    let mut out =
-        lettering::around(&text, center, rim + strip / 2.0, line.middle(part) + turn, line.height);
+    let mut out = lettering::around(&text, center, rim + strip / 2.0, line.middle(part) + turn, line.height);
     // Behind the text: the advance of the last blank is half of the arrow's length.
     let behind = lettering::width(&text, line.height) / 2.0;
     let direction = line.middle(part) + turn - behind / (rim + strip / 2.0);
@@ -51,8 +50,7 @@ pub(super) fn on_mask(part: &StarDesign, mask: &MaskPlate, star: usize, mirrored
     let text = format!("MASK STAR {star} {side}");
     let radius = rim + mask.border / 2.0;
     let Some(line) = fit(part, &text, radius, mask.border) else { return Vec::new() };
-    let (motion, sign) =
-        if mirrored { (Isometry::mirror(), -1.0) } else { (Isometry::IDENTITY, 1.0) };
+    let (motion, sign) = if mirrored { (Isometry::mirror(), -1.0) } else { (Isometry::IDENTITY, 1.0) };
     let center = motion.point(part.star.tip_center(line.stretch.tip));
     lettering::around(&text, center, radius, sign * line.middle(part), line.height)
 }

@@ -142,7 +142,7 @@ mod tests {
             let far = path.furthest(Point::new(3.0, 4.0));
             assert!(near > 38.4 && far < 41.7, "{near} {far}");
         }
-        assert_eq!(straight("A B", Point::ORIGIN, 6.0).len(), 4);
+        assert_eq!(straight("A B", Point::ORIGIN, 6.0).len(), 3);
         assert_eq!(width("A B", 6.0), 16.0);
     }
 }

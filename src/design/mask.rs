@@ -41,12 +41,7 @@ impl MaskPlate {
     ///
     /// # Errors
     /// If the wanted extent does not fit, or nothing is left of the windows.
-    pub fn new(
-        spec: &Spec,
-        star_spec: &StarSpec,
-        star: &Star,
-        outline: &Outline,
-    ) -> Result<Self, Refusal> {
+    pub fn new(spec: &Spec, star_spec: &StarSpec, star: &Star, outline: &Outline) -> Result<Self, Refusal> {
         let mask = &spec.mask;
         let zone = Zone::new(star, &spec.seal, mask);
         let Reach { hinge, most } = zone.reach();
@@ -56,8 +51,7 @@ impl MaskPlate {
             None => star_spec.tube_width.0.max(hinge).min(most),
         };
         let window = zone.window(extent)?;
-        let windows =
-            (1..=star.n).map(|k| Isometry::rotation(star.corner_ray(k)).path(&window)).collect();
+        let windows = (1..=star.n).map(|k| Isometry::rotation(star.corner_ray(k)).path(&window)).collect();
         let plate = grown(&outline.outside, mask.border.0).ok_or_else(|| no_plate(mask.border.0))?;
         Ok(Self { plate, windows, extent, border: mask.border.0 })
     }

@@ -86,7 +86,7 @@ impl Outline {
         match (outside, hole) {
             (Some(outside), Some(hole)) if refusals.is_empty() => {
                 Ok(Self { outside, hole, reach, flap: seal.allowance.0, registration })
-            },
+            }
             _ => Err(refusals),
         }
     }

@@ -111,7 +111,9 @@ impl Design {
         let axis = |star: &PlacedStar| star.placement.point(Point::ORIGIN);
         while let Some(next) = (0..left.len())
             // Rounding must not decide between stars that are equally far away.
-            .reduce(|a, b| if axis(left[b]).distance(here) < axis(left[a]).distance(here) - 1e-6 { b } else { a })
+            .reduce(
+                |a, b| if axis(left[b]).distance(here) < axis(left[a]).distance(here) - 1e-6 { b } else { a },
+            )
         {
             let star = left.remove(next);
             here = axis(star);
@@ -138,7 +140,8 @@ fn place(boxes: &[Bounds], sheet: &Sheet) -> Result<(Vec<Placement>, Vec<SheetLa
     let (max_width, max_height) = (limit(sheet.width), limit(sheet.height));
     let upright = |bounds: &Bounds| bounds.width() <= max_width && bounds.height() <= max_height;
     for bounds in boxes {
-        if !upright(bounds) && !(sheet.turn && upright(&turned(bounds))) {
+        let can_stand = upright(bounds) || sheet.turn && upright(&turned(bounds));
+        if !can_stand {
             fits("sheet.width", bounds.width(), max_width, margin)?;
             fits("sheet.height", bounds.height(), max_height, margin)?;
         }

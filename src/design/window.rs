@@ -67,7 +67,12 @@ struct Cut {
 impl<'a> Zone<'a> {
     pub(super) fn new(star: &'a Star, seal: &Seal, mask: &Mask) -> Self {
         let creep = mask.creep.0;
-        Self { star, delta_h: seal.band.0 + seal.hole_allowance.0 - creep, delta_o: seal.band.0 - creep, creep }
+        Self {
+            star,
+            delta_h: seal.band.0 + seal.hole_allowance.0 - creep,
+            delta_o: seal.band.0 - creep,
+            creep,
+        }
     }
 
     /// How far the windows may reach before the plate between them is too narrow or the arms end.

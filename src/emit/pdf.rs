@@ -127,7 +127,10 @@ fn curves(content: &mut Content, arc: &Arc, end: Option<Point>) {
     let mut done = 0.0;
     while done < count {
         let (from, to) = (done / count, (done + 1.0) / count);
-        let ends = [arc.at_angle(arc.start_angle + from * arc.sweep), arc.at_angle(arc.start_angle + to * arc.sweep)];
+        let ends = [
+            arc.at_angle(arc.start_angle + from * arc.sweep),
+            arc.at_angle(arc.start_angle + to * arc.sweep),
+        ];
         let sign = arc.sweep.signum();
         let a = ends[0] + arc.tangent(from) * (handle * sign);
         let b = ends[1] - arc.tangent(to) * (handle * sign);

@@ -49,13 +49,13 @@ impl<'a> StackView<'a> {
         let mut group = element("g");
         group.assign("id", "stack");
         let middle = left + self.reach + BLANK;
-        self.from_above(page, &mut group, Point::new(middle, top - self.reach - BLANK), size);
+        self.seen_from_above(page, &mut group, Point::new(middle, top - self.reach - BLANK), size);
         let bottom = top - 2.0 * (self.reach + BLANK) - BLANK - self.design.stack.height;
-        self.from_the_side(page, &mut group, Point::new(middle, bottom), size);
+        self.seen_from_the_side(page, &mut group, Point::new(middle, bottom), size);
         group
     }
 
-    fn from_above(&self, page: &Page, group: &mut Element, axis: Point, size: f64) {
+    fn seen_from_above(&self, page: &Page, group: &mut Element, axis: Point, size: f64) {
         let frame = &self.design.frame;
         let ring = |radius: f64, center: Point| {
             Path::closed(vec![Arc::new(center, radius, 0.0, std::f64::consts::TAU).into()])
@@ -75,13 +75,20 @@ impl<'a> StackView<'a> {
                 group.append(stroke(page, &motion.path(edge), color, 0.5, "none"));
             }
             let corner = motion.point(Point::new(part.star.rho_0 + 0.5 * part.star.w, 0.0));
-            group.append(super::preview::text(page, corner, 0.8 * size, "middle", color, &star.index.to_string()));
+            group.append(super::preview::text(
+                page,
+                corner,
+                0.8 * size,
+                "middle",
+                color,
+                &star.index.to_string(),
+            ));
         }
         let below = axis - Vec2::new(0.0, self.reach + 0.5 * BLANK);
         group.append(super::preview::text(page, below, size, "middle", "#202020", "the stack from above"));
     }
 
-    fn from_the_side(&self, page: &Page, group: &mut Element, foot: Point, size: f64) {
+    fn seen_from_the_side(&self, page: &Page, group: &mut Element, foot: Point, size: f64) {
         let (design, frame) = (self.design, &self.design.frame);
         let at = |x: f64, z: f64| foot + Vec2::new(x, z);
         let mut block = |half: f64, from: f64, to: f64, color: &str, dash: &str| {

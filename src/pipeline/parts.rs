@@ -13,7 +13,8 @@ use crate::spec::Spec;
 /// The masks of every distinct star, for its other face too if the spec says so.
 pub(super) fn masks(spec: &Spec, design: &Design, wanted: &dyn Fn(Kind) -> bool, out: &mut Vec<Artifact>) {
     let faces: &[bool] = if spec.mask.mirror { &[false, true] } else { &[false] };
-    for (placed, mirrored) in design.firsts().flat_map(|placed| faces.iter().map(move |face| (placed, *face))) {
+    for (placed, mirrored) in design.firsts().flat_map(|placed| faces.iter().map(move |face| (placed, *face)))
+    {
         let star = placed.index;
         let Some(drawing) = Drawing::mask(design, star, mirrored) else { continue };
         let stem = format!("star-{star}-mask{}", if mirrored { "-mirrored" } else { "" });

@@ -43,7 +43,8 @@ fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
     let page = page.grown(1e-3);
     for (layer, paths) in &drawing.layers {
         let bounds = paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
-        if !paths.is_empty() && !(page.contains(bounds.min) && page.contains(bounds.max)) {
+        let inside = paths.is_empty() || page.contains(bounds.min) && page.contains(bounds.max);
+        if !inside {
             findings.add("outside-page", None, format!("{bounds:?} on layer {layer}"), format!("{page:?}"));
         }
     }

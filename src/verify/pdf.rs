@@ -49,7 +49,12 @@ pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
             Some((page, (*stream)?, extent(page)?))
         });
         let Some((page, stream, size)) = content else {
-            findings.add("bad-pdf", None, "a page without size or content", "a MediaBox at 0 0 and one stream");
+            findings.add(
+                "bad-pdf",
+                None,
+                "a page without size or content",
+                "a MediaBox at 0 0 and one stream",
+            );
             continue;
         };
         for key in ["Rotate", "CropBox", "Annots"].into_iter().filter(|key| page.get(key).is_some()) {

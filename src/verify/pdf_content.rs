@@ -49,7 +49,11 @@ pub(super) fn read(stream: &[u8], size: (f64, f64), unit: f64, findings: &mut Fi
         start: None,
         here: Point::ORIGIN,
         clipping: false,
-        page: PdfPage { size, drawing: Drawing { page: Some(size), ..Drawing::default() }, clips: Vec::new() },
+        page: PdfPage {
+            size,
+            drawing: Drawing { page: Some(size), ..Drawing::default() },
+            clips: Vec::new(),
+        },
         findings,
     };
     let mut scan = Scan::new(stream);
@@ -93,7 +97,7 @@ impl Pen<'_> {
             }
             ("BMC", []) => self.layers.push(name.unwrap_or_default()),
             ("EMC", []) => drop(self.layers.pop()),
-            ("w", [_]) | ("G" | "g", [_]) | ("J" | "j", [_]) => {}
+            ("w" | "G" | "g" | "J" | "j", [_]) => {}
             ("m", [x, y]) => {
                 self.lift(false);
                 self.here = self.point(*x, *y);
@@ -165,7 +169,9 @@ impl Pen<'_> {
         let is_on = |segment: &Segment| [0.25, 0.5, 0.75].iter().all(|t| segment.distance(at(*t)) <= ROUND);
         match segment.filter(is_on) {
             Some(segment) => self.push(segment, end),
-            None => self.findings.add("bad-arc", None, "a curve that is no arc of a circle", "lines and arcs"),
+            None => {
+                self.findings.add("bad-arc", None, "a curve that is no arc of a circle", "lines and arcs");
+            }
         }
     }
 

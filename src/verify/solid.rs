@@ -60,7 +60,8 @@ fn facets(bytes: &[u8]) -> Option<Vec<[Vertex; 3]>> {
 /// Six times the signed volume of the tetrahedron over the origin.
 fn sixfold(facet: &[Vertex; 3]) -> f64 {
     let [a, b, c] = facet.map(|v| v.map(f64::from));
-    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
+    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+        + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
 /// Every edge is passed once each way.
