@@ -5,6 +5,7 @@ use std::path::Path;
 
 use crate::design::COATING_ASSUMES;
 use crate::design::Design;
+use crate::design::Plate;
 use crate::manifest;
 use crate::pipeline::Build;
 use crate::plan::Program;
@@ -92,6 +93,20 @@ fn materials(spec: &Spec, design: &Design) -> String {
         Readable(frame.post_diameter),
         frame.radius - frame.post_diameter,
     );
+    for placed in &design.stars {
+        // The plates below and above it.
+        let beside =
+            |plate: &&Plate| plate.numbers.iter().any(|n| (placed.index..placed.index + 2).contains(n));
+        let opening = frame.plates.iter().filter(beside).map(|plate| plate.opening).fold(0.0, f64::max);
+        let shut = crate::design::shut_reach(&design.part(placed).star);
+        if shut <= opening {
+            let _ = writeln!(
+                out,
+                "  note: shut as far as it ever goes, star {} reaches {shut:.2} mm, less than an opening of {opening:.2} mm",
+                placed.index
+            );
+        }
+    }
     for plate in &frame.plates {
         let list = |items: Vec<String>| items.join(", ");
         let heights = plate.numbers.iter().map(|number| format!("{:.2}", stack.plates[number - 1]));

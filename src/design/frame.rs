@@ -68,9 +68,8 @@ impl Frame {
             let rho = beside.iter().map(|part| part.star.rho_0).fold(0.0, f64::max);
             let opening = rho + clearance;
             for part in beside {
-                let shut = shut_reach(&part.star);
-                if shut <= opening && refusals.is_empty() {
-                    refusals.push(slips_through(i + 1, shut, opening));
+                if part.star.d_t <= opening && refusals.is_empty() {
+                    refusals.push(falls_through(i + 1, part.star.d_t, opening));
                 }
             }
             match plates.iter_mut().find(|plate| plate.opening == opening) {
@@ -120,10 +119,12 @@ impl Frame {
     }
 }
 
-/// How far the tips reach when the star is shut as far as it goes: arms inflated to 2 W / pi, lying side by side.
-fn shut_reach(star: &Star) -> f64 {
+/// How far the tips reach when the star is shut as far as it ever goes: arms inflated to 2 W / pi, side by side.
+///
+/// Section 1 of the star's geometry with W -> 2 W / pi and phi_i = 0; a star that holds an object is less shut.
+pub fn shut_reach(star: &Star) -> f64 {
     let (alpha, w) = (star.half_sector(), 2.0 * star.w / PI);
-    (w + star.r_i + star.r_e) / alpha.sin() * alpha.cos() + star.l + w
+    (w + star.r_i + star.r_e) / alpha.tan() + star.l + star.r_i + w
 }
 
 /// The strip along which a hose leaves a star.
@@ -162,16 +163,16 @@ fn first_post(count: u32, hoses: &[Hose]) -> f64 {
     best.1.rem_euclid(step)
 }
 
-fn slips_through(plate: usize, shut: f64, opening: f64) -> Refusal {
+fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
     Refusal::new(
         "frame.clearance",
-        "arms-slip-through",
+        "arms-fall-through",
         format!(
-            "a star that has closed reaches {} mm from the axis, the opening of plate {plate} has a radius of {} mm",
-            Readable(shut),
+            "the tips of a star bend {} mm from the axis, the opening of plate {plate} has a radius of {} mm",
+            Readable(tips),
             Readable(opening)
         ),
-        "make clearance smaller, or the arms of the smaller star longer".to_owned(),
+        "make clearance smaller, or neighbouring stars less different".to_owned(),
     )
 }
 

@@ -27,7 +27,7 @@ mod window;
 pub use coating::COATING_ASSUMES;
 pub use contour::{Contour, Part, Side};
 pub use drawing::{Drawing, Layer, Origin, Shape};
-pub use frame::{Frame, Plate};
+pub use frame::{Frame, Plate, shut_reach};
 pub use inlet::Channel;
 pub use mask::MaskPlate;
 pub use outline::{Circle, Outline};
