@@ -37,13 +37,17 @@ pub fn dxf(drawing: &Drawing, path: Length) -> String {
             }
         }
     }
+    let corner = drawing.corner();
     let number = |x: f64| writer.decimals.text(x);
     fill(&[
         ("HANDSEED", &format!("{:X}", writer.handle)),
-        ("WIDTH", &number(drawing.width)),
+        ("MIN_X", &number(corner.x)),
+        ("MIN_Y", &number(corner.y)),
+        ("MAX_X", &number(corner.x + drawing.width)),
+        ("MAX_Y", &number(corner.y + drawing.height)),
         ("HEIGHT", &number(drawing.height)),
-        ("CENTER_X", &number(drawing.width / 2.0)),
-        ("CENTER_Y", &number(drawing.height / 2.0)),
+        ("CENTER_X", &number(corner.x + drawing.width / 2.0)),
+        ("CENTER_Y", &number(corner.y + drawing.height / 2.0)),
         ("LAYER_COUNT", &(drawing.layers.len() + 1).to_string()),
         ("LAYERS", &layers),
         ("ENTITIES", &writer.out),
@@ -159,8 +163,9 @@ fn color(layer: Layer) -> &'static str {
     match layer {
         Layer::SealInner => "5",
         Layer::SealOuter => "3",
-        Layer::CutOutside => "1",
-        Layer::CutHole => "6",
-        Layer::Registration => "7",
+        Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => "1",
+        Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => "6",
+        Layer::Registration | Layer::PostHole => "7",
+        Layer::Label | Layer::PaperMark => "4",
     }
 }
