@@ -1,7 +1,10 @@
 //! Every stage by name: spec -> design -> plan -> text -> artifacts -> proof.
 
+mod parts;
+
 use crate::artifact::Artifact;
 use crate::artifact::Kind;
+use crate::artifact::Variant;
 use crate::design::Design;
 use crate::design::Drawing;
 use crate::design::Refusal;
@@ -53,7 +56,7 @@ pub fn build(
     let programs = plan::seal_programs(spec, machine, &design);
     let traces = plan::trace_programs(spec, machine, &design);
     let artifacts = artifacts(spec, machine, sources, only, &design, &programs, &traces);
-    let manifest = Manifest::new(&spec.name, &artifacts, &programs);
+    let manifest = Manifest::new(spec, &design, &artifacts, &programs);
     Ok(Build { design, programs, traces, artifacts, manifest })
 }
 
@@ -82,7 +85,8 @@ fn artifacts(
     let wanted = |kind: Kind| only.is_empty() || only.contains(&kind);
     let mut out = Vec::new();
     let mut add = |name: String, kind, sheet, star, text: String| {
-        out.push(Artifact { name, kind, sheet, star, bytes: text.into_bytes() });
+        let variant = Variant::default();
+        out.push(Artifact { name, kind, sheet, star, variant, bytes: text.into_bytes() });
     };
     add("spec.toml".to_owned(), Kind::Spec, None, None, sources.spec.to_owned());
     add("machine.toml".to_owned(), Kind::Machine, None, None, sources.machine.to_owned());
@@ -117,5 +121,7 @@ fn artifacts(
             add(file("preview.svg"), Kind::PreviewSvg, Some(sheet), None, picture);
         }
     }
+    parts::masks(spec, design, &wanted, &mut out);
+    parts::plates(spec, design, &wanted, &mut out);
     out
 }

@@ -1,17 +1,20 @@
 //! Lines and arcs under every motion: what must not change does not, and distances agree with brute force.
 
+mod shapes;
+
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 use stargrip_cam::geom::Arc;
 use stargrip_cam::geom::Isometry;
 use stargrip_cam::geom::Line;
-use stargrip_cam::geom::Path;
 use stargrip_cam::geom::Point;
 use stargrip_cam::geom::Segment;
 use stargrip_cam::geom::Vec2;
 use stargrip_cam::geom::intersections;
 use stargrip_cam::geom::segment_distance;
+
+use shapes::blob;
 
 /// Points on each segment at which the brute force looks.
 const SAMPLES: u32 = 200;
@@ -29,29 +32,6 @@ fn segment() -> impl Strategy<Value = Segment> {
     let line = (point(10.0), point(10.0))
         .prop_filter_map("a point", |(a, b)| (a.distance(b) > 0.01).then(|| Line::new(a, b).into()));
     prop_oneof![line, arc().prop_map(Segment::Arc)]
-}
-
-/// A closed curve that is star-shaped about its centre: vertices at growing angles, joined by lines and flat arcs.
-fn blob() -> impl Strategy<Value = (Path, Point)> {
-    let vertices =
-        proptest::collection::vec((5.0..10.0, prop_oneof![-0.15..-0.01, 0.01..0.15], any::<bool>()), 5..12);
-    (vertices, point(50.0)).prop_map(|(vertices, center)| {
-        let step = TAU / f64::from(u32::try_from(vertices.len()).unwrap());
-        let mut angle = 0.0;
-        let corners: Vec<(Point, Option<f64>)> = vertices
-            .iter()
-            .map(|(radius, bulge, curved)| {
-                angle += step;
-                (center + Vec2::unit(angle) * *radius, curved.then_some(*bulge))
-            })
-            .collect();
-        let next = corners.iter().skip(1).chain(&corners[..1]);
-        let segments = corners.iter().zip(next).map(|((a, bulge), (b, _))| {
-            let arc = bulge.and_then(|bulge| Arc::from_bulge(*a, *b, bulge));
-            arc.map_or_else(|| Line::new(*a, *b).into(), Segment::Arc)
-        });
-        (Path::closed(segments.collect()), center)
-    })
 }
 
 fn motion() -> impl Strategy<Value = Isometry> {

@@ -15,7 +15,7 @@ const MAY_USE: [(&str, &[&str]); 14] = [
     ("mechanics", &["numerics", "spec", "units"]),
     ("plan", &["design", "geom", "spec", "units"]),
     ("artifact", &[]),
-    ("manifest", &["artifact", "plan"]),
+    ("manifest", &["artifact", "design", "plan", "spec"]),
     ("emit", &["design", "geom", "plan", "spec", "units"]),
     ("verify", &["artifact", "design", "geom", "manifest", "spec", "units"]),
     ("pipeline", &["artifact", "design", "emit", "manifest", "mechanics", "plan", "spec", "verify"]),

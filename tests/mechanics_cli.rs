@@ -80,14 +80,28 @@ fn parts_of_a_sweep_join_to_the_whole() {
 #[test]
 fn optimize_ends_in_a_spec_that_keeps_its_promise() {
     let dir = folder();
-    let args = ["optimize", "spec.toml", "--goal", "fabric", "--payload", "0.8", "--grasp", "18 mm..50 mm", "--points", "4..7"];
+    let args = [
+        "optimize",
+        "spec.toml",
+        "--goal",
+        "fabric",
+        "--payload",
+        "0.8",
+        "--grasp",
+        "18 mm..50 mm",
+        "--points",
+        "4..7",
+    ];
     let output = run(dir.path(), &args);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     fs::write(dir.path().join("best.toml"), &output.stdout).expect("written");
     assert_eq!(run(dir.path(), &["check", "best.toml"]).status.code(), Some(0));
     let predicted = run(dir.path(), &["predict", "best.toml", "--json", "--model", "ring"]);
     let value: serde_json::Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
-    assert!(value["payload_kg"].as_f64() >= Some(0.8) && value["final_radius_mm"].as_f64() <= Some(18.0), "{value}");
+    assert!(
+        value["payload_kg"].as_f64() >= Some(0.8) && value["final_radius_mm"].as_f64() <= Some(18.0),
+        "{value}"
+    );
     let impossible = run(dir.path(), &["optimize", "spec.toml", "--payload", "1000", "--points", "5"]);
     assert_eq!(impossible.status.code(), Some(1));
     assert!(text(&impossible.stderr).contains("no design meets"));
@@ -99,8 +113,12 @@ fn a_cone_test_is_laid_over_the_prediction() {
     fs::write(dir.path().join("test.csv"), "travel_mm,load_N\n0,0\n10,2.5\n").expect("written");
     let output = run(dir.path(), &["cone", "test.csv", "--spec", "spec.toml"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    assert!(text(&output.stdout).starts_with("travel_mm,load_N,radius_mm,force_N,linear_N,nonlinear_N\n0,0,15.676"));
-    let published = run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm", "--balance", "published"]);
+    assert!(
+        text(&output.stdout)
+            .starts_with("travel_mm,load_N,radius_mm,force_N,linear_N,nonlinear_N\n0,0,15.676")
+    );
+    let published =
+        run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm", "--balance", "published"]);
     assert!(text(&published.stdout).contains("3.727761"), "{}", text(&published.stdout));
     assert_eq!(run(dir.path(), &["cone", "test.csv"]).status.code(), Some(1));
 }

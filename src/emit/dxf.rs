@@ -37,13 +37,17 @@ pub fn dxf(drawing: &Drawing, path: Length) -> String {
             }
         }
     }
+    let corner = drawing.corner();
     let number = |x: f64| writer.decimals.text(x);
     fill(&[
         ("HANDSEED", &format!("{:X}", writer.handle)),
-        ("WIDTH", &number(drawing.width)),
+        ("MIN_X", &number(corner.x)),
+        ("MIN_Y", &number(corner.y)),
+        ("MAX_X", &number(corner.x + drawing.width)),
+        ("MAX_Y", &number(corner.y + drawing.height)),
         ("HEIGHT", &number(drawing.height)),
-        ("CENTER_X", &number(drawing.width / 2.0)),
-        ("CENTER_Y", &number(drawing.height / 2.0)),
+        ("CENTER_X", &number(corner.x + drawing.width / 2.0)),
+        ("CENTER_Y", &number(corner.y + drawing.height / 2.0)),
         ("LAYER_COUNT", &(drawing.layers.len() + 1).to_string()),
         ("LAYERS", &layers),
         ("ENTITIES", &writer.out),
@@ -70,11 +74,17 @@ struct Writer {
 
 impl Writer {
     fn tag(&mut self, code: u16, value: &str) {
-        let _ = write!(self.out, "{code:>3}\n{value}\n");
+        self.code(code);
+        self.out.push_str(value);
+        self.out.push('\n');
+    }
+
+    fn code(&mut self, code: u16) {
+        let _ = writeln!(self.out, "{code:>3}");
     }
 
     fn number(&mut self, code: u16, value: f64) {
-        let _ = writeln!(self.out, "{code:>3}");
+        self.code(code);
         self.decimals.write(&mut self.out, value);
         self.out.push('\n');
     }
@@ -116,10 +126,11 @@ impl Writer {
 
     fn polyline(&mut self, layer: Layer, path: &Path) {
         self.entity("LWPOLYLINE", layer, "AcDbPolyline");
+        let segments: Vec<Segment> = path.segments.iter().flat_map(halved).collect();
         let open_end = path.end().filter(|_| !path.closed);
-        self.tag(90, &(path.segments.len() + usize::from(open_end.is_some())).to_string());
+        self.tag(90, &(segments.len() + usize::from(open_end.is_some())).to_string());
         self.tag(70, if path.closed { "1" } else { "0" });
-        for segment in &path.segments {
+        for segment in &segments {
             self.vertex(segment.start());
             if let Segment::Arc(arc) = segment {
                 self.tag(42, &Decimals::exactly(BULGE).text(arc.bulge()));
@@ -136,13 +147,25 @@ impl Writer {
     }
 }
 
+/// The segment, in halves if it turns by more than 180 degrees: a large arc over a short chord magnifies the
+/// rounding of the chord's ends.
+fn halved(segment: &Segment) -> Vec<Segment> {
+    match segment {
+        Segment::Arc(arc) if arc.sweep.abs() > std::f64::consts::PI => {
+            vec![segment.part(0.0, 0.5), segment.part(0.5, 1.0)]
+        }
+        _ => vec![*segment],
+    }
+}
+
 /// AutoCAD colour index of a layer, as near to the SVG's colour as the palette is.
 fn color(layer: Layer) -> &'static str {
     match layer {
         Layer::SealInner => "5",
         Layer::SealOuter => "3",
-        Layer::CutOutside => "1",
-        Layer::CutHole => "6",
-        Layer::Registration => "7",
+        Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => "1",
+        Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => "6",
+        Layer::Registration | Layer::PostHole => "7",
+        Layer::Label | Layer::PaperMark => "4",
     }
 }

@@ -4,9 +4,12 @@ use std::f64::consts::PI;
 
 use crate::design::Drawing as Exact;
 use crate::design::Layer;
+use crate::design::Origin;
 use crate::design::Shape;
 use crate::geom::Arc;
+use crate::geom::Bounds;
 use crate::geom::Path;
+use crate::geom::Point;
 use crate::verify::Drawing;
 use crate::verify::Finding;
 use crate::verify::Findings;
@@ -17,8 +20,13 @@ use crate::verify::read_svg;
 
 /// Reads an SVG; its page must be the drawing's.
 pub(super) fn read_page(text: &str, exact: &Exact, findings: &mut Findings) -> Drawing {
-    let mut drawing = read_svg(text, SvgOrigin::LowerLeft);
+    let origin = match exact.origin {
+        Origin::LowerLeft => SvgOrigin::LowerLeft,
+        Origin::Axis(_) => SvgOrigin::Axis,
+    };
+    let mut drawing = read_svg(text, origin);
     findings.extend(std::mem::take(&mut drawing.findings));
+    within_page(&drawing, exact, findings);
     // Extents are written with as many decimals as coordinates.
     let same = |(w, h): (f64, f64)| (w - exact.width).abs() <= 1e-2 && (h - exact.height).abs() <= 1e-2;
     if !drawing.page.is_some_and(same) {
@@ -26,6 +34,20 @@ pub(super) fn read_page(text: &str, exact: &Exact, findings: &mut Findings) -> D
         findings.add("wrong-size", None, found, format!("{} x {} mm", exact.width, exact.height));
     }
     drawing
+}
+
+/// Nothing lies outside the page, where a reader may cut it off.
+fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
+    let corner = exact.corner();
+    let page = Bounds { min: corner, max: Point::new(corner.x + exact.width, corner.y + exact.height) };
+    let page = page.grown(1e-3);
+    for (layer, paths) in &drawing.layers {
+        let bounds = paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
+        let inside = paths.is_empty() || page.contains(bounds.min) && page.contains(bounds.max);
+        if !inside {
+            findings.add("outside-page", None, format!("{bounds:?} on layer {layer}"), format!("{page:?}"));
+        }
+    }
 }
 
 /// Reads a DXF.
@@ -96,7 +118,7 @@ fn total(paths: &[Path]) -> f64 {
 }
 
 /// A shape as a path; a circle as two half turns.
-fn path_of(shape: &Shape) -> Path {
+pub(super) fn path_of(shape: &Shape) -> Path {
     match shape {
         Shape::Path(path) => path.clone(),
         Shape::Circle { center, radius } => Path::closed(vec![

@@ -10,6 +10,8 @@
 //! different nearest targets the change-over, where the smaller of two distances may peak, is found by
 //! bisection.
 
+use std::borrow::Borrow;
+
 use crate::geom::Bounds;
 use crate::geom::Point;
 use crate::geom::Segment;
@@ -157,11 +159,11 @@ impl Worst {
 /// The largest distance from a point of `probe` to the nearest of `targets`; infinite if there is none.
 ///
 /// `scratch` is room for the candidates, kept between calls.
-pub(super) fn furthest(probe: &Target, targets: &[Target], scratch: &mut Vec<f64>) -> Worst {
+pub(super) fn furthest<T: Borrow<Target>>(probe: &Target, targets: &[T], scratch: &mut Vec<f64>) -> Worst {
     let nearest = |t: f64| {
         let p = probe.segment.point(t);
         let (mut best, mut index) = (f64::INFINITY, 0);
-        for (i, target) in targets.iter().enumerate() {
+        for (i, target) in targets.iter().map(Borrow::borrow).enumerate() {
             // The box is worth its price only where there is a choice.
             if targets.len() > 2 && target.bounds.distance(p) > best {
                 continue;
@@ -179,7 +181,7 @@ pub(super) fn furthest(probe: &Target, targets: &[Target], scratch: &mut Vec<f64
     scratch.clear();
     // Distance grows at most as fast as the way along the probe: farther targets are nowhere the nearest.
     let reach = worst.distance + 0.5 * probe.length;
-    for target in targets {
+    for target in targets.iter().map(Borrow::borrow) {
         if targets.len() <= 2 || target.bounds.grown(reach).overlaps(&probe.bounds) {
             probe.candidates(target, scratch);
         }

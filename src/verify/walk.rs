@@ -72,6 +72,11 @@ impl Track {
         Self { length, ..track }
     }
 
+    /// The part of `[from, to]` that exists.
+    fn within(&self, from: f64, to: f64) -> (f64, f64) {
+        (from.max(0.0), to.min(self.length))
+    }
+
     /// Indices of the segments that share more than a point with `[from, to]`; at least one.
     fn between(&self, from: f64, to: f64) -> std::ops::Range<usize> {
         let first = self.begins.partition_point(|s| *s <= from).saturating_sub(1);
@@ -79,18 +84,18 @@ impl Track {
         first..last
     }
 
-    /// The arc length in `[from, to]` of the point nearest to `p`; of equals the one next to `expected`.
-    fn project(&self, p: Point, from: f64, to: f64, expected: f64) -> f64 {
+    /// The arc length in `[from, to]` of the point nearest to `p`; of those within `tie` the one next to `expected`.
+    fn project(&self, p: Point, (from, to): (f64, f64), expected: f64, tie: f64) -> f64 {
         let mut best = (from, f64::INFINITY);
         for i in self.between(from, to) {
             let (target, begin) = (&self.targets[i], self.begins[i]);
-            if target.bounds.distance(p) >= best.1 + TIE {
+            if target.bounds.distance(p) >= best.1 + tie {
                 continue;
             }
             let s = (begin + target.segment.nearest_fraction(p) * target.length).clamp(from, to);
             let distance = target.segment.point((s - begin) / target.length).distance(p);
-            let nearer = distance < best.1 - TIE;
-            if nearer || (distance <= best.1 + TIE && (s - expected).abs() < (best.0 - expected).abs()) {
+            let nearer = distance < best.1 - tie;
+            if nearer || (distance <= best.1 + tie && (s - expected).abs() < (best.0 - expected).abs()) {
                 best = (s, distance);
             }
         }
@@ -124,10 +129,11 @@ pub fn walk(run: &[Segment], exact: &Path) -> Walk {
         }
         return result;
     };
-    // An overlap covers the start twice, and rounding may bring the second pass nearer than the first.
-    let near = track.project(first.start, 0.0, MARGIN.min(track.length), 0.0);
-    let at_start = exact.point_at(near).is_some_and(|p| p.distance(first.start) <= MARGIN);
-    let mut at = if at_start { near } else { track.project(first.start, 0.0, track.length, 0.0) };
+    // With an overlap each place near the start comes twice, and a rounded start may lie nearer to the second pass
+    // (next to a corner): the first pass within the margin is meant, and then its nearest point.
+    let roughly = track.project(first.start, (0.0, track.length), 0.0, MARGIN);
+    let around = track.within(roughly - 4.0 * MARGIN, roughly + 4.0 * MARGIN);
+    let mut at = track.project(first.start, around, roughly, TIE);
     result.start = at;
     let (mut there, mut back) = (Worst::NONE, Worst::NONE);
     let mut scratch = Vec::new();
@@ -135,13 +141,18 @@ pub fn walk(run: &[Segment], exact: &Path) -> Walk {
         let before = i.checked_sub(1).and_then(|k| steps.get(k));
         let gap = before.map_or(0.0, |b| b.end.distance(step.start));
         note_larger(&mut result.jump, gap, i);
-        let reach = step.length + gap + MARGIN;
-        let (from, to) = ((at - reach).max(0.0), (at + reach).min(track.length));
-        let next = track.project(step.end, from, to, at + gap + step.length);
+        let left = at;
+        if gap > TIE {
+            at = track.project(step.start, track.within(at - gap - MARGIN, at + gap + MARGIN), at, TIE);
+        }
+        let reach = step.length + MARGIN;
+        let window = track.within(at - reach, at + reach);
+        let next = track.project(step.end, window, at + step.length, TIE);
         note_larger(&mut result.backwards, at - next, i);
 
-        let (low, high) = (at.min(next), at.max(next));
-        let covered = track.between((low - MARGIN).max(0.0), (high + MARGIN).min(track.length));
+        let (low, high) = (left.min(at).min(next), left.max(at).max(next));
+        let (near_low, near_high) = track.within(low - MARGIN, high + MARGIN);
+        let covered = track.between(near_low, near_high);
         let out = furthest(step, &track.targets[covered], &mut scratch);
         let around = &steps[i.saturating_sub(1)..(i + 2).min(steps.len())];
         let mut home = Worst::NONE;
