@@ -56,7 +56,7 @@ fn refusals_point_at_the_key_and_end_with_one() {
     let output = run(dir.path(), &["predict", "spec.toml"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(text(&output.stderr).contains("spec.toml:7"), "{}", text(&output.stderr));
-    assert_eq!(run(&dir.path().to_owned(), &["predict", "spec.toml", "--model", "x"]).status.code(), Some(2));
+    assert_eq!(run(dir.path(), &["predict", "spec.toml", "--model", "x"]).status.code(), Some(2));
 }
 
 #[test]
