@@ -407,6 +407,10 @@ fn a_hostile_name_is_a_harmless_literal() {
     }
 }
 
+fn ending(file: &str) -> &str {
+    file.rsplit_once('.').map_or("", |(_, ending)| ending)
+}
+
 /// A TOML basic string.
 fn toml_string(text: &str) -> String {
     let escaped: String = text

@@ -9,6 +9,7 @@ mod failure;
 mod load;
 mod machines;
 mod new;
+mod predict;
 mod publish;
 mod summary;
 mod verify;
@@ -34,6 +35,8 @@ enum Command {
     Build(build::Args),
     /// Read a spec and say what would be built, or everything that is wrong with it.
     Check(check::Args),
+    /// Say what the gripper of a spec does: closing, force, pressures, payload.
+    Predict(predict::Args),
     /// Prove a published directory: hashes, and every file against the exact geometry.
     Verify(verify::Args),
     /// Write a commented starter spec.
@@ -47,6 +50,7 @@ pub fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Build(args) => build::run(&args),
         Command::Check(args) => check::run(&args),
+        Command::Predict(args) => predict::run(&args),
         Command::Verify(args) => verify::run(&args),
         Command::New(args) => new::run(&args),
         Command::Machines(args) => machines::run(&args),

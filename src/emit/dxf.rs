@@ -74,11 +74,17 @@ struct Writer {
 
 impl Writer {
     fn tag(&mut self, code: u16, value: &str) {
-        let _ = write!(self.out, "{code:>3}\n{value}\n");
+        self.code(code);
+        self.out.push_str(value);
+        self.out.push('\n');
+    }
+
+    fn code(&mut self, code: u16) {
+        let _ = writeln!(self.out, "{code:>3}");
     }
 
     fn number(&mut self, code: u16, value: f64) {
-        let _ = writeln!(self.out, "{code:>3}");
+        self.code(code);
         self.decimals.write(&mut self.out, value);
         self.out.push('\n');
     }

@@ -51,7 +51,15 @@ struct Writer<'a> {
 impl<'a> Writer<'a> {
     fn new(spec: &'a Spec, machine: &'a Machine) -> Self {
         let decimals = Decimals::for_tolerance(spec.accuracy.path);
-        Self { spec, machine, decimals, out: String::new(), lines: 0, at: Point::ORIGIN, feed: None }
+        Self {
+            spec,
+            machine,
+            decimals,
+            out: String::with_capacity(1 << 14),
+            lines: 0,
+            at: Point::ORIGIN,
+            feed: None,
+        }
     }
 
     fn line(&mut self, text: &str) {
@@ -80,7 +88,7 @@ impl<'a> Writer<'a> {
         self.comment(&format!("stargrip-cam {purpose} program"));
         self.comment(&format!("name: {}", spec.name));
         self.comment(&format!("program: purpose={purpose} sheet={} stars={}", program.sheet, stars(program)));
-        self.comment("frame: origin at the lower left of the sheet, Z 0 on the release layer");
+        self.comment("frame: origin at lower left of the sheet, Z0 on the release layer");
         if program.purpose == Purpose::Seal {
             let (t, v) = (number(spec.seal.temperature.0), number(spec.seal.speed.0));
             let (w, o) = (number(spec.seal.band.0), number(spec.seal.overlap.0));
