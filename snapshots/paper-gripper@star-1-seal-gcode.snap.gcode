@@ -1,7 +1,7 @@
 ; stargrip-cam seal program
 ; name: paper gripper, three stars
 ; program: purpose=seal sheet=1 stars=1
-; frame: origin at the lower left of the sheet, Z 0 on the release lay
+; frame: origin at lower left of the sheet, Z0 on the release layer
 ; seal: temperature_C=200 speed_mm_s=0.1 band_mm=2 overlap_mm=5
 ; length: seam=1 star=1 loop=inner length_mm=875.897 time_s=8881
 ; length: seam=2 star=1 loop=outer length_mm=1127.146 time_s=11393

@@ -1,7 +1,7 @@
 ; stargrip-cam trace program
 ; name: paper gripper, three stars
 ; program: purpose=trace sheet=1 stars=3
-; frame: origin at the lower left of the sheet, Z 0 on the release lay
+; frame: origin at lower left of the sheet, Z0 on the release layer
 G21
 G17
 G90
