@@ -98,22 +98,24 @@ fn mutate(seed: &[u8], other: &[u8], dice: &mut Dice) -> Vec<u8> {
                 let at = dice.below(length);
                 out[at] ^= 1 << dice.below(8);
             }
-            1 => drop(out.drain(dice.stretch(length, 200)).count()),
+            1 => {
+                let _ = out.drain(dice.stretch(length, 200)).count();
+            }
             2 => {
                 let piece = out[dice.stretch(length, 200)].to_vec();
                 let at = dice.below(length + 1);
-                drop(out.splice(at..at, piece).count());
+                let _ = out.splice(at..at, piece).count();
             }
             3 => {
                 let piece = other[dice.stretch(other.len(), 200)].to_vec();
                 let range = dice.stretch(length, 200);
-                drop(out.splice(range, piece).count());
+                let _ = out.splice(range, piece).count();
             }
             4 => out.truncate(dice.below(length + 1)),
             _ => {
                 let word = WORDS[dice.below(WORDS.len())];
                 let range = dice.stretch(length, 8);
-                drop(out.splice(range, word.iter().copied()).count());
+                let _ = out.splice(range, word.iter().copied()).count();
             }
         }
     }
