@@ -22,5 +22,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let spec = &loaded.reading.spec;
     let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
     let programs = plan::seal_programs(spec, &loaded.machine, &design);
+    let traces = plan::trace_programs(spec, &loaded.machine, &design);
+    let refusals = plan::refusals(spec, &loaded.machine, &programs, &traces);
+    if !refusals.is_empty() {
+        return Err(loaded.refused(refusals));
+    }
     say(&summary::design(spec, &design, &programs))
 }

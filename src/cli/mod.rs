@@ -6,6 +6,7 @@
 mod build;
 mod check;
 mod failure;
+mod feedcheck;
 mod load;
 mod machines;
 mod new;
@@ -13,10 +14,16 @@ mod publish;
 mod summary;
 mod verify;
 
+use std::fs::File;
+use std::io;
+use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
 use clap::Subcommand;
+
+use crate::cli::failure::Failure;
 
 pub use publish::{PublishError, publish};
 
@@ -38,8 +45,10 @@ enum Command {
     Verify(verify::Args),
     /// Write a commented starter spec.
     New(new::Args),
-    /// List the built-in machine profiles.
+    /// List the built-in machine profiles, and what each can do at 0.1 mm/s.
     Machines(machines::Args),
+    /// Write a program that shows at which speed the machine really goes.
+    Feedcheck(feedcheck::Args),
 }
 
 /// Runs the program with the arguments of the process.
@@ -50,9 +59,22 @@ pub fn main() -> ExitCode {
         Command::Verify(args) => verify::run(&args),
         Command::New(args) => new::run(&args),
         Command::Machines(args) => machines::run(&args),
+        Command::Feedcheck(args) => feedcheck::run(&args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
+}
+
+/// Writes a file that must not be there yet.
+fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
+    File::create_new(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
+        match error.kind() {
+            io::ErrorKind::AlreadyExists => {
+                Failure::Message(format!("{} exists already; choose another name", path.display()))
+            }
+            _ => Failure::file("write", path, &error),
+        }
+    })
 }

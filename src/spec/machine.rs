@@ -82,6 +82,20 @@ impl Dialect {
         ("reprapfirmware", Self::RepRapFirmware),
     ];
 
+    /// What people call it.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Generic => "the controller",
+            Self::LinuxCnc => "LinuxCNC",
+            Self::Grbl => "GRBL",
+            Self::GrblHal => "grblHAL",
+            Self::FluidNc => "FluidNC",
+            Self::Marlin => "Marlin",
+            Self::Klipper => "Klipper",
+            Self::RepRapFirmware => "RepRapFirmware",
+        }
+    }
+
     /// Its name in profiles and in programs.
     pub fn name(self) -> &'static str {
         Self::NAMES.iter().find(|(_, dialect)| *dialect == self).map_or("", |(name, _)| name)

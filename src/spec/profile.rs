@@ -7,9 +7,7 @@ use std::ops::Range;
 
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, Faults, quoted};
-use crate::spec::machine::{
-    Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine,
-};
+use crate::spec::machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 use crate::spec::motion::{Motion, StepRate};
 use crate::spec::reading::{SIZE, read_name, read_schema, read_with};
 use crate::spec::section::{Reader, Section};
@@ -89,8 +87,8 @@ fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let pause =
         program.text("pause").map(|(line, span)| read_line(&mut program, "pause", line, span, length));
     let end = read_lines(&mut program, "end", length);
-    // A comment takes four characters of the line.
-    let requires = read_lines(&mut program, "requires", length - 4);
+    // Each becomes a comment that begins with "; requires: ".
+    let requires = read_lines(&mut program, "requires", length - 12);
     Machine {
         name,
         description,
