@@ -10,6 +10,7 @@ pub mod mechanics;
 pub mod numerics;
 pub mod pipeline;
 pub mod plan;
+pub mod resume;
 pub mod spec;
 pub mod units;
 pub mod verify;

@@ -11,6 +11,7 @@ mod load;
 mod machines;
 mod new;
 mod publish;
+mod resume;
 mod summary;
 mod verify;
 
@@ -49,6 +50,8 @@ enum Command {
     Machines(machines::Args),
     /// Write a program that shows at which speed the machine really goes.
     Feedcheck(feedcheck::Args),
+    /// Write a program for the rest of a job that was interrupted.
+    Resume(resume::Args),
 }
 
 /// Runs the program with the arguments of the process.
@@ -60,6 +63,7 @@ pub fn main() -> ExitCode {
         Command::New(args) => new::run(&args),
         Command::Machines(args) => machines::run(&args),
         Command::Feedcheck(args) => feedcheck::run(&args),
+        Command::Resume(args) => resume::run(&args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -2,6 +2,7 @@
 
 mod dialects;
 mod faults;
+mod resume;
 
 use stargrip_cam::design::Refusal;
 use stargrip_cam::pipeline::{Build, Sources, build};

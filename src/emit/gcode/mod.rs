@@ -191,6 +191,8 @@ impl<W: fmt::Write> Job<'_, W> {
                 self.writer.travel(*to)
             }
             Step::Seam(i) => {
+                // Every seam states its feed, so that a job can go on there.
+                self.writer.feed = None;
                 let facts = seam_facts("seam", i + 1, &self.program.seams[*i]);
                 self.writer.comment(&facts)
             }

@@ -24,7 +24,7 @@ pub(super) struct Writer<'a, W> {
     /// Where the iron is, as the file says.
     pub(super) at: Point,
     /// The feed in force, mm/min.
-    feed: Option<f64>,
+    pub(super) feed: Option<f64>,
     line: String,
 }
 
