@@ -6,7 +6,7 @@ CARGO ?= cargo
 
 # Build the paper's star and say what was written, and where.
 demo:
-	$(CARGO) run --release --locked --quiet -- build designs/paper-five-points.toml
+	$(CARGO) run --release --locked -- build designs/paper-five-points.toml
 
 test:
 	$(CARGO) test --locked

@@ -1,16 +1,61 @@
 //! Fabrication CAM for fabric-based star soft grippers.
+//!
+//! Two sheets of heat-sealable fabric, sealed along a star-shaped path into one closed tube, contract in
+//! their plane when inflated, and grip (Andrade-Silva and Marthelot, "Fabric-Based Star Soft Robotic
+//! Gripper"). This crate turns a specification of such a gripper into what a workshop needs, and proves it.
+//!
+//! Data flows one way: text is read into a [`spec::Spec`], which becomes an exact [`design::Design`] of lines
+//! and arcs, which becomes a machine-neutral plan ([`plan::Program`]); [`emit`] writes both as text, and
+//! [`verify`] reads the text back and compares it with the design. [`pipeline`] has every stage by name.
+//!
+//! ```
+//! use stargrip_cam::design::Design;
+//! use stargrip_cam::spec::{self, Source};
+//!
+//! let source = Source::new("star.toml", r#"
+//!     schema = 1
+//!     name = "the paper's star"
+//!     [star]
+//!     points = 5
+//!     inner_radius = "50 mm"
+//!     tube_width = "30 mm"
+//!     tip_angle = "30 deg"
+//! "#);
+//! let spec = spec::read(&source)?.spec;
+//! let profile = Source::new("generic", spec::builtin_machine("generic").unwrap_or_default());
+//! let machine = spec::read_machine(&profile)?;
+//! let design = Design::new(&spec, &machine).map_err(|refusals| refusals[0].to_string())?;
+//! let star = &design.distinct[0].star;
+//! assert!((star.l - 69.72).abs() < 0.005); // mm, as in the paper
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+// In the order in which data flows; imports go up this list only.
+
+pub mod units;
+
+pub mod geom;
+
+pub mod numerics;
+
+pub mod spec;
+
+pub mod design;
+
+pub mod mechanics;
+
+pub mod plan;
 
 pub mod artifact;
-pub mod cli;
-pub mod design;
-pub mod emit;
-pub mod geom;
+
 pub mod manifest;
-pub mod mechanics;
-pub mod numerics;
-pub mod pipeline;
-pub mod plan;
-pub mod resume;
-pub mod spec;
-pub mod units;
+
+pub mod emit;
+
 pub mod verify;
+
+pub mod resume;
+
+pub mod pipeline;
+
+pub mod cli;

@@ -43,6 +43,10 @@ pub struct Star {
     pub d_p: f64,
 }
 
+/// Largest distance of a tip from the axis, mm: 100 m, as for every length of a spec. A tip angle near 0 makes arms of
+/// any length, and programs that fill any memory.
+const LARGEST: f64 = 1e5;
+
 /// Arm length l of the star that `spec` describes with `n` points, mm; it may come out negative.
 ///
 /// `(rho_0 + W + R_e) sin(pi/n) = l sin(phi_i0/2) + (W + R_i + R_e) cos(phi_i0/2)`: Andrade-Silva and
@@ -57,7 +61,7 @@ impl Star {
     /// The star of `spec`.
     ///
     /// # Errors
-    /// If the reentrant corners would be straight or the arms would have no length.
+    /// If the reentrant corners would be straight, the arms would have no length, or the star would be larger than 200 m.
     pub fn new(spec: &StarSpec) -> Result<Self, Refusal> {
         let n = spec.points;
         let phi_i = spec.tip_angle.rad();
@@ -86,7 +90,11 @@ impl Star {
         let (w, r_i, r_e) = (spec.tube_width.0, spec.tip_radius.0, spec.corner_radius.0);
         let d_p = spec.inner_radius.0 + w + r_e;
         let d_t = d_p * (PI / f64::from(n)).cos() - (w + r_i + r_e) * sin + l * cos;
-        Ok(Self { n, rho_0: spec.inner_radius.0, w, phi_i, phi_e, r_i, r_e, l, d_t, d_p })
+        let star = Self { n, rho_0: spec.inner_radius.0, w, phi_i, phi_e, r_i, r_e, l, d_t, d_p };
+        if star.tip_reach() > LARGEST {
+            return Err(too_large(spec, &star));
+        }
+        Ok(star)
     }
 
     /// Half the angle of a sector, pi / n.
@@ -118,6 +126,19 @@ impl Star {
     pub fn tip_reach(&self) -> f64 {
         self.d_t + self.r_i + self.w
     }
+}
+
+fn too_large(spec: &StarSpec, star: &Star) -> Refusal {
+    Refusal::new(
+        "star.tip_angle",
+        "too-large",
+        format!("the tips would lie {:.1} m from the axis", star.tip_reach() / 1000.0),
+        format!(
+            "at most {} m: make tip_angle wider than {}, or the star smaller",
+            Readable(LARGEST / 1000.0),
+            spec.tip_angle
+        ),
+    )
 }
 
 fn no_arm(spec: &StarSpec, l: f64) -> Refusal {

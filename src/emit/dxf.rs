@@ -70,11 +70,17 @@ struct Writer {
 
 impl Writer {
     fn tag(&mut self, code: u16, value: &str) {
-        let _ = write!(self.out, "{code:>3}\n{value}\n");
+        self.code(code);
+        self.out.push_str(value);
+        self.out.push('\n');
+    }
+
+    fn code(&mut self, code: u16) {
+        let _ = writeln!(self.out, "{code:>3}");
     }
 
     fn number(&mut self, code: u16, value: f64) {
-        let _ = writeln!(self.out, "{code:>3}");
+        self.code(code);
         self.decimals.write(&mut self.out, value);
         self.out.push('\n');
     }
@@ -116,10 +122,11 @@ impl Writer {
 
     fn polyline(&mut self, layer: Layer, path: &Path) {
         self.entity("LWPOLYLINE", layer, "AcDbPolyline");
+        let segments: Vec<Segment> = path.segments.iter().flat_map(halved).collect();
         let open_end = path.end().filter(|_| !path.closed);
-        self.tag(90, &(path.segments.len() + usize::from(open_end.is_some())).to_string());
+        self.tag(90, &(segments.len() + usize::from(open_end.is_some())).to_string());
         self.tag(70, if path.closed { "1" } else { "0" });
-        for segment in &path.segments {
+        for segment in &segments {
             self.vertex(segment.start());
             if let Segment::Arc(arc) = segment {
                 self.tag(42, &Decimals::exactly(BULGE).text(arc.bulge()));
@@ -133,6 +140,17 @@ impl Writer {
     fn vertex(&mut self, p: Point) {
         self.number(10, p.x);
         self.number(20, p.y);
+    }
+}
+
+/// The segment, in halves if it turns by more than 180 degrees: a large arc over a short chord magnifies the
+/// rounding of the chord's ends.
+fn halved(segment: &Segment) -> Vec<Segment> {
+    match segment {
+        Segment::Arc(arc) if arc.sweep.abs() > std::f64::consts::PI => {
+            vec![segment.part(0.0, 0.5), segment.part(0.5, 1.0)]
+        }
+        _ => vec![*segment],
     }
 }
 

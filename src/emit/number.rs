@@ -1,7 +1,5 @@
 //! The only place where a coordinate becomes text.
 
-use std::fmt::Write;
-
 use crate::geom::Point;
 use crate::units::Length;
 
@@ -10,10 +8,13 @@ use crate::units::Length;
 pub struct Decimals(u32);
 
 impl Decimals {
-    /// As many decimals as keep rounding below a tenth of the tolerance `path`, so that the shape gets the rest: 2 to 6.
+    /// As many decimals as keep rounding below a tenth of the tolerance `path`, so that the shape gets the rest: 3 to 6.
+    ///
+    /// Never fewer than 3: GRBL refuses an arc whose radii at its ends differ by more than 0.005 mm, which is
+    /// what hundredths would make of a small one.
     pub fn for_tolerance(path: Length) -> Self {
         let quantum = path.0 / 10.0;
-        Self((2..6).find(|d| 10_f64.powi(-d) <= quantum * (1.0 + 1e-9)).map_or(6, i32::unsigned_abs))
+        Self((3..6).find(|d| 10_f64.powi(-d) <= quantum * (1.0 + 1e-9)).map_or(6, i32::unsigned_abs))
     }
 
     /// Exactly `n` decimals, at most 9.
@@ -27,9 +28,10 @@ impl Decimals {
 
     /// `x` in quanta, halves away from zero.
     fn quanta(self, x: f64) -> i64 {
+        let scaled = x * self.scale();
         // Coordinates are below 1e6 mm and quanta at least 1e-9 mm, so this is far inside the range of i64.
         #[expect(clippy::cast_possible_truncation, reason = "a saturating cast; see above")]
-        let quanta = (x * self.scale()).round() as i64;
+        let quanta = (scaled + 0.5_f64.copysign(scaled)) as i64;
         quanta
     }
 
@@ -51,19 +53,31 @@ impl Decimals {
         if quanta < 0 {
             out.push('-');
         }
-        let unit = 10_u64.pow(self.0);
-        let (whole, mut rest) = (quanta.unsigned_abs() / unit, quanta.unsigned_abs() % unit);
-        let _ = write!(out, "{whole}");
-        if rest > 0 {
-            out.push('.');
-            let mut place = unit / 10;
-            while rest > 0 {
-                #[expect(clippy::cast_possible_truncation, reason = "one decimal digit")]
-                out.push(char::from(b'0' + (rest / place) as u8));
-                rest %= place;
-                place /= 10;
-            }
+        let (mut rest, mut decimals) = (quanta.unsigned_abs(), self.0);
+        while decimals > 0 && rest.is_multiple_of(10) {
+            rest /= 10;
+            decimals -= 1;
         }
+        // Filled from the right, as the digits come out; 20 digits and a point are the most there can be.
+        let mut text = [0_u8; 24];
+        let mut at = text.len();
+        let mut push = |byte: u8| {
+            at -= 1;
+            text[at] = byte;
+        };
+        for _ in 0..decimals {
+            push(b'0' + (rest % 10) as u8);
+            rest /= 10;
+        }
+        if decimals > 0 {
+            push(b'.');
+        }
+        push(b'0' + (rest % 10) as u8);
+        while rest >= 10 {
+            rest /= 10;
+            push(b'0' + (rest % 10) as u8);
+        }
+        out.push_str(std::str::from_utf8(&text[at..]).unwrap_or_default());
     }
 
     /// `x` as text, see [`Decimals::write`].
@@ -71,5 +85,55 @@ impl Decimals {
         let mut out = String::new();
         self.write(&mut out, x);
         out
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn numbers_are_short_and_never_minus_zero() {
+        let four = Decimals::for_tolerance(Length(0.001));
+        assert_eq!(four, Decimals::exactly(4));
+        for (x, text) in [
+            (0.0, "0"),
+            (-0.0, "0"),
+            (-0.000_04, "0"),
+            (0.000_05, "0.0001"),
+            (-0.000_05, "-0.0001"),
+            (1.0, "1"),
+            (-10.0, "-10"),
+            (0.1, "0.1"),
+            (12.34, "12.34"),
+            (100.050_01, "100.05"),
+            (99_999.999_96, "100000"),
+            (1.000_1, "1.0001"),
+        ] {
+            assert_eq!(four.text(x), text, "{x}");
+        }
+        assert_eq!(Decimals::exactly(0).text(-1234.5), "-1235");
+        assert_eq!(Decimals::exactly(9).text(0.000_000_001), "0.000000001");
+    }
+
+    #[test]
+    fn rounding_takes_at_most_a_tenth_of_the_tolerance() {
+        for tolerance in [0.0001, 0.001, 0.01, 0.1, 1.0] {
+            let decimals = Decimals::for_tolerance(Length(tolerance));
+            assert!((decimals.round(0.123_456_789) - 0.123_456_789).abs() <= tolerance / 10.0);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_written_is_what_was_rounded(x in -1e6..1e6_f64, decimals in 0_u32..=9) {
+            let decimals = Decimals::exactly(decimals);
+            let text = decimals.text(x);
+            prop_assert_eq!(text.parse::<f64>().expect("a number"), decimals.round(x), "{}", text);
+            prop_assert!(!text.contains('.') || !text.ends_with(['0', '.']), "{}", text);
+            prop_assert!(text != "-0" && !text.starts_with("-0 "));
+        }
     }
 }

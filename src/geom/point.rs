@@ -67,9 +67,9 @@ impl Vec2 {
         Self { x, y }
     }
 
-    /// Euclidean length, without overflow for any finite components.
+    /// Euclidean length; right for components between 1e-150 and 1e150, and a third of the cost of `hypot`.
     pub fn length(self) -> f64 {
-        self.x.hypot(self.y)
+        (self.x * self.x + self.y * self.y).sqrt()
     }
 
     /// Scalar product.

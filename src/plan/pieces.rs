@@ -10,9 +10,13 @@ use crate::spec::Spec;
 /// Longest single move in contact, mm. At 0.1 mm/s it takes 50 s: the most that a pause has to wait for.
 pub const LONGEST_MOVE: f64 = 5.0;
 
-/// Cuts every segment of `path` into equal pieces of at most `longest` mm; arcs also at 90 degrees, and, with a
-/// `sagitta`, so often that each piece is no farther than that from its chord.
-pub(super) fn pieces(path: &Path, longest: f64, sagitta: Option<f64>) -> Vec<Segment> {
+/// Cuts every segment of `path` into equal pieces of at most `longest` mm; arcs also at 90 degrees.
+pub fn pieces(path: &Path, longest: f64) -> Vec<Segment> {
+    flat_pieces(path, longest, None)
+}
+
+/// The same; with a `sagitta`, arcs are cut so often that each piece is no farther than that from its chord.
+pub(super) fn flat_pieces(path: &Path, longest: f64, sagitta: Option<f64>) -> Vec<Segment> {
     let mut out = Vec::with_capacity(path.segments.len());
     for segment in &path.segments {
         let mut count = whole(segment.length() / longest);

@@ -12,7 +12,7 @@ use crate::plan::Purpose;
 use crate::plan::Ramp;
 use crate::plan::SeamReport;
 use crate::plan::Step;
-use crate::plan::pieces::pieces;
+use crate::plan::pieces::flat_pieces;
 use crate::plan::pieces::sagitta;
 use crate::plan::program_time;
 use crate::spec::Machine;
@@ -92,7 +92,7 @@ impl Planner<'_> {
                 Step::Height(Level::Travel),
                 Step::Seam(self.seams.len()),
                 Step::TouchDown(down),
-                Step::Seal(pieces(&run, LONGEST_MOVE, self.sagitta)),
+                Step::Seal(flat_pieces(&run, LONGEST_MOVE, self.sagitta)),
                 Step::Lift(up),
             ]);
             let (star, side, overlap) = (placed.index, seam.side, seam.overlap);
@@ -102,6 +102,6 @@ impl Planner<'_> {
 
     /// A ramp along `path`. It is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
     fn ramp(&self, path: &Path, from: f64, to: f64) -> Ramp {
-        Ramp { pieces: pieces(path, LONGEST_MOVE, self.sagitta), from, to }
+        Ramp { pieces: flat_pieces(path, LONGEST_MOVE, self.sagitta), from, to }
     }
 }

@@ -12,7 +12,7 @@ use crate::plan::Pace;
 use crate::plan::Program;
 use crate::plan::Purpose;
 use crate::plan::Step;
-use crate::plan::pieces::pieces;
+use crate::plan::pieces::flat_pieces;
 use crate::plan::pieces::sagitta;
 use crate::plan::program_time;
 use crate::plan::seal::scopes;
@@ -39,7 +39,7 @@ fn trace_program(
     let mut follow = |path: &Path| {
         let Some(start) = path.start() else { return };
         // Nothing here waits, so moves are as long as the segments; arcs are cut at 90 degrees all the same.
-        let moves = pieces(path, f64::INFINITY, sagitta);
+        let moves = flat_pieces(path, f64::INFINITY, sagitta);
         steps.extend([Step::Travel(start), Step::Height(Level::Travel), Step::Trace(moves)]);
     };
     follow(&frame(design, stars, machine.ramp.0));

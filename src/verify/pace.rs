@@ -3,9 +3,9 @@
 //! A **stroke** is a move that a dwell follows. Its schedule is the seal's speed: however it is chopped, a contact must
 //! never be off its schedule by more than 0.2 % and a dwell's step, nor a stroke on its own.
 
-use crate::plan::lowest_speed;
-use crate::plan::move_time;
+use crate::geom::Segment;
 use crate::spec::FeedFloor;
+use crate::spec::Motion;
 use crate::verify::Findings;
 use crate::verify::gcode::Move;
 use crate::verify::gcode::MoveKind;
@@ -62,17 +62,18 @@ pub(super) fn check(
         let length = step.length();
         let before = schedule.spent - schedule.due;
         schedule.due += length / speed;
-        if as_told && !waits {
+        if as_told {
+            // A short wait is no fault of speed; how long it may be, the rest is judged by.
             schedule.spent += length / feed;
-        } else if may_chop && !as_told {
+        } else if may_chop && waits {
             schedule.spent += move_time(length, feed, motion.acceleration.map(|a| a.0)) + rest;
             if length > longest + 0.01 {
                 let found = format!("a stroke of {length:.3} mm");
                 findings.add("long-stroke", step.line, found, format!("at most {longest:.3} mm"));
             }
         } else {
-            let found = if as_told { "a dwell in contact".to_owned() } else { format!("F{}", feed * 60.0) };
-            findings.add("wrong-feed", step.line, found, format!("F{}", speed * 60.0));
+            let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", speed * 60.0));
+            findings.add("wrong-feed", step.line, found, allowed);
             continue;
         }
         let off = schedule.spent - schedule.due;
@@ -91,4 +92,23 @@ pub(super) fn check(
             findings.add("below-floor", step.line, found, format!("at least F{:.3}", lowest * 60.0));
         }
     }
+}
+
+/// Time from rest to rest, s: the controller speeds up, and slows down, as fast as it may.
+fn move_time(length: f64, speed: f64, acceleration: Option<f64>) -> f64 {
+    let Some(a) = acceleration else { return length / speed };
+    // Half the way is for speeding up, if the speed is not reached before.
+    let reached = speed.min((a * length).sqrt());
+    let flat = length - reached * reached / a;
+    2.0 * reached / a + flat / reached
+}
+
+/// The lowest speed that the controller holds all along `path`, looked at in seventeen places of it.
+fn lowest_speed(motion: &Motion, path: &Segment, rise: f64) -> Option<f64> {
+    let length = path.length();
+    let at = |t: f64| {
+        let u = path.tangent(t);
+        motion.lowest_speed([u.x * length, u.y * length, rise])
+    };
+    (0..=16).map(|i| at(f64::from(i) / 16.0)).try_fold(0.0, |worst: f64, lowest| Some(worst.max(lowest?)))
 }

@@ -270,6 +270,17 @@ mod tests {
     }
 
     #[test]
+    fn depth_and_entities_are_no_bombs() {
+        let deep = svg(&"<g>".repeat(300_000));
+        assert_eq!(codes(&deep), ["bad-xml"]);
+        let closed = svg(&format!("{}{}", "<g>".repeat(300_000), "</g>".repeat(300_000)));
+        assert_eq!(codes(&closed).len(), 1);
+        let bomb =
+            format!("<!DOCTYPE svg [<!ENTITY a \"&b;&b;\"><!ENTITY b \"x\">]>{}", svg("<text>&a;</text>"));
+        assert_eq!(codes(&bomb), ["bad-xml"]);
+    }
+
+    #[test]
     fn finding_has_its_line() {
         let drawing = read_svg(&svg("\n\n<ellipse/>"), SvgOrigin::Axis);
         assert_eq!(drawing.findings[0].line, Some(4));

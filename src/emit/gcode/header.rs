@@ -26,7 +26,7 @@ pub(super) fn header(
     writer.comment(&format!("name: {}", facts.name))?;
     let stars = stars(program);
     writer.comment(&format!("program: purpose={purpose} sheet={} stars={stars}", program.sheet))?;
-    writer.comment("frame: origin at the lower left of the sheet, Z 0 on the release layer")?;
+    writer.comment("frame: origin at lower left of the sheet, Z0 on the release layer")?;
     if program.purpose == Purpose::Seal {
         machine_facts(writer, facts, program)?;
     }

@@ -243,7 +243,7 @@ impl<W: fmt::Write> Job<'_, W> {
     fn progress(&mut self) -> fmt::Result {
         let total = self.program.time;
         let (mut percent, done) = (self.percent, 100.0 * self.clock.elapsed / total);
-        while f64::from(percent) + 1.0 <= done {
+        while percent < 100 && f64::from(percent) + 1.0 <= done {
             percent += 1;
         }
         if percent == self.percent {

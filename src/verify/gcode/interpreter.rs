@@ -13,6 +13,9 @@ use crate::verify::gcode::lexer::Word;
 use crate::verify::gcode::machine::Machine;
 use crate::verify::gcode::machine::report;
 
+/// How the last line of every program begins; the number of lines follows.
+const SENTINEL: &str = "end of program, ";
+
 /// A simulated controller that is fed one line at a time.
 ///
 /// A line with a fault is reported and not executed, as on the real one. Until the first rapids have told all
@@ -79,11 +82,13 @@ impl Interpreter {
                 self.execute(events);
             }
         }
-        let (before, after) = match self.dialect.comments {
-            CommentMark::Semicolon => ("; ", ""),
-            CommentMark::Parentheses => ("(", ")"),
+        let counted = match self.dialect.comments {
+            CommentMark::Semicolon => line.strip_prefix("; "),
+            CommentMark::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
         };
-        self.sentinel = line == format!("{before}end of program, {} lines{after}", self.line);
+        self.sentinel = counted
+            .and_then(|text| text.strip_prefix(SENTINEL))
+            .is_some_and(|rest| rest == format!("{} lines", self.line));
         if let Some(comment) = comment {
             self.remark(comment.trim(), events);
         }
@@ -95,7 +100,7 @@ impl Interpreter {
             report(events, "truncated", self.line, "no end of the program", "M2 or M30");
         }
         if !self.sentinel || !self.complete {
-            let allowed = format!("last line \"; end of program, {} lines\" and a line end", self.line);
+            let allowed = format!("last line \"; {SENTINEL}{} lines\" and a line end", self.line);
             report(events, "truncated", self.line, "another last line", &allowed);
         }
         if self.announced.take().is_some() {

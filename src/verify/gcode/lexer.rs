@@ -28,9 +28,9 @@ pub(super) fn cut<'a>(
         let fault = ("bad-character", format!("{bad:?}"), "printable ASCII".to_owned());
         return (None, Some(fault));
     }
-    if let Some(bad) = line.chars().find(|c| dialect.forbidden.contains(*c)) {
+    if let Some(bad) = line.bytes().find(|c| dialect.forbidden.as_bytes().contains(c)) {
         let allowed = format!("no character of {} in {}", dialect.forbidden, dialect.name);
-        return (None, Some(("bad-character", format!("{bad:?}"), allowed)));
+        return (None, Some(("bad-character", format!("{:?}", char::from(bad)), allowed)));
     }
     let (code, comment) = match split_comment(line, dialect) {
         Ok(parts) => parts,

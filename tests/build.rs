@@ -1,0 +1,150 @@
+//! Whole builds of random specs: refused with a reason, or proven; and files that keep arcs of any size exact.
+
+mod support;
+
+use std::f64::consts::PI;
+
+use proptest::prelude::*;
+
+use stargrip_cam::design::Drawing;
+use stargrip_cam::design::Layer;
+use stargrip_cam::design::Shape;
+use stargrip_cam::design::Side;
+use stargrip_cam::emit;
+use stargrip_cam::geom::Arc;
+use stargrip_cam::geom::Isometry;
+use stargrip_cam::geom::Line;
+use stargrip_cam::geom::Path;
+use stargrip_cam::geom::Point;
+use stargrip_cam::geom::Segment;
+use stargrip_cam::plan::LONGEST_MOVE;
+use stargrip_cam::plan::Level;
+use stargrip_cam::plan::Program;
+use stargrip_cam::plan::Purpose;
+use stargrip_cam::plan::SeamReport;
+use stargrip_cam::plan::Step;
+use stargrip_cam::plan::pieces;
+use stargrip_cam::units::Length;
+use stargrip_cam::verify;
+use stargrip_cam::verify::SvgOrigin;
+use stargrip_cam::verify::deviation;
+use stargrip_cam::verify::gcode::Dialect;
+use stargrip_cam::verify::gcode::read_program;
+
+/// What a random spec says beside its star.
+fn details() -> impl Strategy<Value = String> {
+    (0.2..8.0_f64, 0.0..30.0_f64, 0.0..20.0_f64, 0.0..5.0_f64, any::<bool>(), 0.0..6.0_f64, 1_u32..=3).prop_map(
+        |(band, overlap, allowance, hole_allowance, inlet, hole, tip)| {
+            let inlet = if inlet { format!("tip = {tip}") } else { "none = true".to_owned() };
+            format!(
+                "[seal]\nband = \"{band} mm\"\noverlap = \"{overlap} mm\"\nallowance = \"{allowance} mm\"\n\
+                 hole_allowance = \"{hole_allowance} mm\"\n[inlet]\n{inlet}\n[sheet]\nhole_diameter = \"{hole} mm\"\n"
+            )
+        },
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Every build is refused with numbers, or proven within its tolerance. 20 mm to 2 m, 3 to 64 points.
+    #[test]
+    fn a_build_is_refused_or_proven(shape in support::shapes(), details in details(), digits in 0..3_i32) {
+        let path = 0.1 * 10.0_f64.powi(-digits);
+        let text = format!("{}{details}[accuracy]\npath = \"{path} mm\"\n", shape.toml());
+        match support::build(&text) {
+            Err(refusals) => {
+                prop_assert!(!refusals.is_empty());
+                for refusal in refusals {
+                    prop_assert!(!refusal.found.contains("NaN") && !refusal.found.contains("inf"), "{refusal}");
+                    prop_assert!(refusal.found.chars().any(|c| c.is_ascii_digit()), "no numbers: {refusal}");
+                }
+            }
+            Ok(build) => {
+                let proof = verify::prove(&build.design, &support::read(&text), &support::machine(), &build.archive());
+                prop_assert_eq!(&proof.findings, &[]);
+                prop_assert!(proof.deviations.len() >= 6);
+                for (file, mm) in proof.deviations {
+                    prop_assert!(mm <= path, "{file}: {mm}");
+                }
+            }
+        }
+    }
+
+    /// A rounded rectangle with arcs of any angle around the half turn, anywhere, in every format.
+    #[test]
+    fn arcs_around_a_half_turn_stay_exact(
+        sweep in 170.0..190.0_f64, radius in 0.05..1000.0_f64, turn in 0.0..360.0_f64, clockwise in any::<bool>(),
+    ) {
+        let path = placed(&arched(radius, sweep.to_radians(), clockwise), turn.to_radians());
+        let bounds = path.bounds();
+        let drawing = Drawing {
+            width: bounds.max.x + 10.0,
+            height: bounds.max.y + 10.0,
+            layers: vec![(Layer::SealOuter, vec![Shape::Path(path.clone())])],
+        };
+        let tolerance = Length(0.001);
+        let exact = [path.clone()];
+        let svg = verify::read_svg(&emit::svg("arcs", &drawing, tolerance), SvgOrigin::LowerLeft);
+        let dxf = verify::read_dxf(&emit::dxf(&drawing, tolerance));
+        for found in [&svg, &dxf] {
+            prop_assert_eq!(&found.findings, &[]);
+            let off = deviation(found.layer("seal-outer"), &exact).largest();
+            prop_assert!(off <= 0.001, "{off} mm");
+        }
+        let run = read_back(&path);
+        let off = deviation(&[Path::open(run)], &exact).largest();
+        prop_assert!(off <= 0.001, "G-code is {off} mm off");
+    }
+}
+
+/// Two arcs of angle `sweep` whose ends two lines join; closed.
+fn arched(radius: f64, sweep: f64, clockwise: bool) -> Path {
+    let far = Point::new(4.0 * radius, 0.0);
+    let right = Arc::new(far, radius, -sweep / 2.0, sweep);
+    let left = Arc::new(Point::ORIGIN, radius, PI - sweep / 2.0, sweep);
+    let path = Path::closed(vec![
+        right.into(),
+        Line::new(right.end(), left.start()).into(),
+        left.into(),
+        Line::new(left.end(), right.start()).into(),
+    ]);
+    if clockwise { path.reversed() } else { path }
+}
+
+/// Turned, and moved into the first quadrant.
+fn placed(path: &Path, turn: f64) -> Path {
+    let turned = Isometry::rotation(turn).path(path);
+    let corner = turned.bounds().min;
+    Isometry::translation(Point::new(10.0, 10.0) - corner).path(&turned)
+}
+
+/// The moves in contact that the generic G-code of one seam along `path` has.
+fn read_back(path: &Path) -> Vec<Segment> {
+    let (spec, machine) = (support::read(support::PAPER), support::machine());
+    let seam = SeamReport { star: 1, side: Side::Outside, length: path.length(), overlap: 0.0, time: 0.0 };
+    let program = Program {
+        purpose: Purpose::Seal,
+        sheet: 1,
+        stars: vec![1],
+        steps: vec![
+            Step::Height(Level::Park),
+            Step::Travel(path.start().expect("a path")),
+            Step::Height(Level::Travel),
+            Step::Seal(pieces(path, LONGEST_MOVE)),
+        ],
+        seams: vec![seam],
+        pace: stargrip_cam::plan::Pace::Steady,
+        time: 0.0,
+    };
+    let text = emit::gcode(&spec, &machine, &program);
+    let program = read_program(&text, Dialect::GENERIC);
+    assert_eq!(program.findings, []);
+    for (step, next) in program.moves.iter().zip(program.moves.iter().skip(1)) {
+        assert_eq!(step.to, next.from);
+    }
+    let feeds = program.moves.iter().filter(|step| step.feed.is_some());
+    let segments: Vec<Segment> = feeds.filter_map(|step| step.path).collect();
+    assert!(segments.iter().all(|segment| segment.length() <= LONGEST_MOVE + 0.001));
+    segments
+}

@@ -1,0 +1,427 @@
+//! The verifier can fail: for each of its findings a file that is wrong in just that way.
+//!
+//! Every corruption is a build of the paper's star with one file changed; unless the test is about the
+//! hash, the manifest is changed too, as a careful forger would, so that only reading the file can tell.
+
+mod support;
+
+use std::borrow::Cow;
+
+use stargrip_cam::manifest::MANIFEST;
+use stargrip_cam::manifest::Manifest;
+use stargrip_cam::manifest::sha256;
+use stargrip_cam::verify::Archive;
+use stargrip_cam::verify::Finding;
+use stargrip_cam::verify::prove_archive;
+
+const SEAL: &str = "star-1-seal.gcode";
+const TRACE: &str = "star-1-trace.gcode";
+
+fn archive() -> Archive<'static> {
+    archive_of(support::PAPER)
+}
+
+fn archive_of(text: &str) -> Archive<'static> {
+    let build = support::build(text).expect("a gripper");
+    let own = |(name, bytes): (&str, Cow<'_, [u8]>)| (name.to_owned().into(), bytes.into_owned().into());
+    Archive { files: build.files().map(own).collect() }
+}
+
+fn text(archive: &Archive<'_>, file: &str) -> String {
+    String::from_utf8(archive.get(file).expect("a file").to_vec()).expect("text")
+}
+
+fn replace(archive: &mut Archive<'static>, file: &str, bytes: Vec<u8>) {
+    let entry = archive.files.iter_mut().find(|(name, _)| name == file).expect("a file");
+    entry.1 = bytes.into();
+}
+
+/// Makes the manifest agree with the files.
+fn reseal(archive: &mut Archive<'static>) {
+    let mut manifest: Manifest = serde_json::from_slice(archive.get(MANIFEST).expect("one")).expect("JSON");
+    for entry in &mut manifest.files {
+        let bytes = archive.get(&entry.path).expect("a file");
+        (entry.bytes, entry.sha256) = (bytes.len(), sha256(bytes));
+    }
+    replace(archive, MANIFEST, manifest.to_json());
+}
+
+/// The findings after `change` of `file`, with a manifest that agrees.
+fn forged(file: &str, change: impl Fn(&str) -> String) -> Vec<Finding> {
+    forged_in(support::PAPER, file, change)
+}
+
+fn forged_in(spec: &str, file: &str, change: impl Fn(&str) -> String) -> Vec<Finding> {
+    let mut archive = archive_of(spec);
+    let before = text(&archive, file);
+    let after = change(&before);
+    assert!(before != after, "the corruption changes nothing");
+    replace(&mut archive, file, after.into_bytes());
+    reseal(&mut archive);
+    prove_archive(&archive).findings
+}
+
+#[track_caller]
+fn assert_found(findings: &[Finding], code: &str, file: &str) {
+    let found = findings.iter().any(|finding| finding.code == code && finding.file == file);
+    assert!(found, "no {code} for {file} in {findings:#?}");
+}
+
+/// Changes the lines of a program, and makes its last line count them.
+fn with_lines(program: &str, change: impl Fn(&mut Vec<String>)) -> String {
+    let mut lines: Vec<String> = program.lines().map(str::to_owned).collect();
+    change(&mut lines);
+    let count = lines.len();
+    let last = lines.last_mut().expect("lines");
+    if last.starts_with("; end of program") {
+        *last = format!("; end of program, {count} lines");
+    }
+    lines.join("\n") + "\n"
+}
+
+/// Index of the `n`-th line (from 0) that begins with `start`.
+fn nth(lines: &[String], start: &str, n: usize) -> usize {
+    let mut found = lines.iter().enumerate().filter(|(_, line)| line.starts_with(start));
+    found.nth(n).map(|(i, _)| i).expect("such a line")
+}
+
+/// Index of the first move of seam `n` (from 0) at contact height.
+fn contact(lines: &[String], n: usize) -> usize {
+    nth(lines, "; seam:", n) + 2
+}
+
+#[track_caller]
+fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
+    assert_found(&forged(SEAL, |program| with_lines(program, &change)), code, SEAL);
+}
+
+#[test]
+fn an_untouched_build_has_no_findings() {
+    let proof = prove_archive(&archive());
+    assert_eq!(proof.findings, []);
+    assert_eq!(proof.deviations.len(), 6);
+}
+
+#[test]
+fn a_changed_byte_is_found_by_its_hash_in_every_file() {
+    let whole = archive();
+    for (file, _) in &whole.files {
+        let mut archive = archive();
+        let mut bytes = archive.get(file).expect("a file").to_vec();
+        let middle = bytes.len() / 2;
+        bytes[middle] ^= 1;
+        replace(&mut archive, file, bytes);
+        let findings = prove_archive(&archive).findings;
+        assert!(!findings.is_empty(), "{file}");
+        if file != MANIFEST {
+            assert_found(&findings, "hash", file);
+        }
+    }
+}
+
+#[test]
+fn a_file_cut_short_anywhere_is_found() {
+    let whole = archive();
+    for (file, bytes) in whole.files.iter().filter(|(file, _)| file != MANIFEST) {
+        let mut short = archive();
+        replace(&mut short, file, bytes[..bytes.len() - 1].to_vec());
+        assert_found(&prove_archive(&short).findings, "size", file);
+    }
+    // A forger who fixes the manifest is told by the sentinel.
+    for keep in [0, 1, 500, 5_000, 12_000] {
+        let findings = forged(SEAL, |program| program[..keep].to_owned());
+        assert_found(&findings, "truncated", SEAL);
+    }
+    let findings = forged(TRACE, |program| program[..program.len() - 1].to_owned());
+    assert_found(&findings, "truncated", TRACE);
+}
+
+#[test]
+fn missing_and_unnamed_files_are_found() {
+    let mut archive = archive();
+    archive.files.retain(|(name, _)| name != TRACE);
+    archive.files.push(("notes.txt".into(), b"mine".as_slice().into()));
+    let findings = prove_archive(&archive).findings;
+    assert_found(&findings, "missing-file", TRACE);
+    assert_found(&findings, "unnamed-file", "notes.txt");
+}
+
+#[test]
+fn a_directory_without_its_spec_profile_or_manifest_is_refused() {
+    for file in ["spec.toml", "machine.toml"] {
+        let mut archive = archive();
+        archive.files.retain(|(name, _)| name != file);
+        assert_found(&prove_archive(&archive).findings, "missing-file", file);
+    }
+    let mut archive = archive();
+    replace(&mut archive, MANIFEST, b"{}".to_vec());
+    assert_found(&prove_archive(&archive).findings, "manifest", MANIFEST);
+    assert!(!prove_archive(&Archive::default()).findings.is_empty());
+}
+
+#[test]
+fn a_spec_that_cannot_be_read_or_made_is_found() {
+    let findings = forged("spec.toml", |spec| spec.replace("points", "pionts"));
+    assert_found(&findings, "unreadable", "spec.toml");
+    let findings = forged("spec.toml", |spec| spec.replace("points = 5", "points = 9"));
+    assert_found(&findings, "no-arm", "spec.toml");
+}
+
+/// Another star than the one the files were made for.
+#[test]
+fn every_file_of_another_star_is_found() {
+    let findings = forged("spec.toml", |spec| spec.replace("\"30 mm\"", "\"30.01 mm\""));
+    for file in
+        [SEAL, TRACE, "sheet-1-seal.svg", "sheet-1-seal.dxf", "sheet-1-outline.svg", "sheet-1-outline.dxf"]
+    {
+        assert_found(&findings, "deviation", file);
+    }
+    assert_found(&findings, "manifest", MANIFEST);
+}
+
+#[test]
+fn a_manifest_with_other_figures_is_found() {
+    let mut archive = archive();
+    let mut manifest: Manifest = serde_json::from_slice(archive.get(MANIFEST).expect("one")).expect("JSON");
+    manifest.stars[0].seam_mm += 1.0;
+    manifest.files[3].kind = "poem".to_owned();
+    let file = manifest.files[3].path.clone();
+    replace(&mut archive, MANIFEST, manifest.to_json());
+    let findings = prove_archive(&archive).findings;
+    assert_found(&findings, "manifest", MANIFEST);
+    assert_found(&findings, "unknown-kind", &file);
+}
+
+#[test]
+fn bytes_that_are_not_text_are_found() {
+    let mut archive = archive();
+    replace(&mut archive, SEAL, vec![0xff; 100]);
+    reseal(&mut archive);
+    assert_found(&prove_archive(&archive).findings, "not-text", SEAL);
+}
+
+#[test]
+fn a_moved_point_is_found() {
+    assert_program_fault("deviation", |lines| {
+        let i = contact(lines, 0) + 4;
+        let x = lines[i].split_whitespace().nth(1).expect("a word")[1..].parse::<f64>().expect("a number");
+        lines[i] = lines[i].replacen(&format!("X{x}"), &format!("X{}", x + 0.002), 1);
+    });
+}
+
+#[test]
+fn a_reversed_arc_is_found() {
+    assert_program_fault("deviation", |lines| {
+        let i = nth(lines, "G3", 0);
+        lines[i] = lines[i].replacen("G3", "G2", 1);
+    });
+}
+
+#[test]
+fn a_loop_left_open_is_found() {
+    assert_program_fault("open-loop", |lines| {
+        let end = nth(lines, "; seam:", 1);
+        // Without the last moves of the run; the way up begins where the run now ends.
+        let _ = lines.drain(end - 12..end - 3);
+    });
+}
+
+#[test]
+fn a_cut_overlap_is_found() {
+    assert_program_fault("missing-overlap", |lines| {
+        // The way up, then the lift to travel height, then the travel stand before the next seam.
+        let lift = nth(lines, "; seam:", 1) - 3;
+        let _ = lines.remove(lift - 1);
+    });
+}
+
+#[test]
+fn a_late_start_and_a_cut_corner_are_found() {
+    assert_program_fault("late-start", |lines| {
+        // The way down ends where the first move in contact should.
+        let i = contact(lines, 0);
+        let first = lines.remove(i);
+        lines[i - 1] = format!("{first} Z-0.3 F6");
+    });
+    assert_program_fault("deviation", |lines| {
+        // The move that ends at a vertex of the path.
+        let i = nth(lines, "G1 X271.7383 Y239.0098", 0);
+        let _ = lines.remove(i);
+    });
+}
+
+#[test]
+fn going_back_is_found() {
+    assert_program_fault("backwards", |lines| {
+        let i = contact(lines, 0) + 2;
+        let (there, back) = (lines[i].clone(), lines[i - 1].clone());
+        lines.insert(i + 1, back);
+        lines.insert(i + 2, there);
+    });
+}
+
+#[test]
+fn a_cold_or_wrongly_heated_iron_is_found() {
+    assert_program_fault("cold-seal", |lines| {
+        let pause = nth(lines, "M0", 0);
+        let _ = lines.remove(pause);
+    });
+    assert_program_fault("cold-seal", |lines| {
+        let heat = nth(lines, "; heat:", 0);
+        lines[heat] = "; heat: temperature_C=180".to_owned();
+    });
+}
+
+#[test]
+fn a_wrong_feed_is_found() {
+    assert_program_fault("wrong-feed", |lines| {
+        let i = nth(lines, "G1 ", 0);
+        lines[i] = lines[i].replace("F6", "F6.1");
+    });
+}
+
+#[test]
+fn fast_vertical_and_deep_moves_on_the_fabric_are_found() {
+    assert_program_fault("rapid-in-contact", |lines| {
+        let i = contact(lines, 0) + 1;
+        lines[i] = lines[i].replacen("G1", "G0", 1);
+    });
+    assert_program_fault("plunge", |lines| {
+        let i = contact(lines, 0);
+        lines.insert(i, "G1 Z5".to_owned());
+        lines.insert(i + 1, "G1 Z-0.3".to_owned());
+    });
+    assert_program_fault("too-deep", |lines| {
+        let i = contact(lines, 0) + 1;
+        lines[i] += " Z-0.4";
+    });
+}
+
+#[test]
+fn an_iron_at_rest_is_found() {
+    // A tenth of the 2 mm band at 0.1 mm/s takes 2 s.
+    assert_program_fault("iron-at-rest", |lines| lines.insert(contact(lines, 0) + 3, "G4 P2.1".to_owned()));
+    assert_program_fault("iron-at-rest", |lines| lines.insert(contact(lines, 0) + 3, "M0".to_owned()));
+    let short = forged(SEAL, |program| {
+        with_lines(program, |lines| lines.insert(contact(lines, 0) + 3, "G4 P1.9".to_owned()))
+    });
+    assert_eq!(short, []);
+}
+
+#[test]
+fn a_move_off_the_sheet_is_found() {
+    assert_program_fault("outside-work-area", |lines| {
+        let i = nth(lines, "G0 X", 0);
+        lines.insert(i, "G0 X-1 Y10".to_owned());
+        lines.insert(i + 1, "G0 X2 Y10".to_owned());
+    });
+}
+
+#[test]
+fn missing_and_extra_seams_are_found() {
+    assert_program_fault("missing-seam", |lines| {
+        let (from, to) = (nth(lines, "; seam:", 1), nth(lines, "M2", 0) - 2);
+        let _ = lines.drain(from..to);
+    });
+    assert_program_fault("extra-seam", |lines| {
+        let at = nth(lines, "M2", 0);
+        for (k, line) in
+            ["G1 X50 Y50 F6", "G0 X50 Y60", "G0 Z5", "G1 X53 Y60 Z-0.3", "G1 X60 Y60", "G1 X63 Y60 Z5"]
+                .into_iter()
+                .enumerate()
+        {
+            lines.insert(at + k, line.to_owned());
+        }
+    });
+}
+
+#[test]
+fn a_trace_that_touches_or_waits_or_lacks_a_path_is_found() {
+    let low = forged(TRACE, |program| program.replace("G0 Z5\n", "G0 Z-0.3\n"));
+    assert_found(&low, "low-trace", TRACE);
+    let hot = forged(TRACE, |program| {
+        with_lines(program, |lines| {
+            let i = nth(lines, "G0 Z30", 0);
+            lines.insert(i + 1, "M0".to_owned());
+        })
+    });
+    assert_found(&hot, "hot-trace", TRACE);
+    let short = forged(TRACE, |program| {
+        with_lines(program, |lines| {
+            let (from, to) = (nth(lines, "G0 X", 2), nth(lines, "G0 Z30", 1));
+            let _ = lines.drain(from..to);
+        })
+    });
+    assert_found(&short, "missing-seam", TRACE);
+}
+
+#[test]
+fn a_line_that_the_controller_would_not_read_is_found() {
+    let insert = |line: &'static str| {
+        move |lines: &mut Vec<String>| lines.insert(contact(lines, 0) + 3, line.to_owned())
+    };
+    assert_program_fault("unknown-word", insert("M104 S200"));
+    assert_program_fault("bad-character", insert("(a comment that closes early) G0 Z-5"));
+    assert_program_fault(
+        "line-too-long",
+        insert("; 345678901234567890123456789012345678901234567890123456789012345678901"),
+    );
+    assert_program_fault("mode-unset", |lines| {
+        let i = nth(lines, "G21", 0);
+        let _ = lines.remove(i);
+    });
+}
+
+#[test]
+fn drawings_with_lost_doubled_or_opened_paths_are_found() {
+    let svg = "sheet-1-outline.svg";
+    let lines_without = |text: &str, part: &str| -> String {
+        let kept: Vec<&str> = text.lines().filter(|line| !line.contains(part)).collect();
+        kept.join("\n") + "\n"
+    };
+    assert_found(&forged(svg, |text| lines_without(text, "<circle")), "path-count", svg);
+    assert_found(&forged(svg, |text| text.replacen(" Z\"", "\"", 1)), "open-loop", svg);
+    let doubled = forged(svg, |text| {
+        let path = text.lines().find(|line| line.contains("<path")).expect("a path");
+        text.replacen(path, &format!("{path}\n{path}"), 1)
+    });
+    assert_found(&doubled, "path-length", svg);
+    let moved = forged(svg, |text| text.replacen("<circle cx=\"", "<circle cx=\"1", 1));
+    assert_found(&moved, "deviation", svg);
+    let renamed = forged(svg, |text| text.replace("cut-hole", "engrave"));
+    assert_found(&renamed, "unknown-layer", svg);
+    let scaled = forged(svg, |text| text.replacen("mm\"", "px\"", 1));
+    assert_found(&scaled, "wrong-scale", svg);
+    let page = forged(svg, |text| text.replace("333.1", "334.1"));
+    assert_found(&page, "wrong-size", svg);
+}
+
+#[test]
+fn a_damaged_dxf_is_found() {
+    let dxf = "sheet-1-seal.dxf";
+    assert_found(&forged(dxf, |text| text.replace("  0\nEOF\n", "")), "truncated", dxf);
+    let inches = forged(dxf, |text| text.replace("$INSUNITS\n 70\n4\n", "$INSUNITS\n 70\n1\n"));
+    assert!(inches.iter().any(|finding| finding.file == dxf), "{inches:#?}");
+    let hollow = forged(dxf, |text| text.replacen(" 42\n-0.", " 42\n0.", 1));
+    assert_found(&hollow, "deviation", dxf);
+}
+
+#[test]
+fn formats_that_disagree_are_found() {
+    let dxf = "sheet-1-seal.dxf";
+    let findings = forged(dxf, |text| text.replace("  8\nseal-inner\n", "  8\nseal-outer\n"));
+    assert_found(&findings, "formats-disagree", dxf);
+}
+
+/// Without an inlet the outer loop closes too, and has an overlap that can be missing.
+#[test]
+fn a_closed_outer_loop_is_checked_for_its_overlap() {
+    let spec = format!("{}\n[inlet]\nnone = true\n", support::PAPER);
+    let findings = forged_in(&spec, SEAL, |program| {
+        with_lines(program, |lines| {
+            let park = nth(lines, "G0 Z30", 1);
+            let _ = lines.remove(park - 2);
+        })
+    });
+    assert_found(&findings, "missing-overlap", SEAL);
+}

@@ -1,0 +1,135 @@
+//! Data flows one way: which room may know which.
+//!
+//! Imports are written `use crate::room::Thing;`, so the rooms a file knows can be read from its lines.
+
+use std::fs;
+use std::path::Path;
+
+/// (room, the rooms it may use). A room is a directory or file directly in src/.
+const MAY_USE: [(&str, &[&str]); 15] = [
+    ("units", &[]),
+    ("geom", &[]),
+    ("numerics", &[]),
+    ("spec", &["units"]),
+    ("design", &["geom", "spec", "units"]),
+    ("mechanics", &["numerics", "spec", "units"]),
+    ("plan", &["design", "geom", "spec", "units"]),
+    ("artifact", &[]),
+    ("manifest", &["artifact", "plan"]),
+    ("emit", &["design", "geom", "plan", "spec", "units"]),
+    ("verify", &["artifact", "design", "geom", "manifest", "spec", "units"]),
+    ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
+    ("pipeline", &["artifact", "design", "emit", "manifest", "mechanics", "plan", "spec", "verify"]),
+    (
+        "cli",
+        &[
+            "artifact",
+            "design",
+            "emit",
+            "geom",
+            "manifest",
+            "mechanics",
+            "pipeline",
+            "plan",
+            "resume",
+            "spec",
+            "units",
+            "verify",
+        ],
+    ),
+    ("main", &["cli"]),
+];
+
+/// The rooms that a line of code names.
+fn rooms_named(line: &str) -> Vec<&str> {
+    let code = line.split("//").next().unwrap_or("");
+    code.split("crate::")
+        .skip(1)
+        .map(|rest| rest.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or(""))
+        .collect()
+}
+
+/// Everything in `file` of `room` that the room may not use.
+fn trespasses(room: &str, file: &Path, text: &str) -> Vec<String> {
+    let allowed = MAY_USE.iter().find(|(name, _)| *name == room).map_or(&[][..], |(_, rooms)| rooms);
+    let mut found = Vec::new();
+    for (line, number) in text.lines().zip(1..) {
+        if line.contains("crate::{") {
+            found.push(format!("{}:{number}: write one `use` a line", file.display()));
+        }
+        for other in rooms_named(line) {
+            if !other.is_empty() && other != room && !allowed.contains(&other) {
+                found.push(format!("{}:{number}: {room} must not know {other}", file.display()));
+            }
+        }
+    }
+    found
+}
+
+fn walk(room: &str, path: &Path, found: &mut Vec<String>) {
+    if path.is_dir() {
+        for entry in fs::read_dir(path).expect("a directory") {
+            walk(room, &entry.expect("an entry").path(), found);
+        }
+    } else if path.extension().is_some_and(|ending| ending == "rs") {
+        found.extend(trespasses(room, path, &fs::read_to_string(path).expect("a source file")));
+    }
+}
+
+#[test]
+fn every_room_knows_only_what_lies_before_it() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut found = Vec::new();
+    for entry in fs::read_dir(&src).expect("src/") {
+        let path = entry.expect("an entry").path();
+        let room = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        if room != "lib" {
+            assert!(MAY_USE.iter().any(|(name, _)| *name == room), "say what {room} may use");
+            walk(&room, &path, &mut found);
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+#[test]
+fn a_trespass_is_seen() {
+    let file = Path::new("x.rs");
+    assert_eq!(trespasses("geom", file, "use crate::design::Star;").len(), 1);
+    assert_eq!(trespasses("verify", file, "let x = crate::emit::svg();").len(), 1);
+    assert_eq!(trespasses("geom", file, "use crate::{geom, spec};").len(), 1);
+    assert!(trespasses("plan", file, "use crate::geom::Point; // not crate::emit").is_empty());
+}
+
+/// Only the command line touches files, clocks and the environment.
+#[test]
+fn only_the_face_touches_the_world() {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut found = Vec::new();
+    let worldly = ["std::fs", "std::env::", "std::time", "std::net", "std::process"];
+    for (room, _) in MAY_USE.iter().filter(|(room, _)| !["cli", "main"].contains(room)) {
+        for path in [src.join(room), src.join(format!("{room}.rs"))] {
+            if path.exists() {
+                scan(&path, &worldly, &mut found);
+            }
+        }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+fn scan(path: &Path, words: &[&str], found: &mut Vec<String>) {
+    if path.is_dir() {
+        fs::read_dir(path)
+            .expect("a directory")
+            .for_each(|e| scan(&e.expect("an entry").path(), words, found));
+        return;
+    }
+    let text = fs::read_to_string(path).expect("a source file");
+    for (line, number) in text.lines().zip(1..) {
+        found.extend(
+            words
+                .iter()
+                .filter(|word| line.contains(**word))
+                .map(|w| format!("{}:{number}: {w}", path.display())),
+        );
+    }
+}
