@@ -5,14 +5,20 @@
 
 mod build;
 mod check;
+mod cone;
 mod failure;
 mod feedcheck;
 mod load;
 mod machines;
 mod new;
+mod optimize;
+mod predict;
 mod publish;
+mod quantity;
 mod resume;
 mod summary;
+mod sweep;
+mod trade;
 mod verify;
 
 use std::fs::File;
@@ -42,6 +48,16 @@ enum Command {
     Build(build::Args),
     /// Read a spec and say what would be built, or everything that is wrong with it.
     Check(check::Args),
+    /// Say what the gripper of a spec does: closing, force, pressures, payload.
+    Predict(predict::Args),
+    /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
+    Optimize(optimize::Args),
+    /// Compute many designs at once: one CSV row for every combination of values.
+    Sweep(sweep::Args),
+    /// Measure time and error of every model on this machine.
+    Trade(trade::Args),
+    /// Reduce a cone test to radial force against radius.
+    Cone(cone::Args),
     /// Prove a published directory: hashes, and every file against the exact geometry.
     Verify(verify::Args),
     /// Write a commented starter spec.
@@ -59,6 +75,11 @@ pub fn main() -> ExitCode {
     let result = match Cli::parse().command {
         Command::Build(args) => build::run(&args),
         Command::Check(args) => check::run(&args),
+        Command::Predict(args) => predict::run(&args),
+        Command::Optimize(args) => optimize::run(&args),
+        Command::Sweep(args) => sweep::run(&args),
+        Command::Trade(args) => trade::run(&args),
+        Command::Cone(args) => cone::run(&args),
         Command::Verify(args) => verify::run(&args),
         Command::New(args) => new::run(&args),
         Command::Machines(args) => machines::run(&args),

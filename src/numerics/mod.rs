@@ -1,1 +1,16 @@
-//! Numerical methods; they know no sheets.
+//! Numerical tools: forward derivatives, quadrature, Newton and bracketing roots, Chebyshev series, collocation.
+//!
+//! This module knows no sheets and no grippers. What it returns is finite, or it is an error.
+
+pub mod band;
+pub mod chebyshev;
+pub mod collocation;
+pub mod dual;
+pub mod gauss;
+pub mod newton;
+pub mod root;
+
+pub use chebyshev::Chebyshev;
+pub use dual::Dual;
+pub use newton::{NewtonFault, NewtonReport, newton};
+pub use root::{RootFault, bracketed_root};

@@ -53,10 +53,8 @@ pub(super) fn check(
         while dwells.next_if(|dwell| dwell.line < step.line).is_some() {}
         let next = steps.peek().map_or(usize::MAX, |next| next.line);
         let mut rest = 0.0;
-        let mut waits = false;
         while let Some(dwell) = dwells.next_if(|dwell| dwell.line < next) {
             rest += dwell.seconds;
-            waits = true;
         }
         let as_told = (feed - speed).abs() <= ROUNDING * speed;
         let length = step.length();
@@ -65,7 +63,7 @@ pub(super) fn check(
         if as_told {
             // A short wait is no fault of speed; how long it may be, the rest is judged by.
             schedule.spent += length / feed;
-        } else if may_chop && waits {
+        } else if may_chop {
             schedule.spent += move_time(length, feed, motion.acceleration.map(|a| a.0)) + rest;
             if length > longest + 0.01 {
                 let found = format!("a stroke of {length:.3} mm");

@@ -1,0 +1,55 @@
+//! One hinge and the paper's stars through every model, without any file.
+//!
+//! `cargo run --release --example hinge`
+
+use stargrip_cam::mechanics::bvp::Bvp;
+use stargrip_cam::mechanics::fault::StarFault;
+use stargrip_cam::mechanics::fit::Fit;
+use stargrip_cam::mechanics::hinge::{HingeModel, seal_load};
+use stargrip_cam::mechanics::response::Inflated;
+use stargrip_cam::mechanics::ring::Ring;
+use stargrip_cam::mechanics::star::{Star, StarGeometry};
+
+fn main() -> Result<(), StarFault> {
+    let bvp = Bvp::default();
+    let models: [&dyn HingeModel; 3] = [&Fit, &Ring, &bvp];
+
+    println!("hinge, R* = 0.1");
+    for model in models {
+        let target = model.target(0.1)?;
+        let load = seal_load(0.1, &target).map_or("-".to_owned(), |k| format!("{k:.4}"));
+        println!(
+            "  {:4}  lambda_t {:.6}  V'' {:.6}  seal load k {load}",
+            model.level().name(),
+            target.lambda,
+            target.curvature
+        );
+    }
+
+    println!(
+        "star, rho_0 = 50 mm, W = 30 mm, phi_i0 = 30 deg, R = 0, 37 kPa: rest angle, rho_f, preload, stiffness"
+    );
+    for points in 3..=8 {
+        let star = Star::new(StarGeometry {
+            points,
+            inner_radius: 0.05,
+            width: 0.03,
+            tip_angle: 30_f64.to_radians(),
+            tip_radius: 0.0,
+            corner_radius: 0.0,
+        })?;
+        for model in models {
+            let inflated = Inflated::new(&star, model, 37e3)?;
+            let rest = inflated.rest()?;
+            println!(
+                "  n = {points}  {:4}  {:6.2} deg  {:5.2} mm  {:5.1} N  {:6.0} N/m",
+                model.level().name(),
+                rest.equilibrium.to_degrees(),
+                rest.radius * 1e3,
+                rest.preload,
+                rest.stiffness
+            );
+        }
+    }
+    Ok(())
+}

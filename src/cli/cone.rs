@@ -1,0 +1,79 @@
+//! `stargrip-cam cone`
+
+use std::fs;
+use std::path::PathBuf;
+
+use crate::cli::failure::Failure;
+use crate::cli::failure::say;
+use crate::cli::load::Loaded;
+use crate::cli::quantity::quantity;
+use crate::mechanics::cone::Balance;
+use crate::mechanics::cone::Cone;
+use crate::mechanics::cone::Overlay;
+use crate::mechanics::cone::reduce;
+use crate::mechanics::predict::geometry;
+use crate::mechanics::response::Inflated;
+use crate::mechanics::ring::Ring;
+use crate::mechanics::star::Star;
+use crate::units::Angle;
+use crate::units::Length;
+
+/// Arguments of `cone`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// The test's CSV: a header, then travel in mm and vertical load in N.
+    data: PathBuf,
+    /// Half the cone's angle.
+    #[arg(long, default_value = "30 deg", value_parser = quantity::<Angle>)]
+    half_angle: Angle,
+    /// Kinetic friction with cone and plate.
+    #[arg(long, default_value_t = 0.1)]
+    friction: f64,
+    /// Balance of forces: derived, or published (with the plate's friction as the paper prints it).
+    #[arg(long, value_enum, default_value = "derived")]
+    balance: Words,
+    /// Radius at first contact, where the travel is 0; default: the predicted final radius of --spec.
+    #[arg(long, value_parser = quantity::<Length>)]
+    contact_radius: Option<Length>,
+    /// Lay the prediction for this spec over the data; its [load] must give the pressure.
+    #[arg(long)]
+    spec: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Words {
+    Derived,
+    Published,
+}
+
+/// Reduces the data, and prints CSV.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let message = |text: String| Failure::Message(text);
+    let data = fs::read_to_string(&args.data).map_err(|error| Failure::file("read", &args.data, &error))?;
+    let cone = Cone::new(args.half_angle.rad(), args.friction).map_err(|fault| message(fault.to_string()))?;
+    let balance = match args.balance {
+        Words::Derived => Balance::Derived,
+        Words::Published => Balance::Published,
+    };
+    let contact = args.contact_radius.map(|radius| radius.0 * 1e-3);
+    let reduced = |first: f64, overlay: Option<Overlay<'_>>| reduce(&data, &cone, balance, first, overlay);
+    let Some(path) = &args.spec else {
+        let first = contact
+            .ok_or_else(|| message("give --contact-radius, or a --spec that predicts it".to_owned()))?;
+        return say(&reduced(first, None).map_err(message)?);
+    };
+    let spec = Loaded::new(path)?.reading.spec;
+    let pressure = spec.load.as_ref().and_then(|load| load.pressure);
+    let pressure = pressure.ok_or_else(|| message("the spec's [load] has no pressure".to_owned()))?;
+    let star = spec.stars.first().ok_or_else(|| message("the spec has no star".to_owned()))?;
+    let text = Star::new(geometry(star))
+        .and_then(|star| {
+            let inflated = Inflated::new(&star, &Ring, pressure.0 * 1e3)?;
+            let (linear, own) = (inflated.linear_rest(), inflated.rest()?);
+            let overlay =
+                |rho: f64| [inflated.linear_force(rho, &linear).ok(), inflated.force(rho, &own).ok()];
+            Ok(reduced(contact.unwrap_or(linear.radius), Some(&overlay)))
+        })
+        .map_err(|fault| message(fault.to_string()))?;
+    say(&text.map_err(message)?)
+}

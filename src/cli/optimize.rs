@@ -1,0 +1,202 @@
+//! `stargrip-cam optimize`
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use crate::cli::failure::Failure;
+use crate::cli::failure::say;
+use crate::cli::load::Loaded;
+use crate::cli::quantity::range;
+use crate::design::Design;
+use crate::mechanics::optimize::Bounds;
+use crate::mechanics::optimize::Candidate;
+use crate::mechanics::optimize::Constraints;
+use crate::mechanics::optimize::Goal;
+use crate::mechanics::optimize::search;
+use crate::mechanics::optimize::thinned;
+use crate::mechanics::point::Point;
+use crate::mechanics::rewrite::with_star;
+use crate::mechanics::ring::RingTable;
+use crate::spec;
+use crate::spec::Source;
+use crate::units::Angle;
+use crate::units::Length;
+use crate::units::Readable;
+
+/// By how much the constraints are tightened for the search, so that they still hold once the values are rounded.
+const ROUNDING: f64 = 5e-4;
+/// Rows of the front that are shown.
+const SHOWN: usize = 12;
+
+/// Arguments of `optimize`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// The spec to start from; what is not searched stays as it says.
+    spec: PathBuf,
+    /// What is wanted most.
+    #[arg(long, value_enum, default_value = "contraction")]
+    goal: Words,
+    /// Numbers of points, "3..8" or one.
+    #[arg(long, default_value = "3..12", value_parser = points)]
+    points: (u32, u32),
+    /// Tip angles; default: 10 to 90 deg.
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Angle>)]
+    tip_angle: Option<(Angle, Angle)>,
+    /// Tube widths; default: half to one and a half times the spec's.
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    tube_width: Option<(Length, Length)>,
+    /// Tip radii; default: the spec's.
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    tip_radius: Option<(Length, Length)>,
+    /// Corner radii; default: the spec's.
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    corner_radius: Option<(Length, Length)>,
+    /// Radii that it must be able to hold: close to the first, open to the second.
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    grasp: Option<(Length, Length)>,
+    /// Payload of the stack in kg, with the pressure, object and friction of [load].
+    #[arg(long, value_name = "KG")]
+    payload: Option<f64>,
+    /// Least burst pressure over pressure.
+    #[arg(long, value_name = "RATIO")]
+    burst_margin: Option<f64>,
+}
+
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Words {
+    /// Most contraction.
+    Contraction,
+    /// Most radial stiffness.
+    Stiffness,
+    /// Least fabric.
+    Fabric,
+}
+
+fn points(text: &str) -> Result<(u32, u32), String> {
+    let fault = || format!("`{text}` is not a number of points from 3 to 64, or a range of them");
+    let (from, to) = text.split_once("..").unwrap_or((text, text));
+    let (from, to): (u32, u32) = (from.parse().map_err(|_| fault())?, to.parse().map_err(|_| fault())?);
+    if from >= 3 && to <= 64 && from <= to { Ok((from, to)) } else { Err(fault()) }
+}
+
+/// Searches, and prints the candidates, the front, and the best one's spec.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let message = |text: &str| Failure::Message(text.to_owned());
+    let loaded = Loaded::new(&args.spec)?;
+    let read = &loaded.reading.spec;
+    let base = Point::of(read).ok_or_else(|| message("the spec has no star"))?;
+    let goal = match args.goal {
+        Words::Contraction => Goal::Contraction,
+        Words::Stiffness => Goal::Stiffness,
+        Words::Fabric => Goal::Fabric,
+    };
+    if goal == Goal::Stiffness && base.pressure.is_none() {
+        return Err(message("stiffness needs a pressure: give [load] one"));
+    }
+    if args.payload.is_some() && (base.pressure.is_none() || base.object.is_none() || base.friction.is_none())
+    {
+        return Err(message("payload needs [load] with pressure, object_radius and friction"));
+    }
+    if args.burst_margin.is_some() && (base.pressure.is_none() || base.peel.is_none()) {
+        return Err(message("a burst margin needs [load] pressure and [fabric] seal_strength"));
+    }
+    let sheet = &read.sheet;
+    let side = [sheet.width, sheet.height].into_iter().flatten().map(|side| side.0).reduce(f64::min);
+    let constraints = Constraints {
+        grasp: args.grasp.map(|(from, to)| [from.0 * 1e-3 * (1.0 - ROUNDING), to.0 * 1e-3]),
+        payload: args.payload.map(|mass| mass * (1.0 + ROUNDING)),
+        sheet: side.map(|side| (side - 2.0 * sheet.margin.0) * 1e-3),
+        burst_margin: args.burst_margin.map(|margin| margin * (1.0 + ROUNDING)),
+    };
+    let table = RingTable::new().map_err(|fault| message(&fault.to_string()))?;
+    let found = search(&base, &bounds(args, &base), &constraints, goal, &table);
+    let mut out = String::new();
+    let _ = writeln!(out, "# {} designs computed; the best for each number of points:", found.computed);
+    out.push_str(&rows(&found.best));
+    if found.front.is_empty() {
+        return Err(message(&format!(
+            "{out}# no design meets all constraints; 'short' says by how much each misses them"
+        )));
+    }
+    let _ = writeln!(
+        out,
+        "# trade-off between contraction, stiffness and fabric, {} designs, every so many shown:",
+        found.front.len()
+    );
+    out.push_str(&rows(&thinned(&found.front, SHOWN)));
+    let met = found.best.iter().filter(|candidate| candidate.violation == 0.0);
+    for candidate in met {
+        let text = spec_text(&loaded, candidate)?;
+        if buildable(&loaded, &text) {
+            let _ = writeln!(out, "# the best that can be built:\n{text}");
+            return say(&out);
+        }
+    }
+    Err(message(&format!("{out}# none of the best designs can be sealed and cut as the spec asks for")))
+}
+
+fn bounds(args: &Args, base: &Point) -> Bounds {
+    let geometry = &base.geometry;
+    let lengths = |range: Option<(Length, Length)>, default: [f64; 2]| {
+        range.map_or(default, |(from, to)| [from.0 * 1e-3, to.0 * 1e-3])
+    };
+    let (from, to) = args.tip_angle.unwrap_or((Angle(10.0), Angle(90.0)));
+    Bounds {
+        points: args.points.0..=args.points.1,
+        tip_angle: [from.rad(), to.rad()],
+        width: lengths(args.tube_width, [0.5 * geometry.width, 1.5 * geometry.width]),
+        tip_radius: lengths(args.tip_radius, [geometry.tip_radius; 2]),
+        corner_radius: lengths(args.corner_radius, [geometry.corner_radius; 2]),
+    }
+}
+
+/// Candidates as a table; every line begins with "# ", so that the whole output is a spec.
+fn rows(candidates: &[Candidate]) -> String {
+    let mut out = String::from(
+        "#   n  angle/deg  width/mm  R_i/mm  R_e/mm  arm/mm  rho_f/mm  contraction  K/(N/m)  payload/kg  fabric/cm2  short\n",
+    );
+    for Candidate { point, outcome, violation } in candidates {
+        let geometry = &point.geometry;
+        let optional = |value: Option<f64>| value.map_or("-".to_owned(), |value| format!("{value:.3}"));
+        let _ = writeln!(
+            out,
+            "# {:3}  {:9.3}  {:8.3}  {:6.3}  {:6.3}  {:6.2}  {:8.3}  {:9.2} %  {:>7}  {:>10}  {:10.1}  {}",
+            geometry.points,
+            geometry.tip_angle.to_degrees(),
+            geometry.width * 1e3,
+            geometry.tip_radius * 1e3,
+            geometry.corner_radius * 1e3,
+            outcome.arm * 1e3,
+            outcome.final_radius * 1e3,
+            100.0 * outcome.contraction,
+            outcome.stiffness.map_or("-".to_owned(), |k| format!("{k:.0}")),
+            optional(outcome.payload),
+            outcome.area * 1e4,
+            if *violation > 0.0 { format!("{:.1} %", 100.0 * violation) } else { "-".to_owned() },
+        );
+    }
+    out
+}
+
+/// The spec with the candidate's values, rounded to a micrometre and a thousandth of a degree.
+fn spec_text(loaded: &Loaded, candidate: &Candidate) -> Result<String, Failure> {
+    let geometry = &candidate.point.geometry;
+    let mm = |metres: f64| format!("\"{} mm\"", Readable((metres * 1e6).round() * 1e-3));
+    let values = [
+        ("points", geometry.points.to_string()),
+        ("tube_width", mm(geometry.width)),
+        (
+            "tip_angle",
+            format!("\"{} deg\"", Readable((geometry.tip_angle.to_degrees() * 1e3).round() * 1e-3)),
+        ),
+        ("tip_radius", mm(geometry.tip_radius)),
+        ("corner_radius", mm(geometry.corner_radius)),
+    ];
+    with_star(&loaded.source.text, &values).map_err(Failure::Message)
+}
+
+/// Whether the design stage accepts it.
+fn buildable(loaded: &Loaded, text: &str) -> bool {
+    spec::read(&Source::new("optimised", text))
+        .is_ok_and(|reading| Design::new(&reading.spec, &loaded.machine).is_ok())
+}

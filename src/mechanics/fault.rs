@@ -1,0 +1,122 @@
+//! Why a prediction is refused: what was found, and what is allowed.
+
+use crate::numerics::RootFault;
+use crate::units::Readable;
+use std::fmt;
+
+/// Why a hinge's state cannot be computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HingeFault {
+    /// R* = R/W is not a number from 0 to `most`.
+    RStar {
+        /// What was given.
+        found: f64,
+        /// The model's largest R*.
+        most: f64,
+    },
+    /// lambda is not a number in the model's range.
+    Coiling {
+        /// What was given.
+        found: f64,
+        /// The model's least lambda.
+        least: f64,
+        /// The model's largest lambda.
+        most: f64,
+    },
+    /// The model's equations could not be solved.
+    Unsolved {
+        /// R*.
+        r_star: f64,
+        /// The coiling factor at which it happened.
+        lambda: f64,
+        /// Largest residual reached.
+        residual: f64,
+    },
+}
+
+impl fmt::Display for HingeFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::RStar { found, most } => {
+                write!(f, "R* = R/W is {}, allowed is 0 to {}", Readable(found), Readable(most))
+            }
+            Self::Coiling { found, least, most } => {
+                let (least, most) = (Readable(least), Readable(most));
+                write!(f, "the coiling factor is {}, allowed is {least} to {most}", Readable(found))
+            }
+            Self::Unsolved { r_star, lambda, residual } => {
+                let (r_star, lambda) = (Readable(r_star), Readable(lambda));
+                write!(
+                    f,
+                    "no section found at R* = {r_star}, lambda = {lambda}: the residual stays at {residual:.1e}"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for HingeFault {}
+
+/// Why a star's response cannot be computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StarFault {
+    /// One of the star's dimensions is out of range.
+    Dimension {
+        /// Which: its symbol.
+        symbol: &'static str,
+        /// What was given, in SI units.
+        found: f64,
+        /// What is allowed, in words.
+        allowed: &'static str,
+    },
+    /// The arms would have this length, in m.
+    ArmLength {
+        /// The length, 0 or less.
+        found: f64,
+    },
+    /// A hinge's model refused.
+    Hinge(HingeFault),
+    /// The shell model was asked for, which this version does not have.
+    NoShell,
+    /// No equilibrium or radius in the range of angles searched.
+    Root(RootFault),
+}
+
+impl fmt::Display for StarFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Dimension { symbol, found, allowed } => {
+                write!(f, "{symbol} is {}, allowed is {allowed}", Readable(found))
+            }
+            Self::ArmLength { found } => write!(
+                f,
+                "the arms would be {} mm long: fewer points, a narrower tube, smaller corner radii or a larger \
+                 inner radius make them longer",
+                Readable(found * 1e3)
+            ),
+            Self::NoShell => {
+                f.write_str("this version has no shell model; it has fit, ring and bvp, and auto to choose")
+            }
+            Self::Hinge(fault) => fault.fmt(f),
+            Self::Root(RootFault::NoSignChange { low, high }) => {
+                let (low, high) = (Readable(low), Readable(high));
+                write!(f, "no solution between the ends of the range, where the values are {low} and {high}")
+            }
+            Self::Root(RootFault::NotFinite { at }) => write!(f, "not defined at {}", Readable(at)),
+        }
+    }
+}
+
+impl std::error::Error for StarFault {}
+
+impl From<HingeFault> for StarFault {
+    fn from(fault: HingeFault) -> Self {
+        Self::Hinge(fault)
+    }
+}
+
+impl From<RootFault> for StarFault {
+    fn from(fault: RootFault) -> Self {
+        Self::Root(fault)
+    }
+}

@@ -1,0 +1,121 @@
+//! The answer: what one spec's stars do, with the evidence for it. Lengths in mm, angles in deg.
+
+use serde::Serialize;
+
+/// One value for the tips, one for the reentrant corners.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Hinges<T> {
+    /// Of the tips.
+    pub tip: T,
+    /// Of the reentrant corners.
+    pub corner: T,
+}
+
+/// What a gripper does. The keys at the top speak of star 1, `stars` of each.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Prediction {
+    /// Star 1; `payload_kg` is the whole stack's.
+    #[serde(flatten)]
+    pub first: StarPrediction,
+    /// All stars, bottom first; `payload_kg` is the star's own share.
+    pub stars: Vec<StarPrediction>,
+}
+
+/// What one star does. `None` where something is missing that the answer needs.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct StarPrediction {
+    /// The model that answered: fit, ring or bvp.
+    pub model: &'static str,
+    /// Target coiling factor lambda_t.
+    pub lambda_t: Hinges<f64>,
+    /// Onset lambda_c of hoop tension away from the rim.
+    pub lambda_c: Hinges<Option<f64>>,
+    /// d2V_bar/dlambda2 at the target.
+    pub d2v_dlambda2: Hinges<f64>,
+    /// Arm length l.
+    pub arm_length_mm: f64,
+    /// Target angle phi_it of a free tip; below 0 its arms would cross.
+    pub tip_target_angle_deg: f64,
+    /// Target angle phi_et of a free corner.
+    pub corner_target_angle_deg: f64,
+    /// Equilibrium angle phi_i^eq of the star's tips, linear hinges, not clamped.
+    pub tip_equilibrium_angle_deg: f64,
+    /// Final inner radius rho_f, linear hinges.
+    pub final_radius_mm: f64,
+    /// 1 - rho_f / rho_0.
+    pub contraction: f64,
+    /// Hinge stiffness C at the target; needs a pressure.
+    pub hinge_stiffness_Nm: Option<Hinges<f64>>,
+    /// Radial stiffness K at rest, all corners together; needs a pressure.
+    pub radial_stiffness_N_per_m: Option<f64>,
+    /// Radial force stored in a star that is pressed shut; 0 for one that is free; needs a pressure.
+    pub preload_N: Option<f64>,
+    /// Radii that the star can hold: from rho_f to rho_0.
+    pub graspable_radius_mm: [f64; 2],
+    /// Radial force on the object; needs pressure and object_radius.
+    pub object_force_N: Option<f64>,
+    /// Bendability 1/eps; needs a pressure.
+    pub bendability: Option<f64>,
+    /// Pressure from which the hinges are fully coiled.
+    pub operating_pressure_kPa: f64,
+    /// Inner radius of curvature that the band makes of a hinge: max(R, band / 2).
+    pub realised_radius_mm: Hinges<f64>,
+    /// Seal load k at the realised radius: the inner edge carries k p W per length.
+    pub seal_load: Hinges<Option<f64>>,
+    /// Pressure at which the seal peels at its sharpest hinge; needs seal_strength.
+    pub burst_pressure_kPa: Option<f64>,
+    /// Mass of the star's two sheets; needs areal_density.
+    pub mass_g: Option<f64>,
+    /// Mass that friction holds; needs pressure, object_radius and friction.
+    pub payload_kg: Option<f64>,
+    /// The star with the model's own, asymmetric V_bar in place of linear hinges.
+    pub nonlinear: Option<Nonlinear>,
+    /// How good all this is.
+    pub evidence: Evidence,
+}
+
+/// The same star with the model's own V_bar.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct Nonlinear {
+    /// Equilibrium angle of the tips, not clamped.
+    pub tip_equilibrium_angle_deg: f64,
+    /// Final inner radius.
+    pub final_radius_mm: f64,
+    /// 1 - rho_f / rho_0.
+    pub contraction: f64,
+    /// Radial stiffness at rest.
+    pub radial_stiffness_N_per_m: Option<f64>,
+    /// Radial force stored in a star that is pressed shut.
+    pub preload_N: Option<f64>,
+    /// Radial force on the object.
+    pub object_force_N: Option<f64>,
+}
+
+/// The evidence for an answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Evidence {
+    /// Why this model.
+    pub choice: String,
+    /// Estimated relative error of the coiling, and so of all angles, against a real hinge.
+    pub coiling_error: f64,
+    /// Estimated relative error of stiffness and forces; `None` without a pressure.
+    pub stiffness_error: Option<f64>,
+    /// Largest residual of the model's equations.
+    pub residual: f64,
+    /// Newton steps.
+    pub iterations: u32,
+    /// Estimated relative error of V_bar against the exact solution of the model's own equations.
+    pub numerical_error: f64,
+    /// Stretch p W / Y of the fabric.
+    pub stretch: Option<f64>,
+    /// Inflated width of the hinges over W; the arms' is 2/pi.
+    pub hinge_width: Hinges<Option<f64>>,
+    /// Final radius if the corner's true inflated width is used instead of the arms', mm.
+    pub final_radius_with_hinge_width_mm: Option<f64>,
+    /// Tip radius from which the seal would hold the pressure, mm; `None` if it holds or nothing is known.
+    pub safe_radius_mm: Option<f64>,
+    /// What lies outside of a model's validity, and what a person should know.
+    pub warnings: Vec<String>,
+}

@@ -1,0 +1,431 @@
+//! Two-point boundary-value problems by collocation, with residual control and mesh refinement.
+//!
+//! The solution of `y' = f(x, y)` is a cubic on each interval of a mesh that satisfies the equation at both
+//! ends and in the middle (three-point Lobatto); its error is of fourth order in the interval.
+//! With the left conditions first and the right ones last, Newton's matrix is a narrow band:
+//!
+//! ```text
+//! [ left                ]
+//! [ A0  B0              ]
+//! [     A1  B1          ]
+//! [         ...  ...    ]
+//! [               right ]
+//! ```
+//!
+//! After each solution the **residual** of the cubics, `y' - f`, relative to `1 + |f|`, is measured between
+//! the collocation points; intervals above the tolerance are split, needlessly short ones merged.
+//!
+//! Method after Kierzenka and Shampine, "A BVP solver based on residual control and the MATLAB PSE", ACM TOMS
+//! 27 (2001), with separated conditions and a banded instead of a general sparse solver.
+
+use super::band::{Banded, Factors};
+
+/// A system of `N` equations with conditions that fix some components at the ends.
+pub trait Problem<const N: usize> {
+    /// The right-hand side f(x, y).
+    fn slope(&self, x: f64, y: &[f64; N]) -> [f64; N];
+    /// Its Jacobian: row by row, by component of y.
+    fn jacobian(&self, x: f64, y: &[f64; N]) -> [[f64; N]; N];
+    /// Components fixed at the left end, with their values.
+    fn left(&self) -> &[(usize, f64)];
+    /// Components fixed at the right end, with their values; `N` together with the left ones.
+    fn right(&self) -> &[(usize, f64)];
+}
+
+/// Why no solution was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum CollocationFault {
+    /// Newton's matrix is singular or not finite.
+    Singular,
+    /// Newton's iteration does not come closer.
+    Diverged,
+    /// More intervals than allowed would be needed; the largest relative residual reached.
+    TooFine {
+        /// Largest relative residual.
+        residual: f64,
+    },
+}
+
+/// A mesh and the solution at its nodes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Profile<const N: usize> {
+    /// The nodes, rising.
+    pub mesh: Vec<f64>,
+    /// The solution there.
+    pub values: Vec<[f64; N]>,
+}
+
+/// A solution with its evidence.
+#[derive(Clone, Debug)]
+pub struct Solution<const N: usize> {
+    /// Mesh and values.
+    pub profile: Profile<N>,
+    /// Largest relative residual between the collocation points.
+    pub residual: f64,
+    /// Newton steps, all meshes together.
+    pub iterations: u32,
+    /// Factors of Newton's matrix at the solution.
+    factors: Factors,
+}
+
+/// Newton steps on one mesh: from a fair start 4 to 6 are needed; more means that there is no fair start.
+const MOST_STEPS: u32 = 25;
+/// Newton ends when the scaled step is below this; the next one would be its square.
+const STEP_TOLERANCE: f64 = 1e-8;
+
+/// Solves `problem` from `start` to the relative residual `tolerance`, with at most `most` intervals.
+///
+/// # Errors
+/// See [`CollocationFault`].
+pub fn solve<const N: usize>(
+    problem: &impl Problem<N>,
+    start: Profile<N>,
+    tolerance: f64,
+    most: usize,
+) -> Result<Solution<N>, CollocationFault> {
+    let mut profile = start;
+    let mut iterations = 0;
+    loop {
+        let factors = newton(problem, &mut profile, &mut iterations)?;
+        let residuals = residuals(problem, &profile);
+        let residual = residuals.iter().copied().fold(0.0, f64::max);
+        if residual <= tolerance {
+            return Ok(Solution { profile, residual, iterations, factors });
+        }
+        profile = remesh(problem, &profile, &residuals, tolerance);
+        if profile.mesh.len() > most + 1 {
+            return Err(CollocationFault::TooFine { residual });
+        }
+    }
+}
+
+/// Solves on the mesh of `start` as it is; for studies of convergence.
+///
+/// # Errors
+/// See [`CollocationFault`].
+pub fn solve_on_mesh<const N: usize>(
+    problem: &impl Problem<N>,
+    start: Profile<N>,
+) -> Result<Solution<N>, CollocationFault> {
+    solve(problem, start, f64::INFINITY, usize::MAX - 1)
+}
+
+impl<const N: usize> Profile<N> {
+    /// The middle of interval `i` by the cubic with the given slopes at its ends.
+    fn middle(&self, i: usize, f0: &[f64; N], f1: &[f64; N]) -> [f64; N] {
+        let h = self.mesh[i + 1] - self.mesh[i];
+        std::array::from_fn(|k| {
+            0.5 * (self.values[i][k] + self.values[i + 1][k]) - 0.125 * h * (f1[k] - f0[k])
+        })
+    }
+
+    /// The same profile with every interval halved.
+    pub fn halved(&self, problem: &impl Problem<N>) -> Self {
+        let mut finer = Self { mesh: vec![self.mesh[0]], values: vec![self.values[0]] };
+        for i in 0..self.mesh.len() - 1 {
+            let slope = |j: usize| problem.slope(self.mesh[j], &self.values[j]);
+            finer.mesh.extend([0.5 * (self.mesh[i] + self.mesh[i + 1]), self.mesh[i + 1]]);
+            finer.values.extend([self.middle(i, &slope(i), &slope(i + 1)), self.values[i + 1]]);
+        }
+        finer
+    }
+
+    /// `∫ g dx` by Simpson's rule on each interval, with the middle from the cubic: fourth order, as the solution.
+    pub fn integral(&self, problem: &impl Problem<N>, g: impl Fn(f64, &[f64; N]) -> f64) -> f64 {
+        let slopes: Vec<[f64; N]> =
+            self.mesh.iter().zip(&self.values).map(|(&x, y)| problem.slope(x, y)).collect();
+        (0..self.mesh.len() - 1)
+            .map(|i| {
+                let (a, b) = (self.mesh[i], self.mesh[i + 1]);
+                let middle = self.middle(i, &slopes[i], &slopes[i + 1]);
+                let ends = g(a, &self.values[i]) + g(b, &self.values[i + 1]);
+                (b - a) / 6.0 * (ends + 4.0 * g(0.5 * (a + b), &middle))
+            })
+            .sum()
+    }
+}
+
+impl<const N: usize> Solution<N> {
+    /// How the solution's nodes change with a parameter, from the right-hand side's derivative with respect to it.
+    pub fn sensitivity(
+        &self,
+        problem: &impl Problem<N>,
+        by_parameter: impl Fn(f64, &[f64; N]) -> [f64; N],
+    ) -> Vec<[f64; N]> {
+        let Profile { mesh, values } = &self.profile;
+        let mut right = vec![0.0; N * mesh.len()];
+        let first = problem.left().len();
+        for i in 0..mesh.len() - 1 {
+            let h = mesh[i + 1] - mesh[i];
+            let slope = |j: usize| problem.slope(mesh[j], &values[j]);
+            let xm = 0.5 * (mesh[i] + mesh[i + 1]);
+            let ym = self.profile.middle(i, &slope(i), &slope(i + 1));
+            let (p0, p1) = (by_parameter(mesh[i], &values[i]), by_parameter(mesh[i + 1], &values[i + 1]));
+            let (pm, jm) = (by_parameter(xm, &ym), problem.jacobian(xm, &ym));
+            for row in 0..N {
+                let shift: f64 = (0..N).map(|k| jm[row][k] * (-0.125 * h) * (p1[k] - p0[k])).sum();
+                right[first + N * i + row] = h / 6.0 * (p0[row] + p1[row] + 4.0 * (pm[row] + shift));
+            }
+        }
+        self.factors.solve(&mut right);
+        right.chunks_exact(N).map(|chunk| std::array::from_fn(|k| chunk[k])).collect()
+    }
+}
+
+/// Newton's iteration on one mesh, damped by the natural monotonicity test: the step that the old matrix
+/// gives at the new point must be shorter.
+fn newton<const N: usize>(
+    problem: &impl Problem<N>,
+    profile: &mut Profile<N>,
+    iterations: &mut u32,
+) -> Result<Factors, CollocationFault> {
+    let mut rest = defects(problem, profile).ok_or(CollocationFault::Diverged)?;
+    for _ in 0..MOST_STEPS {
+        let factors = matrix(problem, profile).factor().ok_or(CollocationFault::Singular)?;
+        *iterations += 1;
+        factors.solve(&mut rest);
+        let size = scaled(&rest, profile);
+        if !size.is_finite() {
+            return Err(CollocationFault::Diverged);
+        }
+        let mut fraction = 1.0;
+        loop {
+            let trial = moved(profile, &rest, fraction);
+            if let Some(mut next) = defects(problem, &trial) {
+                let raw = next.clone();
+                factors.solve(&mut next);
+                if scaled(&next, &trial) <= (1.0 - 0.25 * fraction) * size || size <= STEP_TOLERANCE {
+                    *profile = trial;
+                    rest = raw;
+                    break;
+                }
+            }
+            fraction *= 0.5;
+            if fraction < 1e-3 {
+                return Err(CollocationFault::Diverged);
+            }
+        }
+        if fraction == 1.0 && size <= STEP_TOLERANCE {
+            return Ok(factors);
+        }
+    }
+    Err(CollocationFault::Diverged)
+}
+
+fn moved<const N: usize>(profile: &Profile<N>, step: &[f64], fraction: f64) -> Profile<N> {
+    let mut moved = profile.clone();
+    for (value, change) in moved.values.iter_mut().flatten().zip(step) {
+        *value -= fraction * change;
+    }
+    moved
+}
+
+/// Largest change relative to `1 + |y|`.
+fn scaled<const N: usize>(step: &[f64], profile: &Profile<N>) -> f64 {
+    let sizes = step.iter().zip(profile.values.iter().flatten()).map(|(d, y)| d.abs() / (1.0 + y.abs()));
+    // `f64::max` would drop a NaN.
+    sizes.fold(0.0, |most: f64, size| if size > most || size.is_nan() { size } else { most })
+}
+
+/// Defects of conditions and collocation equations; `None` if they are not finite.
+fn defects<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> Option<Vec<f64>> {
+    let Profile { mesh, values } = profile;
+    let mut defects = Vec::with_capacity(N * mesh.len());
+    defects.extend(problem.left().iter().map(|&(k, fixed)| values[0][k] - fixed));
+    let mut f0 = problem.slope(mesh[0], &values[0]);
+    for i in 0..mesh.len() - 1 {
+        let (a, b) = (mesh[i], mesh[i + 1]);
+        let f1 = problem.slope(b, &values[i + 1]);
+        let fm = problem.slope(0.5 * (a + b), &profile.middle(i, &f0, &f1));
+        let rows =
+            (0..N).map(|k| values[i + 1][k] - values[i][k] - (b - a) / 6.0 * (f0[k] + f1[k] + 4.0 * fm[k]));
+        defects.extend(rows);
+        f0 = f1;
+    }
+    let last = values[values.len() - 1];
+    defects.extend(problem.right().iter().map(|&(k, fixed)| last[k] - fixed));
+    defects.iter().all(|d| d.is_finite()).then_some(defects)
+}
+
+/// Newton's matrix, the derivative of [`defects`].
+fn matrix<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> Banded {
+    let Profile { mesh, values } = profile;
+    let first = problem.left().len();
+    let mut matrix = Banded::zero(N * mesh.len(), first + N - 1, 2 * N - 1 - first);
+    for (row, &(k, _)) in problem.left().iter().enumerate() {
+        matrix.set(row, k, 1.0);
+    }
+    let mut f0 = problem.slope(mesh[0], &values[0]);
+    let mut j0 = problem.jacobian(mesh[0], &values[0]);
+    for i in 0..mesh.len() - 1 {
+        let (a, b) = (mesh[i], mesh[i + 1]);
+        let h = b - a;
+        let (f1, j1) = (problem.slope(b, &values[i + 1]), problem.jacobian(b, &values[i + 1]));
+        let jm = problem.jacobian(0.5 * (a + b), &profile.middle(i, &f0, &f1));
+        for row in 0..N {
+            for column in 0..N {
+                let chain = |j: &[[f64; N]; N]| (0..N).map(|k| jm[row][k] * j[k][column]).sum::<f64>();
+                let unit = if row == column { 1.0 } else { 0.0 };
+                let by_a = -unit - h / 6.0 * (j0[row][column] + 2.0 * jm[row][column] + 0.5 * h * chain(&j0));
+                let by_b = unit - h / 6.0 * (j1[row][column] + 2.0 * jm[row][column] - 0.5 * h * chain(&j1));
+                matrix.set(first + N * i + row, N * i + column, by_a);
+                matrix.set(first + N * i + row, N * (i + 1) + column, by_b);
+            }
+        }
+        (f0, j0) = (f1, j1);
+    }
+    let last = mesh.len() - 1;
+    for (row, &(k, _)) in problem.right().iter().enumerate() {
+        matrix.set(first + N * last + row, N * last + k, 1.0);
+    }
+    matrix
+}
+
+/// Root mean square of `(y' - f) / (1 + |f|)` on each interval, by five-point Lobatto quadrature, whose end and
+/// middle points are collocation points and contribute nothing.
+fn residuals<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> Vec<f64> {
+    let Profile { mesh, values } = profile;
+    let place = 0.5 - 0.5 * (3.0_f64 / 7.0).sqrt();
+    let slopes: Vec<[f64; N]> = mesh.iter().zip(values).map(|(&x, y)| problem.slope(x, y)).collect();
+    let at = |i: usize, t: f64| {
+        let h = mesh[i + 1] - mesh[i];
+        let (y0, y1, f0, f1) = (&values[i], &values[i + 1], &slopes[i], &slopes[i + 1]);
+        let y: [f64; N] = std::array::from_fn(|k| {
+            let (c0, c1) = (1.0 - t, t);
+            c0 * c0 * ((1.0 + 2.0 * t) * y0[k] + h * t * f0[k])
+                + c1 * c1 * ((3.0 - 2.0 * t) * y1[k] - h * c0 * f1[k])
+        });
+        let f = problem.slope(mesh[i] + t * h, &y);
+        let squares = (0..N).map(|k| {
+            let rise = 6.0 * t * (1.0 - t) * (y1[k] - y0[k]) / h;
+            let own = rise + (1.0 - t) * (1.0 - 3.0 * t) * f0[k] + t * (3.0 * t - 2.0) * f1[k];
+            ((own - f[k]) / (1.0 + f[k].abs())).powi(2)
+        });
+        squares.sum::<f64>()
+    };
+    // Weights of the five-point rule at these two points: 49/90 each, on an interval of length 2.
+    let rms = |i: usize| (49.0 / 180.0 * (at(i, place) + at(i, 1.0 - place))).sqrt();
+    (0..mesh.len() - 1).map(rms).map(|r| if r.is_finite() { r } else { f64::MAX }).collect()
+}
+
+/// Splits intervals whose residual is above the tolerance, and merges pairs far below it.
+fn remesh<const N: usize>(
+    problem: &impl Problem<N>,
+    profile: &Profile<N>,
+    residuals: &[f64],
+    tolerance: f64,
+) -> Profile<N> {
+    let Profile { mesh, values } = profile;
+    let slope = |j: usize| problem.slope(mesh[j], &values[j]);
+    let mut next = Profile { mesh: vec![mesh[0]], values: vec![values[0]] };
+    let mut kept = true;
+    for i in 0..residuals.len() {
+        let (a, b) = (mesh[i], mesh[i + 1]);
+        if residuals[i] > tolerance {
+            // Fourth order: three parts bring it down by 81, two by 16.
+            let parts: usize = if residuals[i] > 16.0 * tolerance { 3 } else { 2 };
+            let (f0, f1) = (slope(i), slope(i + 1));
+            for part in 1..parts {
+                #[expect(clippy::cast_precision_loss, reason = "two or three parts")]
+                let t = part as f64 / parts as f64;
+                let h = b - a;
+                let y = std::array::from_fn(|k| {
+                    let (y0, y1) = (values[i][k], values[i + 1][k]);
+                    let c = 1.0 - t;
+                    c * c * ((1.0 + 2.0 * t) * y0 + h * t * f0[k])
+                        + t * t * ((3.0 - 2.0 * t) * y1 - h * c * f1[k])
+                });
+                next.mesh.push(a + t * h);
+                next.values.push(y);
+            }
+        }
+        let last = i + 1 == residuals.len();
+        // Merging multiplies the residual by 16 to 81; a hundredth of the tolerance leaves room.
+        let idle = !last && residuals[i] < 0.01 * tolerance && residuals[i + 1] < 0.01 * tolerance;
+        let similar = !last && (mesh[i + 2] - b) < 2.0 * (b - a) && (b - a) < 2.0 * (mesh[i + 2] - b);
+        if kept && idle && similar {
+            kept = false;
+        } else {
+            next.mesh.push(b);
+            next.values.push(values[i + 1]);
+            kept = true;
+        }
+    }
+    next
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `y'' = (y - g) / eps^2` with solution `y = g + exp(-x/eps) + exp((x-1)/eps)`, g = sin(x): layers at both ends.
+    struct Layers {
+        eps: f64,
+        left: [(usize, f64); 1],
+        right: [(usize, f64); 1],
+    }
+
+    impl Layers {
+        fn new(eps: f64) -> Self {
+            let far = (-1.0 / eps).exp();
+            Self { eps, left: [(0, 1.0 + far)], right: [(0, 1.0_f64.sin() + 1.0 + far)] }
+        }
+        fn exact(&self, x: f64) -> f64 {
+            x.sin() + (-x / self.eps).exp() + ((x - 1.0) / self.eps).exp()
+        }
+    }
+
+    impl Problem<2> for Layers {
+        fn slope(&self, x: f64, y: &[f64; 2]) -> [f64; 2] {
+            let square = self.eps * self.eps;
+            [y[1], (y[0] - x.sin() - square * x.sin()) / square]
+        }
+        fn jacobian(&self, _: f64, _: &[f64; 2]) -> [[f64; 2]; 2] {
+            [[0.0, 1.0], [1.0 / (self.eps * self.eps), 0.0]]
+        }
+        fn left(&self) -> &[(usize, f64)] {
+            &self.left
+        }
+        fn right(&self) -> &[(usize, f64)] {
+            &self.right
+        }
+    }
+
+    fn flat(count: u32) -> Profile<2> {
+        let mesh: Vec<f64> = (0..=count).map(|i| f64::from(i) / f64::from(count)).collect();
+        Profile { values: vec![[0.0; 2]; mesh.len()], mesh }
+    }
+
+    fn worst(problem: &Layers, profile: &Profile<2>) -> f64 {
+        let errors = profile.mesh.iter().zip(&profile.values).map(|(&x, y)| (y[0] - problem.exact(x)).abs());
+        errors.fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn the_error_falls_with_the_fourth_power() {
+        let problem = Layers::new(0.3);
+        let errors = [8, 16, 32]
+            .map(|count| worst(&problem, &solve_on_mesh(&problem, flat(count)).expect("linear").profile));
+        for pair in errors.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            assert!((3.8..4.3).contains(&order), "{errors:?}");
+        }
+    }
+
+    #[test]
+    fn refinement_finds_the_layers() {
+        let problem = Layers::new(1e-3);
+        let solution = solve(&problem, flat(10), 1e-6, 2000).expect("solvable");
+        let mesh = &solution.profile.mesh;
+        assert!(worst(&problem, &solution.profile) < 1e-5);
+        assert!(mesh.len() < 1500 && mesh[1] - mesh[0] < 1e-3, "{}", mesh.len());
+        let total = solution.profile.integral(&problem, |_, y| y[0]);
+        assert!((total - (1.0 - 1.0_f64.cos() + 2e-3)).abs() < 1e-6);
+    }
+
+    #[test]
+    fn too_fine_a_mesh_is_refused() {
+        let fault = solve(&Layers::new(1e-4), flat(10), 1e-9, 50).expect_err("needs more than 50 intervals");
+        assert!(matches!(fault, CollocationFault::TooFine { residual } if residual > 1e-9));
+    }
+}

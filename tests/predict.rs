@@ -1,0 +1,213 @@
+//! Predictions from specs: the keys that scripts rely on, the extremes, agreement with the design stage.
+
+use proptest::prelude::*;
+use serde_json::Value;
+use stargrip_cam::design::StarDesign;
+use stargrip_cam::mechanics::predict::{PredictFault, predict};
+use stargrip_cam::mechanics::prediction::Prediction;
+use stargrip_cam::spec::{ModelChoice, Source, Spec, read};
+
+const PAPER: &str = r#"
+schema = 1
+name = "paper gripper"
+[fabric]
+seal_strength = "3 N/mm"
+areal_density = "0.3 kg/m^2"
+[star]
+points = 5
+inner_radius = "50 mm"
+tube_width = "30 mm"
+tip_angle = "30 deg"
+[stack]
+count = 3
+[load]
+pressure = "37 kPa"
+object_radius = "30 mm"
+friction = 0.5
+"#;
+
+fn spec(text: &str) -> Spec {
+    match read(&Source::new("test", text)) {
+        Ok(reading) => reading.spec,
+        Err(faults) => panic!("{faults}"),
+    }
+}
+
+/// Every number in `value` that is not finite is null in JSON; collects the paths of the nulls.
+fn nulls(path: &str, value: &Value, found: &mut Vec<String>) {
+    match value {
+        Value::Null => found.push(path.to_owned()),
+        Value::Object(map) => map.iter().for_each(|(k, v)| nulls(&format!("{path}/{k}"), v, found)),
+        Value::Array(list) => list.iter().for_each(|v| nulls(path, v, found)),
+        _ => {}
+    }
+}
+
+fn json(prediction: &Prediction) -> Value {
+    serde_json::to_value(prediction).expect("serialises")
+}
+
+#[test]
+fn the_keys_are_the_published_ones() {
+    let keys = [
+        "model",
+        "lambda_t",
+        "lambda_c",
+        "d2v_dlambda2",
+        "arm_length_mm",
+        "tip_target_angle_deg",
+        "corner_target_angle_deg",
+        "tip_equilibrium_angle_deg",
+        "final_radius_mm",
+        "contraction",
+        "hinge_stiffness_Nm",
+        "radial_stiffness_N_per_m",
+        "bendability",
+        "operating_pressure_kPa",
+        "realised_radius_mm",
+        "burst_pressure_kPa",
+        "mass_g",
+        "payload_kg",
+        "evidence",
+        "stars",
+    ];
+    let value = json(&predict(&spec(PAPER)).expect("predictable"));
+    for key in keys {
+        assert!(value.get(key).is_some_and(|v| !v.is_null()), "{key}");
+    }
+    for key in ["lambda_t", "lambda_c", "d2v_dlambda2", "hinge_stiffness_Nm", "realised_radius_mm"] {
+        assert!(value[key]["tip"].is_number() && value[key]["corner"].is_number(), "{key}");
+    }
+    assert!(value["evidence"]["warnings"].is_array());
+    assert_eq!(value["stars"].as_array().map(Vec::len), Some(3));
+    let share = value["stars"][0]["payload_kg"].as_f64().expect("a number");
+    assert!((value["payload_kg"].as_f64().expect("a number") / share - 3.0).abs() < 1e-12);
+}
+
+#[test]
+fn what_is_not_asked_for_is_null() {
+    let bare = PAPER.split("[load]").next().unwrap_or_default().replace("seal_strength = \"3 N/mm\"", "");
+    let value = json(&predict(&spec(&bare)).expect("predictable"));
+    for key in
+        ["hinge_stiffness_Nm", "radial_stiffness_N_per_m", "bendability", "burst_pressure_kPa", "payload_kg"]
+    {
+        assert!(value[key].is_null(), "{key}");
+    }
+    assert!(value["final_radius_mm"].is_number() && value["mass_g"].is_number());
+}
+
+#[test]
+fn the_fit_gives_the_papers_final_radii() {
+    for (points, radius) in (3..).zip([27.8, 15.8, 14.7, 19.1, 24.9, 30.8]) {
+        let mut spec = spec(PAPER);
+        spec.accuracy.model = ModelChoice::Fit;
+        spec.stars.iter_mut().for_each(|star| star.points = points);
+        let prediction = predict(&spec).expect("feasible");
+        assert!((prediction.first.final_radius_mm - radius).abs() < 0.05, "n = {points}");
+        assert_eq!(prediction.first.model, "fit");
+    }
+}
+
+#[test]
+fn all_models_answer_and_agree() {
+    let answer = |model| {
+        let mut spec = spec(PAPER);
+        spec.accuracy.model = model;
+        predict(&spec).expect("predictable").first
+    };
+    let [fit, ring, bvp] = [ModelChoice::Fit, ModelChoice::Ring, ModelChoice::Bvp].map(answer);
+    assert!(
+        (ring.lambda_t.tip - bvp.lambda_t.tip).abs() < 0.02
+            && (ring.lambda_t.tip - fit.lambda_t.tip).abs() < 0.02
+    );
+    assert!((ring.final_radius_mm / bvp.final_radius_mm - 1.0).abs() < 0.15);
+    assert!(fit.nonlinear.is_none() && ring.nonlinear.is_some() && bvp.nonlinear.is_some());
+    assert!(!fit.evidence.warnings.is_empty(), "the published coiling does not cover R* = 0");
+}
+
+#[test]
+fn refusals_name_the_key() {
+    let refused = |change: fn(&mut Spec)| {
+        let mut spec = spec(PAPER);
+        change(&mut spec);
+        predict(&spec).expect_err("refused")
+    };
+    assert_eq!(refused(|s| s.stars[1].points = 9).star, Some(2));
+    assert_eq!(refused(|s| s.stars[1].points = 9).key, "star.points");
+    assert_eq!(refused(|s| s.accuracy.model = ModelChoice::Shell).key, "accuracy.model");
+    assert!(matches!(refused(|s| s.stars.clear()), PredictFault { star: None, .. }));
+}
+
+#[test]
+fn the_mass_is_that_of_the_outline_that_is_cut() {
+    for (points, radius) in [(5, 0.0), (4, 0.0), (5, 3.0), (6, 1.0)] {
+        let mut spec = spec(PAPER);
+        for star in &mut spec.stars {
+            star.points = points;
+            (star.tip_radius.0, star.corner_radius.0) = (radius, radius);
+        }
+        let mass = predict(&spec).expect("feasible").first.mass_g.expect("density is given");
+        let area = StarDesign::new(&spec, &spec.stars[0]).expect("makeable").outline.area();
+        let exact = 2.0 * 0.3 * area * 1e-6 * 1e3;
+        assert!((mass / exact - 1.0).abs() < 0.02, "n = {points}, R = {radius}: {mass} {exact}");
+    }
+}
+
+#[test]
+fn too_small_an_object_is_not_held_and_too_large_a_one_does_not_enter() {
+    let with = |radius| {
+        let mut spec = spec(PAPER);
+        spec.load.as_mut().expect("given").object_radius = Some(stargrip_cam::units::Length(radius));
+        predict(&spec).expect("predictable").first
+    };
+    assert_eq!(with(5.0).payload_kg, Some(0.0));
+    assert_eq!(with(51.0).payload_kg, None);
+    assert!(with(20.0).payload_kg < with(40.0).payload_kg);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Sizes from 1 mm to 100 m, pressures from 1 Pa to 1 MPa, any angle, up to 64 points: an answer whose numbers are
+    /// all finite, or a refusal.
+    #[test]
+    fn no_extreme_yields_a_number_that_is_none(
+        points in 3_u32..=64,
+        size in -0.0_f64..5.0,
+        width in 0.001_f64..2.0,
+        angle in prop_oneof![1e-6_f64..1.0, 1.0..179.0, 179.0..179.999_999],
+        r_i in prop_oneof![Just(0.0), 1e-9_f64..10.0],
+        r_e in prop_oneof![Just(0.0), 1e-9_f64..10.0],
+        pressure in -3.0_f64..3.0,
+        object in 0.0_f64..1.2,
+        fit in any::<bool>(),
+    ) {
+        let mut spec = spec(PAPER);
+        spec.accuracy.model = if fit { ModelChoice::Fit } else { ModelChoice::Ring };
+        let rho = 10_f64.powf(size);
+        spec.stars.truncate(1);
+        let star = &mut spec.stars[0];
+        star.points = points;
+        star.inner_radius.0 = rho;
+        star.tube_width.0 = width * rho;
+        star.tip_angle.0 = angle;
+        star.tip_radius.0 = r_i * width * rho;
+        star.corner_radius.0 = r_e * width * rho;
+        let load = spec.load.as_mut().expect("given");
+        load.pressure = Some(stargrip_cam::units::Pressure(10_f64.powf(pressure)));
+        load.object_radius = Some(stargrip_cam::units::Length(object * rho));
+        if let Ok(prediction) = predict(&spec) {
+            let mut found = Vec::new();
+            nulls("", &json(&prediction), &mut found);
+            // What may be absent: what the fit does not know, and what the object or the seal make impossible.
+            let allowed = [
+                "lambda_c", "nonlinear", "hinge_width", "final_radius_with_hinge_width_mm", "safe_radius_mm",
+                "payload_kg", "object_force_N",
+            ];
+            found.retain(|path| !allowed.iter().any(|key| path.contains(key)));
+            prop_assert!(found.is_empty(), "{found:?}");
+            let radius = prediction.first.final_radius_mm;
+            prop_assert!(radius > 0.0 && radius.is_finite());
+        }
+    }
+}
