@@ -44,6 +44,8 @@ pub mod design;
 
 pub mod mechanics;
 
+pub mod airtight;
+
 pub mod plan;
 
 pub mod artifact;

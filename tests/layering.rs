@@ -6,13 +6,14 @@ use std::fs;
 use std::path::Path;
 
 /// (room, the rooms it may use). A room is a directory or file directly in src/.
-const MAY_USE: [(&str, &[&str]); 15] = [
+const MAY_USE: [(&str, &[&str]); 16] = [
     ("units", &[]),
     ("geom", &[]),
     ("numerics", &[]),
     ("spec", &["units"]),
     ("design", &["geom", "spec", "units"]),
     ("mechanics", &["numerics", "spec", "units"]),
+    ("airtight", &["design", "geom", "mechanics", "spec", "units"]),
     ("plan", &["design", "geom", "spec", "units"]),
     ("artifact", &[]),
     ("manifest", &["artifact", "plan"]),
@@ -23,6 +24,7 @@ const MAY_USE: [(&str, &[&str]); 15] = [
     (
         "cli",
         &[
+            "airtight",
             "artifact",
             "design",
             "emit",

@@ -1,5 +1,6 @@
 //! The machine really does what the design says: every dialect, every fault, every way of going on.
 
+mod airtight;
 mod dialects;
 mod faults;
 mod resume;
