@@ -58,6 +58,8 @@ pub mod verify;
 
 pub mod resume;
 
+pub mod coupon;
+
 pub mod pipeline;
 
 pub mod cli;

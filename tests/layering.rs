@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// (room, the rooms it may use). A room is a directory or file directly in src/.
-const MAY_USE: [(&str, &[&str]); 16] = [
+const MAY_USE: [(&str, &[&str]); 17] = [
     ("units", &[]),
     ("geom", &[]),
     ("numerics", &[]),
@@ -20,12 +20,14 @@ const MAY_USE: [(&str, &[&str]); 16] = [
     ("emit", &["design", "geom", "plan", "spec", "units"]),
     ("verify", &["artifact", "design", "geom", "manifest", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
+    ("coupon", &["design", "emit", "geom", "plan", "spec", "units"]),
     ("pipeline", &["artifact", "design", "emit", "manifest", "mechanics", "plan", "spec", "verify"]),
     (
         "cli",
         &[
             "airtight",
             "artifact",
+            "coupon",
             "design",
             "emit",
             "geom",

@@ -4,8 +4,10 @@
 //! standard output, faults to standard error.
 
 mod build;
+mod calibrate;
 mod check;
 mod cone;
+mod coupon;
 mod failure;
 mod feedcheck;
 mod load;
@@ -66,6 +68,10 @@ enum Command {
     Machines(machines::Args),
     /// Write a program that shows at which speed the machine really goes.
     Feedcheck(feedcheck::Args),
+    /// Write programs for seal strips and pouches that tell what a machine and a fabric can do.
+    Coupon(coupon::Args),
+    /// Turn the filled-in table of a peel test into what the spec should say.
+    Calibrate(calibrate::Args),
     /// Write a program for the rest of a job that was interrupted.
     Resume(resume::Args),
 }
@@ -84,6 +90,8 @@ pub fn main() -> ExitCode {
         Command::New(args) => new::run(&args),
         Command::Machines(args) => machines::run(&args),
         Command::Feedcheck(args) => feedcheck::run(&args),
+        Command::Coupon(args) => coupon::run(&args),
+        Command::Calibrate(args) => calibrate::run(&args),
         Command::Resume(args) => resume::run(&args),
     };
     match result {

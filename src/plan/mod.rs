@@ -16,7 +16,7 @@ mod trace;
 pub use feedcheck::{CHECK_LENGTH, feed_checks};
 pub use floor::{lowest_speed, refusals};
 pub use pace::{Chop, Pace, Pacer, Stroke, move_time};
-pub use pieces::{LONGEST_MOVE, pieces};
+pub use pieces::{LONGEST_MOVE, pieces, seal_pieces};
 pub use program::{Level, Program, Purpose, Ramp, SeamReport, Step};
 pub use seal::seal_programs;
 pub use time::{Clock, height_of, program_time};
