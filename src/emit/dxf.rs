@@ -169,3 +169,30 @@ fn color(layer: Layer) -> &'static str {
         Layer::Label | Layer::PaperMark => "4",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Origin;
+
+    /// A name in the skeleton without a value would leave a line empty, which only strict readers notice.
+    #[test]
+    fn every_number_is_there() {
+        let drawing = Drawing {
+            origin: Origin::Axis(Point::new(-3.0, -4.0)),
+            width: 6.0,
+            height: 8.0,
+            layers: vec![(Layer::PostHole, vec![Shape::Circle { center: Point::ORIGIN, radius: 1.0 }])],
+        };
+        let text = dxf(&drawing, Length(0.001));
+        let lines: Vec<&str> = text.lines().collect();
+        assert!(!text.contains('@') && lines.len().is_multiple_of(2));
+        for pair in lines.chunks_exact(2) {
+            let code: u32 = pair[0].trim().parse().expect("a group code");
+            if (10..60).contains(&code) || (140..148).contains(&code) {
+                assert!(pair[1].parse::<f64>().is_ok(), "{pair:?}");
+            }
+        }
+        assert!(text.contains("$EXTMIN\n 10\n-3\n 20\n-4\n"));
+    }
+}

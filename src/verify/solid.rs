@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::design::Drawing;
 use crate::design::Layer;
+use crate::geom::Bounds;
 use crate::geom::Path;
 use crate::geom::Point;
 use crate::verify::Findings;
@@ -87,9 +88,14 @@ fn bits(x: f32) -> u32 {
 
 /// The walls stand on the exact paths, all along them, from Z 0 to the thickness.
 fn edges(facets: &[[Vertex; 3]], paths: &[Path], right: f64, thickness: f64, findings: &mut Findings) -> f64 {
+    let boxes: Vec<Bounds> = paths.iter().map(Path::bounds).collect();
     let near = |x: f64, y: f64| {
         let p = Point::new(x, y);
-        paths.iter().map(|path| path.distance(p)).fold(f64::INFINITY, f64::min)
+        // Small paths first: a path whose box is farther than what is found already cannot be nearer.
+        let nearer = |best: f64, (path, bounds): (&Path, &Bounds)| {
+            if bounds.distance(p) < best { best.min(path.distance(p)) } else { best }
+        };
+        paths.iter().zip(&boxes).rev().fold(f64::INFINITY, nearer)
     };
     let (mut largest, mut length) = (0.0_f64, 0.0);
     for facet in facets {
