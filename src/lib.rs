@@ -44,6 +44,8 @@ pub mod design;
 
 pub mod mechanics;
 
+pub mod airtight;
+
 pub mod plan;
 
 pub mod artifact;
@@ -53,6 +55,10 @@ pub mod manifest;
 pub mod emit;
 
 pub mod verify;
+
+pub mod resume;
+
+pub mod coupon;
 
 pub mod pipeline;
 

@@ -55,6 +55,10 @@ pub fn build(
     let design = Design::new(spec, machine)?;
     let programs = plan::seal_programs(spec, machine, &design);
     let traces = plan::trace_programs(spec, machine, &design);
+    let refusals = plan::refusals(spec, machine, &programs, &traces);
+    if !refusals.is_empty() {
+        return Err(refusals);
+    }
     let artifacts = artifacts(spec, machine, sources, only, &design, &programs, &traces);
     let manifest = Manifest::new(spec, &design, &artifacts, &programs);
     Ok(Build { design, programs, traces, artifacts, manifest })

@@ -142,6 +142,7 @@ fn read_back(path: &Path) -> Vec<Segment> {
             Step::Seal(pieces(path, LONGEST_MOVE)),
         ],
         seams: vec![seam],
+        pace: stargrip_cam::plan::Pace::Steady,
         time: 0.0,
     };
     let text = emit::gcode(&spec, &machine, &program);

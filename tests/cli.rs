@@ -102,7 +102,7 @@ fn verify_tells_what_is_wrong_and_fails() {
     let verified = run(dir.path(), &["verify", "out/star"]);
     assert_code(&verified, 1);
     assert!(
-        stdout(&verified).contains("star-1-seal.gcode:21: wrong-feed: found F600, allowed F6"),
+        stdout(&verified).contains("star-1-seal.gcode:24: wrong-feed: found F600, allowed F6"),
         "{}",
         stdout(&verified)
     );

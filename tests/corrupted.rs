@@ -265,7 +265,7 @@ fn a_late_start_and_a_cut_corner_are_found() {
 #[test]
 fn going_back_is_found() {
     assert_program_fault("backwards", |lines| {
-        let i = contact(lines, 0) + 3;
+        let i = contact(lines, 0) + 2;
         let (there, back) = (lines[i].clone(), lines[i - 1].clone());
         lines.insert(i + 1, back);
         lines.insert(i + 2, there);

@@ -6,7 +6,9 @@ use std::path::PathBuf;
 use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser;
 
+use crate::airtight;
 use crate::artifact::Kind;
+use crate::cli::check::leaking;
 use crate::cli::failure::Failure;
 use crate::cli::failure::say;
 use crate::cli::load::Loaded;
@@ -39,6 +41,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let spec = &loaded.reading.spec;
     let build = pipeline::build(spec, &loaded.machine, loaded.sources(), &args.only)
         .map_err(|refusals| loaded.refused(refusals))?;
+    let report = airtight::report(spec, &loaded.machine, &build.design);
+    if !report.leaks.is_empty() {
+        return Err(leaking(&report));
+    }
     let proof = verify::prove(&build.design, spec, &loaded.machine, &build.archive());
     if !proof.findings.is_empty() {
         return Err(Failure::Findings(proof.findings));

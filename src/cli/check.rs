@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::airtight;
 use crate::cli::failure::Failure;
 use crate::cli::failure::say;
 use crate::cli::load::Loaded;
@@ -22,5 +23,19 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let spec = &loaded.reading.spec;
     let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
     let programs = plan::seal_programs(spec, &loaded.machine, &design);
-    say(&summary::design(spec, &design, &programs))
+    let traces = plan::trace_programs(spec, &loaded.machine, &design);
+    let refusals = plan::refusals(spec, &loaded.machine, &programs, &traces);
+    if !refusals.is_empty() {
+        return Err(loaded.refused(refusals));
+    }
+    let report = airtight::report(spec, &loaded.machine, &design);
+    say(&summary::design(spec, &design, &programs))?;
+    say(&summary::conditions(spec, &loaded.machine, &programs))?;
+    say(&report.to_string())?;
+    if report.leaks.is_empty() { Ok(()) } else { Err(leaking(&report)) }
+}
+
+/// The leaks of a design, which is refused for them.
+pub(super) fn leaking(report: &airtight::Report) -> Failure {
+    Failure::Message(format!("the seal would leak: {}", report.leaks.join("; ")))
 }

@@ -4,9 +4,12 @@
 //! standard output, faults to standard error.
 
 mod build;
+mod calibrate;
 mod check;
 mod cone;
+mod coupon;
 mod failure;
+mod feedcheck;
 mod load;
 mod machines;
 mod new;
@@ -14,15 +17,22 @@ mod optimize;
 mod predict;
 mod publish;
 mod quantity;
+mod resume;
 mod summary;
 mod sweep;
 mod trade;
 mod verify;
 
+use std::fs::File;
+use std::io;
+use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::Parser;
 use clap::Subcommand;
+
+use crate::cli::failure::Failure;
 
 pub use publish::{PublishError, publish};
 
@@ -54,8 +64,16 @@ enum Command {
     Verify(verify::Args),
     /// Write a commented starter spec.
     New(new::Args),
-    /// List the built-in machine profiles.
+    /// List the built-in machine profiles, and what each can do at 0.1 mm/s.
     Machines(machines::Args),
+    /// Write a program that shows at which speed the machine really goes.
+    Feedcheck(feedcheck::Args),
+    /// Write programs for seal strips and pouches that tell what a machine and a fabric can do.
+    Coupon(coupon::Args),
+    /// Turn the filled-in table of a peel test into what the spec should say.
+    Calibrate(calibrate::Args),
+    /// Write a program for the rest of a job that was interrupted.
+    Resume(resume::Args),
 }
 
 /// Runs the program with the arguments of the process.
@@ -71,9 +89,25 @@ pub fn main() -> ExitCode {
         Command::Verify(args) => verify::run(&args),
         Command::New(args) => new::run(&args),
         Command::Machines(args) => machines::run(&args),
+        Command::Feedcheck(args) => feedcheck::run(&args),
+        Command::Coupon(args) => coupon::run(&args),
+        Command::Calibrate(args) => calibrate::run(&args),
+        Command::Resume(args) => resume::run(&args),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
+}
+
+/// Writes a file that must not be there yet.
+fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
+    File::create_new(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
+        match error.kind() {
+            io::ErrorKind::AlreadyExists => {
+                Failure::Message(format!("{} exists already; choose another name", path.display()))
+            }
+            _ => Failure::file("write", path, &error),
+        }
+    })
 }

@@ -1,12 +1,10 @@
 //! `stargrip-cam new`
 
-use std::fs::File;
-use std::io;
-use std::io::Write;
 use std::path::PathBuf;
 
 use crate::cli::failure::Failure;
 use crate::cli::failure::say;
+use crate::cli::write_new;
 use crate::spec;
 
 /// Arguments of `new`.
@@ -21,14 +19,7 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = spec::starter(&args.name).map_err(|fault| Failure::Message(fault.to_string()))?;
     let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
-    File::create_new(&path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(
-        |error| match error.kind() {
-            io::ErrorKind::AlreadyExists => {
-                Failure::Message(format!("{} exists already; choose another name", path.display()))
-            }
-            _ => Failure::file("write", &path, &error),
-        },
-    )?;
+    write_new(&path, &text)?;
     let path = path.display();
     say(&format!("wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"))
 }

@@ -8,6 +8,7 @@ use crate::design::Design;
 use crate::design::Plate;
 use crate::manifest;
 use crate::pipeline::Build;
+use crate::plan::Pace;
 use crate::plan::Program;
 use crate::spec::Machine;
 use crate::spec::Spec;
@@ -139,6 +140,7 @@ pub(super) fn built(spec: &Spec, machine: &Machine, build: &Build, proof: &Proof
         largest(&solid),
     );
     let _ = writeln!(out, "machine: {} ({})", machine.name, machine.description);
+    out.push_str(&conditions(spec, machine, &build.programs));
     let _ = writeln!(out, "wrote to {}:", target.display());
     for (name, bytes) in build.files() {
         let _ = writeln!(out, "  {name} ({} bytes)", bytes.len());
@@ -146,7 +148,42 @@ pub(super) fn built(spec: &Spec, machine: &Machine, build: &Build, proof: &Proof
     out
 }
 
-fn hours(seconds: f64) -> String {
+/// What has to be true of the machine for the programs to do what they say.
+pub(super) fn conditions(spec: &Spec, machine: &Machine, programs: &[Program]) -> String {
+    let mut out = String::new();
+    for line in &machine.requires {
+        let _ = writeln!(out, "requires: {line}");
+    }
+    match programs.first().map(|program| program.pace) {
+        Some(Pace::Chopped(chop)) => {
+            let _ = writeln!(
+                out,
+                "chopped: strokes of at most {} mm at {:.2} mm/s with dwells, {} on the whole; it counts on an \
+                 acceleration of {} mm/s^2{}",
+                Readable(chop.longest),
+                chop.speed,
+                spec.seal.speed,
+                Readable(chop.acceleration),
+                machine.motion.steps_per_mm.map_or(String::new(), |[x, y, _]| {
+                    format!(" and at least {x} (X) and {y} (Y) steps/mm")
+                }),
+            );
+        }
+        _ if machine.motion.speed_range().is_none() => {
+            let _ = writeln!(
+                out,
+                "note: the lowest feed of this machine is unknown, and some controllers go several times faster than \
+                 {} without a word; `stargrip-cam feedcheck` writes a program that shows it",
+                spec.seal.speed
+            );
+        }
+        _ => {}
+    }
+    out
+}
+
+/// A time for people.
+pub(super) fn hours(seconds: f64) -> String {
     let minutes = (seconds / 60.0).round();
     format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
 }

@@ -11,7 +11,7 @@ mod svg;
 mod text;
 
 pub use dxf::dxf;
-pub use gcode::gcode;
+pub use gcode::{Facts, feed_check, gcode, write_gcode, write_steps};
 pub use number::Decimals;
 pub use pdf::pdf;
 pub use preview::preview;

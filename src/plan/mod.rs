@@ -4,12 +4,20 @@
 //! from it, so they cannot disagree about order, direction, starts and overlaps. The plan decides all of
 //! that, and also how long a single move is; the emitters only round and spell.
 
+mod feedcheck;
+mod floor;
+mod pace;
 mod pieces;
 mod program;
 mod seal;
+mod time;
 mod trace;
 
-pub use pieces::{LONGEST_MOVE, pieces};
+pub use feedcheck::{CHECK_LENGTH, feed_checks};
+pub use floor::{lowest_speed, refusals};
+pub use pace::{Chop, Pace, Pacer, Stroke, move_time};
+pub use pieces::{LONGEST_MOVE, pieces, seal_pieces};
 pub use program::{Level, Program, Purpose, Ramp, SeamReport, Step};
 pub use seal::seal_programs;
+pub use time::{Clock, height_of, program_time};
 pub use trace::trace_programs;

@@ -3,6 +3,7 @@
 use crate::design::Side;
 use crate::geom::Point;
 use crate::geom::Segment;
+use crate::plan::Pace;
 use crate::units::Temperature;
 
 /// What a program is for.
@@ -27,6 +28,8 @@ pub struct Program {
     pub steps: Vec<Step>,
     /// The seams it seals, in order; empty for a trace.
     pub seams: Vec<SeamReport>,
+    /// How the seal's speed is made.
+    pub pace: Pace,
     /// Time for all of it without heating and pauses, s.
     pub time: f64,
 }
@@ -104,15 +107,16 @@ impl Ramp {
         flat.hypot(self.to - self.from)
     }
 
-    /// The pieces, each with the height at its end.
-    pub fn with_heights(&self) -> impl Iterator<Item = (&Segment, f64)> {
+    /// The pieces, each with the heights at its two ends.
+    pub fn with_heights(&self) -> impl Iterator<Item = (&Segment, f64, f64)> {
         let total: f64 = self.pieces.iter().map(Segment::length).sum();
         let mut done = 0.0;
         let last = self.pieces.len();
         self.pieces.iter().zip(1..).map(move |(piece, i)| {
+            let before = self.from + (self.to - self.from) * (done / total);
             done += piece.length();
             let height = if i == last { self.to } else { self.from + (self.to - self.from) * (done / total) };
-            (piece, height)
+            (piece, before, height)
         })
     }
 }

@@ -6,12 +6,15 @@ use crate::geom::Path;
 use crate::geom::Point;
 use crate::plan::LONGEST_MOVE;
 use crate::plan::Level;
+use crate::plan::Pace;
 use crate::plan::Program;
 use crate::plan::Purpose;
 use crate::plan::Ramp;
 use crate::plan::SeamReport;
 use crate::plan::Step;
-use crate::plan::pieces;
+use crate::plan::pieces::flat_pieces;
+use crate::plan::pieces::sagitta;
+use crate::plan::program_time;
 use crate::spec::Machine;
 use crate::spec::ProgramScope;
 use crate::spec::Spec;
@@ -41,23 +44,27 @@ fn seal_program(
     sheet: usize,
     stars: &[&PlacedStar],
 ) -> Program {
-    let mut plan = Planner { spec, machine, steps: Vec::new(), seams: Vec::new(), time: 0.0, at: None };
+    let sagitta = sagitta(spec, machine);
+    let mut plan = Planner { spec, machine, steps: Vec::new(), seams: Vec::new(), sagitta };
     plan.steps.push(Step::Height(Level::Park));
     plan.steps.push(Step::Heat(spec.seal.temperature));
     for star in stars {
         plan.star(design, star);
     }
     plan.steps.push(Step::Height(Level::Park));
-    plan.travel(Point::ORIGIN);
-    let Planner { steps, seams, time, .. } = plan;
-    Program {
+    plan.steps.push(Step::Travel(Point::ORIGIN));
+    let Planner { steps, seams, .. } = plan;
+    let mut program = Program {
         purpose: Purpose::Seal,
         sheet,
         stars: stars.iter().map(|star| star.index).collect(),
         steps,
         seams,
-        time,
-    }
+        pace: Pace::new(spec, machine),
+        time: 0.0,
+    };
+    program.time = program_time(machine, &program, spec.seal.speed.0);
+    program
 }
 
 struct Planner<'a> {
@@ -65,8 +72,7 @@ struct Planner<'a> {
     machine: &'a Machine,
     steps: Vec<Step>,
     seams: Vec<SeamReport>,
-    time: f64,
-    at: Option<Point>,
+    sagitta: Option<f64>,
 }
 
 impl Planner<'_> {
@@ -76,18 +82,17 @@ impl Planner<'_> {
             let place = |path: Path| placed.placement.path(&path);
             let run = place(seam.run());
             let length = run.length();
-            let down = ramp(&place(seam.lead_in(self.machine.ramp.0)), heights.travel.0, heights.contact.0);
-            let up = ramp(&place(seam.lead_out(self.machine.ramp.0)), heights.contact.0, heights.travel.0);
+            let (high, low) = (heights.travel.0, heights.contact.0);
+            let down = self.ramp(&place(seam.lead_in(self.machine.ramp.0)), high, low);
+            let up = self.ramp(&place(seam.lead_out(self.machine.ramp.0)), low, high);
             let time = (down.length() + length + up.length()) / self.spec.seal.speed.0;
-            self.time += time;
             let Some(start) = down.pieces.first().map(crate::geom::Segment::start) else { continue };
-            self.travel(start);
-            self.at = up.pieces.last().map(crate::geom::Segment::end);
             self.steps.extend([
+                Step::Travel(start),
                 Step::Height(Level::Travel),
                 Step::Seam(self.seams.len()),
                 Step::TouchDown(down),
-                Step::Seal(pieces(&run, LONGEST_MOVE)),
+                Step::Seal(flat_pieces(&run, LONGEST_MOVE, self.sagitta)),
                 Step::Lift(up),
             ]);
             let (star, side, overlap) = (placed.index, seam.side, seam.overlap);
@@ -95,14 +100,8 @@ impl Planner<'_> {
         }
     }
 
-    fn travel(&mut self, to: Point) {
-        self.time += self.at.map_or(0.0, |at| at.distance(to)) / self.machine.travel_speed.0;
-        self.steps.push(Step::Travel(to));
-        self.at = Some(to);
+    /// A ramp along `path`. It is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
+    fn ramp(&self, path: &Path, from: f64, to: f64) -> Ramp {
+        Ramp { pieces: flat_pieces(path, LONGEST_MOVE, self.sagitta), from, to }
     }
-}
-
-/// A ramp along `path`. It is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
-fn ramp(path: &Path, from: f64, to: f64) -> Ramp {
-    Ramp { pieces: pieces(path, LONGEST_MOVE), from, to }
 }

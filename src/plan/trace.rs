@@ -8,10 +8,13 @@ use crate::geom::Path;
 use crate::geom::Point;
 use crate::geom::Segment;
 use crate::plan::Level;
+use crate::plan::Pace;
 use crate::plan::Program;
 use crate::plan::Purpose;
 use crate::plan::Step;
-use crate::plan::pieces;
+use crate::plan::pieces::flat_pieces;
+use crate::plan::pieces::sagitta;
+use crate::plan::program_time;
 use crate::plan::seal::scopes;
 use crate::spec::Machine;
 use crate::spec::Spec;
@@ -20,18 +23,23 @@ use crate::spec::Spec;
 pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
     scopes(design, spec.machine.program)
         .into_iter()
-        .map(|(sheet, stars)| trace_program(machine, design, sheet, &stars))
+        .map(|(sheet, stars)| trace_program(spec, machine, design, sheet, &stars))
         .collect()
 }
 
-fn trace_program(machine: &Machine, design: &Design, sheet: usize, stars: &[&PlacedStar]) -> Program {
+fn trace_program(
+    spec: &Spec,
+    machine: &Machine,
+    design: &Design,
+    sheet: usize,
+    stars: &[&PlacedStar],
+) -> Program {
+    let sagitta = sagitta(spec, machine);
     let mut steps = vec![Step::Height(Level::Park)];
-    let mut length = 0.0;
     let mut follow = |path: &Path| {
         let Some(start) = path.start() else { return };
-        length += path.length();
         // Nothing here waits, so moves are as long as the segments; arcs are cut at 90 degrees all the same.
-        let moves = pieces(path, f64::INFINITY);
+        let moves = flat_pieces(path, f64::INFINITY, sagitta);
         steps.extend([Step::Travel(start), Step::Height(Level::Travel), Step::Trace(moves)]);
     };
     follow(&frame(design, stars, machine.ramp.0));
@@ -42,9 +50,18 @@ fn trace_program(machine: &Machine, design: &Design, sheet: usize, stars: &[&Pla
     }
     steps.push(Step::Height(Level::Park));
     steps.push(Step::Travel(Point::ORIGIN));
-    let time = length / machine.trace_speed.0;
     let stars = stars.iter().map(|star| star.index).collect();
-    Program { purpose: Purpose::Trace, sheet, stars, steps, seams: Vec::new(), time }
+    let mut program = Program {
+        purpose: Purpose::Trace,
+        sheet,
+        stars,
+        steps,
+        seams: Vec::new(),
+        pace: Pace::Steady,
+        time: 0.0,
+    };
+    program.time = program_time(machine, &program, spec.seal.speed.0);
+    program
 }
 
 /// The rectangle around everything that the sealing program does to the fabric.

@@ -1,6 +1,7 @@
 //! The machine: what a profile in `templates/machines/` or of the user's own says about one controller.
 
-use crate::units::{Length, Speed};
+use crate::spec::motion::Motion;
+use crate::units::{Duration, Length, Speed};
 
 /// A complete and valid machine profile.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,8 +16,16 @@ pub struct Machine {
     pub work_area: Option<(Length, Length)>,
     /// Longest line the controller reads, in characters without the line end.
     pub line_length: usize,
+    /// How comments are marked.
+    pub comments: Comments,
+    /// Whether the controller draws arcs (G2, G3) exactly enough; without, they are cut into chords.
+    pub arcs: bool,
+    /// The unit of a dwell's time, and the step to which the controller rounds it up.
+    pub dwell: Dwells,
     /// How the iron gets hot.
     pub heating: Heating,
+    /// Whether the tip is spring-loaded; a rigid one is asked to stay at height 0 or above.
+    pub spring_loaded: bool,
     /// Heights of the iron's tip above the release layer.
     pub heights: Heights,
     /// Length of the ramp along the path on which the iron goes down before, and up after, a seam.
@@ -25,12 +34,18 @@ pub struct Machine {
     pub travel_speed: Speed,
     /// Speed of the trace program.
     pub trace_speed: Speed,
+    /// What is known of the motors.
+    pub motion: Motion,
+    /// Where clamps stand.
+    pub keep_out: Vec<KeepOut>,
     /// Lines that put the controller into a known state: units, plane, distance, arc and feed mode.
     pub start: Vec<String>,
     /// The line at which the machine waits for the operator.
     pub pause: String,
     /// Lines that end the program.
     pub end: Vec<String>,
+    /// What the operator has to see to before the program runs, each a short line.
+    pub requires: Vec<String>,
 }
 
 /// A family of controllers that read the same words.
@@ -38,6 +53,80 @@ pub struct Machine {
 pub enum Dialect {
     /// The plain subset that every controller reads.
     Generic,
+    /// LinuxCNC.
+    LinuxCnc,
+    /// GRBL 1.1 on an AVR.
+    Grbl,
+    /// grblHAL.
+    GrblHal,
+    /// FluidNC.
+    FluidNc,
+    /// Marlin.
+    Marlin,
+    /// Klipper.
+    Klipper,
+    /// RepRapFirmware.
+    RepRapFirmware,
+}
+
+impl Dialect {
+    /// Every dialect, by its name in profiles.
+    pub const NAMES: [(&'static str, Self); 8] = [
+        ("generic", Self::Generic),
+        ("linuxcnc", Self::LinuxCnc),
+        ("grbl", Self::Grbl),
+        ("grblhal", Self::GrblHal),
+        ("fluidnc", Self::FluidNc),
+        ("marlin", Self::Marlin),
+        ("klipper", Self::Klipper),
+        ("reprapfirmware", Self::RepRapFirmware),
+    ];
+
+    /// What people call it.
+    pub fn title(self) -> &'static str {
+        match self {
+            Self::Generic => "the controller",
+            Self::LinuxCnc => "LinuxCNC",
+            Self::Grbl => "GRBL",
+            Self::GrblHal => "grblHAL",
+            Self::FluidNc => "FluidNC",
+            Self::Marlin => "Marlin",
+            Self::Klipper => "Klipper",
+            Self::RepRapFirmware => "RepRapFirmware",
+        }
+    }
+
+    /// Its name in profiles and in programs.
+    pub fn name(self) -> &'static str {
+        Self::NAMES.iter().find(|(_, dialect)| *dialect == self).map_or("", |(name, _)| name)
+    }
+}
+
+/// How a comment is marked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Comments {
+    /// From `;` to the end of the line.
+    Semicolon,
+    /// Between `(` and `)`.
+    Parentheses,
+}
+
+/// How dwells are told.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dwells {
+    /// Unit of the P word.
+    pub unit: DwellUnit,
+    /// The controller rounds every dwell up to a multiple of this.
+    pub step: Duration,
+}
+
+/// Unit of a dwell's P word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DwellUnit {
+    /// Seconds.
+    Seconds,
+    /// Milliseconds.
+    Milliseconds,
 }
 
 /// How the iron gets to its temperature.
@@ -45,6 +134,8 @@ pub enum Dialect {
 pub enum Heating {
     /// The operator sets a soldering station and confirms.
     Operator,
+    /// The controller heats a hotend and waits (M109).
+    Hotend,
 }
 
 /// Heights of the tip; Z 0 is the top of the release layer.
@@ -56,4 +147,21 @@ pub struct Heights {
     pub travel: Length,
     /// Before and after the job.
     pub park: Length,
+}
+
+/// A clamp: a rectangle in the sheet's frame that the iron must not enter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KeepOut {
+    /// What the user calls it.
+    pub name: String,
+    /// Lower left corner.
+    pub x: Length,
+    /// Lower left corner.
+    pub y: Length,
+    /// Extent along X.
+    pub width: Length,
+    /// Extent along Y.
+    pub depth: Length,
+    /// How high it stands above the release layer; `None`: the iron must not pass above it at any height.
+    pub height: Option<Length>,
 }

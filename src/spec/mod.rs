@@ -12,6 +12,7 @@ mod allowed;
 mod fault;
 mod machine;
 mod model;
+mod motion;
 mod profile;
 mod raw;
 mod reading;
@@ -26,11 +27,12 @@ mod wording;
 mod words;
 
 pub use fault::{Fault, Faults, Level};
-pub use machine::{Dialect, Heating, Heights, Machine};
+pub use machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 pub use model::{
     Accuracy, Fabric, FeedFloor, Frame, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
     Sheet, Spec, StarSpec,
 };
+pub use motion::{Motion, StepRate};
 pub use profile::{builtin_machine, builtin_machines, read_machine};
 pub use raw::RawSpec;
 pub use reading::{Reading, read};

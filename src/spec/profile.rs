@@ -7,15 +7,23 @@ use std::ops::Range;
 
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, Faults, quoted};
-use crate::spec::machine::{Dialect, Heating, Heights, Machine};
+use crate::spec::machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
+use crate::spec::motion::{Motion, StepRate};
 use crate::spec::reading::{SIZE, read_name, read_schema, read_with};
 use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
-use crate::spec::words::breaks_line;
-use crate::units::{Length, Speed};
+use crate::spec::words::{breaks_line, check_name};
+use crate::units::{Duration, Length, Quantity, Speed};
+
+macro_rules! builtin {
+    ($($name:literal),+) => {
+        &[$(($name, include_str!(concat!("../../templates/machines/", $name, ".toml")))),+]
+    };
+}
 
 /// The profiles that come with the program: name and text.
-const BUILTIN: &[(&str, &str)] = &[("generic", include_str!("../../templates/machines/generic.toml"))];
+const BUILTIN: &[(&str, &str)] =
+    builtin!["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
 
 /// Longest description, in characters.
 const DESCRIPTION_LENGTH: usize = 200;
@@ -25,6 +33,10 @@ const CONTACT: Allowed = Allowed::closed(-20.0, 5.0);
 const HEIGHT: Allowed = Allowed::above(0.0, 1000.0);
 /// Speeds of moves without sealing, up to 10 m/s.
 const FAST: Allowed = Allowed::closed(0.01, 1e4);
+/// Steps per mm: from a coarse belt to a fine screw with microsteps.
+const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
+/// Lowest step rates, steps/s: from a step a quarter of an hour to what only a broken timer would have.
+const RATE: Allowed = Allowed::closed(1e-3, 1e5);
 
 /// The names of the profiles that come with the program.
 pub fn builtin_machines() -> impl Iterator<Item = &'static str> {
@@ -50,12 +62,22 @@ fn read_profile(reader: &mut Reader<'_>) -> Machine {
     read_schema(&mut root, 1);
     let name = read_name(&mut root);
     let description = read_description(&mut root);
-    let dialect = root.choice("dialect", &[("generic", Dialect::Generic)]).unwrap_or(Dialect::Generic);
-    let heating = root.choice("heating", &[("operator", Heating::Operator)]).unwrap_or(Heating::Operator);
+    let dialect = root.choice("dialect", &Dialect::NAMES).unwrap_or(Dialect::Generic);
+    let heating = root
+        .choice("heating", &[("operator", Heating::Operator), ("hotend", Heating::Hotend)])
+        .unwrap_or(Heating::Operator);
+    let comments = root
+        .choice("comments", &[("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)])
+        .unwrap_or(Comments::Semicolon);
+    let arcs = root.truth("arcs").unwrap_or(true);
+    let spring_loaded = root.truth("spring_loaded");
     let length = root.count("line_length", 40, 255).map_or(70, |length| length as usize);
     let ramp = root.quantity("ramp", SIZE).unwrap_or(Length(3.0));
     let work_area = read_work_area(&mut reader.section("work_area"));
-    let heights = read_heights(&mut reader.section("heights"));
+    let heights = read_heights(&mut reader.section("heights"), spring_loaded);
+    let dwell = read_dwells(&mut reader.section("dwell"));
+    let motion = read_motion(&mut reader.section("motion"));
+    let keep_out = read_keep_out(reader);
     let mut speeds = reader.section("speeds");
     let travel_speed = speeds.quantity("travel", FAST).unwrap_or(Speed(20.0));
     let trace_speed = speeds.quantity("trace", FAST).unwrap_or(Speed(20.0));
@@ -65,20 +87,29 @@ fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let pause =
         program.text("pause").map(|(line, span)| read_line(&mut program, "pause", line, span, length));
     let end = read_lines(&mut program, "end", length);
+    // Each becomes a comment that begins with "; requires: ".
+    let requires = read_lines(&mut program, "requires", length - 12);
     Machine {
         name,
         description,
         dialect,
         work_area,
         line_length: length,
+        comments,
+        arcs,
+        dwell,
         heating,
+        spring_loaded: spring_loaded.unwrap_or(heights.contact.0 < 0.0),
         heights,
         ramp,
         travel_speed,
         trace_speed,
+        motion,
+        keep_out,
         start,
         pause: pause.unwrap_or_default(),
         end,
+        requires,
     }
 }
 
@@ -110,11 +141,108 @@ fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
     }
 }
 
-fn read_heights(s: &mut Section<'_, '_>) -> Heights {
+/// Whether `key` says the word, which stands for a number that there is not.
+fn says(s: &mut Section<'_, '_>, key: &'static str, word: &str) -> bool {
+    s.take(key).and_then(|value| value.as_text()) == Some(word)
+}
+
+/// A plain number, or `None` for "unknown" and for nothing at all.
+fn known_number(s: &mut Section<'_, '_>, key: &'static str, allowed: Allowed) -> Option<f64> {
+    if says(s, key, "unknown") { None } else { s.number(key, allowed) }
+}
+
+/// A quantity, or `None` for "unknown" and for nothing at all.
+fn known<Q: Quantity>(s: &mut Section<'_, '_>, key: &'static str, allowed: Allowed) -> Option<Q> {
+    if says(s, key, "unknown") { None } else { s.quantity(key, allowed) }
+}
+
+fn read_dwells(s: &mut Section<'_, '_>) -> Dwells {
+    let units = [("s", DwellUnit::Seconds), ("ms", DwellUnit::Milliseconds)];
+    Dwells {
+        unit: s.choice("unit", &units).unwrap_or(DwellUnit::Seconds),
+        step: s.quantity("step", Allowed::closed(1e-3, 1.0)).unwrap_or(Duration(1e-3)),
+    }
+}
+
+fn read_motion(s: &mut Section<'_, '_>) -> Motion {
+    let axes = [
+        known_number(s, "x_steps_per_mm", STEPS),
+        known_number(s, "y_steps_per_mm", STEPS),
+        known_number(s, "z_steps_per_mm", STEPS),
+    ];
+    let steps_per_mm = match axes {
+        [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+        [None, None, None] => None,
+        _ => {
+            let fault = Fault::error("conflict", s.place(), "[motion] knows the steps of some axes only")
+                .label("must say `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them");
+            s.report(fault);
+            None
+        }
+    };
+    let step_rate = if says(s, "min_step_rate", "none") {
+        StepRate::NoLimit
+    } else {
+        known_number(s, "min_step_rate", RATE).map_or(StepRate::Unknown, StepRate::AtLeast)
+    };
+    Motion {
+        steps_per_mm,
+        step_rate,
+        min_feed: s.quantity("min_feed", Allowed::closed(0.0, 1e3)).unwrap_or(Speed(0.0)),
+        acceleration: known(s, "acceleration", Allowed::closed(0.1, 1e6)),
+        chop_feed: known(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
+    }
+}
+
+fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
+    let Some(list) = reader.raw.root_list("keep_out") else {
+        // So that the section's name is known even where there is none.
+        let _ = reader.section("keep_out");
+        return Vec::new();
+    };
+    list.iter()
+        .map(|value| {
+            let mut s = reader.element("keep_out", value);
+            s.require(&[
+                ("x", "\"0 mm\""),
+                ("y", "\"0 mm\""),
+                ("width", "\"20 mm\""),
+                ("depth", "\"20 mm\""),
+            ]);
+            let place = Allowed::closed(-1e5, 1e5);
+            let name = s.text("name");
+            let mut side = |key, allowed, default| s.quantity(key, allowed).unwrap_or(Length(default));
+            let (x, y) = (side("x", place, 0.0), side("y", place, 0.0));
+            let (width, depth) = (side("width", SIZE, 1.0), side("depth", SIZE, 1.0));
+            let height = known(&mut s, "height", HEIGHT);
+            let name = name.map_or("clamp".to_owned(), |(name, span)| {
+                if let Err(reason) = check_name(name) {
+                    let fault = Fault::error("name", span, format!("`name` is {}", quoted(name)));
+                    s.report(fault.label(reason.to_string()));
+                }
+                name.to_owned()
+            });
+            KeepOut { name, x, y, width, depth, height }
+        })
+        .collect()
+}
+
+fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights {
     s.require(&[("contact", "\"0 mm\""), ("travel", "\"5 mm\""), ("park", "\"30 mm\"")]);
     let contact = s.quantity("contact", CONTACT);
     let travel = s.quantity("travel", HEIGHT);
     let park = s.quantity("park", HEIGHT);
+    if let (Some(false), Some(Length(contact))) = (spring_loaded, contact)
+        && contact < 0.0
+    {
+        let fault = Fault::error(
+            "out-of-range",
+            s.place_of("contact"),
+            format!("`contact` is {}", Length(contact)),
+        )
+        .label("must be 0 mm or above for a tip without a spring, which `spring_loaded = false` says it is");
+        s.report(fault);
+    }
     for (low, low_key, high, high_key) in
         [(contact, "contact", travel, "travel"), (travel, "travel", park, "park")]
     {

@@ -29,6 +29,11 @@ impl RawSpec {
         &self.root
     }
 
+    /// The elements of the list `name` of the first level, if it is one.
+    pub(super) fn root_list(&self, name: &str) -> Option<&[RawValue]> {
+        self.root.get(name).and_then(RawValue::as_list)
+    }
+
     /// Place of the value at `path`, such as `star.points`, or of the header of a section, such as `star`;
     /// `None` if it was not written.
     pub fn find(&self, path: &str) -> Option<Range<usize>> {

@@ -5,6 +5,7 @@
 //! says. Whatever is wrong becomes a **finding**; no input makes a reader panic.
 
 mod archive;
+mod clamp;
 pub mod compare;
 mod drawing;
 mod drawings;
@@ -14,6 +15,7 @@ pub mod gcode;
 mod job;
 mod measure;
 mod number;
+mod pace;
 mod paper;
 pub mod pdf;
 mod pdf_content;

@@ -55,7 +55,7 @@ refused! {
 
 #[test]
 fn machine() {
-    let text = "schema = 1\nname = \"m\"\ndialect = \"grbl\"\nline_length = 10\nheating = \"hotend\"\n[work_area]\nx = \"600 mm\"\n\
+    let text = "schema = 1\nname = \"m\"\ndialect = \"grlb\"\nline_length = 10\nheating = \"oven\"\n[work_area]\nx = \"600 mm\"\n\
         [heights]\ncontact = \"0 mm\"\ntravel = \"5 mm\"\npark = \"4 mm\"\n[program]\nstart = [\"G21\", 5]\n\
         pause = \"M0\\nM3\"\nend = [\"; µ\", \"\"]\nbegin = []\n";
     snapshot("machine", &read_machine(&Source::new("machine.toml", text)).expect_err("faulty"));

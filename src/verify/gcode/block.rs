@@ -17,9 +17,9 @@ impl Block {
     pub(super) fn read(&mut self, words: &[Word], dialect: &Dialect) -> Result<(), Fault> {
         self.commands.clear();
         self.values = [None; 26];
-        for word in words {
+        for (place, word) in words.iter().enumerate() {
             let name = || format!("{}{}", char::from(word.letter), word.number);
-            if matches!(word.letter, b'G' | b'M') {
+            if matches!(word.letter, b'G' | b'M') || (word.letter == b'T' && place == 0) {
                 let Some(command) = dialect.command(word.letter, word.number) else {
                     return Err(("unknown-word", name(), format!("codes of {}", dialect.name)));
                 };
@@ -39,6 +39,13 @@ impl Block {
             }
         }
         self.check()
+    }
+
+    /// This block is the command alone, whatever words of its own follow it.
+    pub(super) fn set(&mut self, command: Command) {
+        self.commands.clear();
+        self.values = [None; 26];
+        self.commands.push(command);
     }
 
     /// The value of a word.
@@ -62,8 +69,24 @@ impl Block {
         if dwell && self.has_any(b"XYZIJ") {
             return Err(("modal-conflict", "a dwell with axis words".to_owned(), "P alone".to_owned()));
         }
-        if self.value(b'P').is_some() != dwell {
+        if let Some(command) = self.commands.iter().find(|command| command.stands_alone()) {
+            if self.commands.len() > 1 || self.has_any(b"XYZJF") {
+                let found = format!("{command:?} beside other words");
+                return Err(("modal-conflict", found, "it alone".to_owned()));
+            }
+            let heats = matches!(command, Command::HeatAndWait | Command::HeatOnly);
+            if heats && !self.value(b'S').is_some_and(|s| s >= 0.0) {
+                return Err(("bad-number", "heat without a temperature".to_owned(), "S, >= 0".to_owned()));
+            }
+        } else if self.value(b'P').is_some() != dwell {
             return Err(("unused-word", "P or a dwell, one of them".to_owned(), "both or none".to_owned()));
+        }
+        let own = |letter: u8| self.commands.iter().any(|command| command.own_letters().contains(&letter));
+        if let Some(letter) =
+            [b'P', b'R', b'S', b'T'].into_iter().find(|l| self.value(*l).is_some() && !own(*l))
+        {
+            let found = format!("{} without its command", char::from(letter));
+            return Err(("unused-word", found, "words that something reads".to_owned()));
         }
         if let Some(p) = self.value(b'P').filter(|p| *p < 0.0) {
             return Err(("bad-number", format!("P{p}"), "a time >= 0".to_owned()));
@@ -71,7 +94,7 @@ impl Block {
         if let Some(f) = self.value(b'F').filter(|f| *f <= 0.0) {
             return Err(("bad-feed", format!("F{f}"), "a feed > 0".to_owned()));
         }
-        if self.has_any(b"IJ") && !self.has_any(b"XY") {
+        if self.has_any(b"IJ") && !self.has_any(b"XY") && !own(b'I') {
             return Err((
                 "bad-arc",
                 "a centre without an end point".to_owned(),

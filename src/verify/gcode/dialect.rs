@@ -35,6 +35,16 @@ pub enum Command {
     Pause,
     /// The program is over.
     End,
+    /// Corners are travelled exactly.
+    ExactPath,
+    /// Heat to S, and wait until it is hot.
+    HeatAndWait,
+    /// Heat to S, and go on; 0 turns the heater off.
+    HeatOnly,
+    /// Show P per cent, R minutes.
+    Progress,
+    /// A setting of the controller that moves nothing.
+    Setting,
 }
 
 /// Unit of the P word of a dwell.
@@ -46,11 +56,13 @@ pub enum DwellUnit {
     Milliseconds,
 }
 
-/// How the iron is told its temperature.
+/// How a comment is marked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum HeatBy {
-    /// The operator sets it at a pause that follows a comment `; heat: temperature_C=...`.
-    OperatorAtPause,
+pub enum CommentMark {
+    /// From `;` to the end of the line.
+    Semicolon,
+    /// Between `(` and `)`, alone on its line.
+    Parentheses,
 }
 
 /// By how much the distances from an arc's centre to its two ends may differ, mm.
@@ -66,7 +78,7 @@ pub struct ArcTolerance {
     pub limit: f64,
 }
 
-/// A dialect: everything the interpreter asks about a controller.
+/// A dialect: everything the interpreter asks about a controller. The tables are in the room `dialects`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Dialect {
     /// Its name in machine profiles.
@@ -75,56 +87,34 @@ pub struct Dialect {
     pub line_length: usize,
     /// Letter, ten times the number, and what the code does.
     pub codes: &'static [(u8, u16, Command)],
+    /// Commands that are words of more than a letter, alone on their line (what follows them is their own).
+    pub words: &'static [(&'static str, Command)],
+    /// Modes that the controller is always in: no program needs to set them.
+    pub fixed: &'static [Command],
     /// Letters of the words that carry numbers.
     pub parameters: &'static str,
+    /// How comments are marked.
+    pub comments: CommentMark,
     /// Characters that must not occur anywhere, comments included.
     pub forbidden: &'static str,
     /// Unit of a dwell's P word.
     pub dwell: DwellUnit,
+    /// A dwell lasts for a multiple of this, rounded up, s; 0 for exactly as long as told.
+    pub dwell_step: f64,
     /// When an arc is refused.
     pub arcs: ArcTolerance,
-    /// How heat is commanded.
-    pub heat: HeatBy,
 }
 
 impl Dialect {
-    /// The plain subset that every controller reads alike: capital letters, `;` comments, arcs by I and J.
-    ///
-    /// Parentheses are refused (some controllers end a comment at the first `)`), and so are `!`, `~` and `?`,
-    /// which GRBL obeys even inside comments. The arc tolerance is the strictest of GRBL (0.005 mm, or
-    /// 0.1 % up to 0.5 mm) and LinuxCNC (about 0.028 mm). The line length is GRBL's 80 with a reserve.
-    pub const GENERIC: Self = Self {
-        name: "generic",
-        line_length: 70,
-        codes: &[
-            (b'G', 0, Command::Rapid),
-            (b'G', 10, Command::Line),
-            (b'G', 20, Command::ArcCw),
-            (b'G', 30, Command::ArcCcw),
-            (b'G', 40, Command::Dwell),
-            (b'G', 170, Command::PlaneXy),
-            (b'G', 200, Command::Inches),
-            (b'G', 210, Command::Millimetres),
-            (b'G', 900, Command::Absolute),
-            (b'G', 910, Command::Relative),
-            (b'G', 901, Command::CentersAbsolute),
-            (b'G', 911, Command::CentersRelative),
-            (b'G', 930, Command::InverseTime),
-            (b'G', 940, Command::PerMinute),
-            (b'M', 0, Command::Pause),
-            (b'M', 20, Command::End),
-            (b'M', 300, Command::End),
-        ],
-        parameters: "XYZIJFP",
-        forbidden: "()!~?",
-        dwell: DwellUnit::Seconds,
-        arcs: ArcTolerance { free: 0.005, relative: 0.001, limit: 0.028 },
-        heat: HeatBy::OperatorAtPause,
-    };
-
-    /// The same dialect on a controller that reads lines of at most `line_length` bytes.
+    /// The same dialect on a controller that reads lines of at most `line_length` bytes, if that is less.
     pub const fn with_line_length(self, line_length: usize) -> Self {
+        let line_length = if line_length < self.line_length { line_length } else { self.line_length };
         Self { line_length, ..self }
+    }
+
+    /// The same dialect with comments between parentheses.
+    pub const fn with_parentheses(self) -> Self {
+        Self { comments: CommentMark::Parentheses, forbidden: ";!~?", ..self }
     }
 
     /// What the code `letter` `number` does, if the controller knows it.
@@ -134,6 +124,15 @@ impl Dialect {
             .find(|(l, tenths, _)| *l == letter && f64::from(*tenths) == (number * 10.0).round())
             .filter(|_| (number * 10.0).fract().abs() < 1e-9)
             .map(|(_, _, command)| *command)
+    }
+
+    /// How long a dwell with this P word lasts, s.
+    pub fn dwell_seconds(&self, p: f64) -> f64 {
+        let seconds = match self.dwell {
+            DwellUnit::Seconds => p,
+            DwellUnit::Milliseconds => p / 1000.0,
+        };
+        if self.dwell_step > 0.0 { (seconds / self.dwell_step).ceil() * self.dwell_step } else { seconds }
     }
 }
 
@@ -149,6 +148,24 @@ impl Command {
             Self::InverseTime | Self::PerMinute => 5,
             Self::Inches | Self::Millimetres => 6,
             Self::Pause | Self::End => 7,
+            Self::ExactPath => 8,
+            Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting => 9,
+        }
+    }
+
+    /// Whether the command stands alone on its line, with words of its own.
+    pub(super) const fn stands_alone(self) -> bool {
+        matches!(self, Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting)
+    }
+
+    /// Letters that mean something with this command only.
+    pub(super) const fn own_letters(self) -> &'static [u8] {
+        match self {
+            Self::Dwell => b"P",
+            Self::HeatAndWait | Self::HeatOnly => b"S",
+            Self::Progress => b"PR",
+            Self::Setting => b"IST",
+            _ => b"",
         }
     }
 }

@@ -3,9 +3,9 @@
 use crate::verify::Finding;
 use crate::verify::gcode::Command;
 use crate::verify::gcode::Comment;
+use crate::verify::gcode::CommentMark;
 use crate::verify::gcode::Dialect;
 use crate::verify::gcode::Event;
-use crate::verify::gcode::HeatBy;
 use crate::verify::gcode::Pause;
 use crate::verify::gcode::block::Block;
 use crate::verify::gcode::lexer;
@@ -14,7 +14,7 @@ use crate::verify::gcode::machine::Machine;
 use crate::verify::gcode::machine::report;
 
 /// How the last line of every program begins; the number of lines follows.
-const SENTINEL: &str = "; end of program, ";
+const SENTINEL: &str = "end of program, ";
 
 /// A simulated controller that is fed one line at a time.
 ///
@@ -39,8 +39,8 @@ impl Interpreter {
     /// A controller that was just switched on.
     pub fn new(dialect: Dialect) -> Self {
         Self {
+            machine: Machine::new(&dialect),
             dialect,
-            machine: Machine::default(),
             block: Block::default(),
             words: Vec::new(),
             line: 0,
@@ -68,15 +68,27 @@ impl Interpreter {
             let allowed = format!("at most {}", self.dialect.line_length);
             report(events, "line-too-long", self.line, &found, &allowed);
         }
-        let (comment, fault) = lexer::cut(line, &self.dialect, &mut self.words);
-        let fault = fault.or_else(|| self.block.read(&self.words, &self.dialect).err());
-        if let Some((code, found, allowed)) = fault {
-            events.push(Event::Finding(Finding::new(code, self.line, found, allowed)));
-        } else if !self.words.is_empty() {
+        let mut comment = None;
+        if let Some(command) = self.whole_word(line) {
+            self.block.set(command);
             self.execute(events);
+        } else {
+            let (found, fault) = lexer::cut(line, &self.dialect, &mut self.words);
+            comment = found;
+            let fault = fault.or_else(|| self.block.read(&self.words, &self.dialect).err());
+            if let Some((code, found, allowed)) = fault {
+                events.push(Event::Finding(Finding::new(code, self.line, found, allowed)));
+            } else if !self.words.is_empty() {
+                self.execute(events);
+            }
         }
-        self.sentinel =
-            line.strip_prefix(SENTINEL).is_some_and(|rest| rest == format!("{} lines", self.line));
+        let counted = match self.dialect.comments {
+            CommentMark::Semicolon => line.strip_prefix("; "),
+            CommentMark::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
+        };
+        self.sentinel = counted
+            .and_then(|text| text.strip_prefix(SENTINEL))
+            .is_some_and(|rest| rest == format!("{} lines", self.line));
         if let Some(comment) = comment {
             self.remark(comment.trim(), events);
         }
@@ -88,12 +100,23 @@ impl Interpreter {
             report(events, "truncated", self.line, "no end of the program", "M2 or M30");
         }
         if !self.sentinel || !self.complete {
-            let allowed = format!("last line \"{SENTINEL}{} lines\" and a line end", self.line);
+            let allowed = format!("last line \"; {SENTINEL}{} lines\" and a line end", self.line);
             report(events, "truncated", self.line, "another last line", &allowed);
         }
         if self.announced.take().is_some() {
             report(events, "heat-without-pause", self.line, "a heating that nobody waits for", "M0 after it");
         }
+    }
+
+    /// The command of a line that is one of the dialect's longer words, with words of its own or without.
+    fn whole_word(&self, line: &str) -> Option<Command> {
+        let (name, rest) = line.split_once(' ').unwrap_or((line, ""));
+        let plain = |c: char| c.is_ascii_alphanumeric() || "_=. -".contains(c);
+        self.dialect
+            .words
+            .iter()
+            .find(|(word, _)| *word == name && rest.chars().all(plain))
+            .map(|(_, command)| *command)
     }
 
     fn execute(&mut self, events: &mut Vec<Event>) {
@@ -103,6 +126,10 @@ impl Interpreter {
             return;
         }
         let pause = self.block.has(Command::Pause);
+        if self.block.has(Command::HeatAndWait) {
+            // Nobody has to be waited for: the controller waits itself.
+            self.announced = None;
+        }
         if !pause && self.announced.take().is_some() {
             report(events, "heat-without-pause", self.line, "words between heating and pause", "M0 first");
         }
@@ -120,7 +147,7 @@ impl Interpreter {
 
     fn remark(&mut self, text: &str, events: &mut Vec<Event>) {
         let comment = Comment { line: self.line, text: text.to_owned() };
-        if self.dialect.heat == HeatBy::OperatorAtPause && comment.key() == Some("heat") {
+        if comment.key() == Some("heat") {
             self.announced = comment.number("temperature_C");
             if self.announced.is_none() {
                 report(

@@ -1,6 +1,7 @@
 //! Cuts a line into words and a comment.
 
 use crate::verify::finding::quote;
+use crate::verify::gcode::CommentMark;
 use crate::verify::gcode::Dialect;
 use crate::verify::number;
 
@@ -31,7 +32,10 @@ pub(super) fn cut<'a>(
         let allowed = format!("no character of {} in {}", dialect.forbidden, dialect.name);
         return (None, Some(("bad-character", format!("{:?}", char::from(bad)), allowed)));
     }
-    let (code, comment) = line.split_once(';').map_or((line, None), |(code, comment)| (code, Some(comment)));
+    let (code, comment) = match split_comment(line, dialect) {
+        Ok(parts) => parts,
+        Err(fault) => return (None, Some(fault)),
+    };
     let mut rest = code.trim_start();
     while let Some(letter) = rest.bytes().next() {
         let fault = if letter.is_ascii_uppercase() {
@@ -53,6 +57,23 @@ pub(super) fn cut<'a>(
         return (comment, Some(fault));
     }
     (comment, None)
+}
+
+/// The line's code, and its comment without the mark.
+fn split_comment<'a>(line: &'a str, dialect: &Dialect) -> Result<(&'a str, Option<&'a str>), Fault> {
+    if dialect.comments == CommentMark::Semicolon {
+        return Ok(line.split_once(';').map_or((line, None), |(code, comment)| (code, Some(comment))));
+    }
+    let Some((code, rest)) = line.split_once('(') else {
+        return match line.find(')') {
+            None => Ok((line, None)),
+            Some(_) => Err(("bad-comment", quote(line), "a comment that begins before it ends".to_owned())),
+        };
+    };
+    match rest.split_once(')') {
+        Some((comment, "")) if !comment.contains('(') => Ok((code, Some(comment))),
+        _ => Err(("bad-comment", quote(line), "one comment, closed at the end of the line".to_owned())),
+    }
 }
 
 #[cfg(test)]

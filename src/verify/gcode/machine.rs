@@ -7,7 +7,6 @@ use crate::verify::Finding;
 use crate::verify::gcode::Command;
 use crate::verify::gcode::Dialect;
 use crate::verify::gcode::Dwell;
-use crate::verify::gcode::DwellUnit;
 use crate::verify::gcode::Event;
 use crate::verify::gcode::Move;
 use crate::verify::gcode::MoveKind;
@@ -28,6 +27,15 @@ pub(super) struct Machine {
 }
 
 impl Machine {
+    /// A machine that was just switched on: only the modes that it is always in are known.
+    pub(super) fn new(dialect: &Dialect) -> Self {
+        let mut machine = Self::default();
+        for command in dialect.fixed {
+            machine.modes.set(*command);
+        }
+        machine
+    }
+
     /// Where the tip is, once all three axes were told.
     pub(super) fn at(&self) -> Option<Point3> {
         match self.position {
@@ -40,6 +48,14 @@ impl Machine {
     pub(super) fn execute(&mut self, block: &Block, line: usize, dialect: &Dialect, out: &mut Vec<Event>) {
         for command in &block.commands {
             self.modes.set(*command);
+            match command {
+                Command::HeatAndWait => self.heated = block.value(b'S').filter(|t| *t > 0.0),
+                Command::HeatOnly => self.heated = None,
+                _ => {}
+            }
+        }
+        if block.commands.iter().any(|command| command.stands_alone()) {
+            return;
         }
         if let Some(f) = block.value(b'F') {
             self.require(self.modes.units.is_some(), "units (G20, G21)", line, out);
@@ -47,10 +63,7 @@ impl Machine {
             self.modes.feed = Some(if self.modes.is_inverse_time() { f } else { f * self.modes.scale() });
         }
         if let Some(p) = block.value(b'P') {
-            let seconds = match dialect.dwell {
-                DwellUnit::Seconds => p,
-                DwellUnit::Milliseconds => p / 1000.0,
-            };
+            let seconds = dialect.dwell_seconds(p);
             out.push(Event::Dwell(Dwell { line, seconds, at: self.at() }));
         }
         if block.has_any(b"XYZIJ") {

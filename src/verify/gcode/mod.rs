@@ -10,6 +10,7 @@ mod arc;
 mod block;
 mod comment;
 mod dialect;
+mod dialects;
 mod interpreter;
 mod lexer;
 mod machine;
@@ -17,6 +18,6 @@ mod modes;
 mod program;
 
 pub use comment::Comment;
-pub use dialect::{ArcTolerance, Command, Dialect, DwellUnit, HeatBy};
+pub use dialect::{ArcTolerance, Command, CommentMark, Dialect, DwellUnit};
 pub use interpreter::Interpreter;
 pub use program::{Dwell, Event, Move, MoveKind, Pause, Point3, Program, read_program};

@@ -35,7 +35,14 @@ impl Modes {
                 }
                 self.feed_mode = Some(command);
             }
-            C::Dwell | C::Pause | C::End => {}
+            C::Dwell
+            | C::Pause
+            | C::End
+            | C::ExactPath
+            | C::HeatAndWait
+            | C::HeatOnly
+            | C::Progress
+            | C::Setting => {}
         }
     }
 

@@ -1,0 +1,80 @@
+//! Whether the seal is tight, and how much it holds: topology and strength of every seam.
+//!
+//! A **leak** is a way for air that the design leaves open; a **weakness** is a place that may fail. Both are read off the
+//! geometry and the order in which the iron travels it, not assumed from how they were made.
+
+mod strength;
+mod topology;
+
+use std::fmt;
+
+use crate::design::Design;
+use crate::spec::Machine;
+use crate::spec::Spec;
+
+pub use strength::{Load, seal_loads};
+pub use topology::{Passage, passage};
+
+/// What is to be said about the seals of a design.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Every distinct star: the number of the first that is like it, its passages, its loads.
+    pub stars: Vec<StarReport>,
+    /// Ways for air that are open.
+    pub leaks: Vec<String>,
+    /// Places that may fail.
+    pub weaknesses: Vec<String>,
+}
+
+/// One distinct star.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StarReport {
+    /// Number of the first star that is like it.
+    pub index: usize,
+    /// Where air goes and where it must not.
+    pub passage: Passage,
+    /// The load on the seal where it bends and where it is straight.
+    pub loads: Vec<Load>,
+}
+
+/// The report on `design`.
+pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> Report {
+    let mut report = Report::default();
+    for (number, part) in design.distinct.iter().enumerate() {
+        let index = design.stars.iter().find(|star| star.distinct == number).map_or(0, |star| star.index);
+        let passage = passage(spec, machine, part);
+        let of_star = |text: &String| format!("star {index}: {text}");
+        report.leaks.extend(passage.leaks.iter().map(of_star));
+        report.weaknesses.extend(passage.weaknesses.iter().map(of_star));
+        let loads = seal_loads(spec, part);
+        report.weaknesses.extend(loads.iter().filter_map(Load::weakness).map(|text| of_star(&text)));
+        report.stars.push(StarReport { index, passage, loads });
+    }
+    if let Some(distance) = topology::between_stars(design).filter(|distance| *distance <= 0.0) {
+        report.leaks.push(format!("the bands of two stars overlap by {:.3} mm", -distance));
+    }
+    report
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "seal:")?;
+        for star in &self.stars {
+            writeln!(f, "  star {}", star.index)?;
+            write!(f, "{}", star.passage)?;
+            for load in &star.loads {
+                writeln!(f, "    {load}")?;
+            }
+        }
+        for leak in &self.leaks {
+            writeln!(f, "  LEAK: {leak}")?;
+        }
+        for weakness in &self.weaknesses {
+            writeln!(f, "  warning: {weakness}")?;
+        }
+        if self.leaks.is_empty() {
+            writeln!(f, "  tight: no way for air but the inlet")?;
+        }
+        Ok(())
+    }
+}

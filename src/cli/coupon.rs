@@ -1,0 +1,87 @@
+//! `stargrip-cam coupon`
+
+use std::fmt::Write;
+use std::fs;
+use std::path::PathBuf;
+
+use crate::cli::failure::Failure;
+use crate::cli::failure::say;
+use crate::cli::load::Loaded;
+use crate::cli::write_new;
+use crate::coupon::Grid;
+use crate::coupon::coupons;
+use crate::coupon::table;
+use crate::units::Length;
+use crate::units::Quantity;
+use crate::units::Speed;
+use crate::units::Temperature;
+
+/// Arguments of `coupon`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// The spec whose machine, fabric and tube are tried out.
+    spec: PathBuf,
+    /// A new directory for the programs, drawings and the table.
+    #[arg(short, long, value_name = "DIR", default_value = "coupons")]
+    output: PathBuf,
+    /// Temperatures of the grid; default: the spec's.
+    #[arg(long, value_delimiter = ',', value_parser = quantity::<Temperature>)]
+    temperatures: Vec<Temperature>,
+    /// Speeds of the grid; default: once, twice and five times the spec's.
+    #[arg(long, value_delimiter = ',', value_parser = quantity::<Speed>)]
+    speeds: Vec<Speed>,
+    /// Heights of the tip in contact; default: the profile's.
+    #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>, allow_hyphen_values = true)]
+    heights: Vec<Length>,
+    /// How often each setting is sealed.
+    #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=20))]
+    repeats: u8,
+}
+
+fn quantity<Q: Quantity>(text: &str) -> Result<Q, String> {
+    Q::parse(text).map_err(|_| format!("a {} with its unit: {}", Q::KIND, Q::unit_list()))
+}
+
+/// Writes the coupons.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let loaded = Loaded::new(&args.spec)?;
+    let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
+    let seal = &spec.seal;
+    let or = |given: &[Temperature]| if given.is_empty() { vec![seal.temperature] } else { given.to_vec() };
+    let speeds = [1.0, 2.0, 5.0].map(|factor| Speed(factor * seal.speed.0));
+    let grid = Grid {
+        temperatures: or(&args.temperatures),
+        speeds: if args.speeds.is_empty() { speeds.to_vec() } else { args.speeds.clone() },
+        heights: if args.heights.is_empty() { vec![machine.heights.contact] } else { args.heights.clone() },
+        repeats: usize::from(args.repeats),
+    };
+    if let Some(t) = grid.temperatures.iter().find(|t| !(t.0 > 0.0 && t.0 < 300.0)) {
+        let why = "above 0 C, below 300 C: from there the PTFE release layer gives off toxic fumes";
+        return Err(Failure::Message(format!("a temperature of {t}; it must be {why}")));
+    }
+    if let Some(v) = grid.speeds.iter().find(|v| !(1e-3..=1e3).contains(&v.0)) {
+        return Err(Failure::Message(format!("a speed of {v}; it must be from 0.001 to 1000 mm/s")));
+    }
+    let travel = machine.heights.travel;
+    if let Some(h) = grid.heights.iter().find(|h| !(-20.0..travel.0).contains(&h.0)) {
+        return Err(Failure::Message(format!("a height of {h}; it must be from -20 mm to below {travel}")));
+    }
+    let set = coupons(spec, machine, &grid).map_err(|refusals| loaded.refused(refusals))?;
+    fs::create_dir(&args.output).map_err(|error| Failure::file("create", &args.output, &error))?;
+    let mut said = String::new();
+    for coupon in &set {
+        for (ending, text) in [("gcode", &coupon.gcode), ("svg", &coupon.svg)] {
+            let path = args.output.join(format!("{}.{ending}", coupon.name));
+            write_new(&path, text)?;
+            let _ = writeln!(said, "wrote {}", path.display());
+        }
+    }
+    let results = args.output.join("results.csv");
+    write_new(&results, &table(&grid.strips()))?;
+    say(&format!(
+        "{said}wrote {}\nseal the strips, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in peel_N, \
+         then: stargrip-cam calibrate {}\n",
+        results.display(),
+        results.display()
+    ))
+}

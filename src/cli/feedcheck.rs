@@ -1,0 +1,36 @@
+//! `stargrip-cam feedcheck`
+
+use std::path::PathBuf;
+
+use crate::cli::failure::Failure;
+use crate::cli::failure::say;
+use crate::cli::load::Loaded;
+use crate::cli::write_new;
+use crate::emit;
+use crate::plan;
+
+/// Arguments of `feedcheck`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// The spec whose machine and speed are checked.
+    spec: PathBuf,
+    /// The program to write; never over a file that is there.
+    #[arg(short, long, value_name = "FILE", default_value = "feedcheck.gcode")]
+    output: PathBuf,
+}
+
+/// Writes the program that shows at which speed the machine really goes.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let loaded = Loaded::new(&args.spec)?;
+    let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
+    let checks = plan::feed_checks(spec, machine);
+    write_new(&args.output, &emit::feed_check(spec, machine, &checks))?;
+    let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
+    say(&format!(
+        "wrote {}\neach of its three lines of {} mm (X, Y, 45 deg) must take {seconds:.0} s; if one is faster, the \
+         machine cannot go at {}: use `feed_floor = \"chop\"`\n",
+        args.output.display(),
+        plan::CHECK_LENGTH,
+        spec.seal.speed
+    ))
+}

@@ -1,0 +1,108 @@
+//! The header: what a reader of the file alone, person or program, needs to know.
+
+use std::fmt;
+
+use crate::emit::gcode::Facts;
+use crate::emit::gcode::writer::Writer;
+use crate::emit::number::Decimals;
+use crate::plan::Pace;
+use crate::plan::Program;
+use crate::plan::Purpose;
+use crate::plan::SeamReport;
+use crate::spec::DwellUnit;
+use crate::spec::Heating;
+
+/// Writes the header of `program`.
+pub(super) fn header(
+    writer: &mut Writer<'_, impl fmt::Write>,
+    facts: Facts<'_>,
+    program: &Program,
+) -> fmt::Result {
+    let purpose = match program.purpose {
+        Purpose::Seal => "seal",
+        Purpose::Trace => "trace",
+    };
+    writer.comment(&format!("stargrip-cam {purpose} program"))?;
+    writer.comment(&format!("name: {}", facts.name))?;
+    let stars = stars(program);
+    writer.comment(&format!("program: purpose={purpose} sheet={} stars={stars}", program.sheet))?;
+    writer.comment("frame: origin at lower left of the sheet, Z0 on the release layer")?;
+    if program.purpose == Purpose::Seal {
+        machine_facts(writer, facts, program)?;
+    }
+    for (seam, i) in program.seams.iter().zip(1..) {
+        writer.comment(&seam_facts("length", i, seam))?;
+    }
+    if program.purpose == Purpose::Seal {
+        let length: f64 = program.seams.iter().map(|seam| seam.length).sum();
+        writer.comment(&format!("total: length_mm={length:.3} time_s={:.0}", program.time))?;
+    }
+    Ok(())
+}
+
+/// What a new program for the rest of the job needs to know, and what the operator has to see to.
+fn machine_facts(
+    writer: &mut Writer<'_, impl fmt::Write>,
+    facts: Facts<'_>,
+    program: &Program,
+) -> fmt::Result {
+    let (seal, machine) = (facts.seal, facts.machine);
+    let (t, v) = (number(seal.temperature.0), number(seal.speed.0));
+    let (w, o) = (number(seal.band.0), number(seal.overlap.0));
+    writer.comment(&format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"))?;
+    let heating = match machine.heating {
+        Heating::Operator => "operator",
+        Heating::Hotend => "hotend",
+    };
+    let (dialect, line) = (machine.dialect.name(), machine.line_length);
+    let arcs = if machine.arcs { "yes" } else { "no" };
+    writer.comment(&format!("machine: dialect={dialect} heating={heating} arcs={arcs} line={line}"))?;
+    let heights = &machine.heights;
+    let (contact, travel) = (number(heights.contact.0), number(heights.travel.0));
+    let (park, ramp) = (number(heights.park.0), number(machine.ramp.0));
+    writer.comment(&format!(
+        "heights: contact_mm={contact} travel_mm={travel} park_mm={park} ramp_mm={ramp}"
+    ))?;
+    let (path, rapid) = (number(facts.path.0), number(machine.travel_speed.0));
+    let unit = match machine.dwell.unit {
+        DwellUnit::Seconds => "s",
+        DwellUnit::Milliseconds => "ms",
+    };
+    writer.comment(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"))?;
+    if let Pace::Chopped(chop) = program.pace {
+        let (feed, a) = (number(chop.speed * 60.0), number(chop.acceleration));
+        let (longest, step) = (number(chop.longest), number(chop.step));
+        writer.comment(&format!("chop: feed_mm_min={feed} longest_mm={longest}"))?;
+        writer.comment(&format!("chop-rest: acceleration_mm_s2={a} step_s={step}"))?;
+        writer.requirement(&format!("requires: an acceleration of {a} mm/s2 in X and Y"))?;
+        if let Some([x, y, _]) = machine.motion.steps_per_mm {
+            writer.requirement(&format!("requires: at least {x} and {y} steps/mm in X and Y"))?;
+        }
+    }
+    for line in &machine.requires {
+        writer.requirement(&format!("requires: {line}"))?;
+    }
+    Ok(())
+}
+
+/// A value from the spec, to nine decimals: more than any controller reads.
+pub(super) fn number(x: f64) -> String {
+    Decimals::exactly(9).text(x)
+}
+
+fn stars(program: &Program) -> String {
+    match (program.stars.first(), program.stars.last()) {
+        (Some(first), Some(last)) if first != last => format!("{first}-{last}"),
+        (Some(only), _) => only.to_string(),
+        _ => "none".to_owned(),
+    }
+}
+
+/// The structured comment about one seam.
+pub(super) fn seam_facts(key: &str, index: usize, seam: &SeamReport) -> String {
+    let (star, name) = (seam.star, seam.loop_name());
+    format!(
+        "{key}: seam={index} star={star} loop={name} length_mm={:.3} time_s={:.0}",
+        seam.length, seam.time
+    )
+}

@@ -1,0 +1,158 @@
+//! The writer: lines of G-code into a sink, one at a time.
+
+use std::fmt;
+
+use crate::emit::gcode::Facts;
+use crate::emit::gcode::header::number;
+use crate::emit::gcode::speech::Speech;
+use crate::emit::gcode::speech::speech;
+use crate::emit::number::Decimals;
+use crate::emit::text::inert;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::spec::Comments;
+
+/// Spells lines, and remembers where the file says that the iron is.
+pub(super) struct Writer<'a, W> {
+    out: &'a mut W,
+    facts: Facts<'a>,
+    decimals: Decimals,
+    /// The spelling of the dialect.
+    pub(super) speech: &'static dyn Speech,
+    /// Lines so far.
+    pub(super) lines: usize,
+    /// Where the iron is, as the file says.
+    pub(super) at: Point,
+    /// The feed in force, mm/min.
+    pub(super) feed: Option<f64>,
+    line: String,
+}
+
+impl<'a, W: fmt::Write> Writer<'a, W> {
+    pub(super) fn new(out: &'a mut W, facts: Facts<'a>) -> Self {
+        Self {
+            out,
+            facts,
+            decimals: Decimals::for_tolerance(facts.path),
+            speech: speech(facts.machine.dialect),
+            lines: 0,
+            at: Point::ORIGIN,
+            feed: None,
+            line: String::new(),
+        }
+    }
+
+    /// The nearest point that the file can say.
+    pub(super) fn round(&self, p: Point) -> Point {
+        self.decimals.round_point(p)
+    }
+
+    /// A line as it is.
+    pub(super) fn line(&mut self, text: &str) -> fmt::Result {
+        self.out.write_str(text)?;
+        self.out.write_char('\n')?;
+        self.lines += 1;
+        Ok(())
+    }
+
+    /// A comment, cut to the length that the controller reads.
+    pub(super) fn comment(&mut self, text: &str) -> fmt::Result {
+        let room = self.facts.machine.line_length.saturating_sub(2);
+        self.marked(&inert(text, room))
+    }
+
+    /// A comment of the profile's own, which may name settings such as `$1`.
+    pub(super) fn requirement(&mut self, text: &str) -> fmt::Result {
+        let room = self.facts.machine.line_length.saturating_sub(4);
+        let parts: Vec<String> = text.split('$').map(|part| inert(part, room)).collect();
+        self.marked(&parts.join("$"))
+    }
+
+    fn marked(&mut self, text: &str) -> fmt::Result {
+        let line = match self.facts.machine.comments {
+            Comments::Semicolon => format!("; {text}").trim_end().to_owned(),
+            Comments::Parentheses => format!("({})", text.trim_end()),
+        };
+        self.line(&line)
+    }
+
+    /// The last line: how many there are.
+    pub(super) fn sentinel(&mut self) -> fmt::Result {
+        let lines = self.lines + 1;
+        self.comment(&format!("end of program, {lines} lines"))
+    }
+
+    /// Straight up or down.
+    pub(super) fn height(&mut self, z: f64) -> fmt::Result {
+        self.word("G0 Z", z);
+        self.end_line()
+    }
+
+    /// As fast as possible, in the plane.
+    pub(super) fn travel(&mut self, to: Point) -> fmt::Result {
+        let to = self.round(to);
+        self.word("G0 X", to.x);
+        self.word(" Y", to.y);
+        self.at = to;
+        self.end_line()
+    }
+
+    /// One feed move along `piece`, to height `z` if given, at `speed` mm/s.
+    pub(super) fn cut(&mut self, piece: &Segment, z: Option<f64>, speed: f64) -> fmt::Result {
+        let (from, to) = (self.at, self.round(piece.end()));
+        if from == to && z.is_none() {
+            return Ok(());
+        }
+        let center = self.center(piece, from, to);
+        self.line.push_str(match (piece, center) {
+            (Segment::Arc(arc), Some(_)) if arc.is_ccw() => "G3",
+            (_, Some(_)) => "G2",
+            (_, None) => "G1",
+        });
+        self.word(" X", to.x);
+        self.word(" Y", to.y);
+        if let Some(z) = z {
+            self.word(" Z", z);
+        }
+        if let Some(center) = center {
+            self.word(" I", center.x - from.x);
+            self.word(" J", center.y - from.y);
+        }
+        let feed = speed * 60.0;
+        if self.feed != Some(feed) {
+            self.feed = Some(feed);
+            self.line.push_str(" F");
+            self.line.push_str(&number(feed));
+        }
+        self.at = to;
+        self.end_line()
+    }
+
+    /// Centre of the arc through the rounded points; `None` where a straight move is as good.
+    fn center(&self, piece: &Segment, from: Point, to: Point) -> Option<Point> {
+        let Segment::Arc(arc) = piece else { return None };
+        let sagitta = arc.radius * (1.0 - (arc.sweep / 2.0).cos());
+        // A quarter of the tolerance; rounding has at most a tenth of it.
+        if sagitta <= self.facts.path.0 / 4.0 {
+            return None;
+        }
+        let chord = to - from;
+        let half = chord.length() / 2.0;
+        let apothem = (arc.radius * arc.radius - half * half).max(0.0).sqrt();
+        Some(from.midpoint(to) + chord.normalized().perp() * (apothem * arc.sweep.signum()))
+    }
+
+    fn word(&mut self, letter: &str, value: f64) {
+        self.line.push_str(letter);
+        self.decimals.write(&mut self.line, value);
+    }
+
+    fn end_line(&mut self) -> fmt::Result {
+        let mut line = std::mem::take(&mut self.line);
+        let written = self.line(&line);
+        // The room is used again.
+        line.clear();
+        self.line = line;
+        written
+    }
+}

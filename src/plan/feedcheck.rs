@@ -1,0 +1,36 @@
+//! The feed check: three lines of 10 mm that must take as long as the seal's speed says.
+
+use crate::geom::Line;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::plan::Level;
+use crate::plan::Pace;
+use crate::plan::Program;
+use crate::plan::Purpose;
+use crate::plan::Step;
+use crate::plan::program_time;
+use crate::spec::Machine;
+use crate::spec::Spec;
+
+/// Length of each line, mm: at 0.1 mm/s it takes 100 s, long enough for a wristwatch.
+pub const CHECK_LENGTH: f64 = 10.0;
+
+/// The programs for X, Y and 45 degrees, in this order: cold, at travel height, at the seal's pace.
+pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program)> {
+    let diagonal = CHECK_LENGTH / std::f64::consts::SQRT_2;
+    let ends = [
+        ("along X", Point::new(CHECK_LENGTH, 0.0)),
+        ("along Y", Point::new(0.0, CHECK_LENGTH)),
+        ("at 45 deg", Point::new(diagonal, diagonal)),
+    ];
+    ends.map(|(name, end)| {
+        let line: Segment = Line::new(Point::ORIGIN, end).into();
+        let steps = vec![Step::Travel(Point::ORIGIN), Step::Height(Level::Travel), Step::Seal(vec![line])];
+        let pace = Pace::new(spec, machine);
+        let (sheet, stars, seams) = (1, Vec::new(), Vec::new());
+        let mut program = Program { purpose: Purpose::Trace, sheet, stars, steps, seams, pace, time: 0.0 };
+        program.time = program_time(machine, &program, spec.seal.speed.0);
+        (name, program)
+    })
+    .into()
+}

@@ -1,0 +1,98 @@
+//! Exact time: lengths over speed in contact, dwells, travels that speed up and brake.
+//!
+//! Heating and pauses last as long as the operator and the heater want: they are not counted. At the seal's speed
+//! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
+
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::plan::Level;
+use crate::plan::Pacer;
+use crate::plan::Program;
+use crate::plan::Step;
+use crate::plan::move_time;
+use crate::spec::Machine;
+
+/// Follows a program step by step, and knows how long it has taken.
+#[derive(Clone, Debug)]
+pub struct Clock<'a> {
+    machine: &'a Machine,
+    at: Option<Point>,
+    height: Option<f64>,
+    /// Time so far, s.
+    pub elapsed: f64,
+}
+
+impl<'a> Clock<'a> {
+    /// A clock at the beginning; where the iron is then, nobody knows.
+    pub fn new(machine: &'a Machine) -> Self {
+        Self { machine, at: None, height: None, elapsed: 0.0 }
+    }
+
+    /// Adds a move or wait that took `seconds` and ended at `to`.
+    pub fn add(&mut self, to: Point, height: Option<f64>, seconds: f64) {
+        self.at = Some(to);
+        self.height = height.or(self.height);
+        self.elapsed += seconds;
+    }
+
+    /// Adds a travel in the plane.
+    pub fn travel(&mut self, to: Point) {
+        let length = self.at.map_or(0.0, |at| at.distance(to));
+        self.add(to, None, self.rapid(length));
+    }
+
+    /// Adds a move straight up or down.
+    pub fn height(&mut self, level: Level) {
+        let to = height_of(self.machine, level);
+        let length = self.height.map_or(0.0, |from| (to - from).abs());
+        self.elapsed += self.rapid(length);
+        self.height = Some(to);
+    }
+
+    fn rapid(&self, length: f64) -> f64 {
+        let acceleration = self.machine.motion.acceleration.map(|a| a.0);
+        if length > 0.0 { move_time(length, self.machine.travel_speed.0, acceleration) } else { 0.0 }
+    }
+}
+
+/// The height of a level, mm.
+pub fn height_of(machine: &Machine, level: Level) -> f64 {
+    match level {
+        Level::Travel => machine.heights.travel.0,
+        Level::Park => machine.heights.park.0,
+    }
+}
+
+/// Time for all of `program`, s, without heating and pauses; `speed` is the seal's, mm/s.
+pub fn program_time(machine: &Machine, program: &Program, speed: f64) -> f64 {
+    let mut clock = Clock::new(machine);
+    let mut pacer = Pacer::new(program.pace, speed);
+    let seal = |pacer: &mut Pacer, piece: &Segment, heights| {
+        let mut seconds = 0.0;
+        pacer.strokes(piece, heights, |stroke| seconds += stroke.seconds);
+        seconds
+    };
+    for step in &program.steps {
+        match step {
+            Step::Height(level) => clock.height(*level),
+            Step::Travel(to) => clock.travel(*to),
+            Step::TouchDown(ramp) | Step::Lift(ramp) => {
+                for (piece, from, to) in ramp.with_heights() {
+                    clock.add(piece.end(), Some(to), seal(&mut pacer, piece, Some((from, to))));
+                }
+            }
+            Step::Seal(pieces) => {
+                for piece in pieces {
+                    clock.add(piece.end(), None, seal(&mut pacer, piece, None));
+                }
+            }
+            Step::Trace(pieces) => {
+                for piece in pieces {
+                    clock.add(piece.end(), None, piece.length() / machine.trace_speed.0);
+                }
+            }
+            Step::Heat(_) | Step::Seam(_) => {}
+        }
+    }
+    clock.elapsed
+}

@@ -1,0 +1,136 @@
+//! Going on after an interruption: from a program's file alone to a new program for the rest of the job.
+//!
+//! The **record** is what the file says of its machine and its seal (structured comments); the **journey** is its moves
+//! with what the iron does in each; a **stop** is a place on it. The new program is the old one's beginning up to the
+//! heating, a way down along the seam that ends an overlap before the stop, and then the old lines as they were.
+
+mod fault;
+mod journey;
+mod place;
+mod record;
+
+use crate::emit;
+use crate::emit::Facts;
+use crate::geom::Path;
+use crate::geom::Segment;
+use crate::plan::Level;
+use crate::plan::Program;
+use crate::plan::Purpose;
+use crate::plan::Ramp;
+use crate::plan::Step;
+use crate::resume::journey::Journey;
+use crate::resume::journey::Run;
+use crate::resume::record::Record;
+use crate::verify::gcode::read_program;
+
+pub use fault::ResumeFault;
+pub use place::Place;
+
+/// A new program for the rest of a job.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Resumed {
+    /// The program.
+    pub text: String,
+    /// Line of the old program in which the iron comes into contact again, from 1.
+    pub line: usize,
+    /// What is sealed twice, mm.
+    pub overlap: f64,
+    /// Part of the job's time that was done at the stop, 0 to 1.
+    pub done: f64,
+}
+
+/// The program that goes on from `place` in the sealing program `text`, sealing `overlap` mm again (`None`: as much as
+/// its closures overlap).
+///
+/// # Errors
+/// If the file is damaged or not one of ours, or if nothing is left to do.
+pub fn resume(text: &str, place: Place, overlap: Option<f64>) -> Result<Resumed, ResumeFault> {
+    let record = Record::read(text)?;
+    let journey = Journey::read(text, &record)?;
+    let stop = place.find(&journey)?;
+    let overlap = overlap.unwrap_or(record.seal.overlap.0);
+    let lines: Vec<&str> = text.lines().collect();
+    let mut out = Vec::new();
+    let mut sealed_twice = 0.0;
+    let line = match journey.run_at(stop.step) {
+        Some(run) => {
+            let s = stop.along.min(run.length());
+            let from = (s - overlap).max(0.0);
+            sealed_twice = s - from;
+            approach(&record, &journey, &run, from, &mut out)?
+        }
+        // Away from the fabric: the next seam is begun as it was meant to be.
+        None => journey.next_travel(stop.step).ok_or(ResumeFault::NothingLeft)?,
+    };
+    let rest = &lines[line..];
+    let done = stop.done;
+    let note =
+        format!("resume: from_line={} overlap_mm={sealed_twice:.3} percent={:.1}", line + 1, 100.0 * done);
+    let new = assembled(&record, &lines[..journey.hot], &record.comment(&note), &out, rest);
+    // The new file is read as the controller would read it.
+    if let Some(finding) = read_program(&new, record.dialect()).findings.into_iter().next() {
+        return Err(ResumeFault::Damaged(finding));
+    }
+    Ok(Resumed { text: new, line: line + 1, overlap: sealed_twice, done })
+}
+
+/// Writes the way back to `from` (mm along `run`) into `out`, and the rest of the move in which that lies; the index of
+/// the old line that comes next.
+fn approach(
+    record: &Record,
+    journey: &Journey,
+    run: &Run<'_>,
+    from: f64,
+    out: &mut Vec<String>,
+) -> Result<usize, ResumeFault> {
+    let (heights, ramp) = (&record.machine.heights, record.machine.ramp.0);
+    // The way down of the seam itself lies before its run: there is always room for a ramp.
+    let track = Path::open(run.down.iter().chain(run.steps).filter_map(|step| step.step.path).collect());
+    let before: f64 = run.down.iter().filter_map(|step| step.step.path).map(|path| path.length()).sum();
+    let down = track.part((before + from - ramp).max(0.0), before + from);
+    let mut along = 0.0;
+    let mut rest: Vec<Segment> = Vec::new();
+    let mut last = run.steps.first().ok_or(ResumeFault::NothingLeft)?;
+    for step in run.steps {
+        let length = step.step.path.map_or(0.0, |path| path.length());
+        last = step;
+        // A sliver left of a move is rounding: the next move is as good a beginning.
+        if along + length > from + 1e-6 {
+            rest = track.part(before + from, before + along + length).segments;
+            break;
+        }
+        along += length;
+    }
+    let start = down.start().ok_or(ResumeFault::NothingLeft)?;
+    let (travel, contact) = (heights.travel.0, heights.contact.0);
+    let steps = vec![
+        Step::Travel(start),
+        Step::Height(Level::Travel),
+        Step::TouchDown(Ramp { pieces: down.segments, from: travel, to: contact }),
+        Step::Seal(rest),
+    ];
+    let (sheet, stars, seams) = (1, Vec::new(), Vec::new());
+    let program =
+        Program { purpose: Purpose::Seal, sheet, stars, steps, seams, pace: record.pace, time: 1.0 };
+    let facts = Facts { name: "", seal: &record.seal, path: record.path, machine: &record.machine };
+    let mut text = String::new();
+    let _ = emit::write_steps(&mut text, facts, &program, start).map_err(|_| ResumeFault::NothingLeft)?;
+    out.extend(run.title.clone());
+    out.extend(text.lines().map(str::to_owned));
+    // The dwells of the old move belong to it, and have been written anew with its rest.
+    Ok(journey.after(last.step.line))
+}
+
+/// The new file: what comes before the heat with a note, the way back, the rest, and a last line that counts.
+fn assembled(record: &Record, head: &[&str], note: &str, way: &[String], rest: &[&str]) -> String {
+    let mut lines: Vec<&str> = head.to_vec();
+    // After the title and the name.
+    lines.insert(2.min(lines.len()), note);
+    lines.extend(way.iter().map(String::as_str));
+    lines.extend(&rest[..rest.len().saturating_sub(1)]);
+    let mut text = lines.join("\n");
+    text.push('\n');
+    text.push_str(&record.comment(&format!("end of program, {} lines", lines.len() + 1)));
+    text.push('\n');
+    text
+}

@@ -1,0 +1,130 @@
+//! The lowest feed that a controller holds, from its motors' steps and its timer's longest period.
+//!
+//! A controller makes the steps of the axis that has most of them at an even rate. Below some rate its timer
+//! overflows; many then step at the lowest rate they can, faster than told, without a word. Along the unit vector u
+//! the lowest speed is `f / max(S_x |u_x|, S_y |u_y|, S_z |u_z|)`, with f the lowest step rate and S the steps per mm.
+
+use crate::units::{Acceleration, Speed};
+
+/// What is known of the motors.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// Steps per mm of X, Y and Z; `None` if unknown.
+    pub steps_per_mm: Option<[f64; 3]>,
+    /// The lowest even step rate, steps/s.
+    pub step_rate: StepRate,
+    /// A lowest feed of its own, whatever the steps; 0 for none.
+    pub min_feed: Speed,
+    /// Acceleration of X and Y; `None` if unknown.
+    pub acceleration: Option<Acceleration>,
+    /// Feed of chopped moves; `None`: 1.2 times the lowest feed.
+    pub chop_feed: Option<Speed>,
+}
+
+/// The lowest even step rate of a controller.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StepRate {
+    /// Not known: nothing can be checked.
+    Unknown,
+    /// As slow as anyone wants.
+    NoLimit,
+    /// This many steps a second.
+    AtLeast(f64),
+}
+
+/// How many times the lowest feed a chopped move goes: far enough above it for a timer's rounding, and near enough
+/// for the shortest way of braking.
+const CHOP_MARGIN: f64 = 1.2;
+
+impl Motion {
+    /// Nothing known.
+    pub const UNKNOWN: Self = Self {
+        steps_per_mm: None,
+        step_rate: StepRate::Unknown,
+        min_feed: Speed(0.0),
+        acceleration: None,
+        chop_feed: None,
+    };
+
+    /// The lowest speed along a move with these displacements, mm/s; `None` if unknown.
+    pub fn lowest_speed(&self, displacement: [f64; 3]) -> Option<f64> {
+        let rate = match self.step_rate {
+            StepRate::Unknown => return None,
+            StepRate::NoLimit => return Some(self.min_feed.0),
+            StepRate::AtLeast(rate) => rate,
+        };
+        let steps = self.steps_per_mm?;
+        let length = displacement.iter().map(|d| d * d).sum::<f64>().sqrt();
+        let most = steps.iter().zip(displacement).map(|(s, d)| s * d.abs()).fold(0.0, f64::max);
+        if most <= 0.0 {
+            return Some(self.min_feed.0);
+        }
+        Some((rate * length / most).max(self.min_feed.0))
+    }
+
+    /// The lowest speeds over all directions of the XY plane: the least and the greatest, mm/s; `None` if unknown.
+    ///
+    /// The least is along the axis with more steps, the greatest where X and Y step equally often.
+    pub fn speed_range(&self) -> Option<(f64, f64)> {
+        let [x, y, _] = self.steps_per_mm.unwrap_or([1.0, 1.0, 1.0]);
+        let along = if x >= y { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
+        Some((self.lowest_speed(along)?, self.lowest_speed([y, x, 0.0])?))
+    }
+
+    /// Steps per mm that let the controller hold `speed` (mm/s): along an axis and at 45 degrees. `None` if the rate is
+    /// unknown or has no limit.
+    pub fn steps_needed(&self, speed: f64) -> Option<(f64, f64)> {
+        match self.step_rate {
+            StepRate::AtLeast(rate) => Some((rate / speed, rate / speed * std::f64::consts::SQRT_2)),
+            _ => None,
+        }
+    }
+
+    /// The feed of chopped moves, mm/s: `chop_feed`, or 1.2 times the lowest feed of the worst direction.
+    pub fn chop_speed(&self) -> Option<f64> {
+        self.chop_feed.map(|feed| feed.0).or_else(|| self.speed_range().map(|(_, most)| CHOP_MARGIN * most))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn motion(steps: [f64; 3], rate: f64) -> Motion {
+        Motion { steps_per_mm: Some(steps), step_rate: StepRate::AtLeast(rate), ..Motion::UNKNOWN }
+    }
+
+    #[test]
+    fn grbl_at_80_steps_is_four_to_five_times_too_fast() {
+        let (least, most) = motion([80.0, 80.0, 400.0], 30.52).speed_range().expect("known");
+        assert!((least * 60.0 - 22.89).abs() < 0.01 && (most * 60.0 - 32.37).abs() < 0.01, "{least} {most}");
+        let (axis, diagonal) = motion([80.0; 3], 30.52).steps_needed(0.1).expect("known");
+        assert!((axis - 305.2).abs() < 0.01 && (diagonal - 431.6).abs() < 0.1);
+    }
+
+    #[test]
+    fn the_range_bounds_every_direction() {
+        for steps in [[80.0, 80.0, 400.0], [100.0, 250.0, 400.0], [320.0, 80.0, 1.0]] {
+            let m = motion(steps, 30.52);
+            let (least, most) = m.speed_range().expect("known");
+            let mut reached = (f64::INFINITY, 0.0_f64);
+            for i in 0..3600 {
+                let (s, c) = (f64::from(i) * 0.1_f64.to_radians()).sin_cos();
+                let v = m.lowest_speed([c, s, 0.0]).expect("known");
+                assert!(v >= least * (1.0 - 1e-12) && v <= most * (1.0 + 1e-12), "{steps:?} {i}");
+                reached = (reached.0.min(v), reached.1.max(v));
+            }
+            assert!((reached.0 / least - 1.0).abs() < 1e-3 && (reached.1 / most - 1.0).abs() < 1e-2);
+        }
+    }
+
+    #[test]
+    fn what_is_unknown_stays_unknown_and_a_lowest_feed_counts() {
+        assert_eq!(Motion::UNKNOWN.speed_range(), None);
+        assert_eq!(Motion { step_rate: StepRate::AtLeast(30.0), ..Motion::UNKNOWN }.speed_range(), None);
+        let klipper = Motion { step_rate: StepRate::NoLimit, ..Motion::UNKNOWN };
+        assert_eq!(klipper.speed_range(), Some((0.0, 0.0)));
+        let rrf = Motion { min_feed: Speed(0.5), ..klipper };
+        assert_eq!(rrf.speed_range(), Some((0.5, 0.5)));
+    }
+}

@@ -1,0 +1,75 @@
+//! The report on the seal: tight by construction, and seen to leak where it does.
+
+use stargrip_cam::airtight::report;
+use stargrip_cam::design::Design;
+use stargrip_cam::geom::Path;
+
+use crate::{machine, profile, spec, spec_text};
+
+fn design(rest: &str) -> (stargrip_cam::spec::Spec, stargrip_cam::spec::Machine, Design) {
+    let (spec, machine) = (spec(&spec_text(rest)), machine(profile("generic")));
+    let design = Design::new(&spec, &machine).expect("a design");
+    (spec, machine, design)
+}
+
+#[test]
+fn a_design_is_tight_and_its_channel_as_wide_as_the_tube() {
+    for rest in ["", "[inlet]\nnone = true\n", "[stack]\ncount = 3\n"] {
+        let (spec, machine, design) = design(rest);
+        let found = report(&spec, &machine, &design);
+        assert_eq!((found.leaks.as_slice(), found.stars.len()), (&[][..], 1), "{rest}");
+        let passage = &found.stars[0].passage;
+        assert!((passage.channel - 10.0).abs() < 1e-6, "{passage:?}");
+        assert!(passage.starts_apart > 20.0 && passage.loops[0].closed);
+        assert_eq!(passage.loops[1].closed, rest.contains("none"));
+        assert_eq!(passage.inlet.is_some(), !rest.contains("none"));
+    }
+}
+
+#[test]
+fn every_seeded_leak_is_seen() {
+    let (spec, machine, good) = design("");
+    let leaks = |change: &dyn Fn(&mut Design)| {
+        let mut bad = good.clone();
+        change(&mut bad);
+        report(&spec, &machine, &bad).leaks
+    };
+    assert!(leaks(&|_| {}).is_empty());
+    // The inner loop left open.
+    let open = leaks(&|d| d.distinct[0].seams[0].center_line.closed = false);
+    assert!(open.iter().any(|leak| leak.contains("open without an inlet")), "{open:?}");
+    // A piece of a seam missing.
+    let gap = leaks(&|d| {
+        let _ = d.distinct[0].seams[1].center_line.segments.remove(4);
+    });
+    assert!(gap.iter().any(|leak| leak.contains("a gap of")), "{gap:?}");
+    // A closure without overlap.
+    let bare = leaks(&|d| d.distinct[0].seams[0].overlap = 0.0);
+    assert!(bare.iter().any(|leak| leak.contains("overlap of 0.000 mm")), "{bare:?}");
+    // Bands that meet, and seams that cross.
+    let wide = leaks(&|d| d.distinct[0].band = 12.0);
+    assert!(wide.iter().any(|leak| leak.contains("the bands meet")), "{wide:?}");
+    let cross = leaks(&|d| {
+        let moved = stargrip_cam::geom::Isometry::translation(stargrip_cam::geom::Vec2::new(16.0, 0.0));
+        let seam = &mut d.distinct[0].seams[0];
+        seam.center_line = Path { closed: true, ..moved.path(&seam.center_line) };
+    });
+    assert!(cross.iter().any(|leak| leak.contains("cross or touch")), "{cross:?}");
+    // A tube without an inlet that is open all the same.
+    let lost = leaks(&|d| d.distinct[0].channel = None);
+    assert!(lost.iter().any(|leak| leak.contains("the outer loop is open without an inlet")), "{lost:?}");
+}
+
+#[test]
+fn a_weak_seal_is_warned_of_with_the_radius_that_would_hold() {
+    let strong = design("[fabric]\nseal_strength = \"3 N/mm\"\n[load]\npressure = \"37 kPa\"\n");
+    let found = report(&strong.0, &strong.1, &strong.2);
+    assert!(found.weaknesses.is_empty(), "{:?}", found.weaknesses);
+    let weak = design("[fabric]\nseal_strength = \"0.3 N/mm\"\n[load]\npressure = \"37 kPa\"\n");
+    let found = report(&weak.0, &weak.1, &weak.2);
+    assert!(found.leaks.is_empty());
+    let at_tips = found.weaknesses.iter().find(|text| text.contains("at the tips")).expect("a warning");
+    assert!(at_tips.contains("a radius of") && at_tips.contains("would hold"), "{at_tips}");
+    let loads = &found.stars[0].loads;
+    assert!(loads[0].factor > loads[1].factor && loads[1].factor > loads[2].factor, "{loads:?}");
+}

@@ -1,0 +1,44 @@
+//! Coupons: every program is one that its controller reads, hot, at its own speed and height.
+
+use stargrip_cam::coupon::{Grid, coupons, read_rows, table};
+use stargrip_cam::units::{Length, Speed, Temperature};
+use stargrip_cam::verify::gcode::{Dialect, read_program};
+
+use crate::{PROFILES, machine, profile, spec, spec_text};
+
+#[test]
+fn every_coupon_is_sound_in_every_dialect() {
+    for name in PROFILES {
+        let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+        let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
+        let (spec, machine) = (spec(&spec_text(rest)), machine(profile(name)));
+        let grid = Grid {
+            temperatures: vec![Temperature(180.0), Temperature(210.0)],
+            speeds: vec![Speed(0.1), Speed(0.5)],
+            heights: vec![Length(-0.3), Length(-0.1)],
+            repeats: 3,
+        };
+        let set = coupons(&spec, &machine, &grid).unwrap_or_else(|refusals| panic!("{name}: {refusals:?}"));
+        assert_eq!(set.len(), 4 + 3);
+        for coupon in &set {
+            let program = read_program(&coupon.gcode, Dialect::for_machine(&machine));
+            assert_eq!(program.findings, [], "{name} {}", coupon.name);
+            let low: Vec<_> = program.moves.iter().filter(|step| step.to.z < 4.9).collect();
+            let hot = if coupon.name.starts_with("strips-180") { 180.0 } else { 200.0 };
+            let hot = if coupon.name.starts_with("strips-210") { 210.0 } else { hot };
+            assert!(
+                !low.is_empty() && low.iter().all(|step| step.heated == Some(hot)),
+                "{name} {}",
+                coupon.name
+            );
+            if coupon.name.starts_with("strips") {
+                assert!(low.iter().any(|step| step.to.z == -0.1) && low.iter().any(|step| step.to.z == -0.3));
+            }
+            assert!(program.moves.iter().all(|step| step.to.x >= -1e-9 && step.to.y >= -1e-9));
+        }
+        let strips = grid.strips();
+        assert_eq!(strips.len(), 24);
+        // Nothing was filled in yet.
+        assert_eq!(read_rows(&table(&strips)), Ok(Vec::new()));
+    }
+}

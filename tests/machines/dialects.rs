@@ -1,0 +1,151 @@
+//! Every dialect: built, proven, refused with numbers, chopped.
+
+use stargrip_cam::verify::prove_archive;
+
+use crate::{PROFILES, built, profile, spec_text, text, try_built};
+
+const CHOP: &str = "[machine]\nfeed_floor = \"chop\"\n";
+
+#[test]
+fn every_dialect_writes_what_its_controller_reads() {
+    for name in PROFILES {
+        let can = ["generic", "linuxcnc", "klipper", "reprapfirmware"].contains(&name);
+        let build = built(&spec_text(if can { "" } else { CHOP }), profile(name));
+        let proof = prove_archive(&build.archive());
+        assert_eq!(proof.findings, [], "{name}");
+        let code = text(&build, "star-1-seal.gcode");
+        assert_eq!(code.contains("\nG4 P"), !can, "{name}");
+        assert_eq!(code.contains("\nG3 ") || code.contains("\nG2 "), !["marlin", "klipper"].contains(&name));
+        assert!(code.contains("; progress: percent=50 remaining_s="), "{name}");
+        assert_eq!(code.contains("\nM73 P50"), ["marlin", "klipper", "reprapfirmware"].contains(&name));
+    }
+}
+
+#[test]
+fn below_the_lowest_feed_the_numbers_are_told() {
+    let refusals = try_built(&spec_text(""), profile("grbl")).map(|_| ()).expect_err("too slow for GRBL");
+    let [refusal] = refusals.as_slice() else { panic!("{refusals:?}") };
+    assert_eq!(refusal.code, "feed-floor");
+    assert_eq!(refusal.found, "at 80 steps/mm GRBL runs this at 0.38 to 0.54 mm/s instead of 0.1");
+    assert!(refusal.remedy.contains("feed_floor = \"chop\"") && refusal.remedy.contains("432 steps/mm"));
+    // A machine with enough steps does it as it is.
+    let fine = profile("grbl").replace("y_steps_per_mm = 80", "y_steps_per_mm = 440");
+    let fine = fine.replace("x_steps_per_mm = 80", "x_steps_per_mm = 440");
+    assert!(!text(&built(&spec_text(CHOP), &fine), "star-1-seal.gcode").contains("G4"));
+    assert!(try_built(&spec_text("[seal]\nspeed = \"0.6 mm/s\"\n"), profile("grbl")).is_ok());
+}
+
+#[test]
+fn what_is_unknown_is_not_chopped() {
+    let refusals = try_built(&spec_text(CHOP), profile("generic")).map(|_| ()).expect_err("unknown");
+    assert_eq!(refusals[0].code, "no-chop");
+    assert!(refusals[0].found.contains("the steps per mm and the lowest step rate and the acceleration"));
+    let known = profile("generic")
+        .replace("acceleration = \"unknown\"", "acceleration = \"50 mm/s^2\"")
+        .replace("# chop_feed", "chop_feed");
+    let build = built(&spec_text(CHOP), &known);
+    assert_eq!(prove_archive(&build.archive()).findings, []);
+    assert!(text(&build, "star-1-seal.gcode").contains(" F60\nG4 P"));
+}
+
+#[test]
+fn chopped_programs_keep_their_time_and_say_what_they_need() {
+    let steady = built(&spec_text(""), profile("generic"));
+    for name in ["grbl", "grblhal", "fluidnc", "marlin"] {
+        let chopped = built(&spec_text(CHOP), profile(name));
+        let (a, b) = (&steady.manifest.stars[0], &chopped.manifest.stars[0]);
+        assert_eq!((a.seam_mm, a.time_s), (b.seam_mm, b.time_s));
+        let code = text(&chopped, "star-1-seal.gcode");
+        assert!(code.contains("; chop: feed_mm_min="), "{name}");
+        assert!(code.contains("; requires: at least 80 and 80 steps/mm in X and Y"), "{name}");
+        if name == "grbl" {
+            assert!(code.contains("; requires: $1=255 "));
+        }
+        let bare = |program: &stargrip_cam::plan::Program| program.time;
+        let (t, u) = (bare(&steady.programs[0]), bare(&chopped.programs[0]));
+        assert!((t - u).abs() < 2e-3 * t, "{name}: {t} {u}");
+    }
+}
+
+#[test]
+fn comments_between_parentheses_are_proven_too() {
+    let old = profile("generic").replace("comments = \"semicolon\"", "comments = \"parentheses\"");
+    let build = built(&spec_text(""), &old);
+    assert_eq!(prove_archive(&build.archive()).findings, []);
+    assert!(text(&build, "star-1-seal.gcode").starts_with("(stargrip-cam seal program)\n"));
+}
+
+#[test]
+fn a_clamp_in_the_way_is_refused_and_one_beside_it_is_not() {
+    let clamp = |x: u32, y: u32, more: &str| {
+        format!(
+            "{}\n[[keep_out]]\nname = \"clamp\"\nx = \"{x} mm\"\ny = \"{y} mm\"\nwidth = \"8 mm\"\ndepth = \"8 mm\"\n{more}",
+            profile("generic")
+        )
+    };
+    let spec = spec_text("[sheet]\nwidth = \"300 mm\"\nheight = \"300 mm\"\nmargin = \"20 mm\"\n");
+    let code = text(&built(&spec, profile("generic")), "star-1-seal.gcode");
+    let cut =
+        code.lines().find(|line| line.starts_with("G1 X") && line.contains("Z-0.3")).expect("touch-down");
+    let at = |letter: char| {
+        let word = cut.split(' ').find_map(|word| word.strip_prefix(letter)).expect("a coordinate");
+        word.split('.').next().and_then(|whole| whole.parse::<u32>().ok()).expect("a number") - 4
+    };
+    let (x, y) = (at('X'), at('Y'));
+    let refusals = try_built(&spec, &clamp(x, y, "")).map(|_| ()).expect_err("in the way");
+    assert_eq!(refusals[0].code, "clamp-in-the-way");
+    let free = built(&spec, &clamp(280, 280, ""));
+    assert_eq!(prove_archive(&free.archive()).findings, []);
+    // The seal's file against a profile with a clamp on it.
+    let mut archive = free.archive();
+    for (name, bytes) in &mut archive.files {
+        if name == "machine.toml" {
+            *bytes = clamp(x, y, "").into_bytes().into();
+        }
+    }
+    assert!(prove_archive(&archive).findings.iter().any(|f| f.code == "clamp-in-the-way"));
+}
+
+#[test]
+fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
+    use stargrip_cam::verify::gcode::{Dialect, Event, Interpreter};
+    for name in PROFILES {
+        let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+        let spec = crate::spec(&spec_text(if chop { CHOP } else { "" }));
+        let machine = crate::machine(profile(name));
+        let code = stargrip_cam::emit::feed_check(
+            &spec,
+            &machine,
+            &stargrip_cam::plan::feed_checks(&spec, &machine),
+        );
+        let mut interpreter = Interpreter::new(Dialect::for_machine(&machine));
+        let mut events = Vec::new();
+        for line in code.split_inclusive('\n') {
+            interpreter.feed(line, &mut events);
+        }
+        interpreter.finish(&mut events);
+        // Between the pauses: what the watch shows.
+        let (mut watch, mut pauses) = (Vec::new(), 0);
+        for event in events {
+            match event {
+                Event::Finding(finding) => panic!("{name}: {finding}"),
+                Event::Pause(_) => {
+                    pauses += 1;
+                    watch.push(0.0);
+                }
+                Event::Dwell(dwell) => *watch.last_mut().expect("a pause first") += dwell.seconds,
+                Event::Move(step) => {
+                    if let (Some(feed), Some(last)) = (step.feed, watch.last_mut()) {
+                        let a = machine.motion.acceleration.filter(|_| chop).map(|a| a.0);
+                        *last += stargrip_cam::plan::move_time(step.length(), feed / 60.0, a);
+                    }
+                }
+                _ => {}
+            }
+        }
+        assert_eq!(pauses, 6, "{name}");
+        for seconds in watch.iter().step_by(2) {
+            assert!((seconds - 100.0).abs() < 0.2, "{name}: {watch:?}");
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The machine really does what the design says: every dialect, every fault, every way of going on.
+
+mod airtight;
+mod coupons;
+mod dialects;
+mod faults;
+mod resume;
+
+use stargrip_cam::design::Refusal;
+use stargrip_cam::pipeline::{Build, Sources, build};
+use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
+use stargrip_cam::verify::{Archive, Finding, prove_archive};
+
+/// Every profile that comes with the program.
+const PROFILES: [&str; 8] =
+    ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
+
+/// A spec of a small star, with more of it in `rest`.
+fn spec_text(rest: &str) -> String {
+    format!(
+        "schema = 1\nname = \"small\"\n[star]\npoints = 4\ninner_radius = \"20 mm\"\ntube_width = \"10 mm\"\n\
+         tip_angle = \"40 deg\"\ncorner_radius = \"2 mm\"\n{rest}"
+    )
+}
+
+fn spec(text: &str) -> Spec {
+    read(&Source::new("spec", text)).unwrap_or_else(|faults| panic!("{faults}")).spec
+}
+
+fn machine(text: &str) -> Machine {
+    read_machine(&Source::new("machine", text)).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+fn profile(name: &str) -> &'static str {
+    builtin_machine(name).expect("built in")
+}
+
+fn try_built(spec_text: &str, machine_text: &str) -> Result<Build, Vec<Refusal>> {
+    let sources = Sources { spec: spec_text, machine: machine_text };
+    build(&spec(spec_text), &machine(machine_text), sources, &[])
+}
+
+fn built(spec_text: &str, machine_text: &str) -> Build {
+    try_built(spec_text, machine_text).unwrap_or_else(|refusals| panic!("{refusals:?}"))
+}
+
+/// The text of a file of a build.
+fn text(build: &Build, name: &str) -> String {
+    let artifact = build.artifacts.iter().find(|artifact| artifact.name == name).expect(name);
+    String::from_utf8(artifact.bytes.clone()).expect("text")
+}
+
+/// The findings about a build in which the file `name` is `text` instead, its hash and size put right.
+fn findings_with(build: &Build, name: &str, text: &str) -> Vec<Finding> {
+    let mut manifest = build.manifest.clone();
+    let entry = manifest.files.iter_mut().find(|file| file.path == name).expect(name);
+    entry.bytes = text.len();
+    entry.sha256 = stargrip_cam::manifest::sha256(text.as_bytes());
+    let json = manifest.to_json();
+    let files = build.files().map(|(file, bytes)| {
+        let bytes = match file {
+            "manifest.json" => json.clone().into(),
+            _ if file == name => text.as_bytes().to_vec().into(),
+            _ => bytes,
+        };
+        (file.into(), bytes)
+    });
+    prove_archive(&Archive { files: files.collect() }).findings
+}

@@ -1,0 +1,155 @@
+//! Resume at every move of a job: the rest of it, an overlap, and nothing else.
+
+use stargrip_cam::geom::{Path, Point, Segment};
+use stargrip_cam::resume::{Place, ResumeFault, resume};
+use stargrip_cam::verify::gcode::{Dialect, Move, read_program};
+use stargrip_cam::verify::walk;
+
+use crate::{PROFILES, built, machine, profile, spec_text, text};
+
+const FILE: &str = "star-1-seal.gcode";
+
+fn job(name: &str) -> String {
+    let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+    let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
+    text(&built(&spec_text(rest), profile(name)), FILE)
+}
+
+fn moves(name: &str, text: &str) -> Vec<Move> {
+    let program = read_program(text, Dialect::for_machine(&machine(profile(name))));
+    assert_eq!(program.findings, [], "{name}");
+    program.moves
+}
+
+/// The contacts in order: the way down and the run of each.
+fn contacts(moves: &[Move]) -> Vec<(Vec<Move>, Vec<Move>)> {
+    let mut out: Vec<(Vec<Move>, Vec<Move>)> = Vec::new();
+    let mut clear = true;
+    for step in moves {
+        let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
+        if low > 5.0 - 1e-6 {
+            clear = true;
+            continue;
+        }
+        if clear {
+            out.push(Default::default());
+            clear = false;
+        }
+        let last = out.last_mut().expect("pushed");
+        if high < -0.299 {
+            last.1.push(*step);
+        } else if step.to.z < step.from.z {
+            last.0.push(*step);
+        }
+    }
+    out
+}
+
+fn segments(steps: &[Move]) -> Vec<Segment> {
+    steps.iter().filter_map(|step| step.path).collect()
+}
+
+fn length(steps: &[Move]) -> f64 {
+    steps.iter().map(Move::length).sum()
+}
+
+/// Resumes at `line` and compares what is sealed with what was left to seal.
+fn check(name: &str, job: &str, original: &[Move], line: usize) {
+    let overlap = 5.0;
+    let whole = contacts(original);
+    // What of the contacts had been done when `line` began, of the one that was interrupted.
+    let done = |run: &[Move]| run.iter().filter(|step| step.line < line).map(Move::length).sum::<f64>();
+    let resumed = match resume(job, Place::Line(line), None) {
+        Ok(resumed) => resumed,
+        Err(ResumeFault::NothingLeft) => {
+            assert!(whole.iter().all(|(_, run)| done(run) >= length(run) - 1e-9), "{name} line {line}");
+            return;
+        }
+        Err(fault) => panic!("{name} line {line}: {fault}"),
+    };
+    let rest_moves = moves(name, &resumed.text);
+    let rest = contacts(&rest_moves);
+    assert!(!rest.is_empty(), "{name} line {line}");
+    let first = whole.len() - rest.len();
+    for (_, run) in &whole[..first] {
+        assert!(done(run) >= length(run) - 1e-9, "{name} line {line}: a seam is left out");
+    }
+    for (i, ((down, run), (old_down, old_run))) in rest.iter().zip(&whole[first..]).enumerate() {
+        assert!(run.iter().chain(down).all(|step| step.heated == Some(200.0)), "{name} line {line}: cold");
+        let start = if i == 0 { (done(old_run) - overlap).max(0.0) } else { 0.0 };
+        let whole_run = Path::open(segments(old_run));
+        let exact = whole_run.part(start, whole_run.length());
+        let walked = walk(&segments(run), &exact);
+        assert!(walked.largest() < 0.002, "{name} line {line}: {walked:?}");
+        assert!(
+            walked.start < 0.002 && walked.end > exact.length() - 0.002,
+            "{name} line {line}: {walked:?}"
+        );
+        assert!((walked.length - exact.length()).abs() < 0.01, "{name} line {line}: {walked:?}");
+        assert!(
+            walked.jump.is_none_or(|(gap, _)| gap < 1e-6)
+                && walked.backwards.is_none_or(|(by, _)| by < 0.001)
+        );
+        // The way down follows the seam, or its own way down.
+        let track = Path::open(segments(old_down).into_iter().chain(whole_run.segments.clone()).collect());
+        let track = track.part(start, start + 3.0);
+        let ramp = walk(&segments(down), &track);
+        assert!(ramp.largest() < 0.002, "{name} line {line}: {ramp:?}");
+        let flat: f64 = segments(down).iter().map(Segment::length).sum();
+        assert!((flat - 3.0).abs() < 0.01, "{name} line {line}: a ramp of {flat} mm");
+    }
+}
+
+#[test]
+fn at_every_move_of_a_job() {
+    for name in ["generic", "klipper"] {
+        let job = job(name);
+        let original = moves(name, &job);
+        for step in &original {
+            check(name, &job, &original, step.line);
+        }
+    }
+}
+
+#[test]
+fn at_many_moves_of_chopped_jobs_and_in_every_dialect() {
+    for name in PROFILES {
+        let job = job(name);
+        let original = moves(name, &job);
+        for step in original.iter().step_by(original.len() / 23 + 1).chain(original.last()) {
+            check(name, &job, &original, step.line);
+        }
+    }
+}
+
+#[test]
+fn by_time_and_by_place() {
+    let job = job("generic");
+    let half = resume(&job, Place::Share(0.5), Some(2.0)).expect("in the middle");
+    assert!((half.done - 0.5).abs() < 1e-3 && (half.overlap - 2.0).abs() < 1e-9);
+    let original = moves("generic", &job);
+    let middle = contacts(&original)[1].1[10];
+    let at = middle.path.expect("a path").point(0.5);
+    let near = resume(&job, Place::Near(at), None).expect("near");
+    let by_line = resume(&job, Place::Line(middle.line), None).expect("by line");
+    assert!(near.done > by_line.done && near.done - by_line.done < 0.01);
+    let nowhere = resume(&job, Place::Near(Point::new(-500.0, 0.0)), None);
+    assert!(matches!(nowhere, Err(ResumeFault::Nowhere(_))), "{nowhere:?}");
+    assert!(matches!(resume(&job, Place::Line(0), None), Err(ResumeFault::NoSuchLine(0, _))));
+}
+
+#[test]
+fn a_resumed_job_can_be_resumed_and_a_damaged_one_cannot() {
+    for name in ["generic", "grbl", "marlin"] {
+        let job = job(name);
+        let once = resume(&job, Place::Share(0.3), None).expect("once").text;
+        let twice = resume(&once, Place::Share(0.5), None).expect("twice").text;
+        assert!(twice.len() < once.len() && once.len() < job.len());
+        let _ = moves(name, &twice);
+        let cut = &job[..job.len() / 2];
+        assert!(matches!(resume(cut, Place::Share(0.3), None), Err(ResumeFault::Damaged(_))), "{name}");
+    }
+    assert!(matches!(resume("", Place::Line(1), None), Err(ResumeFault::NotOurs(_))));
+    let trace = text(&built(&spec_text(""), profile("generic")), "star-1-trace.gcode");
+    assert!(matches!(resume(&trace, Place::Line(1), None), Err(ResumeFault::NotOurs(_))));
+}
