@@ -342,3 +342,34 @@ fn a_part_is_turned_only_where_that_is_allowed() {
     let rotation = turned.design.stars[0].placement.rotation;
     assert!((rotation - TAU / 4.0).abs() < 1e-12);
 }
+
+#[test]
+fn labels_stand_on_the_fabric_clear_of_seams_and_holes() {
+    for points in 3..=8 {
+        for allowance in ["2.5 mm", "8 mm", "20 mm"] {
+            let text = support::PAPER.replace("points = 5", &format!("points = {points}"));
+            let build = support::build(&format!("{text}\n[seal]\nallowance = \"{allowance}\"\n"));
+            let Ok(build) = build else { continue };
+            let parts = Box::new(&build);
+            let (_, sheet) = &parts.all("outline")[0];
+            let labels = sheet.layer("label");
+            let (outside, hole) = (&sheet.layer("cut-outside")[0], &sheet.layer("cut-hole")[0]);
+            let placed = &build.design.stars[0];
+            let [_, tube] = &build.design.part(placed).edges;
+            let tube = placed.placement.path(tube);
+            for label in labels {
+                for segment in &label.segments {
+                    let p = segment.point(0.5);
+                    let where_ = format!("{points} points, {allowance}: {p:?}");
+                    assert!(outside.encloses(p) && !hole.encloses(p), "off the fabric: {where_}");
+                    assert!(outside.distance(p) > 0.2, "at the cut: {where_}");
+                    assert!(tube.distance(p) > 2.0, "on the band: {where_}");
+                    for (center, radius) in circles(sheet, "registration") {
+                        assert!(center.distance(p) > radius, "in a hole: {where_}");
+                    }
+                }
+            }
+            assert!(allowance == "2.5 mm" || !labels.is_empty(), "{points} points, {allowance}");
+        }
+    }
+}

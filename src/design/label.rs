@@ -2,6 +2,9 @@
 //!
 //! The text runs around a tip, tops outwards, where no inlet and no registration hole is in the way.
 
+use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::PI;
+
 use crate::design::MaskPlate;
 use crate::design::PlacedStar;
 use crate::design::StarDesign;
@@ -69,7 +72,7 @@ impl Fitted {
 
 /// The widest stretch, and the height at which the text fits on it; `None` if it would be too small to read.
 fn fit(part: &StarDesign, text: &str, radius: f64, strip: f64) -> Option<Fitted> {
-    let widest = (1..=part.star.n).map(|tip| free(part, tip));
+    let widest = (1..=part.star.n).map(|tip| free(part, tip, radius + strip / 2.0));
     let stretch = widest.flatten().reduce(|a, b| if b.to - b.from > a.to - a.from + 1e-9 { b } else { a })?;
     let room = 0.92 * (stretch.to - stretch.from) * radius;
     let height = (room / lettering::width(text, 1.0)).min(FILLING * strip).min(HEIGHTS.1);
@@ -77,12 +80,17 @@ fn fit(part: &StarDesign, text: &str, radius: f64, strip: f64) -> Option<Fitted>
 }
 
 /// The widest stretch beside a tip's arc that no registration hole takes; `None` where the inlet is.
-fn free(part: &StarDesign, tip: u32) -> Option<Stretch> {
+///
+/// It ends where the arms begin, or where the circle of radius `edge` around T meets the neighbouring tip's on the
+/// corner's ray: seen from T at `pi/2 + pi/n - acos(d_t sin(pi/n) / edge)`.
+fn free(part: &StarDesign, tip: u32, edge: f64) -> Option<Stretch> {
     if part.channel.is_some_and(|channel| channel.tip == tip) {
         return None;
     }
     let star = &part.star;
-    let half = (std::f64::consts::PI - star.phi_i) / 2.0;
+    let alpha = star.half_sector();
+    let meet = FRAC_PI_2 + alpha - (star.d_t * alpha.sin() / edge).min(1.0).acos();
+    let half = ((PI - star.phi_i) / 2.0).min(meet);
     let center = star.tip_center(tip);
     let mut holes: Vec<(f64, f64)> = part
         .outline
