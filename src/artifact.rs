@@ -19,13 +19,25 @@ pub enum Kind {
     OutlineSvg,
     /// The cut.
     OutlineDxf,
+    /// A coating mask.
+    MaskSvg,
+    /// A coating mask.
+    MaskDxf,
+    /// A coating mask on paper, at 1:1.
+    MaskPdf,
+    /// A coating mask as a solid.
+    MaskStl,
+    /// A plate of the frame.
+    FrameSvg,
+    /// A plate of the frame.
+    FrameDxf,
     /// A picture for people.
     PreviewSvg,
 }
 
 impl Kind {
     /// Every kind, in the order in which the manifest lists them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 15] = [
         Self::Spec,
         Self::Machine,
         Self::SealGcode,
@@ -34,6 +46,12 @@ impl Kind {
         Self::SealDxf,
         Self::OutlineSvg,
         Self::OutlineDxf,
+        Self::MaskSvg,
+        Self::MaskDxf,
+        Self::MaskPdf,
+        Self::MaskStl,
+        Self::FrameSvg,
+        Self::FrameDxf,
         Self::PreviewSvg,
     ];
 
@@ -48,6 +66,12 @@ impl Kind {
             Self::SealDxf => "seal-dxf",
             Self::OutlineSvg => "outline-svg",
             Self::OutlineDxf => "outline-dxf",
+            Self::MaskSvg => "mask-svg",
+            Self::MaskDxf => "mask-dxf",
+            Self::MaskPdf => "mask-pdf",
+            Self::MaskStl => "mask-stl",
+            Self::FrameSvg => "frame-svg",
+            Self::FrameDxf => "frame-dxf",
             Self::PreviewSvg => "preview-svg",
         }
     }
@@ -56,6 +80,17 @@ impl Kind {
     pub fn from_name(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.name() == name)
     }
+}
+
+/// Which one of several files of its kind an artifact is, beyond its sheet and its star.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Variant {
+    /// The lowest plate of the frame that it is for.
+    pub plate: Option<usize>,
+    /// The paper that it is laid out for, see [`crate::design::Paper`].
+    pub paper: Option<&'static str>,
+    /// Whether it is for the face that the iron does not touch.
+    pub mirrored: bool,
 }
 
 /// One output file.
@@ -69,6 +104,8 @@ pub struct Artifact {
     pub sheet: Option<usize>,
     /// The star it belongs to.
     pub star: Option<usize>,
+    /// What tells it apart from others of its kind.
+    pub variant: Variant,
     /// Its content.
     pub bytes: Vec<u8>,
 }

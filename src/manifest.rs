@@ -1,5 +1,7 @@
 //! The manifest: what a build wrote, so that `verify` can prove it and scripts can find it.
 
+mod bill;
+
 use std::fmt::Write;
 
 use serde::Deserialize;
@@ -8,7 +10,11 @@ use sha2::Digest;
 use sha2::Sha256;
 
 use crate::artifact::Artifact;
+use crate::design::Design;
 use crate::plan::Program;
+use crate::spec::Spec;
+
+pub use bill::{ManifestMask, ManifestPlates, ManifestPosts, fabric, mass};
 
 /// The manifest's file name in an output directory.
 pub const MANIFEST: &str = "manifest.json";
@@ -24,8 +30,20 @@ pub struct Manifest {
     pub files: Vec<ManifestFile>,
     /// Every star, bottom to top.
     pub stars: Vec<ManifestStar>,
-    /// The frame's posts; empty without a frame.
+    /// The frame's posts.
     pub posts: Vec<ManifestPosts>,
+    /// The frame's plates.
+    #[serde(default)]
+    pub plates: Vec<ManifestPlates>,
+    /// The coating masks.
+    #[serde(default)]
+    pub masks: Vec<ManifestMask>,
+    /// Fabric of all stars, both sheets of each.
+    #[serde(default)]
+    pub fabric_mm2: f64,
+    /// Its mass, where its areal density is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass_g: Option<f64>,
 }
 
 /// The program that wrote a manifest.
@@ -54,6 +72,15 @@ pub struct ManifestFile {
     /// The star it belongs to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub star: Option<usize>,
+    /// The lowest plate of the frame that it is for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub plate: Option<usize>,
+    /// The paper that it is laid out for: "a4" or "letter".
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub paper: Option<String>,
+    /// Whether it is for the face that the iron does not touch.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub mirrored: bool,
 }
 
 /// Length and time of one star's seams.
@@ -67,6 +94,15 @@ pub struct ManifestStar {
     pub seam_mm: f64,
     /// Time of the iron in contact, ramps included, s.
     pub time_s: f64,
+    /// Radius around the axis that the hole-side flap leaves free.
+    #[serde(default)]
+    pub clear_radius_mm: f64,
+    /// Fabric of both sheets.
+    #[serde(default)]
+    pub fabric_mm2: f64,
+    /// Its mass, where its areal density is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass_g: Option<f64>,
     /// The same, loop by loop.
     pub seams: Vec<ManifestSeam>,
 }
@@ -85,18 +121,9 @@ pub struct ManifestSeam {
     pub time_s: f64,
 }
 
-/// Posts of one length.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ManifestPosts {
-    /// Length of a post.
-    pub length_mm: f64,
-    /// How many of them.
-    pub count: usize,
-}
-
 impl Manifest {
-    /// The manifest of `artifacts`, made by the sealing `programs`.
-    pub fn new(name: &str, artifacts: &[Artifact], programs: &[Program]) -> Self {
+    /// The manifest of `artifacts`, the files of `design`, which `spec` describes and the sealing `programs` make.
+    pub fn new(spec: &Spec, design: &Design, artifacts: &[Artifact], programs: &[Program]) -> Self {
         let mut stars: Vec<ManifestStar> = Vec::new();
         for program in programs {
             for &index in &program.stars {
@@ -111,11 +138,16 @@ impl Manifest {
                         time_s: thousandths(seam.time),
                     })
                     .collect();
+                let Some(placed) = design.stars.iter().find(|star| star.index == index) else { continue };
+                let part = design.part(placed);
                 stars.push(ManifestStar {
                     index,
                     sheet: program.sheet,
                     seam_mm: thousandths(seams.iter().map(|seam| seam.length_mm).sum()),
                     time_s: thousandths(seams.iter().map(|seam| seam.time_s).sum()),
+                    clear_radius_mm: thousandths(part.clear_radius()),
+                    fabric_mm2: thousandths(fabric(part)),
+                    mass_g: mass(spec, part).map(thousandths),
                     seams,
                 });
             }
@@ -126,10 +158,14 @@ impl Manifest {
                 name: env!("CARGO_PKG_NAME").to_owned(),
                 version: env!("CARGO_PKG_VERSION").to_owned(),
             },
-            name: name.to_owned(),
+            name: spec.name.clone(),
             files: artifacts.iter().map(ManifestFile::of).collect(),
+            posts: bill::posts(design),
+            plates: bill::plates(design),
+            masks: bill::masks(spec, design),
+            fabric_mm2: thousandths(stars.iter().map(|star| star.fabric_mm2).sum()),
+            mass_g: stars.iter().map(|star| star.mass_g).sum::<Option<f64>>().map(thousandths),
             stars,
-            posts: Vec::new(),
         }
     }
 
@@ -154,6 +190,9 @@ impl ManifestFile {
             sha256: sha256(&artifact.bytes),
             sheet: artifact.sheet,
             star: artifact.star,
+            plate: artifact.variant.plate,
+            paper: artifact.variant.paper.map(str::to_owned),
+            mirrored: artifact.variant.mirrored,
         }
     }
 }

@@ -1,7 +1,10 @@
 //! Every stage by name: spec -> design -> plan -> text -> artifacts -> proof.
 
+mod parts;
+
 use crate::artifact::Artifact;
 use crate::artifact::Kind;
+use crate::artifact::Variant;
 use crate::design::Design;
 use crate::design::Drawing;
 use crate::design::Refusal;
@@ -57,7 +60,7 @@ pub fn build(
         return Err(refusals);
     }
     let artifacts = artifacts(spec, machine, sources, only, &design, &programs, &traces);
-    let manifest = Manifest::new(&spec.name, &artifacts, &programs);
+    let manifest = Manifest::new(spec, &design, &artifacts, &programs);
     Ok(Build { design, programs, traces, artifacts, manifest })
 }
 
@@ -86,7 +89,8 @@ fn artifacts(
     let wanted = |kind: Kind| only.is_empty() || only.contains(&kind);
     let mut out = Vec::new();
     let mut add = |name: String, kind, sheet, star, text: String| {
-        out.push(Artifact { name, kind, sheet, star, bytes: text.into_bytes() });
+        let variant = Variant::default();
+        out.push(Artifact { name, kind, sheet, star, variant, bytes: text.into_bytes() });
     };
     add("spec.toml".to_owned(), Kind::Spec, None, None, sources.spec.to_owned());
     add("machine.toml".to_owned(), Kind::Machine, None, None, sources.machine.to_owned());
@@ -121,5 +125,7 @@ fn artifacts(
             add(file("preview.svg"), Kind::PreviewSvg, Some(sheet), None, picture);
         }
     }
+    parts::masks(spec, design, &wanted, &mut out);
+    parts::plates(spec, design, &wanted, &mut out);
     out
 }

@@ -8,6 +8,7 @@ use proptest::prelude::*;
 
 use stargrip_cam::design::Drawing;
 use stargrip_cam::design::Layer;
+use stargrip_cam::design::Origin;
 use stargrip_cam::design::Shape;
 use stargrip_cam::design::Side;
 use stargrip_cam::emit;
@@ -65,7 +66,13 @@ proptest! {
                 prop_assert_eq!(&proof.findings, &[]);
                 prop_assert!(proof.deviations.len() >= 6);
                 for (file, mm) in proof.deviations {
-                    prop_assert!(mm <= path, "{file}: {mm}");
+                    // Paper says arcs by curves in single precision, solids by chords.
+                    let allowed = match file.rsplit_once('.') {
+                        Some((_, "pdf")) => 0.01,
+                        Some((_, "stl")) => 0.025,
+                        _ => path,
+                    };
+                    prop_assert!(mm <= allowed, "{file}: {mm}");
                 }
             }
         }
@@ -79,6 +86,7 @@ proptest! {
         let path = placed(&arched(radius, sweep.to_radians(), clockwise), turn.to_radians());
         let bounds = path.bounds();
         let drawing = Drawing {
+            origin: Origin::LowerLeft,
             width: bounds.max.x + 10.0,
             height: bounds.max.y + 10.0,
             layers: vec![(Layer::SealOuter, vec![Shape::Path(path.clone())])],

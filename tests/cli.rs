@@ -65,12 +65,20 @@ fn build_then_verify() {
         [
             "machine.toml",
             "manifest.json",
+            "plate-1-frame.dxf",
+            "plate-1-frame.svg",
             "sheet-1-outline.dxf",
             "sheet-1-outline.svg",
             "sheet-1-preview.svg",
             "sheet-1-seal.dxf",
             "sheet-1-seal.svg",
             "spec.toml",
+            "star-1-mask-a4.pdf",
+            "star-1-mask-letter.pdf",
+            "star-1-mask.dxf",
+            "star-1-mask.pdf",
+            "star-1-mask.stl",
+            "star-1-mask.svg",
             "star-1-seal.gcode",
             "star-1-trace.gcode",
         ]
@@ -353,8 +361,31 @@ fn a_hostile_name_is_a_harmless_literal() {
         assert_code(&run(dir.path(), &["build", "star.toml", "-o", &out]), 0);
         assert_code(&run(dir.path(), &["verify", &out]), 0);
         for (file, bytes) in files(&dir.path().join(&out)) {
+            let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
+            if ending == "stl" {
+                assert_eq!(bytes[..80], [b' '; 80], "a solid has no text");
+                continue;
+            }
+            if ending == "pdf" {
+                // The title is the only place for a name; no bracket in it can end its string.
+                let text = String::from_utf8_lossy(&bytes).into_owned();
+                let title = text.lines().find(|line| line.contains("/Title")).expect("a title");
+                assert!(title.matches(['(', ')', '<', '>', '\\']).count() == 2, "{file}: {title}");
+                assert!(!text.contains("/JavaScript") && !text.contains("/OpenAction"), "{file}");
+                continue;
+            }
             let text = String::from_utf8(bytes).expect("UTF-8");
-            if ending(&file) == "gcode" {
+            if ending == "dxf" {
+                assert!(
+                    text.is_ascii() && !text.contains("passwd") && !text.contains("script"),
+                    "{file}: {name}"
+                );
+            }
+            if ending == "json" {
+                let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+                assert_eq!(json["name"], **name, "{file}");
+            }
+            if ending == "gcode" {
                 assert!(text.is_ascii() && !text.contains(['(', ')', '%']), "{file}: {name}");
                 assert!(text.lines().all(|line| line.matches(';').count() <= 1), "{file}: {name}");
                 assert!(
@@ -364,7 +395,7 @@ fn a_hostile_name_is_a_harmless_literal() {
                             || line.contains("G0 Z-50") && !line.starts_with(';'))
                 );
             }
-            if ending(&file) == "svg" {
+            if ending == "svg" {
                 assert!(!text.contains("<script"), "{file}");
             }
         }
@@ -374,10 +405,6 @@ fn a_hostile_name_is_a_harmless_literal() {
         fs::write(dir.path().join("star.toml"), spec).expect("written");
         assert_code(&run(dir.path(), &["build", "star.toml", "-o", "no"]), 1);
     }
-}
-
-fn ending(file: &str) -> &str {
-    file.rsplit_once('.').map_or("", |(_, ending)| ending)
 }
 
 /// A TOML basic string.

@@ -99,7 +99,7 @@ fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
 fn an_untouched_build_has_no_findings() {
     let proof = prove_archive(&archive());
     assert_eq!(proof.findings, []);
-    assert_eq!(proof.deviations.len(), 6);
+    assert_eq!(proof.deviations.len(), 14);
 }
 
 #[test]
@@ -171,9 +171,21 @@ fn a_spec_that_cannot_be_read_or_made_is_found() {
 #[test]
 fn every_file_of_another_star_is_found() {
     let findings = forged("spec.toml", |spec| spec.replace("\"30 mm\"", "\"30.01 mm\""));
-    for file in
-        [SEAL, TRACE, "sheet-1-seal.svg", "sheet-1-seal.dxf", "sheet-1-outline.svg", "sheet-1-outline.dxf"]
-    {
+    for file in [
+        SEAL,
+        TRACE,
+        "sheet-1-seal.svg",
+        "sheet-1-seal.dxf",
+        "sheet-1-outline.svg",
+        "sheet-1-outline.dxf",
+        "star-1-mask.svg",
+        "star-1-mask.dxf",
+        "star-1-mask.pdf",
+        "star-1-mask-a4.pdf",
+        "star-1-mask-letter.pdf",
+        "plate-1-frame.svg",
+        "plate-1-frame.dxf",
+    ] {
         assert_found(&findings, "deviation", file);
     }
     assert_found(&findings, "manifest", MANIFEST);

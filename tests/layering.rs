@@ -16,7 +16,7 @@ const MAY_USE: [(&str, &[&str]); 17] = [
     ("airtight", &["design", "geom", "mechanics", "spec", "units"]),
     ("plan", &["design", "geom", "spec", "units"]),
     ("artifact", &[]),
-    ("manifest", &["artifact", "plan"]),
+    ("manifest", &["artifact", "design", "plan", "spec"]),
     ("emit", &["design", "geom", "plan", "spec", "units"]),
     ("verify", &["artifact", "design", "geom", "manifest", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),

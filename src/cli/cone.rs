@@ -35,7 +35,7 @@ pub(super) struct Args {
     /// Radius at first contact, where the travel is 0; default: the predicted final radius of --spec.
     #[arg(long, value_parser = quantity::<Length>)]
     contact_radius: Option<Length>,
-    /// Lay the prediction for this spec over the data; its [load] must give the pressure.
+    /// Lay the prediction for this spec over the data; its `[load]` must give the pressure.
     #[arg(long)]
     spec: Option<PathBuf>,
 }

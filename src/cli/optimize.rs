@@ -54,7 +54,7 @@ pub(super) struct Args {
     /// Radii that it must be able to hold: close to the first, open to the second.
     #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
     grasp: Option<(Length, Length)>,
-    /// Payload of the stack in kg, with the pressure, object and friction of [load].
+    /// Payload of the stack in kg, with the pressure, object and friction of `[load]`.
     #[arg(long, value_name = "KG")]
     payload: Option<f64>,
     /// Least burst pressure over pressure.

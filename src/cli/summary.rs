@@ -3,7 +3,10 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use crate::design::COATING_ASSUMES;
 use crate::design::Design;
+use crate::design::Plate;
+use crate::manifest;
 use crate::pipeline::Build;
 use crate::plan::Pace;
 use crate::plan::Program;
@@ -36,9 +39,10 @@ pub(super) fn design(spec: &Spec, design: &Design, programs: &[Program]) -> Stri
         );
         let _ = writeln!(
             out,
-            "  clear radius at the flap {:.2} mm, fabric {:.0} cm2 a sheet",
+            "  clear radius at the flap {:.2} mm, fabric {:.0} cm2 in both sheets{}",
             part.clear_radius(),
-            part.outline.area() / 100.0
+            manifest::fabric(part) / 100.0,
+            manifest::mass(spec, part).map_or(String::new(), |grams| format!(", {grams:.1} g")),
         );
         for program in programs {
             for seam in program.seams.iter().filter(|seam| seam.star == placed.index) {
@@ -56,17 +60,85 @@ pub(super) fn design(spec: &Spec, design: &Design, programs: &[Program]) -> Stri
         let _ =
             writeln!(out, "sheet {}: {} x {} mm", sheet.index, Readable(sheet.width), Readable(sheet.height));
     }
+    out += &materials(spec, design);
     let time: f64 = programs.iter().map(|program| program.time).sum();
     let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();
     let _ = writeln!(out, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
     out
 }
 
+/// Masks, coating and frame.
+fn materials(spec: &Spec, design: &Design) -> String {
+    let mut out = String::new();
+    for placed in design.firsts() {
+        let part = design.part(placed);
+        let [thin, thick] = part.mask.coating_um();
+        let _ = writeln!(
+            out,
+            "mask of star {}: windows reach {:.2} mm, plate {:.0} cm2, {:.1} cm3 at {}",
+            placed.index,
+            part.mask.extent,
+            part.mask.area(&part.outline) / 100.0,
+            part.mask.area(&part.outline) * spec.mask.thickness.0 / 1000.0,
+            spec.mask.thickness,
+        );
+        let _ = writeln!(out, "  coating about {thin:.0} to {thick:.0} um thick");
+    }
+    let _ = writeln!(out, "  the coating's thickness assumes {COATING_ASSUMES}");
+    let (frame, stack) = (&design.frame, &design.stack);
+    let _ = writeln!(
+        out,
+        "frame: {} posts of {:.2} mm, diameter {} mm, on a circle of radius {:.2} mm",
+        frame.posts.len(),
+        frame.post_length,
+        Readable(frame.post_diameter),
+        frame.radius - frame.post_diameter,
+    );
+    for placed in &design.stars {
+        // The plates below and above it.
+        let beside =
+            |plate: &&Plate| plate.numbers.iter().any(|n| (placed.index..placed.index + 2).contains(n));
+        let opening = frame.plates.iter().filter(beside).map(|plate| plate.opening).fold(0.0, f64::max);
+        let shut = crate::design::shut_reach(&design.part(placed).star);
+        if shut <= opening {
+            let _ = writeln!(
+                out,
+                "  note: shut as far as it ever goes, star {} reaches {shut:.2} mm, less than an opening of {opening:.2} mm",
+                placed.index
+            );
+        }
+    }
+    for plate in &frame.plates {
+        let list = |items: Vec<String>| items.join(", ");
+        let heights = plate.numbers.iter().map(|number| format!("{:.2}", stack.plates[number - 1]));
+        let _ = writeln!(
+            out,
+            "  plate {}: opening {:.2} mm in radius, {:.0} cm2, middle at a height of {} mm",
+            list(plate.numbers.iter().map(ToString::to_string).collect()),
+            plate.opening,
+            frame.area(plate) / 100.0,
+            list(heights.collect()),
+        );
+    }
+    out
+}
+
 /// The design, and what was written of it where.
 pub(super) fn built(spec: &Spec, machine: &Machine, build: &Build, proof: &Proof, target: &Path) -> String {
     let mut out = design(spec, &build.design, &build.programs);
-    let deviation = proof.deviations.iter().map(|(_, mm)| *mm).fold(0.0, f64::max);
-    let _ = writeln!(out, "proven: every file within {deviation:.6} mm of the exact geometry");
+    // Paper and solids say arcs by curves and chords, with tolerances of their own.
+    let largest = |of: &dyn Fn(&str) -> bool| {
+        proof.deviations.iter().filter(|(name, _)| of(name)).map(|(_, mm)| *mm).fold(0.0, f64::max)
+    };
+    let ends = |name: &str, ending: &str| Path::new(name).extension().is_some_and(|e| e == ending);
+    let (paper, solid) = (|name: &str| ends(name, "pdf"), |name: &str| ends(name, "stl"));
+    let _ = writeln!(
+        out,
+        "proven: every file within {:.6} mm of the exact geometry (paper {:.4} mm, solids {:.4} mm)",
+        largest(&|name| !paper(name) && !solid(name)),
+        largest(&paper),
+        largest(&solid),
+    );
     let _ = writeln!(out, "machine: {} ({})", machine.name, machine.description);
     out.push_str(&conditions(spec, machine, &build.programs));
     let _ = writeln!(out, "wrote to {}:", target.display());

@@ -1,20 +1,36 @@
-//! Drawings: what lies on one sheet, layer by layer. Writers write them, the verifier compares files with them.
+//! Drawings: what lies on one sheet, or what one plate is cut to, layer by layer. Writers write them, the verifier compares files with them.
 
 use crate::design::Design;
+use crate::design::Plate;
 use crate::design::Side;
+use crate::design::label;
+use crate::design::lettering;
+use crate::geom::Bounds;
 use crate::geom::Isometry;
+use crate::geom::Line;
 use crate::geom::Path;
 use crate::geom::Point;
 
-/// Exact geometry in a frame whose origin is the lower left corner.
+/// Exact geometry on a page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
+    /// Where the geometry's own origin lies.
+    pub origin: Origin,
     /// Extent along X.
     pub width: f64,
     /// Extent along Y.
     pub height: f64,
     /// What is drawn, in order: (layer, shapes).
     pub layers: Vec<(Layer, Vec<Shape>)>,
+}
+
+/// Where a drawing has its origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Origin {
+    /// At the page's lower left corner.
+    LowerLeft,
+    /// On the star's axis; the page's lower left corner lies at this point.
+    Axis(Point),
 }
 
 /// What a shape is for. Names are part of every file.
@@ -30,6 +46,20 @@ pub enum Layer {
     CutHole,
     /// Registration holes.
     Registration,
+    /// What stands on a part, to be written and not cut.
+    Label,
+    /// Where a mask leaves the fabric free.
+    MaskWindow,
+    /// The edge of a mask.
+    MaskPlate,
+    /// The holes for the frame's posts.
+    PostHole,
+    /// The opening of a frame's plate.
+    FrameOpening,
+    /// The edge of a frame's plate.
+    FrameEdge,
+    /// Crop and registration marks, ruler, check square and page name on paper.
+    PaperMark,
 }
 
 impl Layer {
@@ -41,6 +71,13 @@ impl Layer {
             Self::CutOutside => "cut-outside",
             Self::CutHole => "cut-hole",
             Self::Registration => "registration",
+            Self::Label => "label",
+            Self::MaskWindow => "mask-window",
+            Self::MaskPlate => "mask-plate",
+            Self::PostHole => "post-hole",
+            Self::FrameOpening => "frame-opening",
+            Self::FrameEdge => "frame-edge",
+            Self::PaperMark => "paper-mark",
         }
     }
 }
@@ -57,6 +94,26 @@ pub enum Shape {
         /// Its radius.
         radius: f64,
     },
+}
+
+impl Shape {
+    /// Smallest axis-parallel box around the shape.
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            Self::Path(path) => path.bounds(),
+            Self::Circle { center, radius } => Bounds::of_points([*center]).grown(*radius),
+        }
+    }
+
+    /// The image of the shape.
+    pub fn moved(&self, motion: &Isometry) -> Self {
+        match self {
+            Self::Path(path) => Self::Path(motion.path(path)),
+            Self::Circle { center, radius } => {
+                Self::Circle { center: motion.point(*center), radius: *radius }
+            }
+        }
+    }
 }
 
 impl Drawing {
@@ -78,9 +135,12 @@ impl Drawing {
 
     /// The cuts of all stars on sheet `sheet`, holes first, so that no part moves before its holes are made.
     pub fn outlines(design: &Design, sheet: usize) -> Option<Self> {
-        let (mut holes, mut inside, mut outside) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut labels, mut holes, mut inside, mut outside) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for placed in design.on_sheet(sheet) {
-            let outline = &design.part(placed).outline;
+            let part = design.part(placed);
+            let outline = &part.outline;
+            labels.extend(label::on_outline(part, placed).into_iter().map(Shape::Path));
             let place = |path: &Path| Shape::Path(placed.placement.path(path));
             holes.extend(
                 outline.registration.iter().map(|hole| circle(&placed.placement, hole.center, hole.diameter)),
@@ -88,17 +148,83 @@ impl Drawing {
             inside.push(place(&outline.hole));
             outside.push(place(&outline.outside));
         }
-        let layers =
-            vec![(Layer::Registration, holes), (Layer::CutHole, inside), (Layer::CutOutside, outside)];
+        let layers = vec![
+            (Layer::Label, labels),
+            (Layer::Registration, holes),
+            (Layer::CutHole, inside),
+            (Layer::CutOutside, outside),
+        ];
         Self::on(design, sheet, layers)
+    }
+
+    /// The mask of the distinct star to which star number `star` belongs, turned over for its other face if `mirrored`.
+    pub fn mask(design: &Design, star: usize, mirrored: bool) -> Option<Self> {
+        let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
+        let mask = &part.mask;
+        let motion = if mirrored { Isometry::mirror() } else { Isometry::IDENTITY };
+        let place = |path: &Path| Shape::Path(motion.path(path));
+        let holes = part.outline.registration.iter().map(|hole| circle(&motion, hole.center, hole.diameter));
+        let labels = label::on_mask(part, mask, star, mirrored).into_iter().map(Shape::Path);
+        Some(Self::around_axis(vec![
+            (Layer::Label, labels.collect()),
+            (Layer::Registration, holes.collect()),
+            (Layer::MaskWindow, mask.windows.iter().map(place).collect()),
+            (Layer::MaskPlate, vec![place(&mask.plate)]),
+        ]))
+    }
+
+    /// A distinct plate of the frame, as the tool must travel so that the cut comes out at the right size.
+    pub fn plate(design: &Design, plate: &Plate) -> Self {
+        let frame = &design.frame;
+        let half_kerf = frame.kerf / 2.0;
+        let hole = |center: Point, radius: f64| Shape::Circle { center, radius };
+        let posts = frame.posts.iter().map(|post| hole(*post, frame.post_diameter / 2.0 - half_kerf));
+        Self::around_axis(vec![
+            (Layer::Label, plate_label(frame.radius, plate).into_iter().map(Shape::Path).collect()),
+            (Layer::PostHole, posts.collect()),
+            (Layer::FrameOpening, vec![hole(Point::ORIGIN, plate.opening - half_kerf)]),
+            (Layer::FrameEdge, vec![hole(Point::ORIGIN, frame.radius + half_kerf)]),
+        ])
+    }
+
+    /// A drawing around the axis, as large as what is on it.
+    fn around_axis(layers: Vec<(Layer, Vec<Shape>)>) -> Self {
+        let shapes = layers.iter().flat_map(|(_, shapes)| shapes);
+        let bounds = shapes.map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union);
+        // Whole millimetres read well in a file and lose nothing.
+        let corner = Point::new(bounds.min.x.floor() - 1.0, bounds.min.y.floor() - 1.0);
+        let (width, height) = (bounds.max.x.ceil() + 1.0 - corner.x, bounds.max.y.ceil() + 1.0 - corner.y);
+        Self { origin: Origin::Axis(corner), width, height, layers }
+    }
+
+    /// The page's lower left corner in the drawing's own coordinates.
+    pub fn corner(&self) -> Point {
+        match self.origin {
+            Origin::LowerLeft => Point::ORIGIN,
+            Origin::Axis(corner) => corner,
+        }
     }
 
     fn on(design: &Design, sheet: usize, layers: Vec<(Layer, Vec<Shape>)>) -> Option<Self> {
         let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
-        Some(Self { width: layout.width, height: layout.height, layers })
+        Some(Self { origin: Origin::LowerLeft, width: layout.width, height: layout.height, layers })
     }
 }
 
 fn circle(placement: &Isometry, center: Point, diameter: f64) -> Shape {
     Shape::Circle { center: placement.point(center), radius: diameter / 2.0 }
+}
+
+/// Numbers of a plate and a tick at its +X, written in the strip that carries the posts.
+fn plate_label(radius: f64, plate: &Plate) -> Vec<Path> {
+    let numbers: Vec<String> = plate.numbers.iter().map(ToString::to_string).collect();
+    let text = format!("PLATE {}", numbers.join(","));
+    // At most a quarter of the way around, and no higher than the strip outside the opening allows.
+    let strip = radius - plate.opening;
+    let height = (1.5 * radius / lettering::width(&text, 1.0)).min(0.1 * strip).min(5.0);
+    let middle = plate.opening + 0.2 * strip;
+    let mut out = lettering::around(&text, Point::ORIGIN, middle, std::f64::consts::FRAC_PI_2, height);
+    let tick = Line::new(Point::new(middle - height, 0.0), Point::new(middle + height, 0.0));
+    out.push(Path::open(vec![tick.into()]));
+    out
 }

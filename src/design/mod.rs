@@ -5,23 +5,36 @@
 //! is the cut. A [`StarDesign`] holds all of one star in the star's own frame (axis at the origin,
 //! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
 
+mod coating;
 mod contour;
 mod drawing;
+mod frame;
 mod inlet;
+mod label;
+mod lettering;
+mod mask;
 mod outline;
+mod paper;
 mod part;
 mod refusal;
 mod registration;
 mod seam;
 mod sheet;
+mod stack;
 mod star;
+mod window;
 
+pub use coating::COATING_ASSUMES;
 pub use contour::{Contour, Part, Side};
-pub use drawing::{Drawing, Layer, Shape};
+pub use drawing::{Drawing, Layer, Origin, Shape};
+pub use frame::{Frame, Plate, shut_reach};
 pub use inlet::Channel;
+pub use mask::MaskPlate;
 pub use outline::{Circle, Outline};
+pub use paper::{Page as PaperPage, Paper};
 pub use part::{Realised, StarDesign};
 pub use refusal::Refusal;
 pub use seam::{MOUTH_OVERRUN, Seam};
 pub use sheet::{Design, PlacedStar, SheetLayout};
+pub use stack::Stack;
 pub use star::{Star, arm_length};

@@ -21,6 +21,13 @@ pub struct Circle {
     pub diameter: f64,
 }
 
+impl Circle {
+    /// Area of the hole, mm^2.
+    pub fn area(&self) -> f64 {
+        std::f64::consts::FRAC_PI_4 * self.diameter * self.diameter
+    }
+}
+
 /// The cut of one star, in the star's frame. Both paths are closed and counterclockwise.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
@@ -28,6 +35,10 @@ pub struct Outline {
     pub outside: Path,
     /// Around the hole, band plus hole allowance inside the tube.
     pub hole: Path,
+    /// Distance from the axis to the outermost point of the cut, the inlet left out.
+    pub reach: f64,
+    /// Width of the flap outside the band.
+    pub flap: f64,
     /// The registration holes: three, so placed that the part fits in one position only; or none.
     pub registration: Vec<Circle>,
 }
@@ -61,6 +72,7 @@ impl Outline {
             refusals.push(refusal);
             Default::default()
         });
+        let reach = flap.path().furthest(Point::ORIGIN);
         let outside = match channel {
             // Without a flap the refusal is already there.
             Some(_) if flap.parts.is_empty() => None,
@@ -72,7 +84,9 @@ impl Outline {
             None => Some(flap.path()),
         };
         match (outside, hole) {
-            (Some(outside), Some(hole)) if refusals.is_empty() => Ok(Self { outside, hole, registration }),
+            (Some(outside), Some(hole)) if refusals.is_empty() => {
+                Ok(Self { outside, hole, reach, flap: seal.allowance.0, registration })
+            }
             _ => Err(refusals),
         }
     }

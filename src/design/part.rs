@@ -1,6 +1,7 @@
 //! One distinct star with everything that is drawn of it, in the star's own frame.
 
 use crate::design::Channel;
+use crate::design::MaskPlate;
 use crate::design::Outline;
 use crate::design::Refusal;
 use crate::design::Seam;
@@ -28,6 +29,8 @@ pub struct StarDesign {
     pub seams: [Seam; 2],
     /// The cut.
     pub outline: Outline,
+    /// The coating mask.
+    pub mask: MaskPlate,
 }
 
 /// The radius that the band makes of a hinge, and the cusp that it leaves.
@@ -67,12 +70,15 @@ impl StarDesign {
             edges(&star, channel.as_ref(), least_radius).map_err(|refusal| refuse(vec![refusal])).ok()
         };
         let (drawn, realised) = (edges(0.0), edges(half_band));
-        match (inner, outer, outline, drawn, realised) {
-            (Some(inner), Some(outer), Some(outline), Some(edges), Some(realised_edges))
+        let mask = outline.as_ref().and_then(|outline| {
+            MaskPlate::new(spec, star_spec, &star, outline).map_err(|refusal| refuse(vec![refusal])).ok()
+        });
+        match (inner, outer, outline, drawn, realised, mask) {
+            (Some(inner), Some(outer), Some(outline), Some(edges), Some(realised_edges), Some(mask))
                 if refusals.is_empty() =>
             {
                 let seams = [inner, outer];
-                Ok(Self { star, band: seal.band.0, channel, edges, realised_edges, seams, outline })
+                Ok(Self { star, band: seal.band.0, channel, edges, realised_edges, seams, outline, mask })
             }
             _ => Err(refusals),
         }

@@ -1,6 +1,8 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
+use crate::design::Frame;
 use crate::design::Refusal;
+use crate::design::Stack;
 use crate::design::StarDesign;
 use crate::geom::Bounds;
 use crate::geom::Isometry;
@@ -19,6 +21,10 @@ pub struct Design {
     pub stars: Vec<PlacedStar>,
     /// The sheets.
     pub sheets: Vec<SheetLayout>,
+    /// Heights and turns of the stars.
+    pub stack: Stack,
+    /// The frame around them.
+    pub frame: Frame,
 }
 
 /// One star of the stack, on its sheet.
@@ -74,18 +80,46 @@ impl Design {
         let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.ramp.0)).collect();
         let footprints: Vec<Bounds> = which.iter().map(|i| boxes[*i]).collect();
         let (places, sheets) = place(&footprints, &spec.sheet).map_err(|refusal| vec![refusal])?;
+        let stack = Stack::new(spec)?;
+        let parts: Vec<&StarDesign> = which.iter().map(|i| &distinct[*i]).collect();
+        let frame = Frame::new(spec, &stack, &parts)?;
         let stars = which
             .iter()
             .zip(places)
             .zip(1..)
             .map(|((&distinct, (sheet, placement)), index)| PlacedStar { index, distinct, sheet, placement })
             .collect();
-        Ok(Self { distinct, stars, sheets })
+        Ok(Self { distinct, stars, sheets, stack, frame })
     }
 
     /// The design of a placed star.
     pub fn part(&self, star: &PlacedStar) -> &StarDesign {
         &self.distinct[star.distinct]
+    }
+
+    /// Of every distinct star the first star of the stack that is one, in order.
+    pub fn firsts(&self) -> impl Iterator<Item = &PlacedStar> {
+        (0..self.distinct.len()).filter_map(|i| self.stars.iter().find(|star| star.distinct == i))
+    }
+
+    /// The stars on sheet number `sheet`, beginning with the one nearest to the sheet's origin, then always the one
+    /// nearest to the one before; of equals the lowest.
+    pub fn nearest_first(&self, sheet: usize) -> Vec<&PlacedStar> {
+        let mut left: Vec<&PlacedStar> = self.on_sheet(sheet).collect();
+        let mut out = Vec::with_capacity(left.len());
+        let mut here = Point::ORIGIN;
+        let axis = |star: &PlacedStar| star.placement.point(Point::ORIGIN);
+        while let Some(next) = (0..left.len())
+            // Rounding must not decide between stars that are equally far away.
+            .reduce(
+                |a, b| if axis(left[b]).distance(here) < axis(left[a]).distance(here) - 1e-6 { b } else { a },
+            )
+        {
+            let star = left.remove(next);
+            here = axis(star);
+            out.push(star);
+        }
+        out
     }
 
     /// The stars on sheet number `sheet`, in order.
@@ -104,9 +138,13 @@ fn place(boxes: &[Bounds], sheet: &Sheet) -> Result<(Vec<Placement>, Vec<SheetLa
     let (margin, gap) = (sheet.margin.0, sheet.gap.0);
     let limit = |extent: Option<crate::units::Length>| extent.map_or(f64::INFINITY, |l| l.0 - 2.0 * margin);
     let (max_width, max_height) = (limit(sheet.width), limit(sheet.height));
+    let upright = |bounds: &Bounds| bounds.width() <= max_width && bounds.height() <= max_height;
     for bounds in boxes {
-        fits("sheet.width", bounds.width(), max_width, margin)?;
-        fits("sheet.height", bounds.height(), max_height, margin)?;
+        let can_stand = upright(bounds) || sheet.turn && upright(&turned(bounds));
+        if !can_stand {
+            fits("sheet.width", bounds.width(), max_width, margin)?;
+            fits("sheet.height", bounds.height(), max_height, margin)?;
+        }
     }
     let columns = match sheet.width {
         Some(_) => usize::MAX,
@@ -117,6 +155,16 @@ fn place(boxes: &[Bounds], sheet: &Sheet) -> Result<(Vec<Placement>, Vec<SheetLa
     let (mut used_width, mut used_height) = (0.0_f64, 0.0_f64);
     let (mut x, mut y, mut row_height, mut in_row) = (0.0, 0.0, 0.0_f64, 0);
     for bounds in boxes {
+        let ends_row = in_row == columns || x + bounds.width() > max_width;
+        // A part is turned where it fits no other way, or where it then still fits into the row.
+        let turn = sheet.turn
+            && upright(&turned(bounds))
+            && (!upright(bounds)
+                || (ends_row
+                    && in_row < columns
+                    && x + bounds.height() <= max_width
+                    && y + bounds.width() <= max_height));
+        let bounds = if turn { turned(bounds) } else { *bounds };
         let (w, h) = (bounds.width(), bounds.height());
         if in_row == columns || x + w > max_width {
             (x, y, row_height, in_row) = (0.0, y + row_height + gap, 0.0, 0);
@@ -126,7 +174,9 @@ fn place(boxes: &[Bounds], sheet: &Sheet) -> Result<(Vec<Placement>, Vec<SheetLa
             (x, y, row_height, in_row, used_width, used_height) = (0.0, 0.0, 0.0, 0, 0.0, 0.0);
         }
         let corner = Point::new(margin + x, margin + y);
-        places.push((sheets.len() + 1, Isometry::translation(corner - bounds.min)));
+        let rotation = if turn { std::f64::consts::FRAC_PI_2 } else { 0.0 };
+        let shift = corner - bounds.min;
+        places.push((sheets.len() + 1, Isometry { shift, ..Isometry::rotation(rotation) }));
         used_width = used_width.max(x + w);
         used_height = used_height.max(y + h);
         row_height = row_height.max(h);
@@ -135,6 +185,12 @@ fn place(boxes: &[Bounds], sheet: &Sheet) -> Result<(Vec<Placement>, Vec<SheetLa
     }
     sheets.push(layout(sheets.len() + 1, used_width, used_height, sheet));
     Ok((places, sheets))
+}
+
+/// The box turned by a quarter turn about the origin, counterclockwise.
+fn turned(bounds: &Bounds) -> Bounds {
+    let (min, max) = (bounds.min, bounds.max);
+    Bounds { min: Point::new(-max.y, min.x), max: Point::new(-min.y, max.x) }
 }
 
 fn layout(index: usize, used_width: f64, used_height: f64, sheet: &Sheet) -> SheetLayout {

@@ -37,13 +37,17 @@ pub fn dxf(drawing: &Drawing, path: Length) -> String {
             }
         }
     }
+    let corner = drawing.corner();
     let number = |x: f64| writer.decimals.text(x);
     fill(&[
         ("HANDSEED", &format!("{:X}", writer.handle)),
-        ("WIDTH", &number(drawing.width)),
+        ("MIN_X", &number(corner.x)),
+        ("MIN_Y", &number(corner.y)),
+        ("MAX_X", &number(corner.x + drawing.width)),
+        ("MAX_Y", &number(corner.y + drawing.height)),
         ("HEIGHT", &number(drawing.height)),
-        ("CENTER_X", &number(drawing.width / 2.0)),
-        ("CENTER_Y", &number(drawing.height / 2.0)),
+        ("CENTER_X", &number(corner.x + drawing.width / 2.0)),
+        ("CENTER_Y", &number(corner.y + drawing.height / 2.0)),
         ("LAYER_COUNT", &(drawing.layers.len() + 1).to_string()),
         ("LAYERS", &layers),
         ("ENTITIES", &writer.out),
@@ -159,8 +163,36 @@ fn color(layer: Layer) -> &'static str {
     match layer {
         Layer::SealInner => "5",
         Layer::SealOuter => "3",
-        Layer::CutOutside => "1",
-        Layer::CutHole => "6",
-        Layer::Registration => "7",
+        Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => "1",
+        Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => "6",
+        Layer::Registration | Layer::PostHole => "7",
+        Layer::Label | Layer::PaperMark => "4",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Origin;
+
+    /// A name in the skeleton without a value would leave a line empty, which only strict readers notice.
+    #[test]
+    fn every_number_is_there() {
+        let drawing = Drawing {
+            origin: Origin::Axis(Point::new(-3.0, -4.0)),
+            width: 6.0,
+            height: 8.0,
+            layers: vec![(Layer::PostHole, vec![Shape::Circle { center: Point::ORIGIN, radius: 1.0 }])],
+        };
+        let text = dxf(&drawing, Length(0.001));
+        let lines: Vec<&str> = text.lines().collect();
+        assert!(!text.contains('@') && lines.len().is_multiple_of(2));
+        for pair in lines.chunks_exact(2) {
+            let code: u32 = pair[0].trim().parse().expect("a group code");
+            if (10..60).contains(&code) || (140..148).contains(&code) {
+                assert!(pair[1].parse::<f64>().is_ok(), "{pair:?}");
+            }
+        }
+        assert!(text.contains("$EXTMIN\n 10\n-3\n 20\n-4\n"));
     }
 }

@@ -3,12 +3,17 @@
 mod dxf;
 mod gcode;
 mod number;
+mod pdf;
 mod preview;
+mod stack_view;
+mod stl;
 mod svg;
 mod text;
 
 pub use dxf::dxf;
 pub use gcode::{Facts, feed_check, gcode, write_gcode, write_steps};
 pub use number::Decimals;
+pub use pdf::pdf;
 pub use preview::preview;
+pub use stl::stl;
 pub use svg::svg;

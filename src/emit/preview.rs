@@ -8,6 +8,7 @@ use crate::design::Design;
 use crate::design::PlacedStar;
 use crate::design::StarDesign;
 use crate::emit::number::Decimals;
+use crate::emit::stack_view::StackView;
 use crate::emit::svg::Page;
 use crate::emit::svg::element;
 use crate::emit::text::inert;
@@ -35,8 +36,15 @@ pub fn preview(spec: &Spec, design: &Design, programs: &[Program], sheet: usize)
     let title = Title { size, width: layout.width };
     let lines = title_lines(spec, design, programs, sheet);
     let block = lines.iter().map(|_| 1.5 * size).sum::<f64>() + 3.0 * size;
-    let mut picture = page.picture(&spec.name, layout.width, layout.height + block);
-    picture.append(rectangle(layout.width, layout.height, block));
+    // The stack stands beside the first sheet.
+    let stack = (sheet == 1).then(|| StackView::new(design));
+    let (beside, least) = stack.as_ref().map_or((0.0, 0.0), |view| (view.width(), view.height()));
+    let block = block.max(least - layout.height);
+    let mut picture = page.picture(&spec.name, layout.width + beside, layout.height + block);
+    picture.append(rectangle(layout.width, layout.height, beside, block));
+    if let Some(view) = &stack {
+        picture.append(view.group(&page, layout.width, layout.height, size));
+    }
     for star in &stars {
         picture.append(star_group(&page, design.part(star), star));
     }
@@ -50,13 +58,13 @@ pub fn preview(spec: &Spec, design: &Design, programs: &[Program], sheet: usize)
     Some(format!("{picture}\n"))
 }
 
-fn rectangle(width: f64, height: f64, block: f64) -> Element {
+fn rectangle(width: f64, height: f64, beside: f64, block: f64) -> Element {
     let mut group = element("g");
     group.assign("id", "sheet");
     let number = |x: f64| Decimals::exactly(2).text(x);
-    for (h, fill) in [(height + block, "#ffffff"), (height, "#f7f7f4")] {
+    for (w, h, fill) in [(width + beside, height + block, "#ffffff"), (width, height, "#f7f7f4")] {
         let mut rect = element("rect");
-        rect.assign("width", number(width));
+        rect.assign("width", number(w));
         rect.assign("height", number(h));
         rect.assign("fill", fill);
         group.append(rect);
@@ -228,7 +236,7 @@ fn labels(page: &Page, part: &StarDesign, star: &PlacedStar, size: f64) -> Eleme
     group
 }
 
-fn text(page: &Page, at: Point, size: f64, anchor: &str, fill: &str, content: &str) -> Element {
+pub(super) fn text(page: &Page, at: Point, size: f64, anchor: &str, fill: &str, content: &str) -> Element {
     let mut out = element("text");
     out.assign("x", page.x(at));
     out.assign("y", page.y(at));

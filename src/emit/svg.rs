@@ -6,6 +6,7 @@ use svg::node::element::Element;
 
 use crate::design::Drawing;
 use crate::design::Layer;
+use crate::design::Origin;
 use crate::design::Shape;
 use crate::emit::number::Decimals;
 use crate::emit::text::inert;
@@ -19,8 +20,19 @@ const HAIRLINE: &str = "0.01";
 
 /// The drawing as an SVG document.
 pub fn svg(title: &str, drawing: &Drawing, path: Length) -> String {
-    let page = Page { height: drawing.height, decimals: Decimals::for_tolerance(path) };
-    let mut document = page.document(title, drawing.width);
+    let decimals = Decimals::for_tolerance(path);
+    let (page, mut document) = match drawing.origin {
+        Origin::LowerLeft => {
+            let page = Page { height: drawing.height, decimals };
+            (page, page.document(title, drawing.width))
+        }
+        Origin::Axis(corner) => {
+            let sized = Page { height: drawing.height, decimals }.document(title, drawing.width);
+            let [x, y, w, h] = [corner.x, -(corner.y + drawing.height), drawing.width, drawing.height]
+                .map(|number| decimals.text(number));
+            (Page { height: 0.0, decimals }, sized.set("viewBox", format!("{x} {y} {w} {h}")))
+        }
+    };
     for (layer, shapes) in &drawing.layers {
         let mut group = element("g");
         group.assign("id", layer.name());
@@ -40,9 +52,10 @@ fn color(layer: Layer) -> &'static str {
     match layer {
         Layer::SealInner => "#0000ff",
         Layer::SealOuter => "#008000",
-        Layer::CutOutside => "#ff0000",
-        Layer::CutHole => "#ff00ff",
-        Layer::Registration => "#000000",
+        Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => "#ff0000",
+        Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => "#ff00ff",
+        Layer::Registration | Layer::PostHole => "#000000",
+        Layer::Label | Layer::PaperMark => "#00a0a0",
     }
 }
 

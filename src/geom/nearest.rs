@@ -40,6 +40,21 @@ impl Path {
     pub fn distance(&self, p: Point) -> f64 {
         self.segments.iter().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min)
     }
+
+    /// Distance from `p` to the path's furthest point; 0 for the empty path.
+    pub fn furthest(&self, p: Point) -> f64 {
+        let of = |segment: &Segment| {
+            let ends = segment.start().distance(p).max(segment.end().distance(p));
+            match segment {
+                // On a circle the furthest point lies beyond the centre.
+                Segment::Arc(arc) if arc.fraction_of((arc.center - p).angle(), 0.0).is_some() => {
+                    arc.center.distance(p) + arc.radius
+                }
+                _ => ends,
+            }
+        };
+        self.segments.iter().map(of).fold(0.0, f64::max)
+    }
 }
 
 /// Smallest distance between two segments, 0 if they touch or cross.

@@ -49,7 +49,7 @@ pub fn estimate(level: Level, question: &Question, table: &RingTable) -> LimitEr
             (Level::Ring, _) => LimitError { coiling: 1e-12, stiffness: 1e-12 },
             (Level::Bvp, _) => {
                 let gap = BVP_BETA.ln() / BVP_BETA;
-                LimitError { coiling: 2.0 * gap, stiffness: 5.0 * gap }
+                LimitError { coiling: 2.0 * gap, stiffness: 7.0 * gap }
             }
         };
         own.coiling = own.coiling.max(one.coiling);

@@ -123,7 +123,7 @@ mod tests {
         let cone = Cone::new(30.0_f64.to_radians(), 0.1).expect("valid");
         let csv = "travel_mm,load_N\n0,0\n10,2.5\n";
         let plain = reduce(csv, &cone, Balance::Derived, 0.015, None).expect("two rows");
-        assert_eq!(plain.lines().nth(2), Some("10,2.5,20.773503,3.226925"));
+        assert_eq!(plain.lines().nth(2), Some("10,2.5,20.773503,3.227761"));
         let overlay = |radius: f64| [Some(radius * 100.0), None];
         let laid = reduce(csv, &cone, Balance::Published, 0.015, Some(&overlay)).expect("two rows");
         assert_eq!(laid.lines().next(), Some("travel_mm,load_N,radius_mm,force_N,linear_N,nonlinear_N"));

@@ -140,6 +140,9 @@ fn answer(
     if rest.equilibrium <= 0.0 {
         warnings.push("the arms touch before the hinges are at rest: the star is pressed shut".to_owned());
     }
+    if star.radius(rest.angle).slope <= 0.0 {
+        warnings.push("the arms are so short that closing the tips widens the star".to_owned());
+    }
     let object_force = match (case.pressure, case.object) {
         (Some(_), Some(rho)) => object_force(&inflated, &rest, rho, true, &mut warnings),
         _ => None,

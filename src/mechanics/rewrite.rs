@@ -1,4 +1,4 @@
-//! A spec's text with other values in its [star] section, everything else as it was, comments included.
+//! A spec's text with other values in its `[star]` section, everything else as it was, comments included.
 
 use crate::spec::Source;
 use crate::spec::read;

@@ -24,7 +24,7 @@ pub(super) fn scopes(design: &Design, scope: ProgramScope) -> Vec<(usize, Vec<&P
     match scope {
         ProgramScope::Star => design.stars.iter().map(|star| (star.sheet, vec![star])).collect(),
         ProgramScope::Sheet => {
-            design.sheets.iter().map(|sheet| (sheet.index, design.on_sheet(sheet.index).collect())).collect()
+            design.sheets.iter().map(|sheet| (sheet.index, design.nearest_first(sheet.index))).collect()
         }
     }
 }

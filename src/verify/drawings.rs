@@ -4,9 +4,13 @@ use std::f64::consts::PI;
 
 use crate::design::Drawing as Exact;
 use crate::design::Layer;
+use crate::design::Origin;
 use crate::design::Shape;
 use crate::geom::Arc;
+use crate::geom::Bounds;
 use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Segment;
 use crate::verify::Drawing;
 use crate::verify::Finding;
 use crate::verify::Findings;
@@ -17,8 +21,13 @@ use crate::verify::read_svg;
 
 /// Reads an SVG; its page must be the drawing's.
 pub(super) fn read_page(text: &str, exact: &Exact, findings: &mut Findings) -> Drawing {
-    let mut drawing = read_svg(text, SvgOrigin::LowerLeft);
+    let origin = match exact.origin {
+        Origin::LowerLeft => SvgOrigin::LowerLeft,
+        Origin::Axis(_) => SvgOrigin::Axis,
+    };
+    let mut drawing = read_svg(text, origin);
     findings.extend(std::mem::take(&mut drawing.findings));
+    within_page(&drawing, exact, findings);
     // Extents are written with as many decimals as coordinates.
     let same = |(w, h): (f64, f64)| (w - exact.width).abs() <= 1e-2 && (h - exact.height).abs() <= 1e-2;
     if !drawing.page.is_some_and(same) {
@@ -26,6 +35,20 @@ pub(super) fn read_page(text: &str, exact: &Exact, findings: &mut Findings) -> D
         findings.add("wrong-size", None, found, format!("{} x {} mm", exact.width, exact.height));
     }
     drawing
+}
+
+/// Nothing lies outside the page, where a reader may cut it off.
+fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
+    let corner = exact.corner();
+    let page = Bounds { min: corner, max: Point::new(corner.x + exact.width, corner.y + exact.height) };
+    let page = page.grown(1e-3);
+    for (layer, paths) in &drawing.layers {
+        let bounds = paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
+        let inside = paths.is_empty() || page.contains(bounds.min) && page.contains(bounds.max);
+        if !inside {
+            findings.add("outside-page", None, format!("{bounds:?} on layer {layer}"), format!("{page:?}"));
+        }
+    }
 }
 
 /// Reads a DXF.
@@ -79,7 +102,8 @@ fn compare_layer(
     if expected.is_empty() && paths.is_empty() {
         return 0.0;
     }
-    let measured = deviation(paths, expected).largest();
+    let measured =
+        one_by_one(paths, expected, tolerance).unwrap_or_else(|| deviation(paths, expected).largest());
     if measured.is_nan() || measured > tolerance {
         findings.add(
             "deviation",
@@ -91,12 +115,44 @@ fn compare_layer(
     measured
 }
 
+/// The largest deviation of any path from the one that stands at its place in the list.
+///
+/// It is never less than that of all from all. `None` where it is not within the tolerance: files may be in another order.
+fn one_by_one(paths: &[Path], expected: &[Path], tolerance: f64) -> Option<f64> {
+    if paths.len() != expected.len() {
+        return None;
+    }
+    let mut largest = 0.0_f64;
+    for (path, right) in paths.iter().zip(expected) {
+        let measured = strokes_apart(path, right)
+            .unwrap_or_else(|| deviation(std::slice::from_ref(path), std::slice::from_ref(right)).largest());
+        if measured.is_nan() || measured > tolerance {
+            return None;
+        }
+        largest = largest.max(measured);
+    }
+    Some(largest)
+}
+
+/// How far two chains of as many straight lines lie apart: at most what their vertices do, as lines change evenly in between.
+fn strokes_apart(path: &Path, right: &Path) -> Option<f64> {
+    if path.segments.len() != right.segments.len() {
+        return None;
+    }
+    path.segments.iter().zip(&right.segments).try_fold(0.0_f64, |largest, pair| match pair {
+        (Segment::Line(a), Segment::Line(b)) => {
+            Some(largest.max(a.start.distance(b.start)).max(a.end.distance(b.end)))
+        }
+        _ => None,
+    })
+}
+
 fn total(paths: &[Path]) -> f64 {
     paths.iter().map(Path::length).sum()
 }
 
 /// A shape as a path; a circle as two half turns.
-fn path_of(shape: &Shape) -> Path {
+pub(super) fn path_of(shape: &Shape) -> Path {
     match shape {
         Shape::Path(path) => path.clone(),
         Shape::Circle { center, radius } => Path::closed(vec![

@@ -58,7 +58,8 @@ impl<'a> Job<'a> {
         let layout = truth.design.sheets.iter().find(|layout| layout.index == sheet)?;
         let stars: Vec<_> = truth
             .design
-            .on_sheet(sheet)
+            .nearest_first(sheet)
+            .into_iter()
             .filter(|placed| star.is_none_or(|index| placed.index == index))
             .collect();
         let corner = Point::new(layout.width, layout.height);
@@ -364,7 +365,13 @@ pub(super) fn manifest_figures(truth: Truth<'_>, manifest: &Manifest) -> Vec<Fin
     for placed in &truth.design.stars {
         let seam_mm: f64 = truth.design.part(placed).seams.iter().map(|seam| seam.run().length()).sum();
         match manifest.stars.iter().find(|star| star.index == placed.index) {
-            Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {}
+            Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {
+                let clear = truth.design.part(placed).clear_radius();
+                if (star.clear_radius_mm - clear).abs() > 0.001 {
+                    let found = format!("star {}: a clear radius of {} mm", star.index, star.clear_radius_mm);
+                    findings.push(wrong(found, format!("{clear:.3} mm")));
+                }
+            }
             Some(star) => findings.push(wrong(
                 format!("star {}: {} mm of seam on sheet {}", star.index, star.seam_mm, star.sheet),
                 format!("{seam_mm:.3} mm on sheet {}", placed.sheet),
@@ -372,6 +379,17 @@ pub(super) fn manifest_figures(truth: Truth<'_>, manifest: &Manifest) -> Vec<Fin
             None => findings
                 .push(wrong(format!("no star {}", placed.index), "every star of the design".to_owned())),
         }
+    }
+    let frame = &truth.design.frame;
+    let posts: usize = manifest.posts.iter().map(|posts| posts.count).sum();
+    let lengths = manifest.posts.iter().map(|posts| (posts.length_mm - frame.post_length).abs());
+    if posts != frame.posts.len() || lengths.fold(0.0, f64::max) > 0.001 {
+        let allowed = format!("{} of {:.3} mm", frame.posts.len(), frame.post_length);
+        findings.push(wrong(format!("posts {:?}", manifest.posts), allowed));
+    }
+    let plates: usize = manifest.plates.iter().map(|plates| plates.plates.len()).sum();
+    if plates != truth.design.stars.len() + 1 {
+        findings.push(wrong(format!("{plates} plates"), format!("{}", truth.design.stars.len() + 1)));
     }
     findings
 }

@@ -6,6 +6,8 @@
 use crate::artifact::Kind;
 use crate::design::Design;
 use crate::design::Drawing;
+use crate::design::MaskPlate;
+use crate::design::Paper;
 use crate::manifest::MANIFEST;
 use crate::manifest::Manifest;
 use crate::manifest::ManifestFile;
@@ -20,6 +22,8 @@ use crate::verify::Findings;
 use crate::verify::drawings;
 use crate::verify::job;
 use crate::verify::job::Job;
+use crate::verify::paper;
+use crate::verify::solid;
 
 /// What the verifier has to say about a directory.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -96,12 +100,7 @@ pub fn prove(design: &Design, spec: &Spec, machine: &Machine, archive: &Archive<
         let Some(bytes) = archive.get(&entry.path) else { continue };
         let mut findings = Findings::default();
         check_hash(entry, bytes, &mut findings);
-        let deviation = if let Ok(text) = std::str::from_utf8(bytes) {
-            file(truth, entry, text, &mut seals, &mut findings)
-        } else {
-            findings.add("not-text", None, "bytes that are not UTF-8", "text");
-            None
-        };
+        let deviation = file(truth, entry, bytes, &mut seals, &mut findings);
         proof.deviations.extend(deviation.map(|mm| (entry.path.clone(), mm)));
         proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&entry.path)));
     }
@@ -148,7 +147,7 @@ fn check_hash(entry: &ManifestFile, bytes: &[u8], findings: &mut Findings) {
 fn file(
     truth: Truth<'_>,
     entry: &ManifestFile,
-    text: &str,
+    bytes: &[u8],
     seals: &mut drawings::Seals,
     findings: &mut Findings,
 ) -> Option<f64> {
@@ -156,30 +155,42 @@ fn file(
         findings.add("unknown-kind", None, entry.kind.clone(), "a kind of this tool");
         return None;
     };
+    if kind == Kind::MaskPdf || kind == Kind::MaskStl {
+        return binary(truth, entry, kind, bytes, findings);
+    }
+    let Ok(text) = std::str::from_utf8(bytes) else {
+        findings.add("not-text", None, "bytes that are not UTF-8", "text");
+        return None;
+    };
     let sheet = entry.sheet.unwrap_or(0);
     let drawing = match kind {
-        Kind::Spec | Kind::Machine | Kind::PreviewSvg => return None,
+        Kind::Spec | Kind::Machine | Kind::PreviewSvg | Kind::MaskPdf | Kind::MaskStl => return None,
         Kind::SealGcode | Kind::TraceGcode => {
             let Some(job) = Job::new(truth, kind == Kind::SealGcode, sheet, entry.star) else {
-                findings.add(
-                    "manifest",
-                    None,
-                    format!("sheet {sheet}, star {:?}", entry.star),
-                    "a part of the design",
-                );
+                no_such_part(entry, findings);
                 return None;
             };
             return Some(job.check(text, findings));
         }
         Kind::SealSvg | Kind::SealDxf => Drawing::seals(truth.design, sheet),
         Kind::OutlineSvg | Kind::OutlineDxf => Drawing::outlines(truth.design, sheet),
+        Kind::MaskSvg | Kind::MaskDxf => {
+            entry.star.and_then(|star| Drawing::mask(truth.design, star, entry.mirrored))
+        }
+        Kind::FrameSvg | Kind::FrameDxf => {
+            let plates = &truth.design.frame.plates;
+            let plate = plates.iter().find(|plate| plate.numbers.first() == entry.plate.as_ref());
+            plate.map(|plate| Drawing::plate(truth.design, plate))
+        }
     };
     let Some(drawing) = drawing else {
-        findings.add("manifest", None, format!("sheet {sheet}"), "a sheet of the design");
+        no_such_part(entry, findings);
         return None;
     };
     let found = match kind {
-        Kind::SealSvg | Kind::OutlineSvg => drawings::read_page(text, &drawing, findings),
+        Kind::SealSvg | Kind::OutlineSvg | Kind::MaskSvg | Kind::FrameSvg => {
+            drawings::read_page(text, &drawing, findings)
+        }
         _ => drawings::read_plan(text, findings),
     };
     let deviation = drawings::compare(&found, &drawing, truth.spec.accuracy.path.0, findings);
@@ -187,4 +198,32 @@ fn file(
         seals.add(sheet, &entry.path, &found);
     }
     Some(deviation)
+}
+
+fn binary(
+    truth: Truth<'_>,
+    entry: &ManifestFile,
+    kind: Kind,
+    bytes: &[u8],
+    findings: &mut Findings,
+) -> Option<f64> {
+    let star = entry.star.unwrap_or(0);
+    let drawing = Drawing::mask(truth.design, star, entry.mirrored);
+    let (Some(drawing), Some(paper)) = (drawing, Paper::from_name(entry.paper.as_deref())) else {
+        no_such_part(entry, findings);
+        return None;
+    };
+    if kind == Kind::MaskStl {
+        return Some(solid::check(bytes, &drawing, truth.spec.mask.thickness.0, findings));
+    }
+    let pages = paper.pages(&drawing, &MaskPlate::caption(star, entry.mirrored));
+    Some(paper::check(bytes, &pages, findings))
+}
+
+fn no_such_part(entry: &ManifestFile, findings: &mut Findings) {
+    let found = format!(
+        "sheet {:?}, star {:?}, plate {:?}, paper {:?}",
+        entry.sheet, entry.star, entry.plate, entry.paper
+    );
+    findings.add("manifest", None, found, "a part of the design");
 }

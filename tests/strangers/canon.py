@@ -61,9 +61,9 @@ def farthest(probes, targets, step):
 
 
 at = (0.0, 0.0, 0.0)
-length = seconds = rests = 0.0
+seconds = rests = 0.0
 feed = None
-contact = []
+fed = []
 call = re.compile(r"(STRAIGHT_TRAVERSE|STRAIGHT_FEED|ARC_FEED|SET_FEED_RATE|DWELL)\(([^)]*)\)")
 for line in open(canon, encoding="utf-8"):
     match = call.search(line)
@@ -88,10 +88,13 @@ for line in open(canon, encoding="utf-8"):
         piece = Line(start, (x, y))
     if name != "STRAIGHT_TRAVERSE":
         seconds += math.hypot(piece.length, z - at[2]) / feed * 60.0
-        if at[2] <= 0 and z <= 0:
-            length += piece.length
-            contact.append(piece)
+        fed.append((max(at[2], z), piece))
     at = (x, y, z)
+
+# In contact is what is fed at the lowest height: on the way down and up the iron leaves the drawing at an inlet's mouth.
+lowest = min((height for height, _ in fed), default=0.0)
+contact = [piece for height, piece in fed if height <= min(lowest, 0.0) + 1e-9]
+length = sum(piece.length for piece in contact)
 
 problems = []
 if abs(length - expected) > 1e-3 * max(expected, 1.0):

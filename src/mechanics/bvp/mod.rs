@@ -7,7 +7,7 @@
 //! As beta grows the model tends to the exact ring, by about 1/beta in V_bar where the section is free and
 //! ln(beta)/beta where there is hoop tension. The inner rim becomes a layer of width 1/beta in which phi
 //! swings from almost pi to the ring's `phi_0`; the edge is therefore read off just outside of that layer.
-//! It is solved up to beta = 1e5; beyond, the residual of the layer meets rounding.
+//! It is solved up to beta = 1e6, far beyond the paper's 1000; further on rounding limits the residual.
 
 mod path;
 mod section;
@@ -27,10 +27,11 @@ pub const MOST_R_STAR: f64 = 1e3;
 pub const LEAST_LAMBDA: f64 = 0.8;
 /// Largest lambda: the tests cover it for every R* in range.
 pub const MOST_LAMBDA: f64 = 3.0;
-/// Smallest beta: below, the penalty is no longer a wall.
-pub const LEAST_BETA: f64 = 10.0;
-/// Largest beta: at 1e6 rounding keeps the residual above 1e-6 in the rim's layer.
-pub const MOST_BETA: f64 = 1e5;
+/// Smallest beta: at 10 the penalty turns sharp hinges inside out, and there is no section any more.
+pub const LEAST_BETA: f64 = 50.0;
+/// Largest beta: it converges here for every R* up to 100. Where beta R* exceeds some 1e8, the rounding of u,
+/// relative to R* and multiplied by beta, keeps the residual above 1e-6, and the section is refused as unsolved.
+pub const MOST_BETA: f64 = 1e6;
 
 /// The penalised boundary-value problem at one beta.
 #[derive(Clone, Copy, Debug, PartialEq)]

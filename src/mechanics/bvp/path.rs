@@ -15,7 +15,7 @@ const FIRST_BETA: f64 = 50.0;
 const FIRST_GAP: f64 = 0.1;
 /// Residual on the way: the profile only has to be a fair start for the next step.
 const ROUGH: f64 = 3e-2;
-/// Most intervals: three times what 1e-8 needs at beta = 1e5.
+/// Most intervals: three times what 1e-8 needs at beta = 1e6.
 const MOST_INTERVALS: usize = 20_000;
 
 /// The end of the path.

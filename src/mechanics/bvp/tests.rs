@@ -86,3 +86,12 @@ fn parameters_are_brought_into_range() {
     assert_eq!(Bvp::new(1e9, 0.0), Bvp::new(MOST_BETA, 1e-7));
     assert_eq!(Bvp::new(f64::NAN, f64::NAN), Bvp::new(LEAST_BETA, 1e-7));
 }
+
+#[test]
+fn beyond_what_rounding_allows_it_refuses() {
+    for r_star in [0.0, 0.1, 10.0, 100.0] {
+        assert!(Bvp::new(1e6, 1e-6).state(r_star, 1.28).is_ok(), "R* {r_star}");
+    }
+    let fault = follow(1000.0, 1.0, 1e7, 1e-6).expect_err("u is known to 1e-13 of R*, times beta");
+    assert!(matches!(fault, CollocationFault::TooFine { .. } | CollocationFault::Diverged), "{fault:?}");
+}

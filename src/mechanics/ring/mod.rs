@@ -7,7 +7,7 @@
 //! - up to `lambda_c`: one **free arc**, without hoop tension except in the inner rim;
 //! - beyond: free arc, **cone** of slope `-arccos(1/lambda)` on which the hoop inequality is an equality, free arc.
 //!
-//! Both are a few quadratures ([`arc`]) and a system of two or three equations ([`solve`]). V_bar' is
+//! Both are a few quadratures (`arc`) and a system of two or three equations (`solve`). V_bar' is
 //! continuous at `lambda_c`, V_bar'' jumps. As stated, r(0) = 0 is imposed: the inner rim keeps its
 //! length. Far beyond the target the rim would then have to push ([`super::hinge::Edges::rim_force`] < 0); a real rim
 //! wrinkles, so there the model is too stiff.
@@ -33,7 +33,7 @@ use super::fault::HingeFault;
 use super::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
 use crate::numerics::NewtonFault;
 
-/// Largest R*: beyond, [`limit`] is exact to 1e-6.
+/// Largest R*: beyond, [`limit()`] is exact to 1e-6.
 pub const MOST_R_STAR: f64 = 1e6;
 /// Least lambda: the free section is smooth down to 0, where its axis goes to infinity.
 pub const LEAST_LAMBDA: f64 = 0.01;

@@ -18,6 +18,11 @@
 //! Method after Kierzenka and Shampine, "A BVP solver based on residual control and the MATLAB PSE", ACM TOMS
 //! 27 (2001), with separated conditions and a banded instead of a general sparse solver.
 
+mod refine;
+#[cfg(test)]
+mod tests;
+
+use self::refine::{remesh, residuals};
 use super::band::{Banded, Factors};
 
 /// A system of `N` equations with conditions that fix some components at the ends.
@@ -279,153 +284,4 @@ fn matrix<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> Ba
         matrix.set(first + N * last + row, N * last + k, 1.0);
     }
     matrix
-}
-
-/// Root mean square of `(y' - f) / (1 + |f|)` on each interval, by five-point Lobatto quadrature, whose end and
-/// middle points are collocation points and contribute nothing.
-fn residuals<const N: usize>(problem: &impl Problem<N>, profile: &Profile<N>) -> Vec<f64> {
-    let Profile { mesh, values } = profile;
-    let place = 0.5 - 0.5 * (3.0_f64 / 7.0).sqrt();
-    let slopes: Vec<[f64; N]> = mesh.iter().zip(values).map(|(&x, y)| problem.slope(x, y)).collect();
-    let at = |i: usize, t: f64| {
-        let h = mesh[i + 1] - mesh[i];
-        let (y0, y1, f0, f1) = (&values[i], &values[i + 1], &slopes[i], &slopes[i + 1]);
-        let y: [f64; N] = std::array::from_fn(|k| {
-            let (c0, c1) = (1.0 - t, t);
-            c0 * c0 * ((1.0 + 2.0 * t) * y0[k] + h * t * f0[k])
-                + c1 * c1 * ((3.0 - 2.0 * t) * y1[k] - h * c0 * f1[k])
-        });
-        let f = problem.slope(mesh[i] + t * h, &y);
-        let squares = (0..N).map(|k| {
-            let rise = 6.0 * t * (1.0 - t) * (y1[k] - y0[k]) / h;
-            let own = rise + (1.0 - t) * (1.0 - 3.0 * t) * f0[k] + t * (3.0 * t - 2.0) * f1[k];
-            ((own - f[k]) / (1.0 + f[k].abs())).powi(2)
-        });
-        squares.sum::<f64>()
-    };
-    // Weights of the five-point rule at these two points: 49/90 each, on an interval of length 2.
-    let rms = |i: usize| (49.0 / 180.0 * (at(i, place) + at(i, 1.0 - place))).sqrt();
-    (0..mesh.len() - 1).map(rms).map(|r| if r.is_finite() { r } else { f64::MAX }).collect()
-}
-
-/// Splits intervals whose residual is above the tolerance, and merges pairs far below it.
-fn remesh<const N: usize>(
-    problem: &impl Problem<N>,
-    profile: &Profile<N>,
-    residuals: &[f64],
-    tolerance: f64,
-) -> Profile<N> {
-    let Profile { mesh, values } = profile;
-    let slope = |j: usize| problem.slope(mesh[j], &values[j]);
-    let mut next = Profile { mesh: vec![mesh[0]], values: vec![values[0]] };
-    let mut kept = true;
-    for i in 0..residuals.len() {
-        let (a, b) = (mesh[i], mesh[i + 1]);
-        if residuals[i] > tolerance {
-            // Fourth order: three parts bring it down by 81, two by 16.
-            let parts: usize = if residuals[i] > 16.0 * tolerance { 3 } else { 2 };
-            let (f0, f1) = (slope(i), slope(i + 1));
-            for part in 1..parts {
-                #[expect(clippy::cast_precision_loss, reason = "two or three parts")]
-                let t = part as f64 / parts as f64;
-                let h = b - a;
-                let y = std::array::from_fn(|k| {
-                    let (y0, y1) = (values[i][k], values[i + 1][k]);
-                    let c = 1.0 - t;
-                    c * c * ((1.0 + 2.0 * t) * y0 + h * t * f0[k])
-                        + t * t * ((3.0 - 2.0 * t) * y1 - h * c * f1[k])
-                });
-                next.mesh.push(a + t * h);
-                next.values.push(y);
-            }
-        }
-        let last = i + 1 == residuals.len();
-        // Merging multiplies the residual by 16 to 81; a hundredth of the tolerance leaves room.
-        let idle = !last && residuals[i] < 0.01 * tolerance && residuals[i + 1] < 0.01 * tolerance;
-        let similar = !last && (mesh[i + 2] - b) < 2.0 * (b - a) && (b - a) < 2.0 * (mesh[i + 2] - b);
-        if kept && idle && similar {
-            kept = false;
-        } else {
-            next.mesh.push(b);
-            next.values.push(values[i + 1]);
-            kept = true;
-        }
-    }
-    next
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// `y'' = (y - g) / eps^2` with solution `y = g + exp(-x/eps) + exp((x-1)/eps)`, g = sin(x): layers at both ends.
-    struct Layers {
-        eps: f64,
-        left: [(usize, f64); 1],
-        right: [(usize, f64); 1],
-    }
-
-    impl Layers {
-        fn new(eps: f64) -> Self {
-            let far = (-1.0 / eps).exp();
-            Self { eps, left: [(0, 1.0 + far)], right: [(0, 1.0_f64.sin() + 1.0 + far)] }
-        }
-        fn exact(&self, x: f64) -> f64 {
-            x.sin() + (-x / self.eps).exp() + ((x - 1.0) / self.eps).exp()
-        }
-    }
-
-    impl Problem<2> for Layers {
-        fn slope(&self, x: f64, y: &[f64; 2]) -> [f64; 2] {
-            let square = self.eps * self.eps;
-            [y[1], (y[0] - x.sin() - square * x.sin()) / square]
-        }
-        fn jacobian(&self, _: f64, _: &[f64; 2]) -> [[f64; 2]; 2] {
-            [[0.0, 1.0], [1.0 / (self.eps * self.eps), 0.0]]
-        }
-        fn left(&self) -> &[(usize, f64)] {
-            &self.left
-        }
-        fn right(&self) -> &[(usize, f64)] {
-            &self.right
-        }
-    }
-
-    fn flat(count: u32) -> Profile<2> {
-        let mesh: Vec<f64> = (0..=count).map(|i| f64::from(i) / f64::from(count)).collect();
-        Profile { values: vec![[0.0; 2]; mesh.len()], mesh }
-    }
-
-    fn worst(problem: &Layers, profile: &Profile<2>) -> f64 {
-        let errors = profile.mesh.iter().zip(&profile.values).map(|(&x, y)| (y[0] - problem.exact(x)).abs());
-        errors.fold(0.0, f64::max)
-    }
-
-    #[test]
-    fn the_error_falls_with_the_fourth_power() {
-        let problem = Layers::new(0.3);
-        let errors = [8, 16, 32]
-            .map(|count| worst(&problem, &solve_on_mesh(&problem, flat(count)).expect("linear").profile));
-        for pair in errors.windows(2) {
-            let order = (pair[0] / pair[1]).log2();
-            assert!((3.8..4.3).contains(&order), "{errors:?}");
-        }
-    }
-
-    #[test]
-    fn refinement_finds_the_layers() {
-        let problem = Layers::new(1e-3);
-        let solution = solve(&problem, flat(10), 1e-6, 2000).expect("solvable");
-        let mesh = &solution.profile.mesh;
-        assert!(worst(&problem, &solution.profile) < 1e-5);
-        assert!(mesh.len() < 1500 && mesh[1] - mesh[0] < 1e-3, "{}", mesh.len());
-        let total = solution.profile.integral(&problem, |_, y| y[0]);
-        assert!((total - (1.0 - 1.0_f64.cos() + 2e-3)).abs() < 1e-6);
-    }
-
-    #[test]
-    fn too_fine_a_mesh_is_refused() {
-        let fault = solve(&Layers::new(1e-4), flat(10), 1e-9, 50).expect_err("needs more than 50 intervals");
-        assert!(matches!(fault, CollocationFault::TooFine { residual } if residual > 1e-9));
-    }
 }

@@ -1,0 +1,175 @@
+//! What the mechanics does at the ends of every range, as the tables of docs/stability.md.
+//!
+//! `cargo run --release --example extremes`
+
+use stargrip_cam::mechanics::bvp::Bvp;
+use stargrip_cam::mechanics::hinge::{Hinge, HingeModel, seal_load};
+use stargrip_cam::mechanics::response::Inflated;
+use stargrip_cam::mechanics::ring::{Ring, limit};
+use stargrip_cam::mechanics::star::{Star, StarGeometry};
+use std::fmt::Write;
+
+fn main() {
+    print!("{}", tables());
+}
+
+/// All tables, in the order of the page.
+pub fn tables() -> String {
+    [radius(), coiling(), beta(), rest_angle(), stars(), sizes()].concat()
+}
+
+fn radius() -> String {
+    let mut out =
+        String::from("| R* | lambda_t | V''/(1 + R*) | seal load k | r(1) |\n|---|---|---|---|---|\n");
+    for r_star in [0.0, 1e-9, 1e-6, 1e-3, 0.1, 1.0, 10.0, 1e2, 1e4, 1e6] {
+        let state = Ring.target(r_star).expect("in range");
+        let load = seal_load(r_star, &state).map_or("infinite".to_owned(), |k| format!("{k:.6e}"));
+        let width = state.edges.map_or(0.0, |edges| edges.width);
+        let curvature = state.curvature / (1.0 + r_star);
+        let _ = writeln!(out, "| {r_star:e} | {:.9} | {curvature:.8} | {load} | {width:.7} |", state.lambda);
+    }
+    let limit = limit();
+    let _ = writeln!(
+        out,
+        "| limit | {:.9} | {:.8} | {:.6e} | {:.7} |",
+        limit.lambda, limit.curvature_per_r_star, limit.seal_load, limit.width
+    );
+    for r_star in [-1e-9, 2e6, f64::NAN] {
+        let _ = writeln!(
+            out,
+            "| {r_star:e} | refused: {} | | | |",
+            Ring.target(r_star).expect_err("out of range")
+        );
+    }
+    out + "\n"
+}
+
+fn coiling() -> String {
+    let mut out = String::from(
+        "| lambda | V, R* = 0 | V', R* = 0 | V, R* = 1e4 | V', R* = 1e4 |\n|---|---|---|---|---|\n",
+    );
+    for lambda in [0.01, 0.5, 1.0, 1.25, 1.5, 2.0, 3.0, 3.1] {
+        let _ = write!(out, "| {lambda}");
+        for r_star in [0.0, 1e4] {
+            let _ = match Ring.state(r_star, lambda) {
+                Ok(state) => write!(out, " | {:.6} | {:.5}", state.volume.unwrap_or(0.0), state.slope),
+                Err(fault) => write!(out, " | refused: {fault} |"),
+            };
+        }
+        out.push_str(" |\n");
+    }
+    out + "\n"
+}
+
+fn beta() -> String {
+    let mut out = String::from(
+        "| beta | V - V_ring, R* = 0.1, lambda = 1.28 | times beta / ln(beta) | R* = 100 | times beta / ln(beta) |\n|---|---|---|---|---|\n",
+    );
+    for beta in [5e1, 1e2, 1e3, 1e4, 1e5, 1e6] {
+        let _ = write!(out, "| {beta:e}");
+        for r_star in [0.1, 100.0] {
+            let volume = |model: &dyn HingeModel| model.state(r_star, 1.28).map(|s| s.volume.unwrap_or(0.0));
+            let _ = match (volume(&Bvp::new(beta, 1e-6)), volume(&Ring)) {
+                (Ok(own), Ok(exact)) => {
+                    let gap = own - exact;
+                    write!(out, " | {gap:.2e} | {:.3}", gap * beta / beta.ln())
+                }
+                (Err(fault), _) | (_, Err(fault)) => write!(out, " | refused: {fault} |"),
+            };
+        }
+        out.push_str(" |\n");
+    }
+    out + "\n"
+}
+
+fn rest_angle() -> String {
+    let mut out = String::from("| phi_0 | phi_t | C / (p W^3) |\n|---|---|---|\n");
+    let target = Ring.target(0.1).expect("in range");
+    for degrees in [1e-6, 1.0, 90.0, 179.0, 179.9999, 179.999_999_99] {
+        let hinge = Hinge { r_star: 0.1, width: 1.0, rest_angle: f64::to_radians(degrees) };
+        let angle = hinge.angle(target.lambda).to_degrees();
+        let _ = writeln!(out, "| {degrees} deg | {angle:.6} deg | {:.4e} |", hinge.stiffness(1.0, &target));
+    }
+    out + "\n"
+}
+
+/// A star of unit size at 1 kPa: rest and stiffness, or the refusal.
+fn row(out: &mut String, what: &str, geometry: StarGeometry, pressure: f64) {
+    let answer = Star::new(geometry).and_then(|star| {
+        let inflated = Inflated::new(&star, &Ring, pressure)?;
+        let (linear, own) = (inflated.linear_rest(), inflated.rest());
+        let own = own.map_or_else(
+            |fault| format!("refused: {fault}"),
+            |rest| format!("{:.6}", rest.radius / geometry.inner_radius),
+        );
+        Ok(format!(
+            "{:.4e} | {:.4} deg | {:.6} | {own} | {:.4e}",
+            star.arm_length(),
+            linear.equilibrium.to_degrees(),
+            linear.radius / geometry.inner_radius,
+            linear.stiffness
+        ))
+    });
+    let _ = match answer {
+        Ok(text) => writeln!(out, "| {what} | {text} |"),
+        Err(fault) => writeln!(out, "| {what} | refused: {fault} | | | | |"),
+    };
+}
+
+const HEAD: &str =
+    "arm, m | phi_eq | rho_f / rho_0 | the same, nonlinear | stiffness, N/m |\n|---|---|---|---|---|---|\n";
+
+fn paper() -> StarGeometry {
+    StarGeometry {
+        points: 5,
+        inner_radius: 0.05,
+        width: 0.03,
+        tip_angle: 30_f64.to_radians(),
+        tip_radius: 0.0,
+        corner_radius: 0.0,
+    }
+}
+
+fn stars() -> String {
+    let mut out = format!("| star | {HEAD}");
+    for degrees in [0.001, 1.0, 30.0, 60.0, 100.0, 107.0, 107.99, 107.9999, 108.0, 120.0] {
+        let geometry = StarGeometry { tip_angle: f64::to_radians(degrees), width: 0.01, ..paper() };
+        row(&mut out, &format!("n = 5, W = 10 mm, phi_i0 = {degrees} deg"), geometry, 1e4);
+    }
+    // The width at which the arms vanish, from both sides; and the angle at which phi_eq crosses 0.
+    let sector = (std::f64::consts::PI / 5.0).sin();
+    let vanishing = 0.05 * sector / (15_f64.to_radians().cos() - sector);
+    for part in [0.999_999, 0.999_999_999_9, 1.0, 1.000_001] {
+        let geometry = StarGeometry { width: part * vanishing, ..paper() };
+        row(&mut out, &format!("W = {part} of the width at which l = 0"), geometry, 1e4);
+    }
+    for degrees in [27.9, 28.0, 28.1, 28.2, 28.3] {
+        row(
+            &mut out,
+            &format!("phi_i0 = {degrees} deg"),
+            StarGeometry { tip_angle: f64::to_radians(degrees), ..paper() },
+            1e4,
+        );
+    }
+    for points in [3, 16, 64] {
+        row(
+            &mut out,
+            &format!("n = {points}, W = 1 mm"),
+            StarGeometry { points, width: 0.001, ..paper() },
+            1e4,
+        );
+    }
+    out + "\n"
+}
+
+fn sizes() -> String {
+    let mut out = format!("| rho_0, p | {HEAD}");
+    for (size, pressure) in
+        [(1e-3, 1.0), (1e-3, 1e6), (0.05, 1.0), (0.05, 1e6), (100.0, 1.0), (100.0, 1e6), (0.05, 0.0)]
+    {
+        let geometry =
+            StarGeometry { inner_radius: size, width: 0.6 * size, tip_radius: 0.02 * size, ..paper() };
+        row(&mut out, &format!("{size} m, {pressure} Pa"), geometry, pressure);
+    }
+    out
+}

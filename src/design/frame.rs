@@ -1,0 +1,190 @@
+//! The frame: plates on posts that keep the arms of every star in its plane.
+//!
+//! All plates carry the same posts and have the same edge; they differ in their **opening**, which lets pass the object
+//! and the corners of the stars beside the plate: the larger inner radius and the clearance. Posts stand outside
+//! of the largest star, turned so that they are as far as can be from every hose.
+
+use std::f64::consts::PI;
+use std::f64::consts::TAU;
+
+use crate::design::Refusal;
+use crate::design::Stack;
+use crate::design::Star;
+use crate::design::StarDesign;
+use crate::geom::Point;
+use crate::spec::Spec;
+use crate::units::Readable;
+
+/// The frame, its axis at the origin and corner 1 of an unturned star on +X.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frame {
+    /// The distinct plates, in the order in which they first occur from the bottom.
+    pub plates: Vec<Plate>,
+    /// Centres of the posts, counterclockwise.
+    pub posts: Vec<Point>,
+    /// Diameter of a post.
+    pub post_diameter: f64,
+    /// Length of a post, from the bottom of the lowest plate to the top of the highest.
+    pub post_length: f64,
+    /// Radius of the plates.
+    pub radius: f64,
+    /// Thickness of a plate.
+    pub thickness: f64,
+    /// Width of the cut.
+    pub kerf: f64,
+}
+
+/// One distinct plate.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plate {
+    /// Radius of the opening.
+    pub opening: f64,
+    /// Which plates of the stack are like this, 1 = bottom.
+    pub numbers: Vec<usize>,
+}
+
+impl Frame {
+    /// The frame of `stack`, whose stars are `stars` from bottom to top.
+    ///
+    /// # Errors
+    /// If arms would slip through an opening, or posts stand in the way of a hose.
+    pub fn new(spec: &Spec, stack: &Stack, stars: &[&StarDesign]) -> Result<Self, Vec<Refusal>> {
+        let frame = &spec.frame;
+        let (post, clearance) = (frame.post_diameter.0, frame.clearance.0);
+        let mut refusals = Vec::new();
+        if frame.kerf.0 >= post {
+            refusals.push(Refusal::new(
+                "frame.kerf",
+                "wide-kerf",
+                format!("a cut of {} leaves no hole for a post of {}", frame.kerf, frame.post_diameter),
+                format!("kerf must be below {}", frame.post_diameter),
+            ));
+        }
+        let reach = stars.iter().map(|part| part.outline.reach).fold(0.0, f64::max);
+        let circle = reach + clearance + post / 2.0;
+        let mut plates: Vec<Plate> = Vec::new();
+        for i in 0..=stars.len() {
+            let beside = &stars[i.saturating_sub(1)..(i + 1).min(stars.len())];
+            let rho = beside.iter().map(|part| part.star.rho_0).fold(0.0, f64::max);
+            let opening = rho + clearance;
+            for part in beside {
+                if part.star.d_t <= opening && refusals.is_empty() {
+                    refusals.push(falls_through(i + 1, part.star.d_t, opening));
+                }
+            }
+            match plates.iter_mut().find(|plate| plate.opening == opening) {
+                Some(plate) => plate.numbers.push(i + 1),
+                None => plates.push(Plate { opening, numbers: vec![i + 1] }),
+            }
+        }
+        let hoses: Vec<Hose> = stars
+            .iter()
+            .zip(&stack.turns)
+            .filter_map(|(part, turn)| {
+                let channel = part.channel.as_ref()?;
+                let strip = channel.half_width + spec.seal.band.0 + spec.seal.allowance.0;
+                Some(Hose { direction: turn + part.star.tip_ray(channel.tip), half_width: strip })
+            })
+            .collect();
+        let first = first_post(frame.posts, &hoses);
+        let posts: Vec<Point> = (0..frame.posts)
+            .map(|i| Point::polar(circle, first + TAU * f64::from(i) / f64::from(frame.posts)))
+            .collect();
+        for hose in &hoses {
+            let needed = hose.half_width + clearance + post / 2.0;
+            let free = posts.iter().map(|post| hose.distance(*post)).fold(f64::INFINITY, f64::min);
+            if free < needed && !refusals.iter().any(|refusal| refusal.code == "post-meets-hose") {
+                refusals.push(meets_hose(frame.posts, free, needed));
+            }
+        }
+        if !refusals.is_empty() {
+            return Err(refusals);
+        }
+        Ok(Self {
+            plates,
+            posts,
+            post_diameter: post,
+            post_length: stack.height,
+            // As much plate around a post's hole as half its diameter.
+            radius: circle + post,
+            thickness: frame.plate_thickness.0,
+            kerf: frame.kerf.0,
+        })
+    }
+
+    /// Area of a plate without its opening and holes, as it is after cutting, mm^2.
+    pub fn area(&self, plate: &Plate) -> f64 {
+        let posts: f64 = self.posts.iter().map(|_| (self.post_diameter / 2.0).powi(2)).sum();
+        PI * (self.radius.powi(2) - plate.opening.powi(2) - posts)
+    }
+}
+
+/// How far the tips reach when the star is shut as far as it ever goes: arms inflated to 2 W / pi, side by side.
+///
+/// Section 1 of the star's geometry with W -> 2 W / pi and phi_i = 0; a star that holds an object is less shut.
+pub fn shut_reach(star: &Star) -> f64 {
+    let (alpha, w) = (star.half_sector(), 2.0 * star.w / PI);
+    (w + star.r_i + star.r_e) / alpha.tan() + star.l + star.r_i + w
+}
+
+/// The strip along which a hose leaves a star.
+struct Hose {
+    direction: f64,
+    half_width: f64,
+}
+
+impl Hose {
+    /// Distance of `p` from the half line from the axis outwards.
+    fn distance(&self, p: Point) -> f64 {
+        let along = crate::geom::Vec2::unit(self.direction);
+        let v = p - Point::ORIGIN;
+        if v.dot(along) > 0.0 { along.cross(v).abs() } else { v.length() }
+    }
+}
+
+/// Direction of the first post: in the middle of the widest gap between hoses, all seen within one step of the posts.
+fn first_post(count: u32, hoses: &[Hose]) -> f64 {
+    let step = TAU / f64::from(count);
+    // A direction at a whole step away from another one is the same, whatever rounding says.
+    let within = |angle: f64| {
+        let a = angle.rem_euclid(step);
+        if step - a < 1e-9 { 0.0 } else { a }
+    };
+    let mut directions: Vec<f64> = hoses.iter().map(|hose| within(hose.direction)).collect();
+    directions.sort_by(f64::total_cmp);
+    let Some(first) = directions.first().copied() else { return step / 2.0 };
+    directions.push(first + step);
+    let mut best = (0.0, 0.0);
+    for pair in directions.windows(2) {
+        if pair[1] - pair[0] > best.0 + 1e-9 {
+            best = (pair[1] - pair[0], 0.5 * (pair[0] + pair[1]));
+        }
+    }
+    best.1.rem_euclid(step)
+}
+
+fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
+    Refusal::new(
+        "frame.clearance",
+        "arms-fall-through",
+        format!(
+            "the tips of a star bend {} mm from the axis, the opening of plate {plate} has a radius of {} mm",
+            Readable(tips),
+            Readable(opening)
+        ),
+        "make clearance smaller, or neighbouring stars less different".to_owned(),
+    )
+}
+
+fn meets_hose(posts: u32, free: f64, needed: f64) -> Refusal {
+    Refusal::new(
+        "frame.posts",
+        "post-meets-hose",
+        format!(
+            "with {posts} posts one would stand {} mm from the middle of a hose that needs {} mm",
+            Readable(free),
+            Readable(needed)
+        ),
+        "make posts fewer, or put the inlets of all stars in line: rotation, inlet_tip".to_owned(),
+    )
+}

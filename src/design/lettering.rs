@@ -1,0 +1,148 @@
+//! Lettering: text as strokes that any cutter or plotter can draw, and that no reader needs a font for.
+//!
+//! Every glyph stands on a grid 4 wide and 6 high; a stroke is a chain of grid points, two digits each.
+
+use crate::geom::Line;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Vec2;
+
+/// Height of a capital on the grid.
+const CAPITAL: f64 = 6.0;
+/// From one glyph to the next on the grid.
+const ADVANCE: f64 = 6.0;
+
+/// The strokes of every glyph; what is not here is drawn as a blank.
+const GLYPHS: [(char, &str); 41] = [
+    ('A', "002640 1232"),
+    ('B', "000636453433033342413000"),
+    ('C', "4536160501103041"),
+    ('D', "00062645412000"),
+    ('E', "40000646 0333"),
+    ('F', "000646 0333"),
+    ('G', "45361605011030414323"),
+    ('H', "0006 4046 0343"),
+    ('I', "1030 2026 1636"),
+    ('J', "0110304146"),
+    ('K', "0006 0246 1340"),
+    ('L', "060040"),
+    ('M', "0006234640"),
+    ('N', "00064046"),
+    ('O', "103041453616050110"),
+    ('P', "00063645343303"),
+    ('Q', "103041453616050110 2240"),
+    ('R', "00063645343303 2340"),
+    ('S', "011030414233130405163645"),
+    ('T', "2026 0646"),
+    ('U', "060110304146"),
+    ('V', "062046"),
+    ('W', "0610233046"),
+    ('X', "0046 0640"),
+    ('Y', "062346 2320"),
+    ('Z', "06460040"),
+    ('0', "103041453616050110 0145"),
+    ('1', "052620 1030"),
+    ('2', "05163645440040"),
+    ('3', "0516364534334241301001 1333"),
+    ('4', "360242 3036"),
+    ('5', "460603334241301001"),
+    ('6', "0333424130100105163645"),
+    ('7', "064610"),
+    ('8', "13334445361605041302011030414233"),
+    ('9', "0110304145361605041343"),
+    ('-', "1333"),
+    ('.', "2021"),
+    (',', "2110"),
+    ('/', "0046"),
+    (':', "2122 2425"),
+];
+
+/// A place to write: where the text begins, which way it runs, how high its capitals are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Place {
+    /// Lower left corner of the first glyph.
+    pub(super) origin: Point,
+    /// Unit vector in which the text runs.
+    pub(super) along: Vec2,
+    /// Height of a capital, mm.
+    pub(super) height: f64,
+}
+
+/// Width of a text, mm.
+pub(super) fn width(text: &str, height: f64) -> f64 {
+    let glyphs = text.chars().map(|_| ADVANCE).sum::<f64>();
+    (glyphs - (ADVANCE - 4.0)).max(0.0) * height / CAPITAL
+}
+
+/// The text in a straight line, from `origin` to the right.
+pub(super) fn straight(text: &str, origin: Point, height: f64) -> Vec<Path> {
+    let mut out = Vec::new();
+    for (i, c) in (0_u32..).zip(text.chars()) {
+        let shift = Vec2::new(f64::from(i) * ADVANCE * height / CAPITAL, 0.0);
+        let place = Place { origin: origin + shift, along: Vec2::new(1.0, 0.0), height };
+        glyph(c, place, &mut out);
+    }
+    out
+}
+
+/// The text along a circle around `center`, clockwise, its tops outwards, its middle in direction `middle`;
+/// `radius` is that of the middle of the capitals.
+pub(super) fn around(text: &str, center: Point, radius: f64, middle: f64, height: f64) -> Vec<Path> {
+    let scale = height / CAPITAL;
+    let total = width(text, height);
+    let mut out = Vec::new();
+    for (i, c) in (0_u32..).zip(text.chars()) {
+        // The middle of this glyph, as far right of the text's middle as it says.
+        let right = f64::from(i) * ADVANCE * scale + 2.0 * scale - total / 2.0;
+        let up = Vec2::unit(middle - right / radius);
+        let along = -up.perp();
+        let origin = center + up * (radius - height / 2.0) - along * (2.0 * scale);
+        glyph(c, Place { origin, along, height }, &mut out);
+    }
+    out
+}
+
+/// Appends the strokes of `c`.
+fn glyph(c: char, place: Place, out: &mut Vec<Path>) {
+    let Some((_, strokes)) = GLYPHS.iter().find(|(known, _)| *known == c) else { return };
+    let (right, up) = (place.along * (place.height / CAPITAL), place.along.perp() * (place.height / CAPITAL));
+    for stroke in strokes.split(' ') {
+        let digits: Vec<f64> = stroke.chars().filter_map(|d| d.to_digit(10)).map(f64::from).collect();
+        let points: Vec<Point> =
+            digits.chunks_exact(2).map(|xy| place.origin + right * xy[0] + up * xy[1]).collect();
+        let lines = points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into());
+        let path = Path::open(lines.collect());
+        if !path.segments.is_empty() {
+            out.push(path);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_glyph_stands_on_its_grid() {
+        for (c, strokes) in GLYPHS {
+            assert!(strokes.split(' ').all(|s| s.len() >= 4 && s.len() % 2 == 0), "{c}: {strokes}");
+            let mut out = Vec::new();
+            glyph(c, Place { origin: Point::ORIGIN, along: Vec2::new(1.0, 0.0), height: 6.0 }, &mut out);
+            let bounds = out.iter().map(Path::bounds).reduce(crate::geom::Bounds::union).expect("strokes");
+            assert!(bounds.min.x >= 0.0 && bounds.min.y >= 0.0, "{c}");
+            assert!(bounds.max.x <= 4.0 && bounds.max.y <= 6.0, "{c}");
+        }
+    }
+
+    #[test]
+    fn text_around_a_circle_keeps_between_two_circles() {
+        let paths = around("STAR 12", Point::new(3.0, 4.0), 40.0, 1.0, 3.0);
+        for path in &paths {
+            let near = path.distance(Point::new(3.0, 4.0));
+            let far = path.furthest(Point::new(3.0, 4.0));
+            assert!(near > 38.4 && far < 41.7, "{near} {far}");
+        }
+        assert_eq!(straight("A B", Point::ORIGIN, 6.0).len(), 3);
+        assert_eq!(width("A B", 6.0), 16.0);
+    }
+}

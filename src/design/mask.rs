@@ -1,0 +1,121 @@
+//! Masks: plates that leave the corners of one star free for the coating.
+
+use cavalier_contours::polyline::PlineSource;
+use cavalier_contours::polyline::PlineSourceMut;
+use cavalier_contours::polyline::Polyline;
+
+use crate::design::Outline;
+use crate::design::Refusal;
+use crate::design::Star;
+use crate::design::window::Reach;
+use crate::design::window::Zone;
+use crate::geom::Arc;
+use crate::geom::Isometry;
+use crate::geom::Line;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Segment;
+use crate::spec::Spec;
+use crate::spec::StarSpec;
+use crate::units::Readable;
+
+/// The mask of one star, in the star's frame, for the face that the iron touches; seen from above it is
+/// turned over, mirrored, for the other face. Its registration holes are the outline's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MaskPlate {
+    /// The plate's edge: the outline grown by the border, round at its outward corners. Closed, counterclockwise.
+    pub plate: Path,
+    /// One window a corner, in their order. Closed, counterclockwise.
+    pub windows: Vec<Path>,
+    /// How far each window reaches along the gripping edge from its corner's apex, mm.
+    pub extent: f64,
+    /// Width of the plate beyond the outline, mm.
+    pub border: f64,
+}
+
+impl MaskPlate {
+    /// The mask of the star that `spec` describes, cut as `outline` says.
+    ///
+    /// An extent that the spec leaves open is W, but at least the whole hinge and at most what leaves a bridge
+    /// between neighbouring windows.
+    ///
+    /// # Errors
+    /// If the wanted extent does not fit, or nothing is left of the windows.
+    pub fn new(spec: &Spec, star_spec: &StarSpec, star: &Star, outline: &Outline) -> Result<Self, Refusal> {
+        let mask = &spec.mask;
+        let zone = Zone::new(star, &spec.seal, mask);
+        let Reach { hinge, most } = zone.reach();
+        let extent = match mask.extent {
+            Some(wanted) if wanted.0 > most => return Err(too_far(wanted.0, most)),
+            Some(wanted) => wanted.0,
+            None => star_spec.tube_width.0.max(hinge).min(most),
+        };
+        let window = zone.window(extent)?;
+        let windows = (1..=star.n).map(|k| Isometry::rotation(star.corner_ray(k)).path(&window)).collect();
+        let plate = grown(&outline.outside, mask.border.0).ok_or_else(|| no_plate(mask.border.0))?;
+        Ok(Self { plate, windows, extent, border: mask.border.0 })
+    }
+
+    /// What stands on every page on which the mask of star number `star` is printed.
+    pub fn caption(star: usize, mirrored: bool) -> String {
+        format!("MASK STAR {star}{}", if mirrored { " OTHER SIDE" } else { "" })
+    }
+
+    /// Area of one window, mm^2.
+    pub fn window_area(&self) -> f64 {
+        self.windows.first().map_or(0.0, Path::area)
+    }
+
+    /// Area of the plate with its windows and the registration holes of `outline` cut out, mm^2.
+    pub fn area(&self, outline: &Outline) -> f64 {
+        let holes: f64 = outline.registration.iter().map(super::outline::Circle::area).sum();
+        self.plate.area() - self.windows.iter().map(Path::area).sum::<f64>() - holes
+    }
+}
+
+/// A closed counterclockwise path grown by `border`, with round outward corners; `None` if nothing comes out.
+fn grown(path: &Path, border: f64) -> Option<Path> {
+    if border <= 0.0 {
+        return Some(path.clone());
+    }
+    let mut line: Polyline<f64> = Polyline::new_closed();
+    for segment in &path.segments {
+        // A bulge can say up to half a turn.
+        let pieces = match segment {
+            Segment::Arc(arc) if arc.sweep.abs() > 3.0 => 2,
+            _ => 1,
+        };
+        for i in 0..pieces {
+            let part = segment.part(f64::from(i) / f64::from(pieces), f64::from(i + 1) / f64::from(pieces));
+            let bulge = if let Segment::Arc(arc) = part { arc.bulge() } else { 0.0 };
+            let start = part.start();
+            line.add(start.x, start.y, bulge);
+        }
+    }
+    // To the right of a counterclockwise path is outside. Where a wedge closes up, islands come out too.
+    let loops = line.parallel_offset(-border);
+    let largest = loops.iter().max_by(|a, b| a.area().total_cmp(&b.area()))?;
+    let segments = largest.iter_segments().map(|(a, b)| {
+        let (from, to) = (Point::new(a.x, a.y), Point::new(b.x, b.y));
+        Arc::from_bulge(from, to, a.bulge).map_or_else(|| Line::new(from, to).into(), Segment::from)
+    });
+    Some(Path::closed(segments.collect())).filter(|plate| plate.area() > path.area())
+}
+
+fn too_far(wanted: f64, most: f64) -> Refusal {
+    Refusal::new(
+        "mask.extent",
+        "long-extent",
+        format!("at {} mm neighbouring windows would leave no bridge or run past the arms", Readable(wanted)),
+        format!("extent must be at most {} mm", Readable((most * 100.0).floor() / 100.0)),
+    )
+}
+
+fn no_plate(border: f64) -> Refusal {
+    Refusal::new(
+        "mask.border",
+        "no-plate",
+        format!("the outline cannot be grown by {} mm", Readable(border)),
+        "make border smaller, or \"0 mm\" for a plate as large as the outline".to_owned(),
+    )
+}

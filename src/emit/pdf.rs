@@ -1,0 +1,152 @@
+//! PDF at 1:1 for printers: pages of lines and curves, content streams uncompressed so that they can be read back.
+//!
+//! One user unit of the content is a millimetre. Every layer is a marked-content sequence under the layer's name. PDF
+//! knows no arcs: each becomes Bézier curves of at most 30 degrees, which leave the circle by less than 4e-7 of the radius.
+
+use std::f64::consts::FRAC_PI_6;
+
+use pdf_writer::Content;
+use pdf_writer::Finish;
+use pdf_writer::Name;
+use pdf_writer::Pdf;
+use pdf_writer::Rect;
+use pdf_writer::Ref;
+use pdf_writer::TextStr;
+
+use crate::design::Layer;
+use crate::design::PaperPage;
+use crate::design::Shape;
+use crate::emit::number::Decimals;
+use crate::emit::text::inert;
+use crate::geom::Arc;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::geom::Segment;
+
+/// Points in a millimetre.
+const POINTS: f64 = 72.0 / 25.4;
+/// Largest page without a larger unit, points: PDF 1.7, annex C.
+const LARGEST: f64 = 14_400.0;
+/// Decimals of a coordinate: a page is below 10 m, where single precision still tells 0.001 mm apart.
+const DECIMALS: u32 = 4;
+
+/// The pages as a PDF document.
+pub fn pdf(title: &str, pages: &[PaperPage]) -> Vec<u8> {
+    let mut pdf = Pdf::new();
+    let mut next = 1;
+    let mut fresh = || {
+        next += 1;
+        Ref::new(next - 1)
+    };
+    let (catalog, tree, info) = (fresh(), fresh(), fresh());
+    let ids: Vec<(Ref, Ref)> = pages.iter().map(|_| (fresh(), fresh())).collect();
+    pdf.catalog(catalog).pages(tree).finish();
+    let count = i32::try_from(pages.len()).unwrap_or(i32::MAX);
+    pdf.pages(tree).kids(ids.iter().map(|(page, _)| *page)).count(count).finish();
+    pdf.document_info(info).title(TextStr(&inert(title, 120))).finish();
+    for (page, (id, content)) in pages.iter().zip(ids) {
+        let (width, height) = (page.drawing.width * POINTS, page.drawing.height * POINTS);
+        let unit = (width.max(height) / LARGEST).ceil().max(1.0);
+        let mut dict = pdf.page(id);
+        let _ = dict.media_box(Rect::new(0.0, 0.0, single(width / unit), single(height / unit)));
+        if unit > 1.0 {
+            let _ = dict.user_unit(single(unit));
+        }
+        let _ = dict.parent(tree).contents(content);
+        let _ = dict.resources();
+        dict.finish();
+        pdf.stream(content, &stream(page, POINTS / unit)).finish();
+    }
+    // The document's identity must not change from build to build; the title stands for it.
+    pdf.set_file_id((inert(title, 120).into_bytes(), inert(title, 120).into_bytes()));
+    pdf.finish()
+}
+
+fn stream(page: &PaperPage, scale: f64) -> Vec<u8> {
+    let mut content = Content::new();
+    let _ = content.save_state();
+    let _ = content.transform([single(scale), 0.0, 0.0, single(scale), 0.0, 0.0]);
+    for (layer, shapes) in page.drawing.layers.iter().filter(|(_, shapes)| !shapes.is_empty()) {
+        let _ = content.save_state();
+        if *layer != Layer::PaperMark {
+            let w = &page.window;
+            let _ = content.rect(number(w.min.x), number(w.min.y), number(w.width()), number(w.height()));
+            let _ = content.clip_nonzero();
+            let _ = content.end_path();
+        }
+        let _ = content.begin_marked_content(Name(layer.name().as_bytes()));
+        let (width, gray) = pen(*layer);
+        let _ = content.set_line_width(width);
+        let _ = content.set_stroke_gray(gray);
+        for shape in shapes {
+            match shape {
+                Shape::Path(path) => draw(&mut content, path),
+                Shape::Circle { center, radius } => {
+                    let whole = Arc::new(*center, *radius, 0.0, std::f64::consts::TAU);
+                    draw(&mut content, &Path::closed(vec![whole.into()]));
+                }
+            }
+        }
+        let _ = content.end_marked_content();
+        let _ = content.restore_state();
+    }
+    let _ = content.restore_state();
+    content.finish().to_vec()
+}
+
+/// Width, mm, and grey of the strokes of a layer: what is cut is black and thin.
+fn pen(layer: Layer) -> (f32, f32) {
+    match layer {
+        Layer::PaperMark => (0.15, 0.0),
+        Layer::Label => (0.25, 0.5),
+        _ => (0.1, 0.0),
+    }
+}
+
+fn draw(content: &mut Content, path: &Path) {
+    let Some(start) = path.start() else { return };
+    let _ = content.move_to(number(start.x), number(start.y));
+    let last = path.segments.len() - 1;
+    for (i, segment) in path.segments.iter().enumerate() {
+        let closes = path.closed && i == last;
+        match segment {
+            Segment::Line(_) if closes => {}
+            Segment::Line(line) => {
+                let _ = content.line_to(number(line.end.x), number(line.end.y));
+            }
+            Segment::Arc(arc) => curves(content, arc, closes.then_some(start)),
+        }
+    }
+    let _ = if path.closed { content.close_and_stroke() } else { content.stroke() };
+}
+
+/// An arc as curves; the last one ends at `end` if that is given.
+fn curves(content: &mut Content, arc: &Arc, end: Option<Point>) {
+    let count = (arc.sweep.abs() / FRAC_PI_6 - 1e-9).ceil().max(1.0);
+    let handle = 4.0 / 3.0 * (arc.sweep / count / 4.0).tan() * arc.radius;
+    let mut done = 0.0;
+    while done < count {
+        let (from, to) = (done / count, (done + 1.0) / count);
+        let ends = [
+            arc.at_angle(arc.start_angle + from * arc.sweep),
+            arc.at_angle(arc.start_angle + to * arc.sweep),
+        ];
+        let sign = arc.sweep.signum();
+        let a = ends[0] + arc.tangent(from) * (handle * sign);
+        let b = ends[1] - arc.tangent(to) * (handle * sign);
+        let stop = end.filter(|_| to >= 1.0).unwrap_or(ends[1]);
+        let [ax, ay, bx, by, x, y] = [a.x, a.y, b.x, b.y, stop.x, stop.y].map(number);
+        let _ = content.cubic_to(ax, ay, bx, by, x, y);
+        done += 1.0;
+    }
+}
+
+/// A coordinate as PDF writers take it.
+fn number(x: f64) -> f32 {
+    single(Decimals::exactly(DECIMALS).round(x))
+}
+
+#[expect(clippy::cast_possible_truncation, reason = "pages are below 10 m, see DECIMALS")]
+fn single(x: f64) -> f32 {
+    x as f32
+}

@@ -1,0 +1,108 @@
+//! The bill of materials: what has to be bought, cut and filled beside the sealing.
+
+use serde::Deserialize;
+use serde::Serialize;
+
+use crate::design::COATING_ASSUMES;
+use crate::design::Design;
+use crate::design::StarDesign;
+use crate::manifest::thousandths;
+use crate::spec::Spec;
+
+/// Posts of one length.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestPosts {
+    /// Length of a post.
+    pub length_mm: f64,
+    /// How many of them.
+    pub count: usize,
+}
+
+/// Plates of the frame that are alike.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestPlates {
+    /// Which plates of the stack they are, 1 = bottom.
+    pub plates: Vec<usize>,
+    /// Height of the middle of each above the bottom of the lowest plate.
+    pub heights_mm: Vec<f64>,
+    /// Radius of the opening.
+    pub opening_mm: f64,
+    /// Radius of the plate.
+    pub radius_mm: f64,
+    /// Thickness of a plate.
+    pub thickness_mm: f64,
+    /// Area of one plate, opening and holes left out.
+    pub area_mm2: f64,
+}
+
+/// The mask of one distinct star.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestMask {
+    /// The first star of the stack that it is for.
+    pub star: usize,
+    /// All stars that it is for.
+    pub stars: Vec<usize>,
+    /// How far a window reaches along the gripping edge from a corner's apex.
+    pub extent_mm: f64,
+    /// Area of one window.
+    pub window_mm2: f64,
+    /// Area of the plate, windows and holes left out.
+    pub area_mm2: f64,
+    /// Material of a printed plate.
+    pub volume_mm3: f64,
+    /// Estimated thickness of the drained coating, from thin to thick.
+    pub coating_um: [f64; 2],
+    /// What the estimate assumes.
+    pub coating_assumes: String,
+}
+
+/// The posts of the frame.
+pub(super) fn posts(design: &Design) -> Vec<ManifestPosts> {
+    let (length, count) = (design.frame.post_length, design.frame.posts.len());
+    vec![ManifestPosts { length_mm: thousandths(length), count }]
+}
+
+/// The plates of the frame, like by like.
+pub(super) fn plates(design: &Design) -> Vec<ManifestPlates> {
+    let (frame, stack) = (&design.frame, &design.stack);
+    let alike = frame.plates.iter().map(|plate| ManifestPlates {
+        plates: plate.numbers.clone(),
+        heights_mm: plate.numbers.iter().map(|number| thousandths(stack.plates[number - 1])).collect(),
+        opening_mm: thousandths(plate.opening),
+        radius_mm: thousandths(frame.radius),
+        thickness_mm: thousandths(frame.thickness),
+        area_mm2: thousandths(frame.area(plate)),
+    });
+    alike.collect()
+}
+
+/// The masks of all distinct stars.
+pub(super) fn masks(spec: &Spec, design: &Design) -> Vec<ManifestMask> {
+    let first = design.firsts().map(|placed| {
+        let part = design.part(placed);
+        let area = part.mask.area(&part.outline);
+        let alike = design.stars.iter().filter(|other| other.distinct == placed.distinct);
+        ManifestMask {
+            star: placed.index,
+            stars: alike.map(|star| star.index).collect(),
+            extent_mm: thousandths(part.mask.extent),
+            window_mm2: thousandths(part.mask.window_area()),
+            area_mm2: thousandths(area),
+            volume_mm3: thousandths(area * spec.mask.thickness.0),
+            coating_um: part.mask.coating_um().map(f64::round),
+            coating_assumes: COATING_ASSUMES.to_owned(),
+        }
+    });
+    first.collect()
+}
+
+/// Fabric in one star, both sheets, mm^2.
+pub fn fabric(part: &StarDesign) -> f64 {
+    2.0 * part.outline.area()
+}
+
+/// Mass of one star's fabric, both sheets, g; `None` where its areal density is not known.
+pub fn mass(spec: &Spec, part: &StarDesign) -> Option<f64> {
+    // 1 kg/m^2 is 1e-3 g/mm^2.
+    spec.fabric.areal_density.map(|density| density.0 * 1e-3 * fabric(part))
+}

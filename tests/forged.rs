@@ -1,0 +1,163 @@
+//! One fault at a time in paper, solids, masks and plates, with a manifest that covers it up; each is found.
+
+mod support;
+
+use stargrip_cam::artifact::Artifact;
+use stargrip_cam::artifact::Kind;
+use stargrip_cam::manifest::ManifestFile;
+use stargrip_cam::pipeline::Build;
+use stargrip_cam::verify::Finding;
+use stargrip_cam::verify::prove_archive;
+
+fn build() -> Build {
+    support::build(support::PAPER).expect("a design")
+}
+
+/// What is found if the content of `file` is changed and the manifest agrees.
+fn forged(file: &str, change: impl Fn(&[u8]) -> Vec<u8>) -> Vec<Finding> {
+    let mut build = build();
+    let artifact: &mut Artifact =
+        build.artifacts.iter_mut().find(|artifact| artifact.name == file).expect("a file");
+    let bytes = change(&artifact.bytes);
+    assert_ne!(artifact.bytes, bytes, "nothing was forged");
+    artifact.bytes = bytes;
+    build.manifest.files = build.artifacts.iter().map(ManifestFile::of).collect();
+    prove_archive(&build.archive()).findings
+}
+
+#[track_caller]
+fn assert_found(file: &str, code: &str, change: impl Fn(&[u8]) -> Vec<u8>) {
+    let findings = forged(file, change);
+    let found = findings.iter().any(|finding| finding.code == code && finding.file == file);
+    assert!(found, "no {code} for {file} in {findings:#?}");
+}
+
+/// Replaces the first `from` after `after` by a text of the same length, so that offsets still hold.
+fn swap<'a>(after: &'a str, from: &'a str, to: &'a str) -> impl Fn(&[u8]) -> Vec<u8> + 'a {
+    assert_eq!(from.len(), to.len());
+    move |bytes| {
+        let find = |needle: &[u8], start: usize| {
+            let at = bytes[start..].windows(needle.len()).position(|window| window == needle);
+            start + at.expect("what is to be forged")
+        };
+        let at = find(from.as_bytes(), find(after.as_bytes(), 0));
+        let mut out = bytes.to_vec();
+        out[at..at + to.len()].copy_from_slice(to.as_bytes());
+        out
+    }
+}
+
+const PAPER: &str = "star-1-mask-a4.pdf";
+
+#[test]
+fn paper_of_another_scale_or_size_is_found() {
+    assert_found(PAPER, "deviation", swap("stream", "2.8346457", "2.8346999"));
+    assert_found(PAPER, "deviation", swap("stream", "2.8346457", "2.8000000"));
+    assert_found(PAPER, "wrong-size", swap("/MediaBox", "595.2756 841.8898", "612.0000 792.0000"));
+    assert_found(PAPER, "transform", swap("stream", "2.8346457 0 0", "2.8346457 1 0"));
+    assert_found(PAPER, "wrong-clip", swap("stream", "10 38 190 249 re", "10 38 190 239 re"));
+}
+
+#[test]
+fn paper_with_a_lost_or_unknown_stroke_is_found() {
+    assert_found(PAPER, "unknown-word", swap("/mask-plate BMC", "\ns\n", "\nb\n"));
+    assert_found(PAPER, "path-count", swap("/mask-window BMC", "\ns\n", "\nn\n"));
+    assert_found(PAPER, "unknown-layer", swap("stream", "/mask-plate BMC", "/mask-plane BMC"));
+    assert_found(PAPER, "open-loop", swap("/mask-plate BMC", "\ns\n", "\nS\n"));
+}
+
+#[test]
+fn paper_that_is_no_pdf_or_lacks_a_page_is_found() {
+    assert_found(PAPER, "bad-pdf", swap("%PDF", "%PDF", "%PDG"));
+    assert_found(PAPER, "bad-pdf", swap("/Length", "endstream", "endscream"));
+    assert_found(PAPER, "page-count", swap("/Kids", "6 0 R 8 0 R", "6 0 R      "));
+    assert_found(PAPER, "bad-pdf", |bytes| bytes[..bytes.len() / 2].to_vec());
+    assert_found(PAPER, "bad-pdf", |_| Vec::new());
+}
+
+const SOLID: &str = "star-1-mask.stl";
+
+/// Changes facet `i` of a solid: 12 numbers.
+fn facet(i: usize, change: impl Fn(&mut [f32])) -> impl Fn(&[u8]) -> Vec<u8> {
+    move |bytes| {
+        let at = 84 + 50 * i;
+        let mut numbers: Vec<f32> = bytes[at..at + 48]
+            .chunks_exact(4)
+            .map(|b| f32::from_le_bytes(b.try_into().expect("four")))
+            .collect();
+        change(&mut numbers);
+        let mut out = bytes.to_vec();
+        for (slot, number) in out[at..at + 48].chunks_exact_mut(4).zip(numbers) {
+            slot.copy_from_slice(&number.to_le_bytes());
+        }
+        out
+    }
+}
+
+#[test]
+fn solids_with_holes_turned_or_moved_facets_are_found() {
+    assert_found(SOLID, "not-watertight", facet(0, |n| n[3] += 0.01));
+    // A facet turned inside out.
+    assert_found(SOLID, "not-watertight", facet(5, |n| (0..3).for_each(|k| n.swap(3 + k, 6 + k))));
+    assert_found(SOLID, "bad-stl", facet(3, |n| n[4] = f32::NAN));
+    assert_found(SOLID, "bad-stl", |bytes| bytes[..bytes.len() - 1].to_vec());
+    // One millimetre becomes one inch, or the whole moves: closed, but elsewhere.
+    let moved = |scale: f32, shift: f32| {
+        move |bytes: &[u8]| {
+            let mut out = bytes.to_vec();
+            let count = (bytes.len() - 84) / 50;
+            for i in 0..count {
+                let change = facet(i, |n| n[3..].iter_mut().for_each(|x| *x = *x * scale + shift));
+                out = change(&out);
+            }
+            out
+        }
+    };
+    assert_found(SOLID, "wrong-volume", moved(1.01, 0.0));
+    assert_found(SOLID, "deviation", moved(1.0, 0.1));
+}
+
+#[test]
+fn masks_and_plates_of_another_size_are_found() {
+    let replace = |from: &'static str, to: &'static str| {
+        move |bytes: &[u8]| {
+            String::from_utf8(bytes.to_vec()).expect("text").replacen(from, to, 1).into_bytes()
+        }
+    };
+    for (file, from, to, code) in [
+        ("plate-1-frame.svg", "r=\"55\"", "r=\"55.002\"", "deviation"),
+        ("plate-1-frame.dxf", " 40\n55\n", " 40\n55.002\n", "deviation"),
+        ("star-1-mask.svg", "r=\"1.5\"", "r=\"1.503\"", "deviation"),
+        ("star-1-mask.dxf", " 40\n1.5\n", " 40\n1.503\n", "deviation"),
+        ("star-1-mask.svg", "mask-window", "mask-winnow", "unknown-layer"),
+        ("star-1-mask.svg", " Z", "", "open-loop"),
+    ] {
+        assert_found(file, code, replace(from, to));
+    }
+}
+
+#[test]
+fn posts_and_plates_of_another_number_or_length_are_found() {
+    for change in [
+        |build: &mut Build| build.manifest.posts[0].length_mm += 1.0,
+        |build: &mut Build| build.manifest.posts[0].count += 1,
+        |build: &mut Build| build.manifest.plates.clear(),
+        |build: &mut Build| build.manifest.stars[0].clear_radius_mm += 0.1,
+    ] {
+        let mut build = build();
+        change(&mut build);
+        let findings = prove_archive(&build.archive()).findings;
+        assert!(findings.iter().any(|finding| finding.code == "manifest"), "{findings:#?}");
+    }
+}
+
+#[test]
+fn a_mask_of_the_other_face_is_no_mask_of_this_one() {
+    let mut build = build();
+    for artifact in build.artifacts.iter_mut().filter(|artifact| artifact.kind == Kind::MaskSvg) {
+        artifact.variant.mirrored = true;
+    }
+    build.manifest.files = build.artifacts.iter().map(ManifestFile::of).collect();
+    let findings = prove_archive(&build.archive()).findings;
+    assert!(findings.iter().any(|finding| finding.code == "deviation"), "{findings:#?}");
+}

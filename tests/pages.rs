@@ -1,0 +1,25 @@
+//! The tables of the pages in docs/ are what the examples print.
+
+#[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
+#[path = "../examples/extremes.rs"]
+mod extremes;
+#[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
+#[path = "../examples/paper.rs"]
+mod paper;
+
+fn stands_on(page: &str, tables: &str) {
+    let mut lines = page.lines();
+    for line in tables.lines().filter(|line| !line.is_empty()) {
+        assert!(lines.any(|other| other == line), "not on the page, or not in this order: {line}");
+    }
+}
+
+#[test]
+fn the_papers_numbers_are_ours() {
+    stands_on(include_str!("../docs/paper.md"), &paper::tables());
+}
+
+#[test]
+fn the_map_of_extremes_is_true() {
+    stands_on(include_str!("../docs/stability.md"), &extremes::tables());
+}
