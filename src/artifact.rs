@@ -33,11 +33,13 @@ pub enum Kind {
     FrameDxf,
     /// A picture for people.
     PreviewSvg,
+    /// What the gripper will do; only for a spec with a load.
+    Prediction,
 }
 
 impl Kind {
     /// Every kind, in the order in which the manifest lists them.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Spec,
         Self::Machine,
         Self::SealGcode,
@@ -53,6 +55,7 @@ impl Kind {
         Self::FrameSvg,
         Self::FrameDxf,
         Self::PreviewSvg,
+        Self::Prediction,
     ];
 
     /// Its name in the manifest and on the command line.
@@ -73,6 +76,7 @@ impl Kind {
             Self::FrameSvg => "frame-svg",
             Self::FrameDxf => "frame-dxf",
             Self::PreviewSvg => "preview-svg",
+            Self::Prediction => "prediction",
         }
     }
 

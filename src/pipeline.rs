@@ -11,6 +11,9 @@ use crate::design::Refusal;
 use crate::emit;
 use crate::manifest::MANIFEST;
 use crate::manifest::Manifest;
+use crate::mechanics::predict::PredictFault;
+use crate::mechanics::predict::predict;
+use crate::mechanics::prediction::Prediction;
 use crate::plan;
 use crate::plan::Program;
 use crate::spec::Machine;
@@ -27,6 +30,8 @@ pub struct Build {
     pub programs: Vec<Program>,
     /// The trace programs.
     pub traces: Vec<Program>,
+    /// What the gripper will do; `None` if the spec has no load, or nobody wants to know.
+    pub prediction: Option<Prediction>,
     /// The files, without the manifest.
     pub artifacts: Vec<Artifact>,
     /// The manifest of the files.
@@ -59,9 +64,11 @@ pub fn build(
     if !refusals.is_empty() {
         return Err(refusals);
     }
-    let artifacts = artifacts(spec, machine, sources, only, &design, &programs, &traces);
+    let mut artifacts = artifacts(spec, machine, sources, only, &design, &programs, &traces);
+    let prediction = predicted(spec, only)?;
+    artifacts.extend(prediction.as_ref().map(prediction_file));
     let manifest = Manifest::new(spec, &design, &artifacts, &programs);
-    Ok(Build { design, programs, traces, artifacts, manifest })
+    Ok(Build { design, programs, traces, prediction, artifacts, manifest })
 }
 
 impl Build {
@@ -74,6 +81,33 @@ impl Build {
     pub fn files(&self) -> impl Iterator<Item = (&str, std::borrow::Cow<'_, [u8]>)> {
         let artifacts = self.artifacts.iter().map(|a| (a.name.as_str(), a.bytes.as_slice().into()));
         artifacts.chain(std::iter::once((MANIFEST, self.manifest.to_json().into())))
+    }
+}
+
+/// The prediction for a spec with a load; without one nothing is solved.
+fn predicted(spec: &Spec, only: &[Kind]) -> Result<Option<Prediction>, Vec<Refusal>> {
+    if spec.load.is_none() || !(only.is_empty() || only.contains(&Kind::Prediction)) {
+        return Ok(None);
+    }
+    predict(spec).map(Some).map_err(|fault| vec![no_prediction(&fault)])
+}
+
+/// A prediction that cannot be made, as a refusal at the key that stands in its way.
+pub fn no_prediction(fault: &PredictFault) -> Refusal {
+    let own = fault.key.starts_with("star.");
+    let star = fault.star.and_then(|star| u32::try_from(star).ok()).filter(|_| own);
+    let remedy = "needed for a prediction".to_owned();
+    Refusal { star, ..Refusal::new(fault.key, "no-prediction", fault.what.clone(), remedy) }
+}
+
+fn prediction_file(prediction: &Prediction) -> Artifact {
+    Artifact {
+        name: "prediction.json".to_owned(),
+        kind: Kind::Prediction,
+        sheet: None,
+        star: None,
+        variant: Variant::default(),
+        bytes: prediction.to_json().into_bytes(),
     }
 }
 

@@ -437,3 +437,15 @@ fn a_closed_outer_loop_is_checked_for_its_overlap() {
     });
     assert_found(&findings, "missing-overlap", SEAL);
 }
+
+#[test]
+fn a_forged_prediction_is_found() {
+    let spec = format!("{}\n[load]\npressure = \"37 kPa\"\n", support::PAPER);
+    let file = "prediction.json";
+    let findings =
+        forged_in(&spec, file, |json| json.replacen("\"contraction\": 0.", "\"contraction\": 0.9", 1));
+    assert_found(&findings, "prediction", file);
+    assert_eq!(prove_archive(&archive_of(&spec)).findings, []);
+    let without_load = forged_in(&spec, "spec.toml", |spec| spec.replace("37 kPa", "36 kPa"));
+    assert_found(&without_load, "prediction", file);
+}

@@ -18,7 +18,7 @@ const MAY_USE: [(&str, &[&str]); 17] = [
     ("artifact", &[]),
     ("manifest", &["artifact", "design", "plan", "spec"]),
     ("emit", &["design", "geom", "plan", "spec", "units"]),
-    ("verify", &["artifact", "design", "geom", "manifest", "spec", "units"]),
+    ("verify", &["artifact", "design", "geom", "manifest", "mechanics", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
     ("coupon", &["design", "emit", "geom", "plan", "spec", "units"]),
     ("pipeline", &["artifact", "design", "emit", "manifest", "mechanics", "plan", "spec", "verify"]),

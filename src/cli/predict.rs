@@ -5,10 +5,9 @@ use std::path::PathBuf;
 use crate::cli::failure::Failure;
 use crate::cli::failure::say;
 use crate::cli::load::Loaded;
-use crate::design::Refusal;
-use crate::mechanics::predict::PredictFault;
 use crate::mechanics::predict::predict;
 use crate::mechanics::report;
+use crate::pipeline::no_prediction;
 use crate::spec::ModelChoice;
 
 /// Arguments of `predict`.
@@ -52,19 +51,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             Model::Auto => ModelChoice::Auto,
         };
     }
-    let prediction = predict(&spec).map_err(|fault| loaded.refused(vec![refusal(&fault)]))?;
+    let prediction = predict(&spec).map_err(|fault| loaded.refused(vec![no_prediction(&fault)]))?;
     if args.json {
-        let text = serde_json::to_string_pretty(&prediction)
-            .map_err(|error| Failure::Message(format!("cannot write JSON: {error}")))?;
-        return say(&format!("{text}\n"));
+        return say(&prediction.to_json());
     }
     say(&report::text(&spec, &prediction))
-}
-
-/// A fault of the prediction as a refusal at its key.
-pub(super) fn refusal(fault: &PredictFault) -> Refusal {
-    let star =
-        fault.star.and_then(|star| u32::try_from(star).ok()).filter(|_| fault.key.starts_with("star."));
-    let remedy = "needed for a prediction".to_owned();
-    Refusal { star, ..Refusal::new(fault.key, "no-prediction", fault.what.clone(), remedy) }
 }

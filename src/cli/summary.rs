@@ -7,6 +7,7 @@ use crate::design::COATING_ASSUMES;
 use crate::design::Design;
 use crate::design::Plate;
 use crate::manifest;
+use crate::mechanics::report;
 use crate::pipeline::Build;
 use crate::plan::Pace;
 use crate::plan::Program;
@@ -141,6 +142,10 @@ pub(super) fn built(spec: &Spec, machine: &Machine, build: &Build, proof: &Proof
     );
     let _ = writeln!(out, "machine: {} ({})", machine.name, machine.description);
     out.push_str(&conditions(spec, machine, &build.programs));
+    if let Some(prediction) = &build.prediction {
+        out.push_str("predicted:\n");
+        out.push_str(&report::text(spec, prediction));
+    }
     let _ = writeln!(out, "wrote to {}:", target.display());
     for (name, bytes) in build.files() {
         let _ = writeln!(out, "  {name} ({} bytes)", bytes.len());

@@ -93,6 +93,16 @@ pub struct Nonlinear {
     pub object_force_N: Option<f64>,
 }
 
+impl Prediction {
+    /// The answer as one JSON object and a line end.
+    ///
+    /// # Panics
+    /// Never: every field can be written as JSON.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).expect("plain data") + "\n"
+    }
+}
+
 /// The evidence for an answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Evidence {

@@ -12,6 +12,7 @@ use crate::manifest::MANIFEST;
 use crate::manifest::Manifest;
 use crate::manifest::ManifestFile;
 use crate::manifest::sha256;
+use crate::mechanics::predict::predict;
 use crate::spec;
 use crate::spec::Machine;
 use crate::spec::Source;
@@ -164,6 +165,10 @@ fn file(
     };
     let sheet = entry.sheet.unwrap_or(0);
     let drawing = match kind {
+        Kind::Prediction => {
+            prediction(truth, text, findings);
+            return None;
+        }
         Kind::Spec | Kind::Machine | Kind::PreviewSvg | Kind::MaskPdf | Kind::MaskStl => return None,
         Kind::SealGcode | Kind::TraceGcode => {
             let Some(job) = Job::new(truth, kind == Kind::SealGcode, sheet, entry.star) else {
@@ -226,4 +231,42 @@ fn no_such_part(entry: &ManifestFile, findings: &mut Findings) {
         entry.sheet, entry.star, entry.plate, entry.paper
     );
     findings.add("manifest", None, found, "a part of the design");
+}
+
+/// The prediction made anew, against the one that was written.
+fn prediction(truth: Truth<'_>, text: &str, findings: &mut Findings) {
+    let Ok(right) = predict(truth.spec) else {
+        findings.add("prediction", None, "a prediction", "none: this spec has no prediction");
+        return;
+    };
+    // The same program gives the same bytes; another build of it may differ in the last digits.
+    let numbers = |text: &str| serde_json::from_str::<serde_json::Value>(text).ok();
+    let same = match (numbers(text), numbers(&right.to_json())) {
+        (Some(found), Some(allowed)) => alike(&found, &allowed),
+        _ => false,
+    };
+    if !same {
+        findings.add(
+            "prediction",
+            None,
+            "other figures than this spec gives",
+            "what `predict --json` prints",
+        );
+    }
+}
+
+/// Whether two JSON values say the same, numbers to one in 10^9.
+fn alike(a: &serde_json::Value, b: &serde_json::Value) -> bool {
+    use serde_json::Value;
+    match (a, b) {
+        (Value::Number(a), Value::Number(b)) => match (a.as_f64(), b.as_f64()) {
+            (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()).max(1e-9),
+            _ => false,
+        },
+        (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| alike(a, b)),
+        (Value::Object(a), Value::Object(b)) => {
+            a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| alike(a, b)))
+        }
+        _ => a == b,
+    }
 }
