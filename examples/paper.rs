@@ -181,8 +181,8 @@ fn paper_star(points: u32) -> Result<Star, stargrip_cam::mechanics::fault::StarF
 
 fn radii() -> String {
     let mut out = String::from(
-        "| n | arm | rho_f, lambda_t = 1.28 | contraction | rho_f, exact target | contraction | rho_f, exact V(lambda) | contraction |\n\
-         |---|---|---|---|---|---|---|---|\n",
+        "| n | arm | rho_f, lambda_t = 1.28 | contraction | rho_f, exact target | contraction | rho_f, exact V(lambda) | contraction | rho_f, exact target, hinge width r(1) |\n\
+         |---|---|---|---|---|---|---|---|---|\n",
     );
     for points in 3..=9 {
         match paper_star(points) {
@@ -199,10 +199,12 @@ fn radii() -> String {
                         100.0 * (1.0 - rest.radius / 0.05)
                     );
                 }
-                out.push_str(" |\n");
+                let width = ring.corner().edges.map_or(0.0, |edges| edges.width);
+                let true_radius = linear.radius - (width - std::f64::consts::FRAC_2_PI) * 0.03;
+                let _ = writeln!(out, " | {:.1} mm |", true_radius * 1e3);
             }
             Err(fault) => {
-                let _ = writeln!(out, "| {points} | {fault} | | | | | | |");
+                let _ = writeln!(out, "| {points} | {fault} | | | | | | | |");
             }
         }
     }

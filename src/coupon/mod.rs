@@ -10,6 +10,7 @@ mod strips;
 
 use crate::design::Drawing;
 use crate::design::Layer;
+use crate::design::Origin;
 use crate::design::Refusal;
 use crate::design::Shape;
 use crate::design::Side;
@@ -138,12 +139,8 @@ fn coupon(
         .fold(crate::geom::Bounds::EMPTY, crate::geom::Bounds::union);
     let shapes = seams.iter().map(|(_, path, _)| Shape::Path(path.clone())).collect();
     let (width, height) = (bounds.max.x + 10.0, bounds.max.y + 10.0);
-    let drawing = Drawing {
-        origin: crate::design::Origin::LowerLeft,
-        width,
-        height,
-        layers: vec![(Layer::SealOuter, shapes)],
-    };
+    let drawing =
+        Drawing { origin: Origin::LowerLeft, width, height, layers: vec![(Layer::SealOuter, shapes)] };
     let svg = emit::svg(&format!("coupon {name}"), &drawing, spec.accuracy.path);
     Ok(Coupon { name: name.to_owned(), gcode, svg })
 }

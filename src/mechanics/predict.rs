@@ -47,12 +47,16 @@ static TABLE: LazyLock<Result<RingTable, super::fault::HingeFault>> = LazyLock::
 /// # Errors
 /// If a star does not exist, a model refuses one of its hinges, or the model is not available.
 pub fn predict(spec: &Spec) -> Result<Prediction, PredictFault> {
-    let stars = spec
-        .stars
-        .iter()
-        .enumerate()
-        .map(|(i, star)| predict_star(spec, star).map_err(|fault| located(i + 1, fault)))
-        .collect::<Result<Vec<_>, _>>()?;
+    let mut stars: Vec<StarPrediction> = Vec::with_capacity(spec.stars.len());
+    for (i, star) in spec.stars.iter().enumerate() {
+        // Stars of a stack are often equal; a slow model then answers once.
+        let known = spec.stars[..i].iter().position(|other| geometry(other) == geometry(star));
+        let answer = match known {
+            Some(known) => stars[known].clone(),
+            None => predict_star(spec, star).map_err(|fault| located(i + 1, fault))?,
+        };
+        stars.push(answer);
+    }
     let Some(first) = stars.first() else {
         return Err(PredictFault { star: None, key: "stack.count", what: "there is no star".to_owned() });
     };
@@ -243,6 +247,13 @@ fn nonlinear(
             return None;
         }
     };
+    if inflated.rim_pushes(rest.angle) {
+        warnings.push(
+            "the nonlinear star coils a hinge so far that its inner rim would have to push: a real rim wrinkles, and \
+             the hinge is softer than predicted"
+                .to_owned(),
+        );
+    }
     let rho_0 = case.star.geometry().inner_radius;
     let object_force_n = match (case.pressure, case.object) {
         // Its warnings are those of the linear star.

@@ -114,7 +114,7 @@ pub struct Evidence {
     pub hinge_width: Hinges<Option<f64>>,
     /// Final radius if the corner's true inflated width is used instead of the arms', mm.
     pub final_radius_with_hinge_width_mm: Option<f64>,
-    /// Tip radius from which the seal would hold the pressure, mm; `None` if it holds or nothing is known.
+    /// Inner radius from which the seal would hold the pressure, mm; `None` if it holds or nothing is known.
     pub safe_radius_mm: Option<f64>,
     /// What lies outside of a model's validity, and what a person should know.
     pub warnings: Vec<String>,

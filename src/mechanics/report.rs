@@ -8,12 +8,12 @@ use std::fmt::Write;
 /// A page about `prediction`.
 pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     let mut out = format!("{}\n", spec.name);
-    let same = prediction.stars.iter().all(|star| *star == prediction.stars[0]);
-    if same {
+    let all_equal = prediction.stars.windows(2).all(|pair| pair[0] == pair[1]);
+    if let Some(star) = prediction.stars.first().filter(|_| all_equal) {
         if prediction.stars.len() > 1 {
             let _ = writeln!(out, "\n{} equal stars, each:", prediction.stars.len());
         }
-        star_text(&mut out, &prediction.stars[0]);
+        star_text(&mut out, star);
     } else {
         for (i, star) in prediction.stars.iter().enumerate() {
             let _ = writeln!(out, "\nstar {}:", i + 1);

@@ -177,6 +177,15 @@ impl<'a> Inflated<'a> {
         Ok((points * (of_tip.slope + of_corner.slope), points * spring))
     }
 
+    /// Whether at the tip angle `phi` (rad) the inner rim of a hinge would have to push.
+    pub fn rim_pushes(&self, phi: f64) -> bool {
+        let pushes = |hinge: Hinge, phi: f64| {
+            let state = self.model.state(hinge.r_star, hinge.coiling(phi)).ok();
+            state.and_then(|state| state.edges).is_some_and(|edges| edges.rim_force < 0.0)
+        };
+        pushes(self.star.tip(), phi) || pushes(self.star.corner(), phi + self.star.turn())
+    }
+
     /// Radial force F (N, all corners together) on an object of radius `rho` (m) that keeps the star open.
     ///
     /// # Errors

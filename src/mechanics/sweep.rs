@@ -93,8 +93,13 @@ impl Axis {
                 let step = f64::from(count.saturating_sub(1)).max(1.0);
                 (0..count).map(|i| from + (to - from) * f64::from(i) / step).collect()
             }
-            None => list.split(',').map(|value| key.parse(value)).collect::<Result<_, _>>()?,
+            None => list.split(',').map(|value| key.parse(value)).collect::<Result<Vec<_>, _>>()?,
         };
+        if let Some(part) = values.iter().find(|value| key == Key::Points && value.fract() != 0.0) {
+            return Err(format!(
+                "{part} is not a number of points: choose the number of values so that all are whole"
+            ));
+        }
         Ok(Self { key, values })
     }
 }
@@ -347,6 +352,7 @@ mod tests {
             "star.width=1 mm",
             "star.points=2",
             "star.points=4.5",
+            "star.points=3..6/3",
             "star.tube_width=3",
             "star.tube_width=1 mm..2 mm",
             "star.tube_width=1 mm..2 mm/0",

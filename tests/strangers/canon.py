@@ -1,34 +1,129 @@
-"""Adds up LinuxCNC's canonical moves in contact and compares the sum with the manifest's seam length."""
+"""LinuxCNC's canonical moves in contact against the seal drawing as ezdxf reads it, both ways, and the manifest's figures.
+
+Usage: canon.py CANON PROGRAM MANIFEST [SEAL.dxf]
+"""
 import json
 import math
 import re
 import sys
 
+TOLERANCE = 0.001  # mm, the designs' own
+
 canon, program, manifest_path = sys.argv[1:4]
 manifest = json.load(open(manifest_path, encoding="utf-8"))
 entry = next(f for f in manifest["files"] if program.endswith("/" + f["path"]))
 stars = [s for s in manifest["stars"] if s["index"] == entry.get("star", s["index"]) and s["sheet"] == entry["sheet"]]
-expected = sum(s["seam_mm"] for s in stars) if entry["kind"] == "seal-gcode" else 0.0
+hot = entry["kind"] == "seal-gcode"
+expected = sum(s["seam_mm"] for s in stars) if hot else 0.0
+
+
+class Line:
+    def __init__(self, a, b):
+        self.a, self.b = a, b
+        self.length = math.dist(a, b)
+
+    def point(self, t):
+        return tuple(p + t * (q - p) for p, q in zip(self.a, self.b))
+
+    def distance(self, p):
+        d = (self.b[0] - self.a[0], self.b[1] - self.a[1])
+        square = d[0] ** 2 + d[1] ** 2
+        t = ((p[0] - self.a[0]) * d[0] + (p[1] - self.a[1]) * d[1]) / square if square else 0.0
+        return math.dist(p, self.point(min(max(t, 0.0), 1.0)))
+
+
+class Arc:
+    def __init__(self, center, radius, start, sweep):
+        self.center, self.radius, self.start, self.sweep = center, radius, start, sweep
+        self.length = radius * abs(sweep)
+
+    def point(self, t):
+        angle = self.start + t * self.sweep
+        return (self.center[0] + self.radius * math.cos(angle), self.center[1] + self.radius * math.sin(angle))
+
+    def distance(self, p):
+        angle = math.atan2(p[1] - self.center[1], p[0] - self.center[0])
+        turn = ((angle - self.start) * math.copysign(1.0, self.sweep)) % (2 * math.pi)
+        if turn <= abs(self.sweep):
+            return abs(math.dist(p, self.center) - self.radius)
+        return min(math.dist(p, self.point(0.0)), math.dist(p, self.point(1.0)))
+
+
+def farthest(probes, targets, step):
+    """Largest distance from points on `probes`, `step` mm apart at most, to `targets`."""
+    worst = 0.0
+    for probe in probes:
+        count = max(2, math.ceil(probe.length / step))
+        for i in range(count + 1):
+            p = probe.point(i / count)
+            worst = max(worst, min(target.distance(p) for target in targets))
+    return worst
+
 
 at = (0.0, 0.0, 0.0)
-length = 0.0
-call = re.compile(r"(STRAIGHT_TRAVERSE|STRAIGHT_FEED|ARC_FEED)\(([^)]*)\)")
+seconds = rests = 0.0
+feed = None
+fed = []
+call = re.compile(r"(STRAIGHT_TRAVERSE|STRAIGHT_FEED|ARC_FEED|SET_FEED_RATE|DWELL)\(([^)]*)\)")
 for line in open(canon, encoding="utf-8"):
     match = call.search(line)
     if not match:
         continue
     name, words = match.group(1), [float(w) for w in match.group(2).split(",")]
+    if name == "SET_FEED_RATE":
+        feed = words[0]
+        continue
+    if name == "DWELL":
+        rests += words[0]
+        continue
+    start = at[:2]
     if name == "ARC_FEED":
         # first_end, second_end, first_axis, second_axis, rotation, axis_end_point
         x, y, cx, cy, turns, z = words[:6]
-        start, end = math.atan2(at[1] - cy, at[0] - cx), math.atan2(y - cy, x - cx)
-        sweep = (end - start) % (2 * math.pi) if turns > 0 else -((start - end) % (2 * math.pi))
-        flat = abs(sweep) * math.hypot(at[0] - cx, at[1] - cy)
+        first, last = math.atan2(at[1] - cy, at[0] - cx), math.atan2(y - cy, x - cx)
+        sweep = (last - first) % (2 * math.pi) if turns > 0 else -((first - last) % (2 * math.pi))
+        piece = Arc((cx, cy), math.dist(start, (cx, cy)), first, sweep)
     else:
         x, y, z = words[:3]
-        flat = math.hypot(x - at[0], y - at[1])
-    if name != "STRAIGHT_TRAVERSE" and at[2] <= 0 and z <= 0:
-        length += flat
+        piece = Line(start, (x, y))
+    if name != "STRAIGHT_TRAVERSE":
+        seconds += math.hypot(piece.length, z - at[2]) / feed * 60.0
+        fed.append((max(at[2], z), piece))
     at = (x, y, z)
+
+# In contact is what is fed at the lowest height: on the way down and up the iron leaves the drawing at an inlet's mouth.
+lowest = min((height for height, _ in fed), default=0.0)
+contact = [piece for height, piece in fed if height <= min(lowest, 0.0) + 1e-9]
+length = sum(piece.length for piece in contact)
+
+problems = []
 if abs(length - expected) > 1e-3 * max(expected, 1.0):
-    sys.exit(f"{program}: LinuxCNC travels {length:.3f} mm in contact, the manifest says {expected:.3f} mm")
+    problems.append(f"LinuxCNC travels {length:.3f} mm in contact, the manifest says {expected:.3f} mm")
+if hot and rests == 0.0:
+    time = sum(s["time_s"] for s in stars)
+    if abs(seconds - time) > 1e-3 * time:
+        problems.append(f"LinuxCNC feeds for {seconds:.1f} s, the manifest says {time:.1f} s")
+if hot and len(sys.argv) > 4:
+    import ezdxf
+
+    drawn = []
+    for shape in ezdxf.readfile(sys.argv[4]).modelspace().query("LWPOLYLINE"):
+        points = list(shape.get_points("xyb"))
+        pairs = zip(points, points[1:] + points[:1] if shape.closed else points[1:])
+        for (x0, y0, bulge), (x1, y1, _) in pairs:
+            if bulge == 0.0:
+                drawn.append(Line((x0, y0), (x1, y1)))
+                continue
+            center, start, _, radius = ezdxf.math.bulge_to_arc((x0, y0), (x1, y1), bulge)
+            begin = math.atan2(y0 - center[1], x0 - center[0])
+            drawn.append(Arc((center[0], center[1]), radius, begin, 4.0 * math.atan(bulge)))
+    off = farthest(contact, drawn, 1.0)
+    if off > TOLERANCE:
+        problems.append(f"LinuxCNC is {off:.6f} mm off the drawing")
+    # Back from the drawing only where one program seals all of it, and has few enough moves to look at each.
+    if len(manifest["stars"]) == len(stars) and len(contact) < 2000:
+        off = farthest(drawn, contact, 2.0)
+        if off > TOLERANCE:
+            problems.append(f"the drawing is {off:.6f} mm off what LinuxCNC travels")
+if problems:
+    sys.exit(f"{program}: " + "; ".join(problems))
