@@ -156,3 +156,16 @@ fn read_back(path: &Path) -> Vec<Segment> {
     assert!(segments.iter().all(|segment| segment.length() <= LONGEST_MOVE + 0.001));
     segments
 }
+
+/// Found by chance: on a page of 70 m a PDF's numbers are too coarse. There is none then.
+#[test]
+fn no_paper_is_written_that_numbers_are_too_coarse_for() {
+    let text = support::PAPER
+        .replace("\"50 mm\"", "\"30000 mm\"")
+        .replace("\"30 mm\"", "\"463.7 mm\"")
+        .replace("30 deg", "60 deg");
+    let build = support::build(&text).expect("a design");
+    let proof = verify::prove(&build.design, &support::read(&text), &support::machine(), &build.archive());
+    assert_eq!(proof.findings, []);
+    assert!(build.artifacts.iter().all(|artifact| !artifact.name.ends_with("pdf")));
+}

@@ -27,6 +27,9 @@ const LEAST_WIDTH: f64 = 200.0;
 /// Most tiles that are written: nobody tapes more than a hundred pages.
 const MOST_TILES: f64 = 100.0;
 
+/// Largest page, mm: beyond it a PDF's single precision no longer tells 0.001 mm apart, and no plotter has such paper.
+const LARGEST: f64 = 10_000.0;
+
 /// A size of paper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Paper {
@@ -69,7 +72,7 @@ impl Paper {
 
     /// The pages on which `drawing` is printed, row by row from the lower left; `caption` names it on every page.
     ///
-    /// None if there would be more tiles than anyone tapes together.
+    /// None if there would be more tiles than anyone tapes together, or a page larger than 10 m.
     pub fn pages(self, drawing: &Drawing, caption: &str) -> Vec<Page> {
         let (width, height) = match self {
             Self::Large => {
@@ -87,7 +90,7 @@ impl Paper {
             Self::Large => (1.0, 1.0),
             _ => (count(drawing.width, steps.x), count(drawing.height, steps.y)),
         };
-        if columns * rows > MOST_TILES {
+        if columns * rows > MOST_TILES || width.max(height) > LARGEST {
             return Vec::new();
         }
         let grid = Grid { width, height, window, steps, columns, rows, caption };
