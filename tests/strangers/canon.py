@@ -4,6 +4,7 @@ Usage: canon.py CANON PROGRAM MANIFEST [SEAL.dxf]
 """
 import json
 import math
+import os
 import re
 import sys
 
@@ -103,11 +104,13 @@ if hot and rests == 0.0:
     time = sum(s["time_s"] for s in stars)
     if abs(seconds - time) > 1e-3 * time:
         problems.append(f"LinuxCNC feeds for {seconds:.1f} s, the manifest says {time:.1f} s")
-if hot and len(sys.argv) > 4:
+# The drawing of the sheet that the program belongs to.
+drawing = os.path.join(os.path.dirname(program), f"sheet-{entry['sheet']}-seal.dxf")
+if hot and os.path.exists(drawing):
     import ezdxf
 
     drawn = []
-    for shape in ezdxf.readfile(sys.argv[4]).modelspace().query("LWPOLYLINE"):
+    for shape in ezdxf.readfile(drawing).modelspace().query("LWPOLYLINE"):
         points = list(shape.get_points("xyb"))
         pairs = zip(points, points[1:] + points[:1] if shape.closed else points[1:])
         for (x0, y0, bulge), (x1, y1, _) in pairs:
