@@ -169,3 +169,19 @@ fn no_paper_is_written_that_numbers_are_too_coarse_for() {
     assert_eq!(proof.findings, []);
     assert!(build.artifacts.iter().all(|artifact| !artifact.name.ends_with("pdf")));
 }
+
+/// What one contact was early must not be carried into the next: here it once made the first stroke 47 ms too early.
+#[test]
+fn every_contact_of_a_chopped_program_has_its_own_schedule() {
+    let grbl = stargrip_cam::spec::builtin_machine("grbl").expect("built in");
+    let machine =
+        stargrip_cam::spec::read_machine(&stargrip_cam::spec::Source::new("grbl", grbl)).expect("valid");
+    let star = include_str!("../designs/paper-three-points.toml");
+    let text = format!("{star}\n[machine]\nprofile = \"grbl\"\nfeed_floor = \"chop\"\n");
+    let spec = support::read(&text);
+    let sources = stargrip_cam::pipeline::Sources { spec: &text, machine: grbl };
+    let only = [stargrip_cam::artifact::Kind::SealGcode];
+    let build = stargrip_cam::pipeline::build(&spec, &machine, sources, &only).expect("a gripper");
+    let proof = verify::prove(&build.design, &spec, &machine, &build.archive());
+    assert_eq!(proof.findings, []);
+}

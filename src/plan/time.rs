@@ -77,6 +77,10 @@ pub fn program_time(machine: &Machine, program: &Program, speed: f64) -> f64 {
             Step::Height(level) => clock.height(*level),
             Step::Travel(to) => clock.travel(*to),
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
+                // Every contact has a schedule of its own.
+                if matches!(step, Step::TouchDown(_)) {
+                    pacer = Pacer::new(program.pace, speed);
+                }
                 for (piece, from, to) in ramp.with_heights() {
                     clock.add(piece.end(), Some(to), seal(&mut pacer, piece, Some((from, to))));
                 }

@@ -196,7 +196,11 @@ impl<W: fmt::Write> Job<'_, W> {
                 let facts = seam_facts("seam", i + 1, &self.program.seams[*i]);
                 self.writer.comment(&facts)
             }
-            Step::TouchDown(ramp) | Step::Lift(ramp) => {
+            Step::TouchDown(ramp) => {
+                self.pacer = Pacer::new(self.program.pace, self.facts.seal.speed.0);
+                ramp.with_heights().try_for_each(|(piece, from, to)| self.seal(piece, Some((from, to))))
+            }
+            Step::Lift(ramp) => {
                 ramp.with_heights().try_for_each(|(piece, from, to)| self.seal(piece, Some((from, to))))
             }
             Step::Seal(pieces) => pieces.iter().try_for_each(|piece| self.seal(piece, None)),
