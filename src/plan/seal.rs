@@ -19,8 +19,11 @@ use crate::spec::Machine;
 use crate::spec::ProgramScope;
 use crate::spec::Spec;
 
-/// The stars of every program, by the spec's choice of one a star or one a sheet: (sheet, its stars).
-pub(super) fn scopes(design: &Design, scope: ProgramScope) -> Vec<(usize, Vec<&PlacedStar>)> {
+/// What one program covers: a sheet, and the stars on it in the order of sealing.
+pub(super) type Scope<'a> = (usize, Vec<&'a PlacedStar>);
+
+/// What every program covers, by the spec's choice of one a star or one a sheet.
+pub(super) fn scopes(design: &Design, scope: ProgramScope) -> Vec<Scope<'_>> {
     match scope {
         ProgramScope::Star => design.stars.iter().map(|star| (star.sheet, vec![star])).collect(),
         ProgramScope::Sheet => {
@@ -31,19 +34,11 @@ pub(super) fn scopes(design: &Design, scope: ProgramScope) -> Vec<(usize, Vec<&P
 
 /// All sealing programs of `design`.
 pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    scopes(design, spec.machine.program)
-        .into_iter()
-        .map(|(sheet, stars)| seal_program(spec, machine, design, sheet, &stars))
-        .collect()
+    let scopes = scopes(design, spec.machine.program);
+    scopes.into_iter().map(|scope| seal_program(spec, machine, design, &scope)).collect()
 }
 
-fn seal_program(
-    spec: &Spec,
-    machine: &Machine,
-    design: &Design,
-    sheet: usize,
-    stars: &[&PlacedStar],
-) -> Program {
+fn seal_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Scope<'_>) -> Program {
     let sagitta = sagitta(spec, machine);
     let mut plan = Planner { spec, machine, steps: Vec::new(), seams: Vec::new(), sagitta };
     plan.steps.push(Step::Height(Level::Park));
@@ -56,7 +51,7 @@ fn seal_program(
     let Planner { steps, seams, .. } = plan;
     let mut program = Program {
         purpose: Purpose::Seal,
-        sheet,
+        sheet: *sheet,
         stars: stars.iter().map(|star| star.index).collect(),
         steps,
         seams,

@@ -15,25 +15,18 @@ use crate::plan::Step;
 use crate::plan::pieces::flat_pieces;
 use crate::plan::pieces::sagitta;
 use crate::plan::program_time;
+use crate::plan::seal::Scope;
 use crate::plan::seal::scopes;
 use crate::spec::Machine;
 use crate::spec::Spec;
 
 /// All trace programs of `design`, one for each sealing program.
 pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    scopes(design, spec.machine.program)
-        .into_iter()
-        .map(|(sheet, stars)| trace_program(spec, machine, design, sheet, &stars))
-        .collect()
+    let scopes = scopes(design, spec.machine.program);
+    scopes.into_iter().map(|scope| trace_program(spec, machine, design, &scope)).collect()
 }
 
-fn trace_program(
-    spec: &Spec,
-    machine: &Machine,
-    design: &Design,
-    sheet: usize,
-    stars: &[&PlacedStar],
-) -> Program {
+fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Scope<'_>) -> Program {
     let sagitta = sagitta(spec, machine);
     let mut steps = vec![Step::Height(Level::Park)];
     let mut follow = |path: &Path| {
@@ -53,7 +46,7 @@ fn trace_program(
     let stars = stars.iter().map(|star| star.index).collect();
     let mut program = Program {
         purpose: Purpose::Trace,
-        sheet,
+        sheet: *sheet,
         stars,
         steps,
         seams: Vec::new(),

@@ -66,14 +66,7 @@ pub fn gcode(spec: &Spec, machine: &Machine, program: &Program) -> String {
 /// # Errors
 /// Those of `out`.
 pub fn write_gcode(out: &mut impl fmt::Write, facts: Facts<'_>, program: &Program) -> fmt::Result {
-    let mut job = Job {
-        facts,
-        program,
-        writer: Writer::new(out, facts),
-        clock: Clock::new(facts.machine),
-        pacer: Pacer::new(program.pace, facts.seal.speed.0),
-        percent: 0,
-    };
+    let mut job = Job::new(facts, program, Writer::new(out, facts), 0);
     header(&mut job.writer, facts, program)?;
     for line in &facts.machine.start {
         job.writer.line(line)?;
@@ -99,15 +92,8 @@ pub fn write_steps(
 ) -> Result<usize, fmt::Error> {
     let mut writer = Writer::new(out, facts);
     writer.at = writer.round(from);
-    let mut job = Job {
-        facts,
-        program,
-        writer,
-        clock: Clock::new(facts.machine),
-        pacer: Pacer::new(program.pace, facts.seal.speed.0),
-        // No progress here: it is that of the whole job.
-        percent: 100,
-    };
+    // No progress here: it is that of the whole job.
+    let mut job = Job::new(facts, program, writer, 100);
     for step in &program.steps {
         job.step(step)?;
     }
@@ -143,14 +129,7 @@ fn write_feed_check(
         let speed = header::number(facts.seal.speed.0);
         writer
             .comment(&format!("next: {CHECK_LENGTH} mm {name}, must take {seconds:.1} s at {speed} mm/s"))?;
-        let mut job = Job {
-            facts,
-            program,
-            writer,
-            clock: Clock::new(facts.machine),
-            pacer: Pacer::new(program.pace, facts.seal.speed.0),
-            percent: 100,
-        };
+        let mut job = Job::new(facts, program, writer, 100);
         for (i, step) in program.steps.iter().enumerate() {
             if i + 1 == program.steps.len() {
                 job.writer.line(&facts.machine.pause)?;
@@ -177,7 +156,13 @@ struct Job<'a, W> {
     percent: u32,
 }
 
-impl<W: fmt::Write> Job<'_, W> {
+impl<'a, W: fmt::Write> Job<'a, W> {
+    /// A job at its beginning; `percent` 100 to say no progress.
+    fn new(facts: Facts<'a>, program: &'a Program, writer: Writer<'a, W>, percent: u32) -> Self {
+        let (clock, pacer) = (Clock::new(facts.machine), Pacer::new(program.pace, facts.seal.speed.0));
+        Self { facts, program, writer, clock, pacer, percent }
+    }
+
     fn step(&mut self, step: &Step) -> fmt::Result {
         let machine = self.facts.machine;
         match step {
