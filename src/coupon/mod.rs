@@ -62,8 +62,8 @@ struct Piece {
     path: Path,
     /// Height of the tip in contact.
     height: Length,
-    /// Lower left corner of the number on the drawing.
-    label: Point,
+    /// Lower left corner of the number on the drawing, if it has one.
+    label: Option<Point>,
 }
 
 /// Height of a number, mm.
@@ -86,7 +86,7 @@ pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon
             number: strip.number,
             path: strip.seam(),
             height: strip.height,
-            label: strip.label(band),
+            label: Some(strip.label(band)),
         };
         let seams: Vec<Piece> = mine.map(piece).collect();
         out.push(coupon(&spec, machine, &program_name(temperature, speed), &seams)?);
@@ -95,12 +95,14 @@ pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon
     let place = |number: usize, path: Path, x: f64, y: f64| {
         let motion = Isometry::translation(Point::new(x + edge, y + edge) - path.bounds().min);
         let path = motion.path(&path);
-        let label = path.bounds().min.lerp(path.bounds().max, 0.4);
+        let label = Some(path.bounds().min.lerp(path.bounds().max, 0.4));
         Piece { number, path, height: contact, label }
     };
     out.push(coupon(spec, machine, "disc", &[place(1, disc(100.0, band), 0.0, 0.0)])?);
     if let Some(star) = spec.stars.first() {
-        out.push(coupon(spec, machine, "v-actuator", &[place(1, vee(star, band), 0.0, 0.0)])?);
+        // There is one of it, and a number might fall onto its band.
+        let seam = Piece { label: None, ..place(1, vee(star, band), 0.0, 0.0) };
+        out.push(coupon(spec, machine, "v-actuator", &[seam])?);
     }
     let (x, y) = machine.work_area.map_or((300.0, 300.0), |(x, y)| (x.0, y.0));
     let small = disc(40.0, band);
@@ -165,8 +167,11 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result
 
 /// The seams and their numbers at 1:1.
 fn drawing(name: &str, spec: &Spec, seams: &[Piece]) -> String {
-    let labels: Vec<Path> =
-        seams.iter().flat_map(|piece| lettered(&piece.number.to_string(), piece.label, LABEL)).collect();
+    let labels: Vec<Path> = seams
+        .iter()
+        .filter_map(|piece| Some((piece.number, piece.label?)))
+        .flat_map(|(number, at)| lettered(&number.to_string(), at, LABEL))
+        .collect();
     let bounds = seams.iter().map(|piece| &piece.path).chain(&labels).map(Path::bounds);
     let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);
     let seals = seams.iter().map(|piece| Shape::Path(piece.path.clone())).collect();
