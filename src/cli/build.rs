@@ -1,7 +1,9 @@
 //! `stargrip-cam build`
 
+use std::fmt::Write;
 use std::path::Path;
 use std::path::PathBuf;
+use std::time::SystemTime;
 
 use clap::builder::PossibleValuesParser;
 use clap::builder::TypedValueParser;
@@ -9,6 +11,7 @@ use clap::builder::TypedValueParser;
 use crate::airtight;
 use crate::artifact::Kind;
 use crate::cli::check::leaking;
+use crate::cli::clock;
 use crate::cli::failure::Failure;
 use crate::cli::failure::say;
 use crate::cli::load::Loaded;
@@ -51,7 +54,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
     let target = args.output.clone().unwrap_or_else(|| default_output(&args.spec));
     publish(&target, build.files())?;
-    say(&summary::built(spec, &loaded.machine, &build, &proof, &target))
+    let mut said = summary::built(spec, &loaded.machine, &build, &proof, &target);
+    let seconds = build.programs.iter().map(|program| program.time).sum();
+    if let Some(end) = clock::finish(SystemTime::now(), seconds) {
+        let _ = writeln!(said, "{end}, heating and pauses not counted");
+    }
+    say(&said)
 }
 
 /// `out/` and the spec's file name without its ending.

@@ -1,11 +1,11 @@
 //! `stargrip-cam calibrate`
 
 use std::fmt::Write;
-use std::fs;
 use std::path::PathBuf;
 
 use crate::cli::failure::Failure;
 use crate::cli::failure::say;
+use crate::cli::read_text;
 use crate::coupon::calibrate;
 use crate::coupon::read_rows;
 use crate::mechanics::hinge::HingeModel;
@@ -18,11 +18,11 @@ use crate::units::Quantity;
 pub(super) struct Args {
     /// The filled-in table that `coupon` wrote.
     results: PathBuf,
-    /// What the seal has to hold, such as "1.2 N/mm" (`check` tells the load); without it the strongest is needed least.
+    /// What the seal has to hold, such as "1.2 N/mm" (`check` tells the load); without it every even seal holds, and the fastest is chosen.
     #[arg(long, value_parser = force, default_value = "0 N/mm")]
     needed: f64,
-    /// How many times that the seal should hold.
-    #[arg(long, default_value_t = 1.5)]
+    /// How many times that the seal should hold, 1 to 100.
+    #[arg(long, default_value_t = 1.5, value_parser = margin)]
     margin: f64,
     /// The V-actuator's angle between its arms, flat, deg.
     #[arg(long, requires = "inflated_angle")]
@@ -40,17 +40,23 @@ fn force(text: &str) -> Result<f64, String> {
     parsed.map(|force| force.0).ok_or_else(|| format!("a force per length: {}", LineForce::unit_list()))
 }
 
+fn margin(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|margin| (1.0..=100.0).contains(margin));
+    number.ok_or_else(|| "a number from 1 to 100".to_owned())
+}
+
 /// Says what the spec should say.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let text =
-        fs::read_to_string(&args.results).map_err(|error| Failure::file("read", &args.results, &error))?;
+    let text = read_text(&args.results)?;
     let refused = |fault| Failure::Message(format!("{}: {fault}", args.results.display()));
     let rows = read_rows(&text).map_err(refused)?;
     let mut out = String::new();
     if let Some((flat, inflated)) = args.flat_angle.zip(args.inflated_angle) {
         if !(flat > 0.0 && flat < 180.0 && inflated > -180.0 && inflated < 180.0) {
             let found = format!("angles of {flat} and {inflated} deg");
-            return Err(Failure::Message(format!("{found}; they must be between 0 (-180) and 180 deg")));
+            return Err(Failure::Message(format!(
+                "{found}; --flat-angle must be above 0 and below 180, --inflated-angle above -180 and below 180"
+            )));
         }
         let measured = (180.0 - inflated) / (180.0 - flat);
         let _ = writeln!(out, "# lambda measured: {measured:.3}");
@@ -63,7 +69,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             Err(fault) => return Err(Failure::Message(format!("--radius-ratio: {fault}"))),
         }
     }
+    // What the V-actuator tells does not hang on the strips.
+    say(&out)?;
     let chosen = calibrate(&rows, args.needed, args.margin).map_err(refused)?;
-    out.push_str(&chosen.toml());
-    say(&out)
+    say(&chosen.toml())
 }

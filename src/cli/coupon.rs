@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 use std::fs;
+use std::io;
 use std::path::PathBuf;
 
 use crate::cli::failure::Failure;
@@ -66,8 +67,16 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if let Some(h) = grid.heights.iter().find(|h| !(-20.0..travel.0).contains(&h.0)) {
         return Err(Failure::Message(format!("a height of {h}; it must be from -20 mm to below {travel}")));
     }
+    if let Some(why) = grid.alike() {
+        return Err(Failure::Message(why));
+    }
     let set = coupons(spec, machine, &grid).map_err(|refusals| loaded.refused(refusals))?;
-    fs::create_dir(&args.output).map_err(|error| Failure::file("create", &args.output, &error))?;
+    fs::create_dir(&args.output).map_err(|error| match error.kind() {
+        io::ErrorKind::AlreadyExists => {
+            Failure::Message(format!("{} exists already; choose another name", args.output.display()))
+        }
+        _ => Failure::file("create", &args.output, &error),
+    })?;
     let mut said = String::new();
     for coupon in &set {
         for (ending, text) in [("gcode", &coupon.gcode), ("svg", &coupon.svg)] {
@@ -77,7 +86,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         }
     }
     let results = args.output.join("results.csv");
-    write_new(&results, &table(&grid.strips()))?;
+    write_new(&results, &table(&grid.strips(machine)))?;
     say(&format!(
         "{said}wrote {}\nseal the strips, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in peel_N, \
          then: stargrip-cam calibrate {}\n",

@@ -8,6 +8,7 @@ use crate::cli::load::Loaded;
 use crate::cli::write_new;
 use crate::emit;
 use crate::plan;
+use crate::spec::FeedFloor;
 
 /// Arguments of `feedcheck`.
 #[derive(clap::Args, Debug)]
@@ -26,9 +27,13 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let checks = plan::feed_checks(spec, machine);
     write_new(&args.output, &emit::feed_check(spec, machine, &checks))?;
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
+    let remedy = match spec.machine.feed_floor {
+        FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",
+        FeedFloor::Refuse => "use `feed_floor = \"chop\"`",
+    };
     say(&format!(
         "wrote {}\neach of its three lines of {} mm (X, Y, 45 deg) must take {seconds:.0} s; if one is faster, the \
-         machine cannot go at {}: use `feed_floor = \"chop\"`\n",
+         machine cannot go at {}: {remedy}\n",
         args.output.display(),
         plan::CHECK_LENGTH,
         spec.seal.speed

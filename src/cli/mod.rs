@@ -6,6 +6,7 @@
 mod build;
 mod calibrate;
 mod check;
+mod clock;
 mod cone;
 mod coupon;
 mod failure;
@@ -25,6 +26,7 @@ mod verify;
 
 use std::fs::File;
 use std::io;
+use std::io::Read;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
@@ -98,6 +100,27 @@ pub fn main() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
+}
+
+/// Most bytes of a program or a table: many times what the largest design needs.
+const TEXT_LIMIT: u64 = 1 << 28;
+
+/// Reads a program or a table that a command is given.
+fn read_text(path: &Path) -> Result<String, Failure> {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(TEXT_LIMIT + 1).read_to_end(&mut bytes));
+    let length = read.map_err(|error| Failure::file("read", path, &error))?;
+    if u64::try_from(length).unwrap_or(u64::MAX) > TEXT_LIMIT {
+        let most = "a program or a table has at most 256 MiB; name another file";
+        return Err(Failure::Message(format!("{} is too large: {most}", path.display())));
+    }
+    String::from_utf8(bytes).map_err(|error| {
+        let at = error.utf8_error().valid_up_to();
+        Failure::Message(format!(
+            "{}: byte {at} is no text; it must be UTF-8: save it as such",
+            path.display()
+        ))
+    })
 }
 
 /// Writes a file that must not be there yet.

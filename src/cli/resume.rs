@@ -1,10 +1,10 @@
 //! `stargrip-cam resume`
 
-use std::fs;
 use std::path::PathBuf;
 
 use crate::cli::failure::Failure;
 use crate::cli::failure::say;
+use crate::cli::read_text;
 use crate::cli::write_new;
 use crate::geom::Point;
 use crate::resume::Place;
@@ -59,7 +59,7 @@ fn length(text: &str) -> Result<f64, String> {
 
 /// Writes the program for the rest of the job.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let text = fs::read_to_string(&args.job).map_err(|error| Failure::file("read", &args.job, &error))?;
+    let text = read_text(&args.job)?;
     let place = match (args.line, args.at, args.near) {
         (Some(line), _, _) => Place::Line(line),
         (_, Some(share), _) => Place::Share(share),

@@ -10,6 +10,8 @@ use crate::coupon::strips::WIDTH;
 
 /// Fewest specimens of a setting.
 const LEAST: usize = 3;
+/// The least that a spec can say, N/mm: below it nothing holds.
+const WEAKEST: f64 = 1e-3;
 /// Largest standard deviation over the mean.
 const SPREAD: f64 = 0.25;
 
@@ -129,14 +131,15 @@ pub fn calibrate(rows: &[Row], needed: f64, margin: f64) -> Result<Calibration, 
     }
     let best = steady
         .iter()
-        .filter(|c| c.strength >= margin * needed)
+        .filter(|c| c.strength >= (margin * needed).max(WEAKEST))
         .max_by(|a, b| a.setting.speed.total_cmp(&b.setting.speed).then(a.strength.total_cmp(&b.strength)));
     if let Some(best) = best {
         return Ok(**best);
     }
+    let least = (margin * needed).max(WEAKEST);
     let strongest = steady.iter().map(|c| c.strength).fold(0.0, f64::max);
     unsupported(format!(
-        "the strongest setting holds {strongest:.3} N/mm, and {margin} times {needed} N/mm is needed: slower, hotter, or \
+        "the strongest setting holds {strongest:.3} N/mm, and {least:.3} N/mm is needed ({margin} times {needed}): slower, hotter, or \
          less pressure"
     ))
 }

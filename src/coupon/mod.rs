@@ -2,20 +2,25 @@
 //!
 //! A **strip** is a straight seal across which legs are pulled apart (T-peel); a **pouch** is a closed seam with a mouth
 //! for a hose: a **disc** (inflated width and thickness), a **V** (two arms and one hinge, the bench test for lambda), and
-//! **burst** discs at five places of the bed. The **calibration** reads the filled-in table.
+//! **burst** discs at the corners and in the middle of the bed. The **calibration** reads the filled-in table.
 
 mod calibration;
+mod reach;
 mod shapes;
 mod strips;
 
+use crate::coupon::reach::beyond;
+use crate::coupon::strips::program_name;
 use crate::design::Drawing;
 use crate::design::Layer;
 use crate::design::Origin;
 use crate::design::Refusal;
 use crate::design::Shape;
 use crate::design::Side;
+use crate::design::lettered;
 use crate::emit;
 use crate::emit::Facts;
+use crate::geom::Bounds;
 use crate::geom::Isometry;
 use crate::geom::Path;
 use crate::geom::Point;
@@ -32,6 +37,7 @@ use crate::plan::refusals;
 use crate::plan::seal_pieces;
 use crate::spec::Machine;
 use crate::spec::Spec;
+use crate::units::Length;
 
 pub use calibration::{Calibration, CalibrationFault, Row, calibrate, read_rows};
 pub use shapes::{disc, vee};
@@ -44,59 +50,80 @@ pub struct Coupon {
     pub name: String,
     /// The program.
     pub gcode: String,
-    /// Its seams in the sheet's frame.
+    /// Its seams in the sheet's frame, and their numbers.
     pub svg: String,
 }
+
+/// One seam of a coupon.
+#[derive(Clone, Debug)]
+struct Piece {
+    number: usize,
+    /// What the iron travels in contact.
+    path: Path,
+    /// Height of the tip in contact.
+    height: Length,
+    /// Lower left corner of the number on the drawing, if it has one.
+    label: Option<Point>,
+}
+
+/// Height of a number, mm.
+const LABEL: f64 = 5.0;
 
 /// Everything of a coupon set but the table.
 ///
 /// # Errors
-/// If the machine cannot go at one of the speeds.
+/// If the machine cannot go at one of the speeds, or does not reach a seam.
 pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon>, Vec<Refusal>> {
     let mut out = Vec::new();
-    let strips = grid.strips();
+    let strips = grid.strips(machine);
+    let (contact, band) = (machine.heights.contact, spec.seal.band.0);
     for (temperature, speed) in grid.settings() {
         let mut spec = spec.clone();
         spec.seal.temperature = temperature;
         spec.seal.speed = speed;
         let mine = strips.iter().filter(|s| s.temperature == temperature && s.speed == speed);
-        let seams: Vec<_> = mine.map(|strip| (strip.number, strip.seam(), strip.height)).collect();
-        let name = format!("strips-{}C-{}um-s", temperature.0.round(), (speed.0 * 1e3).round());
-        out.push(coupon(&spec, machine, &name, &seams)?);
+        let piece = |strip: &Strip| Piece {
+            number: strip.number,
+            path: strip.seam(),
+            height: strip.height,
+            label: Some(strip.label(band)),
+        };
+        let seams: Vec<Piece> = mine.map(piece).collect();
+        out.push(coupon(&spec, machine, &program_name(temperature, speed), &seams)?);
     }
-    let contact = machine.heights.contact;
-    let band = spec.seal.band.0;
-    let place = |path: Path, x: f64, y: f64| {
-        let corner = path.bounds().min;
-        Isometry::translation(Point::new(x + 10.0, y + 10.0) - corner).path(&path)
+    let edge = machine.ramp.0.max(10.0);
+    let place = |number: usize, path: Path, x: f64, y: f64| {
+        let motion = Isometry::translation(Point::new(x + edge, y + edge) - path.bounds().min);
+        let path = motion.path(&path);
+        let label = Some(path.bounds().min.lerp(path.bounds().max, 0.4));
+        Piece { number, path, height: contact, label }
     };
-    out.push(coupon(spec, machine, "disc", &[(1, place(disc(100.0, band), 0.0, 0.0), contact)])?);
+    out.push(coupon(spec, machine, "disc", &[place(1, disc(100.0, band), 0.0, 0.0)])?);
     if let Some(star) = spec.stars.first() {
-        let seam = place(vee(star, band), 0.0, 0.0);
-        out.push(coupon(spec, machine, "v-actuator", &[(1, seam, contact)])?);
+        // There is one of it, and a number might fall onto its band.
+        let seam = Piece { label: None, ..place(1, vee(star, band), 0.0, 0.0) };
+        out.push(coupon(spec, machine, "v-actuator", &[seam])?);
     }
     let (x, y) = machine.work_area.map_or((300.0, 300.0), |(x, y)| (x.0, y.0));
     let small = disc(40.0, band);
-    let (w, h) = (small.bounds().width() + 20.0, small.bounds().height() + 20.0);
+    let (w, h) = (small.bounds().width() + 2.0 * edge, small.bounds().height() + 2.0 * edge);
     let (right, top) = ((x - w).max(w), (y - h).max(h));
-    let corners = [(0.0, 0.0), (right, 0.0), (right, top), (0.0, top), (0.5 * right, 0.5 * top)];
-    let burst: Vec<_> =
-        (1..).zip(corners).map(|(i, (x, y))| (i, place(small.clone(), x, y), contact)).collect();
+    let mut places = vec![(0.0, 0.0), (right, 0.0), (right, top), (0.0, top)];
+    // On a small bed the corners leave no room in the middle.
+    if right >= 2.0 * w || top >= 2.0 * h {
+        places.push((0.5 * right, 0.5 * top));
+    }
+    let burst: Vec<Piece> = (1..).zip(places).map(|(i, (x, y))| place(i, small.clone(), x, y)).collect();
     out.push(coupon(spec, machine, "burst", &burst)?);
     Ok(out)
 }
 
-/// The program and the drawing of these seams: number, path in contact, height in contact.
-fn coupon(
-    spec: &Spec,
-    machine: &Machine,
-    name: &str,
-    seams: &[(usize, Path, crate::units::Length)],
-) -> Result<Coupon, Vec<Refusal>> {
+/// The program and the drawing of these seams.
+fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result<Coupon, Vec<Refusal>> {
     let mut steps = vec![Step::Height(Level::Park), Step::Heat(spec.seal.temperature)];
     let mut reports = Vec::new();
     let travel = machine.heights.travel.0;
-    for (star, path, height) in seams {
+    for Piece { number, path, height, .. } in seams {
         let (down, up) = leads(path, machine.ramp.0);
         let Some(start) = down.start() else { continue };
         let ramp = |path: &Path, from, to| Ramp { pieces: seal_pieces(spec, machine, path), from, to };
@@ -111,7 +138,7 @@ fn coupon(
             Step::Lift(up),
         ]);
         reports.push(SeamReport {
-            star: *star,
+            star: *number,
             side: Side::Outside,
             length: path.length(),
             overlap: 0.0,
@@ -121,11 +148,12 @@ fn coupon(
     steps.push(Step::Height(Level::Park));
     steps.push(Step::Travel(Point::ORIGIN));
     let pace = Pace::new(spec, machine);
-    let stars = seams.iter().map(|(star, _, _)| *star).collect();
+    let stars = seams.iter().map(|piece| piece.number).collect();
     let mut program =
         Program { purpose: Purpose::Seal, sheet: 1, stars, steps, seams: reports, pace, time: 0.0 };
     program.time = program_time(machine, &program, spec.seal.speed.0);
-    let found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
+    let mut found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
+    found.extend(beyond(machine, name, &program));
     if !found.is_empty() {
         return Err(found);
     }
@@ -133,16 +161,25 @@ fn coupon(
     let mut gcode = String::new();
     // A String takes everything.
     let _ = emit::write_gcode(&mut gcode, facts, &program);
-    let bounds = seams
-        .iter()
-        .map(|(_, path, _)| path.bounds())
-        .fold(crate::geom::Bounds::EMPTY, crate::geom::Bounds::union);
-    let shapes = seams.iter().map(|(_, path, _)| Shape::Path(path.clone())).collect();
-    let (width, height) = (bounds.max.x + 10.0, bounds.max.y + 10.0);
-    let drawing =
-        Drawing { origin: Origin::LowerLeft, width, height, layers: vec![(Layer::SealOuter, shapes)] };
-    let svg = emit::svg(&format!("coupon {name}"), &drawing, spec.accuracy.path);
+    let svg = drawing(name, spec, seams);
     Ok(Coupon { name: name.to_owned(), gcode, svg })
+}
+
+/// The seams and their numbers at 1:1.
+fn drawing(name: &str, spec: &Spec, seams: &[Piece]) -> String {
+    let labels: Vec<Path> = seams
+        .iter()
+        .filter_map(|piece| Some((piece.number, piece.label?)))
+        .flat_map(|(number, at)| lettered(&number.to_string(), at, LABEL))
+        .collect();
+    let bounds = seams.iter().map(|piece| &piece.path).chain(&labels).map(Path::bounds);
+    let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);
+    let seals = seams.iter().map(|piece| Shape::Path(piece.path.clone())).collect();
+    let layers =
+        vec![(Layer::SealOuter, seals), (Layer::Label, labels.into_iter().map(Shape::Path).collect())];
+    let (width, height) = (bounds.max.x + 10.0, bounds.max.y + 10.0);
+    let drawing = Drawing { origin: Origin::LowerLeft, width, height, layers };
+    emit::svg(&format!("coupon {name}"), &drawing, spec.accuracy.path)
 }
 
 /// Straight ways down and up before and after an open path.

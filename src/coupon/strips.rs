@@ -5,6 +5,7 @@ use std::fmt::Write;
 use crate::geom::Line;
 use crate::geom::Path;
 use crate::geom::Point;
+use crate::spec::Machine;
 use crate::units::Length;
 use crate::units::Speed;
 use crate::units::Temperature;
@@ -15,8 +16,10 @@ pub(super) const WIDTH: f64 = 25.0;
 pub(super) const LEGS: f64 = 75.0;
 /// What the seal is longer than the specimen at both ends, mm: cut off, for there the iron came down and went up.
 const WASTE: f64 = 5.0;
-/// Strips in a row.
-const ROW: usize = 6;
+/// Most strips in a row.
+const ROW: f64 = 6.0;
+/// Between the edge of the sheet and a ramp.
+const EDGE: f64 = 10.0;
 
 /// What is varied.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,8 +55,28 @@ impl Grid {
         self.temperatures.iter().flat_map(|t| self.speeds.iter().map(|v| (*t, *v)))
     }
 
-    /// Every strip, in rows from the lower left.
-    pub fn strips(&self) -> Vec<Strip> {
+    /// Two settings that would have the same file name, said with what is needed; `None` if there are none.
+    pub fn alike(&self) -> Option<String> {
+        let names: Vec<String> = self.settings().map(|(t, v)| program_name(t, v)).collect();
+        let settings: Vec<_> = self.settings().collect();
+        let twin = (0..names.len()).find(|i| names[..*i].contains(&names[*i]))?;
+        let first = names.iter().position(|name| *name == names[twin])?;
+        let say = |i: usize| format!("{} at {}", settings[i].0, settings[i].1);
+        Some(format!(
+            "the settings {} and {} cannot be told apart; temperatures must differ by at least 1 C, speeds by at \
+             least 0.001 mm/s, and each be given once (--repeats seals a setting more often)",
+            say(first),
+            say(twin)
+        ))
+    }
+
+    /// Every strip, in rows from the lower left, as many in a row as `machine` reaches.
+    pub fn strips(&self, machine: &Machine) -> Vec<Strip> {
+        let ramp = machine.ramp.0.max(WASTE);
+        let (edge, pitch) = (EDGE + ramp, WIDTH + 2.0 * WASTE + 2.0 * ramp);
+        let room = machine.work_area.map_or(f64::INFINITY, |(x, _)| x.0 - EDGE);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 6")]
+        let row = (room / pitch).floor().clamp(1.0, ROW) as usize;
         let settings = self.settings().flat_map(|(t, v)| {
             self.heights.iter().flat_map(move |h| (0..self.repeats).map(move |_| (t, v, *h)))
         });
@@ -61,8 +84,8 @@ impl Grid {
             .enumerate()
             .map(|(i, (temperature, speed, height))| {
                 #[expect(clippy::cast_precision_loss, reason = "a few hundred strips at most")]
-                let (column, row) = ((i % ROW) as f64, (i / ROW) as f64);
-                let start = Point::new(15.0 + column * (WIDTH + 4.0 * WASTE), 15.0 + row * (LEGS + 15.0));
+                let (column, row) = ((i % row) as f64, (i / row) as f64);
+                let start = Point::new(edge + column * pitch, 15.0 + row * (LEGS + 15.0));
                 Strip { number: i + 1, temperature, speed, height, start }
             })
             .collect()
@@ -75,6 +98,16 @@ impl Strip {
         let end = Point::new(self.start.x + WIDTH + 2.0 * WASTE, self.start.y);
         Path::open(vec![Line::new(self.start, end).into()])
     }
+
+    /// Where its number is written: on the specimen, above the band.
+    pub(super) fn label(&self, band: f64) -> Point {
+        Point::new(self.start.x + WASTE + 2.0, self.start.y + band / 2.0 + 3.0)
+    }
+}
+
+/// Name of the program of a setting, without its ending.
+pub(super) fn program_name(temperature: Temperature, speed: Speed) -> String {
+    format!("strips-{}C-{}um-s", temperature.0.round(), (speed.0 * 1e3).round())
 }
 
 /// The table to fill in, as CSV.

@@ -75,7 +75,7 @@ pub(super) fn width(text: &str, height: f64) -> f64 {
 }
 
 /// The text in a straight line, from `origin` to the right.
-pub(super) fn straight(text: &str, origin: Point, height: f64) -> Vec<Path> {
+pub fn straight(text: &str, origin: Point, height: f64) -> Vec<Path> {
     let mut out = Vec::new();
     for (i, c) in (0_u32..).zip(text.chars()) {
         let shift = Vec2::new(f64::from(i) * ADVANCE * height / CAPITAL, 0.0);

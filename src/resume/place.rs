@@ -69,6 +69,9 @@ impl Place {
                         best = (distance, i, t);
                     }
                 }
+                if best.0.is_infinite() {
+                    return Err(ResumeFault::NothingLeft);
+                }
                 if best.0 > REACH { Err(ResumeFault::Nowhere(best.0)) } else { Ok(stop(best.1, best.2)) }
             }
         }

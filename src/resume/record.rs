@@ -63,10 +63,16 @@ impl Record {
             _ => DwellUnit::Seconds,
         };
         let pace = if find("chop").is_ok() {
+            // Nothing that we write is smaller or larger; strokes without length would never end.
+            let within = |key, word| {
+                number(key, word).and_then(|x| {
+                    if (1e-4..=1e7).contains(&x) { Ok(x) } else { Err(ResumeFault::NotOurs(key)) }
+                })
+            };
             Pace::Chopped(Chop {
-                speed: number("chop", "feed_mm_min")? / 60.0,
-                longest: number("chop", "longest_mm")?,
-                acceleration: number("chop-rest", "acceleration_mm_s2")?,
+                speed: within("chop", "feed_mm_min")? / 60.0,
+                longest: within("chop", "longest_mm")?,
+                acceleration: within("chop-rest", "acceleration_mm_s2")?,
                 step: number("chop-rest", "step_s")?,
             })
         } else {

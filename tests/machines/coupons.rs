@@ -36,7 +36,7 @@ fn every_coupon_is_sound_in_every_dialect() {
             }
             assert!(program.moves.iter().all(|step| step.to.x >= -1e-9 && step.to.y >= -1e-9));
         }
-        let strips = grid.strips();
+        let strips = grid.strips(&machine);
         assert_eq!(strips.len(), 24);
         // Nothing was filled in yet.
         assert_eq!(read_rows(&table(&strips)), Ok(Vec::new()));

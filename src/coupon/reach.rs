@@ -1,0 +1,49 @@
+//! What the machine reaches: every seam of a coupon, with its ways down and up, inside the work area.
+
+use crate::design::Refusal;
+use crate::geom::Bounds;
+use crate::geom::Path;
+use crate::geom::Point;
+use crate::plan::Program;
+use crate::plan::Step;
+use crate::spec::Machine;
+
+/// Slack, mm: rounding.
+const SLACK: f64 = 1e-6;
+
+/// Why `machine` does not reach all of the coupon `name`; `None` if it does, or if its work area is unknown.
+pub(super) fn beyond(machine: &Machine, name: &str, program: &Program) -> Option<Refusal> {
+    let (x, y) = machine.work_area?;
+    let reached = program
+        .steps
+        .iter()
+        .filter_map(|step| match step {
+            Step::TouchDown(ramp) | Step::Lift(ramp) => Some(&ramp.pieces),
+            Step::Seal(pieces) => Some(pieces),
+            _ => None,
+        })
+        .map(|pieces| Path::open(pieces.clone()).bounds())
+        .fold(Bounds::EMPTY, Bounds::union);
+    let area = Bounds { min: Point::new(-SLACK, -SLACK), max: Point::new(x.0 + SLACK, y.0 + SLACK) };
+    if area.contains(reached.min) && area.contains(reached.max) {
+        return None;
+    }
+    let remedy = match name {
+        _ if name.starts_with("strips") => {
+            "fewer of --temperatures, --speeds, --heights or --repeats; try them in several sets"
+        }
+        "v-actuator" => "a smaller `tube_width` in [star]",
+        _ => "a machine that reaches as far",
+    };
+    Some(Refusal::new(
+        "machine.profile",
+        "out-of-reach",
+        format!(
+            "the coupon {name} needs X {:.1} to {:.1} mm, Y {:.1} to {:.1} mm; the machine reaches 0 to {:.1} mm, 0 to {:.1} mm",
+            reached.min.x, reached.max.x, reached.min.y, reached.max.y, x.0, y.0
+        ),
+        format!(
+            "must lie inside the profile's [work_area]: {remedy}; or correct [work_area], if it is larger"
+        ),
+    ))
+}

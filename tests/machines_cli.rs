@@ -1,0 +1,436 @@
+//! The commands for the machine as a user runs them: feedcheck, resume, coupon, calibrate.
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::process::Output;
+
+use tempfile::TempDir;
+
+/// Runs the program in `dir`.
+fn run(dir: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stargrip-cam")).current_dir(dir).args(args).output().expect("it starts")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("UTF-8")
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).expect("UTF-8")
+}
+
+/// A directory with the paper's spec in it.
+fn workshop() -> TempDir {
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("star.toml"), support::PAPER).expect("written");
+    dir
+}
+
+/// A workshop with the paper's star built in out/star.
+fn built() -> TempDir {
+    let dir = workshop();
+    let _ = done(dir.path(), &["build", "star.toml", "--only", "seal-gcode,trace-gcode"]);
+    dir
+}
+
+/// A workshop whose machine reaches `x` by `y` mm.
+fn workshop_of(x: u32, y: u32) -> TempDir {
+    let dir = workshop();
+    let profile = support::generic().replacen("x = \"unknown\"", &format!("x = \"{x} mm\""), 1).replacen(
+        "y = \"unknown\"",
+        &format!("y = \"{y} mm\""),
+        1,
+    );
+    fs::write(dir.path().join("mine.toml"), profile).expect("written");
+    let spec = format!("{}[machine]\nprofile = \"mine.toml\"\n", support::PAPER);
+    fs::write(dir.path().join("star.toml"), spec).expect("written");
+    dir
+}
+
+fn read(dir: &Path, name: &str) -> String {
+    fs::read_to_string(dir.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// Names in a directory, sorted.
+fn names(dir: &Path) -> Vec<String> {
+    let entries = fs::read_dir(dir).expect("a directory").map(|entry| entry.expect("an entry").file_name());
+    let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+/// Runs what must succeed without a word on standard error; what it says.
+#[track_caller]
+fn done(dir: &Path, args: &[&str]) -> String {
+    let output = run(dir, args);
+    assert_eq!(output.status.code(), Some(0), "{args:?}\n{}\n{}", stdout(&output), stderr(&output));
+    assert_eq!(stderr(&output), "", "{args:?}");
+    stdout(&output)
+}
+
+/// Runs what must fail with `code`, say nothing on standard output and all of `words` on standard error.
+#[track_caller]
+fn fails(dir: &Path, args: &[&str], code: i32, words: &[&str]) -> Output {
+    let output = run(dir, args);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(code), "{args:?}\n{}\n{said}", stdout(&output));
+    assert_eq!(stdout(&output), "", "{args:?}");
+    assert!(!said.contains("panicked"), "{args:?}: {said}");
+    let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    for word in words {
+        assert!(flat.contains(word), "{args:?}: no {word:?} in {said}");
+    }
+    output
+}
+
+#[test]
+fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
+    let dir = workshop();
+    let said = done(dir.path(), &["feedcheck", "star.toml"]);
+    assert!(said.contains("wrote feedcheck.gcode") && said.contains("must take 100 s"), "{said}");
+    let program = read(dir.path(), "feedcheck.gcode");
+    assert!(program.contains("F6") && !program.contains("M104") && !program.contains("G1 Z"), "{program}");
+    // Where strokes are chopped already, chopping is no remedy.
+    let chopped = format!("{}[machine]\nprofile = \"marlin\"\nfeed_floor = \"chop\"\n", support::PAPER);
+    fs::write(dir.path().join("chop.toml"), chopped).expect("written");
+    let said = done(dir.path(), &["feedcheck", "chop.toml", "-o", "chop.gcode"]);
+    assert!(said.contains("[motion]") && !said.contains("feed_floor"), "{said}");
+    fs::write(dir.path().join("feedcheck.gcode"), "mine").expect("written");
+    let _ = fails(
+        dir.path(),
+        &["feedcheck", "star.toml"],
+        1,
+        &["feedcheck.gcode exists already", "another name"],
+    );
+    assert_eq!(read(dir.path(), "feedcheck.gcode"), "mine");
+    assert!(done(dir.path(), &["feedcheck", "star.toml", "-o", "a b.gcode"]).contains("wrote a b.gcode"));
+    assert_eq!(read(dir.path(), "a b.gcode"), program);
+    let _ =
+        fails(dir.path(), &["feedcheck", "star.toml", "-o", "no/x.gcode"], 1, &["cannot write no/x.gcode"]);
+    let _ = fails(dir.path(), &["feedcheck", "missing.toml"], 1, &["cannot read missing.toml"]);
+    let _ = fails(dir.path(), &["feedcheck"], 2, &["Usage"]);
+}
+
+#[test]
+fn resume_goes_on_by_line_by_time_and_by_place() {
+    let dir = built();
+    let job = "out/star/star-1-seal.gcode";
+    let before = read(dir.path(), job);
+    let line =
+        1 + before.lines().position(|line| line.starts_with("G1") && line.contains("F6")).expect("a seal");
+    let line = (line + 20).to_string();
+    let said = done(dir.path(), &["resume", job, "--line", &line]);
+    assert!(said.contains("wrote out/star/star-1-seal-resume.gcode") && said.contains("same zero"), "{said}");
+    let resumed = read(dir.path(), "out/star/star-1-seal-resume.gcode");
+    assert!(resumed.contains("resume: from_line=") && resumed.contains("end of program, "), "{resumed}");
+    assert_eq!(read(dir.path(), job), before, "the job itself stays as it is");
+
+    // Neither the default nor a name of one's own is written over.
+    let _ =
+        fails(dir.path(), &["resume", job, "--at", "50"], 1, &["star-1-seal-resume.gcode exists already"]);
+    let _ = fails(dir.path(), &["resume", job, "--at", "50", "-o", job], 1, &["exists already"]);
+    assert_eq!(read(dir.path(), "out/star/star-1-seal-resume.gcode"), resumed);
+    assert_eq!(read(dir.path(), job), before);
+
+    let said = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
+    assert!(said.contains("37.0 % of its time") && said.contains("seals 2.0 mm again"), "{said}");
+    let end = before.lines().rev().find(|line| line.starts_with("G1 X")).expect("a move");
+    let number = |letter: char| {
+        let word = end.split_whitespace().find(|word| word.starts_with(letter));
+        word.expect("a coordinate")[1..].to_owned()
+    };
+    let place = format!("{},{}", number('X'), number('Y'));
+    let said = done(dir.path(), &["resume", job, "--near", &place, "-o", "near.gcode"]);
+    assert!(said.contains("wrote near.gcode"), "{said}");
+    // A resumed program can be resumed.
+    let _ = done(dir.path(), &["resume", "at.gcode", "--at", "50"]);
+    assert!(dir.path().join("at-resume.gcode").exists());
+}
+
+#[test]
+fn resume_tells_wrong_usage_from_places_that_are_not_there() {
+    let dir = built();
+    let job = "out/star/star-1-seal.gcode";
+    let before = names(&dir.path().join("out/star"));
+    for (args, words) in [
+        (&[][..], "--line"),
+        (&["--line", "5", "--at", "5"], "cannot be used with"),
+        (&["--line", "x"], "invalid"),
+        (&["--line=-1"], "invalid"),
+        (&["--at", "100"], "from 0 to below 100"),
+        (&["--at", "nan"], "from 0 to below 100"),
+        (&["--at=-1"], "from 0 to below 100"),
+        (&["--near", "5"], "two numbers"),
+        (&["--near", "5,inf"], "two numbers"),
+        (&["--near", "5,6,7"], "two numbers"),
+        (&["--at", "5", "--overlap", "5"], "with its unit"),
+        (&["--at", "5", "--overlap", "2 m"], "0 to 1 m"),
+    ] {
+        let _ = fails(dir.path(), &[&["resume", job][..], args].concat(), 2, &[words]);
+    }
+    let _ = fails(dir.path(), &["resume", job, "--line", "0"], 1, &["there is no line 0: the file has 1 to"]);
+    let _ = fails(dir.path(), &["resume", job, "--line", "999999999"], 1, &["there is no line 999999999"]);
+    let _ =
+        fails(dir.path(), &["resume", job, "--near=-500,0"], 1, &["no seam passes there", "mm away", "give"]);
+    let last = read(dir.path(), job).lines().count().to_string();
+    let _ = fails(dir.path(), &["resume", job, "--line", &last], 1, &["nothing is left"]);
+    assert_eq!(names(&dir.path().join("out/star")), before);
+}
+
+#[test]
+fn resume_refuses_what_is_not_ours_or_is_damaged() {
+    let dir = built();
+    let job = read(dir.path(), "out/star/star-1-seal.gcode");
+    // Strokes without length would never end.
+    let strokes = "; chop: feed_mm_min=60 longest_mm=0\n; chop-rest: acceleration_mm_s2=1 step_s=1\n; seal:";
+    let forged = job.replacen("; seal:", strokes, 1);
+    assert!(forged != job);
+    for (name, bytes, word) in [
+        ("empty.gcode", &b""[..], "no sealing program of stargrip-cam"),
+        ("other.gcode", b"G28\nG1 X5 F100\n", "build it again"),
+        ("binary.gcode", b"\x00\xff\xfe", "UTF-8"),
+        ("half.gcode", &job.as_bytes()[..job.len() / 2], "damaged"),
+        ("wild.gcode", job.replacen("G1 X", "G1 Q", 1).as_bytes(), "damaged"),
+        ("forged.gcode", forged.as_bytes(), "no comment \"chop: ...\""),
+    ] {
+        fs::write(dir.path().join(name), bytes).expect("written");
+        let _ = fails(dir.path(), &["resume", name, "--at", "20"], 1, &[name, word]);
+    }
+    let _ = fails(dir.path(), &["resume", "out/star/star-1-trace.gcode", "--at", "20"], 1, &["purpose=seal"]);
+    let _ = fails(dir.path(), &["resume", "missing.gcode", "--at", "20"], 1, &["cannot read missing.gcode"]);
+    let _ = fails(dir.path(), &["resume", "out", "--at", "20"], 1, &["cannot read out"]);
+    fs::File::create(dir.path().join("huge.gcode")).and_then(|file| file.set_len(300 << 20)).expect("a hole");
+    let _ = fails(dir.path(), &["resume", "huge.gcode", "--at", "20"], 1, &["at most 256 MiB"]);
+    assert!(!names(dir.path()).iter().any(|name| name.ends_with("-resume.gcode")));
+}
+
+#[test]
+fn coupon_writes_programs_numbered_drawings_and_a_table() {
+    let dir = workshop();
+    let args = ["coupon", "star.toml", "--temperatures", "180 C,200 C", "--speeds", "0.5 mm/s"];
+    let said = done(dir.path(), &args);
+    assert_eq!(
+        names(&dir.path().join("coupons")),
+        [
+            "burst.gcode",
+            "burst.svg",
+            "disc.gcode",
+            "disc.svg",
+            "results.csv",
+            "strips-180C-500um-s.gcode",
+            "strips-180C-500um-s.svg",
+            "strips-200C-500um-s.gcode",
+            "strips-200C-500um-s.svg",
+            "v-actuator.gcode",
+            "v-actuator.svg",
+        ]
+    );
+    assert!(said.contains("wrote coupons/disc.svg") && said.contains("stargrip-cam calibrate"), "{said}");
+    let table = read(dir.path(), "coupons/results.csv");
+    assert_eq!(table.lines().count(), 1 + 6);
+    assert!(
+        table.starts_with("strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n1,180,0.5,"),
+        "{table}"
+    );
+    for (name, seams) in [("strips-180C-500um-s", 3), ("disc", 1), ("burst", 5)] {
+        let drawing = read(dir.path(), &format!("coupons/{name}.svg"));
+        let document = roxmltree::Document::parse(&drawing).expect("XML");
+        let count = |id: &str| {
+            let group = document.descendants().find(|node| node.attribute("id") == Some(id));
+            group.expect(id).children().filter(roxmltree::Node::is_element).count()
+        };
+        assert_eq!(count("seal-outer"), seams, "{name}");
+        assert!(count("label") >= seams, "{name}");
+    }
+    // Its directory is a new one, always.
+    let before = names(&dir.path().join("coupons"));
+    let _ = fails(dir.path(), &args, 1, &["coupons exists already; choose another name"]);
+    assert_eq!(names(&dir.path().join("coupons")), before);
+    let _ = done(dir.path(), &["coupon", "star.toml", "-o", "again", "--repeats", "1"]);
+    let _ = fails(dir.path(), &["coupon", "star.toml", "-o", "no/where"], 1, &["cannot create no/where"]);
+}
+
+#[test]
+fn coupon_refuses_bad_settings_and_writes_nothing() {
+    let dir = workshop();
+    for (args, code, words) in [
+        (["--temperatures", "300 C"], 1, "below 300 C"),
+        (["--temperatures", "200"], 2, "with its unit"),
+        (
+            ["--temperatures", "180 C,180 C"],
+            1,
+            "cannot be told apart; temperatures must differ by at least 1 C",
+        ),
+        (["--temperatures", "180.1 C,180.3 C"], 1, "--repeats"),
+        (["--speeds", "0 mm/s"], 1, "from 0.001 to 1000 mm/s"),
+        (["--speeds", "0.1 mm/s,0.1001 mm/s"], 1, "at least 0.001 mm/s"),
+        (["--heights", "6 mm"], 1, "to below 5 mm"),
+        (["--heights", "-21 mm"], 1, "from -20 mm"),
+        (["--repeats", "0"], 2, "1..=20"),
+        (["--repeats", "21"], 2, "1..=20"),
+    ] {
+        let _ = fails(dir.path(), &[&["coupon", "star.toml"][..], &args].concat(), code, &[words]);
+    }
+    assert_eq!(names(dir.path()), ["star.toml"]);
+}
+
+#[test]
+fn coupons_stay_within_the_work_area() {
+    // A bed of 220 mm takes four strips in a row, and all the pouches.
+    let small = workshop_of(220, 220);
+    let _ = done(small.path(), &["coupon", "star.toml", "--repeats", "2"]);
+    for name in names(&small.path().join("coupons")).iter().filter(|name| name.contains(".gcode")) {
+        for word in read(small.path(), &format!("coupons/{name}"))
+            .lines()
+            .filter(|line| line.starts_with('G'))
+            .flat_map(str::split_whitespace)
+        {
+            if word.starts_with(['X', 'Y']) {
+                let at: f64 = word[1..].parse().expect("a number");
+                assert!((0.0..=220.0).contains(&at), "{name}: {word}");
+            }
+        }
+    }
+    let words = [
+        "the coupon strips-200C-",
+        "the machine reaches 0 to 220.0 mm, 0 to 220.0 mm",
+        "--repeats",
+        "[work_area]",
+    ];
+    let _ = fails(small.path(), &["coupon", "star.toml", "-o", "more", "--repeats", "10"], 1, &words);
+    assert!(!small.path().join("more").exists());
+    let tiny = workshop_of(100, 100);
+    let _ = fails(
+        tiny.path(),
+        &["coupon", "star.toml", "--speeds", "1 mm/s", "--repeats", "1"],
+        1,
+        &["coupon disc needs X"],
+    );
+    assert!(!tiny.path().join("coupons").exists());
+}
+
+const HEAD: &str = "strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n";
+
+/// A table in which each setting (speed) has these peel forces.
+fn table(settings: &[(f64, &[f64])]) -> String {
+    let rows = settings.iter().flat_map(|(speed, peels)| peels.iter().map(move |peel| (speed, peel)));
+    let rows = rows.zip(1..).map(|((speed, peel), i)| format!("{i},200,{speed},-0.3,{peel},\n"));
+    HEAD.to_owned() + &rows.collect::<String>()
+}
+
+fn calibration(text: &str) -> TempDir {
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("results.csv"), text).expect("written");
+    dir
+}
+
+#[test]
+fn calibrate_chooses_the_fastest_that_holds() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0]), (0.5, &[50.0, 51.0, 49.0])]));
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    for words in
+        ["[fabric]\nseal_strength = \"1.920 N/mm\"", "speed = \"0.5 mm/s\"", "temperature = \"200 C\""]
+    {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm"]);
+    assert!(said.contains("speed = \"0.1 mm/s\""), "{said}");
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm", "--margin", "1"]);
+    assert!(said.contains("speed = \"0.5 mm/s\""), "{said}");
+    // A table as spreadsheets save it.
+    let dir = calibration(&format!("\u{feff}{}", table(&[(0.1, &[74.0, 75.0, 76.0])]).replace('\n', "\r\n")));
+    assert!(done(dir.path(), &["calibrate", "results.csv"]).contains("speed = \"0.1 mm/s\""));
+}
+
+#[test]
+fn calibrate_says_what_data_do_not_support() {
+    for (text, words) in [
+        (HEAD.to_owned(), "no setting has 3 specimens, of 0 that were tested"),
+        (table(&[(0.1, &[74.0, 75.0]), (0.5, &[50.0])]), "no setting has 3 specimens, of 2"),
+        (table(&[(0.1, &[20.0, 75.0, 130.0])]), "every setting's spread is above 25 %"),
+        (
+            table(&[(0.1, &[74.0, 75.0, 76.0])]),
+            "the strongest setting holds 2.920 N/mm, and 75.000 N/mm is needed",
+        ),
+        (table(&[(0.1, &[0.0, 0.0, 0.0])]), "the strongest setting holds 0.000 N/mm"),
+    ] {
+        let dir = calibration(&text);
+        let args = ["calibrate", "results.csv", "--needed", "50 N/mm"];
+        let _ = fails(dir.path(), &args, 1, &["results.csv: the data do not support a choice", words]);
+    }
+    // A seal that never held is none, whatever is needed.
+    let dir = calibration(&table(&[(0.1, &[0.0, 0.0, 0.0])]));
+    let _ = fails(dir.path(), &["calibrate", "results.csv"], 1, &["the strongest setting holds 0.000 N/mm"]);
+}
+
+#[test]
+fn calibrate_names_the_line_it_cannot_read() {
+    let good = table(&[(0.1, &[74.0, 75.0, 76.0])]);
+    for (text, words) in [
+        (String::new(), "line 1: an empty table"),
+        ("a,b\n1,2\n".to_owned(), "line 1: no column temperature_C"),
+        (good.replace(',', ";"), "line 1: no column temperature_C"),
+        (good.replace(",75,", ",75 N,"), "line 3: peel_N is \"75 N\"; a number from 0 is needed"),
+        (good.replace(",75,", ",-75,"), "line 3: peel_N is \"-75\""),
+        (good.replace(",75,", ",inf,"), "line 3: peel_N is \"inf\""),
+        (good.replacen("200,", "hot,", 1), "line 2: temperature_C is \"hot\""),
+    ] {
+        let dir = calibration(&text);
+        let _ = fails(dir.path(), &["calibrate", "results.csv"], 1, &["results.csv", words]);
+    }
+    let dir = calibration(&good);
+    fs::write(dir.path().join("bytes.csv"), b"\xff\xfe").expect("written");
+    let _ = fails(dir.path(), &["calibrate", "bytes.csv"], 1, &["bytes.csv", "UTF-8"]);
+    let _ = fails(dir.path(), &["calibrate", "missing.csv"], 1, &["cannot read missing.csv"]);
+    for (args, words) in [
+        (&["--needed", "1"][..], "a force per length"),
+        (&["--needed=-1 N/mm"], "a force per length"),
+        (&["--margin", "nan"], "a number from 1 to 100"),
+        (&["--margin", "0"], "a number from 1 to 100"),
+        (&["--flat-angle", "30"], "--inflated-angle"),
+    ] {
+        let _ = fails(dir.path(), &[&["calibrate", "results.csv"][..], args].concat(), 2, &[words]);
+    }
+}
+
+#[test]
+fn calibrate_compares_lambda_with_the_prediction() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
+    let angles = ["calibrate", "results.csv", "--flat-angle", "30", "--inflated-angle", "-12"];
+    let said = done(dir.path(), &angles);
+    assert!(said.starts_with("# lambda measured: 1.280\n# lambda predicted (ring): 1.2"), "{said}");
+    assert!(said.contains("seal_strength"), "{said}");
+    // What the V tells does not hang on the strips.
+    fs::write(dir.path().join("results.csv"), HEAD).expect("written");
+    let thin = run(dir.path(), &angles);
+    assert_eq!(thin.status.code(), Some(1));
+    assert!(stdout(&thin).contains("# lambda measured: 1.280") && stderr(&thin).contains("no setting"));
+    for (flat, inflated) in [("0", "60"), ("180", "60"), ("nan", "60"), ("30", "180"), ("30", "-180")] {
+        let args = ["calibrate", "results.csv", "--flat-angle", flat, "--inflated-angle", inflated];
+        let _ = fails(dir.path(), &args, 1, &["--flat-angle must be above 0"]);
+    }
+    for ratio in ["nan", "1e300"] {
+        let _ =
+            fails(dir.path(), &[&angles[..], &["--radius-ratio", ratio]].concat(), 1, &["--radius-ratio"]);
+    }
+}
+
+#[test]
+fn build_tells_at_what_time_of_day_it_would_end() {
+    let dir = workshop();
+    let said = done(dir.path(), &["build", "star.toml"]);
+    let line = said.lines().find_map(|line| line.strip_prefix("started now, sealing would end at about "));
+    let line = line.unwrap_or_else(|| panic!("{said}"));
+    let (time, rest) = line.split_once(" UTC, day +").expect("a day");
+    let (hour, minute) = time.split_once(':').expect("a time");
+    assert!(hour.len() == 2 && hour.parse::<u8>().expect("an hour") < 24, "{line}");
+    assert!(minute.len() == 2 && minute.parse::<u8>().expect("a minute") < 60, "{line}");
+    assert!(rest.starts_with(|c: char| c.is_ascii_digit()), "{line}");
+    for name in names(&dir.path().join("out/star")) {
+        let bytes = fs::read(dir.path().join("out/star").join(name)).expect("a file");
+        assert!(!String::from_utf8_lossy(&bytes).contains(" UTC"));
+    }
+}
