@@ -90,6 +90,9 @@ fn by_pieces(probe: &Target, targets: &[&Target], halvings: u32, scratch: &mut V
     let reach = nearest(probe.start).max(nearest(probe.end)) + 0.5 * probe.length;
     let zone = probe.bounds.grown(reach);
     let near: Vec<&Target> = targets.iter().copied().filter(|t| t.bounds.overlaps(&zone)).collect();
+    if near.len() <= FEW {
+        return furthest(probe, &near, scratch);
+    }
     // Where halving does not thin the targets out (many copies of one line), it is given up soon.
     let rest = halvings.saturating_sub(if near.len() < targets.len() { 1 } else { 4 });
     let half = |a: f64, b: f64| Target::new(probe.segment.part(a, b));
