@@ -143,7 +143,7 @@ impl Dialect {
         arcs: STRICTEST,
     };
 
-    /// Klipper without [gcode_arcs]: G4 P in ms, PAUSE of [pause_resume], extended commands.
+    /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands.
     pub const KLIPPER: Self = Self {
         name: "klipper",
         line_length: 255,
