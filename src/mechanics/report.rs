@@ -43,6 +43,11 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     let [least, most] = star.graspable_radius_mm;
     line("holds radii from, to", format!("{} mm, {} mm", Readable(least), Readable(most)));
     line("full actuation from", show(star.operating_pressure_kPa, "kPa"));
+    // Without a pressure the limit of high pressure is meant, and only the model's own error is known.
+    let closing = match star.evidence.stiffness_error {
+        Some(_) => "error of closing, estimated",
+        None => "error at high pressure",
+    };
     let optional = [
         ("bendability", star.bendability, ""),
         ("hinge stiffness tip", star.hinge_stiffness_Nm.map(|c| c.tip), "N m/rad"),
@@ -52,7 +57,7 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         ("force on the object", star.object_force_N, "N"),
         ("burst pressure", star.burst_pressure_kPa, "kPa"),
         ("mass", star.mass_g, "g"),
-        ("error of closing, estimated", Some(100.0 * star.evidence.coiling_error), "%"),
+        (closing, Some(100.0 * star.evidence.coiling_error), "%"),
         ("error of forces, estimated", star.evidence.stiffness_error.map(|e| 100.0 * e), "%"),
     ];
     for (what, value, unit) in optional {
