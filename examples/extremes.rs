@@ -120,14 +120,7 @@ const HEAD: &str =
     "arm, m | phi_eq | rho_f / rho_0 | the same, nonlinear | stiffness, N/m |\n|---|---|---|---|---|---|\n";
 
 fn paper() -> StarGeometry {
-    StarGeometry {
-        points: 5,
-        inner_radius: 0.05,
-        width: 0.03,
-        tip_angle: 30_f64.to_radians(),
-        tip_radius: 0.0,
-        corner_radius: 0.0,
-    }
+    StarGeometry::paper(5)
 }
 
 fn stars() -> String {

@@ -30,14 +30,7 @@ fn main() -> Result<(), StarFault> {
         "star, rho_0 = 50 mm, W = 30 mm, phi_i0 = 30 deg, R = 0, 37 kPa: rest angle, rho_f, preload, stiffness"
     );
     for points in 3..=8 {
-        let star = Star::new(StarGeometry {
-            points,
-            inner_radius: 0.05,
-            width: 0.03,
-            tip_angle: 30_f64.to_radians(),
-            tip_radius: 0.0,
-            corner_radius: 0.0,
-        })?;
+        let star = Star::new(StarGeometry::paper(points))?;
         for model in models {
             let inflated = Inflated::new(&star, model, 37e3)?;
             let rest = inflated.rest()?;

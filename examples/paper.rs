@@ -169,14 +169,7 @@ fn moment() -> String {
 }
 
 fn paper_star(points: u32) -> Result<Star, stargrip_cam::mechanics::fault::StarFault> {
-    Star::new(StarGeometry {
-        points,
-        inner_radius: 0.05,
-        width: 0.03,
-        tip_angle: 30_f64.to_radians(),
-        tip_radius: 0.0,
-        corner_radius: 0.0,
-    })
+    Star::new(StarGeometry::paper(points))
 }
 
 fn radii() -> String {

@@ -8,27 +8,7 @@ use std::process::Command;
 use std::process::Output;
 use std::time::Duration;
 
-use tempfile::TempDir;
-
-/// Runs the program in `dir`.
-fn run(dir: &Path, args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_stargrip-cam")).current_dir(dir).args(args).output().expect("it starts")
-}
-
-fn stdout(output: &Output) -> String {
-    String::from_utf8(output.stdout.clone()).expect("UTF-8")
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8(output.stderr.clone()).expect("UTF-8")
-}
-
-/// A directory with the paper's spec in it.
-fn workshop() -> TempDir {
-    let dir = tempfile::tempdir().expect("a directory");
-    fs::write(dir.path().join("star.toml"), support::PAPER).expect("written");
-    dir
-}
+use support::program::{run, stderr, stdout, workshop};
 
 /// (name, content) of all files in a directory, sorted.
 fn files(dir: &Path) -> Vec<(String, Vec<u8>)> {

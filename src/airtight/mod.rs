@@ -37,23 +37,39 @@ pub struct StarReport {
     pub loads: Vec<Load>,
 }
 
+/// The ways for air that `design` leaves open; best none. Read off the geometry alone, no mechanics is solved.
+pub fn leaks(spec: &Spec, machine: &Machine, design: &Design) -> Vec<String> {
+    open_ways(&passages(spec, machine, design), design)
+}
+
 /// The report on `design`.
 pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> Report {
-    let mut report = Report::default();
-    for (number, part) in design.distinct.iter().enumerate() {
-        let index = design.stars.iter().find(|star| star.distinct == number).map_or(0, |star| star.index);
-        let passage = passage(spec, machine, part);
+    let passages = passages(spec, machine, design);
+    let mut report = Report { leaks: open_ways(&passages, design), ..Report::default() };
+    for ((index, passage), part) in passages.into_iter().zip(&design.distinct) {
         let of_star = |text: &String| format!("star {index}: {text}");
-        report.leaks.extend(passage.leaks.iter().map(of_star));
         report.weaknesses.extend(passage.weaknesses.iter().map(of_star));
         let loads = seal_loads(spec, part);
         report.weaknesses.extend(loads.iter().filter_map(Load::weakness).map(|text| of_star(&text)));
         report.stars.push(StarReport { index, passage, loads });
     }
-    if let Some(distance) = topology::between_stars(design).filter(|distance| *distance <= 0.0) {
-        report.leaks.push(format!("the bands of two stars overlap by {:.3} mm", -distance));
-    }
     report
+}
+
+/// Of every distinct star the number of the first that is like it, and its passages.
+fn passages(spec: &Spec, machine: &Machine, design: &Design) -> Vec<(usize, Passage)> {
+    let first =
+        |number| design.stars.iter().find(|star| star.distinct == number).map_or(0, |star| star.index);
+    let parts = design.distinct.iter().enumerate();
+    parts.map(|(number, part)| (first(number), passage(spec, machine, part))).collect()
+}
+
+fn open_ways(passages: &[(usize, Passage)], design: &Design) -> Vec<String> {
+    let of_stars = passages
+        .iter()
+        .flat_map(|(index, passage)| passage.leaks.iter().map(move |leak| format!("star {index}: {leak}")));
+    let between = topology::between_stars(design).filter(|distance| *distance <= 0.0);
+    of_stars.chain(between.map(|d| format!("the bands of two stars overlap by {:.3} mm", -d))).collect()
 }
 
 impl fmt::Display for Report {

@@ -44,9 +44,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let spec = &loaded.reading.spec;
     let build = pipeline::build(spec, &loaded.machine, loaded.sources(), &args.only)
         .map_err(|refusals| loaded.refused(refusals))?;
-    let report = airtight::report(spec, &loaded.machine, &build.design);
-    if !report.leaks.is_empty() {
-        return Err(leaking(&report));
+    let leaks = airtight::leaks(spec, &loaded.machine, &build.design);
+    if !leaks.is_empty() {
+        return Err(leaking(&leaks));
     }
     let proof = verify::prove(&build.design, spec, &loaded.machine, &build.archive());
     if !proof.findings.is_empty() {

@@ -32,10 +32,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     say(&summary::design(spec, &design, &programs))?;
     say(&summary::conditions(spec, &loaded.machine, &programs))?;
     say(&report.to_string())?;
-    if report.leaks.is_empty() { Ok(()) } else { Err(leaking(&report)) }
+    if report.leaks.is_empty() { Ok(()) } else { Err(leaking(&report.leaks)) }
 }
 
 /// The leaks of a design, which is refused for them.
-pub(super) fn leaking(report: &airtight::Report) -> Failure {
-    Failure::Message(format!("the seal would leak: {}", report.leaks.join("; ")))
+pub(super) fn leaking(leaks: &[String]) -> Failure {
+    Failure::Message(format!("the seal would leak: {}", leaks.join("; ")))
 }

@@ -30,17 +30,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         Some(path) => Loaded::new(path)?.reading.spec.stars.first().map(geometry),
         None => None,
     };
-    let paper = StarGeometry {
-        points: 5,
-        inner_radius: 0.05,
-        width: 0.03,
-        tip_angle: 30_f64.to_radians(),
-        tip_radius: 0.0,
-        corner_radius: 0.0,
-    };
     let start = Instant::now();
-    let rows = trade::measure(&base.unwrap_or(paper), &|| start.elapsed().as_secs_f64())
-        .map_err(|fault| Failure::Message(fault.to_string()))?;
+    let rows =
+        trade::measure(&base.unwrap_or_else(|| StarGeometry::paper(5)), &|| start.elapsed().as_secs_f64())
+            .map_err(|fault| Failure::Message(fault.to_string()))?;
     for (path, text) in [(&args.csv, trade::csv(&rows)), (&args.svg, trade::plot(&rows))] {
         if let Some(path) = path {
             fs::write(path, text).map_err(|error| Failure::file("write", path, &error))?;

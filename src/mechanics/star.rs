@@ -32,6 +32,20 @@ pub struct StarGeometry {
     pub corner_radius: f64,
 }
 
+impl StarGeometry {
+    /// The paper's star with `points` points: rho_0 = 50 mm, W = 30 mm, phi_i0 = 30 deg, sharp hinges.
+    pub fn paper(points: u32) -> Self {
+        Self {
+            points,
+            inner_radius: 0.05,
+            width: 0.03,
+            tip_angle: 30_f64.to_radians(),
+            tip_radius: 0.0,
+            corner_radius: 0.0,
+        }
+    }
+}
+
 /// A star that can be made: its arms have a length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Star {
