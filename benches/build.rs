@@ -2,17 +2,10 @@
 
 use std::hint::black_box;
 
-use stargrip_cam::design::Design;
-use stargrip_cam::design::Drawing;
-use stargrip_cam::emit;
-use stargrip_cam::pipeline;
+use stargrip_cam::design::{Design, Drawing};
 use stargrip_cam::pipeline::Sources;
-use stargrip_cam::plan;
-use stargrip_cam::spec;
-use stargrip_cam::spec::Machine;
-use stargrip_cam::spec::Source;
-use stargrip_cam::spec::Spec;
-use stargrip_cam::verify;
+use stargrip_cam::spec::{Machine, Source, Spec};
+use stargrip_cam::{emit, pipeline, plan, spec, verify};
 
 const PAPER: &str = include_str!("../designs/paper-five-points.toml");
 

@@ -4,10 +4,8 @@ mod bill;
 
 use std::fmt::Write;
 
-use serde::Deserialize;
-use serde::Serialize;
-use sha2::Digest;
-use sha2::Sha256;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
 use crate::artifact::Artifact;
 use crate::design::Design;

@@ -2,23 +2,15 @@
 
 mod parts;
 
-use crate::artifact::Artifact;
-use crate::artifact::Kind;
-use crate::artifact::Variant;
-use crate::design::Design;
-use crate::design::Drawing;
-use crate::design::Refusal;
+use crate::artifact::{Artifact, Kind, Variant};
+use crate::design::{Design, Drawing, Refusal};
 use crate::emit;
-use crate::manifest::MANIFEST;
-use crate::manifest::Manifest;
-use crate::mechanics::predict::PredictFault;
-use crate::mechanics::predict::predict;
+use crate::manifest::{MANIFEST, Manifest};
+use crate::mechanics::predict::{PredictFault, predict};
 use crate::mechanics::prediction::Prediction;
 use crate::plan;
 use crate::plan::Program;
-use crate::spec::Machine;
-use crate::spec::ProgramScope;
-use crate::spec::Spec;
+use crate::spec::{Machine, ProgramScope, Spec};
 use crate::verify::Archive;
 
 /// Everything that a build makes, in memory.

@@ -6,18 +6,10 @@ use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path as FilePath;
 
-use stargrip_cam::geom::Path;
-use stargrip_cam::geom::Point;
-use stargrip_cam::geom::Vec2;
-use stargrip_cam::manifest::Manifest;
-use stargrip_cam::manifest::ManifestFile;
+use stargrip_cam::geom::{Path, Point, Vec2};
+use stargrip_cam::manifest::{Manifest, ManifestFile};
 use stargrip_cam::pipeline::Build;
-use stargrip_cam::verify::Drawing;
-use stargrip_cam::verify::Findings;
-use stargrip_cam::verify::SvgOrigin;
-use stargrip_cam::verify::read_dxf;
-use stargrip_cam::verify::read_pdf;
-use stargrip_cam::verify::read_svg;
+use stargrip_cam::verify::{Drawing, Findings, SvgOrigin, read_dxf, read_pdf, read_svg};
 
 /// What parts may differ by, mm.
 const FIT: f64 = 0.001;

@@ -6,31 +6,13 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use stargrip_cam::design::Drawing;
-use stargrip_cam::design::Layer;
-use stargrip_cam::design::Origin;
-use stargrip_cam::design::Shape;
-use stargrip_cam::design::Side;
-use stargrip_cam::emit;
-use stargrip_cam::geom::Arc;
-use stargrip_cam::geom::Isometry;
-use stargrip_cam::geom::Line;
-use stargrip_cam::geom::Path;
-use stargrip_cam::geom::Point;
-use stargrip_cam::geom::Segment;
-use stargrip_cam::plan::LONGEST_MOVE;
-use stargrip_cam::plan::Level;
-use stargrip_cam::plan::Program;
-use stargrip_cam::plan::Purpose;
-use stargrip_cam::plan::SeamReport;
-use stargrip_cam::plan::Step;
-use stargrip_cam::plan::pieces;
+use stargrip_cam::design::{Drawing, Layer, Origin, Shape, Side};
+use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment};
+use stargrip_cam::plan::{LONGEST_MOVE, Level, Program, Purpose, SeamReport, Step, pieces};
 use stargrip_cam::units::Length;
-use stargrip_cam::verify;
-use stargrip_cam::verify::SvgOrigin;
-use stargrip_cam::verify::deviation;
-use stargrip_cam::verify::gcode::Dialect;
-use stargrip_cam::verify::gcode::read_program;
+use stargrip_cam::verify::gcode::{Dialect, read_program};
+use stargrip_cam::verify::{SvgOrigin, deviation};
+use stargrip_cam::{emit, verify};
 
 /// What a random spec says beside its star.
 fn details() -> impl Strategy<Value = String> {

@@ -4,8 +4,7 @@ mod support;
 
 use std::fs;
 use std::path::Path;
-use std::process::Command;
-use std::process::Output;
+use std::process::{Command, Output};
 use std::time::Duration;
 
 use support::program::{run, stderr, stdout, workshop};

@@ -3,15 +3,8 @@
 mod shapes;
 
 use proptest::prelude::*;
-use stargrip_cam::geom::Arc;
-use stargrip_cam::geom::Isometry;
-use stargrip_cam::geom::Line;
-use stargrip_cam::geom::Path;
-use stargrip_cam::geom::Point;
-use stargrip_cam::geom::Segment;
-use stargrip_cam::geom::Vec2;
-use stargrip_cam::verify::deviation;
-use stargrip_cam::verify::walk;
+use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
+use stargrip_cam::verify::{deviation, walk};
 
 use shapes::blob;
 

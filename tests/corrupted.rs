@@ -7,12 +7,8 @@ mod support;
 
 use std::borrow::Cow;
 
-use stargrip_cam::manifest::MANIFEST;
-use stargrip_cam::manifest::Manifest;
-use stargrip_cam::manifest::sha256;
-use stargrip_cam::verify::Archive;
-use stargrip_cam::verify::Finding;
-use stargrip_cam::verify::prove_archive;
+use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
+use stargrip_cam::verify::{Archive, Finding, prove_archive};
 
 const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";

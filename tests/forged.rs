@@ -2,12 +2,10 @@
 
 mod support;
 
-use stargrip_cam::artifact::Artifact;
-use stargrip_cam::artifact::Kind;
+use stargrip_cam::artifact::{Artifact, Kind};
 use stargrip_cam::manifest::ManifestFile;
 use stargrip_cam::pipeline::Build;
-use stargrip_cam::verify::Finding;
-use stargrip_cam::verify::prove_archive;
+use stargrip_cam::verify::{Finding, prove_archive};
 
 fn build() -> Build {
     support::build(support::PAPER).expect("a design")

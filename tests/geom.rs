@@ -5,14 +5,7 @@ mod shapes;
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
-use stargrip_cam::geom::Arc;
-use stargrip_cam::geom::Isometry;
-use stargrip_cam::geom::Line;
-use stargrip_cam::geom::Point;
-use stargrip_cam::geom::Segment;
-use stargrip_cam::geom::Vec2;
-use stargrip_cam::geom::intersections;
-use stargrip_cam::geom::segment_distance;
+use stargrip_cam::geom::{Arc, Isometry, Line, Point, Segment, Vec2, intersections, segment_distance};
 
 use shapes::blob;
 

@@ -6,12 +6,9 @@
 use std::fs;
 use std::path::Path;
 
-use stargrip_cam::pipeline;
-use stargrip_cam::pipeline::Build;
-use stargrip_cam::pipeline::Sources;
-use stargrip_cam::spec;
+use stargrip_cam::pipeline::{Build, Sources};
 use stargrip_cam::spec::Source;
-use stargrip_cam::verify;
+use stargrip_cam::{pipeline, spec, verify};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 

@@ -1,6 +1,6 @@
 //! Data flows one way: which room may know which.
 //!
-//! Imports are written `use crate::room::Thing;`, so the rooms a file knows can be read from its lines.
+//! Imports are written `use crate::room::{A, B};`, a line a module, so the rooms a file knows can be read from its lines.
 
 use std::fs;
 use std::path::Path;

@@ -6,20 +6,13 @@
 
 mod support;
 
-use std::env;
-use std::fs;
 use std::path::Path;
+use std::{env, fs};
 
 use stargrip_cam::spec;
 use stargrip_cam::spec::Source;
-use stargrip_cam::verify::Findings;
-use stargrip_cam::verify::SvgOrigin;
-use stargrip_cam::verify::gcode::Dialect;
-use stargrip_cam::verify::gcode::read_program;
-use stargrip_cam::verify::prove_archive;
-use stargrip_cam::verify::read_dxf;
-use stargrip_cam::verify::read_pdf;
-use stargrip_cam::verify::read_svg;
+use stargrip_cam::verify::gcode::{Dialect, read_program};
+use stargrip_cam::verify::{Findings, SvgOrigin, prove_archive, read_dxf, read_pdf, read_svg};
 
 /// Words that mean something to one of the readers.
 const WORDS: [&[u8]; 24] = [

@@ -2,22 +2,14 @@
 
 mod support;
 
-use std::f64::consts::FRAC_PI_2;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;
 
-use stargrip_cam::design::Design;
-use stargrip_cam::design::MOUTH_OVERRUN;
-use stargrip_cam::design::Side;
-use stargrip_cam::geom::Path;
-use stargrip_cam::geom::Point;
-use stargrip_cam::geom::Segment;
-use stargrip_cam::geom::Vec2;
+use stargrip_cam::design::{Design, MOUTH_OVERRUN, Side};
+use stargrip_cam::geom::{Path, Point, Segment, Vec2};
 use stargrip_cam::plan;
-use stargrip_cam::plan::LONGEST_MOVE;
-use stargrip_cam::plan::Level;
-use stargrip_cam::plan::Step;
+use stargrip_cam::plan::{LONGEST_MOVE, Level, Step};
 use stargrip_cam::spec::Spec;
 use stargrip_cam::units::Temperature;
 

@@ -6,17 +6,8 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use stargrip_cam::design::Design;
-use stargrip_cam::design::Part;
-use stargrip_cam::design::Side;
-use stargrip_cam::design::Star;
-use stargrip_cam::design::StarDesign;
-use stargrip_cam::geom::Isometry;
-use stargrip_cam::geom::Path;
-use stargrip_cam::geom::Point;
-use stargrip_cam::geom::Segment;
-use stargrip_cam::geom::path_distance;
-use stargrip_cam::geom::path_intersections;
+use stargrip_cam::design::{Design, Part, Side, Star, StarDesign};
+use stargrip_cam::geom::{Isometry, Path, Point, Segment, path_distance, path_intersections};
 use stargrip_cam::spec::StarSpec;
 use stargrip_cam::verify::deviation;
 

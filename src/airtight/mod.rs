@@ -9,8 +9,7 @@ mod topology;
 use std::fmt;
 
 use crate::design::Design;
-use crate::spec::Machine;
-use crate::spec::Spec;
+use crate::spec::{Machine, Spec};
 
 pub use strength::{Load, seal_loads};
 pub use topology::{Passage, passage};

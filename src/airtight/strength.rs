@@ -8,8 +8,7 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use crate::design::StarDesign;
-use crate::mechanics::hinge::HingeModel;
-use crate::mechanics::hinge::seal_load;
+use crate::mechanics::hinge::{HingeModel, seal_load};
 use crate::mechanics::ring::Ring;
 use crate::spec::Spec;
 use crate::units::Readable;

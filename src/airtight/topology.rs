@@ -2,18 +2,9 @@
 
 use std::fmt;
 
-use crate::design::Design;
-use crate::design::Seam;
-use crate::design::Side;
-use crate::design::StarDesign;
-use crate::geom::Path;
-use crate::geom::Segment;
-use crate::geom::intersections;
-use crate::geom::path_distance;
-use crate::geom::path_intersections;
-use crate::geom::segment_distance;
-use crate::spec::Machine;
-use crate::spec::Spec;
+use crate::design::{Design, Seam, Side, StarDesign};
+use crate::geom::{Path, Segment, intersections, path_distance, path_intersections, segment_distance};
+use crate::spec::{Machine, Spec};
 
 /// Gaps below this are rounding, mm.
 const GAP: f64 = 1e-9;

@@ -1,22 +1,17 @@
 //! `stargrip-cam build`
 
 use std::fmt::Write;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use clap::builder::PossibleValuesParser;
-use clap::builder::TypedValueParser;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::airtight;
 use crate::artifact::Kind;
 use crate::cli::check::leaking;
-use crate::cli::clock;
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
+use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
-use crate::cli::publish;
-use crate::cli::summary;
+use crate::cli::{clock, publish, summary};
 use crate::pipeline;
 use crate::verify;
 

@@ -3,15 +3,12 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
+use crate::cli::failure::{Failure, say};
 use crate::cli::read_text;
-use crate::coupon::calibrate;
-use crate::coupon::read_rows;
+use crate::coupon::{calibrate, read_rows};
 use crate::mechanics::hinge::HingeModel;
 use crate::mechanics::ring::Ring;
-use crate::units::LineForce;
-use crate::units::Quantity;
+use crate::units::{LineForce, Quantity};
 
 /// Arguments of `calibrate`.
 #[derive(clap::Args, Debug)]

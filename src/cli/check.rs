@@ -3,8 +3,7 @@
 use std::path::PathBuf;
 
 use crate::airtight;
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
+use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::summary;
 use crate::design::Design;

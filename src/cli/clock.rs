@@ -1,7 +1,6 @@
 //! The time of day at which a job that begins now would end: on the terminal only, never in a file.
 
-use std::time::SystemTime;
-use std::time::UNIX_EPOCH;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 /// Seconds of a day.
 const DAY: u64 = 86_400;

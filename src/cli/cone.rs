@@ -3,20 +3,15 @@
 use std::fs;
 use std::path::PathBuf;
 
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
+use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::quantity;
-use crate::mechanics::cone::Balance;
-use crate::mechanics::cone::Cone;
-use crate::mechanics::cone::Overlay;
-use crate::mechanics::cone::reduce;
+use crate::mechanics::cone::{Balance, Cone, Overlay, reduce};
 use crate::mechanics::predict::geometry;
 use crate::mechanics::response::Inflated;
 use crate::mechanics::ring::Ring;
 use crate::mechanics::star::Star;
-use crate::units::Angle;
-use crate::units::Length;
+use crate::units::{Angle, Length};
 
 /// Arguments of `cone`.
 #[derive(clap::Args, Debug)]

@@ -1,21 +1,14 @@
 //! `stargrip-cam coupon`
 
 use std::fmt::Write;
-use std::fs;
-use std::io;
 use std::path::PathBuf;
+use std::{fs, io};
 
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
+use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::write_new;
-use crate::coupon::Grid;
-use crate::coupon::coupons;
-use crate::coupon::table;
-use crate::units::Length;
-use crate::units::Quantity;
-use crate::units::Speed;
-use crate::units::Temperature;
+use crate::coupon::{Grid, coupons, table};
+use crate::units::{Length, Quantity, Speed, Temperature};
 
 /// Arguments of `coupon`.
 #[derive(clap::Args, Debug)]

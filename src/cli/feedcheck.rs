@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
+use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::write_new;
 use crate::emit;

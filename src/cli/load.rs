@@ -2,20 +2,13 @@
 
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use crate::cli::failure::Failure;
-use crate::cli::failure::warn;
+use crate::cli::failure::{Failure, warn};
 use crate::design::Refusal;
 use crate::pipeline::Sources;
 use crate::spec;
-use crate::spec::Fault;
-use crate::spec::Faults;
-use crate::spec::Machine;
-use crate::spec::Reading;
-use crate::spec::SIZE_LIMIT;
-use crate::spec::Source;
+use crate::spec::{Fault, Faults, Machine, Reading, SIZE_LIMIT, Source};
 
 /// A spec with the machine it names, both read and valid.
 #[derive(Debug)]

@@ -2,11 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
+use crate::cli::failure::{Failure, say};
 use crate::spec;
-use crate::spec::Motion;
-use crate::spec::Source;
+use crate::spec::{Motion, Source};
 
 /// Arguments of `machines`.
 #[derive(clap::Args, Debug)]

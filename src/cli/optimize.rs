@@ -3,25 +3,17 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
+use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::range;
 use crate::design::Design;
-use crate::mechanics::optimize::Bounds;
-use crate::mechanics::optimize::Candidate;
-use crate::mechanics::optimize::Constraints;
-use crate::mechanics::optimize::Goal;
-use crate::mechanics::optimize::search;
-use crate::mechanics::optimize::thinned;
+use crate::mechanics::optimize::{Bounds, Candidate, Constraints, Goal, search, thinned};
 use crate::mechanics::point::Point;
 use crate::mechanics::rewrite::with_star;
 use crate::mechanics::ring::RingTable;
 use crate::spec;
 use crate::spec::Source;
-use crate::units::Angle;
-use crate::units::Length;
-use crate::units::Readable;
+use crate::units::{Angle, Length, Readable};
 
 /// By how much the constraints are tightened for the search, so that they still hold once the values are rounded.
 const ROUNDING: f64 = 5e-4;

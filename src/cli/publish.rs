@@ -5,15 +5,11 @@
 //! second case a kill between the renames leaves the old output under its hidden name; the next
 //! publication puts it back first. A target that holds anything its manifest does not name is not touched.
 
-use std::fmt;
-use std::fs;
-use std::io;
 use std::io::Write;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::{fmt, fs, io};
 
-use crate::manifest::MANIFEST;
-use crate::manifest::Manifest;
+use crate::manifest::{MANIFEST, Manifest};
 
 /// Why nothing was published; the target is as it was.
 #[derive(Debug)]

@@ -2,15 +2,11 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
-use crate::cli::read_text;
-use crate::cli::write_new;
+use crate::cli::failure::{Failure, say};
+use crate::cli::{read_text, write_new};
 use crate::geom::Point;
-use crate::resume::Place;
-use crate::resume::resume;
-use crate::units::Length;
-use crate::units::Quantity;
+use crate::resume::{Place, resume};
+use crate::units::{Length, Quantity};
 
 /// Arguments of `resume`.
 #[derive(clap::Args, Debug)]

@@ -3,16 +3,12 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::design::COATING_ASSUMES;
-use crate::design::Design;
-use crate::design::Plate;
+use crate::design::{COATING_ASSUMES, Design, Plate};
 use crate::manifest;
 use crate::mechanics::report;
 use crate::pipeline::Build;
-use crate::plan::Pace;
-use crate::plan::Program;
-use crate::spec::Machine;
-use crate::spec::Spec;
+use crate::plan::{Pace, Program};
+use crate::spec::{Machine, Spec};
 use crate::units::Readable;
 use crate::verify::Proof;
 

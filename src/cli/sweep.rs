@@ -1,16 +1,13 @@
 //! `stargrip-cam sweep`
 
 use std::fs::File;
-use std::io::BufWriter;
-use std::io::IsTerminal;
-use std::io::Write;
+use std::io::{BufWriter, IsTerminal, Write};
 use std::path::PathBuf;
 
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::mechanics::point::Point;
-use crate::mechanics::sweep::Axis;
-use crate::mechanics::sweep::Sweep;
+use crate::mechanics::sweep::{Axis, Sweep};
 
 /// Arguments of `sweep`.
 #[derive(clap::Args, Debug)]

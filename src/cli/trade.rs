@@ -4,8 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use crate::cli::failure::Failure;
-use crate::cli::failure::say;
+use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::mechanics::predict::geometry;
 use crate::mechanics::star::StarGeometry;

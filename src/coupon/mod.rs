@@ -11,32 +11,14 @@ mod strips;
 
 use crate::coupon::reach::beyond;
 use crate::coupon::strips::program_name;
-use crate::design::Drawing;
-use crate::design::Layer;
-use crate::design::Origin;
-use crate::design::Refusal;
-use crate::design::Shape;
-use crate::design::Side;
-use crate::design::lettered;
+use crate::design::{Drawing, Layer, Origin, Refusal, Shape, Side, lettered};
 use crate::emit;
 use crate::emit::Facts;
-use crate::geom::Bounds;
-use crate::geom::Isometry;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::plan::Level;
-use crate::plan::Pace;
-use crate::plan::Program;
-use crate::plan::Purpose;
-use crate::plan::Ramp;
-use crate::plan::SeamReport;
-use crate::plan::Step;
-use crate::plan::program_time;
-use crate::plan::refusals;
-use crate::plan::seal_pieces;
-use crate::spec::Machine;
-use crate::spec::Spec;
+use crate::geom::{Bounds, Isometry, Path, Point, Segment};
+use crate::plan::{
+    Level, Pace, Program, Purpose, Ramp, SeamReport, Step, program_time, refusals, seal_pieces,
+};
+use crate::spec::{Machine, Spec};
 use crate::units::Length;
 
 pub use calibration::{Calibration, CalibrationFault, Row, calibrate, read_rows};

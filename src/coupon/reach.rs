@@ -1,11 +1,8 @@
 //! What the machine reaches: every seam of a coupon, with its ways down and up, inside the work area.
 
 use crate::design::Refusal;
-use crate::geom::Bounds;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::plan::Program;
-use crate::plan::Step;
+use crate::geom::{Bounds, Path, Point};
+use crate::plan::{Program, Step};
 use crate::spec::Machine;
 
 /// Slack, mm: rounding.

@@ -2,12 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::geom::Arc;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::Vec2;
+use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use crate::spec::StarSpec;
 
 /// Half the flat width of the channel for a hose of 4 mm: pi d / 4.

@@ -2,13 +2,9 @@
 
 use std::fmt::Write;
 
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
+use crate::geom::{Line, Path, Point};
 use crate::spec::Machine;
-use crate::units::Length;
-use crate::units::Speed;
-use crate::units::Temperature;
+use crate::units::{Length, Speed, Temperature};
 
 /// Width of a specimen of the T-peel test, mm (ASTM F88).
 pub(super) const WIDTH: f64 = 25.0;

@@ -1,15 +1,7 @@
 //! Drawings: what lies on one sheet, or what one plate is cut to, layer by layer. Writers write them, the verifier compares files with them.
 
-use crate::design::Design;
-use crate::design::Plate;
-use crate::design::Side;
-use crate::design::label;
-use crate::design::lettering;
-use crate::geom::Bounds;
-use crate::geom::Isometry;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
+use crate::design::{Design, Plate, Side, label, lettering};
+use crate::geom::{Bounds, Isometry, Line, Path, Point};
 
 /// Exact geometry on a page.
 #[derive(Clone, Debug, PartialEq)]

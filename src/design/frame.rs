@@ -4,13 +4,9 @@
 //! and the corners of the stars beside the plate: the larger inner radius and the clearance. Posts stand outside
 //! of the largest star, turned so that they are as far as can be from every hose.
 
-use std::f64::consts::PI;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
-use crate::design::Refusal;
-use crate::design::Stack;
-use crate::design::Star;
-use crate::design::StarDesign;
+use crate::design::{Refusal, Stack, Star, StarDesign};
 use crate::geom::Point;
 use crate::spec::Spec;
 use crate::units::Readable;

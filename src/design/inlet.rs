@@ -2,16 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::design::Contour;
-use crate::design::Part;
-use crate::design::Refusal;
-use crate::design::Star;
-use crate::geom::Arc;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::Vec2;
+use crate::design::{Contour, Part, Refusal, Star};
+use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use crate::spec::Inlet;
 use crate::units::Readable;
 

@@ -2,18 +2,10 @@
 //!
 //! The text runs around a tip, tops outwards, where no inlet and no registration hole is in the way.
 
-use std::f64::consts::FRAC_PI_2;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::design::MaskPlate;
-use crate::design::PlacedStar;
-use crate::design::StarDesign;
-use crate::design::lettering;
-use crate::geom::Isometry;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Vec2;
+use crate::design::{MaskPlate, PlacedStar, StarDesign, lettering};
+use crate::geom::{Isometry, Line, Path, Point, Vec2};
 
 /// Height of a capital, mm: what a laser or a pen still writes well, and as high as a label needs to be.
 const HEIGHTS: (f64, f64) = (1.0, 3.5);

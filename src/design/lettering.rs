@@ -2,10 +2,7 @@
 //!
 //! Every glyph stands on a grid 4 wide and 6 high; a stroke is a chain of grid points, two digits each.
 
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Vec2;
+use crate::geom::{Line, Path, Point, Vec2};
 
 /// Height of a capital on the grid.
 const CAPITAL: f64 = 6.0;

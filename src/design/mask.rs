@@ -1,22 +1,11 @@
 //! Masks: plates that leave the corners of one star free for the coating.
 
-use cavalier_contours::polyline::PlineSource;
-use cavalier_contours::polyline::PlineSourceMut;
-use cavalier_contours::polyline::Polyline;
+use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 
-use crate::design::Outline;
-use crate::design::Refusal;
-use crate::design::Star;
-use crate::design::window::Reach;
-use crate::design::window::Zone;
-use crate::geom::Arc;
-use crate::geom::Isometry;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::spec::Spec;
-use crate::spec::StarSpec;
+use crate::design::window::{Reach, Zone};
+use crate::design::{Outline, Refusal, Star};
+use crate::geom::{Arc, Isometry, Line, Path, Point, Segment};
+use crate::spec::{Spec, StarSpec};
 use crate::units::Readable;
 
 /// The mask of one star, in the star's frame, for the face that the iron touches; seen from above it is

@@ -1,15 +1,8 @@
 //! The outline: where the fabric is cut, and the registration holes.
 
-use crate::design::Channel;
-use crate::design::Contour;
-use crate::design::Part;
-use crate::design::Refusal;
-use crate::design::Side;
-use crate::design::Star;
-use crate::design::registration;
 use crate::design::seam::hole_closed;
-use crate::geom::Path;
-use crate::geom::Point;
+use crate::design::{Channel, Contour, Part, Refusal, Side, Star, registration};
+use crate::geom::{Path, Point};
 use crate::spec::Seal;
 
 /// A round hole.

@@ -4,17 +4,8 @@
 //! **registration crosses**. Cut one page along its crop marks, lay cross on cross, tape. Every page has its name
 //! (row, column), a ruler of 100 mm and a check square of 20 mm to be measured before anything is cut.
 
-use crate::design::Drawing;
-use crate::design::Layer;
-use crate::design::Origin;
-use crate::design::Shape;
-use crate::design::lettering;
-use crate::geom::Bounds;
-use crate::geom::Isometry;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Vec2;
+use crate::design::{Drawing, Layer, Origin, Shape, lettering};
+use crate::geom::{Bounds, Isometry, Line, Path, Point, Vec2};
 
 /// Strip along the border that printers leave white, mm; 5 mm is common, some need 8.
 const WHITE: f64 = 10.0;

@@ -1,16 +1,8 @@
 //! One distinct star with everything that is drawn of it, in the star's own frame.
 
-use crate::design::Channel;
-use crate::design::MaskPlate;
-use crate::design::Outline;
-use crate::design::Refusal;
-use crate::design::Seam;
-use crate::design::Side;
-use crate::design::Star;
-use crate::geom::Bounds;
-use crate::geom::Path;
-use crate::spec::Spec;
-use crate::spec::StarSpec;
+use crate::design::{Channel, MaskPlate, Outline, Refusal, Seam, Side, Star};
+use crate::geom::{Bounds, Path};
+use crate::spec::{Spec, StarSpec};
 
 /// A star with its seams and its cut.
 #[derive(Clone, Debug, PartialEq)]

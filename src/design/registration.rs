@@ -5,17 +5,10 @@
 //! every n: its short side is a chord of one tip's arc, and the third hole lies off that chord's
 //! bisector by at least the sine of half the turn times the star's diameter.
 
-use crate::design::Contour;
-use crate::design::Part;
-use crate::design::Refusal;
-use crate::design::Star;
-use crate::geom::Arc;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::Vec2;
+use crate::design::{Contour, Part, Refusal, Star};
+use crate::geom::{Arc, Point, Segment, Vec2};
 use crate::spec::Seal;
-use crate::units::Length;
-use crate::units::Readable;
+use crate::units::{Length, Readable};
 
 /// Turn of the second hole, rad: 40 degrees, well inside the 150-degree arcs of the paper's tips and far from a mirror image.
 const TURN: f64 = 40.0 * std::f64::consts::PI / 180.0;

@@ -1,12 +1,7 @@
 //! Seams: what the iron travels on one star, in contact.
 
-use crate::design::Channel;
-use crate::design::Part;
-use crate::design::Refusal;
-use crate::design::Side;
-use crate::design::Star;
-use crate::geom::Line;
-use crate::geom::Path;
+use crate::design::{Channel, Part, Refusal, Side, Star};
+use crate::geom::{Line, Path};
 use crate::spec::Seal;
 use crate::units::Readable;
 

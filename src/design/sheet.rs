@@ -1,15 +1,8 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
-use crate::design::Frame;
-use crate::design::Refusal;
-use crate::design::Stack;
-use crate::design::StarDesign;
-use crate::geom::Bounds;
-use crate::geom::Isometry;
-use crate::geom::Point;
-use crate::spec::Machine;
-use crate::spec::Sheet;
-use crate::spec::Spec;
+use crate::design::{Frame, Refusal, Stack, StarDesign};
+use crate::geom::{Bounds, Isometry, Point};
+use crate::spec::{Machine, Sheet, Spec};
 use crate::units::Readable;
 
 /// Everything that is made, exactly.

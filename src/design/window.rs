@@ -15,17 +15,9 @@
 
 use std::f64::consts::PI;
 
-use crate::design::Refusal;
-use crate::design::Star;
-use crate::geom::Arc;
-use crate::geom::Isometry;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::Vec2;
-use crate::spec::Mask;
-use crate::spec::Seal;
+use crate::design::{Refusal, Star};
+use crate::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
+use crate::spec::{Mask, Seal};
 use crate::units::Readable;
 
 /// Width of plate left between neighbouring windows, mm, where there is room for it: a strip of a 2 mm

@@ -4,13 +4,9 @@
 
 use std::fmt::Write;
 
-use crate::design::Drawing;
-use crate::design::Layer;
-use crate::design::Shape;
+use crate::design::{Drawing, Layer, Shape};
 use crate::emit::number::Decimals;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Path, Point, Segment};
 use crate::units::Length;
 
 const SKELETON: &str = include_str!("../../templates/drawing.dxf");

@@ -5,23 +5,12 @@
 
 use std::f64::consts::FRAC_PI_6;
 
-use pdf_writer::Content;
-use pdf_writer::Finish;
-use pdf_writer::Name;
-use pdf_writer::Pdf;
-use pdf_writer::Rect;
-use pdf_writer::Ref;
-use pdf_writer::TextStr;
+use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, TextStr};
 
-use crate::design::Layer;
-use crate::design::PaperPage;
-use crate::design::Shape;
+use crate::design::{Layer, PaperPage, Shape};
 use crate::emit::number::Decimals;
 use crate::emit::text::inert;
-use crate::geom::Arc;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Arc, Path, Point, Segment};
 
 /// Points in a millimetre.
 const POINTS: f64 = 72.0 / 25.4;

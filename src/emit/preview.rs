@@ -1,27 +1,17 @@
 //! A picture of one sheet for people: fabric, tube and bands to scale, and how the iron will travel.
 
-use svg::Document;
-use svg::Node;
 use svg::node::element::Element;
+use svg::{Document, Node};
 
-use crate::design::Design;
-use crate::design::PlacedStar;
-use crate::design::StarDesign;
+use crate::design::{Design, PlacedStar, StarDesign};
 use crate::emit::number::Decimals;
 use crate::emit::stack_view::StackView;
-use crate::emit::svg::Page;
-use crate::emit::svg::element;
+use crate::emit::svg::{Page, element};
 use crate::emit::text::inert;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::Vec2;
-use crate::plan::Program;
-use crate::plan::SeamReport;
-use crate::plan::Step;
+use crate::geom::{Path, Point, Segment, Vec2};
+use crate::plan::{Program, SeamReport, Step};
 use crate::spec::Spec;
-use crate::units::Duration;
-use crate::units::Readable;
+use crate::units::{Duration, Readable};
 
 /// Length of the scale bar, mm.
 const SCALE_BAR: f64 = 50.0;

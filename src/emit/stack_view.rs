@@ -5,14 +5,8 @@ use svg::node::element::Element;
 
 use crate::design::Design;
 use crate::emit::number::Decimals;
-use crate::emit::svg::Page;
-use crate::emit::svg::element;
-use crate::geom::Arc;
-use crate::geom::Isometry;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Vec2;
+use crate::emit::svg::{Page, element};
+use crate::geom::{Arc, Isometry, Line, Path, Point, Vec2};
 
 /// Blank strip around each view, mm.
 const BLANK: f64 = 15.0;

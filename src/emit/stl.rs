@@ -7,13 +7,9 @@ use std::collections::BTreeMap;
 
 use earcut::Earcut;
 
-use crate::design::Drawing;
-use crate::design::Layer;
-use crate::design::Shape;
+use crate::design::{Drawing, Layer, Shape};
 use crate::emit::number::Decimals;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Path, Point, Segment};
 
 /// How far a chord may leave its arc, mm: a fifth of what a fine printer resolves.
 const CHORD: f64 = 0.02;

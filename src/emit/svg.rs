@@ -1,18 +1,12 @@
 //! SVG drawings at 1:1 for cutters: millimetres, arcs as arcs, hairlines, a group for each layer.
 
-use svg::Document;
-use svg::Node;
 use svg::node::element::Element;
+use svg::{Document, Node};
 
-use crate::design::Drawing;
-use crate::design::Layer;
-use crate::design::Origin;
-use crate::design::Shape;
+use crate::design::{Drawing, Layer, Origin, Shape};
 use crate::emit::number::Decimals;
 use crate::emit::text::inert;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Path, Point, Segment};
 use crate::units::Length;
 
 /// Width of a hairline, mm: cutters take lines this thin as cuts instead of engraving them.

@@ -2,8 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use crate::geom::Point;
-use crate::geom::Vec2;
+use crate::geom::{Point, Vec2};
 
 /// A circular arc: it starts at `start_angle` and turns by `sweep`, counterclockwise if positive.
 ///

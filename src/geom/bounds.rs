@@ -1,7 +1,6 @@
 //! Axis-parallel boxes.
 
-use crate::geom::Point;
-use crate::geom::Vec2;
+use crate::geom::{Point, Vec2};
 
 /// A closed axis-parallel box; empty if `min > max`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,10 +1,6 @@
 //! Where segments meet.
 
-use crate::geom::Arc;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Arc, Line, Path, Point, Segment};
 
 /// How far outside its ends, relative to its size, a segment still counts as touched: absorbs rounding only.
 const SLACK: f64 = 1e-12;

@@ -1,7 +1,6 @@
 //! Straight segments.
 
-use crate::geom::Point;
-use crate::geom::Vec2;
+use crate::geom::{Point, Vec2};
 
 /// A straight segment from `start` to `end`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,10 +1,6 @@
 //! Nearest points and distances.
 
-use crate::geom::Bounds;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::intersections;
+use crate::geom::{Bounds, Path, Point, Segment, intersections};
 
 /// The point of a path nearest to some given point.
 #[derive(Clone, Copy, Debug, PartialEq)]

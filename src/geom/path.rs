@@ -1,9 +1,6 @@
 //! Paths: chains of segments.
 
-use crate::geom::Bounds;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::Vec2;
+use crate::geom::{Bounds, Point, Segment, Vec2};
 
 /// A chain of segments, each beginning where the one before ends; `closed` if the last ends where the first begins.
 ///

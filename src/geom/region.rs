@@ -2,9 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Path, Point, Segment};
 
 impl Path {
     /// Signed area enclosed by a closed path, positive if it runs counterclockwise (exact for lines and arcs).

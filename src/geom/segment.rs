@@ -1,10 +1,6 @@
 //! A segment: a line or a circular arc, travelled from its start to its end.
 
-use crate::geom::Arc;
-use crate::geom::Bounds;
-use crate::geom::Line;
-use crate::geom::Point;
-use crate::geom::Vec2;
+use crate::geom::{Arc, Bounds, Line, Point, Vec2};
 
 /// A line or an arc.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,6 @@
 //! Rigid motions of the plane, with or without a mirror image.
 
-use crate::geom::Arc;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::Vec2;
+use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 
 /// Mirror in the X axis (if `mirrored`), then turn by `rotation` about the origin, then move by `shift`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,8 @@
 //! The bill of materials: what has to be bought, cut and filled beside the sealing.
 
-use serde::Deserialize;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
-use crate::design::COATING_ASSUMES;
-use crate::design::Design;
-use crate::design::StarDesign;
+use crate::design::{COATING_ASSUMES, Design, StarDesign};
 use crate::manifest::thousandths;
 use crate::spec::Spec;
 

@@ -1,9 +1,9 @@
 //! Which model answers: the one that was asked for, or the cheapest whose estimated error is accepted.
 
-use super::fit;
-use super::hinge::Level;
-use super::ring::RingTable;
-use super::strength::{FULL_ACTUATION, LimitError, limit_error};
+use crate::mechanics::fit;
+use crate::mechanics::hinge::Level;
+use crate::mechanics::ring::RingTable;
+use crate::mechanics::strength::{FULL_ACTUATION, LimitError, limit_error};
 
 /// What the answer must be good for.
 #[derive(Clone, Copy, Debug, PartialEq)]

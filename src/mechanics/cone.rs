@@ -10,7 +10,7 @@
 //!
 //! The paper prints `+ mu`, which is the balance of a corner that slides inwards on the plate.
 
-use super::fault::StarFault;
+use crate::mechanics::fault::StarFault;
 use std::fmt::Write;
 
 /// Which balance of forces reduces the test.

@@ -4,7 +4,7 @@
 //! holes and their ears are left out, and arms are taken as longer than the strips' corners need. For stars with
 //! fair arms this is within 2 % of the outline that is cut.
 
-use super::star::Star;
+use crate::mechanics::star::Star;
 use std::f64::consts::PI;
 
 /// What surrounds the tube; lengths in m.
@@ -47,8 +47,8 @@ fn inner_corner(turn: f64, radius: f64, d: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::star::tests::paper_geometry;
     use super::*;
+    use crate::mechanics::star::tests::paper_geometry;
 
     #[test]
     fn a_strip_in_a_corner_is_continuous_in_its_width() {

@@ -4,8 +4,8 @@
 //! R* = 0.1 only; `V_bar''(lambda_t) = -(0.4659 R* + 0.3986)` is their fit, used from R* = 0.05 to 2.
 //! Outside of these the constants are still returned, and [`covers`] says that they do not apply.
 
-use super::fault::HingeFault;
-use super::hinge::{Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
+use crate::mechanics::fault::HingeFault;
+use crate::mechanics::hinge::{Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
 use std::ops::RangeInclusive;
 
 /// Published target coiling factor, for R* = 0.1.

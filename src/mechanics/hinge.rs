@@ -4,7 +4,7 @@
 //! model must know about a hinge is its dimensionless volume `V_bar(lambda) = V / [W^3 (pi - phi_0)]`,
 //! which depends on `R* = R / W` only; angle, moment and stiffness follow from it.
 
-use super::fault::HingeFault;
+use crate::mechanics::fault::HingeFault;
 use std::f64::consts::PI;
 
 /// The models, from the fastest to the most faithful.

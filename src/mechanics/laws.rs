@@ -1,9 +1,9 @@
 //! Laws that every model of the hinge must obey, written once and instantiated for each.
 
-use super::bvp::Bvp;
-use super::fit::Fit;
-use super::hinge::{Hinge, HingeModel, HingeState};
-use super::ring::Ring;
+use crate::mechanics::bvp::Bvp;
+use crate::mechanics::fit::Fit;
+use crate::mechanics::hinge::{Hinge, HingeModel, HingeState};
+use crate::mechanics::ring::Ring;
 
 /// R* at which the laws are tested; the first is the paper's own star.
 const R_STARS: [f64; 7] = [0.0, 0.01, 0.1, 0.5, 2.0, 10.0, 100.0];

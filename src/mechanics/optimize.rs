@@ -5,8 +5,8 @@
 //! of the three most promising ones. Designs are compared by how far they are from meeting the constraints, and
 //! among those that meet them by the goal.
 
-use super::point::{Outcome, Point};
-use super::ring::RingTable;
+use crate::mechanics::point::{Outcome, Point};
+use crate::mechanics::ring::RingTable;
 use rayon::prelude::*;
 use std::ops::RangeInclusive;
 

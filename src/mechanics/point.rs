@@ -1,13 +1,13 @@
 //! One design among many: the same closed forms as a prediction's, by the ring's table, in a few microseconds.
 
-use super::cut::{Flaps, cut_area};
-use super::fault::{HingeFault, StarFault};
-use super::hinge::{Edges, Effort, HingeModel, HingeState, Level};
-use super::predict::geometry;
-use super::response::Inflated;
-use super::ring::{Ring, RingTable};
-use super::star::{Star, StarGeometry};
-use super::strength::{Sheet, burst_pressure, payload};
+use crate::mechanics::cut::{Flaps, cut_area};
+use crate::mechanics::fault::{HingeFault, StarFault};
+use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level};
+use crate::mechanics::predict::geometry;
+use crate::mechanics::response::Inflated;
+use crate::mechanics::ring::{Ring, RingTable};
+use crate::mechanics::star::{Star, StarGeometry};
+use crate::mechanics::strength::{Sheet, burst_pressure, payload};
 use crate::spec::Spec;
 
 /// The exact ring with its targets from the table.

@@ -1,19 +1,17 @@
 //! From a spec to the answer: chooses the model, asks it about every star, and says how good the answer is.
 
-use super::bvp::Bvp;
-use super::choice::{BVP_BETA, Choice, Question, choose, limits_of_validity, take};
-use super::cut::{Flaps, cut_area};
-use super::fault::StarFault;
-use super::fit::Fit;
-use super::hinge::{HingeModel, HingeState, Level, seal_load};
-use super::prediction::{Evidence, Hinges, Nonlinear, Prediction, StarPrediction};
-use super::response::{Inflated, Rest};
-use super::ring::{Ring, RingTable};
-use super::star::{Star, StarGeometry};
-use super::strength::{Sheet, burst_pressure, payload};
-use crate::spec::ModelChoice;
-use crate::spec::Spec;
-use crate::spec::StarSpec;
+use crate::mechanics::bvp::Bvp;
+use crate::mechanics::choice::{BVP_BETA, Choice, Question, choose, limits_of_validity, take};
+use crate::mechanics::cut::{Flaps, cut_area};
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::fit::Fit;
+use crate::mechanics::hinge::{HingeModel, HingeState, Level, seal_load};
+use crate::mechanics::prediction::{Evidence, Hinges, Nonlinear, Prediction, StarPrediction};
+use crate::mechanics::response::{Inflated, Rest};
+use crate::mechanics::ring::{Ring, RingTable};
+use crate::mechanics::star::{Star, StarGeometry};
+use crate::mechanics::strength::{Sheet, burst_pressure, payload};
+use crate::spec::{ModelChoice, Spec, StarSpec};
 use std::f64::consts::FRAC_2_PI;
 use std::fmt;
 use std::sync::LazyLock;

@@ -1,6 +1,6 @@
 //! The answer as a person reads it: what the gripper does, what was assumed, what to beware of.
 
-use super::prediction::{Prediction, StarPrediction};
+use crate::mechanics::prediction::{Prediction, StarPrediction};
 use crate::spec::Spec;
 use crate::units::Readable;
 use std::fmt::Write;

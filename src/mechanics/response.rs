@@ -10,9 +10,9 @@
 //! hinge model says of V_bar' is used as it is: with the published parabola this is the paper's star of linear
 //! hinges, with the exact ring it is softer on closing than on opening.
 
-use super::fault::StarFault;
-use super::hinge::{Hinge, HingeModel, HingeState, Level};
-use super::star::{Radius, Star};
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
+use crate::mechanics::star::{Radius, Star};
 use crate::numerics::bracketed_root;
 use std::f64::consts::PI;
 
@@ -232,12 +232,12 @@ fn rest(equilibrium: f64, torque: f64, spring: f64, radius: &Radius) -> Rest {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bvp::Bvp;
-    use super::super::fit::Fit;
-    use super::super::ring::Ring;
-    use super::super::star::StarGeometry;
-    use super::super::star::tests::paper_geometry;
     use super::*;
+    use crate::mechanics::bvp::Bvp;
+    use crate::mechanics::fit::Fit;
+    use crate::mechanics::ring::Ring;
+    use crate::mechanics::star::StarGeometry;
+    use crate::mechanics::star::tests::paper_geometry;
 
     fn paper_star(points: u32) -> Star {
         Star::new(paper_geometry(points)).expect("feasible")

@@ -1,7 +1,6 @@
 //! A spec's text with other values in its `[star]` section, everything else as it was, comments included.
 
-use crate::spec::Source;
-use crate::spec::read;
+use crate::spec::{Source, read};
 use std::fmt::Write;
 
 /// The text with `values` (key, TOML value) set in `[star]`; the result is read back and must say so.

@@ -11,8 +11,8 @@
 //! Flat: `w = W`, `r = R`, `rho = rho_0`; this fixes l. Inflated: `w = W' = 2 W / pi`, the arms' width as
 //! a cylinder, and `r = R / lambda`, because a coiled hinge keeps the length of its inner arc.
 
-use super::fault::StarFault;
-use super::hinge::Hinge;
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::hinge::Hinge;
 use std::f64::consts::{FRAC_2_PI, PI};
 
 /// The flat dimensions of a star; lengths in m, angles in rad.

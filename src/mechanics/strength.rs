@@ -1,6 +1,6 @@
 //! Pressure, strength and weight: what the fabric, the seal and friction allow.
 
-use super::fault::StarFault;
+use crate::mechanics::fault::StarFault;
 use std::f64::consts::FRAC_1_PI;
 
 /// The fabric of one sheet, in SI units.

@@ -2,8 +2,8 @@
 //!
 //! Rows are numbered; row i is the same whoever computes it, so a sweep can be cut into parts and run in any number of threads.
 
-use super::point::{Outcome, Point};
-use super::ring::RingTable;
+use crate::mechanics::point::{Outcome, Point};
+use crate::mechanics::ring::RingTable;
 use crate::units::{Angle, Length, LineForce, Pressure, Quantity};
 use rayon::prelude::*;
 use std::fmt::Write;

@@ -2,14 +2,14 @@
 //!
 //! The clock is handed in, so that this room stays a function of its arguments.
 
-use super::bvp::Bvp;
-use super::fault::{HingeFault, StarFault};
-use super::fit::Fit;
-use super::hinge::{HingeModel, HingeState, Level, seal_load};
-use super::point::TableRing;
-use super::response::{Inflated, Rest};
-use super::ring::{Ring, RingTable};
-use super::star::{Star, StarGeometry};
+use crate::mechanics::bvp::Bvp;
+use crate::mechanics::fault::{HingeFault, StarFault};
+use crate::mechanics::fit::Fit;
+use crate::mechanics::hinge::{HingeModel, HingeState, Level, seal_load};
+use crate::mechanics::point::TableRing;
+use crate::mechanics::response::{Inflated, Rest};
+use crate::mechanics::ring::{Ring, RingTable};
+use crate::mechanics::star::{Star, StarGeometry};
 use std::fmt::Write;
 
 /// R* of the comparison; k is infinite at 0 and is compared on the others.
@@ -244,8 +244,8 @@ pub fn plot(rows: &[Row]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::star::tests::paper_geometry;
     use super::*;
+    use crate::mechanics::star::tests::paper_geometry;
     use std::cell::Cell;
 
     #[test]

@@ -1,12 +1,7 @@
 //! The files of what is not sealed: masks and plates of the frame.
 
-use crate::artifact::Artifact;
-use crate::artifact::Kind;
-use crate::artifact::Variant;
-use crate::design::Design;
-use crate::design::Drawing;
-use crate::design::MaskPlate;
-use crate::design::Paper;
+use crate::artifact::{Artifact, Kind, Variant};
+use crate::design::{Design, Drawing, MaskPlate, Paper};
 use crate::emit;
 use crate::spec::Spec;
 

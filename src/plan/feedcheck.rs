@@ -1,16 +1,8 @@
 //! The feed check: three lines of 10 mm that must take as long as the seal's speed says.
 
-use crate::geom::Line;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::plan::Level;
-use crate::plan::Pace;
-use crate::plan::Program;
-use crate::plan::Purpose;
-use crate::plan::Step;
-use crate::plan::program_time;
-use crate::spec::Machine;
-use crate::spec::Spec;
+use crate::geom::{Line, Point, Segment};
+use crate::plan::{Level, Pace, Program, Purpose, Step, program_time};
+use crate::spec::{Machine, Spec};
 
 /// Length of each line, mm: at 0.1 mm/s it takes 100 s, long enough for a wristwatch.
 pub const CHECK_LENGTH: f64 = 10.0;

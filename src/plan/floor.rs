@@ -3,20 +3,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::design::Refusal;
-use crate::geom::Bounds;
-use crate::geom::Line;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::segment_distance;
-use crate::plan::Pace;
-use crate::plan::Program;
-use crate::plan::Step;
-use crate::spec::FeedFloor;
-use crate::spec::KeepOut;
-use crate::spec::Machine;
-use crate::spec::Motion;
-use crate::spec::Spec;
-use crate::spec::StepRate;
+use crate::geom::{Bounds, Line, Point, Segment, segment_distance};
+use crate::plan::{Pace, Program, Step};
+use crate::spec::{FeedFloor, KeepOut, Machine, Motion, Spec, StepRate};
 
 /// Every reason for which `machine` cannot run the sealing programs, or the traces, as they are.
 pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Program]) -> Vec<Refusal> {

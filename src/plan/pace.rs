@@ -7,9 +7,7 @@
 //! schedule by more than half a step.
 
 use crate::geom::Segment;
-use crate::spec::FeedFloor;
-use crate::spec::Machine;
-use crate::spec::Spec;
+use crate::spec::{FeedFloor, Machine, Spec};
 
 /// How the seal's speed is made.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,10 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::geom::Path;
-use crate::geom::Segment;
-use crate::spec::Machine;
-use crate::spec::Spec;
+use crate::geom::{Path, Segment};
+use crate::spec::{Machine, Spec};
 
 /// Longest single move in contact, mm. At 0.1 mm/s it takes 50 s: the most that a pause has to wait for.
 pub const LONGEST_MOVE: f64 = 5.0;

@@ -1,8 +1,7 @@
 //! Programs and their steps.
 
 use crate::design::Side;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Point, Segment};
 use crate::plan::Pace;
 use crate::units::Temperature;
 

@@ -1,23 +1,10 @@
 //! The sealing programs: of every star the inner loop, then the outer loop.
 
-use crate::design::Design;
-use crate::design::PlacedStar;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::plan::LONGEST_MOVE;
-use crate::plan::Level;
-use crate::plan::Pace;
-use crate::plan::Program;
-use crate::plan::Purpose;
-use crate::plan::Ramp;
-use crate::plan::SeamReport;
-use crate::plan::Step;
-use crate::plan::pieces::flat_pieces;
-use crate::plan::pieces::sagitta;
-use crate::plan::program_time;
-use crate::spec::Machine;
-use crate::spec::ProgramScope;
-use crate::spec::Spec;
+use crate::design::{Design, PlacedStar};
+use crate::geom::{Path, Point};
+use crate::plan::pieces::{flat_pieces, sagitta};
+use crate::plan::{LONGEST_MOVE, Level, Pace, Program, Purpose, Ramp, SeamReport, Step, program_time};
+use crate::spec::{Machine, ProgramScope, Spec};
 
 /// What one program covers: a sheet, and the stars on it in the order of sealing.
 pub(super) type Scope<'a> = (usize, Vec<&'a PlacedStar>);

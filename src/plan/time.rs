@@ -3,13 +3,8 @@
 //! Heating and pauses last as long as the operator and the heater want: they are not counted. At the seal's speed
 //! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
 
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::plan::Level;
-use crate::plan::Pacer;
-use crate::plan::Program;
-use crate::plan::Step;
-use crate::plan::move_time;
+use crate::geom::{Point, Segment};
+use crate::plan::{Level, Pacer, Program, Step, move_time};
 use crate::spec::Machine;
 
 /// Follows a program step by step, and knows how long it has taken.

@@ -1,24 +1,11 @@
 //! The trace programs: the frame of the part and all paths, at travel height, unheated and fast.
 
-use crate::design::Design;
-use crate::design::PlacedStar;
-use crate::geom::Bounds;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::plan::Level;
-use crate::plan::Pace;
-use crate::plan::Program;
-use crate::plan::Purpose;
-use crate::plan::Step;
-use crate::plan::pieces::flat_pieces;
-use crate::plan::pieces::sagitta;
-use crate::plan::program_time;
-use crate::plan::seal::Scope;
-use crate::plan::seal::scopes;
-use crate::spec::Machine;
-use crate::spec::Spec;
+use crate::design::{Design, PlacedStar};
+use crate::geom::{Bounds, Line, Path, Point, Segment};
+use crate::plan::pieces::{flat_pieces, sagitta};
+use crate::plan::seal::{Scope, scopes};
+use crate::plan::{Level, Pace, Program, Purpose, Step, program_time};
+use crate::spec::{Machine, Spec};
 
 /// All trace programs of `design`, one for each sealing program.
 pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {

@@ -1,13 +1,9 @@
 //! The journey: a program's moves, with what the iron does in each and how long it takes.
 
-use crate::plan::Pace;
-use crate::plan::move_time;
+use crate::plan::{Pace, move_time};
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
-use crate::verify::gcode::Event;
-use crate::verify::gcode::Interpreter;
-use crate::verify::gcode::Move;
-use crate::verify::gcode::MoveKind;
+use crate::verify::gcode::{Event, Interpreter, Move, MoveKind};
 
 /// Slack on heights, mm.
 const HEIGHT: f64 = 1e-6;

@@ -11,15 +11,9 @@ mod record;
 
 use crate::emit;
 use crate::emit::Facts;
-use crate::geom::Path;
-use crate::geom::Segment;
-use crate::plan::Level;
-use crate::plan::Program;
-use crate::plan::Purpose;
-use crate::plan::Ramp;
-use crate::plan::Step;
-use crate::resume::journey::Journey;
-use crate::resume::journey::Run;
+use crate::geom::{Path, Segment};
+use crate::plan::{Level, Program, Purpose, Ramp, Step};
+use crate::resume::journey::{Journey, Run};
 use crate::resume::record::Record;
 use crate::verify::gcode::read_program;
 

@@ -2,8 +2,7 @@
 
 use crate::geom::Point;
 use crate::resume::ResumeFault;
-use crate::resume::journey::Journey;
-use crate::resume::journey::Phase;
+use crate::resume::journey::{Journey, Phase};
 
 /// Farthest from a seam that a point may be told, mm: as well as one reads a position off a display or a ruler.
 const REACH: f64 = 10.0;

@@ -1,21 +1,9 @@
 //! The record: what a program's structured comments say of its machine and its seal.
 
-use crate::plan::Chop;
-use crate::plan::Pace;
+use crate::plan::{Chop, Pace};
 use crate::resume::ResumeFault;
-use crate::spec::Comments;
-use crate::spec::Dialect;
-use crate::spec::DwellUnit;
-use crate::spec::Dwells;
-use crate::spec::Heating;
-use crate::spec::Heights;
-use crate::spec::Machine;
-use crate::spec::Motion;
-use crate::spec::Seal;
-use crate::units::Duration;
-use crate::units::Length;
-use crate::units::Speed;
-use crate::units::Temperature;
+use crate::spec::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, Machine, Motion, Seal};
+use crate::units::{Duration, Length, Speed, Temperature};
 use crate::verify::gcode;
 use crate::verify::gcode::Comment;
 

@@ -1,9 +1,6 @@
 //! Moves through clamps.
 
-use crate::geom::Line;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::geom::segment_distance;
+use crate::geom::{Line, Point, Segment, segment_distance};
 use crate::spec::KeepOut;
 use crate::verify::Findings;
 use crate::verify::gcode::Program;

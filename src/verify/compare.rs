@@ -1,11 +1,8 @@
 //! The unordered comparer: how far two sets of paths lie apart, whatever their order and direction.
 
-use crate::geom::Path;
-use crate::geom::Point;
+use crate::geom::{Path, Point};
 use crate::verify::drawing::JOIN;
-use crate::verify::measure::Target;
-use crate::verify::measure::Worst;
-use crate::verify::measure::furthest;
+use crate::verify::measure::{Target, Worst, furthest};
 
 /// So few targets are measured all at once.
 const FEW: usize = 6;
@@ -107,15 +104,10 @@ fn is_closed(path: &Path) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::PI;
-    use std::f64::consts::TAU;
+    use std::f64::consts::{PI, TAU};
 
     use super::*;
-    use crate::geom::Arc;
-    use crate::geom::Isometry;
-    use crate::geom::Line;
-    use crate::geom::Segment;
-    use crate::geom::Vec2;
+    use crate::geom::{Arc, Isometry, Line, Segment, Vec2};
 
     fn line(a: (f64, f64), b: (f64, f64)) -> Segment {
         Line::new(Point::new(a.0, a.1), Point::new(b.0, b.1)).into()

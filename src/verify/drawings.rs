@@ -2,22 +2,9 @@
 
 use std::f64::consts::PI;
 
-use crate::design::Drawing as Exact;
-use crate::design::Layer;
-use crate::design::Origin;
-use crate::design::Shape;
-use crate::geom::Arc;
-use crate::geom::Bounds;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::verify::Drawing;
-use crate::verify::Finding;
-use crate::verify::Findings;
-use crate::verify::SvgOrigin;
-use crate::verify::deviation;
-use crate::verify::read_dxf;
-use crate::verify::read_svg;
+use crate::design::{Drawing as Exact, Layer, Origin, Shape};
+use crate::geom::{Arc, Bounds, Path, Point, Segment};
+use crate::verify::{Drawing, Finding, Findings, SvgOrigin, deviation, read_dxf, read_svg};
 
 /// Reads an SVG; its page must be the drawing's.
 pub(super) fn read_page(text: &str, exact: &Exact, findings: &mut Findings) -> Drawing {

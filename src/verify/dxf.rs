@@ -5,14 +5,9 @@
 
 use std::f64::consts::TAU;
 
-use crate::geom::Arc;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::verify::Drawing;
-use crate::verify::Findings;
+use crate::geom::{Arc, Line, Path, Point};
 use crate::verify::finding::quote;
-use crate::verify::number;
+use crate::verify::{Drawing, Findings, number};
 
 /// Arcs of a larger radius are read as their chord, mm: at this radius a 1 m chord has a sagitta of a nanometre.
 const STRAIGHT: f64 = 1e11;

@@ -1,23 +1,11 @@
 //! A G-code program against the design: what the iron does, where, how hot, how fast.
 
-use crate::design::PlacedStar;
-use crate::design::Side;
-use crate::geom::Bounds;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::design::{PlacedStar, Side};
+use crate::geom::{Bounds, Path, Point, Segment};
 use crate::manifest::Manifest;
-use crate::verify::Finding;
-use crate::verify::Findings;
-use crate::verify::clamp;
-use crate::verify::gcode::Dialect;
-use crate::verify::gcode::Move;
-use crate::verify::gcode::MoveKind;
-use crate::verify::gcode::Program;
-use crate::verify::gcode::read_program;
-use crate::verify::pace;
+use crate::verify::gcode::{Dialect, Move, MoveKind, Program, read_program};
 use crate::verify::proof::Truth;
-use crate::verify::walk;
+use crate::verify::{Finding, Findings, clamp, pace, walk};
 
 /// Slack on heights, mm; they are written to at least two decimals and read as written.
 const HEIGHT: f64 = 1e-6;

@@ -4,12 +4,9 @@
 //! never be off its schedule by more than 0.2 % and a dwell's step, nor a stroke on its own.
 
 use crate::geom::Segment;
-use crate::spec::FeedFloor;
-use crate::spec::Motion;
+use crate::spec::{FeedFloor, Motion};
 use crate::verify::Findings;
-use crate::verify::gcode::Move;
-use crate::verify::gcode::MoveKind;
-use crate::verify::gcode::Program;
+use crate::verify::gcode::{Move, MoveKind, Program};
 use crate::verify::proof::Truth;
 
 /// How far the mean speed may be off.

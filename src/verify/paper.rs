@@ -1,11 +1,8 @@
 //! PDF files against the pages they should be.
 
-use crate::design::Layer;
-use crate::design::PaperPage;
-use crate::verify::Findings;
-use crate::verify::drawings;
-use crate::verify::pdf::PdfPage;
-use crate::verify::pdf::read_pdf;
+use crate::design::{Layer, PaperPage};
+use crate::verify::pdf::{PdfPage, read_pdf};
+use crate::verify::{Findings, drawings};
 
 /// How exact paper has to be, mm: PDF states numbers in single precision and curves for arcs.
 const TOLERANCE: f64 = 0.01;

@@ -6,11 +6,8 @@
 use std::collections::BTreeMap;
 
 use crate::geom::Bounds;
-use crate::verify::Drawing;
-use crate::verify::Findings;
-use crate::verify::pdf_content;
-use crate::verify::pdf_object::Object;
-use crate::verify::pdf_object::Scan;
+use crate::verify::pdf_object::{Object, Scan};
+use crate::verify::{Drawing, Findings, pdf_content};
 
 /// Millimetres in a point.
 const POINT: f64 = 25.4 / 72.0;

@@ -1,17 +1,10 @@
 //! The content of a PDF page: operators to lines and arcs.
 
-use crate::geom::Arc;
-use crate::geom::Bounds;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::verify::Drawing;
-use crate::verify::Findings;
+use crate::geom::{Arc, Bounds, Line, Path, Point, Segment};
 use crate::verify::finding::quote;
 use crate::verify::pdf::PdfPage;
-use crate::verify::pdf_object::Object;
-use crate::verify::pdf_object::Scan;
+use crate::verify::pdf_object::{Object, Scan};
+use crate::verify::{Drawing, Findings};
 
 /// How far a curve may leave the circle through its ends and its middle, mm, to be read as an arc.
 const ROUND: f64 = 0.002;

@@ -4,27 +4,13 @@
 //! computed from them anew, and every file is read back and compared with it.
 
 use crate::artifact::Kind;
-use crate::design::Design;
-use crate::design::Drawing;
-use crate::design::MaskPlate;
-use crate::design::Paper;
-use crate::manifest::MANIFEST;
-use crate::manifest::Manifest;
-use crate::manifest::ManifestFile;
-use crate::manifest::sha256;
+use crate::design::{Design, Drawing, MaskPlate, Paper};
+use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::mechanics::predict::predict;
 use crate::spec;
-use crate::spec::Machine;
-use crate::spec::Source;
-use crate::spec::Spec;
-use crate::verify::Archive;
-use crate::verify::Finding;
-use crate::verify::Findings;
-use crate::verify::drawings;
-use crate::verify::job;
+use crate::spec::{Machine, Source, Spec};
 use crate::verify::job::Job;
-use crate::verify::paper;
-use crate::verify::solid;
+use crate::verify::{Archive, Finding, Findings, drawings, job, paper, solid};
 
 /// What the verifier has to say about a directory.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,11 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::design::Drawing;
-use crate::design::Layer;
-use crate::geom::Bounds;
-use crate::geom::Path;
-use crate::geom::Point;
+use crate::design::{Drawing, Layer};
+use crate::geom::{Bounds, Path, Point};
 use crate::verify::Findings;
 use crate::verify::drawings::path_of;
 

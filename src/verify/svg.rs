@@ -2,20 +2,11 @@
 
 use std::f64::consts::TAU;
 
-use roxmltree::Document;
-use roxmltree::Node;
+use roxmltree::{Document, Node};
 
-use crate::geom::Arc;
-use crate::geom::Isometry;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Vec2;
-use crate::verify::Drawing;
-use crate::verify::Findings;
+use crate::geom::{Arc, Isometry, Line, Path, Point, Vec2};
 use crate::verify::finding::quote;
-use crate::verify::number;
-use crate::verify::svg_path;
+use crate::verify::{Drawing, Findings, number, svg_path};
 
 /// Groups inside groups beyond this depth are refused: drawings need two or three, and the walk is recursive.
 const DEPTH: usize = 32;

@@ -1,10 +1,6 @@
 //! The `d` attribute of an SVG path: absolute `M L H V A Z`, in user units, Y down.
 
-use crate::geom::Arc;
-use crate::geom::Line;
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Arc, Line, Path, Point, Segment};
 use crate::verify::drawing::JOIN;
 use crate::verify::finding::quote;
 use crate::verify::number;

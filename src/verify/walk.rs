@@ -5,12 +5,8 @@
 //! so a path that covers a stretch twice (the overlap), or passes close to itself, is never mixed up. Each
 //! step is then measured against the part of the exact path that it covered, both ways.
 
-use crate::geom::Path;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::verify::measure::Target;
-use crate::verify::measure::Worst;
-use crate::verify::measure::furthest;
+use crate::geom::{Path, Point, Segment};
+use crate::verify::measure::{Target, Worst, furthest};
 
 /// How far a window reaches beyond one step. Larger than any rounding in a file, far smaller than a band.
 const MARGIN: f64 = 0.05;
@@ -192,10 +188,7 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
-    use crate::geom::Arc;
-    use crate::geom::Isometry;
-    use crate::geom::Line;
-    use crate::geom::Vec2;
+    use crate::geom::{Arc, Isometry, Line, Vec2};
 
     fn loop_of(r: f64, l: f64) -> Path {
         let p = Point::new;

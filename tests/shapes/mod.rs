@@ -3,12 +3,7 @@
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
-use stargrip_cam::geom::Arc;
-use stargrip_cam::geom::Line;
-use stargrip_cam::geom::Path;
-use stargrip_cam::geom::Point;
-use stargrip_cam::geom::Segment;
-use stargrip_cam::geom::Vec2;
+use stargrip_cam::geom::{Arc, Line, Path, Point, Segment, Vec2};
 
 /// A closed curve that is star-shaped about its centre: vertices at growing angles, joined by lines and flat arcs.
 pub(crate) fn blob() -> impl Strategy<Value = (Path, Point)> {

@@ -8,13 +8,9 @@ use std::f64::consts::PI;
 use proptest::prelude::*;
 
 use stargrip_cam::design::Refusal;
-use stargrip_cam::pipeline;
-use stargrip_cam::pipeline::Build;
-use stargrip_cam::pipeline::Sources;
-use stargrip_cam::spec;
-use stargrip_cam::spec::Machine;
-use stargrip_cam::spec::Source;
-use stargrip_cam::spec::Spec;
+use stargrip_cam::pipeline::{Build, Sources};
+use stargrip_cam::spec::{Machine, Source, Spec};
+use stargrip_cam::{pipeline, spec};
 
 /// A star that exists, by its arm length instead of its inner radius; lengths in mm, angles in deg.
 #[derive(Clone, Copy, Debug)]

@@ -5,12 +5,8 @@ use std::fmt;
 use crate::emit::gcode::Facts;
 use crate::emit::gcode::writer::Writer;
 use crate::emit::number::Decimals;
-use crate::plan::Pace;
-use crate::plan::Program;
-use crate::plan::Purpose;
-use crate::plan::SeamReport;
-use crate::spec::DwellUnit;
-use crate::spec::Heating;
+use crate::plan::{Pace, Program, Purpose, SeamReport};
+use crate::spec::{DwellUnit, Heating};
 
 /// Writes the header of `program`.
 pub(super) fn header(

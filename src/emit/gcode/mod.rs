@@ -22,21 +22,11 @@ mod writer;
 
 use std::fmt;
 
-use crate::emit::gcode::header::header;
-use crate::emit::gcode::header::seam_facts;
+use crate::emit::gcode::header::{header, seam_facts};
 use crate::emit::gcode::writer::Writer;
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::plan::CHECK_LENGTH;
-use crate::plan::Clock;
-use crate::plan::Pacer;
-use crate::plan::Program;
-use crate::plan::Step;
-use crate::plan::height_of;
-use crate::spec::Heating;
-use crate::spec::Machine;
-use crate::spec::Seal;
-use crate::spec::Spec;
+use crate::geom::{Point, Segment};
+use crate::plan::{CHECK_LENGTH, Clock, Pacer, Program, Step, height_of};
+use crate::spec::{Heating, Machine, Seal, Spec};
 use crate::units::Length;
 
 /// What the writing of a program needs to know beside the program.

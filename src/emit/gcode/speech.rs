@@ -9,8 +9,7 @@ use crate::emit::gcode::linuxcnc::LinuxCnc;
 use crate::emit::gcode::marlin::Marlin;
 use crate::emit::gcode::reprapfirmware::RepRapFirmware;
 use crate::emit::number::Decimals;
-use crate::spec::Dialect;
-use crate::spec::DwellUnit;
+use crate::spec::{Dialect, DwellUnit};
 use crate::units::Temperature;
 
 /// The spelling of one dialect. None of it decides geometry, order or times.

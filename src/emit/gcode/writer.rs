@@ -4,12 +4,10 @@ use std::fmt;
 
 use crate::emit::gcode::Facts;
 use crate::emit::gcode::header::number;
-use crate::emit::gcode::speech::Speech;
-use crate::emit::gcode::speech::speech;
+use crate::emit::gcode::speech::{Speech, speech};
 use crate::emit::number::Decimals;
 use crate::emit::text::inert;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Point, Segment};
 use crate::spec::Comments;
 
 /// Spells lines, and remembers where the file says that the iron is.

@@ -17,8 +17,8 @@ mod volume;
 
 use self::path::{End, follow};
 use self::section::{PHI, Section, TENSION, U};
-use super::fault::HingeFault;
-use super::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
+use crate::mechanics::fault::HingeFault;
+use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
 use crate::numerics::collocation::CollocationFault;
 
 /// Largest R*: beyond, the differences between sections are lost in the size of V_bar.

@@ -5,7 +5,7 @@
 //! falls to 0 at a moderate beta, then beta rises. Both ends are the paper's: the free section
 //! (its beta = 0), and the penalised one.
 
-use super::section::Section;
+use crate::mechanics::bvp::section::Section;
 use crate::mechanics::ring::free_unknowns;
 use crate::numerics::collocation::{CollocationFault, Profile, Solution, solve};
 

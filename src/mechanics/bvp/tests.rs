@@ -1,7 +1,7 @@
 //! The penalised problem against the exact ring, and against itself on finer meshes.
 
-use super::path::follow;
 use super::*;
+use crate::mechanics::bvp::path::follow;
 use crate::mechanics::hinge::seal_load;
 use crate::mechanics::ring::Ring;
 use crate::numerics::collocation::solve_on_mesh;

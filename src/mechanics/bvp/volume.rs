@@ -1,6 +1,6 @@
 //! First and second derivative of the penalised volume by lambda.
 
-use super::section::Section;
+use crate::mechanics::bvp::section::Section;
 use crate::numerics::Dual;
 use crate::numerics::collocation::{Problem, Solution};
 

@@ -50,9 +50,9 @@ pub fn limit() -> RingLimit {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Ring, cone_at_target};
     use super::*;
     use crate::mechanics::hinge::{HingeModel, seal_load};
+    use crate::mechanics::ring::{Ring, cone_at_target};
 
     #[test]
     fn the_ring_tends_to_it_like_one_over_r_star() {

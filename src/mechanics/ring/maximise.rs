@@ -5,8 +5,8 @@
 
 #![expect(clippy::cast_precision_loss, reason = "chains have a few dozen segments")]
 
-use super::Ring;
 use crate::mechanics::hinge::HingeModel;
+use crate::mechanics::ring::Ring;
 
 struct Chain {
     r_star: f64,

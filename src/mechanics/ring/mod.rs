@@ -29,8 +29,8 @@ pub use table::{RingTable, TargetEntry};
 use self::section::CONE;
 use self::section::{LAMBDA, PHI_0, TENSION};
 use self::solve::{Solved, solve_cone, solve_free, solve_onset, solve_target};
-use super::fault::HingeFault;
-use super::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
+use crate::mechanics::fault::HingeFault;
+use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
 use crate::numerics::NewtonFault;
 
 /// Largest R*: beyond, [`limit()`] is exact to 1e-6.

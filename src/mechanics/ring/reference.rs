@@ -1,8 +1,8 @@
 //! The ring in some 30 digits, by means that share nothing with the solver: double-double numbers,
 //! tanh-sinh quadrature in phi, volume by its definition, derivatives by differencing the volume.
 
-use super::section::LAMBDA;
-use super::solve::{Solved, solve_cone, solve_free, solve_target};
+use crate::mechanics::ring::section::LAMBDA;
+use crate::mechanics::ring::solve::{Solved, solve_cone, solve_free, solve_target};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

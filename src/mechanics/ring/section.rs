@@ -14,7 +14,7 @@
 //! V_bar' = -∫ r^2 sin(phi) ds - 2 ∫_cone h r ds
 //! ```
 
-use super::arc::{Arc, Start, free_arc};
+use crate::mechanics::ring::arc::{Arc, Start, free_arc};
 use crate::numerics::Dual;
 use std::f64::consts::FRAC_PI_2;
 

@@ -4,10 +4,11 @@
 //! some of the four unknowns and holds the others. The second derivative of the volume follows
 //! from the same Jacobian by implicit differentiation.
 
-use super::section::{CONE, LAMBDA, Number, PHI_0, Section, TENSION, cone_section, free_section};
-use crate::numerics::NewtonFault;
-use crate::numerics::newton;
+use crate::mechanics::ring::section::{
+    CONE, LAMBDA, Number, PHI_0, Section, TENSION, cone_section, free_section,
+};
 use crate::numerics::newton::solve_dense;
+use crate::numerics::{NewtonFault, newton};
 use nalgebra::{SMatrix, SVector};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 

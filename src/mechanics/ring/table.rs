@@ -3,10 +3,10 @@
 //! All target quantities are analytic in `x = R* / (R* + 1/2)` on [0, 1], both ends included (after
 //! division by 1 + R* where they grow), so one Chebyshev series covers every R* from 0 to infinity.
 
-use super::solve::{Solved, solve_onset, solve_target};
-use super::unsolved;
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::check_r_star;
+use crate::mechanics::ring::solve::{Solved, solve_onset, solve_target};
+use crate::mechanics::ring::unsolved;
 use crate::numerics::Chebyshev;
 
 /// Terms of each series: 40 bring all errors below [`RingTable::ERROR`], 30 do not.
@@ -103,9 +103,9 @@ fn scaled(r_star: f64, target: &Solved, onset: &Solved) -> [f64; 7] {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Ring;
     use super::*;
     use crate::mechanics::hinge::HingeModel;
+    use crate::mechanics::ring::Ring;
 
     #[test]
     fn agrees_with_the_ring_between_its_points() {

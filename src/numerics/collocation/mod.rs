@@ -23,7 +23,7 @@ mod refine;
 mod tests;
 
 use self::refine::{remesh, residuals};
-use super::band::{Banded, Factors};
+use crate::numerics::band::{Banded, Factors};
 
 /// A system of `N` equations with conditions that fix some components at the ends.
 pub trait Problem<const N: usize> {

@@ -1,7 +1,6 @@
 //! Where the mesh is too coarse, and a better one.
 
-use super::Problem;
-use super::Profile;
+use crate::numerics::collocation::{Problem, Profile};
 
 /// Root mean square of `(y' - f) / (1 + |f|)` on each interval, by five-point Lobatto quadrature, whose end and
 /// middle points are collocation points and contribute nothing.

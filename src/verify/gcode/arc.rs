@@ -2,8 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::geom::Arc;
-use crate::geom::Point;
+use crate::geom::{Arc, Point};
 use crate::verify::gcode::ArcTolerance;
 
 /// Turns below this are full circles: GRBL's `ARC_ANGULAR_TRAVEL_EPSILON`, rad.

@@ -1,9 +1,7 @@
 //! A line that the dialect understands: its commands and the values of its other words.
 
-use crate::verify::gcode::Command;
-use crate::verify::gcode::Dialect;
-use crate::verify::gcode::lexer::Fault;
-use crate::verify::gcode::lexer::Word;
+use crate::verify::gcode::lexer::{Fault, Word};
+use crate::verify::gcode::{Command, Dialect};
 
 /// The commands and values of one line.
 #[derive(Clone, Debug, Default, PartialEq)]

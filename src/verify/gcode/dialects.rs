@@ -1,11 +1,7 @@
 //! The tables of the dialects, each from its controller's documentation and source.
 
 use crate::spec;
-use crate::verify::gcode::ArcTolerance;
-use crate::verify::gcode::Command as C;
-use crate::verify::gcode::CommentMark;
-use crate::verify::gcode::Dialect;
-use crate::verify::gcode::DwellUnit;
+use crate::verify::gcode::{ArcTolerance, Command as C, CommentMark, Dialect, DwellUnit};
 
 /// Codes that all controllers of the RS274/NGC family share.
 const RS274: [(u8, u16, C); 18] = [

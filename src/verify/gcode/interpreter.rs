@@ -1,17 +1,10 @@
 //! The interpreter: line after line, in constant memory.
 
 use crate::verify::Finding;
-use crate::verify::gcode::Command;
-use crate::verify::gcode::Comment;
-use crate::verify::gcode::CommentMark;
-use crate::verify::gcode::Dialect;
-use crate::verify::gcode::Event;
-use crate::verify::gcode::Pause;
 use crate::verify::gcode::block::Block;
-use crate::verify::gcode::lexer;
 use crate::verify::gcode::lexer::Word;
-use crate::verify::gcode::machine::Machine;
-use crate::verify::gcode::machine::report;
+use crate::verify::gcode::machine::{Machine, report};
+use crate::verify::gcode::{Command, Comment, CommentMark, Dialect, Event, Pause, lexer};
 
 /// How the last line of every program begins; the number of lines follows.
 const SENTINEL: &str = "end of program, ";

@@ -1,8 +1,7 @@
 //! Cuts a line into words and a comment.
 
 use crate::verify::finding::quote;
-use crate::verify::gcode::CommentMark;
-use crate::verify::gcode::Dialect;
+use crate::verify::gcode::{CommentMark, Dialect};
 use crate::verify::number;
 
 /// A letter with its number, e.g. `X-1.5`.

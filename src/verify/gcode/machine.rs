@@ -1,19 +1,11 @@
 //! Executes blocks: the modes, the position and the heat of the simulated machine.
 
-use crate::geom::Line;
-use crate::geom::Point;
-use crate::geom::Segment;
+use crate::geom::{Line, Point, Segment};
 use crate::verify::Finding;
-use crate::verify::gcode::Command;
-use crate::verify::gcode::Dialect;
-use crate::verify::gcode::Dwell;
-use crate::verify::gcode::Event;
-use crate::verify::gcode::Move;
-use crate::verify::gcode::MoveKind;
-use crate::verify::gcode::Point3;
 use crate::verify::gcode::arc::arc;
 use crate::verify::gcode::block::Block;
 use crate::verify::gcode::modes::Modes;
+use crate::verify::gcode::{Command, Dialect, Dwell, Event, Move, MoveKind, Point3};
 
 /// The simulated machine.
 #[derive(Clone, Debug, Default)]

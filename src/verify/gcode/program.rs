@@ -1,12 +1,8 @@
 //! What a program does: events, and the list of all of them.
 
-use crate::geom::Point;
-use crate::geom::Segment;
-use crate::verify::Finding;
-use crate::verify::Findings;
-use crate::verify::gcode::Comment;
-use crate::verify::gcode::Dialect;
-use crate::verify::gcode::Interpreter;
+use crate::geom::{Point, Segment};
+use crate::verify::gcode::{Comment, Dialect, Interpreter};
+use crate::verify::{Finding, Findings};
 
 /// A position of the iron's tip, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

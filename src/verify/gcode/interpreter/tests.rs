@@ -3,11 +3,7 @@
 use proptest::prelude::*;
 
 use crate::geom::Segment;
-use crate::verify::gcode::Dialect;
-use crate::verify::gcode::MoveKind;
-use crate::verify::gcode::Point3;
-use crate::verify::gcode::Program;
-use crate::verify::gcode::read_program;
+use crate::verify::gcode::{Dialect, MoveKind, Point3, Program, read_program};
 
 const HEAD: &str = "G21\nG90\nG17\nG91.1\nG94\nG0 Z30\nG0 X0 Y0\n";
 
