@@ -78,5 +78,5 @@ fn prove(bencher: divan::Bencher) {
     let (spec, machine) = (paper(), machine());
     let sources = Sources { spec: PAPER, machine: generic() };
     let build = pipeline::build(&spec, &machine, sources, &[]).expect("a design");
-    bencher.bench(|| verify::prove(&build.design, &spec, &machine, &black_box(build.archive())));
+    bencher.bench(|| verify::prove(&build.design, &spec, &machine, &black_box(build.output_files())));
 }

@@ -1,12 +1,12 @@
 //! What each model costs. `cargo bench --bench mechanics`
 
 use divan::{Bencher, black_box};
-use stargrip_cam::mechanics::bvp::Bvp;
+use stargrip_cam::forecast::candidate::Candidate;
+use stargrip_cam::forecast::predict::predict;
+use stargrip_cam::forecast::sweep::{Axis, Sweep};
 use stargrip_cam::mechanics::hinge::HingeModel;
-use stargrip_cam::mechanics::point::Point;
-use stargrip_cam::mechanics::predict::predict;
-use stargrip_cam::mechanics::ring::{Ring, RingTable};
-use stargrip_cam::mechanics::sweep::{Axis, Sweep};
+use stargrip_cam::mechanics::hinge::bvp::Bvp;
+use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
 use stargrip_cam::spec::{Source, Spec, read, starter};
 
 fn main() {
@@ -52,7 +52,7 @@ fn sweep_of_a_million_designs(bencher: Bencher) {
     let axes =
         ["star.points=3,4,5,6", "star.tube_width=10 mm..40 mm/500", "star.tip_angle=15 deg..60 deg/500"];
     let axes = axes.map(|text| Axis::parse(text).expect("valid")).to_vec();
-    let sweep = Sweep::new(Point::of(&spec()).expect("a star"), axes).expect("small");
+    let sweep = Sweep::new(Candidate::of(&spec()).expect("a star"), axes).expect("small");
     assert_eq!(sweep.rows(), 1_000_000);
     bencher.bench_local(|| {
         let mut bytes = 0;

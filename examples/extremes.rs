@@ -2,10 +2,10 @@
 //!
 //! `cargo run --release --example extremes`
 
-use stargrip_cam::mechanics::bvp::Bvp;
+use stargrip_cam::mechanics::hinge::bvp::Bvp;
+use stargrip_cam::mechanics::hinge::ring::{Ring, limit};
 use stargrip_cam::mechanics::hinge::{Hinge, HingeModel, seal_load};
-use stargrip_cam::mechanics::response::Inflated;
-use stargrip_cam::mechanics::ring::{Ring, limit};
+use stargrip_cam::mechanics::star::response::Inflated;
 use stargrip_cam::mechanics::star::{Star, StarGeometry};
 use std::fmt::Write;
 

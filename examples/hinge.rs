@@ -2,12 +2,12 @@
 //!
 //! `cargo run --release --example hinge`
 
-use stargrip_cam::mechanics::bvp::Bvp;
 use stargrip_cam::mechanics::fault::StarFault;
-use stargrip_cam::mechanics::fit::Fit;
+use stargrip_cam::mechanics::hinge::bvp::Bvp;
+use stargrip_cam::mechanics::hinge::fit::Fit;
+use stargrip_cam::mechanics::hinge::ring::Ring;
 use stargrip_cam::mechanics::hinge::{HingeModel, seal_load};
-use stargrip_cam::mechanics::response::Inflated;
-use stargrip_cam::mechanics::ring::Ring;
+use stargrip_cam::mechanics::star::response::Inflated;
 use stargrip_cam::mechanics::star::{Star, StarGeometry};
 
 fn main() -> Result<(), StarFault> {

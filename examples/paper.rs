@@ -2,14 +2,14 @@
 //!
 //! `cargo run --release --example paper`
 
-use stargrip_cam::mechanics::bvp::Bvp;
-use stargrip_cam::mechanics::cone::{Balance, Cone};
-use stargrip_cam::mechanics::fit::{Fit, target_curvature};
+use stargrip_cam::coupon::cone::{Balance, Cone};
+use stargrip_cam::mechanics::hinge::bvp::Bvp;
+use stargrip_cam::mechanics::hinge::fit::{Fit, target_curvature};
+use stargrip_cam::mechanics::hinge::ring::Ring;
 use stargrip_cam::mechanics::hinge::{Hinge, HingeModel, HingeState};
-use stargrip_cam::mechanics::response::Inflated;
-use stargrip_cam::mechanics::ring::Ring;
+use stargrip_cam::mechanics::star::response::Inflated;
 use stargrip_cam::mechanics::star::{Star, StarGeometry};
-use stargrip_cam::mechanics::strength::{GRAVITY, Sheet};
+use stargrip_cam::mechanics::strength::{ElasticSheet, GRAVITY};
 use std::fmt::Write;
 
 fn main() {
@@ -43,7 +43,7 @@ fn of(model: &dyn HingeModel, r_star: f64) -> HingeState {
 }
 
 fn fabric() -> String {
-    let sheet = Sheet::new(0.3e-3, 128e6, 0.39).expect("valid");
+    let sheet = ElasticSheet::new(0.3e-3, 128e6, 0.39).expect("valid");
     format!(
         "| quantity | value |\n|---|---|\n| B = E t^3 / [12 (1 - nu^2)] | {:.3e} N m |\n| 10^3 B / W^3, W = 20, 30, 40 mm | \
          {:.1}, {:.1}, {:.1} kPa |\n| 1/eps at 37 kPa, W = 30 mm | {:.0} |\n| p W / Y there | {:.3} |\n\n",

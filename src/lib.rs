@@ -44,6 +44,8 @@ pub mod design;
 
 pub mod mechanics;
 
+pub mod forecast;
+
 pub mod airtight;
 
 pub mod plan;

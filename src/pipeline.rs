@@ -5,13 +5,13 @@ mod parts;
 use crate::artifact::{Artifact, Kind, Variant};
 use crate::design::{Design, Drawing, Refusal};
 use crate::emit;
+use crate::forecast::predict::{PredictFault, predict};
+use crate::forecast::prediction::Prediction;
 use crate::manifest::{MANIFEST, Manifest};
-use crate::mechanics::predict::{PredictFault, predict};
-use crate::mechanics::prediction::Prediction;
 use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, ProgramScope, Spec};
-use crate::verify::Archive;
+use crate::verify::OutputFiles;
 
 /// Everything that a build makes, in memory.
 #[derive(Clone, Debug)]
@@ -65,8 +65,8 @@ pub fn build(
 
 impl Build {
     /// The files as the verifier sees them.
-    pub fn archive(&self) -> Archive<'_> {
-        Archive { files: self.files().map(|(name, bytes)| (name.into(), bytes)).collect() }
+    pub fn output_files(&self) -> OutputFiles<'_> {
+        OutputFiles { files: self.files().map(|(name, bytes)| (name.into(), bytes)).collect() }
     }
 
     /// All files with their names, the manifest last.

@@ -38,14 +38,14 @@ struct Box<'a> {
 
 impl<'a> Box<'a> {
     fn new(build: &'a Build) -> Self {
-        let archive = build.archive();
-        let manifest = serde_json::from_slice(archive.get("manifest.json").expect("one")).expect("JSON");
+        let files = build.output_files();
+        let manifest = serde_json::from_slice(files.get("manifest.json").expect("one")).expect("JSON");
         Self { build, manifest }
     }
 
     fn read(&self, file: &ManifestFile) -> Drawing {
-        let archive = self.build.archive();
-        let text = std::str::from_utf8(archive.get(&file.path).expect("a file")).expect("text").to_owned();
+        let files = self.build.output_files();
+        let text = std::str::from_utf8(files.get(&file.path).expect("a file")).expect("text").to_owned();
         let drawing = match file.kind.as_str() {
             "outline-svg" | "seal-svg" => read_svg(&text, SvgOrigin::LowerLeft),
             kind if kind.ends_with("-svg") => read_svg(&text, SvgOrigin::Axis),
@@ -231,10 +231,10 @@ fn the_paper_shows_the_mask_at_its_size() {
     let build = support::build(support::PAPER).expect("a design");
     let parts = Box::new(&build);
     let (_, mask) = &parts.all("mask")[0];
-    let archive = build.archive();
+    let files = build.output_files();
     for file in parts.manifest.files.iter().filter(|file| file.kind == "mask-pdf") {
         let mut findings = Findings::default();
-        let pages = read_pdf(archive.get(&file.path).expect("a file"), &mut findings);
+        let pages = read_pdf(files.get(&file.path).expect("a file"), &mut findings);
         assert_eq!(findings.into_vec(), []);
         for page in &pages {
             // The check square and the ruler.
@@ -255,9 +255,9 @@ fn the_paper_shows_the_mask_at_its_size() {
 #[test]
 fn neighbouring_pages_carry_the_same_crosses() {
     let build = support::build(support::PAPER).expect("a design");
-    let archive = build.archive();
+    let files = build.output_files();
     let mut findings = Findings::default();
-    let pages = read_pdf(archive.get("star-1-mask-a4.pdf").expect("a file"), &mut findings);
+    let pages = read_pdf(files.get("star-1-mask-a4.pdf").expect("a file"), &mut findings);
     assert_eq!(pages.len(), 4);
     // A cross is two strokes of 6 mm; where it lies against the drawing is told by the drawing itself.
     let crosses = |page: usize| -> Vec<Point> {
@@ -329,7 +329,7 @@ fn a_part_is_turned_only_where_that_is_allowed() {
     let refusals = support::build(&tall).expect_err("336.5 mm high");
     assert!(refusals[0].remedy.contains("2.4"), "{}", refusals[0]);
     let turned = support::build(&format!("{tall}turn = true\n")).expect("turned it fits");
-    let proof = stargrip_cam::verify::prove_archive(&turned.archive());
+    let proof = stargrip_cam::verify::prove_files(&turned.output_files());
     assert_eq!(proof.findings, []);
     let rotation = turned.design.stars[0].placement.rotation;
     assert!((rotation - TAU / 4.0).abs() < 1e-12);

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use stargrip_cam::design::{Drawing, Layer, Origin, Shape, Side};
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment};
-use stargrip_cam::plan::{LONGEST_MOVE, Level, Program, Purpose, SeamReport, Step, pieces};
+use stargrip_cam::plan::{LONGEST_MOVE, Height, Program, Purpose, SeamReport, Step, pieces};
 use stargrip_cam::units::Length;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
 use stargrip_cam::verify::{SvgOrigin, deviation};
@@ -44,7 +44,7 @@ proptest! {
                 }
             }
             Ok(build) => {
-                let proof = verify::prove(&build.design, &support::read(&text), &support::machine(), &build.archive());
+                let proof = verify::prove(&build.design, &support::read(&text), &support::machine(), &build.output_files());
                 prop_assert_eq!(&proof.findings, &[]);
                 prop_assert!(proof.deviations.len() >= 6);
                 for (file, mm) in proof.deviations {
@@ -118,9 +118,9 @@ fn read_back(path: &Path) -> Vec<Segment> {
         sheet: 1,
         stars: vec![1],
         steps: vec![
-            Step::Height(Level::Park),
+            Step::Height(Height::Park),
             Step::Travel(path.start().expect("a path")),
-            Step::Height(Level::Travel),
+            Step::Height(Height::Travel),
             Step::Seal(pieces(path, LONGEST_MOVE)),
         ],
         seams: vec![seam],
@@ -147,7 +147,8 @@ fn no_paper_is_written_that_numbers_are_too_coarse_for() {
         .replace("\"30 mm\"", "\"463.7 mm\"")
         .replace("30 deg", "60 deg");
     let build = support::build(&text).expect("a design");
-    let proof = verify::prove(&build.design, &support::read(&text), &support::machine(), &build.archive());
+    let proof =
+        verify::prove(&build.design, &support::read(&text), &support::machine(), &build.output_files());
     assert_eq!(proof.findings, []);
     assert!(build.artifacts.iter().all(|artifact| !artifact.name.ends_with("pdf")));
 }
@@ -164,6 +165,6 @@ fn every_contact_of_a_chopped_program_has_its_own_schedule() {
     let sources = stargrip_cam::pipeline::Sources { spec: &text, machine: grbl };
     let only = [stargrip_cam::artifact::Kind::SealGcode];
     let build = stargrip_cam::pipeline::build(&spec, &machine, sources, &only).expect("a gripper");
-    let proof = verify::prove(&build.design, &spec, &machine, &build.archive());
+    let proof = verify::prove(&build.design, &spec, &machine, &build.output_files());
     assert_eq!(proof.findings, []);
 }

@@ -4,7 +4,7 @@ mod shapes;
 
 use proptest::prelude::*;
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
-use stargrip_cam::verify::{deviation, walk};
+use stargrip_cam::verify::{deviation, follow};
 
 use shapes::blob;
 
@@ -46,7 +46,7 @@ fn seam() -> impl Strategy<Value = (Path, f64)> {
 proptest! {
     #[test]
     fn a_faithful_run_is_followed_to_its_end((exact, _) in seam()) {
-        let walk = walk(&moves(&exact), &exact);
+        let walk = follow(&moves(&exact), &exact);
         prop_assert!(walk.largest() < ROUNDING, "{walk:?}");
         prop_assert!(walk.start < 0.002 && walk.exact_length - walk.end < 0.002, "{walk:?}");
         prop_assert!(walk.backwards.is_none_or(|(by, _)| by < 0.002), "{walk:?}");
@@ -56,7 +56,7 @@ proptest! {
     #[test]
     fn a_missing_overlap_is_measured((exact, turn) in seam(), kept in 0.0..1.0_f64) {
         let run = moves(&exact.part(0.0, turn + kept * (exact.length() - turn)));
-        let walk = walk(&run, &exact);
+        let walk = follow(&run, &exact);
         let missing = (1.0 - kept) * (exact.length() - turn);
         prop_assert!(f64::abs(walk.exact_length - walk.end - missing) < 0.01, "{missing}: {walk:?}");
     }
@@ -71,7 +71,7 @@ proptest! {
         run[i] = Line::new(moved, run[i].end()).into();
         let truth = exact.distance(moved);
         prop_assume!(truth > 0.1 * by);
-        let walk = walk(&run, &exact);
+        let walk = follow(&run, &exact);
         prop_assert!(walk.file_to_exact > truth - 1e-6, "{truth}: {walk:?}");
         // Chords instead of flat arcs of 2 mm cost up to 0.2 mm more.
         prop_assert!(walk.largest() < by + 0.2, "{by}: {walk:?}");
@@ -85,10 +85,10 @@ proptest! {
         let length = run[i].start().distance(run[i].end());
         let mut cut = run.clone();
         let _ = cut.remove(i);
-        prop_assert!(walk(&cut, &exact).jump.is_some_and(|(gap, k)| k == i && (gap - length).abs() < 1e-9));
+        prop_assert!(follow(&cut, &exact).jump.is_some_and(|(gap, k)| k == i && (gap - length).abs() < 1e-9));
         let mut turned = run;
         turned[i] = turned[i].reversed();
-        let walk = walk(&turned, &exact);
+        let walk = follow(&turned, &exact);
         prop_assert!(walk.jump.is_some_and(|(gap, _)| (gap - length).abs() < 1e-9), "{walk:?}");
         prop_assert!(walk.backwards.is_some_and(|(by, k)| k == i && (by - length).abs() < 0.03), "{walk:?}");
     }

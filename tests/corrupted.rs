@@ -8,38 +8,38 @@ mod support;
 use std::borrow::Cow;
 
 use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
-use stargrip_cam::verify::{Archive, Finding, prove_archive};
+use stargrip_cam::verify::{Finding, OutputFiles, prove_files};
 
 const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";
 
-fn archive() -> Archive<'static> {
+fn output_files() -> OutputFiles<'static> {
     archive_of(support::PAPER)
 }
 
-fn archive_of(text: &str) -> Archive<'static> {
+fn archive_of(text: &str) -> OutputFiles<'static> {
     let build = support::build(text).expect("a gripper");
     let own = |(name, bytes): (&str, Cow<'_, [u8]>)| (name.to_owned().into(), bytes.into_owned().into());
-    Archive { files: build.files().map(own).collect() }
+    OutputFiles { files: build.files().map(own).collect() }
 }
 
-fn text(archive: &Archive<'_>, file: &str) -> String {
-    String::from_utf8(archive.get(file).expect("a file").to_vec()).expect("text")
+fn text(files: &OutputFiles<'_>, file: &str) -> String {
+    String::from_utf8(files.get(file).expect("a file").to_vec()).expect("text")
 }
 
-fn replace(archive: &mut Archive<'static>, file: &str, bytes: Vec<u8>) {
-    let entry = archive.files.iter_mut().find(|(name, _)| name == file).expect("a file");
+fn replace(files: &mut OutputFiles<'static>, file: &str, bytes: Vec<u8>) {
+    let entry = files.files.iter_mut().find(|(name, _)| name == file).expect("a file");
     entry.1 = bytes.into();
 }
 
 /// Makes the manifest agree with the files.
-fn reseal(archive: &mut Archive<'static>) {
-    let mut manifest: Manifest = serde_json::from_slice(archive.get(MANIFEST).expect("one")).expect("JSON");
+fn reseal(files: &mut OutputFiles<'static>) {
+    let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
     for entry in &mut manifest.files {
-        let bytes = archive.get(&entry.path).expect("a file");
+        let bytes = files.get(&entry.path).expect("a file");
         (entry.bytes, entry.sha256) = (bytes.len(), sha256(bytes));
     }
-    replace(archive, MANIFEST, manifest.to_json());
+    replace(files, MANIFEST, manifest.to_json());
 }
 
 /// The findings after `change` of `file`, with a manifest that agrees.
@@ -48,13 +48,13 @@ fn forged(file: &str, change: impl Fn(&str) -> String) -> Vec<Finding> {
 }
 
 fn forged_in(spec: &str, file: &str, change: impl Fn(&str) -> String) -> Vec<Finding> {
-    let mut archive = archive_of(spec);
-    let before = text(&archive, file);
+    let mut files = archive_of(spec);
+    let before = text(&files, file);
     let after = change(&before);
     assert!(before != after, "the corruption changes nothing");
-    replace(&mut archive, file, after.into_bytes());
-    reseal(&mut archive);
-    prove_archive(&archive).findings
+    replace(&mut files, file, after.into_bytes());
+    reseal(&mut files);
+    prove_files(&files).findings
 }
 
 #[track_caller]
@@ -93,21 +93,21 @@ fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
 
 #[test]
 fn an_untouched_build_has_no_findings() {
-    let proof = prove_archive(&archive());
+    let proof = prove_files(&output_files());
     assert_eq!(proof.findings, []);
     assert_eq!(proof.deviations.len(), 14);
 }
 
 #[test]
 fn a_changed_byte_is_found_by_its_hash_in_every_file() {
-    let whole = archive();
+    let whole = output_files();
     for (file, _) in &whole.files {
-        let mut archive = archive();
-        let mut bytes = archive.get(file).expect("a file").to_vec();
+        let mut files = output_files();
+        let mut bytes = files.get(file).expect("a file").to_vec();
         let middle = bytes.len() / 2;
         bytes[middle] ^= 1;
-        replace(&mut archive, file, bytes);
-        let findings = prove_archive(&archive).findings;
+        replace(&mut files, file, bytes);
+        let findings = prove_files(&files).findings;
         assert!(!findings.is_empty(), "{file}");
         if file != MANIFEST {
             assert_found(&findings, "hash", file);
@@ -117,11 +117,11 @@ fn a_changed_byte_is_found_by_its_hash_in_every_file() {
 
 #[test]
 fn a_file_cut_short_anywhere_is_found() {
-    let whole = archive();
+    let whole = output_files();
     for (file, bytes) in whole.files.iter().filter(|(file, _)| file != MANIFEST) {
-        let mut short = archive();
+        let mut short = output_files();
         replace(&mut short, file, bytes[..bytes.len() - 1].to_vec());
-        assert_found(&prove_archive(&short).findings, "size", file);
+        assert_found(&prove_files(&short).findings, "size", file);
     }
     // A forger who fixes the manifest is told by the sentinel.
     for keep in [0, 1, 500, 5_000, 12_000] {
@@ -134,10 +134,10 @@ fn a_file_cut_short_anywhere_is_found() {
 
 #[test]
 fn missing_and_unnamed_files_are_found() {
-    let mut archive = archive();
-    archive.files.retain(|(name, _)| name != TRACE);
-    archive.files.push(("notes.txt".into(), b"mine".as_slice().into()));
-    let findings = prove_archive(&archive).findings;
+    let mut files = output_files();
+    files.files.retain(|(name, _)| name != TRACE);
+    files.files.push(("notes.txt".into(), b"mine".as_slice().into()));
+    let findings = prove_files(&files).findings;
     assert_found(&findings, "missing-file", TRACE);
     assert_found(&findings, "unnamed-file", "notes.txt");
 }
@@ -145,14 +145,14 @@ fn missing_and_unnamed_files_are_found() {
 #[test]
 fn a_directory_without_its_spec_profile_or_manifest_is_refused() {
     for file in ["spec.toml", "machine.toml"] {
-        let mut archive = archive();
-        archive.files.retain(|(name, _)| name != file);
-        assert_found(&prove_archive(&archive).findings, "missing-file", file);
+        let mut files = output_files();
+        files.files.retain(|(name, _)| name != file);
+        assert_found(&prove_files(&files).findings, "missing-file", file);
     }
-    let mut archive = archive();
-    replace(&mut archive, MANIFEST, b"{}".to_vec());
-    assert_found(&prove_archive(&archive).findings, "manifest", MANIFEST);
-    assert!(!prove_archive(&Archive::default()).findings.is_empty());
+    let mut files = output_files();
+    replace(&mut files, MANIFEST, b"{}".to_vec());
+    assert_found(&prove_files(&files).findings, "manifest", MANIFEST);
+    assert!(!prove_files(&OutputFiles::default()).findings.is_empty());
 }
 
 #[test]
@@ -189,23 +189,23 @@ fn every_file_of_another_star_is_found() {
 
 #[test]
 fn a_manifest_with_other_figures_is_found() {
-    let mut archive = archive();
-    let mut manifest: Manifest = serde_json::from_slice(archive.get(MANIFEST).expect("one")).expect("JSON");
+    let mut files = output_files();
+    let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
     manifest.stars[0].seam_mm += 1.0;
     manifest.files[3].kind = "poem".to_owned();
     let file = manifest.files[3].path.clone();
-    replace(&mut archive, MANIFEST, manifest.to_json());
-    let findings = prove_archive(&archive).findings;
+    replace(&mut files, MANIFEST, manifest.to_json());
+    let findings = prove_files(&files).findings;
     assert_found(&findings, "manifest", MANIFEST);
     assert_found(&findings, "unknown-kind", &file);
 }
 
 #[test]
 fn bytes_that_are_not_text_are_found() {
-    let mut archive = archive();
-    replace(&mut archive, SEAL, vec![0xff; 100]);
-    reseal(&mut archive);
-    assert_found(&prove_archive(&archive).findings, "not-text", SEAL);
+    let mut files = output_files();
+    replace(&mut files, SEAL, vec![0xff; 100]);
+    reseal(&mut files);
+    assert_found(&prove_files(&files).findings, "not-text", SEAL);
 }
 
 #[test]
@@ -441,7 +441,7 @@ fn a_forged_prediction_is_found() {
     let findings =
         forged_in(&spec, file, |json| json.replacen("\"contraction\": 0.", "\"contraction\": 0.9", 1));
     assert_found(&findings, "prediction", file);
-    assert_eq!(prove_archive(&archive_of(&spec)).findings, []);
+    assert_eq!(prove_files(&archive_of(&spec)).findings, []);
     let without_load = forged_in(&spec, "spec.toml", |spec| spec.replace("37 kPa", "36 kPa"));
     assert_found(&without_load, "prediction", file);
 }

@@ -5,7 +5,7 @@ mod support;
 use stargrip_cam::artifact::{Artifact, Kind};
 use stargrip_cam::manifest::ManifestFile;
 use stargrip_cam::pipeline::Build;
-use stargrip_cam::verify::{Finding, prove_archive};
+use stargrip_cam::verify::{Finding, prove_files};
 
 fn build() -> Build {
     support::build(support::PAPER).expect("a design")
@@ -20,7 +20,7 @@ fn forged(file: &str, change: impl Fn(&[u8]) -> Vec<u8>) -> Vec<Finding> {
     assert_ne!(artifact.bytes, bytes, "nothing was forged");
     artifact.bytes = bytes;
     build.manifest.files = build.artifacts.iter().map(ManifestFile::of).collect();
-    prove_archive(&build.archive()).findings
+    prove_files(&build.output_files()).findings
 }
 
 #[track_caller]
@@ -144,7 +144,7 @@ fn posts_and_plates_of_another_number_or_length_are_found() {
     ] {
         let mut build = build();
         change(&mut build);
-        let findings = prove_archive(&build.archive()).findings;
+        let findings = prove_files(&build.output_files()).findings;
         assert!(findings.iter().any(|finding| finding.code == "manifest"), "{findings:#?}");
     }
 }
@@ -156,6 +156,6 @@ fn a_mask_of_the_other_face_is_no_mask_of_this_one() {
         artifact.variant.mirrored = true;
     }
     build.manifest.files = build.artifacts.iter().map(ManifestFile::of).collect();
-    let findings = prove_archive(&build.archive()).findings;
+    let findings = prove_files(&build.output_files()).findings;
     assert!(findings.iter().any(|finding| finding.code == "deviation"), "{findings:#?}");
 }

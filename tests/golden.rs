@@ -34,7 +34,7 @@ fn build(text: &str) -> Build {
     let machine = spec::read_machine(&Source::new("machine", machine_text)).expect("a valid profile");
     let sources = Sources { spec: text, machine: machine_text };
     let build = pipeline::build(&reading.spec, &machine, sources, &[]).expect("a design that can be made");
-    let proof = verify::prove(&build.design, &reading.spec, &machine, &build.archive());
+    let proof = verify::prove(&build.design, &reading.spec, &machine, &build.output_files());
     assert_eq!(proof.findings, []);
     build
 }

@@ -6,22 +6,23 @@ use std::fs;
 use std::path::Path;
 
 /// (room, the rooms it may use). A room is a directory or file directly in src/.
-const MAY_USE: [(&str, &[&str]); 17] = [
+const MAY_USE: [(&str, &[&str]); 18] = [
     ("units", &[]),
     ("geom", &[]),
     ("numerics", &[]),
     ("spec", &["units"]),
     ("design", &["geom", "spec", "units"]),
     ("mechanics", &["numerics", "spec", "units"]),
+    ("forecast", &["design", "mechanics", "numerics", "spec", "units"]),
     ("airtight", &["design", "geom", "mechanics", "spec", "units"]),
     ("plan", &["design", "geom", "spec", "units"]),
     ("artifact", &[]),
     ("manifest", &["artifact", "design", "plan", "spec"]),
     ("emit", &["design", "geom", "plan", "spec", "units"]),
-    ("verify", &["artifact", "design", "geom", "manifest", "mechanics", "spec", "units"]),
+    ("verify", &["artifact", "design", "forecast", "geom", "manifest", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
-    ("coupon", &["design", "emit", "geom", "plan", "spec", "units"]),
-    ("pipeline", &["artifact", "design", "emit", "manifest", "mechanics", "plan", "spec", "verify"]),
+    ("coupon", &["design", "emit", "geom", "mechanics", "plan", "spec", "units"]),
+    ("pipeline", &["artifact", "design", "emit", "forecast", "manifest", "plan", "spec", "verify"]),
     (
         "cli",
         &[
@@ -30,6 +31,7 @@ const MAY_USE: [(&str, &[&str]); 17] = [
             "coupon",
             "design",
             "emit",
+            "forecast",
             "geom",
             "manifest",
             "mechanics",

@@ -12,7 +12,7 @@ use std::{env, fs};
 use stargrip_cam::spec;
 use stargrip_cam::spec::Source;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
-use stargrip_cam::verify::{Findings, SvgOrigin, prove_archive, read_dxf, read_pdf, read_svg};
+use stargrip_cam::verify::{Findings, SvgOrigin, prove_files, read_dxf, read_pdf, read_svg};
 
 /// Words that mean something to one of the readers.
 const WORDS: [&[u8]; 24] = [
@@ -167,7 +167,7 @@ fn a_mutant_in_a_directory_is_found() {
     let build = support::build(support::PAPER).expect("a design");
     let mut dice = Dice(number("STARGRIP_MUTANTS_SEED", 1).wrapping_mul(0x2545_f491_4f6c_dd1d) | 1);
     for _ in 0..number("STARGRIP_MUTANTS", 1_500) / 50 {
-        let mut archive = build.archive();
+        let mut archive = build.output_files();
         let at = dice.below(archive.files.len());
         let (name, seed) = archive.files[at].clone();
         let mutant = mutate(&seed, &seed, &mut dice);
@@ -175,6 +175,6 @@ fn a_mutant_in_a_directory_is_found() {
             continue;
         }
         archive.files[at].1 = mutant.into();
-        assert!(!prove_archive(&archive).findings.is_empty(), "{name}");
+        assert!(!prove_files(&archive).findings.is_empty(), "{name}");
     }
 }

@@ -3,8 +3,8 @@
 use proptest::prelude::*;
 use serde_json::Value;
 use stargrip_cam::design::StarDesign;
-use stargrip_cam::mechanics::predict::{PredictFault, predict};
-use stargrip_cam::mechanics::prediction::Prediction;
+use stargrip_cam::forecast::predict::{PredictFault, predict};
+use stargrip_cam::forecast::prediction::Prediction;
 use stargrip_cam::spec::{ModelChoice, Source, Spec, read};
 
 const PAPER: &str = r#"

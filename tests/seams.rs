@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use stargrip_cam::design::{Design, MOUTH_OVERRUN, Side};
 use stargrip_cam::geom::{Path, Point, Segment, Vec2};
 use stargrip_cam::plan;
-use stargrip_cam::plan::{LONGEST_MOVE, Level, Step};
+use stargrip_cam::plan::{Height, LONGEST_MOVE, Step};
 use stargrip_cam::spec::Spec;
 use stargrip_cam::units::Temperature;
 
@@ -154,8 +154,8 @@ fn the_program_does_things_in_order() {
         .steps
         .iter()
         .map(|step| match step {
-            Step::Height(Level::Park) => "park",
-            Step::Height(Level::Travel) => "height",
+            Step::Height(Height::Park) => "park",
+            Step::Height(Height::Travel) => "height",
             Step::Heat(Temperature(t)) if *t == 200.0 => "heat",
             Step::Travel(_) => "travel",
             Step::Seam(0) => "inner",

@@ -8,8 +8,8 @@ use std::f64::consts::PI;
 use std::fmt;
 
 use crate::design::StarDesign;
+use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::hinge::{HingeModel, seal_load};
-use crate::mechanics::ring::Ring;
 use crate::spec::Spec;
 use crate::units::Readable;
 

@@ -43,7 +43,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if !leaks.is_empty() {
         return Err(leaking(&leaks));
     }
-    let proof = verify::prove(&build.design, spec, &loaded.machine, &build.archive());
+    let proof = verify::prove(&build.design, spec, &loaded.machine, &build.output_files());
     if !proof.findings.is_empty() {
         return Err(Failure::Findings(proof.findings));
     }

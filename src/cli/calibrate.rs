@@ -7,7 +7,7 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::read_text;
 use crate::coupon::{calibrate, read_rows};
 use crate::mechanics::hinge::HingeModel;
-use crate::mechanics::ring::Ring;
+use crate::mechanics::hinge::ring::Ring;
 use crate::units::{LineForce, Quantity};
 
 /// Arguments of `calibrate`.

@@ -6,11 +6,11 @@ use std::path::PathBuf;
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::quantity;
-use crate::mechanics::cone::{Balance, Cone, Overlay, reduce};
-use crate::mechanics::predict::geometry;
-use crate::mechanics::response::Inflated;
-use crate::mechanics::ring::Ring;
+use crate::coupon::cone::{Balance, Cone, Overlay, reduce};
+use crate::forecast::predict::geometry;
+use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::star::Star;
+use crate::mechanics::star::response::Inflated;
 use crate::units::{Angle, Length};
 
 /// Arguments of `cone`.
@@ -26,7 +26,7 @@ pub(super) struct Args {
     friction: f64,
     /// Balance of forces: derived, or published (with the plate's friction as the paper prints it).
     #[arg(long, value_enum, default_value = "derived")]
-    balance: Words,
+    balance: BalanceArg,
     /// Radius at first contact, where the travel is 0; default: the predicted final radius of --spec.
     #[arg(long, value_parser = quantity::<Length>)]
     contact_radius: Option<Length>,
@@ -36,7 +36,7 @@ pub(super) struct Args {
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Words {
+enum BalanceArg {
     Derived,
     Published,
 }
@@ -47,8 +47,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let data = fs::read_to_string(&args.data).map_err(|error| Failure::file("read", &args.data, &error))?;
     let cone = Cone::new(args.half_angle.rad(), args.friction).map_err(|fault| message(fault.to_string()))?;
     let balance = match args.balance {
-        Words::Derived => Balance::Derived,
-        Words::Published => Balance::Published,
+        BalanceArg::Derived => Balance::Derived,
+        BalanceArg::Published => Balance::Published,
     };
     let contact = args.contact_radius.map(|radius| radius.0 * 1e-3);
     let reduced = |first: f64, overlay: Option<Overlay<'_>>| reduce(&data, &cone, balance, first, overlay);

@@ -5,7 +5,7 @@ use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-use crate::cli::PublishError;
+use crate::cli::PublishFault;
 use crate::spec::Faults;
 use crate::verify::Finding;
 
@@ -17,7 +17,7 @@ pub(super) enum Failure {
     /// Outputs do not say what the design says.
     Findings(Vec<Finding>),
     /// Nothing could be published.
-    Publish(PublishError),
+    Publish(PublishFault),
     /// Anything else, in one sentence.
     Message(String),
     /// It has been said already, on standard output.
@@ -56,8 +56,8 @@ impl From<Faults> for Failure {
     }
 }
 
-impl From<PublishError> for Failure {
-    fn from(error: PublishError) -> Self {
+impl From<PublishFault> for Failure {
+    fn from(error: PublishFault) -> Self {
         Self::Publish(error)
     }
 }

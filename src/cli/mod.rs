@@ -34,7 +34,7 @@ use clap::{Parser, Subcommand};
 
 use crate::cli::failure::Failure;
 
-pub use publish::{PublishError, publish};
+pub use publish::{PublishFault, publish};
 
 /// Fabrication CAM for fabric-based star soft grippers.
 #[derive(Parser, Debug)]

@@ -7,12 +7,12 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::range;
 use crate::design::Design;
-use crate::mechanics::optimize::{Bounds, Candidate, Constraints, Goal, search, thinned};
-use crate::mechanics::point::Point;
-use crate::mechanics::rewrite::with_star;
-use crate::mechanics::ring::RingTable;
+use crate::forecast::candidate::Candidate;
+use crate::forecast::optimize::{Bounds, Constraints, Evaluated, Goal, search, thinned};
+use crate::mechanics::hinge::ring::RingTable;
 use crate::spec;
 use crate::spec::Source;
+use crate::spec::edit::with_star;
 use crate::units::{Angle, Length, Readable};
 
 /// By how much the constraints are tightened for the search, so that they still hold once the values are rounded.
@@ -27,7 +27,7 @@ pub(super) struct Args {
     spec: PathBuf,
     /// What is wanted most.
     #[arg(long, value_enum, default_value = "contraction")]
-    goal: Words,
+    goal: GoalArg,
     /// Numbers of points, "3..8" or one.
     #[arg(long, default_value = "3..12", value_parser = points)]
     points: (u32, u32),
@@ -55,7 +55,7 @@ pub(super) struct Args {
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Words {
+enum GoalArg {
     /// Most contraction.
     Contraction,
     /// Most radial stiffness.
@@ -76,11 +76,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let message = |text: &str| Failure::Message(text.to_owned());
     let loaded = Loaded::new(&args.spec)?;
     let read = &loaded.reading.spec;
-    let base = Point::of(read).ok_or_else(|| message("the spec has no star"))?;
+    let base = Candidate::of(read).ok_or_else(|| message("the spec has no star"))?;
     let goal = match args.goal {
-        Words::Contraction => Goal::Contraction,
-        Words::Stiffness => Goal::Stiffness,
-        Words::Fabric => Goal::Fabric,
+        GoalArg::Contraction => Goal::Contraction,
+        GoalArg::Stiffness => Goal::Stiffness,
+        GoalArg::Fabric => Goal::Fabric,
     };
     if goal == Goal::Stiffness && base.pressure.is_none() {
         return Err(message("stiffness needs a pressure: give [load] one"));
@@ -127,7 +127,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     Err(message(&format!("{out}# none of the best designs can be sealed and cut as the spec asks for")))
 }
 
-fn bounds(args: &Args, base: &Point) -> Bounds {
+fn bounds(args: &Args, base: &Candidate) -> Bounds {
     let geometry = &base.geometry;
     let lengths = |range: Option<(Length, Length)>, default: [f64; 2]| {
         range.map_or(default, |(from, to)| [from.0 * 1e-3, to.0 * 1e-3])
@@ -143,11 +143,11 @@ fn bounds(args: &Args, base: &Point) -> Bounds {
 }
 
 /// Candidates as a table; every line begins with "# ", so that the whole output is a spec.
-fn rows(candidates: &[Candidate]) -> String {
+fn rows(candidates: &[Evaluated]) -> String {
     let mut out = String::from(
         "#   n  angle/deg  width/mm  R_i/mm  R_e/mm  arm/mm  rho_f/mm  contraction  K/(N/m)  payload/kg  fabric/cm2  short\n",
     );
-    for Candidate { point, outcome, violation } in candidates {
+    for Evaluated { point, outcome, violation } in candidates {
         let geometry = &point.geometry;
         let optional = |value: Option<f64>| value.map_or("-".to_owned(), |value| format!("{value:.3}"));
         let _ = writeln!(
@@ -171,7 +171,7 @@ fn rows(candidates: &[Candidate]) -> String {
 }
 
 /// The spec with the candidate's values, rounded to a micrometre and a thousandth of a degree.
-fn spec_text(loaded: &Loaded, candidate: &Candidate) -> Result<String, Failure> {
+fn spec_text(loaded: &Loaded, candidate: &Evaluated) -> Result<String, Failure> {
     let geometry = &candidate.point.geometry;
     let mm = |metres: f64| format!("\"{} mm\"", Readable((metres * 1e6).round() * 1e-3));
     let values = [

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
-use crate::mechanics::predict::predict;
-use crate::mechanics::report;
+use crate::forecast::predict::predict;
+use crate::forecast::report;
 use crate::pipeline::no_prediction;
 use crate::spec::ModelChoice;
 

@@ -13,7 +13,7 @@ use crate::manifest::{MANIFEST, Manifest};
 
 /// Why nothing was published; the target is as it was.
 #[derive(Debug)]
-pub enum PublishError {
+pub enum PublishFault {
     /// The target exists and is not a directory.
     NotADirectory(PathBuf),
     /// The target holds this entry, which no build of ours has written there.
@@ -24,7 +24,7 @@ pub enum PublishError {
     Io(&'static str, PathBuf, io::Error),
 }
 
-impl fmt::Display for PublishError {
+impl fmt::Display for PublishFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotADirectory(path) => {
@@ -43,19 +43,19 @@ impl fmt::Display for PublishError {
     }
 }
 
-impl std::error::Error for PublishError {}
+impl std::error::Error for PublishFault {}
 
 /// Puts `files` (name, content) into the directory `target`, replacing what an earlier publication put there.
 ///
 /// # Errors
-/// See [`PublishError`]; the target is then as it was before.
+/// See [`PublishFault`]; the target is then as it was before.
 pub fn publish<'a>(
     target: &Path,
     files: impl Iterator<Item = (&'a str, std::borrow::Cow<'a, [u8]>)>,
-) -> Result<(), PublishError> {
+) -> Result<(), PublishFault> {
     // A link is followed, so that the directory it names is replaced and not the link.
     let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
-    let name = target.file_name().ok_or_else(|| PublishError::NoName(target.clone()))?.to_owned();
+    let name = target.file_name().ok_or_else(|| PublishFault::NoName(target.clone()))?.to_owned();
     let parent = match target.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -83,9 +83,9 @@ pub fn publish<'a>(
     Ok(())
 }
 
-fn io_error(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> PublishError {
+fn io_error(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> PublishFault {
     let path = path.to_owned();
-    move |error| PublishError::Io(what, path, error)
+    move |error| PublishFault::Io(what, path, error)
 }
 
 /// Keeps other publications in the same parent waiting; systems that cannot lock directories go without.
@@ -96,29 +96,29 @@ fn lock(parent: &Path) -> Option<fs::File> {
 }
 
 /// Puts an output back that a kill between two renames left under its hidden name.
-fn recover(target: &Path, old: &Path) -> Result<(), PublishError> {
+fn recover(target: &Path, old: &Path) -> Result<(), PublishFault> {
     if old.exists() && !target.exists() {
         return fs::rename(old, target).map_err(io_error("restore", target));
     }
     remove(old)
 }
 
-fn remove(directory: &Path) -> Result<(), PublishError> {
+fn remove(directory: &Path) -> Result<(), PublishFault> {
     match fs::remove_dir_all(directory) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => {
-            Err(PublishError::Io("remove", directory.to_owned(), error))
+            Err(PublishFault::Io("remove", directory.to_owned(), error))
         }
         _ => Ok(()),
     }
 }
 
 /// Refuses a target with entries that its manifest does not name; an empty directory is ours to fill.
-fn check_ours(target: &Path) -> Result<(), PublishError> {
+fn check_ours(target: &Path) -> Result<(), PublishFault> {
     if !target.exists() {
         return Ok(());
     }
     if !target.is_dir() {
-        return Err(PublishError::NotADirectory(target.to_owned()));
+        return Err(PublishFault::NotADirectory(target.to_owned()));
     }
     let named: Vec<String> = fs::read(target.join(MANIFEST))
         .ok()
@@ -132,20 +132,20 @@ fn check_ours(target: &Path) -> Result<(), PublishError> {
         let ours = entry.file_name().to_str().is_some_and(|name| named.iter().any(|known| known == name));
         let plain = entry.file_type().is_ok_and(|kind| kind.is_file());
         if !(ours && plain) {
-            return Err(PublishError::Foreign(entry.path()));
+            return Err(PublishFault::Foreign(entry.path()));
         }
     }
     Ok(())
 }
 
-fn write_file(path: &Path, bytes: &[u8]) -> Result<(), PublishError> {
+fn write_file(path: &Path, bytes: &[u8]) -> Result<(), PublishFault> {
     let mut file = fs::File::create_new(path).map_err(io_error("create", path))?;
     // Synced, so that after a power cut the new name never stands for empty files.
     file.write_all(bytes).and_then(|()| file.sync_all()).map_err(io_error("write", path))
 }
 
 /// Gives `staging` the name `target`.
-fn replace(staging: &Path, target: &Path, old: &Path) -> Result<(), PublishError> {
+fn replace(staging: &Path, target: &Path, old: &Path) -> Result<(), PublishFault> {
     if !target.exists() {
         return fs::rename(staging, target).map_err(io_error("create", target));
     }
@@ -155,7 +155,7 @@ fn replace(staging: &Path, target: &Path, old: &Path) -> Result<(), PublishError
     fs::rename(target, old).map_err(io_error("set aside", target))?;
     fs::rename(staging, target).map_err(|error| {
         let _ = fs::rename(old, target);
-        PublishError::Io("replace", target.to_owned(), error)
+        PublishFault::Io("replace", target.to_owned(), error)
     })
 }
 

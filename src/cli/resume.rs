@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::cli::failure::{Failure, say};
 use crate::cli::{read_text, write_new};
 use crate::geom::Point;
-use crate::resume::{Place, resume};
+use crate::resume::{ResumeAt, resume};
 use crate::units::{Length, Quantity};
 
 /// Arguments of `resume`.
@@ -57,9 +57,9 @@ fn length(text: &str) -> Result<f64, String> {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = read_text(&args.job)?;
     let place = match (args.line, args.at, args.near) {
-        (Some(line), _, _) => Place::Line(line),
-        (_, Some(share), _) => Place::Share(share),
-        (_, _, Some(point)) => Place::Near(point),
+        (Some(line), _, _) => ResumeAt::Line(line),
+        (_, Some(share), _) => ResumeAt::Share(share),
+        (_, _, Some(point)) => ResumeAt::Near(point),
         _ => return Err(Failure::Message("where did it stop? --line, --at or --near".to_owned())),
     };
     let resumed = resume(&text, place, args.overlap)

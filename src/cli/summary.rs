@@ -4,8 +4,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::design::{COATING_ASSUMES, Design, Plate};
+use crate::forecast::report;
 use crate::manifest;
-use crate::mechanics::report;
 use crate::pipeline::Build;
 use crate::plan::{Pace, Program};
 use crate::spec::{Machine, Spec};

@@ -6,8 +6,8 @@ use std::path::PathBuf;
 
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
-use crate::mechanics::point::Point;
-use crate::mechanics::sweep::{Axis, Sweep};
+use crate::forecast::candidate::Candidate;
+use crate::forecast::sweep::{Axis, Sweep};
 
 /// Arguments of `sweep`.
 #[derive(clap::Args, Debug)]
@@ -41,8 +41,8 @@ fn part(text: &str) -> Result<(usize, usize), String> {
 /// Computes the rows and writes them in order.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::new(&args.spec)?;
-    let base =
-        Point::of(&loaded.reading.spec).ok_or_else(|| Failure::Message("the spec has no star".to_owned()))?;
+    let base = Candidate::of(&loaded.reading.spec)
+        .ok_or_else(|| Failure::Message("the spec has no star".to_owned()))?;
     let axes = args.vary.iter().map(|text| Axis::parse(text)).collect::<Result<Vec<_>, _>>();
     let sweep = axes.and_then(|axes| Sweep::new(base, axes)).map_err(Failure::Message)?;
     if let Some(threads) = args.threads {

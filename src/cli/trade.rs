@@ -6,9 +6,9 @@ use std::time::Instant;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
-use crate::mechanics::predict::geometry;
+use crate::forecast::predict::geometry;
+use crate::forecast::trade;
 use crate::mechanics::star::StarGeometry;
-use crate::mechanics::trade;
 
 /// Arguments of `trade`.
 #[derive(clap::Args, Debug)]

@@ -9,7 +9,7 @@ use serde_json::json;
 
 use crate::cli::failure::{Failure, say};
 use crate::verify;
-use crate::verify::Archive;
+use crate::verify::OutputFiles;
 
 /// Arguments of `verify`.
 #[derive(clap::Args, Debug)]
@@ -26,7 +26,7 @@ const FILE_LIMIT: u64 = 1 << 30;
 
 /// Reads the directory and proves it.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let proof = verify::prove_archive(&read_directory(&args.dir)?);
+    let proof = verify::prove_files(&read_directory(&args.dir)?);
     if args.json {
         let deviation: serde_json::Map<String, serde_json::Value> =
             proof.deviations.iter().map(|(file, mm)| (file.clone(), json!(mm))).collect();
@@ -49,7 +49,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if proof.findings.is_empty() { Ok(()) } else { Err(Failure::Said) }
 }
 
-fn read_directory(dir: &Path) -> Result<Archive<'static>, Failure> {
+fn read_directory(dir: &Path) -> Result<OutputFiles<'static>, Failure> {
     let mut files = Vec::new();
     let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;
     for entry in entries {
@@ -66,5 +66,5 @@ fn read_directory(dir: &Path) -> Result<Archive<'static>, Failure> {
         files.push((name.into(), bytes.into()));
     }
     files.sort();
-    Ok(Archive { files })
+    Ok(OutputFiles { files })
 }

@@ -5,6 +5,7 @@
 //! **burst** discs at the corners and in the middle of the bed. The **calibration** reads the filled-in table.
 
 mod calibration;
+pub mod cone;
 mod reach;
 mod shapes;
 mod strips;
@@ -16,7 +17,7 @@ use crate::emit;
 use crate::emit::Facts;
 use crate::geom::{Bounds, Isometry, Path, Point, Segment};
 use crate::plan::{
-    Level, Pace, Program, Purpose, Ramp, SeamReport, Step, program_time, refusals, seal_pieces,
+    Height, Pace, Program, Purpose, Ramp, SeamReport, Step, program_time, refusals, seal_pieces,
 };
 use crate::spec::{Machine, Spec};
 use crate::units::Length;
@@ -102,7 +103,7 @@ pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon
 
 /// The program and the drawing of these seams.
 fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result<Coupon, Vec<Refusal>> {
-    let mut steps = vec![Step::Height(Level::Park), Step::Heat(spec.seal.temperature)];
+    let mut steps = vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)];
     let mut reports = Vec::new();
     let travel = machine.heights.travel.0;
     for Piece { number, path, height, .. } in seams {
@@ -113,7 +114,7 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result
         let time = (down.length() + path.length() + up.length()) / spec.seal.speed.0;
         steps.extend([
             Step::Travel(start),
-            Step::Height(Level::Travel),
+            Step::Height(Height::Travel),
             Step::Seam(reports.len()),
             Step::TouchDown(down),
             Step::Seal(seal_pieces(spec, machine, path)),
@@ -127,7 +128,7 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result
             time,
         });
     }
-    steps.push(Step::Height(Level::Park));
+    steps.push(Step::Height(Height::Park));
     steps.push(Step::Travel(Point::ORIGIN));
     let pace = Pace::new(spec, machine);
     let stars = seams.iter().map(|piece| piece.number).collect();

@@ -47,7 +47,7 @@ pub struct Contour {
 
 /// One hinge as the contour passes it, in the frame of its ray.
 #[derive(Clone, Copy)]
-struct Hinge {
+struct ContourHinge {
     /// Distance of the arc's centre from the axis.
     center: f64,
     /// Radius of the arc, 0 for a vertex.
@@ -69,8 +69,9 @@ impl Star {
         if side == Side::Hole && delta >= self.rho_0 {
             return None;
         }
-        let mut corner = Hinge { center: self.d_p, radius: corner_radius, half: (PI - self.phi_e) / 2.0 };
-        let mut tip = Hinge { center: self.d_t, radius: tip_radius, half: (PI - self.phi_i) / 2.0 };
+        let mut corner =
+            ContourHinge { center: self.d_p, radius: corner_radius, half: (PI - self.phi_e) / 2.0 };
+        let mut tip = ContourHinge { center: self.d_t, radius: tip_radius, half: (PI - self.phi_i) / 2.0 };
         let (concave, phi, away) = match side {
             Side::Hole => (&mut tip, self.phi_i, -1.0),
             Side::Outside => (&mut corner, self.phi_e, 1.0),
@@ -85,12 +86,12 @@ impl Star {
         }
         let meet = self.convex_arcs_meet(side, corner_radius, tip_radius)?;
         Some(match side {
-            Side::Hole => self.arcs_only(Hinge { half: meet, ..corner }, Part::Corner, -1.0),
-            Side::Outside => self.arcs_only(Hinge { half: meet, ..tip }, Part::Tip, 1.0),
+            Side::Hole => self.arcs_only(ContourHinge { half: meet, ..corner }, Part::Corner, -1.0),
+            Side::Outside => self.arcs_only(ContourHinge { half: meet, ..tip }, Part::Tip, 1.0),
         })
     }
 
-    fn with_arms(&self, corner: Hinge, tip: Hinge, arm: f64) -> Contour {
+    fn with_arms(&self, corner: ContourHinge, tip: ContourHinge, arm: f64) -> Contour {
         let corner_arc = |k| self.corner_arc(k, corner);
         let tip_arc = |k| self.tip_arc(k, tip);
         let mut parts = Vec::with_capacity(4 * self.n as usize);
@@ -130,7 +131,7 @@ impl Star {
         })
     }
 
-    fn arcs_only(&self, hinge: Hinge, part: fn(u32) -> Part, turn: f64) -> Contour {
+    fn arcs_only(&self, hinge: ContourHinge, part: fn(u32) -> Part, turn: f64) -> Contour {
         let parts = (1..=self.n)
             .map(|k| {
                 let k = if turn < 0.0 { k % self.n + 1 } else { k };
@@ -142,13 +143,13 @@ impl Star {
     }
 
     /// The arc of corner `k`, which turns clockwise; of radius 0 for a vertex.
-    fn corner_arc(&self, k: u32, hinge: Hinge) -> Arc {
+    fn corner_arc(&self, k: u32, hinge: ContourHinge) -> Arc {
         let ray = self.corner_ray(k);
         Arc::new(Point::polar(hinge.center, ray), hinge.radius, ray + PI + hinge.half, -2.0 * hinge.half)
     }
 
     /// The arc of tip `k`, which turns counterclockwise; of radius 0 for a vertex.
-    fn tip_arc(&self, k: u32, hinge: Hinge) -> Arc {
+    fn tip_arc(&self, k: u32, hinge: ContourHinge) -> Arc {
         let ray = self.tip_ray(k);
         Arc::new(Point::polar(hinge.center, ray), hinge.radius, ray - hinge.half, 2.0 * hinge.half)
     }

@@ -56,7 +56,7 @@ const GLYPHS: [(char, &str); 41] = [
 
 /// A place to write: where the text begins, which way it runs, how high its capitals are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Place {
+pub(super) struct GlyphPlace {
     /// Lower left corner of the first glyph.
     pub(super) origin: Point,
     /// Unit vector in which the text runs.
@@ -76,7 +76,7 @@ pub fn straight(text: &str, origin: Point, height: f64) -> Vec<Path> {
     let mut out = Vec::new();
     for (i, c) in (0_u32..).zip(text.chars()) {
         let shift = Vec2::new(f64::from(i) * ADVANCE * height / CAPITAL, 0.0);
-        let place = Place { origin: origin + shift, along: Vec2::new(1.0, 0.0), height };
+        let place = GlyphPlace { origin: origin + shift, along: Vec2::new(1.0, 0.0), height };
         glyph(c, place, &mut out);
     }
     out
@@ -94,13 +94,13 @@ pub(super) fn around(text: &str, center: Point, radius: f64, middle: f64, height
         let up = Vec2::unit(middle - right / radius);
         let along = -up.perp();
         let origin = center + up * (radius - height / 2.0) - along * (2.0 * scale);
-        glyph(c, Place { origin, along, height }, &mut out);
+        glyph(c, GlyphPlace { origin, along, height }, &mut out);
     }
     out
 }
 
 /// Appends the strokes of `c`.
-fn glyph(c: char, place: Place, out: &mut Vec<Path>) {
+fn glyph(c: char, place: GlyphPlace, out: &mut Vec<Path>) {
     let Some((_, strokes)) = GLYPHS.iter().find(|(known, _)| *known == c) else { return };
     let (right, up) = (place.along * (place.height / CAPITAL), place.along.perp() * (place.height / CAPITAL));
     for stroke in strokes.split(' ') {
@@ -124,7 +124,7 @@ mod tests {
         for (c, strokes) in GLYPHS {
             assert!(strokes.split(' ').all(|s| s.len() >= 4 && s.len() % 2 == 0), "{c}: {strokes}");
             let mut out = Vec::new();
-            glyph(c, Place { origin: Point::ORIGIN, along: Vec2::new(1.0, 0.0), height: 6.0 }, &mut out);
+            glyph(c, GlyphPlace { origin: Point::ORIGIN, along: Vec2::new(1.0, 0.0), height: 6.0 }, &mut out);
             let bounds = out.iter().map(Path::bounds).reduce(crate::geom::Bounds::union).expect("strokes");
             assert!(bounds.min.x >= 0.0 && bounds.min.y >= 0.0, "{c}");
             assert!(bounds.max.x <= 4.0 && bounds.max.y <= 6.0, "{c}");

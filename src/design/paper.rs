@@ -84,7 +84,7 @@ impl Paper {
         if columns * rows > MOST_TILES || width.max(height) > LARGEST {
             return Vec::new();
         }
-        let grid = Grid { width, height, window, steps, columns, rows, caption };
+        let grid = TileGrid { width, height, window, steps, columns, rows, caption };
         let mut pages = Vec::new();
         let (mut row, mut letter) = (0.0, 'A');
         while row < rows {
@@ -101,7 +101,7 @@ impl Paper {
 }
 
 /// How a drawing is cut into pages.
-struct Grid<'a> {
+struct TileGrid<'a> {
     width: f64,
     height: f64,
     window: Bounds,
@@ -111,7 +111,7 @@ struct Grid<'a> {
     caption: &'a str,
 }
 
-impl Grid<'_> {
+impl TileGrid<'_> {
     fn page(&self, drawing: &Drawing, row: f64, column: f64, name: &str) -> Page {
         let shown = Vec2::new(column * self.steps.x, row * self.steps.y);
         let shift = (self.window.min - drawing.corner()) - shown;

@@ -6,7 +6,7 @@ use svg::{Document, Node};
 use crate::design::{Design, PlacedStar, StarDesign};
 use crate::emit::number::Decimals;
 use crate::emit::stack_view::StackView;
-use crate::emit::svg::{Page, element};
+use crate::emit::svg::{SvgPage, element};
 use crate::emit::text::inert;
 use crate::geom::{Path, Point, Segment, Vec2};
 use crate::plan::{Program, SeamReport, Step};
@@ -20,7 +20,7 @@ const SCALE_BAR: f64 = 50.0;
 pub fn preview(spec: &Spec, design: &Design, programs: &[Program], sheet: usize) -> Option<String> {
     let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
     // Two decimals are a hundredth of a millimetre: enough for the eye.
-    let page = Page { height: layout.height, decimals: Decimals::exactly(2) };
+    let page = SvgPage { height: layout.height, decimals: Decimals::exactly(2) };
     let size = (layout.width.min(layout.height) / 45.0).clamp(1.5, 12.0);
     let stars: Vec<&PlacedStar> = design.on_sheet(sheet).collect();
     let title = Title { size, width: layout.width };
@@ -63,7 +63,7 @@ fn rectangle(width: f64, height: f64, beside: f64, block: f64) -> Element {
 }
 
 /// Fabric, tube, bands and edges of one star.
-fn star_group(page: &Page, part: &StarDesign, star: &PlacedStar) -> Element {
+fn star_group(page: &SvgPage, part: &StarDesign, star: &PlacedStar) -> Element {
     let data = |path: &Path| page.data(&star.placement.path(path));
     let mut group = element("g");
     group.assign("id", format!("star-{}", star.index));
@@ -119,7 +119,7 @@ fn star_group(page: &Page, part: &StarDesign, star: &PlacedStar) -> Element {
 }
 
 /// How the iron travels: read from the program's own steps.
-fn travel_group(page: &Page, program: &Program, size: f64) -> Element {
+fn travel_group(page: &SvgPage, program: &Program, size: f64) -> Element {
     let mut group = element("g");
     group.assign(
         "id",
@@ -153,7 +153,7 @@ fn travel_group(page: &Page, program: &Program, size: f64) -> Element {
     group
 }
 
-fn stroke(page: &Page, pieces: &[Segment], color: &str, width: f64, dash: Option<&str>) -> Element {
+fn stroke(page: &SvgPage, pieces: &[Segment], color: &str, width: f64, dash: Option<&str>) -> Element {
     let mut out = element("path");
     out.assign("d", page.data(&Path::open(pieces.to_vec())));
     out.assign("fill", "none");
@@ -166,7 +166,7 @@ fn stroke(page: &Page, pieces: &[Segment], color: &str, width: f64, dash: Option
 }
 
 /// Arrow heads in the direction of travel, about eight along a seam.
-fn arrows(page: &Page, pieces: &[Segment], size: f64) -> Vec<Element> {
+fn arrows(page: &SvgPage, pieces: &[Segment], size: f64) -> Vec<Element> {
     let every = (pieces.len() / 8).max(1);
     pieces
         .iter()
@@ -181,7 +181,7 @@ fn arrows(page: &Page, pieces: &[Segment], size: f64) -> Vec<Element> {
         .collect()
 }
 
-fn triangle(page: &Page, points: [Point; 3], fill: &str) -> Element {
+fn triangle(page: &SvgPage, points: [Point; 3], fill: &str) -> Element {
     let mut out = element("polygon");
     out.assign("points", points.map(|p| format!("{},{}", page.x(p), page.y(p))).join(" "));
     out.assign("fill", fill);
@@ -189,7 +189,7 @@ fn triangle(page: &Page, points: [Point; 3], fill: &str) -> Element {
 }
 
 /// A dot where the seam starts, and its number in the order of sealing.
-fn start_mark(page: &Page, first: &Segment, order: usize, size: f64) -> Element {
+fn start_mark(page: &SvgPage, first: &Segment, order: usize, size: f64) -> Element {
     let start = first.start();
     let mut group = element("g");
     let mut dot = element("circle");
@@ -204,7 +204,7 @@ fn start_mark(page: &Page, first: &Segment, order: usize, size: f64) -> Element 
 }
 
 /// Numbers of star, tips and corners.
-fn labels(page: &Page, part: &StarDesign, star: &PlacedStar, size: f64) -> Element {
+fn labels(page: &SvgPage, part: &StarDesign, star: &PlacedStar, size: f64) -> Element {
     let mut group = element("g");
     group.assign("id", format!("labels-{}", star.index));
     let geometry = &part.star;
@@ -226,7 +226,7 @@ fn labels(page: &Page, part: &StarDesign, star: &PlacedStar, size: f64) -> Eleme
     group
 }
 
-pub(super) fn text(page: &Page, at: Point, size: f64, anchor: &str, fill: &str, content: &str) -> Element {
+pub(super) fn text(page: &SvgPage, at: Point, size: f64, anchor: &str, fill: &str, content: &str) -> Element {
     let mut out = element("text");
     out.assign("x", page.x(at));
     out.assign("y", page.y(at));
@@ -285,7 +285,7 @@ struct Title {
 }
 
 impl Title {
-    fn group(&self, page: &Page, lines: &[String]) -> Element {
+    fn group(&self, page: &SvgPage, lines: &[String]) -> Element {
         let (size, step) = (self.size, 1.5 * self.size);
         let mut group = element("g");
         group.assign("id", "title");
@@ -320,7 +320,7 @@ impl Title {
     }
 }
 
-impl Page {
+impl SvgPage {
     /// A document that is higher than the sheet: what lies below the sheet's lower edge is visible too.
     fn picture(&self, title: &str, width: f64, height: f64) -> Document {
         let (w, h) = (self.decimals.text(width), self.decimals.text(height));

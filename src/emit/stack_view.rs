@@ -5,7 +5,7 @@ use svg::node::element::Element;
 
 use crate::design::Design;
 use crate::emit::number::Decimals;
-use crate::emit::svg::{Page, element};
+use crate::emit::svg::{SvgPage, element};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Vec2};
 
 /// Blank strip around each view, mm.
@@ -39,7 +39,7 @@ impl<'a> StackView<'a> {
     }
 
     /// The views, their strip beginning at abscissa `left`; the top of the page is at ordinate `top`.
-    pub(super) fn group(&self, page: &Page, left: f64, top: f64, size: f64) -> Element {
+    pub(super) fn group(&self, page: &SvgPage, left: f64, top: f64, size: f64) -> Element {
         let mut group = element("g");
         group.assign("id", "stack");
         let middle = left + self.reach + BLANK;
@@ -49,7 +49,7 @@ impl<'a> StackView<'a> {
         group
     }
 
-    fn seen_from_above(&self, page: &Page, group: &mut Element, axis: Point, size: f64) {
+    fn seen_from_above(&self, page: &SvgPage, group: &mut Element, axis: Point, size: f64) {
         let frame = &self.design.frame;
         let ring = |radius: f64, center: Point| {
             Path::closed(vec![Arc::new(center, radius, 0.0, std::f64::consts::TAU).into()])
@@ -82,7 +82,7 @@ impl<'a> StackView<'a> {
         group.append(super::preview::text(page, below, size, "middle", "#202020", "the stack from above"));
     }
 
-    fn seen_from_the_side(&self, page: &Page, group: &mut Element, foot: Point, size: f64) {
+    fn seen_from_the_side(&self, page: &SvgPage, group: &mut Element, foot: Point, size: f64) {
         let (design, frame) = (self.design, &self.design.frame);
         let at = |x: f64, z: f64| foot + Vec2::new(x, z);
         let mut block = |half: f64, from: f64, to: f64, color: &str, dash: &str| {
@@ -119,7 +119,7 @@ fn colors() -> impl Iterator<Item = &'static str> {
     COLORS.into_iter().cycle()
 }
 
-fn stroke(page: &Page, path: &Path, color: &str, width: f64, dash: &str) -> Element {
+fn stroke(page: &SvgPage, path: &Path, color: &str, width: f64, dash: &str) -> Element {
     let mut out = element("path");
     out.assign("d", page.data(path));
     out.assign("fill", "none");

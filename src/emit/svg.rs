@@ -17,14 +17,14 @@ pub fn svg(title: &str, drawing: &Drawing, path: Length) -> String {
     let decimals = Decimals::for_tolerance(path);
     let (page, mut document) = match drawing.origin {
         Origin::LowerLeft => {
-            let page = Page { height: drawing.height, decimals };
+            let page = SvgPage { height: drawing.height, decimals };
             (page, page.document(title, drawing.width))
         }
         Origin::Axis(corner) => {
-            let sized = Page { height: drawing.height, decimals }.document(title, drawing.width);
+            let sized = SvgPage { height: drawing.height, decimals }.document(title, drawing.width);
             let [x, y, w, h] = [corner.x, -(corner.y + drawing.height), drawing.width, drawing.height]
                 .map(|number| decimals.text(number));
-            (Page { height: 0.0, decimals }, sized.set("viewBox", format!("{x} {y} {w} {h}")))
+            (SvgPage { height: 0.0, decimals }, sized.set("viewBox", format!("{x} {y} {w} {h}")))
         }
     };
     for (layer, shapes) in &drawing.layers {
@@ -60,12 +60,12 @@ pub(super) fn element(name: &str) -> Element {
 
 /// The sheet seen as an SVG page: same millimetres, Y pointing down from the top edge.
 #[derive(Clone, Copy)]
-pub(super) struct Page {
+pub(super) struct SvgPage {
     pub(super) height: f64,
     pub(super) decimals: Decimals,
 }
 
-impl Page {
+impl SvgPage {
     /// An empty document with a title.
     pub(super) fn document(&self, title: &str, width: f64) -> Document {
         let (w, h) = (self.decimals.text(width), self.decimals.text(self.height));

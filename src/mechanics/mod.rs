@@ -17,8 +17,8 @@
 //! what was found and what is allowed.
 //!
 //! ```
-//! use stargrip_cam::mechanics::response::Inflated;
-//! use stargrip_cam::mechanics::ring::Ring;
+//! use stargrip_cam::mechanics::star::response::Inflated;
+//! use stargrip_cam::mechanics::hinge::ring::Ring;
 //! use stargrip_cam::mechanics::star::{Star, StarGeometry};
 //!
 //! let star = Star::new(StarGeometry {
@@ -36,24 +36,7 @@
 //! # Ok::<(), stargrip_cam::mechanics::fault::StarFault>(())
 //! ```
 
-pub mod bvp;
-pub mod choice;
-pub mod cone;
-pub mod cut;
 pub mod fault;
-pub mod fit;
 pub mod hinge;
-#[cfg(test)]
-mod laws;
-pub mod optimize;
-pub mod point;
-pub mod predict;
-pub mod prediction;
-pub mod report;
-pub mod response;
-pub mod rewrite;
-pub mod ring;
 pub mod star;
 pub mod strength;
-pub mod sweep;
-pub mod trade;

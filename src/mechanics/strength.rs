@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_1_PI;
 
 /// The fabric of one sheet, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sheet {
+pub struct ElasticSheet {
     /// Thickness t, m, above 0.
     pub thickness: f64,
     /// Young's modulus E, Pa, above 0.
@@ -22,7 +22,7 @@ pub const INEXTENSIBLE: f64 = 0.02;
 /// Standard gravity, m/s^2.
 pub const GRAVITY: f64 = 9.806_65;
 
-impl Sheet {
+impl ElasticSheet {
     /// The fabric, checked.
     ///
     /// # Errors
@@ -76,7 +76,7 @@ pub fn payload(friction: f64, forces: impl IntoIterator<Item = f64>) -> f64 {
 
 /// How far the membrane limit is from a real hinge at finite bendability; relative errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LimitError {
+pub struct LimitEstimate {
     /// Of the coiling factor at rest.
     pub coiling: f64,
     /// Of the hinge's stiffness, and of every force.
@@ -88,10 +88,10 @@ pub struct LimitError {
 /// Interpolated from shell computations of single hinges: coiling 1.2 instead of 1.28 at 1/eps = 330, within
 /// 3 % near 2,000; stiffness 2 to 3 times the limit at 300 to 500, 1.5 times at 1,500, 10 % off from several
 /// thousand on. Below 300 nothing is known: error 1. Stretching of the fabric comes on top.
-pub fn limit_error(bendability: f64) -> LimitError {
+pub fn limit_estimate(bendability: f64) -> LimitEstimate {
     let coiling = [(300.0, 0.065), (2000.0, 0.03), (10_000.0, 0.02)];
     let stiffness = [(300.0, 0.65), (500.0, 0.5), (1500.0, 0.33), (5000.0, 0.1)];
-    LimitError {
+    LimitEstimate {
         coiling: interpolate(&coiling, bendability),
         stiffness: interpolate(&stiffness, bendability),
     }
@@ -112,8 +112,8 @@ fn interpolate(points: &[(f64, f64)], x: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn paper_sheet() -> Sheet {
-        Sheet::new(0.3e-3, 128e6, 0.39).expect("valid")
+    fn paper_sheet() -> ElasticSheet {
+        ElasticSheet::new(0.3e-3, 128e6, 0.39).expect("valid")
     }
 
     #[test]
@@ -129,7 +129,7 @@ mod tests {
     #[test]
     fn operating_pressure_scales_as_published() {
         let p = paper_sheet().operating_pressure(0.03);
-        let thicker = Sheet { thickness: 3.0 * 0.3e-3, ..paper_sheet() };
+        let thicker = ElasticSheet { thickness: 3.0 * 0.3e-3, ..paper_sheet() };
         assert!((paper_sheet().operating_pressure(0.09) / (p / 27.0) - 1.0).abs() < 1e-12);
         assert!((thicker.operating_pressure(0.09) / p - 1.0).abs() < 1e-12);
         assert!(
@@ -145,15 +145,15 @@ mod tests {
 
     #[test]
     fn limit_errors_fall_with_bendability() {
-        let errors = [100.0, 300.0, 1000.0, 3000.0, 1e5].map(limit_error);
+        let errors = [100.0, 300.0, 1000.0, 3000.0, 1e5].map(limit_estimate);
         assert!(errors.windows(2).all(|w| w[0].stiffness >= w[1].stiffness && w[0].coiling >= w[1].coiling));
-        assert_eq!(errors[0], LimitError { coiling: 1.0, stiffness: 1.0 });
-        assert_eq!(limit_error(f64::NAN).stiffness, 1.0);
+        assert_eq!(errors[0], LimitEstimate { coiling: 1.0, stiffness: 1.0 });
+        assert_eq!(limit_estimate(f64::NAN).stiffness, 1.0);
     }
 
     #[test]
     fn fabrics_that_do_not_exist_are_refused() {
-        assert!(Sheet::new(0.0, 1e8, 0.3).is_err() && Sheet::new(1e-4, f64::NAN, 0.3).is_err());
-        assert!(Sheet::new(1e-4, 1e8, 0.51).is_err() && Sheet::new(1e-4, 1e8, -1.0).is_err());
+        assert!(ElasticSheet::new(0.0, 1e8, 0.3).is_err() && ElasticSheet::new(1e-4, f64::NAN, 0.3).is_err());
+        assert!(ElasticSheet::new(1e-4, 1e8, 0.51).is_err() && ElasticSheet::new(1e-4, 1e8, -1.0).is_err());
     }
 }

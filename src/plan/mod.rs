@@ -5,19 +5,22 @@
 //! that, and also how long a single move is; the emitters only round and spell.
 
 mod feedcheck;
-mod floor;
+mod keep_out;
+mod lowest_feed;
 mod pace;
 mod pieces;
 mod program;
+mod refusals;
 mod seal;
 mod time;
 mod trace;
 
 pub use feedcheck::{CHECK_LENGTH, feed_checks};
-pub use floor::{lowest_speed, refusals};
+pub use lowest_feed::lowest_speed;
 pub use pace::{Chop, Pace, Pacer, Stroke, move_time};
 pub use pieces::{LONGEST_MOVE, pieces, seal_pieces};
-pub use program::{Level, Program, Purpose, Ramp, SeamReport, Step};
+pub use program::{Height, Program, Purpose, Ramp, SeamReport, Step};
+pub use refusals::refusals;
 pub use seal::seal_programs;
 pub use time::{Clock, height_of, program_time};
 pub use trace::trace_programs;

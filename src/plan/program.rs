@@ -37,7 +37,7 @@ pub struct Program {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Step {
     /// Straight up or down to a level, away from the fabric.
-    Height(Level),
+    Height(Height),
     /// The iron gets hot, and whoever heats it says so.
     Heat(Temperature),
     /// In a straight line, at the height where it is, clear of the fabric.
@@ -67,7 +67,7 @@ pub struct Ramp {
 
 /// A height of the iron away from the fabric.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
+pub enum Height {
     /// Between seams.
     Travel,
     /// Before and after the job.

@@ -3,7 +3,7 @@
 use crate::design::{Design, PlacedStar};
 use crate::geom::{Path, Point};
 use crate::plan::pieces::{flat_pieces, sagitta};
-use crate::plan::{LONGEST_MOVE, Level, Pace, Program, Purpose, Ramp, SeamReport, Step, program_time};
+use crate::plan::{Height, LONGEST_MOVE, Pace, Program, Purpose, Ramp, SeamReport, Step, program_time};
 use crate::spec::{Machine, ProgramScope, Spec};
 
 /// What one program covers: a sheet, and the stars on it in the order of sealing.
@@ -28,12 +28,12 @@ pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Pro
 fn seal_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Scope<'_>) -> Program {
     let sagitta = sagitta(spec, machine);
     let mut plan = Planner { spec, machine, steps: Vec::new(), seams: Vec::new(), sagitta };
-    plan.steps.push(Step::Height(Level::Park));
+    plan.steps.push(Step::Height(Height::Park));
     plan.steps.push(Step::Heat(spec.seal.temperature));
     for star in stars {
         plan.star(design, star);
     }
-    plan.steps.push(Step::Height(Level::Park));
+    plan.steps.push(Step::Height(Height::Park));
     plan.steps.push(Step::Travel(Point::ORIGIN));
     let Planner { steps, seams, .. } = plan;
     let mut program = Program {
@@ -71,7 +71,7 @@ impl Planner<'_> {
             let Some(start) = down.pieces.first().map(crate::geom::Segment::start) else { continue };
             self.steps.extend([
                 Step::Travel(start),
-                Step::Height(Level::Travel),
+                Step::Height(Height::Travel),
                 Step::Seam(self.seams.len()),
                 Step::TouchDown(down),
                 Step::Seal(flat_pieces(&run, LONGEST_MOVE, self.sagitta)),

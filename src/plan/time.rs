@@ -4,7 +4,7 @@
 //! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
 
 use crate::geom::{Point, Segment};
-use crate::plan::{Level, Pacer, Program, Step, move_time};
+use crate::plan::{Height, Pacer, Program, Step, move_time};
 use crate::spec::Machine;
 
 /// Follows a program step by step, and knows how long it has taken.
@@ -37,7 +37,7 @@ impl<'a> Clock<'a> {
     }
 
     /// Adds a move straight up or down.
-    pub fn height(&mut self, level: Level) {
+    pub fn height(&mut self, level: Height) {
         let to = height_of(self.machine, level);
         let length = self.height.map_or(0.0, |from| (to - from).abs());
         self.elapsed += self.rapid(length);
@@ -51,10 +51,10 @@ impl<'a> Clock<'a> {
 }
 
 /// The height of a level, mm.
-pub fn height_of(machine: &Machine, level: Level) -> f64 {
+pub fn height_of(machine: &Machine, level: Height) -> f64 {
     match level {
-        Level::Travel => machine.heights.travel.0,
-        Level::Park => machine.heights.park.0,
+        Height::Travel => machine.heights.travel.0,
+        Height::Park => machine.heights.park.0,
     }
 }
 

@@ -4,7 +4,7 @@ use crate::design::{Design, PlacedStar};
 use crate::geom::{Bounds, Line, Path, Point, Segment};
 use crate::plan::pieces::{flat_pieces, sagitta};
 use crate::plan::seal::{Scope, scopes};
-use crate::plan::{Level, Pace, Program, Purpose, Step, program_time};
+use crate::plan::{Height, Pace, Program, Purpose, Step, program_time};
 use crate::spec::{Machine, Spec};
 
 /// All trace programs of `design`, one for each sealing program.
@@ -15,12 +15,12 @@ pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Pr
 
 fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Scope<'_>) -> Program {
     let sagitta = sagitta(spec, machine);
-    let mut steps = vec![Step::Height(Level::Park)];
+    let mut steps = vec![Step::Height(Height::Park)];
     let mut follow = |path: &Path| {
         let Some(start) = path.start() else { return };
         // Nothing here waits, so moves are as long as the segments; arcs are cut at 90 degrees all the same.
         let moves = flat_pieces(path, f64::INFINITY, sagitta);
-        steps.extend([Step::Travel(start), Step::Height(Level::Travel), Step::Trace(moves)]);
+        steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(moves)]);
     };
     follow(&frame(design, stars, machine.ramp.0));
     for placed in stars {
@@ -28,7 +28,7 @@ fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars)
             follow(&placed.placement.path(&seam.run()));
         }
     }
-    steps.push(Step::Height(Level::Park));
+    steps.push(Step::Height(Height::Park));
     steps.push(Step::Travel(Point::ORIGIN));
     let stars = stars.iter().map(|star| star.index).collect();
     let mut program = Program {

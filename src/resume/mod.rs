@@ -1,24 +1,24 @@
 //! Going on after an interruption: from a program's file alone to a new program for the rest of the job.
 //!
-//! The **record** is what the file says of its machine and its seal (structured comments); the **journey** is its moves
+//! The **record** is what the file says of its machine and its seal (structured comments); the **toolpath** is its moves
 //! with what the iron does in each; a **stop** is a place on it. The new program is the old one's beginning up to the
 //! heating, a way down along the seam that ends an overlap before the stop, and then the old lines as they were.
 
 mod fault;
-mod journey;
-mod place;
 mod record;
+mod resume_at;
+mod toolpath;
 
 use crate::emit;
 use crate::emit::Facts;
 use crate::geom::{Path, Segment};
-use crate::plan::{Level, Program, Purpose, Ramp, Step};
-use crate::resume::journey::{Journey, Run};
+use crate::plan::{Height, Program, Purpose, Ramp, Step};
 use crate::resume::record::Record;
+use crate::resume::toolpath::{Run, Toolpath};
 use crate::verify::gcode::read_program;
 
 pub use fault::ResumeFault;
-pub use place::Place;
+pub use resume_at::ResumeAt;
 
 /// A new program for the rest of a job.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,29 +38,29 @@ pub struct Resumed {
 ///
 /// # Errors
 /// If the file is damaged or not one of ours, or if nothing is left to do.
-pub fn resume(text: &str, place: Place, overlap: Option<f64>) -> Result<Resumed, ResumeFault> {
+pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resumed, ResumeFault> {
     let record = Record::read(text)?;
-    let journey = Journey::read(text, &record)?;
-    let stop = place.find(&journey)?;
+    let toolpath = Toolpath::read(text, &record)?;
+    let stop = place.find(&toolpath)?;
     let overlap = overlap.unwrap_or(record.seal.overlap.0);
     let lines: Vec<&str> = text.lines().collect();
     let mut out = Vec::new();
     let mut sealed_twice = 0.0;
-    let line = match journey.run_at(stop.step) {
+    let line = match toolpath.run_at(stop.step) {
         Some(run) => {
             let s = stop.along.min(run.length());
             let from = (s - overlap).max(0.0);
             sealed_twice = s - from;
-            approach(&record, &journey, &run, from, &mut out)?
+            approach(&record, &toolpath, &run, from, &mut out)?
         }
         // Away from the fabric: the next seam is begun as it was meant to be.
-        None => journey.next_travel(stop.step).ok_or(ResumeFault::NothingLeft)?,
+        None => toolpath.next_travel(stop.step).ok_or(ResumeFault::NothingLeft)?,
     };
     let rest = &lines[line..];
     let done = stop.done;
     let note =
         format!("resume: from_line={} overlap_mm={sealed_twice:.3} percent={:.1}", line + 1, 100.0 * done);
-    let new = assembled(&record, &lines[..journey.hot], &record.comment(&note), &out, rest);
+    let new = assembled(&record, &lines[..toolpath.hot], &record.comment(&note), &out, rest);
     // The new file is read as the controller would read it.
     if let Some(finding) = read_program(&new, record.dialect()).findings.into_iter().next() {
         return Err(ResumeFault::Damaged(finding));
@@ -72,7 +72,7 @@ pub fn resume(text: &str, place: Place, overlap: Option<f64>) -> Result<Resumed,
 /// the old line that comes next.
 fn approach(
     record: &Record,
-    journey: &Journey,
+    toolpath: &Toolpath,
     run: &Run<'_>,
     from: f64,
     out: &mut Vec<String>,
@@ -99,7 +99,7 @@ fn approach(
     let (travel, contact) = (heights.travel.0, heights.contact.0);
     let steps = vec![
         Step::Travel(start),
-        Step::Height(Level::Travel),
+        Step::Height(Height::Travel),
         Step::TouchDown(Ramp { pieces: down.segments, from: travel, to: contact }),
         Step::Seal(rest),
     ];
@@ -112,7 +112,7 @@ fn approach(
     out.extend(run.title.clone());
     out.extend(text.lines().map(str::to_owned));
     // The dwells of the old move belong to it, and have been written anew with its rest.
-    Ok(journey.after(last.step.line))
+    Ok(toolpath.after(last.step.line))
 }
 
 /// The new file: what comes before the heat with a note, the way back, the rest, and a last line that counts.

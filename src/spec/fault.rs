@@ -1,7 +1,7 @@
 //! Faults: what is wrong with a text, where, and what would be right.
 //!
 //! A **fault** is one thing found at one place. Reading goes on after a fault, so that a person sees all
-//! of them at once; a fault of level [`Level::Error`] refuses the text, one of level [`Level::Warning`] does not.
+//! of them at once; a fault of level [`Severity::Error`] refuses the text, one of level [`Severity::Warning`] does not.
 
 use std::fmt;
 use std::ops::Range;
@@ -11,7 +11,7 @@ use crate::spec::source::Source;
 
 /// Whether a fault refuses the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
+pub enum Severity {
     /// It does.
     Error,
     /// It does not, but a person should know.
@@ -24,7 +24,7 @@ pub struct Fault {
     /// A stable word for scripts and tests, such as `unknown-key`.
     pub code: &'static str,
     /// Whether it refuses the text.
-    pub level: Level,
+    pub level: Severity,
     /// What was found.
     pub message: String,
     /// What is allowed; stands at the caret.
@@ -38,12 +38,12 @@ pub struct Fault {
 impl Fault {
     /// A fault that refuses the text; `message` says what was found.
     pub fn error(code: &'static str, span: Range<usize>, message: impl Into<String>) -> Self {
-        Self { code, level: Level::Error, message: message.into(), label: String::new(), span, help: None }
+        Self { code, level: Severity::Error, message: message.into(), label: String::new(), span, help: None }
     }
 
     /// A fault that lets the text pass; `message` says what was found.
     pub fn warning(code: &'static str, span: Range<usize>, message: impl Into<String>) -> Self {
-        Self { level: Level::Warning, ..Self::error(code, span, message) }
+        Self { level: Severity::Warning, ..Self::error(code, span, message) }
     }
 
     /// The same fault with `label`, what is allowed, at its caret.
@@ -92,7 +92,7 @@ impl Faults {
 
     /// Whether at least one of them refuses the text.
     pub fn refuse(&self) -> bool {
-        self.list.iter().any(|fault| fault.level == Level::Error)
+        self.list.iter().any(|fault| fault.level == Severity::Error)
     }
 
     /// All faults for a terminal, with colour; [`fmt::Display`] gives the same without.

@@ -9,10 +9,13 @@
 //! its kind and range, [`Reading`] (the spec and its warnings) or [`Faults`]. A machine profile goes the same way.
 
 mod allowed;
+pub mod edit;
 mod fault;
 mod machine;
+mod message;
 mod model;
 mod motion;
+mod name;
 mod profile;
 mod raw;
 mod reading;
@@ -23,19 +26,17 @@ mod stars;
 mod starter;
 mod unknown;
 mod value;
-mod wording;
-mod words;
 
-pub use fault::{Fault, Faults, Level};
+pub use fault::{Fault, Faults, Severity};
 pub use machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 pub use model::{
     Accuracy, Fabric, FeedFloor, Frame, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
     Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
+pub use name::{NAME_LENGTH, NameFault, check_name};
 pub use profile::{builtin_machine, builtin_machines, read_machine};
 pub use raw::RawSpec;
 pub use reading::{Reading, read};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::starter;
-pub use words::{NAME_LENGTH, NameFault, check_name};

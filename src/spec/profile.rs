@@ -9,10 +9,10 @@ use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, Faults, quoted};
 use crate::spec::machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 use crate::spec::motion::{Motion, StepRate};
+use crate::spec::name::{breaks_line, check_name};
 use crate::spec::reading::{SIZE, read_name, read_schema, read_with};
 use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
-use crate::spec::words::{breaks_line, check_name};
 use crate::units::{Duration, Length, Quantity, Speed};
 
 macro_rules! builtin {

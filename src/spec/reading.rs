@@ -9,11 +9,11 @@ use crate::spec::model::{
     Accuracy, Fabric, FeedFloor, Frame, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal, Sheet,
     Spec,
 };
+use crate::spec::name::{breaks_line, check_name};
 use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
 use crate::spec::stars;
-use crate::spec::words::{breaks_line, check_name};
 use crate::units::{Length, Percent, Pressure, Speed, Temperature};
 
 /// Lengths that must be there: 1 um to 100 m, far beyond what fabric and iron can do at both ends.

@@ -2,8 +2,8 @@
 
 use annotate_snippets::{AnnotationKind, Level as Tone, Renderer, Snippet};
 
-use crate::spec::fault::{Fault, Faults, Level};
-use crate::spec::words::breaks_line;
+use crate::spec::fault::{Fault, Faults, Severity};
+use crate::spec::name::breaks_line;
 
 /// Most faults shown; a wrong file has thousands, and nobody reads them.
 const SHOWN: usize = 30;
@@ -40,8 +40,8 @@ fn one(faults: &Faults, fault: &Fault, renderer: &Renderer) -> String {
     let local = |at: usize| at.min(end).saturating_sub(start).min(line.len());
     let span = local(fault.span.start)..local(fault.span.end);
     let tone = match fault.level {
-        Level::Error => Tone::ERROR,
-        Level::Warning => Tone::WARNING,
+        Severity::Error => Tone::ERROR,
+        Severity::Warning => Tone::WARNING,
     };
     let snippet = Snippet::source(line)
         .line_start(1 + text[..start].matches('\n').count())
@@ -62,7 +62,7 @@ fn summary(faults: &Faults) -> String {
         1 => Some(format!("1 {word}")),
         n => Some(format!("{n} {word}s")),
     };
-    let parts = [phrase(count(Level::Error), "error"), phrase(count(Level::Warning), "warning")];
+    let parts = [phrase(count(Severity::Error), "error"), phrase(count(Severity::Warning), "warning")];
     let parts = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
     let cut = if faults.list().len() > SHOWN { format!(", the first {SHOWN} shown") } else { String::new() };
     format!("{}: {parts}{cut}", shown_name(faults))

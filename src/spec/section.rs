@@ -7,10 +7,10 @@ use std::ops::Range;
 
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
+use crate::spec::message::{article, header, malformed, out_of_range};
 use crate::spec::raw::RawSpec;
 use crate::spec::unknown::{self, Known};
 use crate::spec::value::{RawKind, RawTable, RawValue};
-use crate::spec::wording::{article, header, malformed, out_of_range};
 use crate::units::Quantity;
 
 /// Reads one document and collects its faults.

@@ -1,6 +1,6 @@
 //! The starter: a commented spec for a person to begin with.
 
-use crate::spec::words::{NameFault, check_name};
+use crate::spec::name::{NameFault, check_name};
 
 /// The starter, with a placeholder for the name.
 const TEMPLATE: &str = include_str!("../../templates/spec.toml");

@@ -1,8 +1,8 @@
 //! Keys and sections that nobody asked for, and what their writer may have meant.
 
 use crate::spec::fault::{Fault, quoted};
+use crate::spec::message::header;
 use crate::spec::value::RawTable;
-use crate::spec::wording::header;
 
 /// A section that was read: its keys and what was written in it.
 pub(super) struct Known<'r> {

@@ -4,34 +4,18 @@
 //! arcs by its format's own rules, and the **comparer** measures how far those lie from what the design
 //! says. Whatever is wrong becomes a **finding**; no input makes a reader panic.
 
-mod archive;
-mod clamp;
-pub mod compare;
-mod drawing;
-mod drawings;
-mod dxf;
 mod finding;
-pub mod gcode;
-mod job;
-mod measure;
-mod number;
-mod pace;
-mod paper;
-pub mod pdf;
-mod pdf_content;
-mod pdf_object;
-mod proof;
-mod solid;
-mod svg;
-mod svg_path;
-mod walk;
+mod judge;
+mod output_files;
+mod read;
 
-pub use archive::Archive;
-pub use compare::{Deviation, deviation};
-pub use drawing::Drawing;
-pub use dxf::read_dxf;
 pub use finding::{Finding, Findings};
-pub use pdf::{PdfPage, read_pdf};
-pub use proof::{Proof, prove, prove_archive};
-pub use svg::{SvgOrigin, read_svg};
-pub use walk::{Walk, walk};
+pub use judge::files::proof::{Proof, prove, prove_files};
+pub use judge::path::compare::{self, Deviation, deviation};
+pub use judge::path::follow::{Following, follow};
+pub use output_files::OutputFiles;
+pub use read::drawing::Drawing;
+pub use read::dxf::read_dxf;
+pub use read::gcode;
+pub use read::pdf::{self, PdfPage, read_pdf};
+pub use read::svg::{SvgOrigin, read_svg};

@@ -9,7 +9,7 @@ mod resume;
 use stargrip_cam::design::Refusal;
 use stargrip_cam::pipeline::{Build, Sources, build};
 use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
-use stargrip_cam::verify::{Archive, Finding, prove_archive};
+use stargrip_cam::verify::{Finding, OutputFiles, prove_files};
 
 /// Every profile that comes with the program.
 const PROFILES: [&str; 8] =
@@ -65,5 +65,5 @@ fn findings_with(build: &Build, name: &str, text: &str) -> Vec<Finding> {
         };
         (file.into(), bytes)
     });
-    prove_archive(&Archive { files: files.collect() }).findings
+    prove_files(&OutputFiles { files: files.collect() }).findings
 }

@@ -1,9 +1,9 @@
 //! Resume at every move of a job: the rest of it, an overlap, and nothing else.
 
 use stargrip_cam::geom::{Path, Point, Segment};
-use stargrip_cam::resume::{Place, ResumeFault, resume};
+use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
+use stargrip_cam::verify::follow;
 use stargrip_cam::verify::gcode::{Dialect, Move, read_program};
-use stargrip_cam::verify::walk;
 
 use crate::{PROFILES, built, machine, profile, spec_text, text};
 
@@ -59,7 +59,7 @@ fn check(name: &str, job: &str, original: &[Move], line: usize) {
     let whole = contacts(original);
     // What of the contacts had been done when `line` began, of the one that was interrupted.
     let done = |run: &[Move]| run.iter().filter(|step| step.line < line).map(Move::length).sum::<f64>();
-    let resumed = match resume(job, Place::Line(line), None) {
+    let resumed = match resume(job, ResumeAt::Line(line), None) {
         Ok(resumed) => resumed,
         Err(ResumeFault::NothingLeft) => {
             assert!(whole.iter().all(|(_, run)| done(run) >= length(run) - 1e-9), "{name} line {line}");
@@ -79,7 +79,7 @@ fn check(name: &str, job: &str, original: &[Move], line: usize) {
         let start = if i == 0 { (done(old_run) - overlap).max(0.0) } else { 0.0 };
         let whole_run = Path::open(segments(old_run));
         let exact = whole_run.part(start, whole_run.length());
-        let walked = walk(&segments(run), &exact);
+        let walked = follow(&segments(run), &exact);
         assert!(walked.largest() < 0.002, "{name} line {line}: {walked:?}");
         assert!(
             walked.start < 0.002 && walked.end > exact.length() - 0.002,
@@ -93,7 +93,7 @@ fn check(name: &str, job: &str, original: &[Move], line: usize) {
         // The way down follows the seam, or its own way down.
         let track = Path::open(segments(old_down).into_iter().chain(whole_run.segments.clone()).collect());
         let track = track.part(start, start + 3.0);
-        let ramp = walk(&segments(down), &track);
+        let ramp = follow(&segments(down), &track);
         assert!(ramp.largest() < 0.002, "{name} line {line}: {ramp:?}");
         let flat: f64 = segments(down).iter().map(Segment::length).sum();
         assert!((flat - 3.0).abs() < 0.01, "{name} line {line}: a ramp of {flat} mm");
@@ -125,31 +125,31 @@ fn at_many_moves_of_chopped_jobs_and_in_every_dialect() {
 #[test]
 fn by_time_and_by_place() {
     let job = job("generic");
-    let half = resume(&job, Place::Share(0.5), Some(2.0)).expect("in the middle");
+    let half = resume(&job, ResumeAt::Share(0.5), Some(2.0)).expect("in the middle");
     assert!((half.done - 0.5).abs() < 1e-3 && (half.overlap - 2.0).abs() < 1e-9);
     let original = moves("generic", &job);
     let middle = contacts(&original)[1].1[10];
     let at = middle.path.expect("a path").point(0.5);
-    let near = resume(&job, Place::Near(at), None).expect("near");
-    let by_line = resume(&job, Place::Line(middle.line), None).expect("by line");
+    let near = resume(&job, ResumeAt::Near(at), None).expect("near");
+    let by_line = resume(&job, ResumeAt::Line(middle.line), None).expect("by line");
     assert!(near.done > by_line.done && near.done - by_line.done < 0.01);
-    let nowhere = resume(&job, Place::Near(Point::new(-500.0, 0.0)), None);
+    let nowhere = resume(&job, ResumeAt::Near(Point::new(-500.0, 0.0)), None);
     assert!(matches!(nowhere, Err(ResumeFault::Nowhere(_))), "{nowhere:?}");
-    assert!(matches!(resume(&job, Place::Line(0), None), Err(ResumeFault::NoSuchLine(0, _))));
+    assert!(matches!(resume(&job, ResumeAt::Line(0), None), Err(ResumeFault::NoSuchLine(0, _))));
 }
 
 #[test]
 fn a_resumed_job_can_be_resumed_and_a_damaged_one_cannot() {
     for name in ["generic", "grbl", "marlin"] {
         let job = job(name);
-        let once = resume(&job, Place::Share(0.3), None).expect("once").text;
-        let twice = resume(&once, Place::Share(0.5), None).expect("twice").text;
+        let once = resume(&job, ResumeAt::Share(0.3), None).expect("once").text;
+        let twice = resume(&once, ResumeAt::Share(0.5), None).expect("twice").text;
         assert!(twice.len() < once.len() && once.len() < job.len());
         let _ = moves(name, &twice);
         let cut = &job[..job.len() / 2];
-        assert!(matches!(resume(cut, Place::Share(0.3), None), Err(ResumeFault::Damaged(_))), "{name}");
+        assert!(matches!(resume(cut, ResumeAt::Share(0.3), None), Err(ResumeFault::Damaged(_))), "{name}");
     }
-    assert!(matches!(resume("", Place::Line(1), None), Err(ResumeFault::NotOurs(_))));
+    assert!(matches!(resume("", ResumeAt::Line(1), None), Err(ResumeFault::NotOurs(_))));
     let trace = text(&built(&spec_text(""), profile("generic")), "star-1-trace.gcode");
-    assert!(matches!(resume(&trace, Place::Line(1), None), Err(ResumeFault::NotOurs(_))));
+    assert!(matches!(resume(&trace, ResumeAt::Line(1), None), Err(ResumeFault::NotOurs(_))));
 }

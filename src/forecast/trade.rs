@@ -1,0 +1,270 @@
+//! What each model costs and how far it is from the most accurate one: the exact ring.
+//!
+//! The clock is handed in, so that this room stays a function of its arguments.
+
+use crate::forecast::candidate::TableRing;
+use crate::mechanics::fault::{HingeFault, StarFault};
+use crate::mechanics::hinge::bvp::Bvp;
+use crate::mechanics::hinge::fit::Fit;
+use crate::mechanics::hinge::ring::{Ring, RingTable};
+use crate::mechanics::hinge::{HingeModel, HingeState, Level, seal_load};
+use crate::mechanics::star::response::{Inflated, Rest};
+use crate::mechanics::star::{Star, StarGeometry};
+use std::fmt::Write;
+
+/// R* of the comparison; k is infinite at 0 and is compared on the others.
+pub const R_STARS: [f64; 7] = [0.0, 0.02, 0.1, 0.3, 1.0, 3.0, 10.0];
+/// Points of the stars of the comparison, with the R* from 0 to 0.1 that such stars can have.
+pub const POINTS: [u32; 4] = [3, 4, 5, 6];
+
+/// One model: its time and its largest relative errors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TradeRow {
+    /// The model.
+    pub model: String,
+    /// Time for one hinge's target, s, the mean over the R*.
+    pub time: f64,
+    /// Of lambda_t, V_bar''(lambda_t), seal load k, final radius, radial stiffness; `None` where it has none.
+    pub errors: [Option<f64>; 5],
+}
+
+/// Names of the errors.
+pub const QUANTITIES: [&str; 5] = ["lambda_t", "V''", "k", "rho_f", "stiffness"];
+
+/// Measures every model; `clock` tells the time in s.
+///
+/// `base` gives the star's size; its points and radii are those of the comparison.
+///
+/// # Errors
+/// If a model refuses one of the hinges, or the star does not exist.
+pub fn measure(base: &StarGeometry, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>, StarFault> {
+    let table = RingTable::new()?;
+    let fast = TableRing(&table);
+    let penalised = [1e2, 1e3, 1e4, 1e5].map(|beta| Bvp::new(beta, 1e-6));
+    let mut models: Vec<(String, &dyn HingeModel)> =
+        vec![("fit".to_owned(), &Fit), ("ring, table".to_owned(), &fast), ("ring".to_owned(), &Ring)];
+    models
+        .extend(penalised.iter().map(|bvp| (format!("bvp, beta = {}", bvp.beta()), bvp as &dyn HingeModel)));
+    let stars = stars(base);
+    let exact = Known::of(&Ring)?;
+    models
+        .into_iter()
+        .map(|(model, own)| {
+            let (time, own) = time_of(own, clock)?;
+            let mut errors = [Some(0.0), Some(0.0), None, Some(0.0), Some(0.0)];
+            for ((exact, state), r_star) in exact.targets.iter().zip(&own.targets).zip(R_STARS) {
+                raise(&mut errors[0], state.lambda, exact.lambda);
+                raise(&mut errors[1], state.curvature, exact.curvature);
+                let load = |state: &HingeState| seal_load(r_star, state);
+                if let Some((load, exact)) = load(state).zip(load(exact)) {
+                    raise(&mut errors[2], load, exact);
+                }
+            }
+            for star in &stars {
+                let rest = |model: &Known| -> Result<Rest, StarFault> {
+                    Ok(Inflated::new(star, model, 1e4)?.linear_rest())
+                };
+                let (exact, rest) = (rest(&exact)?, rest(&own)?);
+                raise(&mut errors[3], rest.radius, exact.radius);
+                raise(&mut errors[4], rest.stiffness, exact.stiffness);
+            }
+            Ok(TradeRow { model, time, errors })
+        })
+        .collect()
+}
+
+/// A model's targets at the R* of the comparison, computed once: all that linear stars need.
+struct Known {
+    level: Level,
+    targets: [HingeState; R_STARS.len()],
+}
+
+impl Known {
+    fn of(model: &dyn HingeModel) -> Result<Self, StarFault> {
+        let mut targets = [model.target(R_STARS[0])?; R_STARS.len()];
+        for (target, r_star) in targets.iter_mut().zip(R_STARS).skip(1) {
+            *target = model.target(std::hint::black_box(r_star))?;
+        }
+        Ok(Self { level: model.level(), targets })
+    }
+}
+
+impl HingeModel for Known {
+    fn level(&self) -> Level {
+        self.level
+    }
+
+    fn state(&self, r_star: f64, lambda: f64) -> Result<HingeState, HingeFault> {
+        Err(HingeFault::Unsolved { r_star, lambda, residual: f64::MAX })
+    }
+
+    fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
+        // A star's R / W differs from the R* it was made from by rounding.
+        let near = R_STARS.iter().position(|known| (known - r_star).abs() < 1e-9);
+        let most = R_STARS[R_STARS.len() - 1];
+        near.map(|i| self.targets[i]).ok_or(HingeFault::RStar { found: r_star, most })
+    }
+
+    fn onset(&self, _: f64) -> Result<Option<f64>, HingeFault> {
+        Ok(None)
+    }
+}
+
+/// Stars of the given size with the points and the R* of the comparison, as far as they exist.
+fn stars(base: &StarGeometry) -> Vec<Star> {
+    let r_stars = R_STARS.iter().filter(|r_star| **r_star <= 0.1);
+    r_stars
+        .flat_map(|r_star| POINTS.map(|points| (*r_star * base.width, points)))
+        .filter_map(|(radius, points)| {
+            Star::new(StarGeometry { points, tip_radius: radius, corner_radius: radius, ..*base }).ok()
+        })
+        .collect()
+}
+
+/// Raises `most` to the relative error of `value`.
+fn raise(most: &mut Option<f64>, value: f64, exact: f64) {
+    *most = Some(most.unwrap_or(0.0).max((value / exact - 1.0).abs()));
+}
+
+/// Mean time of one target, and the targets; repeated until it takes a tenth of a second, so that the clock's grain
+/// does not count.
+fn time_of(model: &dyn HingeModel, clock: &dyn Fn() -> f64) -> Result<(f64, Known), StarFault> {
+    let mut repeats = 1_u32;
+    loop {
+        let start = clock();
+        let mut known = Known::of(model)?;
+        for _ in 1..repeats {
+            known = std::hint::black_box(Known::of(model)?);
+        }
+        let time = clock() - start;
+        if time >= 0.1 || repeats >= 1 << 22 {
+            #[expect(clippy::cast_precision_loss, reason = "a handful")]
+            return Ok((time / f64::from(repeats) / R_STARS.len() as f64, known));
+        }
+        repeats *= 4;
+    }
+}
+
+/// The rows as a table for a terminal.
+pub fn table(rows: &[TradeRow]) -> String {
+    let mut out = format!("{:20}{:>12}", "model", "time");
+    for quantity in QUANTITIES {
+        let _ = write!(out, "{quantity:>11}");
+    }
+    out.push('\n');
+    for row in rows {
+        let _ = write!(out, "{:20}{:>9.2} us", row.model, row.time * 1e6);
+        for error in row.errors {
+            let text = error.map_or("-".to_owned(), |error| format!("{error:.1e}"));
+            let _ = write!(out, "{text:>11}");
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// The rows as CSV.
+pub fn csv(rows: &[TradeRow]) -> String {
+    let mut out = String::from("model,time_s");
+    for quantity in QUANTITIES {
+        let _ = write!(out, ",error_{quantity}");
+    }
+    out.push('\n');
+    for row in rows {
+        let _ = write!(out, "\"{}\",{:.3e}", row.model, row.time);
+        for error in row.errors {
+            let _ = match error {
+                Some(error) => write!(out, ",{error:.3e}"),
+                None => write!(out, ","),
+            };
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// The rows as a plot: error against time, both logarithmic.
+pub fn plot(rows: &[TradeRow]) -> String {
+    let (width, height, left, top) = (640.0, 400.0, 70.0, 30.0);
+    // Decades shown: 10 ns to 1 s, 1e-16 to 1.
+    let x = |time: f64| left + (time.max(1e-9).log10() + 8.0) / 8.0 * width;
+    let y = |error: f64| top - error.clamp(1e-16, 1.0).log10() / 16.0 * height;
+    let colours = ["#1b6ca8", "#c0392b", "#27865c", "#8e44ad", "#b7791f"];
+    let mut out = String::from(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 480\" width=\"860\" height=\"480\" \
+         font-family=\"sans-serif\" font-size=\"12\">\n<rect width=\"860\" height=\"480\" fill=\"white\"/>\n",
+    );
+    for decade in (-8..=0).step_by(2) {
+        let at = x(10_f64.powi(decade));
+        let bottom = top + height;
+        let _ = writeln!(out, "<path d=\"M{at:.1} {top}V{bottom}\" stroke=\"#ddd\"/>");
+        let _ = writeln!(
+            out,
+            "<text x=\"{at:.1}\" y=\"{}\" text-anchor=\"middle\">1e{decade} s</text>",
+            bottom + 18.0
+        );
+    }
+    for decade in (-16..=0).step_by(4) {
+        let at = y(10_f64.powi(decade));
+        let _ = writeln!(out, "<path d=\"M{left} {at:.1}h{width}\" stroke=\"#ddd\"/>");
+        let _ = writeln!(
+            out,
+            "<text x=\"{}\" y=\"{:.1}\" text-anchor=\"end\">1e{decade}</text>",
+            left - 8.0,
+            at + 4.0
+        );
+    }
+    for row in rows {
+        for (error, colour) in row.errors.iter().zip(colours) {
+            if let Some(error) = error {
+                let (cx, cy) = (x(row.time), y(*error));
+                let _ = writeln!(out, "<circle cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"4\" fill=\"{colour}\"/>");
+            }
+        }
+        let _ = writeln!(
+            out,
+            "<text x=\"{:.1}\" y=\"{}\" text-anchor=\"start\" transform=\"rotate(-50 {:.1} {})\">{}</text>",
+            x(row.time),
+            top - 6.0,
+            x(row.time),
+            top - 6.0,
+            row.model
+        );
+    }
+    for ((quantity, colour), i) in QUANTITIES.iter().zip(colours).zip(0_u8..) {
+        let at = top + 20.0 * f64::from(i) + 20.0;
+        let _ = writeln!(out, "<circle cx=\"730\" cy=\"{}\" r=\"4\" fill=\"{colour}\"/>", at - 4.0);
+        let _ = writeln!(out, "<text x=\"740\" y=\"{at}\">{quantity}</text>");
+    }
+    let _ =
+        writeln!(out, "<text x=\"390\" y=\"475\" text-anchor=\"middle\">time of one hinge's target</text>");
+    out.push_str("</svg>\n");
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::star::StarGeometry;
+    use std::cell::Cell;
+
+    #[test]
+    fn errors_fall_from_level_to_level() {
+        // A clock that jumps: no test depends on the machine's speed.
+        let now = Cell::new(0.0);
+        let clock = || {
+            now.set(now.get() + 1.0);
+            now.get()
+        };
+        let rows = measure(&StarGeometry::paper(5), &clock).expect("all models answer");
+        let row = |name: &str| rows.iter().find(|row| row.model == name).expect("measured");
+        assert_eq!(row("ring").errors, [Some(0.0); 5]);
+        assert_eq!(row("fit").errors[2], None);
+        let of = |name: &str| row(name).errors.map(|e| e.unwrap_or(1.0));
+        let (coarse, fine) = (of("bvp, beta = 100"), of("bvp, beta = 10000"));
+        assert!(coarse.iter().zip(fine).all(|(a, b)| b < *a), "{coarse:?} {fine:?}");
+        assert!(of("ring, table").iter().all(|e| *e < 1e-9));
+        assert_eq!(csv(&rows).lines().count(), rows.len() + 1);
+        assert!(table(&rows).contains("ring") && plot(&rows).ends_with("</svg>\n"));
+    }
+}

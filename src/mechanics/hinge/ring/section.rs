@@ -1,0 +1,128 @@
+//! The cross-section of an inflated ring at given unknowns: lengths, residuals, volume and its derivative.
+//!
+//! Lengths are in units of the flat width W, tensions per radian in units of p W^2. The unknowns are
+//! the slope angle `phi_0` at the inner edge, the tension `T` there, the length `L` of the cone
+//! on which the hoop tension acts, and the coiling factor `lambda`; every result carries its
+//! gradient with respect to these four.
+//!
+//! With `z = 0` at both ends, integration by parts turns the volume and its derivative into single
+//! integrals (V_bar = V / (W^3 alpha_0); envelope theorem for the second; `h = Q / sin(gamma)` is
+//! the hoop tension of the cone of slope `-gamma = -arccos(1/lambda)`):
+//!
+//! ```text
+//! V_bar  = -2 R* ∫ r sin(phi) ds - lambda ∫ r^2 sin(phi) ds
+//! V_bar' = -∫ r^2 sin(phi) ds - 2 ∫_cone h r ds
+//! ```
+
+use crate::mechanics::hinge::ring::arc::{Arc, Start, free_arc};
+use crate::numerics::Dual;
+use std::f64::consts::FRAC_PI_2;
+
+/// Order of the unknowns.
+pub(super) const PHI_0: usize = 0;
+pub(super) const TENSION: usize = 1;
+pub(super) const CONE: usize = 2;
+pub(super) const LAMBDA: usize = 3;
+
+/// A number with its gradient with respect to the four unknowns.
+pub(super) type Number = Dual<4>;
+
+/// The section at one point of the space of unknowns.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RingSection {
+    /// Length of the meridian minus 1.
+    pub(super) length: Number,
+    /// z at the outer edge.
+    pub(super) closing: Number,
+    /// `u = lambda r - s` at the end of the first arc.
+    pub(super) contact: Number,
+    /// V_bar.
+    pub(super) volume: Number,
+    /// dV_bar/dlambda.
+    pub(super) slope: Number,
+    /// r at the outer edge: the inflated width over W.
+    pub(super) width: Number,
+}
+
+/// The section without cone: one free arc, cut at a fixed angle only to share the quadrature.
+pub(super) fn free_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSection> {
+    let [phi_0, tension, _, lambda] = Number::variables(unknowns);
+    admissible(unknowns)?;
+    let axis = lambda.recip() * r_star;
+    let start = Start { phi: phi_0, tension, axis, reach: Number::constant(0.0) };
+    let first = free_arc(&start, Number::constant(-0.75));
+    let start = Start { phi: Number::constant(-0.75), tension, axis: first.axis, reach: first.reach };
+    let second = free_arc(&start, Number::constant(-FRAC_PI_2));
+    Some(assemble(r_star, lambda, &first, None, &second))
+}
+
+/// The section with a cone between two free arcs.
+pub(super) fn cone_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSection> {
+    admissible(unknowns)?;
+    let [phi_0, tension, cone, lambda] = Number::variables(unknowns);
+    if lambda.value <= 1.0 || phi_0.value <= -lambda.value.recip().acos() {
+        return None;
+    }
+    let axis = lambda.recip() * r_star;
+    let cos = lambda.recip();
+    let sin = (-cos.squared() + 1.0).sqrt();
+    let gamma = sin.atan2(cos);
+    let start = Start { phi: phi_0, tension, axis, reach: Number::constant(0.0) };
+    let first = free_arc(&start, -gamma);
+
+    // Along the cone Q and r grow by sigma cos(gamma), and T' = Q cot(gamma).
+    let gain = cone * cos;
+    let (q, r) = (first.axis, first.reach);
+    let end_tension = tension + cone * (q + gain * 0.5) * cos / sin;
+    let hoop = cone * (q * r + (q + r) * gain * 0.5 + gain.squared() * (1.0 / 3.0)) / sin;
+    let second_moment = -(sin * cone) * (r.squared() + r * gain + gain.squared() * (1.0 / 3.0));
+    let frustum = Cone {
+        length: cone,
+        rise: -(sin * cone),
+        moment: -(sin * cone) * (r + gain * 0.5),
+        second_moment,
+        hoop,
+    };
+    let start = Start { phi: -gamma, tension: end_tension, axis: q + gain, reach: r + gain };
+    if end_tension.value <= 0.0 || start.axis.value <= 0.0 {
+        return None;
+    }
+    let second = free_arc(&start, Number::constant(-FRAC_PI_2));
+    Some(assemble(r_star, lambda, &first, Some(&frustum), &second))
+}
+
+/// What the cone adds to the integrals; `hoop` is the integral of h r ds.
+struct Cone {
+    length: Number,
+    rise: Number,
+    moment: Number,
+    second_moment: Number,
+    hoop: Number,
+}
+
+/// Quadrature needs T > 0 and a start above the outer edge's slope, below a full turn.
+fn admissible(unknowns: [f64; 4]) -> Option<()> {
+    let [phi_0, tension, _, lambda] = unknowns;
+    (tension > 0.0 && lambda > 0.0 && phi_0 > -0.75 && phi_0 < 3.0).then_some(())
+}
+
+fn assemble(
+    r_star: f64,
+    lambda: Number,
+    first: &Arc<4>,
+    cone: Option<&Cone>,
+    second: &Arc<4>,
+) -> RingSection {
+    let zero = Number::constant(0.0);
+    let of_cone = |part: fn(&Cone) -> Number| cone.map_or(zero, part);
+    let moment = first.moment + of_cone(|c| c.moment) + second.moment;
+    let second_moment = first.second_moment + of_cone(|c| c.second_moment) + second.second_moment;
+    RingSection {
+        length: first.length + of_cone(|c| c.length) + second.length - 1.0,
+        closing: first.rise + of_cone(|c| c.rise) + second.rise,
+        contact: lambda * first.reach - first.length,
+        volume: moment * (-2.0 * r_star) - lambda * second_moment,
+        slope: -second_moment - of_cone(|c| c.hoop) * 2.0,
+        width: second.reach,
+    }
+}

@@ -1,0 +1,370 @@
+//! How an inflated star rests and resists: equilibrium, closing, force against radius.
+//!
+//! With E = -p (n V_tip + n V_corner) and the tip's angle as coordinate the **torque** that closes the star is
+//!
+//! ```text
+//! dE/dphi = n p W^3 [V_bar'(lambda_i) + V_bar'(lambda_e)]
+//! ```
+//!
+//! and the radial force, summed over all n corners, `F = dE/drho = (dE/dphi) / (drho/dphi)`. Whatever the
+//! hinge model says of V_bar' is used as it is: with the published parabola this is the paper's star of linear
+//! hinges, with the exact ring it is softer on closing than on opening.
+
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
+use crate::mechanics::star::{Radius, Star};
+use crate::numerics::bracketed_root;
+use std::f64::consts::PI;
+
+/// Angles are found to this, rad: 1e-10 of a rad moves no radius by more than 1e-8 mm.
+const ANGLE_TOLERANCE: f64 = 1e-12;
+
+/// A star, inflated, as one hinge model sees it.
+#[derive(Clone, Copy)]
+pub struct Inflated<'a> {
+    star: &'a Star,
+    model: &'a dyn HingeModel,
+    /// Gauge pressure p, Pa.
+    pressure: f64,
+    tip: HingeState,
+    corner: HingeState,
+}
+
+/// Where a star rests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest {
+    /// Angle phi_i^eq at which the torque vanishes, rad; below 0 the arms would cross.
+    pub equilibrium: f64,
+    /// Angle at which it rests: `max(0, phi_i^eq)`, because the arms touch at 0.
+    pub angle: f64,
+    /// Final inner radius rho_f, m.
+    pub radius: f64,
+    /// Radial force that is stored in a star that is pressed shut, N; 0 for one that is free.
+    pub preload: f64,
+    /// Radial stiffness dF/drho there, N per m.
+    pub stiffness: f64,
+}
+
+impl<'a> Inflated<'a> {
+    /// The star at the gauge pressure `pressure` (Pa).
+    ///
+    /// # Errors
+    /// If the model refuses one of the hinges.
+    pub fn new(star: &'a Star, model: &'a dyn HingeModel, pressure: f64) -> Result<Self, StarFault> {
+        let (tip, corner) = (model.target(star.tip().r_star)?, model.target(star.corner().r_star)?);
+        if !(pressure >= 0.0 && pressure.is_finite()) {
+            return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "0 or more" });
+        }
+        let inflated = Self { star, model, pressure, tip, corner };
+        let (c_i, c_e) = inflated.hinge_stiffness();
+        if (c_i + c_e).is_finite() {
+            Ok(inflated)
+        } else {
+            Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "such that p W^3 is finite" })
+        }
+    }
+
+    /// The star.
+    pub fn star(&self) -> &Star {
+        self.star
+    }
+
+    /// The model's level.
+    pub fn level(&self) -> Level {
+        self.model.level()
+    }
+
+    /// The tip's hinge at its target.
+    pub fn tip(&self) -> &HingeState {
+        &self.tip
+    }
+
+    /// The corner's hinge at its target.
+    pub fn corner(&self) -> &HingeState {
+        &self.corner
+    }
+
+    /// Stiffnesses C_i and C_e of tip and corner at their targets, N m per rad.
+    pub fn hinge_stiffness(&self) -> (f64, f64) {
+        let Self { star, pressure, .. } = self;
+        (star.tip().stiffness(*pressure, &self.tip), star.corner().stiffness(*pressure, &self.corner))
+    }
+
+    /// Target angles phi_it and phi_et of tip and corner, rad.
+    pub fn target_angles(&self) -> (f64, f64) {
+        (self.star.tip().angle(self.tip.lambda), self.star.corner().angle(self.corner.lambda))
+    }
+
+    /// Equilibrium of linear hinges: `(C_i phi_it + C_e (phi_et - 2 pi / n)) / (C_i + C_e)`, rad.
+    pub fn linear_equilibrium(&self) -> f64 {
+        // The ratio does not depend on the pressure, which may be 0.
+        let weight = |hinge: Hinge, state: &HingeState| -state.curvature / hinge.arc();
+        let (tip, corner) = (weight(self.star.tip(), &self.tip), weight(self.star.corner(), &self.corner));
+        let (phi_it, phi_et) = self.target_angles();
+        (tip * phi_it + corner * (phi_et - self.star.turn())) / (tip + corner)
+    }
+
+    /// Rest of linear hinges, in closed form: the paper's rho_f and radial stiffness
+    /// `4 n (C_i + C_e) [sin(pi/n) / (l cos(phi/2) - W' sin(phi/2))]^2`.
+    ///
+    /// Of a star that is pressed shut the stiffness is the one at the touching arms.
+    pub fn linear_rest(&self) -> Rest {
+        let equilibrium = self.linear_equilibrium();
+        let (tip, corner) = self.hinge_stiffness();
+        let spring = f64::from(self.star.geometry().points) * (tip + corner);
+        let angle = equilibrium.max(0.0);
+        let radius = self.star.radius(angle);
+        rest(equilibrium, spring * (angle - equilibrium), spring, &radius)
+    }
+
+    /// Rest with the model's own V_bar'.
+    ///
+    /// # Errors
+    /// If the model refuses a coiling factor on the way, or does not let the torque vanish in its range.
+    pub fn rest(&self) -> Result<Rest, StarFault> {
+        let equilibrium = self.equilibrium()?;
+        let angle = equilibrium.max(0.0);
+        let (mut torque, spring) = self.torque(angle)?;
+        if equilibrium >= 0.0 {
+            // The root is only found to a tolerance; what is left of the torque is no preload.
+            torque = 0.0;
+        }
+        Ok(rest(equilibrium, torque, spring, &self.star.radius(angle)))
+    }
+
+    /// Angle phi_i at which the torque vanishes, rad, not clamped.
+    fn equilibrium(&self) -> Result<f64, StarFault> {
+        let (phi_it, phi_et) = self.target_angles();
+        let (one, other) = (phi_it, phi_et - self.star.turn());
+        if (one - other).abs() < ANGLE_TOLERANCE {
+            return Ok(one);
+        }
+        // Between the two hinges' own rests both pull against each other, so the torque changes sign. The linear
+        // equilibrium is inside; searching from it outwards avoids the far coiling of the weaker hinge.
+        let start = self.linear_equilibrium();
+        let torque = |phi: f64| self.scaled_torque(phi).map(|(torque, _)| torque);
+        let at_start = torque(start)?;
+        let (low, high) = (one.min(other), one.max(other));
+        let bound = if at_start > 0.0 { low } else { high };
+        let mut near = start;
+        for part in [0.25, 0.5, 0.75, 1.0] {
+            let far = start + part * (bound - start);
+            if torque(far)? * at_start <= 0.0 {
+                return bracketed_root(near, far, ANGLE_TOLERANCE, torque);
+            }
+            near = far;
+        }
+        // At the bound itself one hinge is at rest and the other pulls on; only rounding hides the sign.
+        Ok(bound)
+    }
+
+    /// Closing torque dE/dphi (N m) at the tip angle `phi` (rad), and its own derivative (N m per rad).
+    ///
+    /// # Errors
+    /// If the model refuses a coiling factor.
+    pub fn torque(&self, phi: f64) -> Result<(f64, f64), StarFault> {
+        let scale = self.pressure * self.star.geometry().width.powi(3);
+        self.scaled_torque(phi).map(|(torque, spring)| (scale * torque, scale * spring))
+    }
+
+    /// The torque and its derivative in units of p W^3.
+    fn scaled_torque(&self, phi: f64) -> Result<(f64, f64), StarFault> {
+        let points = f64::from(self.star.geometry().points);
+        let (tip, corner) = (self.star.tip(), self.star.corner());
+        let at = |hinge: Hinge, phi: f64| self.model.state(hinge.r_star, hinge.coiling(phi));
+        let (of_tip, of_corner) = (at(tip, phi)?, at(corner, phi + self.star.turn())?);
+        let spring = -of_tip.curvature / tip.arc() - of_corner.curvature / corner.arc();
+        Ok((points * (of_tip.slope + of_corner.slope), points * spring))
+    }
+
+    /// Whether at the tip angle `phi` (rad) the inner rim of a hinge would have to push.
+    pub fn rim_pushes(&self, phi: f64) -> bool {
+        let pushes = |hinge: Hinge, phi: f64| {
+            let state = self.model.state(hinge.r_star, hinge.coiling(phi)).ok();
+            state.and_then(|state| state.edges).is_some_and(|edges| edges.rim_force < 0.0)
+        };
+        pushes(self.star.tip(), phi) || pushes(self.star.corner(), phi + self.star.turn())
+    }
+
+    /// Radial force F (N, all corners together) on an object of radius `rho` (m) that keeps the star open.
+    ///
+    /// # Errors
+    /// If no angle between rest and the straight corner gives this radius, or the model refuses.
+    pub fn force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
+        let phi = self.angle_at(rho, rest)?;
+        let (torque, _) = self.torque(phi)?;
+        Ok(torque / self.star.radius(phi).slope)
+    }
+
+    /// Radial force (N) of linear hinges on an object of radius `rho` (m): `n (C_i + C_e) (phi - phi_eq) dphi/drho`.
+    ///
+    /// # Errors
+    /// As for [`Inflated::angle_at`].
+    pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
+        let phi = self.angle_at(rho, rest)?;
+        let (tip, corner) = self.hinge_stiffness();
+        let torque = f64::from(self.star.geometry().points) * (tip + corner) * (phi - rest.equilibrium);
+        Ok(torque / self.star.radius(phi).slope)
+    }
+
+    /// Tip angle (rad) at which the inner radius is `rho` (m).
+    ///
+    /// # Errors
+    /// If there is none between the rest and an almost straight corner.
+    pub fn angle_at(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
+        let straight = PI - self.star.turn();
+        let high = rest.angle + 0.999 * (straight - rest.angle);
+        bracketed_root(rest.angle, high, ANGLE_TOLERANCE, |phi| Ok(self.star.radius(phi).value - rho))
+    }
+}
+
+/// The rest at the angle where `radius` was taken, with the closing torque left there and the spring dtorque/dphi.
+fn rest(equilibrium: f64, torque: f64, spring: f64, radius: &Radius) -> Rest {
+    let stiffness = (spring - torque * radius.curvature / radius.slope) / (radius.slope * radius.slope);
+    Rest {
+        equilibrium,
+        angle: equilibrium.max(0.0),
+        radius: radius.value,
+        preload: torque / radius.slope,
+        stiffness,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::hinge::bvp::Bvp;
+    use crate::mechanics::hinge::fit::Fit;
+    use crate::mechanics::hinge::ring::Ring;
+    use crate::mechanics::star::StarGeometry;
+    use crate::mechanics::star::tests::paper_geometry;
+
+    fn paper_star(points: u32) -> Star {
+        Star::new(paper_geometry(points)).expect("feasible")
+    }
+
+    #[test]
+    fn final_radii_of_the_papers_stars() {
+        for (points, radius) in (3..).zip([27.8, 15.8, 14.7, 19.1, 24.9, 30.8]) {
+            let star = paper_star(points);
+            let inflated = Inflated::new(&star, &Fit, 1e4).expect("covered");
+            let rest = inflated.rest().expect("solvable");
+            assert!((rest.radius * 1e3 - radius).abs() < 0.05, "n = {points}: {}", rest.radius);
+        }
+    }
+
+    #[test]
+    fn a_parabola_rests_where_the_closed_form_says() {
+        for geometry in [paper_geometry(3), paper_geometry(5), paper_geometry(7)] {
+            let star = Star::new(StarGeometry { corner_radius: 0.001, ..geometry }).expect("feasible");
+            let inflated = Inflated::new(&star, &Fit, 2e4).expect("covered");
+            let (own, closed) = (inflated.rest().expect("solvable"), inflated.linear_rest());
+            let pairs = [
+                (own.equilibrium, closed.equilibrium),
+                (own.radius, closed.radius),
+                (own.stiffness, closed.stiffness),
+                (own.preload + 1.0, closed.preload + 1.0),
+            ];
+            for (a, b) in pairs {
+                assert!((a / b - 1.0).abs() < 1e-9, "n = {}: {a} {b}", geometry.points);
+            }
+        }
+    }
+
+    #[test]
+    fn linear_stiffness_is_the_published_formula_with_half_angles() {
+        let star = paper_star(4);
+        let inflated = Inflated::new(&star, &Fit, 2e4).expect("covered");
+        let rest = inflated.linear_rest();
+        let (tip, corner) = inflated.hinge_stiffness();
+        let (sin, cos) = (0.5 * rest.angle).sin_cos();
+        let lever = (PI / 4.0).sin() / (star.arm_length() * cos - star.inflated_width() * sin);
+        assert!((rest.stiffness / (4.0 * 4.0 * (tip + corner) * lever * lever) - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn force_is_the_derivative_of_the_energy() {
+        let star = paper_star(5);
+        let inflated = Inflated::new(&star, &Ring, 37e3).expect("solvable");
+        let rest = inflated.rest().expect("solvable");
+        let energy = |phi: f64| {
+            let part = |hinge: Hinge, phi: f64| {
+                let volume =
+                    Ring.state(hinge.r_star, hinge.coiling(phi)).expect("solved").volume.expect("known");
+                -37e3 * 5.0 * hinge.width.powi(3) * hinge.arc() * volume
+            };
+            part(star.tip(), phi) + part(star.corner(), phi + star.turn())
+        };
+        for rho in [0.02, 0.03, 0.04] {
+            let step = 1e-6;
+            let [low, high] =
+                [rho - step, rho + step].map(|r| inflated.angle_at(r, &rest).expect("in reach"));
+            let expected = (energy(high) - energy(low)) / (2.0 * step);
+            let force = inflated.force(rho, &rest).expect("in reach");
+            assert!((force / expected - 1.0).abs() < 1e-5, "rho {rho}: {force} {expected}");
+        }
+    }
+
+    #[test]
+    fn stiffness_is_the_slope_of_the_force() {
+        for (points, model) in [(5, &Ring as &dyn HingeModel), (7, &Ring), (4, &Fit), (7, &Fit)] {
+            let star = paper_star(points);
+            let inflated = Inflated::new(&star, model, 37e3).expect("solvable");
+            let rest = inflated.rest().expect("solvable");
+            let step = 1e-7;
+            let rise = inflated.force(rest.radius + step, &rest).expect("in reach") - rest.preload;
+            assert!((rise / step / rest.stiffness - 1.0).abs() < 1e-3, "n = {points}: {rise} {rest:?}");
+        }
+    }
+
+    #[test]
+    fn a_star_pressed_shut_has_a_preload() {
+        for points in [6, 8] {
+            let star = paper_star(points);
+            let rest = Inflated::new(&star, &Ring, 37e3).and_then(|i| i.rest()).expect("solvable");
+            assert!(rest.equilibrium < 0.0 && rest.angle == 0.0 && rest.preload > 0.0, "{rest:?}");
+            let contact = star.inflated_width() * (1.0 / (PI / f64::from(points)).sin() - 1.0);
+            assert!((rest.radius - contact).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn ring_and_penalised_star_agree() {
+        let star = Star::new(StarGeometry { tip_radius: 0.003, corner_radius: 0.003, ..paper_geometry(5) });
+        let star = star.expect("feasible");
+        let bvp = Bvp::new(1e4, 1e-4);
+        let [exact, penalised] = [&Ring as &dyn HingeModel, &bvp]
+            .map(|model| Inflated::new(&star, model, 37e3).and_then(|i| i.rest()).expect("solvable"));
+        assert!((exact.equilibrium - penalised.equilibrium).abs() < 0.02, "{exact:?} {penalised:?}");
+        assert!((exact.radius / penalised.radius - 1.0).abs() < 0.05);
+    }
+
+    #[test]
+    fn size_and_pressure_scale_as_published() {
+        // All lengths by eta: K -> K eta at the same pressure; at p / eta^3: K / eta^2; at p / eta: K.
+        let rest = |eta: f64, pressure: f64| {
+            let g = paper_geometry(4);
+            let star =
+                Star::new(StarGeometry { inner_radius: eta * g.inner_radius, width: eta * g.width, ..g });
+            let star = star.expect("feasible");
+            Inflated::new(&star, &Ring, pressure).and_then(|i| i.rest()).expect("solvable")
+        };
+        let one = rest(1.0, 2e4);
+        for eta in [0.02_f64, 3.0, 2000.0] {
+            for power in [0, 1, 3] {
+                let scaled = rest(eta, 2e4 / eta.powi(power));
+                assert!((scaled.stiffness / (one.stiffness * eta.powi(1 - power)) - 1.0).abs() < 1e-9);
+                assert!((scaled.radius / (one.radius * eta) - 1.0).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_reached_is_refused() {
+        let star = paper_star(5);
+        let inflated = Inflated::new(&star, &Ring, 37e3).expect("solvable");
+        let rest = inflated.rest().expect("solvable");
+        assert!(inflated.force(0.001, &rest).is_err() && inflated.force(f64::NAN, &rest).is_err());
+        assert!(Inflated::new(&star, &Ring, -1.0).is_err() && Inflated::new(&star, &Ring, f64::NAN).is_err());
+    }
+}

@@ -1,0 +1,120 @@
+//! The lowest feed that a controller holds, and what follows where the seal is slower.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::design::Refusal;
+use crate::geom::Segment;
+use crate::plan::{Pace, Program, Step};
+use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate};
+
+/// The lowest speed that `motion` holds all along `piece`, which climbs by `rise`: that of its worst direction.
+///
+/// `None` if it is unknown. On an arc the worst direction is at an end, or where X and Y step equally often.
+pub fn lowest_speed(motion: &Motion, piece: &Segment, rise: f64) -> Option<f64> {
+    let length = piece.length();
+    let along = |t: f64| {
+        let u = piece.tangent(t);
+        motion.lowest_speed([u.x * length, u.y * length, rise])
+    };
+    let mut worst = along(0.0)?.max(along(1.0)?);
+    if let Segment::Arc(arc) = piece {
+        let [x, y, _] = motion.steps_per_mm.unwrap_or([1.0; 3]);
+        let even = x.atan2(y);
+        let quarter = FRAC_PI_2 * arc.sweep.signum();
+        for direction in [even, -even, 2.0 * FRAC_PI_2 - even, even - 2.0 * FRAC_PI_2] {
+            if let Some(t) = arc.fraction_of(direction - quarter, 0.0) {
+                worst = worst.max(along(t)?);
+            }
+        }
+    }
+    Some(worst)
+}
+
+pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
+    let speed = spec.seal.speed.0;
+    let wanted = spec.machine.feed_floor == FeedFloor::Chop;
+    let mut most = 0.0_f64;
+    for program in programs {
+        if let Pace::Chopped(chop) = program.pace {
+            let moving = crate::plan::move_time(chop.longest, chop.speed, Some(chop.acceleration));
+            if moving >= chop.longest / speed {
+                return Some(Refusal::new(
+                    "seal.speed",
+                    "no-chop",
+                    format!(
+                        "a stroke of {:.3} mm at {:.3} mm/s takes {moving:.3} s, longer than {} allows",
+                        chop.longest, chop.speed, spec.seal.speed
+                    ),
+                    format!("speed must be below {:.3} mm/s", chop.longest / moving),
+                ));
+            }
+            continue;
+        }
+        for (piece, rise) in contact(program) {
+            let Some(lowest) = lowest_speed(&machine.motion, piece, rise) else {
+                return wanted.then(|| cannot_chop(machine));
+            };
+            most = most.max(lowest);
+        }
+    }
+    if most <= speed * (1.0 + 1e-9) {
+        return None;
+    }
+    if wanted {
+        return Some(cannot_chop(machine));
+    }
+    let (least, most) = machine.motion.speed_range().unwrap_or((most, most));
+    let runs = if most - least < 0.005 { format!("{most:.2}") } else { format!("{least:.2} to {most:.2}") };
+    let at = match machine.motion.steps_per_mm {
+        Some([x, y, _]) if x == y => format!("at {x} steps/mm "),
+        Some([x, y, _]) => format!("at {x} (X) and {y} (Y) steps/mm "),
+        None => String::new(),
+    };
+    let better = match machine.motion.steps_needed(speed) {
+        Some((_, diagonal)) => {
+            format!("; or {:.0} steps/mm in the profile, if the machine has them", diagonal.ceil())
+        }
+        None => String::new(),
+    };
+    Some(Refusal::new(
+        "seal.speed",
+        "feed-floor",
+        format!("{at}{} runs this at {runs} mm/s instead of {speed}", machine.dialect.title()),
+        format!("write `feed_floor = \"chop\"` in [machine]; or a speed of at least {most:.2} mm/s{better}"),
+    ))
+}
+
+fn cannot_chop(machine: &Machine) -> Refusal {
+    let motion = &machine.motion;
+    let mut missing = Vec::new();
+    if motion.chop_speed().is_none() {
+        if motion.steps_per_mm.is_none() {
+            missing.push("the steps per mm");
+        }
+        if motion.step_rate == StepRate::Unknown {
+            missing.push("the lowest step rate");
+        }
+    }
+    if motion.acceleration.is_none() {
+        missing.push("the acceleration");
+    }
+    Refusal::new(
+        "machine.feed_floor",
+        "no-chop",
+        format!("the profile {} does not know {}", machine.name, missing.join(" and ")),
+        "write them, or `chop_feed` and `acceleration`, in [motion] of your own profile".to_owned(),
+    )
+}
+
+/// What is travelled below travel height: each piece with the change of height along it.
+pub(super) fn contact(program: &Program) -> impl Iterator<Item = (&Segment, f64)> {
+    program.steps.iter().flat_map(|step| {
+        let (pieces, rise): (&[Segment], f64) = match step {
+            Step::TouchDown(ramp) | Step::Lift(ramp) => (&ramp.pieces, ramp.to - ramp.from),
+            Step::Seal(pieces) => (pieces, 0.0),
+            _ => (&[], 0.0),
+        };
+        let flat: f64 = pieces.iter().map(Segment::length).sum();
+        pieces.iter().map(move |piece| (piece, rise * piece.length() / flat))
+    })
+}

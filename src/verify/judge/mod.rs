@@ -1,0 +1,8 @@
+//! Judges: what was read against what the design says; whatever differs becomes a finding.
+
+mod clamp;
+mod expected;
+pub(in crate::verify) mod files;
+mod job;
+mod pace;
+pub(in crate::verify) mod path;

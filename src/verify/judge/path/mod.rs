@@ -1,0 +1,5 @@
+//! How far paths lie from each other: in any order (drawings), or in the order of travel (programs).
+
+pub mod compare;
+pub(in crate::verify) mod follow;
+mod measure;

@@ -1,0 +1,29 @@
+//! What a drawing file says, whatever its format.
+
+use std::collections::BTreeMap;
+
+use crate::geom::Path;
+use crate::verify::Finding;
+
+/// Gaps up to this are rounding, not an opening: the files carry at least three decimals of a millimetre.
+pub(in crate::verify) const JOIN: f64 = 1e-6;
+
+/// The lines and arcs of a drawing file, in mm, X right and Y up, by layer (DXF) or group (SVG).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Drawing {
+    /// Width and height of the page, mm; DXF has none.
+    pub page: Option<(f64, f64)>,
+    /// The paths of each layer, in the order of the file; layers that hold no path are present and empty.
+    pub layers: BTreeMap<String, Vec<Path>>,
+    /// Layer and text of each label.
+    pub texts: Vec<(String, String)>,
+    /// What is wrong with the file itself.
+    pub findings: Vec<Finding>,
+}
+
+impl Drawing {
+    /// The paths on `layer`; none if it does not exist.
+    pub fn layer(&self, layer: &str) -> &[Path] {
+        self.layers.get(layer).map_or(&[], Vec::as_slice)
+    }
+}

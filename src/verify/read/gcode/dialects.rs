@@ -1,0 +1,198 @@
+//! The tables of the dialects, each from its controller's documentation and source.
+
+use crate::spec;
+use crate::verify::read::gcode::{ArcTolerance, Command as C, CommentMark, Dialect, DwellUnit};
+
+/// Codes that all controllers of the RS274/NGC family share.
+const RS274: [(u8, u16, C); 18] = [
+    (b'G', 0, C::Rapid),
+    (b'G', 10, C::Line),
+    (b'G', 20, C::ArcCw),
+    (b'G', 30, C::ArcCcw),
+    (b'G', 40, C::Dwell),
+    (b'G', 170, C::PlaneXy),
+    (b'G', 200, C::Inches),
+    (b'G', 210, C::Millimetres),
+    (b'G', 610, C::ExactPath),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+    (b'G', 901, C::CentersAbsolute),
+    (b'G', 911, C::CentersRelative),
+    (b'G', 930, C::InverseTime),
+    (b'G', 940, C::PerMinute),
+    (b'M', 0, C::Pause),
+    (b'M', 20, C::End),
+    (b'M', 300, C::End),
+];
+
+/// Codes of printers: no plane, units or feed modes to choose, motors off at the end.
+const MARLIN: [(u8, u16, C); 11] = [
+    (b'G', 0, C::Rapid),
+    (b'G', 10, C::Line),
+    (b'G', 40, C::Dwell),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+    (b'M', 0, C::Pause),
+    (b'M', 730, C::Progress),
+    (b'M', 840, C::End),
+    (b'M', 1040, C::HeatOnly),
+    (b'M', 1090, C::HeatAndWait),
+    (b'M', 2050, C::Setting),
+];
+
+/// Klipper's codes; G20 is an error there.
+const KLIPPER: [(u8, u16, C); 10] = [
+    (b'G', 0, C::Rapid),
+    (b'G', 10, C::Line),
+    (b'G', 40, C::Dwell),
+    (b'G', 210, C::Millimetres),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+    (b'M', 730, C::Progress),
+    (b'M', 840, C::End),
+    (b'M', 1040, C::HeatOnly),
+    (b'M', 1090, C::HeatAndWait),
+];
+
+/// RepRapFirmware's codes; M0 ends the job, M226 waits.
+const REPRAPFIRMWARE: [(u8, u16, C); 19] = [
+    (b'G', 0, C::Rapid),
+    (b'G', 10, C::Line),
+    (b'G', 20, C::ArcCw),
+    (b'G', 30, C::ArcCcw),
+    (b'G', 40, C::Dwell),
+    (b'G', 170, C::PlaneXy),
+    (b'G', 200, C::Inches),
+    (b'G', 210, C::Millimetres),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+    (b'G', 930, C::InverseTime),
+    (b'G', 940, C::PerMinute),
+    (b'M', 0, C::End),
+    (b'M', 730, C::Progress),
+    (b'M', 1040, C::HeatOnly),
+    (b'M', 1090, C::HeatAndWait),
+    (b'M', 2030, C::Setting),
+    (b'M', 2260, C::Pause),
+    (b'T', 0, C::Setting),
+];
+
+/// The strictest of GRBL (0.005 mm, or 0.1 % up to 0.5 mm) and LinuxCNC (about 0.028 mm).
+const STRICTEST: ArcTolerance = ArcTolerance { free: 0.005, relative: 0.001, limit: 0.028 };
+
+impl Dialect {
+    /// The plain subset that every controller reads alike: capital letters, `;` comments, arcs by I and J.
+    ///
+    /// Parentheses are refused (some controllers end a comment at the first `)`), and so are `!`, `~` and `?`,
+    /// which GRBL obeys even inside comments. The line length is GRBL's 80 with a reserve. G61 is left out.
+    pub const GENERIC: Self = Self {
+        name: "generic",
+        line_length: 70,
+        codes: &[
+            RS274[0], RS274[1], RS274[2], RS274[3], RS274[4], RS274[5], RS274[6], RS274[7], RS274[9],
+            RS274[10], RS274[11], RS274[12], RS274[13], RS274[14], RS274[15], RS274[16], RS274[17],
+        ],
+        words: &[],
+        fixed: &[],
+        parameters: "XYZIJFP",
+        comments: CommentMark::Semicolon,
+        forbidden: "()!~?",
+        dwell: DwellUnit::Seconds,
+        dwell_step: 0.0,
+        arcs: STRICTEST,
+    };
+
+    /// LinuxCNC: lines up to 255.
+    pub const LINUXCNC: Self = Self { name: "linuxcnc", line_length: 255, codes: &RS274, ..Self::GENERIC };
+
+    /// GRBL 1.1: lines up to 80 (protocol.h), no G90.1, arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
+    pub const GRBL: Self = Self {
+        name: "grbl",
+        line_length: 80,
+        codes: &[
+            RS274[0], RS274[1], RS274[2], RS274[3], RS274[4], RS274[5], RS274[6], RS274[7], RS274[8],
+            RS274[9], RS274[10], RS274[12], RS274[13], RS274[14], RS274[15], RS274[16], RS274[17],
+        ],
+        dwell_step: 0.05,
+        arcs: ArcTolerance { free: 0.005, relative: 0.001, limit: 0.5 },
+        ..Self::GENERIC
+    };
+
+    /// grblHAL: as GRBL, lines up to 256 (protocol.h).
+    pub const GRBLHAL: Self = Self { name: "grblhal", line_length: 256, ..Self::GRBL };
+
+    /// FluidNC: as GRBL, lines up to 255 (Protocol.h), dwells in whole milliseconds (NutsBolts.cpp).
+    pub const FLUIDNC: Self = Self { name: "fluidnc", line_length: 255, dwell_step: 0.0, ..Self::GRBL };
+
+    /// Marlin without its options: no arcs, planes or inches; lines up to 95 (MAX_CMD_SIZE); G4 P in ms.
+    pub const MARLIN: Self = Self {
+        name: "marlin",
+        line_length: 95,
+        codes: &MARLIN,
+        words: &[],
+        fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
+        parameters: "XYZFPSRT",
+        comments: CommentMark::Semicolon,
+        forbidden: "()!~?*",
+        dwell: DwellUnit::Milliseconds,
+        dwell_step: 0.0,
+        arcs: STRICTEST,
+    };
+
+    /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands.
+    pub const KLIPPER: Self = Self {
+        name: "klipper",
+        line_length: 255,
+        codes: &KLIPPER,
+        words: &[("PAUSE", C::Pause), ("SET_IDLE_TIMEOUT", C::Setting), ("SET_VELOCITY_LIMIT", C::Setting)],
+        fixed: &[C::PerMinute],
+        parameters: "XYZFPSR",
+        ..Self::MARLIN
+    };
+
+    /// RepRapFirmware 3: G4 P in ms, arc centres always from the start.
+    pub const REPRAPFIRMWARE: Self = Self {
+        name: "reprapfirmware",
+        line_length: 255,
+        codes: &REPRAPFIRMWARE,
+        words: &[],
+        fixed: &[C::CentersRelative],
+        parameters: "XYZIJFPSR",
+        ..Self::MARLIN
+    };
+
+    /// Every table.
+    pub const ALL: [Self; 8] = [
+        Self::GENERIC,
+        Self::LINUXCNC,
+        Self::GRBL,
+        Self::GRBLHAL,
+        Self::FLUIDNC,
+        Self::MARLIN,
+        Self::KLIPPER,
+        Self::REPRAPFIRMWARE,
+    ];
+
+    /// The table of a controller of family `dialect`.
+    pub fn of(dialect: spec::Dialect) -> Self {
+        match dialect {
+            spec::Dialect::Generic => Self::GENERIC,
+            spec::Dialect::LinuxCnc => Self::LINUXCNC,
+            spec::Dialect::Grbl => Self::GRBL,
+            spec::Dialect::GrblHal => Self::GRBLHAL,
+            spec::Dialect::FluidNc => Self::FLUIDNC,
+            spec::Dialect::Marlin => Self::MARLIN,
+            spec::Dialect::Klipper => Self::KLIPPER,
+            spec::Dialect::RepRapFirmware => Self::REPRAPFIRMWARE,
+        }
+    }
+
+    /// The table for `machine`: its dialect, its comments, and its lines if they are shorter.
+    pub fn for_machine(machine: &spec::Machine) -> Self {
+        let dialect = Self::of(machine.dialect).with_line_length(machine.line_length);
+        match machine.comments {
+            spec::Comments::Semicolon => dialect,
+            spec::Comments::Parentheses => dialect.with_parentheses(),
+        }
+    }
+}

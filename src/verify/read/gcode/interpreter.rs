@@ -1,0 +1,160 @@
+//! The interpreter: line after line, in constant memory.
+
+use crate::verify::Finding;
+use crate::verify::read::gcode::block::Block;
+use crate::verify::read::gcode::lexer::Word;
+use crate::verify::read::gcode::machine::{Machine, report};
+use crate::verify::read::gcode::{Command, Comment, CommentMark, Dialect, Event, Pause, lexer};
+
+/// How the last line of every program begins; the number of lines follows.
+const SENTINEL: &str = "end of program, ";
+
+/// A simulated controller that is fed one line at a time.
+///
+/// A line with a fault is reported and not executed, as on the real one. Until the first rapids have told all
+/// three axes, moves set the position and yield no [`Event::Move`].
+#[derive(Clone, Debug)]
+pub struct Interpreter {
+    dialect: Dialect,
+    machine: Machine,
+    block: Block,
+    words: Vec<Word>,
+    line: usize,
+    /// The temperature that a comment announced and the next pause puts into force.
+    announced: Option<f64>,
+    ended: Option<usize>,
+    /// Whether the last line was the right sentinel, and whether it had its line end.
+    sentinel: bool,
+    complete: bool,
+}
+
+impl Interpreter {
+    /// A controller that was just switched on.
+    pub fn new(dialect: Dialect) -> Self {
+        Self {
+            machine: Machine::new(&dialect),
+            dialect,
+            block: Block::default(),
+            words: Vec::new(),
+            line: 0,
+            announced: None,
+            ended: None,
+            sentinel: false,
+            complete: true,
+        }
+    }
+
+    /// Number of lines so far.
+    pub fn lines(&self) -> usize {
+        self.line
+    }
+
+    /// Reads the next line, with its line end if it has one, and adds what it does to `events`.
+    pub fn feed(&mut self, text: &str, events: &mut Vec<Event>) {
+        self.line += 1;
+        let line = text.strip_suffix('\n');
+        self.complete = line.is_some();
+        let line = line.unwrap_or(text);
+        let line = line.strip_suffix('\r').unwrap_or(line);
+        if line.len() > self.dialect.line_length {
+            let found = format!("{} characters", line.len());
+            let allowed = format!("at most {}", self.dialect.line_length);
+            report(events, "line-too-long", self.line, &found, &allowed);
+        }
+        let mut comment = None;
+        if let Some(command) = self.whole_word(line) {
+            self.block.set(command);
+            self.execute(events);
+        } else {
+            let (found, fault) = lexer::cut(line, &self.dialect, &mut self.words);
+            comment = found;
+            let fault = fault.or_else(|| self.block.read(&self.words, &self.dialect).err());
+            if let Some((code, found, allowed)) = fault {
+                events.push(Event::Finding(Finding::new(code, self.line, found, allowed)));
+            } else if !self.words.is_empty() {
+                self.execute(events);
+            }
+        }
+        let counted = match self.dialect.comments {
+            CommentMark::Semicolon => line.strip_prefix("; "),
+            CommentMark::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
+        };
+        self.sentinel = counted
+            .and_then(|text| text.strip_prefix(SENTINEL))
+            .is_some_and(|rest| rest == format!("{} lines", self.line));
+        if let Some(comment) = comment {
+            self.remark(comment.trim(), events);
+        }
+    }
+
+    /// After the last line: reports what is missing.
+    pub fn finish(&mut self, events: &mut Vec<Event>) {
+        if self.ended.is_none() {
+            report(events, "truncated", self.line, "no end of the program", "M2 or M30");
+        }
+        if !self.sentinel || !self.complete {
+            let allowed = format!("last line \"; {SENTINEL}{} lines\" and a line end", self.line);
+            report(events, "truncated", self.line, "another last line", &allowed);
+        }
+        if self.announced.take().is_some() {
+            report(events, "heat-without-pause", self.line, "a heating that nobody waits for", "M0 after it");
+        }
+    }
+
+    /// The command of a line that is one of the dialect's longer words, with words of its own or without.
+    fn whole_word(&self, line: &str) -> Option<Command> {
+        let (name, rest) = line.split_once(' ').unwrap_or((line, ""));
+        let plain = |c: char| c.is_ascii_alphanumeric() || "_=. -".contains(c);
+        self.dialect
+            .words
+            .iter()
+            .find(|(word, _)| *word == name && rest.chars().all(plain))
+            .map(|(_, command)| *command)
+    }
+
+    fn execute(&mut self, events: &mut Vec<Event>) {
+        if let Some(end) = self.ended {
+            let found = format!("words after the program's end in line {end}");
+            report(events, "after-end", self.line, &found, "comments only");
+            return;
+        }
+        let pause = self.block.has(Command::Pause);
+        if self.block.has(Command::HeatAndWait) {
+            // Nobody has to be waited for: the controller waits itself.
+            self.announced = None;
+        }
+        if !pause && self.announced.take().is_some() {
+            report(events, "heat-without-pause", self.line, "words between heating and pause", "M0 first");
+        }
+        self.machine.execute(&self.block, self.line, &self.dialect, events);
+        if pause {
+            let heat = self.announced.take();
+            self.machine.heated = heat.or(self.machine.heated);
+            events.push(Event::Pause(Pause { line: self.line, at: self.machine.at(), heat }));
+        }
+        if self.block.has(Command::End) {
+            self.ended = Some(self.line);
+            events.push(Event::End(self.line));
+        }
+    }
+
+    fn remark(&mut self, text: &str, events: &mut Vec<Event>) {
+        let comment = Comment { line: self.line, text: text.to_owned() };
+        if comment.key() == Some("heat") {
+            self.announced = comment.number("temperature_C");
+            if self.announced.is_none() {
+                report(
+                    events,
+                    "bad-comment",
+                    self.line,
+                    "heat without a temperature",
+                    "temperature_C=number",
+                );
+            }
+        }
+        events.push(Event::Comment(comment));
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,9 @@
+//! Readers: text and bytes to lines, arcs and moves, by each format's own rules. No input makes one panic.
+
+pub(in crate::verify) mod drawing;
+pub(in crate::verify) mod dxf;
+pub mod gcode;
+mod number;
+pub mod pdf;
+pub(in crate::verify) mod svg;
+mod svg_path;

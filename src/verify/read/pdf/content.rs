@@ -1,0 +1,215 @@
+//! The content of a PDF page: operators to lines and arcs.
+
+use crate::geom::{Arc, Bounds, Line, Path, Point, Segment};
+use crate::verify::finding::quote;
+use crate::verify::read::pdf::object::{Object, Scan};
+use crate::verify::read::pdf::page::PdfPage;
+use crate::verify::{Drawing, Findings};
+
+/// How far a curve may leave the circle through its ends and its middle, mm, to be read as an arc.
+const ROUND: f64 = 0.002;
+
+/// What `q` saves.
+#[derive(Clone, Copy)]
+struct State {
+    /// Millimetres in a user unit: nothing but scaling and shifting is allowed.
+    scale: f64,
+    shift: (f64, f64),
+    clip: Option<Bounds>,
+}
+
+struct PdfPen<'a> {
+    state: State,
+    saved: Vec<State>,
+    layers: Vec<String>,
+    paths: Vec<Path>,
+    segments: Vec<Segment>,
+    start: Option<Point>,
+    here: Point,
+    clipping: bool,
+    page: PdfPage,
+    findings: &'a mut Findings,
+}
+
+/// Reads a content stream whose user unit is `unit` mm.
+pub(in crate::verify) fn read(
+    stream: &[u8],
+    size: (f64, f64),
+    unit: f64,
+    findings: &mut Findings,
+) -> PdfPage {
+    let mut pen = PdfPen {
+        state: State { scale: unit, shift: (0.0, 0.0), clip: None },
+        saved: Vec::new(),
+        layers: Vec::new(),
+        paths: Vec::new(),
+        segments: Vec::new(),
+        start: None,
+        here: Point::ORIGIN,
+        clipping: false,
+        page: PdfPage {
+            size,
+            drawing: Drawing { page: Some(size), ..Drawing::default() },
+            clips: Vec::new(),
+        },
+        findings,
+    };
+    let mut scan = Scan::new(stream);
+    let mut operands: Vec<f64> = Vec::new();
+    let mut name = None;
+    while let Some(object) = scan.object() {
+        match object {
+            Object::Number(x) => operands.push(x),
+            Object::Name(text) => name = Some(text),
+            Object::Word(word) => {
+                pen.operator(&word, &operands, name.take());
+                operands.clear();
+            }
+            _ => pen.findings.add("unknown-word", None, "an operand that is no number", "numbers and names"),
+        }
+    }
+    if !stream.get(scan.position()..).unwrap_or_default().iter().all(u8::is_ascii_whitespace) {
+        pen.findings.add("bad-pdf", None, format!("junk at byte {} of a page", scan.position()), "operators");
+    }
+    if !pen.saved.is_empty() || !pen.layers.is_empty() {
+        pen.findings.add("truncated", None, "a page that ends within q or BMC", "Q and EMC");
+    }
+    pen.page
+}
+
+impl PdfPen<'_> {
+    fn operator(&mut self, word: &str, operands: &[f64], name: Option<String>) {
+        match (word, operands) {
+            ("q", []) => self.saved.push(self.state),
+            ("Q", []) => match self.saved.pop() {
+                Some(state) => self.state = state,
+                None => self.findings.add("bad-pdf", None, "Q without q", "pairs"),
+            },
+            ("cm", [a, b, c, d, e, f]) if *b == 0.0 && *c == 0.0 && a == d && *a > 0.0 => {
+                let State { scale, shift: (x, y), .. } = self.state;
+                self.state.shift = (x + scale * e, y + scale * f);
+                self.state.scale = scale * a;
+            }
+            ("cm", _) => {
+                self.findings.add("transform", None, format!("cm {operands:?}"), "scaling and shifting only");
+            }
+            ("BMC", []) => self.layers.push(name.unwrap_or_default()),
+            ("EMC", []) => drop(self.layers.pop()),
+            ("w" | "G" | "g" | "J" | "j", [_]) => {}
+            ("m", [x, y]) => {
+                self.lift(false);
+                self.here = self.point(*x, *y);
+                self.start = Some(self.here);
+            }
+            ("l", [x, y]) => self.line(self.point(*x, *y)),
+            ("c", [ax, ay, bx, by, x, y]) => {
+                self.curve(self.point(*ax, *ay), self.point(*bx, *by), self.point(*x, *y));
+            }
+            ("h", []) => self.close(),
+            ("re", [x, y, w, h]) => {
+                self.operator("m", &[*x, *y], None);
+                for (x, y) in [(x + w, *y), (x + w, y + h), (*x, y + h)] {
+                    self.operator("l", &[x, y], None);
+                }
+                self.close();
+            }
+            ("W", []) => self.clipping = true,
+            ("n", []) => self.end(false),
+            ("S", []) => self.end(true),
+            ("s", []) => {
+                self.close();
+                self.end(true);
+            }
+            _ => {
+                let found = quote(&format!("{operands:?} {word}"));
+                self.findings.add("unknown-word", None, found, "q Q cm BMC EMC w G m l c h re W n S s");
+            }
+        }
+    }
+
+    fn point(&self, x: f64, y: f64) -> Point {
+        let State { scale, shift, .. } = self.state;
+        Point::new(shift.0 + scale * x, shift.1 + scale * y)
+    }
+
+    fn push(&mut self, segment: impl Into<Segment>, end: Point) {
+        if self.start.is_none() {
+            self.findings.add("bad-path", None, "a path that does not begin with m", "m first");
+        }
+        self.segments.push(segment.into());
+        self.here = end;
+    }
+
+    fn line(&mut self, end: Point) {
+        if self.here.distance(end) > 0.0 {
+            self.push(Line::new(self.here, end), end);
+        }
+    }
+
+    fn curve(&mut self, a: Point, b: Point, end: Point) {
+        let from = self.here;
+        let at = |t: f64| {
+            let s = 1.0 - t;
+            let term = |p: f64, a: f64, b: f64, q: f64| {
+                s * s * s * p + 3.0 * s * s * t * a + 3.0 * s * t * t * b + t * t * t * q
+            };
+            Point::new(term(from.x, a.x, b.x, end.x), term(from.y, a.y, b.y, end.y))
+        };
+        let middle = at(0.5);
+        let chord = end - from;
+        let sagitta = chord.normalized().cross(middle - from);
+        let segment: Option<Segment> = if sagitta.abs() < 1e-6 {
+            Some(Line::new(from, end).into())
+        } else {
+            // tan(sweep / 4) is the sagitta over half the chord; to the right of the chord is counterclockwise.
+            Arc::from_bulge(from, end, -2.0 * sagitta / chord.length()).map(Segment::from)
+        };
+        let is_on = |segment: &Segment| [0.25, 0.5, 0.75].iter().all(|t| segment.distance(at(*t)) <= ROUND);
+        match segment.filter(is_on) {
+            Some(segment) => self.push(segment, end),
+            None => {
+                self.findings.add("bad-arc", None, "a curve that is no arc of a circle", "lines and arcs");
+            }
+        }
+    }
+
+    fn close(&mut self) {
+        if let Some(start) = self.start {
+            // Rounding to the file's quantum is not a side of its own.
+            if self.here.distance(start) > 1e-3 {
+                self.line(start);
+            }
+            self.lift(true);
+            self.here = start;
+        }
+    }
+
+    fn lift(&mut self, closed: bool) {
+        let segments = std::mem::take(&mut self.segments);
+        if !segments.is_empty() {
+            self.paths.push(Path { segments, closed });
+        }
+    }
+
+    /// Ends the path: it is stroked or not, and becomes the clip if `W` said so.
+    fn end(&mut self, stroked: bool) {
+        self.lift(false);
+        let paths = std::mem::take(&mut self.paths);
+        self.start = None;
+        if std::mem::take(&mut self.clipping) {
+            let bounds = paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
+            self.state.clip = Some(bounds);
+        }
+        if stroked {
+            let layer = self.layers.last().cloned().unwrap_or_default();
+            if let Some(clip) = self.state.clip
+                && !self.page.clips.iter().any(|(name, known)| *name == layer && *known == clip)
+            {
+                self.page.clips.push((layer.clone(), clip));
+            }
+            self.page.drawing.layers.entry(layer).or_default().extend(paths);
+        } else if paths.len() != 1 {
+            self.findings.add("unknown-word", None, "a path that is not drawn", "a clip, or a stroke");
+        }
+    }
+}

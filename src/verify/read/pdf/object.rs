@@ -1,0 +1,221 @@
+//! PDF objects: names, numbers, arrays, dictionaries, references and streams, read in the order of the file.
+
+use std::collections::BTreeMap;
+
+use crate::verify::read::number;
+
+/// Arrays and dictionaries inside each other beyond this depth are refused: the walk is recursive.
+const DEPTH: usize = 16;
+
+/// One object.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::verify) enum Object {
+    /// A number.
+    Number(f64),
+    /// `/Name`.
+    Name(String),
+    /// A string, its content left out: nothing here depends on it.
+    Text,
+    /// `[ ... ]`.
+    Array(Vec<Object>),
+    /// `<< ... >>`.
+    Dict(BTreeMap<String, Object>),
+    /// `n 0 R`.
+    Reference(u32),
+    /// A keyword or an operator.
+    Word(String),
+}
+
+impl Object {
+    /// The value of `key`, if this is a dictionary that has it.
+    pub(in crate::verify) fn get(&self, key: &str) -> Option<&Self> {
+        match self {
+            Self::Dict(entries) => entries.get(key),
+            _ => None,
+        }
+    }
+
+    /// The elements, if this is an array.
+    pub(in crate::verify) fn items(&self) -> &[Self] {
+        match self {
+            Self::Array(items) => items,
+            _ => &[],
+        }
+    }
+
+    /// The value, if this is a number.
+    pub(in crate::verify) fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(x) => Some(*x),
+            _ => None,
+        }
+    }
+
+    /// The number of the object that this refers to.
+    pub(in crate::verify) fn target(&self) -> Option<u32> {
+        match self {
+            Self::Reference(n) => Some(*n),
+            _ => None,
+        }
+    }
+}
+
+/// Reads objects off the front of bytes.
+pub(in crate::verify) struct Scan<'a> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl<'a> Scan<'a> {
+    pub(in crate::verify) fn new(bytes: &'a [u8]) -> Self {
+        Self { bytes, at: 0 }
+    }
+
+    /// How far it has read, in bytes.
+    pub(in crate::verify) fn position(&self) -> usize {
+        self.at
+    }
+
+    fn peek(&self) -> Option<u8> {
+        self.bytes.get(self.at).copied()
+    }
+
+    fn skip_blanks(&mut self) {
+        while let Some(byte) = self.peek() {
+            if byte == b'%' {
+                while self.peek().is_some_and(|b| b != b'\n' && b != b'\r') {
+                    self.at += 1;
+                }
+            } else if is_blank(byte) {
+                self.at += 1;
+            } else {
+                break;
+            }
+        }
+    }
+
+    /// The next object; `None` at the end or where nothing can be read.
+    pub(in crate::verify) fn object(&mut self) -> Option<Object> {
+        self.nested(0)
+    }
+
+    fn nested(&mut self, depth: usize) -> Option<Object> {
+        if depth > DEPTH {
+            return None;
+        }
+        self.skip_blanks();
+        match (self.peek()?, self.bytes.get(self.at + 1)) {
+            (b'/', _) => {
+                self.at += 1;
+                Some(Object::Name(self.regular()))
+            }
+            (b'<', Some(b'<')) => {
+                self.at += 2;
+                self.dict(depth)
+            }
+            (b'[', _) => {
+                self.at += 1;
+                let mut items = Vec::new();
+                loop {
+                    self.skip_blanks();
+                    if self.peek()? == b']' {
+                        self.at += 1;
+                        return Some(Object::Array(items));
+                    }
+                    items.push(self.nested(depth + 1)?);
+                }
+            }
+            (b'(', _) => self.literal(),
+            (b'<', _) => {
+                while self.peek()? != b'>' {
+                    self.at += 1;
+                }
+                self.at += 1;
+                Some(Object::Text)
+            }
+            (b')' | b']' | b'>' | b'{' | b'}', _) => None,
+            _ => {
+                let word = self.regular();
+                let Some(value) = number::value(&word) else { return Some(Object::Word(word)) };
+                Some(self.reference(&word).unwrap_or(Object::Number(value)))
+            }
+        }
+    }
+
+    fn dict(&mut self, depth: usize) -> Option<Object> {
+        let mut entries = BTreeMap::new();
+        loop {
+            self.skip_blanks();
+            if self.bytes.get(self.at..)?.starts_with(b">>") {
+                self.at += 2;
+                return Some(Object::Dict(entries));
+            }
+            let Object::Name(key) = self.nested(depth + 1)? else { return None };
+            let value = self.nested(depth + 1)?;
+            // A key that stands twice is read differently by different readers.
+            if entries.insert(key, value).is_some() {
+                return None;
+            }
+        }
+    }
+
+    /// `n 0 R`, of which `first` has been read.
+    fn reference(&mut self, first: &str) -> Option<Object> {
+        let target: u32 = first.parse().ok()?;
+        let mut ahead = Scan { bytes: self.bytes, at: self.at };
+        ahead.skip_blanks();
+        if ahead.regular() != "0" {
+            return None;
+        }
+        ahead.skip_blanks();
+        if ahead.regular() != "R" {
+            return None;
+        }
+        self.at = ahead.at;
+        Some(Object::Reference(target))
+    }
+
+    /// A string in brackets, which may hold pairs of brackets and escapes.
+    fn literal(&mut self) -> Option<Object> {
+        let mut open = 0_usize;
+        loop {
+            match self.peek()? {
+                b'(' => open += 1,
+                b')' => open -= 1,
+                b'\\' => self.at += 1,
+                _ => {}
+            }
+            self.at += 1;
+            if open == 0 {
+                return Some(Object::Text);
+            }
+        }
+    }
+
+    fn regular(&mut self) -> String {
+        let start = self.at;
+        let ends = |b: u8| is_blank(b) || b"()<>[]{}/%".contains(&b);
+        while self.peek().is_some_and(|b| !ends(b)) {
+            self.at += 1;
+        }
+        String::from_utf8_lossy(&self.bytes[start..self.at]).into_owned()
+    }
+
+    /// The bytes of a stream of `length`, whose dictionary and keyword have been read.
+    pub(in crate::verify) fn stream(&mut self, length: usize) -> Option<&'a [u8]> {
+        if self.bytes.get(self.at..)?.starts_with(b"\r\n") {
+            self.at += 2;
+        } else if self.peek()? == b'\n' {
+            self.at += 1;
+        } else {
+            return None;
+        }
+        let bytes = self.bytes.get(self.at..self.at.checked_add(length)?)?;
+        self.at += length;
+        Some(bytes)
+    }
+}
+
+fn is_blank(byte: u8) -> bool {
+    matches!(byte, 0 | b'\t' | b'\n' | b'\x0c' | b'\r' | b' ')
+}

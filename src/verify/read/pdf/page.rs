@@ -1,0 +1,15 @@
+//! What a page of a PDF says.
+
+use crate::geom::Bounds;
+use crate::verify::Drawing;
+
+/// One page of a PDF, in mm from its lower left corner.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PdfPage {
+    /// Width and height.
+    pub size: (f64, f64),
+    /// What is drawn, by marked content; outside any it stands under "".
+    pub drawing: Drawing,
+    /// Of every layer that is clipped the regions that stay visible.
+    pub clips: Vec<(String, Bounds)>,
+}

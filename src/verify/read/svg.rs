@@ -1,0 +1,294 @@
+//! Reads SVG drawings: scale, groups, and the shapes that lines and arcs can say.
+
+use std::f64::consts::TAU;
+
+use roxmltree::{Document, Node};
+
+use crate::geom::{Arc, Isometry, Line, Path, Point, Vec2};
+use crate::verify::finding::quote;
+use crate::verify::read::{number, svg_path};
+use crate::verify::{Drawing, Findings};
+
+/// Groups inside groups beyond this depth are refused: drawings need two or three, and the walk is recursive.
+const DEPTH: usize = 32;
+
+/// Where the drawing's own origin lies on the page, whose Y runs down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SvgOrigin {
+    /// At the page's lower left: y = height - y of the file (sheets).
+    LowerLeft,
+    /// At the origin of the file's own coordinates: y = - y of the file (masks and frames).
+    Axis,
+}
+
+/// Reads an SVG file. Paths are listed by the `id` of the innermost group that has one, else under "".
+///
+/// One user unit must be one millimetre, and nothing may be transformed: a reader that ignores either would
+/// cut another size.
+pub fn read_svg(text: &str, origin: SvgOrigin) -> Drawing {
+    let (mut drawing, mut findings) = (Drawing::default(), Findings::default());
+    match Document::parse(text) {
+        Err(error) => findings.add("bad-xml", None, quote(&error.to_string()), "well-formed XML"),
+        Ok(document) => {
+            let root = document.root_element();
+            if root.tag_name().name() == "svg" {
+                let height = page(root, &mut drawing, &mut findings);
+                let flip = Isometry {
+                    shift: Vec2::new(0.0, if origin == SvgOrigin::LowerLeft { height } else { 0.0 }),
+                    ..Isometry::mirror()
+                };
+                SvgReader { flip, drawing: &mut drawing, findings: &mut findings }.group(root, "", 0);
+            } else {
+                findings.add("bad-xml", None, quote(root.tag_name().name()), "a root element svg");
+            }
+        }
+    }
+    drawing.findings = findings.into_vec();
+    drawing
+}
+
+/// Checks the scale; returns the height in user units (0 if there is none).
+fn page(root: Node<'_, '_>, drawing: &mut Drawing, findings: &mut Findings) -> f64 {
+    let line = line_of(root);
+    let mm = |name: &str| root.attribute(name)?.trim().strip_suffix("mm").and_then(number::value);
+    let view: Option<Vec<f64>> = root
+        .attribute("viewBox")
+        .and_then(|v| v.split([' ', ',']).filter(|x| !x.is_empty()).map(number::value).collect());
+    let (Some(width), Some(height), Some(&[_, _, w, h])) = (mm("width"), mm("height"), view.as_deref())
+    else {
+        let found = ["width", "height", "viewBox"].map(|name| quote(root.attribute(name).unwrap_or("")));
+        findings.add("wrong-scale", line, found.join(", "), "width and height in mm, and a viewBox");
+        return 0.0;
+    };
+    if width != w || height != h || width <= 0.0 || height <= 0.0 {
+        let found = format!("{width} x {height} mm for {w} x {h} user units");
+        findings.add("wrong-scale", line, found, "1 user unit = 1 mm, and a size > 0");
+    }
+    drawing.page = Some((width, height));
+    h
+}
+
+struct SvgReader<'a> {
+    flip: Isometry,
+    drawing: &'a mut Drawing,
+    findings: &'a mut Findings,
+}
+
+impl SvgReader<'_> {
+    fn group(&mut self, node: Node<'_, '_>, id: &str, depth: usize) {
+        if depth > DEPTH {
+            self.findings.add("too-deep", line_of(node), "groups in groups", format!("{DEPTH} levels"));
+            return;
+        }
+        for child in node.children().filter(Node::is_element) {
+            if child.has_attribute("transform") {
+                let found = quote(child.attribute("transform").unwrap_or(""));
+                self.findings.add("transform", line_of(child), found, "coordinates that are final");
+            }
+            match child.tag_name().name() {
+                "g" => {
+                    let id = child.attribute("id").unwrap_or(id);
+                    let _ = self.drawing.layers.entry(id.to_owned()).or_default();
+                    self.group(child, id, depth + 1);
+                }
+                "text" => {
+                    let text: String =
+                        child.descendants().filter_map(|n| n.text().filter(|_| n.is_text())).collect();
+                    self.drawing.texts.push((id.to_owned(), text));
+                }
+                "title" | "desc" | "metadata" | "style" | "defs" => {}
+                name => self.shape(child, name, id),
+            }
+        }
+    }
+
+    fn shape(&mut self, node: Node<'_, '_>, name: &str, id: &str) {
+        let paths = match name {
+            "path" => {
+                let (paths, fault) = svg_path::parse(node.attribute("d").unwrap_or(""));
+                if let Some((code, found, allowed)) = fault {
+                    self.findings.add(code, line_of(node), found, allowed);
+                }
+                Some(paths)
+            }
+            "circle" => self.circle(node),
+            "line" => self.numbers(node, ["x1", "y1", "x2", "y2"]).map(|[a, b, c, d]| {
+                vec![Path::open(vec![Line::new(Point::new(a, b), Point::new(c, d)).into()])]
+            }),
+            "rect" => self.rect(node),
+            "polyline" | "polygon" => self.points(node, name == "polygon"),
+            _ => {
+                self.findings.add("unknown-word", line_of(node), quote(name), "shapes of lines and arcs");
+                None
+            }
+        };
+        let flipped = paths.unwrap_or_default().into_iter().map(|path| self.flip.path(&path));
+        self.drawing.layers.entry(id.to_owned()).or_default().extend(flipped);
+    }
+
+    /// Attributes that are numbers; absent ones are 0, as SVG says.
+    fn numbers<const N: usize>(&mut self, node: Node<'_, '_>, names: [&str; N]) -> Option<[f64; N]> {
+        let mut values = [0.0; N];
+        for (value, name) in values.iter_mut().zip(names) {
+            let Some(text) = node.attribute(name) else { continue };
+            let Some(number) = number::value(text.trim()) else {
+                let found = format!("{name}={}", quote(text));
+                self.findings.add("bad-number", line_of(node), found, "a plain number");
+                return None;
+            };
+            *value = number;
+        }
+        Some(values)
+    }
+
+    fn circle(&mut self, node: Node<'_, '_>) -> Option<Vec<Path>> {
+        let [x, y, r] = self.numbers(node, ["cx", "cy", "r"])?;
+        if r <= 0.0 {
+            self.findings.add("bad-number", line_of(node), format!("r={r}"), "a radius > 0");
+            return None;
+        }
+        Some(vec![Path::closed(vec![Arc::new(Point::new(x, y), r, 0.0, TAU).into()])])
+    }
+
+    fn rect(&mut self, node: Node<'_, '_>) -> Option<Vec<Path>> {
+        let [x, y, w, h, rx, ry] = self.numbers(node, ["x", "y", "width", "height", "rx", "ry"])?;
+        if w <= 0.0 || h <= 0.0 || rx != 0.0 || ry != 0.0 {
+            let found = format!("{w} x {h}, corners {rx}, {ry}");
+            self.findings.add("bad-number", line_of(node), found, "a size > 0 and sharp corners");
+            return None;
+        }
+        let corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)].map(|(x, y)| Point::new(x, y));
+        Some(vec![chain(&corners, true)])
+    }
+
+    fn points(&mut self, node: Node<'_, '_>, closed: bool) -> Option<Vec<Path>> {
+        let text = node.attribute("points").unwrap_or("");
+        let numbers: Option<Vec<f64>> = text
+            .split(|c: char| c.is_ascii_whitespace() || c == ',')
+            .filter(|x| !x.is_empty())
+            .map(number::value)
+            .collect();
+        let Some(numbers) = numbers.filter(|n| n.len() % 2 == 0) else {
+            self.findings.add("bad-number", line_of(node), quote(text), "pairs of numbers");
+            return None;
+        };
+        let points: Vec<Point> = numbers.chunks_exact(2).map(|xy| Point::new(xy[0], xy[1])).collect();
+        Some(vec![chain(&points, closed)])
+    }
+}
+
+/// The lines from point to point.
+fn chain(points: &[Point], closed: bool) -> Path {
+    let back = points.first().filter(|_| closed && points.len() > 1);
+    let next = points.iter().skip(1).chain(back);
+    let segments = points.iter().zip(next).map(|(a, b)| Line::new(*a, *b).into()).collect();
+    Path { segments, closed }
+}
+
+/// Line of an element in the file.
+fn line_of(node: Node<'_, '_>) -> Option<usize> {
+    usize::try_from(node.document().text_pos_at(node.range().start).row).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    fn svg(body: &str) -> String {
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"80mm\" viewBox=\"0 0 100 80\">\n{body}\n</svg>\n"
+        )
+    }
+
+    fn codes(text: &str) -> Vec<&'static str> {
+        read_svg(text, SvgOrigin::LowerLeft).findings.iter().map(|finding| finding.code).collect()
+    }
+
+    #[test]
+    fn groups_shapes_and_the_flip() {
+        let body = "<title>t</title><g id=\"seal\"><path d=\"M10 70 A10 10 0 0 0 20 60 L30 60\"/>\
+            <g><line x1=\"1\" y1=\"2\" x2=\"3\" y2=\"2\"/></g></g>\
+            <g id=\"holes\"><circle cx=\"50\" cy=\"40\" r=\"1.5\"/><rect x=\"1\" y=\"2\" width=\"3\" height=\"4\"/>\
+            <polygon points=\"0,0 3,0 3,4\"/><polyline points=\"0 0 3 0 3 4\"/><text x=\"1\" y=\"1\">up</text></g>";
+        let drawing = read_svg(&svg(body), SvgOrigin::LowerLeft);
+        assert_eq!(drawing.findings, []);
+        assert_eq!(drawing.page, Some((100.0, 80.0)));
+        let seal = drawing.layer("seal");
+        assert_eq!(seal.len(), 2);
+        assert!(seal[0].start().is_some_and(|p| p.distance(Point::new(10.0, 10.0)) < 1e-9));
+        assert!(seal[0].end().is_some_and(|p| p.distance(Point::new(30.0, 20.0)) < 1e-9));
+        // Sweep 0 turns counterclockwise on the page; about (20, 70) of the file it would be (10, 60).
+        let crate::geom::Segment::Arc(arc) = seal[0].segments[0] else { panic!() };
+        assert!(arc.is_ccw() && arc.center.distance(Point::new(10.0, 20.0)) < 1e-9, "{arc:?}");
+        let lengths: Vec<f64> = drawing.layer("holes").iter().map(Path::length).collect();
+        assert_eq!(lengths, [3.0 * std::f64::consts::PI, 14.0, 12.0, 7.0]);
+        assert_eq!(drawing.texts, [("holes".to_owned(), "up".to_owned())]);
+        assert!(drawing.layer("nowhere").is_empty());
+        let axis = read_svg(&svg(body), SvgOrigin::Axis);
+        assert!(axis.layer("seal")[0].start().is_some_and(|p| p.distance(Point::new(10.0, -70.0)) < 1e-9));
+    }
+
+    #[test]
+    fn every_seeded_fault_is_found() {
+        for (body, code) in [
+            ("<g transform=\"scale(2)\"/>", "transform"),
+            ("<path transform=\"\" d=\"\"/>", "transform"),
+            ("<path d=\"M0 0 C 1 1 2 2 3 3\"/>", "unknown-word"),
+            ("<ellipse/>", "unknown-word"),
+            ("<use href=\"#a\"/>", "unknown-word"),
+            ("<svg/>", "unknown-word"),
+            ("<circle r=\"1in\"/>", "bad-number"),
+            ("<circle r=\"-1\"/>", "bad-number"),
+            ("<rect width=\"1\" height=\"1\" rx=\"1\"/>", "bad-number"),
+            ("<polyline points=\"1 2 3\"/>", "bad-number"),
+            ("<g", "bad-xml"),
+        ] {
+            assert_eq!(codes(&svg(body)), [code], "{body}");
+        }
+        for (from, to) in [
+            ("100mm", "100"),
+            ("100mm", "378px"),
+            ("80mm", "80.1mm"),
+            ("0 0 100 80", "0 0 100"),
+            ("viewBox", "box"),
+        ] {
+            assert_eq!(codes(&svg("").replacen(from, to, 1)), ["wrong-scale"], "{to}");
+        }
+        assert_eq!(codes("<html/>"), ["bad-xml"]);
+        assert_eq!(codes(""), ["bad-xml"]);
+        assert_eq!(codes(&svg(&format!("{}{}", "<g>".repeat(100), "</g>".repeat(100)))), ["too-deep"]);
+    }
+
+    #[test]
+    fn depth_and_entities_are_no_bombs() {
+        let deep = svg(&"<g>".repeat(300_000));
+        assert_eq!(codes(&deep), ["bad-xml"]);
+        let closed = svg(&format!("{}{}", "<g>".repeat(300_000), "</g>".repeat(300_000)));
+        assert_eq!(codes(&closed).len(), 1);
+        let bomb =
+            format!("<!DOCTYPE svg [<!ENTITY a \"&b;&b;\"><!ENTITY b \"x\">]>{}", svg("<text>&a;</text>"));
+        assert_eq!(codes(&bomb), ["bad-xml"]);
+    }
+
+    #[test]
+    fn finding_has_its_line() {
+        let drawing = read_svg(&svg("\n\n<ellipse/>"), SvgOrigin::Axis);
+        assert_eq!(drawing.findings[0].line, Some(4));
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_is_read(text in "\\PC*") {
+            let _ = read_svg(&text, SvgOrigin::LowerLeft);
+        }
+
+        #[test]
+        fn any_path_is_read(d in "([MLHVAZmlc][0-9 .,eE+-]{0,20}){0,8}|\\PC*") {
+            let d = d.replace(['&', '<', '"'], " ");
+            let drawing = read_svg(&svg(&format!("<path d=\"{d}\"/>")), SvgOrigin::LowerLeft);
+            prop_assert!(drawing.layer("").iter().all(|path| path.length().is_finite()));
+        }
+    }
+}
