@@ -5,7 +5,7 @@ use std::hint::black_box;
 use stargrip_cam::design::{Design, Drawing};
 use stargrip_cam::pipeline::Sources;
 use stargrip_cam::spec::{Machine, Source, Spec};
-use stargrip_cam::{emit, pipeline, plan, spec, verify};
+use stargrip_cam::{emit, pipeline, plan, spec};
 
 const PAPER: &str = include_str!("../designs/paper-five-points.toml");
 
@@ -78,5 +78,5 @@ fn prove(bencher: divan::Bencher) {
     let (spec, machine) = (paper(), machine());
     let sources = Sources { spec: PAPER, machine: generic() };
     let build = pipeline::build(&spec, &machine, sources, &[]).expect("a design");
-    bencher.bench(|| verify::prove(&build.design, &spec, &machine, &black_box(build.output_files())));
+    bencher.bench(|| build.proof());
 }

@@ -7,8 +7,8 @@ use std::fmt::Write;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::artifact::Artifact;
-use crate::design::Design;
+use crate::artifact::{Artifact, Kind, Output};
+use crate::design::{Design, Paper};
 use crate::plan::Program;
 use crate::spec::Spec;
 
@@ -42,6 +42,9 @@ pub struct Manifest {
     /// Its mass, where its areal density is known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
+    /// The kinds that were asked for; absent if all were.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub only: Vec<Kind>,
 }
 
 /// The program that wrote a manifest.
@@ -58,8 +61,8 @@ pub struct Tool {
 pub struct ManifestFile {
     /// Name in the directory.
     pub path: String,
-    /// Name of its kind, see [`crate::artifact::Kind`].
-    pub kind: String,
+    /// What it is.
+    pub kind: Kind,
     /// Length in bytes.
     pub bytes: usize,
     /// SHA-256 of the content, lower-case hexadecimal.
@@ -73,9 +76,9 @@ pub struct ManifestFile {
     /// The lowest plate of the frame that it is for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plate: Option<usize>,
-    /// The paper that it is laid out for: "a4" or "letter".
+    /// The paper that it is laid out for; absent for one page as large as the drawing needs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub paper: Option<String>,
+    pub paper: Option<Paper>,
     /// Whether it is for the face that the iron does not touch.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub mirrored: bool,
@@ -120,8 +123,8 @@ pub struct ManifestSeam {
 }
 
 impl Manifest {
-    /// The manifest of `artifacts`, the files of `design`, which `spec` describes and the sealing `programs` make.
-    pub fn new(spec: &Spec, design: &Design, artifacts: &[Artifact], programs: &[Program]) -> Self {
+    /// The manifest of the files of `design`, which `spec` describes and the sealing `programs` make; it names none yet.
+    pub fn new(spec: &Spec, design: &Design, programs: &[Program]) -> Self {
         let mut stars: Vec<ManifestStar> = Vec::new();
         for program in programs {
             for &index in &program.stars {
@@ -157,14 +160,21 @@ impl Manifest {
                 version: env!("CARGO_PKG_VERSION").to_owned(),
             },
             name: spec.name.clone(),
-            files: artifacts.iter().map(ManifestFile::of).collect(),
+            files: Vec::new(),
             posts: bill::posts(design),
             plates: bill::plates(design),
             masks: bill::masks(spec, design),
             fabric_mm2: thousandths(stars.iter().map(|star| star.fabric_mm2).sum()),
             mass_g: stars.iter().map(|star| star.mass_g).sum::<Option<f64>>().map(thousandths),
             stars,
+            only: Vec::new(),
         }
+    }
+
+    /// The same manifest naming `artifacts`, the files of the kinds `only`.
+    #[must_use]
+    pub fn with_files(self, artifacts: &[Artifact], only: &[Kind]) -> Self {
+        Self { files: artifacts.iter().map(ManifestFile::of).collect(), only: only.to_vec(), ..self }
     }
 
     /// The manifest as the bytes of `manifest.json`.
@@ -181,17 +191,25 @@ impl Manifest {
 impl ManifestFile {
     /// The entry of one artifact.
     pub fn of(artifact: &Artifact) -> Self {
+        let Output { kind, sheet, star, plate, paper, mirrored } = artifact.output;
         Self {
             path: artifact.name.clone(),
-            kind: artifact.kind.name().to_owned(),
+            kind,
             bytes: artifact.bytes.len(),
             sha256: sha256(&artifact.bytes),
-            sheet: artifact.sheet,
-            star: artifact.star,
-            plate: artifact.variant.plate,
-            paper: artifact.variant.paper.map(str::to_owned),
-            mirrored: artifact.variant.mirrored,
+            sheet,
+            star,
+            plate,
+            paper: paper.filter(|paper| paper.name().is_some()),
+            mirrored,
         }
+    }
+
+    /// What the entry says that the file is.
+    pub fn output(&self) -> Output {
+        let Self { kind, sheet, star, plate, paper, mirrored, .. } = *self;
+        let paper = if kind == Kind::MaskPdf { paper.or(Some(Paper::Large)) } else { paper };
+        Output { kind, sheet, star, plate, paper, mirrored }
     }
 }
 

@@ -6,17 +6,18 @@ use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path as FilePath;
 
+use stargrip_cam::artifact::{Format, Kind, Subject};
 use stargrip_cam::geom::{Path, Point, Vec2};
 use stargrip_cam::manifest::{Manifest, ManifestFile};
-use stargrip_cam::pipeline::Build;
+use stargrip_cam::pipeline::Built;
 use stargrip_cam::verify::{Drawing, Findings, SvgOrigin, read_dxf, read_pdf, read_svg};
 
 /// What parts may differ by, mm.
 const FIT: f64 = 0.001;
 
-fn designs() -> Vec<(String, Build)> {
+fn designs() -> Vec<(String, Built)> {
     let folder = FilePath::new(env!("CARGO_MANIFEST_DIR")).join("designs");
-    let mut out: Vec<(String, Build)> = fs::read_dir(folder)
+    let mut out: Vec<(String, Built)> = fs::read_dir(folder)
         .expect("designs/")
         .map(|entry| entry.expect("an entry").path())
         .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
@@ -32,12 +33,12 @@ fn designs() -> Vec<(String, Build)> {
 
 /// The files of a build as someone finds them.
 struct Box<'a> {
-    build: &'a Build,
+    build: &'a Built,
     manifest: Manifest,
 }
 
 impl<'a> Box<'a> {
-    fn new(build: &'a Build) -> Self {
+    fn new(build: &'a Built) -> Self {
         let files = build.output_files();
         let manifest = serde_json::from_slice(files.get("manifest.json").expect("one")).expect("JSON");
         Self { build, manifest }
@@ -46,9 +47,9 @@ impl<'a> Box<'a> {
     fn read(&self, file: &ManifestFile) -> Drawing {
         let files = self.build.output_files();
         let text = std::str::from_utf8(files.get(&file.path).expect("a file")).expect("text").to_owned();
-        let drawing = match file.kind.as_str() {
-            "outline-svg" | "seal-svg" => read_svg(&text, SvgOrigin::LowerLeft),
-            kind if kind.ends_with("-svg") => read_svg(&text, SvgOrigin::Axis),
+        let drawing = match file.kind {
+            Kind::OutlineSvg | Kind::SealSvg => read_svg(&text, SvgOrigin::LowerLeft),
+            kind if kind.format() == Format::Svg => read_svg(&text, SvgOrigin::Axis),
             _ => read_dxf(&text),
         };
         assert_eq!(drawing.findings, [], "{}", file.path);
@@ -56,9 +57,10 @@ impl<'a> Box<'a> {
     }
 
     /// All drawings of either format.
-    fn all(&self, stem: &str) -> Vec<(&ManifestFile, Drawing)> {
-        let kinds = [format!("{stem}-svg"), format!("{stem}-dxf")];
-        let of = self.manifest.files.iter().filter(|file| kinds.contains(&file.kind));
+    fn all(&self, subject: Subject) -> Vec<(&ManifestFile, Drawing)> {
+        let drawn =
+            |kind: Kind| kind.subject() == subject && [Format::Svg, Format::Dxf].contains(&kind.format());
+        let of = self.manifest.files.iter().filter(|file| drawn(file.kind));
         of.map(|file| (file, self.read(file))).collect()
     }
 }
@@ -108,13 +110,13 @@ fn star_outlines<'a>(
 fn masks_lie_on_the_outlines_by_their_holes() {
     for (name, build) in designs() {
         let parts = Box::new(&build);
-        let outlines = parts.all("outline");
-        let by_format = |ending: &str| {
-            let of = outlines.iter().filter(|(file, _)| file.kind.ends_with(ending));
+        let outlines = parts.all(Subject::Outline);
+        let by_format = |format: Format| {
+            let of = outlines.iter().filter(|(file, _)| file.kind.format() == format);
             of.map(|(file, drawing)| (*file, drawing.clone())).collect::<Vec<_>>()
         };
-        for (file, mask) in parts.all("mask").iter().filter(|(file, _)| !file.mirrored) {
-            let sheets = by_format(if file.kind.ends_with("svg") { "svg" } else { "dxf" });
+        for (file, mask) in parts.all(Subject::Mask).iter().filter(|(file, _)| !file.mirrored) {
+            let sheets = by_format(file.kind.format());
             let wanted = parts.manifest.masks.iter().find(|m| Some(m.star) == file.star).expect("a mask");
             let stars = star_outlines(mask, &sheets);
             assert!(stars.len() >= wanted.stars.len(), "{name}: {} fits {} stars", file.path, stars.len());
@@ -143,7 +145,7 @@ fn a_mirrored_mask_is_the_other_one_turned_over() {
     let text = format!("{}\n[mask]\nmirror = true\n", support::PAPER);
     let build = support::build(&text).expect("a design");
     let parts = Box::new(&build);
-    let masks = parts.all("mask");
+    let masks = parts.all(Subject::Mask);
     assert_eq!(masks.len(), 4);
     let holes = |mirrored: bool| {
         let (_, mask) = masks.iter().find(|(file, _)| file.mirrored == mirrored).expect("a mask");
@@ -166,7 +168,7 @@ fn plates_stand_on_the_same_posts_outside_of_every_star() {
     for (name, build) in designs() {
         let parts = Box::new(&build);
         let kerf = if name == "conical-stack" { 0.2 } else { 0.0 };
-        let frames = parts.all("frame");
+        let frames = parts.all(Subject::Frame);
         let first = circles(&frames[0].1, "post-hole");
         let posts: usize = parts.manifest.posts.iter().map(|posts| posts.count).sum();
         assert_eq!(first.len(), posts);
@@ -189,9 +191,9 @@ fn plates_stand_on_the_same_posts_outside_of_every_star() {
             }
         }
         // Posts stand between the inlets, which reach further than the tips.
-        for placed in &build.design.stars {
-            let turn = build.design.stack.turns[placed.index - 1];
-            let outside = &build.design.part(placed).outline.outside;
+        for placed in &build.forecast.design.stars {
+            let turn = build.forecast.design.stack.turns[placed.index - 1];
+            let outside = &build.forecast.design.part(placed).outline.outside;
             for (post, r) in &first {
                 let seen = Point::polar(post.distance(Point::ORIGIN), (*post - Point::ORIGIN).angle() - turn);
                 assert!(
@@ -230,9 +232,9 @@ fn openings_let_the_corners_pass_and_carry_the_tips() {
 fn the_paper_shows_the_mask_at_its_size() {
     let build = support::build(support::PAPER).expect("a design");
     let parts = Box::new(&build);
-    let (_, mask) = &parts.all("mask")[0];
+    let (_, mask) = &parts.all(Subject::Mask)[0];
     let files = build.output_files();
-    for file in parts.manifest.files.iter().filter(|file| file.kind == "mask-pdf") {
+    for file in parts.manifest.files.iter().filter(|file| file.kind == Kind::MaskPdf) {
         let mut findings = Findings::default();
         let pages = read_pdf(files.get(&file.path).expect("a file"), &mut findings);
         assert_eq!(findings.into_vec(), []);
@@ -280,7 +282,7 @@ fn windows_stay_apart_and_shrink_by_the_creep() {
             let text = support::PAPER.replace("points = 5", &format!("points = {points}"));
             let text = format!("{text}\n[mask]\ncreep = \"{creep} mm\"\n");
             let build = support::build(&text).expect("a design");
-            let windows = &build.design.distinct[0].mask.windows;
+            let windows = &build.forecast.design.distinct[0].mask.windows;
             assert_eq!(windows.len(), points);
             for (i, a) in windows.iter().enumerate() {
                 assert!(a.area() > 0.0 && a.largest_gap() < 1e-9);
@@ -296,7 +298,7 @@ fn windows_stay_apart_and_shrink_by_the_creep() {
             }
             let wide =
                 support::build(&text.replace(&format!("\"{creep} mm\""), "\"0 mm\"")).expect("a design");
-            let full = &wide.design.distinct[0].mask.windows[0];
+            let full = &wide.forecast.design.distinct[0].mask.windows[0];
             for segment in &windows[0].segments {
                 let d = full.distance(segment.point(0.5));
                 assert!(d >= creep - 1e-6, "{points} points: {d} from the full window at a creep of {creep}");
@@ -329,9 +331,9 @@ fn a_part_is_turned_only_where_that_is_allowed() {
     let refusals = support::build(&tall).expect_err("336.5 mm high");
     assert!(refusals[0].remedy.contains("2.4"), "{}", refusals[0]);
     let turned = support::build(&format!("{tall}turn = true\n")).expect("turned it fits");
-    let proof = stargrip_cam::verify::prove_files(&turned.output_files());
+    let proof = stargrip_cam::pipeline::read_back(&turned.output_files());
     assert_eq!(proof.findings, []);
-    let rotation = turned.design.stars[0].placement.rotation;
+    let rotation = turned.forecast.design.stars[0].placement.rotation;
     assert!((rotation - TAU / 4.0).abs() < 1e-12);
 }
 
@@ -343,11 +345,11 @@ fn labels_stand_on_the_fabric_clear_of_seams_and_holes() {
             let build = support::build(&format!("{text}\n[seal]\nallowance = \"{allowance}\"\n"));
             let Ok(build) = build else { continue };
             let parts = Box::new(&build);
-            let (_, sheet) = &parts.all("outline")[0];
+            let (_, sheet) = &parts.all(Subject::Outline)[0];
             let labels = sheet.layer("label");
             let (outside, hole) = (&sheet.layer("cut-outside")[0], &sheet.layer("cut-hole")[0]);
-            let placed = &build.design.stars[0];
-            let [_, tube] = &build.design.part(placed).edges;
+            let placed = &build.forecast.design.stars[0];
+            let [_, tube] = &build.forecast.design.part(placed).edges;
             let tube = placed.placement.path(tube);
             for label in labels {
                 for segment in &label.segments {

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use stargrip_cam::design::{Drawing, Layer, Origin, Shape, Side};
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment};
-use stargrip_cam::plan::{LONGEST_MOVE, Height, Program, Purpose, SeamReport, Step, pieces};
+use stargrip_cam::plan::{Height, LONGEST_MOVE, Program, Purpose, SeamReport, Step, pieces};
 use stargrip_cam::units::Length;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
 use stargrip_cam::verify::{SvgOrigin, deviation};
@@ -44,10 +44,11 @@ proptest! {
                 }
             }
             Ok(build) => {
-                let proof = verify::prove(&build.design, &support::read(&text), &support::machine(), &build.output_files());
+                let proof = build.proof();
                 prop_assert_eq!(&proof.findings, &[]);
-                prop_assert!(proof.deviations.len() >= 6);
-                for (file, mm) in proof.deviations {
+                let measured = proof.files.iter().filter_map(|file| Some((&file.path, file.deviation?)));
+                prop_assert!(measured.clone().count() >= 6);
+                for (file, mm) in measured {
                     // Paper says arcs by curves in single precision, solids by chords.
                     let allowed = match file.rsplit_once('.') {
                         Some((_, "pdf")) => 0.01,
@@ -147,24 +148,6 @@ fn no_paper_is_written_that_numbers_are_too_coarse_for() {
         .replace("\"30 mm\"", "\"463.7 mm\"")
         .replace("30 deg", "60 deg");
     let build = support::build(&text).expect("a design");
-    let proof =
-        verify::prove(&build.design, &support::read(&text), &support::machine(), &build.output_files());
-    assert_eq!(proof.findings, []);
-    assert!(build.artifacts.iter().all(|artifact| !artifact.name.ends_with("pdf")));
-}
-
-/// What one contact was early must not be carried into the next: here it once made the first stroke 47 ms too early.
-#[test]
-fn every_contact_of_a_chopped_program_has_its_own_schedule() {
-    let grbl = stargrip_cam::spec::builtin_machine("grbl").expect("built in");
-    let machine =
-        stargrip_cam::spec::read_machine(&stargrip_cam::spec::Source::new("grbl", grbl)).expect("valid");
-    let star = include_str!("../designs/paper-three-points.toml");
-    let text = format!("{star}\n[machine]\nprofile = \"grbl\"\nfeed_floor = \"chop\"\n");
-    let spec = support::read(&text);
-    let sources = stargrip_cam::pipeline::Sources { spec: &text, machine: grbl };
-    let only = [stargrip_cam::artifact::Kind::SealGcode];
-    let build = stargrip_cam::pipeline::build(&spec, &machine, sources, &only).expect("a gripper");
-    let proof = verify::prove(&build.design, &spec, &machine, &build.output_files());
+    let proof = build.proof();
     assert_eq!(proof.findings, []);
 }

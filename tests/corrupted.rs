@@ -7,8 +7,11 @@ mod support;
 
 use std::borrow::Cow;
 
-use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
-use stargrip_cam::verify::{Finding, OutputFiles, prove_files};
+use stargrip_cam::artifact::Kind;
+use stargrip_cam::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
+use stargrip_cam::pipeline::{Sources, prove_files, read_back};
+use stargrip_cam::verify::{By, Finding, OutputFiles};
+use support::PAPER;
 
 const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";
@@ -54,7 +57,8 @@ fn forged_in(spec: &str, file: &str, change: impl Fn(&str) -> String) -> Vec<Fin
     assert!(before != after, "the corruption changes nothing");
     replace(&mut files, file, after.into_bytes());
     reseal(&mut files);
-    prove_files(&files).findings
+    // By reading alone: bytes that are compared would find everything.
+    read_back(&files).findings
 }
 
 #[track_caller]
@@ -95,7 +99,12 @@ fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
 fn an_untouched_build_has_no_findings() {
     let proof = prove_files(&output_files());
     assert_eq!(proof.findings, []);
-    assert_eq!(proof.deviations.len(), 14);
+    assert_eq!(proof.files.iter().filter(|file| file.deviation.is_some()).count(), 14);
+    let by = |how: By| {
+        proof.files.iter().filter(|file| file.by == how).map(|file| file.path.as_str()).collect::<Vec<_>>()
+    };
+    assert_eq!(by(By::Hash), ["spec.toml", "machine.toml", "sheet-1-preview.svg"]);
+    assert_eq!((by(By::Reading).len(), by(By::Bytes).len()), (0, 14));
 }
 
 #[test]
@@ -192,12 +201,77 @@ fn a_manifest_with_other_figures_is_found() {
     let mut files = output_files();
     let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
     manifest.stars[0].seam_mm += 1.0;
-    manifest.files[3].kind = "poem".to_owned();
-    let file = manifest.files[3].path.clone();
     replace(&mut files, MANIFEST, manifest.to_json());
-    let findings = prove_files(&files).findings;
-    assert_found(&findings, "manifest", MANIFEST);
-    assert_found(&findings, "unknown-kind", &file);
+    assert_found(&prove_files(&files).findings, "manifest", MANIFEST);
+}
+
+/// The design decides what each file is: a manifest that says otherwise is wrong, whatever the file holds.
+#[test]
+fn a_manifest_does_not_decide_what_is_proven() {
+    let findings = |change: &dyn Fn(&mut Manifest)| {
+        let mut files = output_files();
+        let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
+        change(&mut manifest);
+        replace(&mut files, MANIFEST, manifest.to_json());
+        read_back(&files).findings
+    };
+    let program =
+        |manifest: &Manifest| manifest.files.iter().position(|f| f.path == SEAL).expect("a program");
+    let as_picture = findings(&|manifest| {
+        let at = program(manifest);
+        manifest.files[at].kind = Kind::PreviewSvg;
+    });
+    assert_found(&as_picture, "manifest", SEAL);
+    let twice = findings(&|manifest| manifest.files.push(manifest.files[program(manifest)].clone()));
+    assert_found(&twice, "manifest", SEAL);
+    let gone = findings(&|manifest| {
+        let _ = manifest.files.remove(program(manifest));
+    });
+    assert_found(&gone, "manifest", SEAL);
+    let evil = findings(&|manifest| {
+        let entry = manifest.files[0].clone();
+        manifest.files.push(ManifestFile { path: "evil.gcode".to_owned(), ..entry });
+    });
+    assert_found(&evil, "manifest", "evil.gcode");
+    let unknown = {
+        let mut files = output_files();
+        let text = String::from_utf8(files.get(MANIFEST).expect("one").to_vec()).expect("text");
+        replace(&mut files, MANIFEST, text.replace("\"seal-svg\"", "\"poem\"").into_bytes());
+        read_back(&files).findings
+    };
+    assert_found(&unknown, "manifest", MANIFEST);
+    assert!(unknown[0].found.contains("poem"), "{unknown:?}");
+}
+
+/// A build of some kinds says so, and then nothing else is asked for; everything deleted is no proof of anything.
+#[test]
+fn what_was_not_asked_for_is_not_missed_and_all_else_is() {
+    let (spec, machine) = (support::read(PAPER), support::machine());
+    let sources = Sources { spec: PAPER, machine: support::generic() };
+    let some =
+        stargrip_cam::pipeline::build(&spec, &machine, sources, &[Kind::PreviewSvg]).expect("a design");
+    let proof = prove_files(&some.output_files());
+    assert_eq!(proof.findings, []);
+    assert_eq!(proof.files.len(), 3);
+    let mut silent = some.clone();
+    silent.manifest.only.clear();
+    assert_found(&prove_files(&silent.output_files()).findings, "missing-file", SEAL);
+}
+
+/// What no reader looks at is seen by its bytes: a colour, a comment, a figure of the manifest.
+#[test]
+fn a_byte_that_no_reader_looks_at_differs() {
+    let mut files = output_files();
+    let preview = String::from_utf8(files.get("sheet-1-preview.svg").expect("one").to_vec()).expect("text");
+    replace(&mut files, "sheet-1-preview.svg", preview.replacen("fill=\"", "fill=\" ", 1).into_bytes());
+    reseal(&mut files);
+    assert_eq!(read_back(&files).findings, []);
+    assert_found(&prove_files(&files).findings, "differs", "sheet-1-preview.svg");
+    let mut files = output_files();
+    let manifest = String::from_utf8(files.get(MANIFEST).expect("one").to_vec()).expect("text");
+    let (before, after) = manifest.split_once("\"area_mm2\": ").expect("plates");
+    replace(&mut files, MANIFEST, format!("{before}\"area_mm2\": 1{after}").into_bytes());
+    assert_found(&prove_files(&files).findings, "differs", MANIFEST);
 }
 
 #[test]

@@ -2,12 +2,12 @@
 
 mod support;
 
-use stargrip_cam::artifact::{Artifact, Kind};
+use stargrip_cam::artifact::Artifact;
 use stargrip_cam::manifest::ManifestFile;
-use stargrip_cam::pipeline::Build;
-use stargrip_cam::verify::{Finding, prove_files};
+use stargrip_cam::pipeline::{Built, read_back};
+use stargrip_cam::verify::Finding;
 
-fn build() -> Build {
+fn build() -> Built {
     support::build(support::PAPER).expect("a design")
 }
 
@@ -20,7 +20,7 @@ fn forged(file: &str, change: impl Fn(&[u8]) -> Vec<u8>) -> Vec<Finding> {
     assert_ne!(artifact.bytes, bytes, "nothing was forged");
     artifact.bytes = bytes;
     build.manifest.files = build.artifacts.iter().map(ManifestFile::of).collect();
-    prove_files(&build.output_files()).findings
+    read_back(&build.output_files()).findings
 }
 
 #[track_caller]
@@ -137,25 +137,29 @@ fn masks_and_plates_of_another_size_are_found() {
 #[test]
 fn posts_and_plates_of_another_number_or_length_are_found() {
     for change in [
-        |build: &mut Build| build.manifest.posts[0].length_mm += 1.0,
-        |build: &mut Build| build.manifest.posts[0].count += 1,
-        |build: &mut Build| build.manifest.plates.clear(),
-        |build: &mut Build| build.manifest.stars[0].clear_radius_mm += 0.1,
+        |build: &mut Built| build.manifest.posts[0].length_mm += 1.0,
+        |build: &mut Built| build.manifest.posts[0].count += 1,
+        |build: &mut Built| build.manifest.plates.clear(),
+        |build: &mut Built| build.manifest.stars[0].clear_radius_mm += 0.1,
     ] {
         let mut build = build();
         change(&mut build);
-        let findings = prove_files(&build.output_files()).findings;
+        let findings = read_back(&build.output_files()).findings;
         assert!(findings.iter().any(|finding| finding.code == "manifest"), "{findings:#?}");
     }
 }
 
 #[test]
 fn a_mask_of_the_other_face_is_no_mask_of_this_one() {
-    let mut build = build();
-    for artifact in build.artifacts.iter_mut().filter(|artifact| artifact.kind == Kind::MaskSvg) {
-        artifact.variant.mirrored = true;
-    }
+    let text = format!("{}\n[mask]\nmirror = true\n", support::PAPER);
+    let mut build = support::build(&text).expect("a design");
+    let at = |name: &str| build.artifacts.iter().position(|artifact| artifact.name == name).expect("a mask");
+    let (one, other) = (at("star-1-mask.svg"), at("star-1-mask-mirrored.svg"));
+    let bytes = build.artifacts[one].bytes.clone();
+    build.artifacts[one].bytes = std::mem::replace(&mut build.artifacts[other].bytes, bytes);
     build.manifest.files = build.artifacts.iter().map(ManifestFile::of).collect();
-    let findings = prove_files(&build.output_files()).findings;
-    assert!(findings.iter().any(|finding| finding.code == "deviation"), "{findings:#?}");
+    let findings = read_back(&build.output_files()).findings;
+    for name in ["star-1-mask.svg", "star-1-mask-mirrored.svg"] {
+        assert!(findings.iter().any(|f| f.code == "deviation" && f.file == name), "{findings:#?}");
+    }
 }

@@ -6,9 +6,9 @@
 use std::fs;
 use std::path::Path;
 
-use stargrip_cam::pipeline::{Build, Sources};
+use stargrip_cam::pipeline::{Built, Sources};
 use stargrip_cam::spec::Source;
-use stargrip_cam::{pipeline, spec, verify};
+use stargrip_cam::{pipeline, spec};
 
 const ROOT: &str = env!("CARGO_MANIFEST_DIR");
 
@@ -28,13 +28,13 @@ fn designs() -> Vec<(String, String)> {
     designs
 }
 
-fn build(text: &str) -> Build {
+fn build(text: &str) -> Built {
     let reading = spec::read(&Source::new("design", text)).expect("a valid design");
     let machine_text = spec::builtin_machine(&reading.spec.machine.profile).expect("a built-in profile");
     let machine = spec::read_machine(&Source::new("machine", machine_text)).expect("a valid profile");
     let sources = Sources { spec: text, machine: machine_text };
     let build = pipeline::build(&reading.spec, &machine, sources, &[]).expect("a design that can be made");
-    let proof = verify::prove(&build.design, &reading.spec, &machine, &build.output_files());
+    let proof = build.proof();
     assert_eq!(proof.findings, []);
     build
 }

@@ -16,13 +16,16 @@ const MAY_USE: [(&str, &[&str]); 18] = [
     ("forecast", &["design", "mechanics", "numerics", "spec", "units"]),
     ("airtight", &["design", "geom", "mechanics", "spec", "units"]),
     ("plan", &["design", "geom", "spec", "units"]),
-    ("artifact", &[]),
+    ("artifact", &["design", "spec"]),
     ("manifest", &["artifact", "design", "plan", "spec"]),
     ("emit", &["design", "geom", "plan", "spec", "units"]),
     ("verify", &["artifact", "design", "forecast", "geom", "manifest", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
     ("coupon", &["design", "emit", "geom", "mechanics", "plan", "spec", "units"]),
-    ("pipeline", &["artifact", "design", "emit", "forecast", "manifest", "plan", "spec", "verify"]),
+    (
+        "pipeline",
+        &["airtight", "artifact", "design", "emit", "forecast", "manifest", "plan", "spec", "verify"],
+    ),
     (
         "cli",
         &[

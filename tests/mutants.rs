@@ -9,10 +9,11 @@ mod support;
 use std::path::Path;
 use std::{env, fs};
 
+use stargrip_cam::pipeline::read_back;
 use stargrip_cam::spec;
 use stargrip_cam::spec::Source;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
-use stargrip_cam::verify::{Findings, SvgOrigin, prove_files, read_dxf, read_pdf, read_svg};
+use stargrip_cam::verify::{Findings, SvgOrigin, read_dxf, read_pdf, read_svg};
 
 /// Words that mean something to one of the readers.
 const WORDS: [&[u8]; 24] = [
@@ -175,6 +176,6 @@ fn a_mutant_in_a_directory_is_found() {
             continue;
         }
         archive.files[at].1 = mutant.into();
-        assert!(!prove_files(&archive).findings.is_empty(), "{name}");
+        assert!(!read_back(&archive).findings.is_empty(), "{name}");
     }
 }

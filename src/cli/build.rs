@@ -6,14 +6,10 @@ use std::time::SystemTime;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
-use crate::airtight;
 use crate::artifact::Kind;
-use crate::cli::check::leaking;
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::{clock, publish, summary};
-use crate::pipeline;
-use crate::verify;
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]
@@ -29,29 +25,21 @@ pub(super) struct Args {
 }
 
 fn kind_parser() -> impl TypedValueParser<Value = Kind> {
-    PossibleValuesParser::new(Kind::ALL.map(Kind::name))
+    PossibleValuesParser::new(Kind::ALL.iter().map(|kind| kind.name()))
         .try_map(|name| Kind::from_name(&name).ok_or("no such kind"))
 }
 
 /// Builds, proves and publishes.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::new(&args.spec)?;
-    let spec = &loaded.reading.spec;
-    let build = pipeline::build(spec, &loaded.machine, loaded.sources(), &args.only)
-        .map_err(|refusals| loaded.refused(refusals))?;
-    let leaks = airtight::leaks(spec, &loaded.machine, &build.design);
-    if !leaks.is_empty() {
-        return Err(leaking(&leaks));
-    }
-    let proof = verify::prove(&build.design, spec, &loaded.machine, &build.output_files());
-    if !proof.findings.is_empty() {
-        return Err(Failure::Findings(proof.findings));
-    }
+    let built = loaded.forecast()?.build(loaded.sources(), &args.only);
+    let proven = built.prove().map_err(Failure::Findings)?;
     let target = args.output.clone().unwrap_or_else(|| default_output(&args.spec));
-    publish(&target, build.files())?;
-    let mut said = summary::built(spec, &loaded.machine, &build, &proof, &target);
-    let seconds = build.programs.iter().map(|program| program.time).sum();
-    if let Some(end) = clock::finish(SystemTime::now(), seconds) {
+    publish(&target, proven.built().files())?;
+    let mut said = summary::built(&proven, &target);
+    // Without a program there is nothing to wait for.
+    let seconds = proven.sealing_time();
+    if let Some(end) = seconds.and_then(|seconds| clock::finish(SystemTime::now(), seconds)) {
         let _ = writeln!(said, "{end}, heating and pauses not counted");
     }
     say(&said)

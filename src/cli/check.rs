@@ -6,8 +6,6 @@ use crate::airtight;
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::summary;
-use crate::design::Design;
-use crate::plan;
 
 /// Arguments of `check`.
 #[derive(clap::Args, Debug)]
@@ -16,25 +14,12 @@ pub(super) struct Args {
     spec: PathBuf,
 }
 
-/// Designs and plans, and says what came out.
+/// Goes as far as a build that writes nothing, and says what came out.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::new(&args.spec)?;
-    let spec = &loaded.reading.spec;
-    let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
-    let programs = plan::seal_programs(spec, &loaded.machine, &design);
-    let traces = plan::trace_programs(spec, &loaded.machine, &design);
-    let refusals = plan::refusals(spec, &loaded.machine, &programs, &traces);
-    if !refusals.is_empty() {
-        return Err(loaded.refused(refusals));
-    }
-    let report = airtight::report(spec, &loaded.machine, &design);
-    say(&summary::design(spec, &design, &programs))?;
-    say(&summary::conditions(spec, &loaded.machine, &programs))?;
-    say(&report.to_string())?;
-    if report.leaks.is_empty() { Ok(()) } else { Err(leaking(&report.leaks)) }
-}
-
-/// The leaks of a design, which is refused for them.
-pub(super) fn leaking(leaks: &[String]) -> Failure {
-    Failure::Message(format!("the seal would leak: {}", leaks.join("; ")))
+    let forecast = loaded.forecast()?;
+    say(&summary::design(&forecast))?;
+    say(&summary::conditions(&forecast))?;
+    say(&summary::predicted(&forecast))?;
+    say(&airtight::report(&forecast.spec, &forecast.machine, &forecast.design).to_string())
 }

@@ -5,7 +5,7 @@ use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 
-use crate::cli::PublishFault;
+use crate::cli::{PublishFault, findings};
 use crate::spec::Faults;
 use crate::verify::Finding;
 
@@ -37,8 +37,8 @@ impl Failure {
         let text = match self {
             Self::Faults(faults) => rendered(&faults),
             Self::Findings(findings) => {
-                let lines: Vec<String> = findings.iter().map(ToString::to_string).collect();
-                format!("error: {} findings; nothing was published\n{}", findings.len(), lines.join("\n"))
+                let lines = findings::lines(&findings).join("\n");
+                format!("error: {} findings; nothing was published\n{lines}", findings.len())
             }
             Self::Publish(error) => format!("error: {error}"),
             Self::Message(text) => format!("error: {text}"),

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, warn};
 use crate::design::Refusal;
-use crate::pipeline::Sources;
+use crate::pipeline::{Forecast, Sources};
 use crate::spec;
 use crate::spec::{Fault, Faults, Machine, Reading, SIZE_LIMIT, Source};
 
@@ -33,6 +33,12 @@ impl Loaded {
     /// The texts as read.
     pub(super) fn sources(&self) -> Sources<'_> {
         Sources { spec: &self.source.text, machine: &self.machine_text }
+    }
+
+    /// Everything that can be known of it without making its files.
+    pub(super) fn forecast(&self) -> Result<Forecast, Failure> {
+        Forecast::of(self.reading.spec.clone(), self.machine.clone())
+            .map_err(|refusals| self.refused(refusals))
     }
 
     /// Refusals of the design as faults at the keys they speak of.

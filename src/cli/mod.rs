@@ -11,6 +11,7 @@ mod cone;
 mod coupon;
 mod failure;
 mod feedcheck;
+mod findings;
 mod load;
 mod machines;
 mod new;

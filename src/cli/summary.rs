@@ -3,17 +3,19 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use crate::artifact::Format;
 use crate::design::{COATING_ASSUMES, Design, Plate};
 use crate::forecast::report;
 use crate::manifest;
-use crate::pipeline::Build;
-use crate::plan::{Pace, Program};
-use crate::spec::{Machine, Spec};
+use crate::pipeline::{Forecast, Proven};
+use crate::plan::Pace;
+use crate::spec::Spec;
 use crate::units::Readable;
 use crate::verify::Proof;
 
 /// The design: geometry, seams, fabric, what the iron does to the corners.
-pub(super) fn design(spec: &Spec, design: &Design, programs: &[Program]) -> String {
+pub(super) fn design(forecast: &Forecast) -> String {
+    let Forecast { spec, design, programs, .. } = forecast;
     let mut out = format!("{}\n", spec.name);
     for placed in &design.stars {
         let part = design.part(placed);
@@ -121,36 +123,55 @@ fn materials(spec: &Spec, design: &Design) -> String {
 }
 
 /// The design, and what was written of it where.
-pub(super) fn built(spec: &Spec, machine: &Machine, build: &Build, proof: &Proof, target: &Path) -> String {
-    let mut out = design(spec, &build.design, &build.programs);
-    // Paper and solids say arcs by curves and chords, with tolerances of their own.
-    let largest = |of: &dyn Fn(&str) -> bool| {
-        proof.deviations.iter().filter(|(name, _)| of(name)).map(|(_, mm)| *mm).fold(0.0, f64::max)
-    };
-    let ends = |name: &str, ending: &str| Path::new(name).extension().is_some_and(|e| e == ending);
-    let (paper, solid) = (|name: &str| ends(name, "pdf"), |name: &str| ends(name, "stl"));
-    let _ = writeln!(
-        out,
-        "proven: every file within {:.6} mm of the exact geometry (paper {:.4} mm, solids {:.4} mm)",
-        largest(&|name| !paper(name) && !solid(name)),
-        largest(&paper),
-        largest(&solid),
-    );
+pub(super) fn built(proven: &Proven, target: &Path) -> String {
+    let built = proven.built();
+    let Forecast { machine, .. } = &built.forecast;
+    let mut out = design(&built.forecast);
+    let _ = writeln!(out, "proven: {}", scope(proven.proof()));
     let _ = writeln!(out, "machine: {} ({})", machine.name, machine.description);
-    out.push_str(&conditions(spec, machine, &build.programs));
-    if let Some(prediction) = &build.prediction {
-        out.push_str("predicted:\n");
-        out.push_str(&report::text(spec, prediction));
-    }
+    out.push_str(&conditions(&built.forecast));
+    out.push_str(&predicted(&built.forecast));
     let _ = writeln!(out, "wrote to {}:", target.display());
-    for (name, bytes) in build.files() {
+    for (name, bytes) in built.files() {
         let _ = writeln!(out, "  {name} ({} bytes)", bytes.len());
     }
     out
 }
 
+/// What was compared with what, and how near it is.
+pub(super) fn scope(proof: &Proof) -> String {
+    let all = proof.files.len();
+    let measured = proof.files.iter().filter(|file| file.deviation.is_some()).count();
+    let nearest = |of: &dyn Fn(Format) -> bool| {
+        let deviations = proof.files.iter().filter(|file| of(file.output.kind.format()));
+        deviations.filter_map(|file| file.deviation).reduce(f64::max)
+    };
+    // Paper and solids say arcs by curves and chords, with tolerances of their own.
+    let within: Vec<String> = [
+        ("lines and arcs", nearest(&|format| !matches!(format, Format::Pdf | Format::Stl)), 6),
+        ("paper", nearest(&|format| format == Format::Pdf), 4),
+        ("solids", nearest(&|format| format == Format::Stl), 4),
+    ]
+    .into_iter()
+    .filter_map(|(what, mm, digits)| mm.map(|mm| format!("{what} within {mm:.digits$} mm")))
+    .collect();
+    if within.is_empty() {
+        return format!("none of {all} files has geometry that is compared; nothing was measured");
+    }
+    format!("{measured} of {all} files compared with the exact geometry: {}", within.join(", "))
+}
+
+/// What the gripper will do, where that was asked for.
+pub(super) fn predicted(forecast: &Forecast) -> String {
+    let prediction = forecast.prediction.as_ref();
+    prediction.map_or(String::new(), |prediction| {
+        format!("predicted:\n{}", report::text(&forecast.spec, prediction))
+    })
+}
+
 /// What has to be true of the machine for the programs to do what they say.
-pub(super) fn conditions(spec: &Spec, machine: &Machine, programs: &[Program]) -> String {
+pub(super) fn conditions(forecast: &Forecast) -> String {
+    let Forecast { spec, machine, programs, .. } = forecast;
     let mut out = String::new();
     for line in &machine.requires {
         let _ = writeln!(out, "requires: {line}");

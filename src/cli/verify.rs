@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use crate::cli::failure::{Failure, say};
-use crate::verify;
-use crate::verify::OutputFiles;
+use crate::cli::{findings, summary};
+use crate::pipeline::prove_files;
+use crate::verify::{By, FileProof, OutputFiles, Proof};
 
 /// Arguments of `verify`.
 #[derive(clap::Args, Debug)]
@@ -26,27 +27,39 @@ const FILE_LIMIT: u64 = 1 << 30;
 
 /// Reads the directory and proves it.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let proof = verify::prove_files(&read_directory(&args.dir)?);
-    if args.json {
-        let deviation: serde_json::Map<String, serde_json::Value> =
-            proof.deviations.iter().map(|(file, mm)| (file.clone(), json!(mm))).collect();
-        say(&format!("{:#}\n", json!({ "findings": proof.findings, "deviation_mm": deviation })))?;
-    } else {
-        let mut text = String::new();
-        for (file, mm) in &proof.deviations {
-            let _ = writeln!(text, "{file:28} within {mm:.6} mm");
-        }
-        for finding in &proof.findings {
-            let _ = writeln!(text, "{finding}");
-        }
-        let verdict = match proof.findings.len() {
-            0 => "proven, no findings".to_owned(),
-            n => format!("{n} findings"),
-        };
-        let _ = writeln!(text, "{}: {verdict}", args.dir.display());
-        say(&text)?;
-    }
+    let proof = prove_files(&read_directory(&args.dir)?);
+    say(&if args.json { json(&proof) } else { text(&args.dir, &proof) })?;
     if proof.findings.is_empty() { Ok(()) } else { Err(Failure::Said) }
+}
+
+fn json(proof: &Proof) -> String {
+    let deviation: serde_json::Map<String, serde_json::Value> =
+        proof.files.iter().map(|file| (file.path.clone(), json!(file.deviation))).collect();
+    let proven: Vec<serde_json::Value> =
+        proof.files.iter().map(|file| json!({ "path": file.path, "by": file.by })).collect();
+    format!("{:#}\n", json!({ "findings": proof.findings, "deviation_mm": deviation, "proven": proven }))
+}
+
+fn text(dir: &Path, proof: &Proof) -> String {
+    let mut text = String::new();
+    for FileProof { path, deviation, by, .. } in &proof.files {
+        let how = match by {
+            By::Bytes => "made anew, equal to the byte",
+            By::Reading => "read back",
+            By::Hash => "only its hash was looked at",
+        };
+        let near = deviation.map_or(String::new(), |mm| format!("within {mm:.6} mm, "));
+        let _ = writeln!(text, "{path:28} {near}{how}");
+    }
+    for line in findings::lines(&proof.findings) {
+        let _ = writeln!(text, "{line}");
+    }
+    let verdict = match proof.findings.len() {
+        0 => format!("proven, no findings; {}", summary::scope(proof)),
+        n => format!("{n} findings"),
+    };
+    let _ = writeln!(text, "{}: {verdict}", dir.display());
+    text
 }
 
 fn read_directory(dir: &Path) -> Result<OutputFiles<'static>, Failure> {

@@ -4,6 +4,8 @@
 //! **registration crosses**. Cut one page along its crop marks, lay cross on cross, tape. Every page has its name
 //! (row, column), a ruler of 100 mm and a check square of 20 mm to be measured before anything is cut.
 
+use serde::{Deserialize, Serialize};
+
 use crate::design::{Drawing, Layer, Origin, Shape, lettering};
 use crate::geom::{Bounds, Isometry, Line, Path, Point, Vec2};
 
@@ -22,7 +24,8 @@ const MOST_TILES: f64 = 100.0;
 const LARGEST: f64 = 10_000.0;
 
 /// A size of paper.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Paper {
     /// One page as large as the drawing needs.
     Large,
@@ -56,15 +59,37 @@ impl Paper {
         }
     }
 
-    /// The paper that goes by this name in a manifest.
-    pub fn from_name(name: Option<&str>) -> Option<Self> {
-        Self::ALL.into_iter().find(|paper| paper.name() == name)
+    /// Whether `drawing` can be printed on it: on no more tiles than anyone tapes together, on no page larger than 10 m.
+    pub fn takes(self, drawing: &Drawing) -> bool {
+        let cut = self.cut(drawing);
+        cut.columns * cut.rows <= MOST_TILES && cut.width.max(cut.height) <= LARGEST
     }
 
     /// The pages on which `drawing` is printed, row by row from the lower left; `caption` names it on every page.
     ///
-    /// None if there would be more tiles than anyone tapes together, or a page larger than 10 m.
+    /// None if it cannot be printed, see [`Paper::takes`].
     pub fn pages(self, drawing: &Drawing, caption: &str) -> Vec<Page> {
+        if !self.takes(drawing) {
+            return Vec::new();
+        }
+        let grid = TileGrid { caption, ..self.cut(drawing) };
+        let TileGrid { columns, rows, .. } = grid;
+        let mut pages = Vec::new();
+        let (mut row, mut letter) = (0.0, 'A');
+        while row < rows {
+            let mut column = 0.0;
+            while column < columns {
+                pages.push(grid.page(drawing, row, column, &format!("{letter}{}", column + 1.0)));
+                column += 1.0;
+            }
+            row += 1.0;
+            letter = char::from_u32(u32::from(letter) + 1).unwrap_or('Z');
+        }
+        pages
+    }
+
+    /// How `drawing` is cut into pages without a caption.
+    fn cut(self, drawing: &Drawing) -> TileGrid<'static> {
         let (width, height) = match self {
             Self::Large => {
                 let width = (drawing.width + 2.0 * WHITE).max(LEAST_WIDTH);
@@ -81,22 +106,7 @@ impl Paper {
             Self::Large => (1.0, 1.0),
             _ => (count(drawing.width, steps.x), count(drawing.height, steps.y)),
         };
-        if columns * rows > MOST_TILES || width.max(height) > LARGEST {
-            return Vec::new();
-        }
-        let grid = TileGrid { width, height, window, steps, columns, rows, caption };
-        let mut pages = Vec::new();
-        let (mut row, mut letter) = (0.0, 'A');
-        while row < rows {
-            let mut column = 0.0;
-            while column < columns {
-                pages.push(grid.page(drawing, row, column, &format!("{letter}{}", column + 1.0)));
-                column += 1.0;
-            }
-            row += 1.0;
-            letter = char::from_u32(u32::from(letter) + 1).unwrap_or('Z');
-        }
-        pages
+        TileGrid { width, height, window, steps, columns, rows, caption: "" }
     }
 }
 

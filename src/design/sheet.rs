@@ -72,7 +72,7 @@ impl Design {
         }
         let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.ramp.0)).collect();
         let footprints: Vec<Bounds> = which.iter().map(|i| boxes[*i]).collect();
-        let (places, sheets) = place(&footprints, &spec.sheet).map_err(|refusal| vec![refusal])?;
+        let (places, sheets) = place(&footprints, &spec.sheet, machine).map_err(|refusal| vec![refusal])?;
         let stack = Stack::new(spec)?;
         let parts: Vec<&StarDesign> = which.iter().map(|i| &distinct[*i]).collect();
         let frame = Frame::new(spec, &stack, &parts)?;
@@ -126,17 +126,29 @@ type Placement = (usize, Isometry);
 /// Places the boxes row by row, in order, on as many sheets as needed.
 ///
 /// An extent that the spec leaves open grows with the parts: in width for as many columns as make the
-/// sheet about square, in height without end.
-fn place(boxes: &[Bounds], sheet: &Sheet) -> Result<(Vec<Placement>, Vec<SheetLayout>), Refusal> {
+/// sheet about square, in height as far as the machine reaches. On a sheet larger than that the parts stay within reach.
+fn place(
+    boxes: &[Bounds],
+    sheet: &Sheet,
+    machine: &Machine,
+) -> Result<(Vec<Placement>, Vec<SheetLayout>), Refusal> {
     let (margin, gap) = (sheet.margin.0, sheet.gap.0);
-    let limit = |extent: Option<crate::units::Length>| extent.map_or(f64::INFINITY, |l| l.0 - 2.0 * margin);
-    let (max_width, max_height) = (limit(sheet.width), limit(sheet.height));
+    let given = |extent: Option<crate::units::Length>| extent.map_or(f64::INFINITY, |l| l.0 - 2.0 * margin);
+    // A sheet that has no extent of its own ends, with its margin, where the machine does.
+    let reach = |extent: Option<crate::units::Length>, area: Option<f64>| {
+        area.map_or(f64::INFINITY, |area| area - if extent.is_some() { margin } else { 2.0 * margin })
+    };
+    let area = machine.work_area;
+    let sheet_room = (given(sheet.width), given(sheet.height));
+    let reach = (reach(sheet.width, area.map(|(x, _)| x.0)), reach(sheet.height, area.map(|(_, y)| y.0)));
+    let (max_width, max_height) = (sheet_room.0.min(reach.0), sheet_room.1.min(reach.1));
     let upright = |bounds: &Bounds| bounds.width() <= max_width && bounds.height() <= max_height;
     for bounds in boxes {
         let can_stand = upright(bounds) || sheet.turn && upright(&turned(bounds));
         if !can_stand {
-            fits("sheet.width", bounds.width(), max_width, margin)?;
-            fits("sheet.height", bounds.height(), max_height, margin)?;
+            fits("sheet.width", bounds.width(), sheet_room.0, margin)?;
+            fits("sheet.height", bounds.height(), sheet_room.1, margin)?;
+            within_reach(bounds, (max_width, max_height), machine)?;
         }
     }
     let columns = match sheet.width {
@@ -212,4 +224,31 @@ fn fits(key: &str, needed: f64, room: f64, margin: f64) -> Result<(), Refusal> {
             Readable(needed + 2.0 * margin)
         ),
     ))
+}
+
+/// Refuses a part that the iron cannot reach all of.
+fn within_reach(part: &Bounds, room: (f64, f64), machine: &Machine) -> Result<(), Refusal> {
+    let Some((x, y)) = machine.work_area else { return Ok(()) };
+    let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
+    let missing = (part.width() - room.0).max(part.height() - room.1);
+    Err(Refusal::new(
+        "machine.profile",
+        "beyond-reach",
+        format!(
+            "a part with its ramps needs {}; within the margins {} reaches {}",
+            size(round_up(part.width()), round_up(part.height())),
+            machine.name,
+            size(room.0.max(0.0), room.1.max(0.0))
+        ),
+        format!(
+            "{} mm are missing: a smaller star, a smaller margin in [sheet], or a machine with more than {}",
+            Readable(round_up(missing)),
+            size(x.0, y.0)
+        ),
+    ))
+}
+
+/// Up to a tenth of a millimetre: what is needed is never said to be less.
+fn round_up(x: f64) -> f64 {
+    (x * 10.0).ceil() / 10.0
 }

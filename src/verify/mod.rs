@@ -10,7 +10,9 @@ mod output_files;
 mod read;
 
 pub use finding::{Finding, Findings};
-pub use judge::files::proof::{Proof, prove, prove_files};
+pub use judge::expected::Expected;
+pub use judge::files::bytes::compare_bytes;
+pub use judge::files::proof::{By, FileProof, Proof, prove};
 pub use judge::path::compare::{self, Deviation, deviation};
 pub use judge::path::follow::{Following, follow};
 pub use output_files::OutputFiles;

@@ -1,6 +1,6 @@
 //! Every dialect: built, proven, refused with numbers, chopped.
 
-use stargrip_cam::verify::prove_files;
+use stargrip_cam::pipeline::read_back;
 
 use crate::{PROFILES, built, profile, spec_text, text, try_built};
 
@@ -11,7 +11,7 @@ fn every_dialect_writes_what_its_controller_reads() {
     for name in PROFILES {
         let can = ["generic", "linuxcnc", "klipper", "reprapfirmware"].contains(&name);
         let build = built(&spec_text(if can { "" } else { CHOP }), profile(name));
-        let proof = prove_files(&build.output_files());
+        let proof = read_back(&build.output_files());
         assert_eq!(proof.findings, [], "{name}");
         let code = text(&build, "star-1-seal.gcode");
         assert_eq!(code.contains("\nG4 P"), !can, "{name}");
@@ -44,7 +44,7 @@ fn what_is_unknown_is_not_chopped() {
         .replace("acceleration = \"unknown\"", "acceleration = \"50 mm/s^2\"")
         .replace("# chop_feed", "chop_feed");
     let build = built(&spec_text(CHOP), &known);
-    assert_eq!(prove_files(&build.output_files()).findings, []);
+    assert_eq!(read_back(&build.output_files()).findings, []);
     assert!(text(&build, "star-1-seal.gcode").contains(" F60\nG4 P"));
 }
 
@@ -62,7 +62,7 @@ fn chopped_programs_keep_their_time_and_say_what_they_need() {
             assert!(code.contains("; requires: $1=255 "));
         }
         let bare = |program: &stargrip_cam::plan::Program| program.time;
-        let (t, u) = (bare(&steady.programs[0]), bare(&chopped.programs[0]));
+        let (t, u) = (bare(&steady.forecast.programs[0]), bare(&chopped.forecast.programs[0]));
         assert!((t - u).abs() < 2e-3 * t, "{name}: {t} {u}");
     }
 }
@@ -71,7 +71,7 @@ fn chopped_programs_keep_their_time_and_say_what_they_need() {
 fn comments_between_parentheses_are_proven_too() {
     let old = profile("generic").replace("comments = \"semicolon\"", "comments = \"parentheses\"");
     let build = built(&spec_text(""), &old);
-    assert_eq!(prove_files(&build.output_files()).findings, []);
+    assert_eq!(read_back(&build.output_files()).findings, []);
     assert!(text(&build, "star-1-seal.gcode").starts_with("(stargrip-cam seal program)\n"));
 }
 
@@ -95,7 +95,7 @@ fn a_clamp_in_the_way_is_refused_and_one_beside_it_is_not() {
     let refusals = try_built(&spec, &clamp(x, y, "")).map(|_| ()).expect_err("in the way");
     assert_eq!(refusals[0].code, "clamp-in-the-way");
     let free = built(&spec, &clamp(280, 280, ""));
-    assert_eq!(prove_files(&free.output_files()).findings, []);
+    assert_eq!(read_back(&free.output_files()).findings, []);
     // The seal's file against a profile with a clamp on it.
     let mut archive = free.output_files();
     for (name, bytes) in &mut archive.files {
@@ -103,7 +103,7 @@ fn a_clamp_in_the_way_is_refused_and_one_beside_it_is_not() {
             *bytes = clamp(x, y, "").into_bytes().into();
         }
     }
-    assert!(prove_files(&archive).findings.iter().any(|f| f.code == "clamp-in-the-way"));
+    assert!(read_back(&archive).findings.iter().any(|f| f.code == "clamp-in-the-way"));
 }
 
 #[test]

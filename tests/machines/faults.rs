@@ -1,13 +1,13 @@
 //! Seeded faults: each is found, wherever it is put, in every dialect.
 
 use proptest::prelude::*;
-use stargrip_cam::pipeline::Build;
+use stargrip_cam::pipeline::Built;
 
 use crate::{PROFILES, built, findings_with, profile, spec_text, text};
 
 const FILE: &str = "star-1-seal.gcode";
 
-fn build(name: &str) -> Build {
+fn build(name: &str) -> Built {
     let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
     let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
     built(&spec_text(rest), profile(name))

@@ -7,9 +7,10 @@ mod faults;
 mod resume;
 
 use stargrip_cam::design::Refusal;
-use stargrip_cam::pipeline::{Build, Sources, build};
+use stargrip_cam::pipeline::read_back;
+use stargrip_cam::pipeline::{Built, Sources, build};
 use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
-use stargrip_cam::verify::{Finding, OutputFiles, prove_files};
+use stargrip_cam::verify::{Finding, OutputFiles};
 
 /// Every profile that comes with the program.
 const PROFILES: [&str; 8] =
@@ -35,23 +36,23 @@ fn profile(name: &str) -> &'static str {
     builtin_machine(name).expect("built in")
 }
 
-fn try_built(spec_text: &str, machine_text: &str) -> Result<Build, Vec<Refusal>> {
+fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Vec<Refusal>> {
     let sources = Sources { spec: spec_text, machine: machine_text };
     build(&spec(spec_text), &machine(machine_text), sources, &[])
 }
 
-fn built(spec_text: &str, machine_text: &str) -> Build {
+fn built(spec_text: &str, machine_text: &str) -> Built {
     try_built(spec_text, machine_text).unwrap_or_else(|refusals| panic!("{refusals:?}"))
 }
 
 /// The text of a file of a build.
-fn text(build: &Build, name: &str) -> String {
+fn text(build: &Built, name: &str) -> String {
     let artifact = build.artifacts.iter().find(|artifact| artifact.name == name).expect(name);
     String::from_utf8(artifact.bytes.clone()).expect("text")
 }
 
 /// The findings about a build in which the file `name` is `text` instead, its hash and size put right.
-fn findings_with(build: &Build, name: &str, text: &str) -> Vec<Finding> {
+fn findings_with(build: &Built, name: &str, text: &str) -> Vec<Finding> {
     let mut manifest = build.manifest.clone();
     let entry = manifest.files.iter_mut().find(|file| file.path == name).expect(name);
     entry.bytes = text.len();
@@ -65,5 +66,5 @@ fn findings_with(build: &Build, name: &str, text: &str) -> Vec<Finding> {
         };
         (file.into(), bytes)
     });
-    prove_files(&OutputFiles { files: files.collect() }).findings
+    read_back(&OutputFiles { files: files.collect() }).findings
 }

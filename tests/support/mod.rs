@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use proptest::prelude::*;
 
 use stargrip_cam::design::Refusal;
-use stargrip_cam::pipeline::{Build, Sources};
+use stargrip_cam::pipeline::{Built, Sources};
 use stargrip_cam::spec::{Machine, Source, Spec};
 use stargrip_cam::{pipeline, spec};
 
@@ -70,7 +70,7 @@ pub fn machine() -> Machine {
 }
 
 /// Builds a spec that must be valid; the design may be refused.
-pub fn build(text: &str) -> Result<Build, Vec<Refusal>> {
+pub fn build(text: &str) -> Result<Built, Vec<Refusal>> {
     pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &[])
 }
 

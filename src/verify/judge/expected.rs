@@ -1,12 +1,18 @@
 //! What the files of a build are compared with.
 
 use crate::design::Design;
+use crate::forecast::prediction::Prediction;
 use crate::spec::{Machine, Spec};
 
-/// What the files are compared with.
-#[derive(Clone, Copy)]
-pub(in crate::verify) struct Expected<'a> {
-    pub(in crate::verify) design: &'a Design,
-    pub(in crate::verify) spec: &'a Spec,
-    pub(in crate::verify) machine: &'a Machine,
+/// Everything that the files of a build must agree with. None of it was read from them but the spec and the profile.
+#[derive(Clone, Copy, Debug)]
+pub struct Expected<'a> {
+    /// The exact geometry.
+    pub design: &'a Design,
+    /// What was asked for.
+    pub spec: &'a Spec,
+    /// What it is made on.
+    pub machine: &'a Machine,
+    /// What it will do; `None` for a spec without a load.
+    pub prediction: Option<&'a Prediction>,
 }

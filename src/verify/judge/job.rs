@@ -13,7 +13,7 @@ const HEIGHT: f64 = 1e-6;
 
 /// What one program should do.
 pub(in crate::verify) struct Job<'a> {
-    truth: Expected<'a>,
+    expected: &'a Expected<'a>,
     hot: bool,
     stars: Vec<&'a PlacedStar>,
     /// Where the iron may go.
@@ -44,35 +44,37 @@ enum Phase {
 impl<'a> Job<'a> {
     /// The job of the program for `star`, or for all stars of `sheet`; `None` if the design has no such part.
     pub(in crate::verify) fn new(
-        truth: Expected<'a>,
+        expected: &'a Expected<'a>,
         hot: bool,
         sheet: usize,
         star: Option<usize>,
     ) -> Option<Self> {
-        let layout = truth.design.sheets.iter().find(|layout| layout.index == sheet)?;
-        let stars: Vec<_> = truth
+        let layout = expected.design.sheets.iter().find(|layout| layout.index == sheet)?;
+        let stars: Vec<_> = expected
             .design
             .nearest_first(sheet)
             .into_iter()
             .filter(|placed| star.is_none_or(|index| placed.index == index))
             .collect();
         let corner = Point::new(layout.width, layout.height);
-        let reach =
-            truth.machine.work_area.map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
+        let reach = expected
+            .machine
+            .work_area
+            .map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
         let area = Bounds { min: Point::ORIGIN, max: reach };
-        (!stars.is_empty()).then_some(Self { truth, hot, stars, area })
+        (!stars.is_empty()).then_some(Self { expected, hot, stars, area })
     }
 
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
     pub(in crate::verify) fn check(&self, text: &str, findings: &mut Findings) -> f64 {
-        let dialect = Dialect::for_machine(self.truth.machine);
+        let dialect = Dialect::for_machine(self.expected.machine);
         let program = read_program(text, dialect);
         self.area(&program, findings);
-        let reach = if self.hot { self.truth.spec.seal.band.0 / 2.0 } else { 0.0 };
-        clamp::check(&self.truth.machine.keep_out, reach, &program, findings);
+        let reach = if self.hot { self.expected.spec.seal.band.0 / 2.0 } else { 0.0 };
+        clamp::check(&self.expected.machine.keep_out, reach, &program, findings);
         let deviation = if self.hot {
             self.heat_and_speed(&program, findings);
-            pace::check(self.truth, &program, |step| self.phase(step) != Phase::Clear, findings);
+            pace::check(self.expected, &program, |step| self.phase(step) != Phase::Clear, findings);
             self.rest(&program, findings);
             self.seams(&program, findings)
         } else {
@@ -83,13 +85,13 @@ impl<'a> Job<'a> {
     }
 
     fn tolerance(&self) -> f64 {
-        self.truth.spec.accuracy.path.0
+        self.expected.spec.accuracy.path.0
     }
 
     fn expected(&self) -> Vec<ExpectedSeam> {
-        let ramp = self.truth.machine.ramp.0;
+        let ramp = self.expected.machine.ramp.0;
         let seams = self.stars.iter().flat_map(|placed| {
-            self.truth.design.part(placed).seams.iter().map(move |seam| {
+            self.expected.design.part(placed).seams.iter().map(move |seam| {
                 let place = |path: Path| placed.placement.path(&path);
                 let side = if seam.side == Side::Hole { "inner" } else { "outer" };
                 ExpectedSeam {
@@ -124,7 +126,7 @@ impl<'a> Job<'a> {
     }
 
     fn phase(&self, step: &Move) -> Phase {
-        let heights = &self.truth.machine.heights;
+        let heights = &self.expected.machine.heights;
         let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
         if low >= heights.travel.0 - HEIGHT {
             Phase::Clear
@@ -137,7 +139,7 @@ impl<'a> Job<'a> {
 
     /// Below travel height the iron is hot, feeds at seal speed, and moves along the fabric.
     fn heat_and_speed(&self, program: &Program, findings: &mut Findings) {
-        let (seal, contact) = (&self.truth.spec.seal, self.truth.machine.heights.contact.0);
+        let (seal, contact) = (&self.expected.spec.seal, self.expected.machine.heights.contact.0);
         for step in program.moves.iter().filter(|step| self.phase(step) != Phase::Clear) {
             match step.heated {
                 Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
@@ -177,9 +179,9 @@ impl<'a> Job<'a> {
 
     /// An iron at rest for longer than it takes to pass a tenth of the band leaves a scar.
     fn rest(&self, program: &Program, findings: &mut Findings) {
-        let seal = &self.truth.spec.seal;
+        let seal = &self.expected.spec.seal;
         let longest = seal.band.0 / 10.0 / seal.speed.0;
-        let low = |z: f64| z < self.truth.machine.heights.travel.0 - HEIGHT;
+        let low = |z: f64| z < self.expected.machine.heights.travel.0 - HEIGHT;
         for dwell in program.dwells.iter().filter(|dwell| dwell.at.is_some_and(|at| low(at.z))) {
             if dwell.seconds > longest {
                 findings.add(
@@ -351,16 +353,16 @@ fn contacts(program: &Program, phase: impl Fn(&Move) -> Phase) -> Vec<Contact<'_
 }
 
 /// The manifest's seam lengths and times against the design's.
-pub(in crate::verify) fn manifest_figures(truth: Expected<'_>, manifest: &Manifest) -> Vec<Finding> {
+pub(in crate::verify) fn manifest_figures(expected: &Expected<'_>, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     let wrong = |found: String, allowed: String| {
         Finding::new("manifest", None, found, allowed).in_file(crate::manifest::MANIFEST)
     };
-    for placed in &truth.design.stars {
-        let seam_mm: f64 = truth.design.part(placed).seams.iter().map(|seam| seam.run().length()).sum();
+    for placed in &expected.design.stars {
+        let seam_mm: f64 = expected.design.part(placed).seams.iter().map(|seam| seam.run().length()).sum();
         match manifest.stars.iter().find(|star| star.index == placed.index) {
             Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {
-                let clear = truth.design.part(placed).clear_radius();
+                let clear = expected.design.part(placed).clear_radius();
                 if (star.clear_radius_mm - clear).abs() > 0.001 {
                     let found = format!("star {}: a clear radius of {} mm", star.index, star.clear_radius_mm);
                     findings.push(wrong(found, format!("{clear:.3} mm")));
@@ -374,7 +376,7 @@ pub(in crate::verify) fn manifest_figures(truth: Expected<'_>, manifest: &Manife
                 .push(wrong(format!("no star {}", placed.index), "every star of the design".to_owned())),
         }
     }
-    let frame = &truth.design.frame;
+    let frame = &expected.design.frame;
     let posts: usize = manifest.posts.iter().map(|posts| posts.count).sum();
     let lengths = manifest.posts.iter().map(|posts| (posts.length_mm - frame.post_length).abs());
     if posts != frame.posts.len() || lengths.fold(0.0, f64::max) > 0.001 {
@@ -382,8 +384,8 @@ pub(in crate::verify) fn manifest_figures(truth: Expected<'_>, manifest: &Manife
         findings.push(wrong(format!("posts {:?}", manifest.posts), allowed));
     }
     let plates: usize = manifest.plates.iter().map(|plates| plates.plates.len()).sum();
-    if plates != truth.design.stars.len() + 1 {
-        findings.push(wrong(format!("{plates} plates"), format!("{}", truth.design.stars.len() + 1)));
+    if plates != expected.design.stars.len() + 1 {
+        findings.push(wrong(format!("{plates} plates"), format!("{}", expected.design.stars.len() + 1)));
     }
     findings
 }

@@ -1,7 +1,7 @@
 //! Judges: what was read against what the design says; whatever differs becomes a finding.
 
 mod clamp;
-mod expected;
+pub(in crate::verify) mod expected;
 pub(in crate::verify) mod files;
 mod job;
 mod pace;

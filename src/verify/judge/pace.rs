@@ -23,14 +23,14 @@ struct Schedule {
 
 /// Reports every move below travel height (told by `low`) that is too fast or too slow.
 pub(in crate::verify) fn check(
-    truth: Expected<'_>,
+    expected: &Expected<'_>,
     program: &Program,
     low: impl Fn(&Move) -> bool,
     findings: &mut Findings,
 ) {
-    let (speed, motion) = (truth.spec.seal.speed.0, &truth.machine.motion);
-    let may_chop = truth.spec.machine.feed_floor == FeedFloor::Chop;
-    let longest = truth.spec.seal.band.0 / 10.0;
+    let (speed, motion) = (expected.spec.seal.speed.0, &expected.machine.motion);
+    let may_chop = expected.spec.machine.feed_floor == FeedFloor::Chop;
+    let longest = expected.spec.seal.band.0 / 10.0;
     let mut dwells = program.dwells.iter().peekable();
     let mut schedule = Schedule::default();
     let mut steps = program.moves.iter().peekable();
@@ -72,7 +72,7 @@ pub(in crate::verify) fn check(
             continue;
         }
         let off = schedule.spent - schedule.due;
-        let quantum = truth.machine.dwell.step.0;
+        let quantum = expected.machine.dwell.step.0;
         let allowed = MEAN * schedule.due + 0.6 * quantum + 0.01;
         // One stroke alone may be early or late by a dwell's step.
         let alone = MEAN * length / speed + quantum + 0.015;

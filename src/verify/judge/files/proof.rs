@@ -1,14 +1,9 @@
-//! The proof: from the files of an output directory alone to a list of findings, best an empty one.
-//!
-//! The directory's own spec and machine profile say what should be there; the exact geometry is
-//! computed from them anew, and every file is read back and compared with it.
+//! The proof: every file that the design must have, read back and compared with it.
 
-use crate::artifact::Kind;
-use crate::design::{Design, Drawing, MaskPlate, Paper};
-use crate::forecast::predict::predict;
+use serde::Serialize;
+
+use crate::artifact::{Format, Output, Subject, outputs};
 use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
-use crate::spec;
-use crate::spec::{Machine, Source, Spec};
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::{drawings, paper, solid};
 use crate::verify::judge::job;
@@ -20,97 +15,102 @@ use crate::verify::{Finding, Findings, OutputFiles};
 pub struct Proof {
     /// Everything that is wrong.
     pub findings: Vec<Finding>,
-    /// Of every file with geometry: its largest deviation from the exact geometry either way, mm.
-    pub deviations: Vec<(String, f64)>,
+    /// Every file that the design must have and that is there.
+    pub files: Vec<FileProof>,
 }
 
-/// Proves a directory from its files alone.
-pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
-    let mut refused = Findings::default();
-    let text = |name: &'static str, findings: &mut Findings| -> Option<Source> {
-        let Some(bytes) = files.get(name) else {
-            findings.push(
-                Finding::new("missing-file", None, "no such file", "the file of the build").in_file(name),
-            );
-            return None;
-        };
-        let source = Source::from_bytes(name, bytes);
-        source.map_err(|faults| findings.push(unreadable(name, &faults))).ok()
-    };
-    let spec = text("spec.toml", &mut refused).and_then(|source| {
-        spec::read(&source).map_err(|faults| refused.push(unreadable("spec.toml", &faults))).ok()
-    });
-    let machine = text("machine.toml", &mut refused).and_then(|source| {
-        spec::read_machine(&source).map_err(|faults| refused.push(unreadable("machine.toml", &faults))).ok()
-    });
-    let (Some(reading), Some(machine)) = (spec, machine) else {
-        return Proof { findings: refused.into_vec(), deviations: Vec::new() };
-    };
-    match Design::new(&reading.spec, &machine) {
-        Ok(design) => prove(&design, &reading.spec, &machine, files),
-        Err(refusals) => {
-            for refusal in refusals {
-                refused.push(
-                    Finding::new(refusal.code, None, refusal.found, refusal.remedy).in_file("spec.toml"),
-                );
-            }
-            Proof { findings: refused.into_vec(), deviations: Vec::new() }
-        }
-    }
+/// What was looked at in one file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileProof {
+    /// Its name in the directory.
+    pub path: String,
+    /// What it is.
+    pub output: Output,
+    /// How it was looked at.
+    pub by: By,
+    /// Its largest deviation from the exact geometry either way, mm; `None` for what has no geometry that was measured.
+    pub deviation: Option<f64>,
 }
 
-fn unreadable(name: &str, faults: &spec::Faults) -> Finding {
-    let found = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
-    Finding::new("unreadable", None, found, "text that `check` accepts").in_file(name)
+/// How a file was looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum By {
+    /// Equal to what this version makes of the spec, and read back.
+    Bytes,
+    /// Read back and compared with the design.
+    Reading,
+    /// Nothing but its hash in the manifest.
+    Hash,
 }
 
-/// Proves the files of `files` against a design that is known.
-pub fn prove(design: &Design, spec: &Spec, machine: &Machine, files: &OutputFiles<'_>) -> Proof {
-    let truth = Expected { design, spec, machine };
+/// Reads every file back and compares it with what is expected.
+pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
-    let Some(manifest) = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok())
-    else {
-        let finding =
-            Finding::new("manifest", None, "no manifest that can be read", "the manifest of the build");
-        proof.findings.push(finding.in_file(MANIFEST));
-        return proof;
+    let manifest = match files.get(MANIFEST).map(serde_json::from_slice::<Manifest>) {
+        Some(Ok(manifest)) => manifest,
+        unreadable => {
+            let found =
+                unreadable.and_then(Result::err).map_or("no such file".to_owned(), |error| error.to_string());
+            proof
+                .findings
+                .push(Finding::new("manifest", None, found, "the manifest of the build").in_file(MANIFEST));
+            return proof;
+        }
     };
-    names(files, &manifest, &mut proof);
+    let wanted = outputs(expected.spec, expected.design, &manifest.only);
+    names(files, &manifest, &wanted, &mut proof);
     let mut seals = drawings::Seals::default();
-    for entry in &manifest.files {
-        let Some(bytes) = files.get(&entry.path) else { continue };
+    for output in wanted {
+        let path = output.name();
+        let Some(bytes) = files.get(&path) else { continue };
         let mut findings = Findings::default();
-        check_hash(entry, bytes, &mut findings);
-        let deviation = file(truth, entry, bytes, &mut seals, &mut findings);
-        proof.deviations.extend(deviation.map(|mm| (entry.path.clone(), mm)));
-        proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&entry.path)));
+        if let Some(entry) = manifest.files.iter().find(|entry| entry.path == path) {
+            check_hash(entry, bytes, &mut findings);
+        }
+        let (by, deviation) = file(expected, &output, bytes, &mut seals, &mut findings);
+        proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&path)));
+        proof.files.push(FileProof { path, output, by, deviation });
     }
-    proof.findings.extend(seals.disagreements(spec.accuracy.path.0));
-    proof.findings.extend(job::manifest_figures(truth, &manifest));
+    proof.findings.extend(seals.disagreements(expected.spec.accuracy.path.0));
+    proof.findings.extend(job::manifest_figures(expected, &manifest));
     proof
 }
 
-/// Files that the manifest names and that are missing, and the other way round.
-fn names(files: &OutputFiles<'_>, manifest: &Manifest, proof: &mut Proof) {
-    let named = |name: &str| manifest.files.iter().any(|entry| entry.path == name);
-    for required in ["spec.toml", "machine.toml"].into_iter().filter(|name| !named(name)) {
-        proof.findings.push(
-            Finding::new("manifest", None, "does not name this file", "a file the build wrote")
-                .in_file(required),
-        );
+/// The design decides which files there must be; the manifest must name them, once and rightly, and no others.
+fn names(files: &OutputFiles<'_>, manifest: &Manifest, wanted: &[Output], proof: &mut Proof) {
+    let mut blame = |file: &str, code, found: &str, allowed: String| {
+        proof.findings.push(Finding::new(code, None, found, allowed).in_file(file));
+    };
+    for output in wanted {
+        let name = output.name();
+        let mut entries = manifest.files.iter().filter(|entry| entry.path == name);
+        match (entries.next(), entries.next()) {
+            (None, _) => blame(&name, "manifest", "not named in the manifest", format!("a {}", output.kind)),
+            (Some(_), Some(_)) => blame(&name, "manifest", "named more than once", "named once".to_owned()),
+            (Some(entry), None) if entry.output() != *output => {
+                blame(&name, "manifest", "named as another part or kind", format!("a {}", output.kind));
+            }
+            _ => {}
+        }
+        if files.get(&name).is_none() {
+            blame(&name, "missing-file", "no such file", format!("a {}", output.kind));
+        }
     }
-    for entry in manifest.files.iter().filter(|entry| files.get(&entry.path).is_none()) {
-        let finding = Finding::new("missing-file", None, "no such file", format!("{} bytes", entry.bytes));
-        proof.findings.push(finding.in_file(&entry.path));
+    for entry in &manifest.files {
+        if !wanted.iter().any(|output| output.name() == entry.path) {
+            blame(&entry.path, "manifest", "named in the manifest", "only files of the design".to_owned());
+        }
     }
-    for (name, _) in files.files.iter().filter(|(name, _)| *name != MANIFEST && !named(name)) {
-        let finding = Finding::new(
-            "unnamed-file",
-            None,
-            "a file that the manifest does not name",
-            "only what it names",
-        );
-        proof.findings.push(finding.in_file(name));
+    for (name, _) in &files.files {
+        if *name != MANIFEST && !manifest.files.iter().any(|entry| entry.path == *name) {
+            blame(
+                name,
+                "unnamed-file",
+                "a file that the manifest does not name",
+                "only what it names".to_owned(),
+            );
+        }
     }
 }
 
@@ -124,98 +124,63 @@ fn check_hash(entry: &ManifestFile, bytes: &[u8], findings: &mut Findings) {
     }
 }
 
-/// Compares one file with the exact geometry; its deviation, if it has geometry.
+/// Reads one file and compares it; how it was looked at, and its deviation if it has geometry.
 fn file(
-    truth: Expected<'_>,
-    entry: &ManifestFile,
+    expected: &Expected<'_>,
+    output: &Output,
     bytes: &[u8],
     seals: &mut drawings::Seals,
     findings: &mut Findings,
-) -> Option<f64> {
-    let Some(kind) = Kind::from_name(&entry.kind) else {
-        findings.add("unknown-kind", None, entry.kind.clone(), "a kind of this tool");
-        return None;
-    };
-    if kind == Kind::MaskPdf || kind == Kind::MaskStl {
-        return binary(truth, entry, kind, bytes, findings);
+) -> (By, Option<f64>) {
+    match output.kind.format() {
+        Format::Pdf | Format::Stl => return (By::Reading, solid_or_paper(expected, output, bytes, findings)),
+        _ => {}
     }
     let Ok(text) = std::str::from_utf8(bytes) else {
         findings.add("not-text", None, "bytes that are not UTF-8", "text");
-        return None;
+        return (By::Reading, None);
     };
-    let sheet = entry.sheet.unwrap_or(0);
-    let drawing = match kind {
-        Kind::Prediction => {
-            prediction(truth, text, findings);
-            return None;
+    match (output.kind.subject(), output.kind.format()) {
+        (Subject::Spec | Subject::Machine | Subject::Preview, _) => (By::Hash, None),
+        (Subject::Prediction, _) => {
+            prediction(expected, text, findings);
+            (By::Reading, None)
         }
-        Kind::Spec | Kind::Machine | Kind::PreviewSvg | Kind::MaskPdf | Kind::MaskStl => return None,
-        Kind::SealGcode | Kind::TraceGcode => {
-            let Some(job) = Job::new(truth, kind == Kind::SealGcode, sheet, entry.star) else {
-                no_such_part(entry, findings);
-                return None;
+        (subject, Format::Gcode) => {
+            let job = Job::new(expected, subject == Subject::Seal, output.sheet.unwrap_or(0), output.star);
+            (By::Reading, job.map(|job| job.check(text, findings)))
+        }
+        (subject, format) => {
+            let Some(exact) = output.drawing(expected.design) else { return (By::Hash, None) };
+            let found = match format {
+                Format::Svg => drawings::read_page(text, &exact, findings),
+                _ => drawings::read_plan(text, findings),
             };
-            return Some(job.check(text, findings));
+            let deviation = drawings::compare(&found, &exact, expected.spec.accuracy.path.0, findings);
+            if let (Subject::Seal, Some(sheet)) = (subject, output.sheet) {
+                seals.add(sheet, &output.name(), &found);
+            }
+            (By::Reading, Some(deviation))
         }
-        Kind::SealSvg | Kind::SealDxf => Drawing::seals(truth.design, sheet),
-        Kind::OutlineSvg | Kind::OutlineDxf => Drawing::outlines(truth.design, sheet),
-        Kind::MaskSvg | Kind::MaskDxf => {
-            entry.star.and_then(|star| Drawing::mask(truth.design, star, entry.mirrored))
-        }
-        Kind::FrameSvg | Kind::FrameDxf => {
-            let plates = &truth.design.frame.plates;
-            let plate = plates.iter().find(|plate| plate.numbers.first() == entry.plate.as_ref());
-            plate.map(|plate| Drawing::plate(truth.design, plate))
-        }
-    };
-    let Some(drawing) = drawing else {
-        no_such_part(entry, findings);
-        return None;
-    };
-    let found = match kind {
-        Kind::SealSvg | Kind::OutlineSvg | Kind::MaskSvg | Kind::FrameSvg => {
-            drawings::read_page(text, &drawing, findings)
-        }
-        _ => drawings::read_plan(text, findings),
-    };
-    let deviation = drawings::compare(&found, &drawing, truth.spec.accuracy.path.0, findings);
-    if matches!(kind, Kind::SealSvg | Kind::SealDxf) {
-        seals.add(sheet, &entry.path, &found);
     }
-    Some(deviation)
 }
 
-fn binary(
-    truth: Expected<'_>,
-    entry: &ManifestFile,
-    kind: Kind,
+fn solid_or_paper(
+    expected: &Expected<'_>,
+    output: &Output,
     bytes: &[u8],
     findings: &mut Findings,
 ) -> Option<f64> {
-    let star = entry.star.unwrap_or(0);
-    let drawing = Drawing::mask(truth.design, star, entry.mirrored);
-    let (Some(drawing), Some(paper)) = (drawing, Paper::from_name(entry.paper.as_deref())) else {
-        no_such_part(entry, findings);
-        return None;
+    let drawing = output.drawing(expected.design)?;
+    let Some(paper) = output.paper else {
+        return Some(solid::check(bytes, &drawing, expected.spec.mask.thickness.0, findings));
     };
-    if kind == Kind::MaskStl {
-        return Some(solid::check(bytes, &drawing, truth.spec.mask.thickness.0, findings));
-    }
-    let pages = paper.pages(&drawing, &MaskPlate::caption(star, entry.mirrored));
-    Some(paper::check(bytes, &pages, findings))
-}
-
-fn no_such_part(entry: &ManifestFile, findings: &mut Findings) {
-    let found = format!(
-        "sheet {:?}, star {:?}, plate {:?}, paper {:?}",
-        entry.sheet, entry.star, entry.plate, entry.paper
-    );
-    findings.add("manifest", None, found, "a part of the design");
+    Some(paper::check(bytes, &paper.pages(&drawing, &output.caption()), findings))
 }
 
 /// The prediction made anew, against the one that was written.
-fn prediction(truth: Expected<'_>, text: &str, findings: &mut Findings) {
-    let Ok(right) = predict(truth.spec) else {
+fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
+    let Some(right) = expected.prediction else {
         findings.add("prediction", None, "a prediction", "none: this spec has no prediction");
         return;
     };

@@ -1,0 +1,189 @@
+//! Kinds of output files: what a file is about, in which format.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+/// What a file is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// The spec as read.
+    Spec,
+    /// The machine profile as resolved.
+    Machine,
+    /// The seams.
+    Seal,
+    /// The unheated look at where the iron will go.
+    Trace,
+    /// The cut.
+    Outline,
+    /// A coating mask.
+    Mask,
+    /// A plate of the frame.
+    Frame,
+    /// A picture for people.
+    Preview,
+    /// What the gripper will do; only for a spec with a load.
+    Prediction,
+}
+
+/// How a file says it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// A spec or a profile.
+    Toml,
+    /// A program.
+    Gcode,
+    /// A drawing whose page is in mm.
+    Svg,
+    /// A drawing in mm.
+    Dxf,
+    /// A drawing on paper, at 1:1.
+    Pdf,
+    /// A solid.
+    Stl,
+    /// Figures.
+    Json,
+}
+
+impl Subject {
+    /// The word for it in file names.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Spec => "spec",
+            Self::Machine => "machine",
+            Self::Seal => "seal",
+            Self::Trace => "trace",
+            Self::Outline => "outline",
+            Self::Mask => "mask",
+            Self::Frame => "frame",
+            Self::Preview => "preview",
+            Self::Prediction => "prediction",
+        }
+    }
+}
+
+impl Format {
+    /// The ending of its files.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Self::Toml => "toml",
+            Self::Gcode => "gcode",
+            Self::Svg => "svg",
+            Self::Dxf => "dxf",
+            Self::Pdf => "pdf",
+            Self::Stl => "stl",
+            Self::Json => "json",
+        }
+    }
+}
+
+/// Declares [`Kind`] from one table: a line a kind.
+macro_rules! kinds {
+    ($($(#[$doc:meta])* $kind:ident: $name:literal, $subject:ident as $format:ident;)+) => {
+        /// What an output file is: a subject in a format.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+        #[non_exhaustive]
+        pub enum Kind {
+            $($(#[$doc])* #[serde(rename = $name)] $kind,)+
+        }
+
+        impl Kind {
+            /// Every kind.
+            pub const ALL: &'static [Self] = &[$(Self::$kind),+];
+
+            /// Its name in the manifest and on the command line.
+            pub fn name(self) -> &'static str {
+                match self {
+                    $(Self::$kind => $name,)+
+                }
+            }
+
+            /// What it is about.
+            pub fn subject(self) -> Subject {
+                match self {
+                    $(Self::$kind => Subject::$subject,)+
+                }
+            }
+
+            /// How it says it.
+            pub fn format(self) -> Format {
+                match self {
+                    $(Self::$kind => Format::$format,)+
+                }
+            }
+        }
+    };
+}
+
+kinds! {
+    /// The spec as read.
+    Spec: "spec", Spec as Toml;
+    /// The machine profile as resolved.
+    Machine: "machine", Machine as Toml;
+    /// The sealing program.
+    SealGcode: "seal-gcode", Seal as Gcode;
+    /// The unheated look at where the iron will go.
+    TraceGcode: "trace-gcode", Trace as Gcode;
+    /// Centre lines of the seams.
+    SealSvg: "seal-svg", Seal as Svg;
+    /// Centre lines of the seams.
+    SealDxf: "seal-dxf", Seal as Dxf;
+    /// The cut.
+    OutlineSvg: "outline-svg", Outline as Svg;
+    /// The cut.
+    OutlineDxf: "outline-dxf", Outline as Dxf;
+    /// A coating mask.
+    MaskSvg: "mask-svg", Mask as Svg;
+    /// A coating mask.
+    MaskDxf: "mask-dxf", Mask as Dxf;
+    /// A coating mask on paper, at 1:1.
+    MaskPdf: "mask-pdf", Mask as Pdf;
+    /// A coating mask as a solid.
+    MaskStl: "mask-stl", Mask as Stl;
+    /// A plate of the frame.
+    FrameSvg: "frame-svg", Frame as Svg;
+    /// A plate of the frame.
+    FrameDxf: "frame-dxf", Frame as Dxf;
+    /// A picture for people.
+    PreviewSvg: "preview-svg", Preview as Svg;
+    /// What the gripper will do; only for a spec with a load.
+    Prediction: "prediction", Prediction as Json;
+}
+
+impl Kind {
+    /// The kind called `name`.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|kind| kind.name() == name)
+    }
+
+    /// Whether it comes even where only other kinds are asked for: a directory is proven from its own spec and profile.
+    pub fn is_source(self) -> bool {
+        self.format() == Format::Toml
+    }
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_is_subject_and_format_but_where_the_format_goes_without_saying() {
+        for kind in Kind::ALL {
+            let subject = kind.subject().name();
+            let name = match kind.format() {
+                Format::Toml | Format::Json => subject.to_owned(),
+                format => format!("{subject}-{}", format.ending()),
+            };
+            assert_eq!(kind.name(), name);
+            assert_eq!(Kind::from_name(&name), Some(*kind));
+            assert_eq!(serde_json::to_value(kind).expect("plain"), name);
+        }
+    }
+}

@@ -1,0 +1,25 @@
+//! Artifacts: output files as bytes, between the emitters that make them and the verifier that reads them.
+
+mod kind;
+mod output;
+
+pub use kind::{Format, Kind, Subject};
+pub use output::{Output, outputs};
+
+/// One output file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Artifact {
+    /// What it is.
+    pub output: Output,
+    /// Its name in the output directory.
+    pub name: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+impl Artifact {
+    /// The file `output` with this content.
+    pub fn new(output: Output, bytes: impl Into<Vec<u8>>) -> Self {
+        Self { output, name: output.name(), bytes: bytes.into() }
+    }
+}

@@ -1,0 +1,58 @@
+//! From what is known of a gripper to its files: one arm for every subject and format.
+
+use crate::artifact::{Artifact, Format, Kind, Output, Subject, outputs};
+use crate::emit;
+use crate::pipeline::{Forecast, Sources};
+use crate::plan::Program;
+
+/// The files of the kinds `only`, and the sources; empty means all.
+pub(super) fn artifacts(forecast: &Forecast, sources: Sources<'_>, only: &[Kind]) -> Vec<Artifact> {
+    let wanted = outputs(&forecast.spec, &forecast.design, only);
+    let made = wanted
+        .into_iter()
+        .filter_map(|output| content(forecast, sources, &output).map(|bytes| Artifact::new(output, bytes)));
+    made.collect()
+}
+
+/// The content of one file; `None` for what this gripper does not have.
+fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option<Vec<u8>> {
+    let text = match output.kind.subject() {
+        Subject::Spec => sources.spec.to_owned(),
+        Subject::Machine => sources.machine.to_owned(),
+        Subject::Prediction => forecast.prediction.as_ref()?.to_json(),
+        Subject::Preview => {
+            emit::preview(&forecast.spec, &forecast.design, &forecast.programs, output.sheet?)?
+        }
+        Subject::Trace => program(forecast, &forecast.traces, output)?,
+        Subject::Seal if output.kind.format() == Format::Gcode => {
+            program(forecast, &forecast.programs, output)?
+        }
+        Subject::Seal | Subject::Outline | Subject::Mask | Subject::Frame => {
+            return drawing(forecast, output);
+        }
+    };
+    Some(text.into_bytes())
+}
+
+/// The one of `programs` that is for the output's star, or its sheet.
+fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option<String> {
+    let is_for = |program: &&Program| match output.star {
+        Some(star) => program.stars == [star],
+        None => Some(program.sheet) == output.sheet,
+    };
+    let program = programs.iter().find(is_for)?;
+    Some(emit::gcode(&forecast.spec, &forecast.machine, program))
+}
+
+fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
+    let spec = &forecast.spec;
+    let drawing = output.drawing(&forecast.design)?;
+    let title = output.title(&spec.name);
+    Some(match output.kind.format() {
+        Format::Svg => emit::svg(&title, &drawing, spec.accuracy.path).into_bytes(),
+        Format::Dxf => emit::dxf(&drawing, spec.accuracy.path).into_bytes(),
+        Format::Stl => emit::stl(&drawing, spec.mask.thickness.0),
+        Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
+        Format::Toml | Format::Gcode | Format::Json => return None,
+    })
+}

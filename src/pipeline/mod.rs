@@ -1,0 +1,177 @@
+//! The spine: the states that a gripper goes through on its way from a spec to files that may be published.
+//!
+//! ```text
+//! Spec, Machine -> Designed -> Planned -> Forecast -> Built -> Proven
+//!                     |           |           |         |         |
+//!                 geometry    programs   prediction   files    read back
+//! ```
+//!
+//! Each step refuses what it finds wrong, and there is no way around it: `check` goes as far as [`Forecast`], `build`
+//! to [`Proven`], which is all that can be published, and `verify` takes the same steps from the files of a directory.
+
+mod files;
+mod proven;
+
+use crate::airtight;
+use crate::artifact::{Artifact, Kind};
+use crate::design::{Design, Refusal};
+use crate::forecast::predict::{PredictFault, predict};
+use crate::forecast::prediction::Prediction;
+use crate::manifest::Manifest;
+use crate::plan;
+use crate::plan::Program;
+use crate::spec::{Machine, Spec};
+
+pub use proven::{Proven, prove_files, read_back};
+
+/// A gripper whose geometry exists, without a way for air but the inlet.
+#[derive(Clone, Debug)]
+pub struct Designed {
+    /// What was asked for.
+    pub spec: Spec,
+    /// What it is made on.
+    pub machine: Machine,
+    /// The exact geometry.
+    pub design: Design,
+}
+
+/// A gripper that the machine can seal.
+#[derive(Clone, Debug)]
+pub struct Planned {
+    /// What was asked for.
+    pub spec: Spec,
+    /// What it is made on.
+    pub machine: Machine,
+    /// The exact geometry.
+    pub design: Design,
+    /// The sealing programs.
+    pub programs: Vec<Program>,
+    /// The trace programs.
+    pub traces: Vec<Program>,
+}
+
+/// A gripper of which is known what it will do.
+#[derive(Clone, Debug)]
+pub struct Forecast {
+    /// What was asked for.
+    pub spec: Spec,
+    /// What it is made on.
+    pub machine: Machine,
+    /// The exact geometry.
+    pub design: Design,
+    /// The sealing programs.
+    pub programs: Vec<Program>,
+    /// The trace programs.
+    pub traces: Vec<Program>,
+    /// What it will do; `None` if the spec has no load.
+    pub prediction: Option<Prediction>,
+}
+
+/// A gripper with its files, in memory. Nobody has read them back yet.
+#[derive(Clone, Debug)]
+pub struct Built {
+    /// The gripper, its programs and what it will do.
+    pub forecast: Forecast,
+    /// The files, without the manifest.
+    pub artifacts: Vec<Artifact>,
+    /// The manifest of the files.
+    pub manifest: Manifest,
+}
+
+/// The texts that a build is made from; they are published with it, so that it can be proven from its directory alone.
+#[derive(Clone, Copy, Debug)]
+pub struct Sources<'a> {
+    /// The spec as read.
+    pub spec: &'a str,
+    /// The machine profile as resolved.
+    pub machine: &'a str,
+}
+
+impl Designed {
+    /// The geometry of `spec` for `machine`.
+    ///
+    /// # Errors
+    /// Every reason for which it cannot be made, or would leak.
+    pub fn new(spec: Spec, machine: Machine) -> Result<Self, Vec<Refusal>> {
+        let design = Design::new(&spec, &machine)?;
+        let leaks = airtight::leaks(&spec, &machine, &design);
+        if leaks.is_empty() {
+            Ok(Self { spec, machine, design })
+        } else {
+            Err(leaks.into_iter().map(leak).collect())
+        }
+    }
+
+    /// The programs that make it.
+    ///
+    /// # Errors
+    /// Every reason for which the machine cannot run them.
+    pub fn plan(self) -> Result<Planned, Vec<Refusal>> {
+        let Self { spec, machine, design } = self;
+        let programs = plan::seal_programs(&spec, &machine, &design);
+        let traces = plan::trace_programs(&spec, &machine, &design);
+        let refusals = plan::refusals(&spec, &machine, &programs, &traces);
+        if refusals.is_empty() {
+            Ok(Planned { spec, machine, design, programs, traces })
+        } else {
+            Err(refusals)
+        }
+    }
+}
+
+impl Planned {
+    /// What it will do, where the spec has a load.
+    ///
+    /// # Errors
+    /// If the model that the spec asks for has no answer.
+    pub fn forecast(self) -> Result<Forecast, Vec<Refusal>> {
+        let prediction = match &self.spec.load {
+            Some(_) => Some(predict(&self.spec).map_err(|fault| vec![no_prediction(&fault)])?),
+            None => None,
+        };
+        let Self { spec, machine, design, programs, traces } = self;
+        Ok(Forecast { spec, machine, design, programs, traces, prediction })
+    }
+}
+
+impl Forecast {
+    /// All steps up to here: what `check` checks.
+    ///
+    /// # Errors
+    /// What the first step that refuses has to say.
+    pub fn of(spec: Spec, machine: Machine) -> Result<Self, Vec<Refusal>> {
+        Designed::new(spec, machine)?.plan()?.forecast()
+    }
+
+    /// The files of the kinds `only`, and the sources; empty means all.
+    pub fn build(self, sources: Sources<'_>, only: &[Kind]) -> Built {
+        let artifacts = files::artifacts(&self, sources, only);
+        let manifest = Manifest::new(&self.spec, &self.design, &self.programs).with_files(&artifacts, only);
+        Built { forecast: self, artifacts, manifest }
+    }
+}
+
+/// All steps up to [`Built`].
+///
+/// # Errors
+/// What the first step that refuses has to say.
+pub fn build(
+    spec: &Spec,
+    machine: &Machine,
+    sources: Sources<'_>,
+    only: &[Kind],
+) -> Result<Built, Vec<Refusal>> {
+    Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, only))
+}
+
+/// A prediction that cannot be made, as a refusal at the key that stands in its way.
+pub fn no_prediction(fault: &PredictFault) -> Refusal {
+    let own = fault.key.starts_with("star.");
+    let star = fault.star.and_then(|star| u32::try_from(star).ok()).filter(|_| own);
+    let remedy = "needed for a prediction".to_owned();
+    Refusal { star, ..Refusal::new(fault.key, "no-prediction", fault.what.clone(), remedy) }
+}
+
+fn leak(found: String) -> Refusal {
+    Refusal::new("seal", "leak", found, "no way for air but the inlet".to_owned())
+}

@@ -1,0 +1,69 @@
+//! Bytes against bytes: what a directory holds against what this version makes of its spec.
+//!
+//! This proves no writer (a fault that both share is in both), but it sees what no reader looks at: a comment, a colour, a
+//! label, a figure of the manifest.
+
+use crate::manifest::MANIFEST;
+use crate::verify::finding::quote;
+use crate::verify::judge::files::proof::{By, Proof};
+use crate::verify::{Finding, OutputFiles};
+
+/// Names the first difference of every file of `found` from the one `made` anew; those that are equal are proven by it.
+pub fn compare_bytes(made: &OutputFiles<'_>, found: &OutputFiles<'_>, proof: &mut Proof) {
+    for (name, right) in &made.files {
+        // What is missing is a finding of its own.
+        let Some(bytes) = found.get(name) else { continue };
+        if bytes == right.as_ref() {
+            for file in proof.files.iter_mut().filter(|file| file.path == *name && file.by == By::Reading) {
+                file.by = By::Bytes;
+            }
+        } else if !(name == MANIFEST && proof.findings.iter().any(|finding| finding.file != MANIFEST)) {
+            // The manifest's hashes differ with the files, which have been named.
+            proof.findings.push(first_difference(bytes, right).in_file(name));
+        }
+    }
+}
+
+fn first_difference(found: &[u8], right: &[u8]) -> Finding {
+    let at = found.iter().zip(right).take_while(|(a, b)| a == b).count();
+    let line_of = |bytes: &[u8]| {
+        let start = bytes[..at].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+        // Of a long line the part where it differs.
+        let start = start.max(at.saturating_sub(30));
+        let rest = &bytes[start..];
+        let end = rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());
+        String::from_utf8_lossy(&rest[..end]).into_owned()
+    };
+    let is_text = [found, right].iter().all(|bytes| std::str::from_utf8(bytes).is_ok());
+    if !is_text {
+        let said = |bytes: &[u8]| bytes.get(at).map_or("the end".to_owned(), |byte| format!("{byte:#04x}"));
+        let place = format!("{} at byte {at}", said(found));
+        return Finding::new("differs", None, place, said(right));
+    }
+    let line = found[..at].split(|byte| *byte == b'\n').count();
+    let said = |bytes: &[u8]| {
+        if at >= bytes.len() { "the end of the file".to_owned() } else { quote(&line_of(bytes)) }
+    };
+    Finding::new("differs", line, said(found), said(right))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_difference_is_named_with_its_line() {
+        let finding = first_difference(b"a\nbc\nd\n", b"a\nbd\nd\n");
+        assert_eq!(
+            (finding.line, finding.found.as_str(), finding.allowed.as_str()),
+            (Some(2), "\"bc\"", "\"bd\"")
+        );
+        let cut = first_difference(b"a\n", b"a\nb\n");
+        assert_eq!((cut.line, cut.found.as_str()), (Some(2), "the end of the file"));
+        let binary = first_difference(b"\xff\x00", b"\xff\x01");
+        assert_eq!(
+            (binary.line, binary.found.as_str(), binary.allowed.as_str()),
+            (None, "0x00 at byte 1", "0x01")
+        );
+    }
+}
