@@ -3,7 +3,7 @@
 mod parts;
 
 use crate::artifact::{Artifact, Kind, Variant};
-use crate::design::{Design, Drawing, Refusal};
+use crate::design::{Design, Drawing, Refusal, Refusals};
 use crate::emit;
 use crate::forecast::predict::{PredictFault, predict};
 use crate::forecast::prediction::Prediction;
@@ -43,19 +43,11 @@ pub struct Sources<'a> {
 ///
 /// # Errors
 /// Every reason for which there is no such gripper.
-pub fn build(
-    spec: &Spec,
-    machine: &Machine,
-    sources: Sources<'_>,
-    only: &[Kind],
-) -> Result<Build, Vec<Refusal>> {
+pub fn build(spec: &Spec, machine: &Machine, sources: Sources<'_>, only: &[Kind]) -> Result<Build, Refusals> {
     let design = Design::new(spec, machine)?;
     let programs = plan::seal_programs(spec, machine, &design);
     let traces = plan::trace_programs(spec, machine, &design);
-    let refusals = plan::refusals(spec, machine, &programs, &traces);
-    if !refusals.is_empty() {
-        return Err(refusals);
-    }
+    plan::refusals(spec, machine, &programs, &traces).or(())?;
     let mut artifacts = artifacts(spec, machine, sources, only, &design, &programs, &traces);
     let prediction = predicted(spec, only)?;
     artifacts.extend(prediction.as_ref().map(prediction_file));
@@ -77,11 +69,11 @@ impl Build {
 }
 
 /// The prediction for a spec with a load; without one nothing is solved.
-fn predicted(spec: &Spec, only: &[Kind]) -> Result<Option<Prediction>, Vec<Refusal>> {
+fn predicted(spec: &Spec, only: &[Kind]) -> Result<Option<Prediction>, Refusals> {
     if spec.load.is_none() || !(only.is_empty() || only.contains(&Kind::Prediction)) {
         return Ok(None);
     }
-    predict(spec).map(Some).map_err(|fault| vec![no_prediction(&fault)])
+    predict(spec).map(Some).map_err(|fault| no_prediction(&fault).into())
 }
 
 /// A prediction that cannot be made, as a refusal at the key that stands in its way.

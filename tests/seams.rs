@@ -101,7 +101,7 @@ fn what_bands_and_flaps_make_impossible_is_refused() {
         let refusals = refused(rest);
         assert!(refusals.iter().any(|r| r.code == code && r.key == key), "{rest}: {refusals:?}");
     }
-    let sheet = refused("[sheet]\nwidth = \"300 mm\"\n").remove(0);
+    let sheet = refused("[sheet]\nwidth = \"300 mm\"\n")[0].clone();
     assert!(sheet.remedy.contains("33.0394 mm are missing"), "{sheet}");
 }
 

@@ -24,9 +24,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let programs = plan::seal_programs(spec, &loaded.machine, &design);
     let traces = plan::trace_programs(spec, &loaded.machine, &design);
     let refusals = plan::refusals(spec, &loaded.machine, &programs, &traces);
-    if !refusals.is_empty() {
-        return Err(loaded.refused(refusals));
-    }
+    refusals.or(()).map_err(|refusals| loaded.refused(refusals))?;
     let report = airtight::report(spec, &loaded.machine, &design);
     say(&summary::design(spec, &design, &programs))?;
     say(&summary::conditions(spec, &loaded.machine, &programs))?;

@@ -5,7 +5,7 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, warn};
-use crate::design::Refusal;
+use crate::design::Refusals;
 use crate::pipeline::Sources;
 use crate::spec;
 use crate::spec::{Fault, Faults, Machine, Reading, SIZE_LIMIT, Source};
@@ -36,7 +36,7 @@ impl Loaded {
     }
 
     /// Refusals of the design as faults at the keys they speak of.
-    pub(super) fn refused(&self, refusals: Vec<Refusal>) -> Failure {
+    pub(super) fn refused(&self, refusals: Refusals) -> Failure {
         let faults = refusals.into_iter().map(|refusal| {
             let span = match refusal.star {
                 Some(star) => {

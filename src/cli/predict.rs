@@ -50,7 +50,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             Model::Auto => ModelChoice::Auto,
         };
     }
-    let prediction = predict(&spec).map_err(|fault| loaded.refused(vec![no_prediction(&fault)]))?;
+    let prediction = predict(&spec).map_err(|fault| loaded.refused(no_prediction(&fault).into()))?;
     if args.json {
         return say(&prediction.to_json());
     }

@@ -6,7 +6,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::design::{Refusal, Stack, Star, StarDesign};
+use crate::design::{Refusal, Refusals, Stack, Star, StarDesign};
 use crate::geom::Point;
 use crate::spec::Spec;
 use crate::units::Readable;
@@ -44,10 +44,10 @@ impl Frame {
     ///
     /// # Errors
     /// If arms would slip through an opening, or posts stand in the way of a hose.
-    pub fn new(spec: &Spec, stack: &Stack, stars: &[&StarDesign]) -> Result<Self, Vec<Refusal>> {
+    pub fn new(spec: &Spec, stack: &Stack, stars: &[&StarDesign]) -> Result<Self, Refusals> {
         let frame = &spec.frame;
         let (post, clearance) = (frame.post_diameter.0, frame.clearance.0);
-        let mut refusals = Vec::new();
+        let mut refusals = Refusals::new();
         if frame.kerf.0 >= post {
             refusals.push(Refusal::new(
                 "frame.kerf",
@@ -93,10 +93,7 @@ impl Frame {
                 refusals.push(meets_hose(frame.posts, free, needed));
             }
         }
-        if !refusals.is_empty() {
-            return Err(refusals);
-        }
-        Ok(Self {
+        refusals.or(Self {
             plates,
             posts,
             post_diameter: post,

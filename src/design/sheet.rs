@@ -1,6 +1,6 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
-use crate::design::{Frame, Refusal, Stack, StarDesign};
+use crate::design::{Frame, Refusal, Refusals, Stack, StarDesign};
 use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{Machine, Sheet, Spec};
 use crate::units::Readable;
@@ -49,10 +49,10 @@ impl Design {
     ///
     /// # Errors
     /// Every reason for which a star cannot be made or does not fit on a sheet.
-    pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Vec<Refusal>> {
+    pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Refusals> {
         let mut distinct: Vec<StarDesign> = Vec::new();
         let mut which: Vec<usize> = Vec::new();
-        let mut refusals = Vec::new();
+        let mut refusals = Refusals::new();
         for (i, star) in spec.stars.iter().enumerate() {
             let same = |other: usize| spec.stars[other].same_part(star);
             if let Some(twin) = (0..i).find(|other| same(*other)) {
@@ -67,12 +67,10 @@ impl Design {
                 Err(found) => refusals.extend(found.into_iter().map(|refusal| refusal.of_star(i + 1))),
             }
         }
-        if !refusals.is_empty() {
-            return Err(refusals);
-        }
+        refusals.or(())?;
         let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.ramp.0)).collect();
         let footprints: Vec<Bounds> = which.iter().map(|i| boxes[*i]).collect();
-        let (places, sheets) = place(&footprints, &spec.sheet).map_err(|refusal| vec![refusal])?;
+        let (places, sheets) = place(&footprints, &spec.sheet)?;
         let stack = Stack::new(spec)?;
         let parts: Vec<&StarDesign> = which.iter().map(|i| &distinct[*i]).collect();
         let frame = Frame::new(spec, &stack, &parts)?;

@@ -9,6 +9,7 @@
 //! its kind and range, [`Reading`] (the spec and its warnings) or [`Faults`]. A machine profile goes the same way.
 
 mod allowed;
+mod builtin;
 pub mod edit;
 mod fault;
 mod machine;
@@ -27,6 +28,7 @@ mod starter;
 mod unknown;
 mod value;
 
+pub use builtin::UnknownMachine;
 pub use fault::{Fault, Faults, Severity};
 pub use machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 pub use model::{

@@ -6,7 +6,7 @@ mod dialects;
 mod faults;
 mod resume;
 
-use stargrip_cam::design::Refusal;
+use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::{Build, Sources, build};
 use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
 use stargrip_cam::verify::{Finding, OutputFiles, prove_files};
@@ -35,7 +35,7 @@ fn profile(name: &str) -> &'static str {
     builtin_machine(name).expect("built in")
 }
 
-fn try_built(spec_text: &str, machine_text: &str) -> Result<Build, Vec<Refusal>> {
+fn try_built(spec_text: &str, machine_text: &str) -> Result<Build, Refusals> {
     let sources = Sources { spec: spec_text, machine: machine_text };
     build(&spec(spec_text), &machine(machine_text), sources, &[])
 }
