@@ -78,10 +78,8 @@ fn predicted(spec: &Spec, only: &[Kind]) -> Result<Option<Prediction>, Refusals>
 
 /// A prediction that cannot be made, as a refusal at the key that stands in its way.
 pub fn no_prediction(fault: &PredictFault) -> Refusal {
-    let own = fault.key.starts_with("star.");
-    let star = fault.star.and_then(|star| u32::try_from(star).ok()).filter(|_| own);
-    let remedy = "needed for a prediction".to_owned();
-    Refusal { star, ..Refusal::new(fault.key, "no-prediction", fault.what.clone(), remedy) }
+    let key = fault.star.map_or(fault.key, |star| fault.key.of_star(star));
+    Refusal::new(key, "no-prediction", fault.what.clone(), "needed for a prediction".to_owned())
 }
 
 fn prediction_file(prediction: &Prediction) -> Artifact {

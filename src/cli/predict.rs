@@ -31,8 +31,6 @@ enum Model {
     Ring,
     /// Penalised boundary-value problem.
     Bvp,
-    /// Geometrically nonlinear shell.
-    Shell,
     /// The cheapest that is accurate enough.
     Auto,
 }
@@ -46,7 +44,6 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             Model::Fit => ModelChoice::Fit,
             Model::Ring => ModelChoice::Ring,
             Model::Bvp => ModelChoice::Bvp,
-            Model::Shell => ModelChoice::Shell,
             Model::Auto => ModelChoice::Auto,
         };
     }

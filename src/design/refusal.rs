@@ -3,13 +3,13 @@
 use std::fmt;
 use std::ops::Deref;
 
+use crate::spec::KeyPath;
+
 /// A spec whose every value is in its range, but whose geometry cannot be made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// The key that is best changed: "star.points".
-    pub key: String,
-    /// The star (1 = bottom) that the refusal speaks of, where the key is one of `[star]` and stars differ.
-    pub star: Option<u32>,
+    /// The key that is best changed, of the star that the refusal speaks of where stars can differ in it.
+    pub key: KeyPath,
     /// A short name for scripts: "no-arm".
     pub code: &'static str,
     /// What was found, with numbers.
@@ -20,14 +20,13 @@ pub struct Refusal {
 
 impl Refusal {
     /// A refusal that points at `key`.
-    pub fn new(key: &str, code: &'static str, found: String, remedy: String) -> Self {
-        Self { key: key.to_owned(), star: None, code, found, remedy }
+    pub fn new(key: KeyPath, code: &'static str, found: String, remedy: String) -> Self {
+        Self { key, code, found, remedy }
     }
 
     /// The same refusal about star `index`, if it concerns one of the keys that stars can have of their own.
     pub(super) fn of_star(self, index: usize) -> Self {
-        let own = self.key.starts_with("star.");
-        Self { star: u32::try_from(index).ok().filter(|_| own), ..self }
+        Self { key: self.key.of_star(index), ..self }
     }
 }
 
@@ -123,11 +122,12 @@ impl std::error::Error for Refusals {}
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spec::key;
 
     #[test]
     fn refusals_say_all_of_themselves() {
-        let one = |key: &str| Refusal::new(key, "x", "found".to_owned(), "remedy".to_owned());
-        let both: Refusals = [one("star.points"), one("seal.band")].into_iter().collect();
+        let one = |key: KeyPath| Refusal::new(key, "x", "found".to_owned(), "remedy".to_owned());
+        let both: Refusals = [one(key::star::POINTS), one(key::seal::BAND)].into_iter().collect();
         assert_eq!(both.to_string(), "star.points: found; remedy\nseal.band: found; remedy");
         assert_eq!(both.clone().or(()), Err(both));
         assert_eq!(Refusals::new().or(7), Ok(7));

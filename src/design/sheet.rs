@@ -2,7 +2,7 @@
 
 use crate::design::{Frame, Refusal, Refusals, Stack, StarDesign};
 use crate::geom::{Bounds, Isometry, Point};
-use crate::spec::{Machine, Sheet, Spec};
+use crate::spec::{KeyPath, Machine, Sheet, Spec, key};
 use crate::units::Readable;
 
 /// Everything that is made, exactly.
@@ -133,8 +133,8 @@ fn place(boxes: &[Bounds], sheet: &Sheet) -> Result<(Vec<Placement>, Vec<SheetLa
     for bounds in boxes {
         let can_stand = upright(bounds) || sheet.turn && upright(&turned(bounds));
         if !can_stand {
-            fits("sheet.width", bounds.width(), max_width, margin)?;
-            fits("sheet.height", bounds.height(), max_height, margin)?;
+            fits(key::sheet::WIDTH, bounds.width(), max_width, margin)?;
+            fits(key::sheet::HEIGHT, bounds.height(), max_height, margin)?;
         }
     }
     let columns = match sheet.width {
@@ -192,7 +192,7 @@ fn layout(index: usize, used_width: f64, used_height: f64, sheet: &Sheet) -> She
     SheetLayout { index, width: extent(sheet.width, used_width), height: extent(sheet.height, used_height) }
 }
 
-fn fits(key: &str, needed: f64, room: f64, margin: f64) -> Result<(), Refusal> {
+fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal> {
     if needed <= room {
         return Ok(());
     }

@@ -7,7 +7,7 @@
 use std::f64::consts::PI;
 
 use crate::design::{Refusal, Refusals};
-use crate::spec::Spec;
+use crate::spec::{Spec, key};
 use crate::units::Readable;
 
 /// Heights and turns of a stack. Heights are mm above the bottom of the lowest plate.
@@ -61,7 +61,7 @@ impl Stack {
 
 fn too_tight(below: usize, pitch: f64, needed: f64, thickness: f64) -> Refusal {
     Refusal::new(
-        "stack.pitch",
+        key::stack::PITCH.of_star(below + 1),
         "tube-between-plates",
         format!(
             "between star {below} and star {} a pitch of {} mm leaves {} mm between plates of {} mm, the inflated tube is {} mm high",

@@ -12,6 +12,7 @@ mod allowed;
 mod builtin;
 pub mod edit;
 mod fault;
+pub mod key;
 mod machine;
 mod message;
 mod model;
@@ -30,6 +31,7 @@ mod value;
 
 pub use builtin::UnknownMachine;
 pub use fault::{Fault, Faults, Severity};
+pub use key::KeyPath;
 pub use machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 pub use model::{
     Accuracy, Fabric, FeedFloor, Frame, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
