@@ -10,7 +10,7 @@
 //!
 //! ```
 //! use stargrip_cam::design::Design;
-//! use stargrip_cam::spec::{self, Source};
+//! use stargrip_cam::spec::{self, Machine, Source};
 //!
 //! let source = Source::new("star.toml", r#"
 //!     schema = 1
@@ -22,9 +22,8 @@
 //!     tip_angle = "30 deg"
 //! "#);
 //! let spec = spec::read(&source)?.spec;
-//! let profile = Source::new("generic", spec::builtin_machine("generic").unwrap_or_default());
-//! let machine = spec::read_machine(&profile)?;
-//! let design = Design::new(&spec, &machine).map_err(|refusals| refusals[0].to_string())?;
+//! let machine = Machine::builtin("generic")?;
+//! let design = Design::new(&spec, &machine)?;
 //! let star = &design.distinct[0].star;
 //! assert!((star.l - 69.72).abs() < 0.005); // mm, as in the paper
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -5,7 +5,7 @@ use serde_json::Value;
 use stargrip_cam::design::StarDesign;
 use stargrip_cam::forecast::predict::{PredictFault, predict};
 use stargrip_cam::forecast::prediction::Prediction;
-use stargrip_cam::spec::{ModelChoice, Source, Spec, read};
+use stargrip_cam::spec::{ModelChoice, Source, Spec, key, read};
 
 const PAPER: &str = r#"
 schema = 1
@@ -133,8 +133,7 @@ fn refusals_name_the_key() {
         predict(&spec).expect_err("refused")
     };
     assert_eq!(refused(|s| s.stars[1].points = 9).star, Some(2));
-    assert_eq!(refused(|s| s.stars[1].points = 9).key, "star.points");
-    assert_eq!(refused(|s| s.accuracy.model = ModelChoice::Shell).key, "accuracy.model");
+    assert_eq!(refused(|s| s.stars[1].points = 9).key, key::star::POINTS);
     assert!(matches!(refused(|s| s.stars.clear()), PredictFault { star: None, .. }));
 }
 

@@ -5,10 +5,10 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, warn};
-use crate::design::Refusal;
+use crate::design::Refusals;
 use crate::pipeline::{Forecast, Sources};
 use crate::spec;
-use crate::spec::{Fault, Faults, Machine, Reading, SIZE_LIMIT, Source};
+use crate::spec::{Fault, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
 
 /// A spec with the machine it names, both read and valid.
 #[derive(Debug)]
@@ -42,16 +42,18 @@ impl Loaded {
     }
 
     /// Refusals of the design as faults at the keys they speak of.
-    pub(super) fn refused(&self, refusals: Vec<Refusal>) -> Failure {
+    pub(super) fn refused(&self, refusals: Refusals) -> Failure {
         let faults = refusals.into_iter().map(|refusal| {
-            let span = match refusal.star {
-                Some(star) => {
-                    let key = refusal.key.rsplit('.').next().unwrap_or_default();
-                    self.reading.raw.span_of_star(star, key)
-                }
-                None => self.reading.raw.span_of(&refusal.key),
-            };
-            Fault::error(refusal.code, span, refusal.found).label(refusal.remedy)
+            let (key, raw) = (refusal.key, &self.reading.raw);
+            let fault = Fault::error(refusal.code, raw.span_of(key), refusal.found).label(refusal.remedy);
+            if raw.find(key).is_some() {
+                return fault;
+            }
+            fault.help(format!(
+                "`{}` in [{}] is not written: this is about its default",
+                key.key(),
+                key.section()
+            ))
         });
         Failure::Faults(Faults::new(&self.source, faults.collect()))
     }
@@ -80,7 +82,7 @@ fn machine_source(path: &Path, source: &Source, reading: &Reading) -> Result<Sou
     let known: Vec<&str> = spec::builtin_machines().collect();
     let fault = Fault::error(
         "unknown-machine",
-        reading.raw.span_of("machine.profile"),
+        reading.raw.span_of(key::machine::PROFILE),
         format!("no machine profile has this name, and there is no file {}", file.display()),
     )
     .label(format!("a built-in profile ({}) or a path relative to the spec", known.join(", ")));

@@ -31,8 +31,6 @@ enum Model {
     Ring,
     /// Penalised boundary-value problem.
     Bvp,
-    /// Geometrically nonlinear shell.
-    Shell,
     /// The cheapest that is accurate enough.
     Auto,
 }
@@ -46,11 +44,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             Model::Fit => ModelChoice::Fit,
             Model::Ring => ModelChoice::Ring,
             Model::Bvp => ModelChoice::Bvp,
-            Model::Shell => ModelChoice::Shell,
             Model::Auto => ModelChoice::Auto,
         };
     }
-    let prediction = predict(&spec).map_err(|fault| loaded.refused(vec![no_prediction(&fault)]))?;
+    let prediction = predict(&spec).map_err(|fault| loaded.refused(no_prediction(&fault).into()))?;
     if args.json {
         return say(&prediction.to_json());
     }

@@ -12,7 +12,7 @@ mod strips;
 
 use crate::coupon::reach::beyond;
 use crate::coupon::strips::program_name;
-use crate::design::{Drawing, Layer, Origin, Refusal, Shape, Side, lettered};
+use crate::design::{Drawing, Layer, Origin, Refusals, Shape, Side, lettered};
 use crate::emit;
 use crate::emit::Facts;
 use crate::geom::{Bounds, Isometry, Path, Point, Segment};
@@ -56,7 +56,7 @@ const LABEL: f64 = 5.0;
 ///
 /// # Errors
 /// If the machine cannot go at one of the speeds, or does not reach a seam.
-pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon>, Vec<Refusal>> {
+pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon>, Refusals> {
     let mut out = Vec::new();
     let strips = grid.strips(machine);
     let (contact, band) = (machine.heights.contact, spec.seal.band.0);
@@ -102,7 +102,7 @@ pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon
 }
 
 /// The program and the drawing of these seams.
-fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result<Coupon, Vec<Refusal>> {
+fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result<Coupon, Refusals> {
     let mut steps = vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)];
     let mut reports = Vec::new();
     let travel = machine.heights.travel.0;
@@ -137,9 +137,7 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result
     program.time = program_time(machine, &program, spec.seal.speed.0);
     let mut found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
     found.extend(beyond(machine, name, &program));
-    if !found.is_empty() {
-        return Err(found);
-    }
+    found.or(())?;
     let facts = Facts { name: &spec.name, seal: &spec.seal, path: spec.accuracy.path, machine };
     let mut gcode = String::new();
     // A String takes everything.

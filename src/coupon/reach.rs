@@ -3,7 +3,7 @@
 use crate::design::Refusal;
 use crate::geom::{Bounds, Path, Point};
 use crate::plan::{Program, Step};
-use crate::spec::Machine;
+use crate::spec::{Machine, key};
 
 /// Slack, mm: rounding.
 const SLACK: f64 = 1e-6;
@@ -33,7 +33,7 @@ pub(super) fn beyond(machine: &Machine, name: &str, program: &Program) -> Option
         _ => "a machine that reaches as far",
     };
     Some(Refusal::new(
-        "machine.profile",
+        key::machine::PROFILE,
         "out-of-reach",
         format!(
             "the coupon {name} needs X {:.1} to {:.1} mm, Y {:.1} to {:.1} mm; the machine reaches 0 to {:.1} mm, 0 to {:.1} mm",

@@ -6,9 +6,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::design::{Refusal, Stack, Star, StarDesign};
+use crate::design::{Refusal, Refusals, Stack, Star, StarDesign};
 use crate::geom::Point;
-use crate::spec::Spec;
+use crate::spec::{Spec, key};
 use crate::units::Readable;
 
 /// The frame, its axis at the origin and corner 1 of an unturned star on +X.
@@ -44,13 +44,13 @@ impl Frame {
     ///
     /// # Errors
     /// If arms would slip through an opening, or posts stand in the way of a hose.
-    pub fn new(spec: &Spec, stack: &Stack, stars: &[&StarDesign]) -> Result<Self, Vec<Refusal>> {
+    pub fn new(spec: &Spec, stack: &Stack, stars: &[&StarDesign]) -> Result<Self, Refusals> {
         let frame = &spec.frame;
         let (post, clearance) = (frame.post_diameter.0, frame.clearance.0);
-        let mut refusals = Vec::new();
+        let mut refusals = Refusals::new();
         if frame.kerf.0 >= post {
             refusals.push(Refusal::new(
-                "frame.kerf",
+                key::frame::KERF,
                 "wide-kerf",
                 format!("a cut of {} leaves no hole for a post of {}", frame.kerf, frame.post_diameter),
                 format!("kerf must be below {}", frame.post_diameter),
@@ -93,10 +93,7 @@ impl Frame {
                 refusals.push(meets_hose(frame.posts, free, needed));
             }
         }
-        if !refusals.is_empty() {
-            return Err(refusals);
-        }
-        Ok(Self {
+        refusals.or(Self {
             plates,
             posts,
             post_diameter: post,
@@ -161,7 +158,7 @@ fn first_post(count: u32, hoses: &[Hose]) -> f64 {
 
 fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
     Refusal::new(
-        "frame.clearance",
+        key::frame::CLEARANCE,
         "arms-fall-through",
         format!(
             "the tips of a star bend {} mm from the axis, the opening of plate {plate} has a radius of {} mm",
@@ -174,7 +171,7 @@ fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
 
 fn meets_hose(posts: u32, free: f64, needed: f64) -> Refusal {
     Refusal::new(
-        "frame.posts",
+        key::frame::POSTS,
         "post-meets-hose",
         format!(
             "with {posts} posts one would stand {} mm from the middle of a hose that needs {} mm",

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::{Contour, Part, Refusal, Star};
 use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
-use crate::spec::Inlet;
+use crate::spec::{Inlet, key};
 use crate::units::Readable;
 
 /// The channel of one star, in the star's frame.
@@ -72,7 +72,7 @@ impl Channel {
         let end = self.mouth - star.d_t + beyond;
         if junction.x >= self.mouth - star.d_t {
             return Err(Refusal::new(
-                "inlet.length",
+                key::inlet::LENGTH,
                 "short-inlet",
                 format!("the mouth would lie {} mm inside the flap", Readable(junction.x - (end - beyond))),
                 format!("length must be above {} mm", Readable(junction.x - star.r_i - star.w)),
@@ -119,7 +119,7 @@ impl Channel {
     fn too_wide(&self, delta: f64, room: f64) -> Refusal {
         let strips = if delta > 0.0 { " with the strips along it" } else { "" };
         Refusal::new(
-            "inlet.tube_diameter",
+            key::inlet::TUBE_DIAMETER,
             "inlet-meets-arm",
             format!(
                 "the channel{strips} would be {} mm wide and meet an arm, where tip {} leaves {} mm",

@@ -5,7 +5,7 @@ use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 use crate::design::window::{Reach, Zone};
 use crate::design::{Outline, Refusal, Star};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Segment};
-use crate::spec::{Spec, StarSpec};
+use crate::spec::{Spec, StarSpec, key};
 use crate::units::Readable;
 
 /// The mask of one star, in the star's frame, for the face that the iron touches; seen from above it is
@@ -93,7 +93,7 @@ fn grown(path: &Path, border: f64) -> Option<Path> {
 
 fn too_far(wanted: f64, most: f64) -> Refusal {
     Refusal::new(
-        "mask.extent",
+        key::mask::EXTENT,
         "long-extent",
         format!("at {} mm neighbouring windows would leave no bridge or run past the arms", Readable(wanted)),
         format!("extent must be at most {} mm", Readable((most * 100.0).floor() / 100.0)),
@@ -102,7 +102,7 @@ fn too_far(wanted: f64, most: f64) -> Refusal {
 
 fn no_plate(border: f64) -> Refusal {
     Refusal::new(
-        "mask.border",
+        key::mask::BORDER,
         "no-plate",
         format!("the outline cannot be grown by {} mm", Readable(border)),
         "make border smaller, or \"0 mm\" for a plate as large as the outline".to_owned(),

@@ -34,7 +34,7 @@ pub use mask::MaskPlate;
 pub use outline::{Circle, Outline};
 pub use paper::{Page as PaperPage, Paper};
 pub use part::{Realised, StarDesign};
-pub use refusal::Refusal;
+pub use refusal::{Refusal, Refusals};
 pub use seam::{MOUTH_OVERRUN, Seam};
 pub use sheet::{Design, PlacedStar, SheetLayout};
 pub use stack::Stack;

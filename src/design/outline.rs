@@ -1,7 +1,7 @@
 //! The outline: where the fabric is cut, and the registration holes.
 
 use crate::design::seam::hole_closed;
-use crate::design::{Channel, Contour, Part, Refusal, Side, Star, registration};
+use crate::design::{Channel, Contour, Part, Refusal, Refusals, Side, Star, registration};
 use crate::geom::{Path, Point};
 use crate::spec::Seal;
 
@@ -47,9 +47,9 @@ impl Outline {
         first: u32,
         seal: &Seal,
         hole_diameter: f64,
-    ) -> Result<Self, Vec<Refusal>> {
+    ) -> Result<Self, Refusals> {
         let band = seal.band.0;
-        let mut refusals = Vec::new();
+        let mut refusals = Refusals::new();
         let hole = star.contour(Side::Hole, band + seal.hole_allowance.0, 0.0).map(|contour| contour.path());
         if hole.is_none() {
             refusals.push(hole_closed(star, seal));

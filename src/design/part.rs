@@ -1,6 +1,6 @@
 //! One distinct star with everything that is drawn of it, in the star's own frame.
 
-use crate::design::{Channel, MaskPlate, Outline, Refusal, Seam, Side, Star};
+use crate::design::{Channel, MaskPlate, Outline, Refusal, Refusals, Seam, Side, Star};
 use crate::geom::{Bounds, Path};
 use crate::spec::{Spec, StarSpec};
 
@@ -39,31 +39,32 @@ impl StarDesign {
     ///
     /// # Errors
     /// Every reason for which it cannot be made, each once.
-    pub fn new(spec: &Spec, star_spec: &StarSpec) -> Result<Self, Vec<Refusal>> {
-        let star = Star::new(star_spec).map_err(|refusal| vec![refusal])?;
+    pub fn new(spec: &Spec, star_spec: &StarSpec) -> Result<Self, Refusals> {
+        let star = Star::new(star_spec)?;
         let seal = &spec.seal;
         let half_band = seal.band.0 / 2.0;
         let channel = spec.inlet.as_ref().map(|inlet| Channel::new(&star, inlet, star_spec.inlet_tip));
-        let mut refusals: Vec<Refusal> = Vec::new();
-        let mut refuse = |found: Vec<Refusal>| {
+        let mut refusals = Refusals::new();
+        let mut refuse = |found: Refusals| {
             for refusal in found {
                 if !refusals.iter().any(|known| known.code == refusal.code && known.key == refusal.key) {
                     refusals.push(refusal);
                 }
             }
         };
-        let inner = Seam::new(&star, Side::Hole, None, seal).map_err(|r| refuse(vec![r])).ok();
-        let outer = Seam::new(&star, Side::Outside, channel.as_ref(), seal).map_err(|r| refuse(vec![r])).ok();
+        let inner = Seam::new(&star, Side::Hole, None, seal).map_err(|r| refuse(r.into())).ok();
+        let outer =
+            Seam::new(&star, Side::Outside, channel.as_ref(), seal).map_err(|r| refuse(r.into())).ok();
         let outline =
             Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, spec.sheet.hole_diameter.0)
                 .map_err(&mut refuse)
                 .ok();
         let mut edges = |least_radius| {
-            edges(&star, channel.as_ref(), least_radius).map_err(|refusal| refuse(vec![refusal])).ok()
+            edges(&star, channel.as_ref(), least_radius).map_err(|refusal| refuse(refusal.into())).ok()
         };
         let (drawn, realised) = (edges(0.0), edges(half_band));
         let mask = outline.as_ref().and_then(|outline| {
-            MaskPlate::new(spec, star_spec, &star, outline).map_err(|refusal| refuse(vec![refusal])).ok()
+            MaskPlate::new(spec, star_spec, &star, outline).map_err(|refusal| refuse(refusal.into())).ok()
         });
         match (inner, outer, outline, drawn, realised, mask) {
             (Some(inner), Some(outer), Some(outline), Some(edges), Some(realised_edges), Some(mask))

@@ -1,14 +1,15 @@
 //! Why a valid spec has no design.
 
 use std::fmt;
+use std::ops::Deref;
+
+use crate::spec::KeyPath;
 
 /// A spec whose every value is in its range, but whose geometry cannot be made.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
-    /// The key that is best changed: "star.points".
-    pub key: String,
-    /// The star (1 = bottom) that the refusal speaks of, where the key is one of `[star]` and stars differ.
-    pub star: Option<u32>,
+    /// The key that is best changed, of the star that the refusal speaks of where stars can differ in it.
+    pub key: KeyPath,
     /// A short name for scripts: "no-arm".
     pub code: &'static str,
     /// What was found, with numbers.
@@ -19,14 +20,13 @@ pub struct Refusal {
 
 impl Refusal {
     /// A refusal that points at `key`.
-    pub fn new(key: &str, code: &'static str, found: String, remedy: String) -> Self {
-        Self { key: key.to_owned(), star: None, code, found, remedy }
+    pub fn new(key: KeyPath, code: &'static str, found: String, remedy: String) -> Self {
+        Self { key, code, found, remedy }
     }
 
     /// The same refusal about star `index`, if it concerns one of the keys that stars can have of their own.
     pub(super) fn of_star(self, index: usize) -> Self {
-        let own = self.key.starts_with("star.");
-        Self { star: u32::try_from(index).ok().filter(|_| own), ..self }
+        Self { key: self.key.of_star(index), ..self }
     }
 }
 
@@ -37,3 +37,99 @@ impl fmt::Display for Refusal {
 }
 
 impl std::error::Error for Refusal {}
+
+/// Every reason at once for which there is no such gripper; as an error it says them all, a line each.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Refusals(Vec<Refusal>);
+
+impl Refusals {
+    /// No refusal yet.
+    pub const fn new() -> Self {
+        Self(Vec::new())
+    }
+
+    /// One more.
+    pub fn push(&mut self, refusal: Refusal) {
+        self.0.push(refusal);
+    }
+
+    /// `made`, unless something was refused.
+    ///
+    /// # Errors
+    /// These refusals, if there is at least one.
+    pub fn or<T>(self, made: T) -> Result<T, Self> {
+        if self.0.is_empty() { Ok(made) } else { Err(self) }
+    }
+}
+
+/// They are read as a slice.
+impl Deref for Refusals {
+    type Target = [Refusal];
+
+    fn deref(&self) -> &[Refusal] {
+        &self.0
+    }
+}
+
+impl From<Refusal> for Refusals {
+    fn from(refusal: Refusal) -> Self {
+        Self(vec![refusal])
+    }
+}
+
+impl FromIterator<Refusal> for Refusals {
+    fn from_iter<I: IntoIterator<Item = Refusal>>(refusals: I) -> Self {
+        Self(refusals.into_iter().collect())
+    }
+}
+
+impl Extend<Refusal> for Refusals {
+    fn extend<I: IntoIterator<Item = Refusal>>(&mut self, refusals: I) {
+        self.0.extend(refusals);
+    }
+}
+
+impl IntoIterator for Refusals {
+    type Item = Refusal;
+    type IntoIter = std::vec::IntoIter<Refusal>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl<'a> IntoIterator for &'a Refusals {
+    type Item = &'a Refusal;
+    type IntoIter = std::slice::Iter<'a, Refusal>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
+
+impl fmt::Display for Refusals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, refusal) in self.0.iter().enumerate() {
+            let line_end = if i == 0 { "" } else { "\n" };
+            write!(f, "{line_end}{refusal}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Refusals {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::key;
+
+    #[test]
+    fn refusals_say_all_of_themselves() {
+        let one = |key: KeyPath| Refusal::new(key, "x", "found".to_owned(), "remedy".to_owned());
+        let both: Refusals = [one(key::star::POINTS), one(key::seal::BAND)].into_iter().collect();
+        assert_eq!(both.to_string(), "star.points: found; remedy\nseal.band: found; remedy");
+        assert_eq!(both.clone().or(()), Err(both));
+        assert_eq!(Refusals::new().or(7), Ok(7));
+    }
+}

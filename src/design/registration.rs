@@ -7,7 +7,7 @@
 
 use crate::design::{Contour, Part, Refusal, Star};
 use crate::geom::{Arc, Point, Segment, Vec2};
-use crate::spec::Seal;
+use crate::spec::{Seal, key};
 use crate::units::{Length, Readable};
 
 /// Turn of the second hole, rad: 40 degrees, well inside the 150-degree arcs of the paper's tips and far from a mirror image.
@@ -68,7 +68,7 @@ pub(super) fn sites(
     let turn = TURN.min(half - 1.1 * reach);
     if turn * radius < 2.0 * ear.unwrap_or(2.0 * r) {
         return Err(Refusal::new(
-            "sheet.hole_diameter",
+            key::sheet::HOLE_DIAMETER,
             "no-room-for-holes",
             format!(
                 "two holes of {} side by side need {} mm of a tip's arc of {} mm",

@@ -2,7 +2,7 @@
 
 use crate::design::{Channel, Part, Refusal, Side, Star};
 use crate::geom::{Line, Path};
-use crate::spec::Seal;
+use crate::spec::{Seal, key};
 use crate::units::Readable;
 
 /// How far the bands of an inlet run past the cut at full contact, mm, so that the cut edge is sealed to its end.
@@ -43,7 +43,7 @@ impl Seam {
         let length = center_line.length();
         if overlap > length / 2.0 {
             return Err(Refusal::new(
-                "seal.overlap",
+                key::seal::OVERLAP,
                 "long-overlap",
                 format!("an overlap of {} on a loop of {} mm", seal.overlap, Readable(length)),
                 format!("overlap must be at most half the loop, {} mm", Readable(length / 2.0)),
@@ -88,7 +88,7 @@ impl Seam {
 
 pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
     Refusal::new(
-        "star.inner_radius",
+        key::star::INNER_RADIUS,
         "hole-closed",
         format!(
             "a band of {} and a flap of {} close the hole of radius {} mm",
@@ -108,7 +108,7 @@ fn band_eats_arm(star: &Star, side: Side, seal: &Seal) -> Refusal {
     let eaten = (seal.band.0 / 2.0 - radius) / (phi / 2.0).tan();
     let widest = 2.0 * (radius + star.l * (phi / 2.0).tan());
     Refusal::new(
-        "seal.band",
+        key::seal::BAND,
         "band-eats-arm",
         format!(
             "at the {hinge} a band of {} takes {} mm of arms that are {} mm long",

@@ -1,8 +1,8 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
-use crate::design::{Frame, Refusal, Stack, StarDesign};
+use crate::design::{Frame, Refusal, Refusals, Stack, StarDesign};
 use crate::geom::{Bounds, Isometry, Point};
-use crate::spec::{Machine, Sheet, Spec};
+use crate::spec::{KeyPath, Machine, Sheet, Spec, key};
 use crate::units::Readable;
 
 /// Everything that is made, exactly.
@@ -49,10 +49,10 @@ impl Design {
     ///
     /// # Errors
     /// Every reason for which a star cannot be made or does not fit on a sheet.
-    pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Vec<Refusal>> {
+    pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Refusals> {
         let mut distinct: Vec<StarDesign> = Vec::new();
         let mut which: Vec<usize> = Vec::new();
-        let mut refusals = Vec::new();
+        let mut refusals = Refusals::new();
         for (i, star) in spec.stars.iter().enumerate() {
             let same = |other: usize| spec.stars[other].same_part(star);
             if let Some(twin) = (0..i).find(|other| same(*other)) {
@@ -67,12 +67,10 @@ impl Design {
                 Err(found) => refusals.extend(found.into_iter().map(|refusal| refusal.of_star(i + 1))),
             }
         }
-        if !refusals.is_empty() {
-            return Err(refusals);
-        }
+        refusals.or(())?;
         let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.ramp.0)).collect();
         let footprints: Vec<Bounds> = which.iter().map(|i| boxes[*i]).collect();
-        let (places, sheets) = place(&footprints, &spec.sheet, machine).map_err(|refusal| vec![refusal])?;
+        let (places, sheets) = place(&footprints, &spec.sheet, machine)?;
         let stack = Stack::new(spec)?;
         let parts: Vec<&StarDesign> = which.iter().map(|i| &distinct[*i]).collect();
         let frame = Frame::new(spec, &stack, &parts)?;
@@ -146,8 +144,8 @@ fn place(
     for bounds in boxes {
         let can_stand = upright(bounds) || sheet.turn && upright(&turned(bounds));
         if !can_stand {
-            fits("sheet.width", bounds.width(), sheet_room.0, margin)?;
-            fits("sheet.height", bounds.height(), sheet_room.1, margin)?;
+            fits(key::sheet::WIDTH, bounds.width(), sheet_room.0, margin)?;
+            fits(key::sheet::HEIGHT, bounds.height(), sheet_room.1, margin)?;
             within_reach(bounds, (max_width, max_height), machine)?;
         }
     }
@@ -206,7 +204,7 @@ fn layout(index: usize, used_width: f64, used_height: f64, sheet: &Sheet) -> She
     SheetLayout { index, width: extent(sheet.width, used_width), height: extent(sheet.height, used_height) }
 }
 
-fn fits(key: &str, needed: f64, room: f64, margin: f64) -> Result<(), Refusal> {
+fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal> {
     if needed <= room {
         return Ok(());
     }
@@ -232,7 +230,7 @@ fn within_reach(part: &Bounds, room: (f64, f64), machine: &Machine) -> Result<()
     let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
     let missing = (part.width() - room.0).max(part.height() - room.1);
     Err(Refusal::new(
-        "machine.profile",
+        key::machine::PROFILE,
         "beyond-reach",
         format!(
             "a part with its ramps needs {}; within the margins {} reaches {}",

@@ -6,8 +6,8 @@
 
 use std::f64::consts::PI;
 
-use crate::design::Refusal;
-use crate::spec::Spec;
+use crate::design::{Refusal, Refusals};
+use crate::spec::{Spec, key};
 use crate::units::Readable;
 
 /// Heights and turns of a stack. Heights are mm above the bottom of the lowest plate.
@@ -28,12 +28,12 @@ impl Stack {
     ///
     /// # Errors
     /// For every pitch that leaves the inflated tube no room between its plates.
-    pub fn new(spec: &Spec) -> Result<Self, Vec<Refusal>> {
+    pub fn new(spec: &Spec) -> Result<Self, Refusals> {
         let thickness = spec.frame.plate_thickness.0;
         let count = spec.stars.len();
         // What one star needs from its middle to the middle of a plate.
         let needs = |i: usize| spec.stars[i].tube_width.0 / PI + thickness / 2.0;
-        let mut refusals = Vec::new();
+        let mut refusals = Refusals::new();
         for i in 1..count {
             let pitch = spec.stars[i].pitch.0;
             let needed = 2.0 * needs(i - 1).max(needs(i));
@@ -41,9 +41,7 @@ impl Stack {
                 refusals.push(too_tight(i, pitch, needed, thickness));
             }
         }
-        if !refusals.is_empty() {
-            return Err(refusals);
-        }
+        refusals.or(())?;
         let bottom = needs(0).max(spec.stars[1.min(count - 1)].pitch.0 / 2.0);
         let top = needs(count - 1).max(spec.stars[count - 1].pitch.0 / 2.0);
         let mut at = thickness / 2.0;
@@ -63,7 +61,7 @@ impl Stack {
 
 fn too_tight(below: usize, pitch: f64, needed: f64, thickness: f64) -> Refusal {
     Refusal::new(
-        "stack.pitch",
+        key::stack::PITCH.of_star(below + 1),
         "tube-between-plates",
         format!(
             "between star {below} and star {} a pitch of {} mm leaves {} mm between plates of {} mm, the inflated tube is {} mm high",

@@ -15,7 +15,7 @@ use std::f64::consts::PI;
 
 use crate::design::Refusal;
 use crate::geom::Point;
-use crate::spec::StarSpec;
+use crate::spec::{StarSpec, key};
 use crate::units::Readable;
 
 /// The flat geometry of a star that exists: every length positive. Lengths in mm, angles in rad.
@@ -69,7 +69,7 @@ impl Star {
         // Rounding may leave a corner that is straight to 1e-16; below a microradian no arc is left to seal.
         if phi_e >= PI - 1e-6 {
             return Err(Refusal::new(
-                "star.tip_angle",
+                key::star::TIP_ANGLE,
                 "straight-corner",
                 format!(
                     "with {n} points and a tip angle of {} the reentrant corners would open to {} deg",
@@ -130,7 +130,7 @@ impl Star {
 
 fn too_large(spec: &StarSpec, star: &Star) -> Refusal {
     Refusal::new(
-        "star.tip_angle",
+        key::star::TIP_ANGLE,
         "too-large",
         format!("the tips would lie {:.1} m from the axis", star.tip_reach() / 1000.0),
         format!(
@@ -153,7 +153,7 @@ fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
             .to_owned(),
     };
     Refusal::new(
-        "star.points",
+        key::star::POINTS,
         "no-arm",
         format!("with {n} points the arm would be {:.1} mm long", if l > -0.05 { -0.0 } else { l }),
         remedy,

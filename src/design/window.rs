@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 
 use crate::design::{Refusal, Star};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
-use crate::spec::{Mask, Seal};
+use crate::spec::{Mask, Seal, key};
 use crate::units::Readable;
 
 /// Width of plate left between neighbouring windows, mm, where there is room for it: a strip of a 2 mm
@@ -163,7 +163,7 @@ impl<'a> Zone<'a> {
     fn nothing_left(&self, extent: f64) -> Refusal {
         let room = self.star.w + self.delta_h + self.delta_o + 2.0 * self.creep;
         Refusal::new(
-            "mask.creep",
+            key::mask::CREEP,
             "no-window",
             format!(
                 "a creep of {} mm leaves nothing of a window {} mm deep and {} mm long on each side",

@@ -11,7 +11,7 @@ use crate::mechanics::hinge::{HingeModel, HingeState, Level, seal_load};
 use crate::mechanics::star::response::{Inflated, Rest};
 use crate::mechanics::star::{Star, StarGeometry};
 use crate::mechanics::strength::{ElasticSheet, burst_pressure, payload};
-use crate::spec::{ModelChoice, Spec, StarSpec};
+use crate::spec::{KeyPath, ModelChoice, Spec, StarSpec, key};
 use std::f64::consts::FRAC_2_PI;
 use std::fmt;
 use std::sync::LazyLock;
@@ -22,7 +22,7 @@ pub struct PredictFault {
     /// Number of the star, 1 = bottom; `None` if it is not about one star.
     pub star: Option<usize>,
     /// The key of the spec that is best changed.
-    pub key: &'static str,
+    pub key: KeyPath,
     /// What was found and what is allowed.
     pub what: String,
 }
@@ -56,7 +56,7 @@ pub fn predict(spec: &Spec) -> Result<Prediction, PredictFault> {
         stars.push(answer);
     }
     let Some(first) = stars.first() else {
-        return Err(PredictFault { star: None, key: "stack.count", what: "there is no star".to_owned() });
+        return Err(PredictFault { star: None, key: key::stack::COUNT, what: "there is no star".to_owned() });
     };
     let mut first = first.clone();
     first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
@@ -100,7 +100,6 @@ fn predict_star(spec: &Spec, star: &StarSpec) -> Result<StarPrediction, StarFaul
         ModelChoice::Fit => take(Level::Fit, &question, table),
         ModelChoice::Ring => take(Level::Ring, &question, table),
         ModelChoice::Bvp => take(Level::Bvp, &question, table),
-        ModelChoice::Shell => return Err(StarFault::NoShell),
     };
     let bvp = Bvp::new(BVP_BETA, 1e-6);
     let model: &dyn HingeModel = match choice.level {
@@ -347,20 +346,19 @@ fn mass(case: &Case<'_>) -> Option<f64> {
 fn located(star: usize, fault: StarFault) -> PredictFault {
     let key = match &fault {
         StarFault::Dimension { symbol, .. } => match *symbol {
-            "n" => "star.points",
-            "rho_0" => "star.inner_radius",
-            "W" => "star.tube_width",
-            "R_i" => "star.tip_radius",
-            "R_e" => "star.corner_radius",
-            "phi_i0" => "star.tip_angle",
-            "p" => "load.pressure",
-            "E" => "fabric.young_modulus",
-            "nu" => "fabric.poisson_ratio",
-            _ => "fabric.thickness",
+            "n" => key::star::POINTS,
+            "rho_0" => key::star::INNER_RADIUS,
+            "W" => key::star::TUBE_WIDTH,
+            "R_i" => key::star::TIP_RADIUS,
+            "R_e" => key::star::CORNER_RADIUS,
+            "phi_i0" => key::star::TIP_ANGLE,
+            "p" => key::load::PRESSURE,
+            "E" => key::fabric::YOUNG_MODULUS,
+            "nu" => key::fabric::POISSON_RATIO,
+            _ => key::fabric::THICKNESS,
         },
-        StarFault::ArmLength { .. } => "star.points",
-        StarFault::NoShell => "accuracy.model",
-        StarFault::Hinge(_) | StarFault::Root(_) => "star.tip_radius",
+        StarFault::ArmLength { .. } => key::star::POINTS,
+        StarFault::Hinge(_) | StarFault::Root(_) => key::star::TIP_RADIUS,
     };
     PredictFault { star: Some(star), key, what: fault.to_string() }
 }

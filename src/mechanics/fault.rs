@@ -76,8 +76,6 @@ pub enum StarFault {
     },
     /// A hinge's model refused.
     Hinge(HingeFault),
-    /// The shell model was asked for, which this version does not have.
-    NoShell,
     /// No equilibrium or radius in the range of angles searched.
     Root(RootFault),
 }
@@ -94,9 +92,6 @@ impl fmt::Display for StarFault {
                  inner radius make them longer",
                 Readable(found * 1e3)
             ),
-            Self::NoShell => {
-                f.write_str("this version has no shell model; it has fit, ring and bvp, and auto to choose")
-            }
             Self::Hinge(fault) => fault.fmt(f),
             Self::Root(RootFault::NoSignChange { low, high }) => {
                 let (low, high) = (Readable(low), Readable(high));

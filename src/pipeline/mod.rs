@@ -14,13 +14,13 @@ mod proven;
 
 use crate::airtight;
 use crate::artifact::{Artifact, Kind};
-use crate::design::{Design, Refusal};
+use crate::design::{Design, Refusal, Refusals};
 use crate::forecast::predict::{PredictFault, predict};
 use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
 use crate::plan;
 use crate::plan::Program;
-use crate::spec::{Machine, Spec};
+use crate::spec::{Machine, Spec, key};
 
 pub use proven::{Proven, prove_files, read_back};
 
@@ -92,7 +92,7 @@ impl Designed {
     ///
     /// # Errors
     /// Every reason for which it cannot be made, or would leak.
-    pub fn new(spec: Spec, machine: Machine) -> Result<Self, Vec<Refusal>> {
+    pub fn new(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         let design = Design::new(&spec, &machine)?;
         let leaks = airtight::leaks(&spec, &machine, &design);
         if leaks.is_empty() {
@@ -106,16 +106,12 @@ impl Designed {
     ///
     /// # Errors
     /// Every reason for which the machine cannot run them.
-    pub fn plan(self) -> Result<Planned, Vec<Refusal>> {
+    pub fn plan(self) -> Result<Planned, Refusals> {
         let Self { spec, machine, design } = self;
         let programs = plan::seal_programs(&spec, &machine, &design);
         let traces = plan::trace_programs(&spec, &machine, &design);
-        let refusals = plan::refusals(&spec, &machine, &programs, &traces);
-        if refusals.is_empty() {
-            Ok(Planned { spec, machine, design, programs, traces })
-        } else {
-            Err(refusals)
-        }
+        plan::refusals(&spec, &machine, &programs, &traces).or(())?;
+        Ok(Planned { spec, machine, design, programs, traces })
     }
 }
 
@@ -124,9 +120,9 @@ impl Planned {
     ///
     /// # Errors
     /// If the model that the spec asks for has no answer.
-    pub fn forecast(self) -> Result<Forecast, Vec<Refusal>> {
+    pub fn forecast(self) -> Result<Forecast, Refusals> {
         let prediction = match &self.spec.load {
-            Some(_) => Some(predict(&self.spec).map_err(|fault| vec![no_prediction(&fault)])?),
+            Some(_) => Some(predict(&self.spec).map_err(|fault| no_prediction(&fault))?),
             None => None,
         };
         let Self { spec, machine, design, programs, traces } = self;
@@ -139,7 +135,7 @@ impl Forecast {
     ///
     /// # Errors
     /// What the first step that refuses has to say.
-    pub fn of(spec: Spec, machine: Machine) -> Result<Self, Vec<Refusal>> {
+    pub fn of(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         Designed::new(spec, machine)?.plan()?.forecast()
     }
 
@@ -155,23 +151,16 @@ impl Forecast {
 ///
 /// # Errors
 /// What the first step that refuses has to say.
-pub fn build(
-    spec: &Spec,
-    machine: &Machine,
-    sources: Sources<'_>,
-    only: &[Kind],
-) -> Result<Built, Vec<Refusal>> {
+pub fn build(spec: &Spec, machine: &Machine, sources: Sources<'_>, only: &[Kind]) -> Result<Built, Refusals> {
     Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, only))
 }
 
 /// A prediction that cannot be made, as a refusal at the key that stands in its way.
 pub fn no_prediction(fault: &PredictFault) -> Refusal {
-    let own = fault.key.starts_with("star.");
-    let star = fault.star.and_then(|star| u32::try_from(star).ok()).filter(|_| own);
-    let remedy = "needed for a prediction".to_owned();
-    Refusal { star, ..Refusal::new(fault.key, "no-prediction", fault.what.clone(), remedy) }
+    let key = fault.star.map_or(fault.key, |star| fault.key.of_star(star));
+    Refusal::new(key, "no-prediction", fault.what.clone(), "needed for a prediction".to_owned())
 }
 
 fn leak(found: String) -> Refusal {
-    Refusal::new("seal", "leak", found, "no way for air but the inlet".to_owned())
+    Refusal::new(key::seal::BAND, "leak", found, "no way for air but the inlet".to_owned())
 }

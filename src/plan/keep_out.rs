@@ -4,7 +4,7 @@ use crate::design::Refusal;
 use crate::geom::{Bounds, Line, Point, Segment, segment_distance};
 use crate::plan::lowest_feed::contact;
 use crate::plan::{Program, Step};
-use crate::spec::{KeepOut, Machine, Spec};
+use crate::spec::{KeepOut, Machine, Spec, key};
 
 /// The sides of a clamp, counterclockwise.
 fn sides(zone: &KeepOut) -> [Segment; 4] {
@@ -37,7 +37,7 @@ pub(super) fn clamp_in_the_way(
     let refusal = |what: &str, star: &[usize]| {
         let stars: Vec<String> = star.iter().map(ToString::to_string).collect();
         Refusal::new(
-            "machine.profile",
+            key::machine::PROFILE,
             "clamp-in-the-way",
             format!("{what} of star {} meets the clamp {:?}", stars.join(", "), zone.name),
             "move the clamp; give its height, if it is below travel height; or change [sheet]".to_owned(),

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::design::Refusal;
 use crate::geom::Segment;
 use crate::plan::{Pace, Program, Step};
-use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate};
+use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
 
 /// The lowest speed that `motion` holds all along `piece`, which climbs by `rise`: that of its worst direction.
 ///
@@ -39,7 +39,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
             let moving = crate::plan::move_time(chop.longest, chop.speed, Some(chop.acceleration));
             if moving >= chop.longest / speed {
                 return Some(Refusal::new(
-                    "seal.speed",
+                    key::seal::SPEED,
                     "no-chop",
                     format!(
                         "a stroke of {:.3} mm at {:.3} mm/s takes {moving:.3} s, longer than {} allows",
@@ -77,7 +77,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
         None => String::new(),
     };
     Some(Refusal::new(
-        "seal.speed",
+        key::seal::SPEED,
         "feed-floor",
         format!("{at}{} runs this at {runs} mm/s instead of {speed}", machine.dialect.title()),
         format!("write `feed_floor = \"chop\"` in [machine]; or a speed of at least {most:.2} mm/s{better}"),
@@ -99,7 +99,7 @@ fn cannot_chop(machine: &Machine) -> Refusal {
         missing.push("the acceleration");
     }
     Refusal::new(
-        "machine.feed_floor",
+        key::machine::FEED_FLOOR,
         "no-chop",
         format!("the profile {} does not know {}", machine.name, missing.join(" and ")),
         "write them, or `chop_feed` and `acceleration`, in [motion] of your own profile".to_owned(),

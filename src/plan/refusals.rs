@@ -1,14 +1,14 @@
 //! Every reason for which a machine cannot run the programs.
 
-use crate::design::Refusal;
+use crate::design::Refusals;
 use crate::plan::Program;
 use crate::plan::keep_out::clamp_in_the_way;
 use crate::plan::lowest_feed::feed_floor;
 use crate::spec::{Machine, Spec};
 
 /// Every reason for which `machine` cannot run the sealing programs, or the traces, as they are.
-pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Program]) -> Vec<Refusal> {
-    let mut refusals: Vec<Refusal> = feed_floor(spec, machine, seals).into_iter().collect();
+pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Program]) -> Refusals {
+    let mut refusals: Refusals = feed_floor(spec, machine, seals).into_iter().collect();
     for zone in &machine.keep_out {
         let found = clamp_in_the_way(spec, machine, seals, zone);
         refusals.extend(found.or_else(|| clamp_in_the_way(spec, machine, traces, zone)));

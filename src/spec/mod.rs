@@ -9,8 +9,10 @@
 //! its kind and range, [`Reading`] (the spec and its warnings) or [`Faults`]. A machine profile goes the same way.
 
 mod allowed;
+mod builtin;
 pub mod edit;
 mod fault;
+pub mod key;
 mod machine;
 mod message;
 mod model;
@@ -27,7 +29,9 @@ mod starter;
 mod unknown;
 mod value;
 
+pub use builtin::UnknownMachine;
 pub use fault::{Fault, Faults, Severity};
+pub use key::KeyPath;
 pub use machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 pub use model::{
     Accuracy, Fabric, FeedFloor, Frame, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,

@@ -210,8 +210,6 @@ pub enum ModelChoice {
     Ring,
     /// Penalised boundary-value problem.
     Bvp,
-    /// Geometrically nonlinear shell.
-    Shell,
     /// The cheapest that is accurate enough.
     Auto,
 }

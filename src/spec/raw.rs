@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use toml::de::DeTable;
 
+use crate::spec::KeyPath;
 use crate::spec::fault::Fault;
 use crate::spec::value::{RawKind, RawTable, RawValue};
 
@@ -34,49 +35,38 @@ impl RawSpec {
         self.root.get(name).and_then(RawValue::as_list)
     }
 
-    /// Place of the value at `path`, such as `star.points`, or of the header of a section, such as `star`;
+    /// Place of the value that decides `key`: of a star's key its own `[[stack.star]]` before the common section;
     /// `None` if it was not written.
-    pub fn find(&self, path: &str) -> Option<Range<usize>> {
-        let (sections, key) = path.rsplit_once('.').map_or((None, path), |(s, k)| (Some(s), k));
-        let mut table = &self.root;
-        for section in sections.into_iter().flat_map(|s| s.split('.')) {
-            table = table.get(section)?.as_table()?;
-        }
-        table.get(key).map(|value| value.span.clone())
+    pub fn find(&self, key: KeyPath) -> Option<Range<usize>> {
+        let own = key.star().zip(key.own_name()).and_then(|(star, name)| self.own(star)?.get(name));
+        let common = || match key.section() {
+            "" => self.root.get(key.key()),
+            _ => self.section(key)?.as_table()?.get(key.key()),
+        };
+        let value = own.or_else(common);
+        value.map(|value| value.span.clone())
     }
 
-    /// Place to point at when speaking of `path`: its value, else its section's header, else the start of the text.
-    pub fn span_of(&self, path: &str) -> Range<usize> {
-        let mut path = path;
-        loop {
-            if let Some(span) = self.find(path) {
-                return span;
-            }
-            match path.rsplit_once('.') {
-                Some((parent, _)) => path = parent,
-                None => return 0..0,
-            }
-        }
+    /// Place to point at when speaking of `key`: its value, else its section's header, else the end of the text, where
+    /// the section would be added.
+    pub fn span_of(&self, key: KeyPath) -> Range<usize> {
+        let header = || self.section(key).map(|section| section.span.clone());
+        self.find(key).or_else(header).unwrap_or(usize::MAX..usize::MAX)
     }
 
-    /// Place of what decided `key` of star `index` (1 is the bottom): its own `[[stack.star]]`, else `[star]`,
-    /// `[stack]` (`rotation`, `pitch`) or `[inlet]` (`inlet_tip`), as [`RawSpec::span_of`] finds it.
-    pub fn span_of_star(&self, index: u32, key: &str) -> Range<usize> {
-        let own = self
-            .overrides()
-            .iter()
-            .filter_map(RawValue::as_table)
-            .filter(|table| match table.get("index").map(|value| &value.kind) {
+    /// The section of `key`; the keys before the first section have none.
+    fn section(&self, key: KeyPath) -> Option<&RawValue> {
+        self.root.get(key.section())
+    }
+
+    /// The `[[stack.star]]` of star `index`.
+    fn own(&self, index: u32) -> Option<&RawTable> {
+        self.overrides().iter().filter_map(RawValue::as_table).find(|table| {
+            match table.get("index").map(|value| &value.kind) {
                 Some(RawKind::Number(number)) => number.whole == Some(i64::from(index)),
                 _ => false,
-            })
-            .find_map(|table| table.get(key));
-        match (own, key) {
-            (Some(value), _) => value.span.clone(),
-            (None, "rotation" | "pitch") => self.span_of(&format!("stack.{key}")),
-            (None, "inlet_tip") => self.span_of("inlet.tip"),
-            (None, key) => self.span_of(&format!("star.{key}")),
-        }
+            }
+        })
     }
 
     /// The elements of `[[stack.star]]`.

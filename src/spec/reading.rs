@@ -93,7 +93,7 @@ pub(super) fn read_name(root: &mut Section<'_, '_>) -> String {
     name.to_owned()
 }
 
-fn read_spec(reader: &mut Reader<'_>) -> Spec {
+pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
     let mut root = reader.root();
     root.require(&[("schema", "1"), ("name", "\"five-point star\"")]);
     read_schema(&mut root, 1);
@@ -223,7 +223,6 @@ fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {
         ("fit", ModelChoice::Fit),
         ("ring", ModelChoice::Ring),
         ("bvp", ModelChoice::Bvp),
-        ("shell", ModelChoice::Shell),
         ("auto", ModelChoice::Auto),
     ];
     Accuracy {

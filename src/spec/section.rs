@@ -72,6 +72,12 @@ impl<'r> Reader<'r> {
         Section { reader: self, name, table, place }
     }
 
+    /// Every section and key that was asked for so far.
+    #[cfg(test)]
+    pub(super) fn taken(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        self.known.iter().flat_map(|known| known.keys.iter().map(|key| (known.section, *key)))
+    }
+
     /// Adds a fault for each key and section that nobody asked for, and hands over all faults.
     pub(super) fn finish(mut self) -> Vec<Fault> {
         self.faults.extend(unknown::faults(&self.known));

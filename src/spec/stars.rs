@@ -2,6 +2,7 @@
 
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::Fault;
+use crate::spec::key;
 use crate::spec::model::{Inlet, StarSpec};
 use crate::spec::reading::{EXTRA, SIZE};
 use crate::spec::section::{Reader, Section};
@@ -151,7 +152,7 @@ fn check_inlet_tips(reader: &mut Reader<'_>, stars: &[StarSpec], has_inlet: bool
         if !has_inlet || star.inlet_tip <= star.points {
             continue;
         }
-        let place = reader.raw.span_of_star(index, "inlet_tip");
+        let place = reader.raw.span_of(key::inlet::TIP.of_star(index));
         if !places.contains(&place) {
             let message =
                 format!("the inlet is at tip {}, star {index} has {} points", star.inlet_tip, star.points);

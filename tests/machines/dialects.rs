@@ -24,7 +24,7 @@ fn every_dialect_writes_what_its_controller_reads() {
 #[test]
 fn below_the_lowest_feed_the_numbers_are_told() {
     let refusals = try_built(&spec_text(""), profile("grbl")).map(|_| ()).expect_err("too slow for GRBL");
-    let [refusal] = refusals.as_slice() else { panic!("{refusals:?}") };
+    let [refusal] = &refusals[..] else { panic!("{refusals:?}") };
     assert_eq!(refusal.code, "feed-floor");
     assert_eq!(refusal.found, "at 80 steps/mm GRBL runs this at 0.38 to 0.54 mm/s instead of 0.1");
     assert!(refusal.remedy.contains("feed_floor = \"chop\"") && refusal.remedy.contains("432 steps/mm"));

@@ -6,7 +6,7 @@ mod dialects;
 mod faults;
 mod resume;
 
-use stargrip_cam::design::Refusal;
+use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::pipeline::{Built, Sources, build};
 use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
@@ -36,7 +36,7 @@ fn profile(name: &str) -> &'static str {
     builtin_machine(name).expect("built in")
 }
 
-fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Vec<Refusal>> {
+fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Refusals> {
     let sources = Sources { spec: spec_text, machine: machine_text };
     build(&spec(spec_text), &machine(machine_text), sources, &[])
 }

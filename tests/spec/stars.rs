@@ -1,6 +1,6 @@
 //! The stack: what single stars have different, and where the inlets are.
 
-use stargrip_cam::spec::RawSpec;
+use stargrip_cam::spec::{RawSpec, key};
 use stargrip_cam::units::{Angle, Length};
 
 use crate::{SHORTEST, codes, spec, try_read};
@@ -93,15 +93,15 @@ fn a_later_stage_finds_what_decided_a_value() {
     );
     let raw: RawSpec = try_read(&text).expect("valid").raw;
     let at = |span: std::ops::Range<usize>| &text[span];
-    assert_eq!(at(raw.span_of("star.points")), "5");
-    assert_eq!(at(raw.span_of_star(1, "points")), "5");
-    assert_eq!(at(raw.span_of_star(2, "points")), "6");
-    assert_eq!(at(raw.span_of_star(2, "pitch")), "'41 mm'");
-    assert_eq!(at(raw.span_of_star(2, "inlet_tip")), "2");
+    assert_eq!(at(raw.span_of(key::star::POINTS)), "5");
+    assert_eq!(at(raw.span_of(key::star::POINTS.of_star(1))), "5");
+    assert_eq!(at(raw.span_of(key::star::POINTS.of_star(2))), "6");
+    assert_eq!(at(raw.span_of(key::stack::PITCH.of_star(2))), "'41 mm'");
+    assert_eq!(at(raw.span_of(key::inlet::TIP.of_star(2))), "2");
     // What was not written: its section, else the start.
-    assert_eq!(raw.find("star.tip_radius"), None);
-    assert_eq!(at(raw.span_of("star.tip_radius")), "[star]");
-    assert_eq!(raw.span_of("seal.band"), 0..0);
-    assert_eq!(raw.span_of("schema.points.x"), raw.span_of("schema"));
-    assert_eq!(raw.span_of(""), 0..0);
+    assert_eq!(raw.find(key::star::TIP_RADIUS), None);
+    assert_eq!(at(raw.span_of(key::star::TIP_RADIUS)), "[star]");
+    assert_eq!(at(raw.span_of(key::root::SCHEMA)), "1");
+    // Beyond the end, where the section would be added.
+    assert!(raw.span_of(key::seal::BAND).start > text.len());
 }

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use stargrip_cam::design::Refusal;
+use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::{Built, Sources};
 use stargrip_cam::spec::{Machine, Source, Spec};
 use stargrip_cam::{pipeline, spec};
@@ -66,11 +66,11 @@ pub fn generic() -> &'static str {
 
 /// The generic machine.
 pub fn machine() -> Machine {
-    spec::read_machine(&Source::new("generic", generic())).expect("valid")
+    Machine::builtin("generic").expect("built in")
 }
 
 /// Builds a spec that must be valid; the design may be refused.
-pub fn build(text: &str) -> Result<Built, Vec<Refusal>> {
+pub fn build(text: &str) -> Result<Built, Refusals> {
     pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &[])
 }
 
