@@ -152,7 +152,7 @@ pub(super) fn built(spec: &Spec, machine: &Machine, build: &Build, proof: &Proof
 /// What has to be true of the machine for the programs to do what they say.
 pub(super) fn conditions(spec: &Spec, machine: &Machine, programs: &[Program]) -> String {
     let mut out = String::new();
-    for line in &machine.requires {
+    for line in &machine.script.requires {
         let _ = writeln!(out, "requires: {line}");
     }
     match programs.first().map(|program| program.pace) {

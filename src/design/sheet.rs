@@ -70,7 +70,7 @@ impl Design {
         if !refusals.is_empty() {
             return Err(refusals);
         }
-        let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.ramp.0)).collect();
+        let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.process.ramp.0)).collect();
         let footprints: Vec<Bounds> = which.iter().map(|i| boxes[*i]).collect();
         let (places, sheets) = place(&footprints, &spec.sheet).map_err(|refusal| vec![refusal])?;
         let stack = Stack::new(spec)?;

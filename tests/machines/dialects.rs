@@ -118,7 +118,7 @@ fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
             &machine,
             &stargrip_cam::plan::feed_checks(&spec, &machine),
         );
-        let mut interpreter = Interpreter::new(Dialect::for_machine(&machine));
+        let mut interpreter = Interpreter::new(Dialect::for_controller(&machine.controller));
         let mut events = Vec::new();
         for line in code.split_inclusive('\n') {
             interpreter.feed(line, &mut events);

@@ -16,7 +16,7 @@ fn job(name: &str) -> String {
 }
 
 fn moves(name: &str, text: &str) -> Vec<Move> {
-    let program = read_program(text, Dialect::for_machine(&machine(profile(name))));
+    let program = read_program(text, Dialect::for_controller(&machine(profile(name)).controller));
     assert_eq!(program.findings, [], "{name}");
     program.moves
 }

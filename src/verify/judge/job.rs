@@ -57,19 +57,22 @@ impl<'a> Job<'a> {
             .filter(|placed| star.is_none_or(|index| placed.index == index))
             .collect();
         let corner = Point::new(layout.width, layout.height);
-        let reach =
-            truth.machine.work_area.map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
+        let reach = truth
+            .machine
+            .bench
+            .work_area
+            .map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
         let area = Bounds { min: Point::ORIGIN, max: reach };
         (!stars.is_empty()).then_some(Self { truth, hot, stars, area })
     }
 
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
     pub(in crate::verify) fn check(&self, text: &str, findings: &mut Findings) -> f64 {
-        let dialect = Dialect::for_machine(self.truth.machine);
+        let dialect = Dialect::for_controller(&self.truth.machine.controller);
         let program = read_program(text, dialect);
         self.area(&program, findings);
         let reach = if self.hot { self.truth.spec.seal.band.0 / 2.0 } else { 0.0 };
-        clamp::check(&self.truth.machine.keep_out, reach, &program, findings);
+        clamp::check(&self.truth.machine.bench.keep_out, reach, &program, findings);
         let deviation = if self.hot {
             self.heat_and_speed(&program, findings);
             pace::check(self.truth, &program, |step| self.phase(step) != Phase::Clear, findings);
@@ -87,7 +90,7 @@ impl<'a> Job<'a> {
     }
 
     fn expected(&self) -> Vec<ExpectedSeam> {
-        let ramp = self.truth.machine.ramp.0;
+        let ramp = self.truth.machine.process.ramp.0;
         let seams = self.stars.iter().flat_map(|placed| {
             self.truth.design.part(placed).seams.iter().map(move |seam| {
                 let place = |path: Path| placed.placement.path(&path);
@@ -124,7 +127,7 @@ impl<'a> Job<'a> {
     }
 
     fn phase(&self, step: &Move) -> Phase {
-        let heights = &self.truth.machine.heights;
+        let heights = &self.truth.machine.process.heights;
         let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
         if low >= heights.travel.0 - HEIGHT {
             Phase::Clear
@@ -137,7 +140,7 @@ impl<'a> Job<'a> {
 
     /// Below travel height the iron is hot, feeds at seal speed, and moves along the fabric.
     fn heat_and_speed(&self, program: &Program, findings: &mut Findings) {
-        let (seal, contact) = (&self.truth.spec.seal, self.truth.machine.heights.contact.0);
+        let (seal, contact) = (&self.truth.spec.seal, self.truth.machine.process.heights.contact.0);
         for step in program.moves.iter().filter(|step| self.phase(step) != Phase::Clear) {
             match step.heated {
                 Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
@@ -179,7 +182,7 @@ impl<'a> Job<'a> {
     fn rest(&self, program: &Program, findings: &mut Findings) {
         let seal = &self.truth.spec.seal;
         let longest = seal.band.0 / 10.0 / seal.speed.0;
-        let low = |z: f64| z < self.truth.machine.heights.travel.0 - HEIGHT;
+        let low = |z: f64| z < self.truth.machine.process.heights.travel.0 - HEIGHT;
         for dwell in program.dwells.iter().filter(|dwell| dwell.at.is_some_and(|at| low(at.z))) {
             if dwell.seconds > longest {
                 findings.add(

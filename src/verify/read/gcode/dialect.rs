@@ -87,6 +87,8 @@ pub struct Dialect {
     pub line_length: usize,
     /// Letter, ten times the number, and what the code does.
     pub codes: &'static [(u8, u16, Command)],
+    /// What of `codes` it does not know.
+    pub except: &'static [Command],
     /// Commands that are words of more than a letter, alone on their line (what follows them is their own).
     pub words: &'static [(&'static str, Command)],
     /// Modes that the controller is always in: no program needs to set them.
@@ -124,6 +126,7 @@ impl Dialect {
             .find(|(l, tenths, _)| *l == letter && f64::from(*tenths) == (number * 10.0).round())
             .filter(|_| (number * 10.0).fract().abs() < 1e-9)
             .map(|(_, _, command)| *command)
+            .filter(|command| !self.except.contains(command))
     }
 
     /// How long a dwell with this P word lasts, s.
