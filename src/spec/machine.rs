@@ -48,7 +48,7 @@ pub struct Process {
     pub heights: Heights,
     /// Length of the ramp along the path on which the iron goes down before, and up after, a seam.
     pub ramp: Length,
-    /// Speed to assume for travel (G0), for time estimates only.
+    /// Speed of travel (G0): written as a feed where the controller needs one, else for time estimates only.
     pub travel_speed: Speed,
     /// Speed of the trace program.
     pub trace_speed: Speed,

@@ -123,6 +123,20 @@ fn at_many_moves_of_chopped_jobs_and_in_every_dialect() {
 }
 
 #[test]
+fn the_way_back_carries_its_feeds_where_g0_has_none_of_its_own() {
+    for name in ["marlin", "klipper", "reprapfirmware"] {
+        let text = resume(&job(name), ResumeAt::Share(0.4), None).expect("resumed").text;
+        let mut after_travel = false;
+        for line in text.lines().filter(|line| line.starts_with('G') && line.contains(['X', 'Y', 'Z'])) {
+            let travel = line.starts_with("G0 ");
+            assert!(!travel || line.ends_with(" F1200"), "{name}: {line}");
+            assert!(!after_travel || line.contains(" F"), "{name}: {line}");
+            after_travel = travel;
+        }
+    }
+}
+
+#[test]
 fn by_time_and_by_place() {
     let job = job("generic");
     let half = resume(&job, ResumeAt::Share(0.5), Some(2.0)).expect("in the middle");

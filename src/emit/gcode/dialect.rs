@@ -10,6 +10,9 @@ pub(super) struct Spelling {
     /// Whether a dwell is told a millisecond short: the controller rounds it up to a whole step in 32-bit floats
     /// (nuts_bolts.c, delay_sec), and no rounding of the float shall make it a step longer.
     dwell_early: bool,
+    /// Whether G0 is G1 by another name: it runs at the feed in force (Klipper, gcode_move.py, cmd_G1; Marlin, G0_G1.cpp,
+    /// without `G0_FEEDRATE`; RepRapFirmware, GCodes.cpp, outside of CNC mode).
+    pub(super) travel_at_feed: bool,
     /// What its display shows.
     progress: Progress,
 }
@@ -25,24 +28,24 @@ enum Progress {
     PercentAndMinutes,
 }
 
-/// Every dialect: whether dwells are told early, and its display.
-const SPELLINGS: [(Dialect, bool, Progress); 8] = [
-    (Dialect::Generic, false, Progress::None),
-    (Dialect::LinuxCnc, false, Progress::None),
-    (Dialect::Grbl, true, Progress::None),
-    (Dialect::GrblHal, true, Progress::None),
-    (Dialect::FluidNc, false, Progress::None),
-    (Dialect::Marlin, false, Progress::PercentAndMinutes),
-    (Dialect::Klipper, false, Progress::Percent),
-    (Dialect::RepRapFirmware, false, Progress::PercentAndMinutes),
+/// Every dialect: whether dwells are told early, whether travels need a feed, and its display.
+const SPELLINGS: [(Dialect, bool, bool, Progress); 8] = [
+    (Dialect::Generic, false, false, Progress::None),
+    (Dialect::LinuxCnc, false, false, Progress::None),
+    (Dialect::Grbl, true, false, Progress::None),
+    (Dialect::GrblHal, true, false, Progress::None),
+    (Dialect::FluidNc, false, false, Progress::None),
+    (Dialect::Marlin, false, true, Progress::PercentAndMinutes),
+    (Dialect::Klipper, false, true, Progress::Percent),
+    (Dialect::RepRapFirmware, false, true, Progress::PercentAndMinutes),
 ];
 
 impl Spelling {
     /// The spelling of `dialect`.
     pub(super) fn of(dialect: Dialect) -> Self {
         let row = SPELLINGS.iter().find(|(known, ..)| *known == dialect);
-        let (_, dwell_early, progress) = row.copied().unwrap_or(SPELLINGS[0]);
-        Self { dwell_early, progress }
+        let (_, dwell_early, travel_at_feed, progress) = row.copied().unwrap_or(SPELLINGS[0]);
+        Self { dwell_early, travel_at_feed, progress }
     }
 
     /// A wait of `seconds`, whole milliseconds.

@@ -82,6 +82,7 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
     /// Straight up or down.
     pub(super) fn height(&mut self, z: f64) -> fmt::Result {
         self.word("G0 Z", z);
+        self.travel_feed();
         self.end_line()
     }
 
@@ -91,7 +92,17 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
         self.word("G0 X", to.x);
         self.word(" Y", to.y);
         self.at = to;
+        self.travel_feed();
         self.end_line()
+    }
+
+    /// The feed of a travel, on every one where the controller would go on at the seal's; the next cut states its own.
+    fn travel_feed(&mut self) {
+        if self.spelling.travel_at_feed {
+            self.line.push_str(" F");
+            self.line.push_str(&number(self.facts.process.travel_speed.0 * 60.0));
+            self.feed = None;
+        }
     }
 
     /// One feed move along `piece`, to height `z` if given, at `speed` mm/s.

@@ -71,6 +71,7 @@ impl<'a> Job<'a> {
         let dialect = Dialect::for_controller(&self.truth.machine.controller);
         let program = read_program(text, dialect);
         self.area(&program, findings);
+        self.travels(&program, findings);
         let reach = if self.hot { self.truth.spec.seal.band.0 / 2.0 } else { 0.0 };
         clamp::check(&self.truth.machine.bench.keep_out, reach, &program, findings);
         let deviation = if self.hot {
@@ -121,6 +122,21 @@ impl<'a> Job<'a> {
                         bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y
                     ),
                     format!("(0, 0) to ({:.3}, {:.3})", self.area.max.x, self.area.max.y),
+                );
+            }
+        }
+    }
+
+    /// Where G0 runs at the feed in force, a travel must not crawl at the seal's with a hot iron above the fabric.
+    fn travels(&self, program: &Program, findings: &mut Findings) {
+        let allowed = self.truth.machine.process.travel_speed.0 * 60.0;
+        for step in program.moves.iter().filter(|step| step.kind == MoveKind::Rapid) {
+            if let Some(feed) = step.feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed) {
+                findings.add(
+                    "travel-feed",
+                    step.line,
+                    format!("a G0 at F{feed}, the feed in force"),
+                    format!("F{allowed}"),
                 );
             }
         }

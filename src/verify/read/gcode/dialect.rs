@@ -99,6 +99,8 @@ pub struct Dialect {
     pub comments: CommentMark,
     /// Characters that must not occur anywhere, comments included.
     pub forbidden: &'static str,
+    /// Whether G0 moves at the feed in force, as G1 does.
+    pub travel_at_feed: bool,
     /// Unit of a dwell's P word.
     pub dwell: DwellUnit,
     /// A dwell lasts for a multiple of this, rounded up, s; 0 for exactly as long as told.

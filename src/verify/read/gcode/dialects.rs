@@ -95,6 +95,7 @@ impl Dialect {
         parameters: "XYZIJFP",
         comments: CommentMark::Semicolon,
         forbidden: "()!~?",
+        travel_at_feed: false,
         dwell: DwellUnit::Seconds,
         dwell_step: 0.0,
         arcs: STRICTEST,
@@ -119,7 +120,7 @@ impl Dialect {
     /// FluidNC: as GRBL, lines up to 255 (Protocol.h), dwells in whole milliseconds (NutsBolts.cpp).
     pub const FLUIDNC: Self = Self { name: "fluidnc", line_length: 255, dwell_step: 0.0, ..Self::GRBL };
 
-    /// Marlin without its options: no arcs, planes or inches; lines up to 95 (MAX_CMD_SIZE); G4 P in ms.
+    /// Marlin without its options: no arcs, planes or inches; lines up to 95 (MAX_CMD_SIZE); G4 P in ms; G0 as G1.
     pub const MARLIN: Self = Self {
         name: "marlin",
         line_length: 95,
@@ -130,12 +131,13 @@ impl Dialect {
         parameters: "XYZFPSRT",
         comments: CommentMark::Semicolon,
         forbidden: "()!~?*",
+        travel_at_feed: true,
         dwell: DwellUnit::Milliseconds,
         dwell_step: 0.0,
         arcs: STRICTEST,
     };
 
-    /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands.
+    /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands; G0 as G1.
     pub const KLIPPER: Self = Self {
         name: "klipper",
         line_length: 255,
@@ -146,7 +148,7 @@ impl Dialect {
         ..Self::MARLIN
     };
 
-    /// RepRapFirmware 3: G4 P in ms, arc centres always from the start.
+    /// RepRapFirmware 3: G4 P in ms, arc centres always from the start; G0 as G1, as printers have it.
     pub const REPRAPFIRMWARE: Self = Self {
         name: "reprapfirmware",
         line_length: 255,

@@ -95,6 +95,10 @@ impl Machine {
         if !arcs && block.has_any(b"IJ") {
             here.report("unused-word", "I or J on a straight move", "I, J with G2, G3 only");
         }
+        let at_feed = kind == MoveKind::Feed || here.dialect.travel_at_feed;
+        if at_feed && kind == MoveKind::Rapid {
+            self.require(self.modes.feed.is_some(), "feed (F)", here);
+        }
         let height_known = self.position[2].is_some() || block.value(b'Z').is_some();
         self.position = to;
         let (Some(from), Some(to)) = (before, self.at()) else {
@@ -110,7 +114,7 @@ impl Machine {
             (from.xy() != to.xy()).then(|| Line::new(from.xy(), to.xy()).into())
         };
         let mut step = Move { line, kind, from, to, path, feed: None, heated: self.heated };
-        if kind == MoveKind::Feed {
+        if at_feed {
             step.feed = self.feed_of(&step, here);
         }
         here.out.push(Event::Move(step));
