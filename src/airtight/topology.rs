@@ -128,7 +128,7 @@ fn closure(
     };
     let (ahead, behind) = (straight(path.segments.first()), straight(path.segments.last()));
     let to_hinge = if path.closed {
-        (ahead - seam.overlap - machine.ramp.0).min(behind - machine.ramp.0)
+        (ahead - seam.overlap - machine.process.ramp.0).min(behind - machine.process.ramp.0)
     } else {
         ahead.min(behind)
     };

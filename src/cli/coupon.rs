@@ -46,7 +46,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let grid = Grid {
         temperatures: or(&args.temperatures),
         speeds: if args.speeds.is_empty() { speeds.to_vec() } else { args.speeds.clone() },
-        heights: if args.heights.is_empty() { vec![machine.heights.contact] } else { args.heights.clone() },
+        heights: if args.heights.is_empty() {
+            vec![machine.process.heights.contact]
+        } else {
+            args.heights.clone()
+        },
         repeats: usize::from(args.repeats),
     };
     if let Some(t) = grid.temperatures.iter().find(|t| !(t.0 > 0.0 && t.0 < 300.0)) {
@@ -56,7 +60,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if let Some(v) = grid.speeds.iter().find(|v| !(1e-3..=1e3).contains(&v.0)) {
         return Err(Failure::Message(format!("a speed of {v}; it must be from 0.001 to 1000 mm/s")));
     }
-    let travel = machine.heights.travel;
+    let travel = machine.process.heights.travel;
     if let Some(h) = grid.heights.iter().find(|h| !(-20.0..travel.0).contains(&h.0)) {
         return Err(Failure::Message(format!("a height of {h}; it must be from -20 mm to below {travel}")));
     }

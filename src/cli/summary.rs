@@ -173,7 +173,7 @@ pub(super) fn predicted(forecast: &Forecast) -> String {
 pub(super) fn conditions(forecast: &Forecast) -> String {
     let Forecast { spec, machine, programs, .. } = forecast;
     let mut out = String::new();
-    for line in &machine.requires {
+    for line in &machine.script.requires {
         let _ = writeln!(out, "requires: {line}");
     }
     match programs.first().map(|program| program.pace) {

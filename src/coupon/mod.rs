@@ -14,11 +14,8 @@ use crate::coupon::reach::beyond;
 use crate::coupon::strips::program_name;
 use crate::design::{Drawing, Layer, Origin, Refusals, Shape, Side, lettered};
 use crate::emit;
-use crate::emit::Facts;
 use crate::geom::{Bounds, Isometry, Path, Point, Segment};
-use crate::plan::{
-    Height, Pace, Program, Purpose, Ramp, SeamReport, Step, program_time, refusals, seal_pieces,
-};
+use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step, refusals, seal_pieces};
 use crate::spec::{Machine, Spec};
 use crate::units::Length;
 
@@ -59,7 +56,7 @@ const LABEL: f64 = 5.0;
 pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon>, Refusals> {
     let mut out = Vec::new();
     let strips = grid.strips(machine);
-    let (contact, band) = (machine.heights.contact, spec.seal.band.0);
+    let (contact, band) = (machine.process.heights.contact, spec.seal.band.0);
     for (temperature, speed) in grid.settings() {
         let mut spec = spec.clone();
         spec.seal.temperature = temperature;
@@ -74,7 +71,7 @@ pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon
         let seams: Vec<Piece> = mine.map(piece).collect();
         out.push(coupon(&spec, machine, &program_name(temperature, speed), &seams)?);
     }
-    let edge = machine.ramp.0.max(10.0);
+    let edge = machine.process.ramp.0.max(10.0);
     let place = |number: usize, path: Path, x: f64, y: f64| {
         let motion = Isometry::translation(Point::new(x + edge, y + edge) - path.bounds().min);
         let path = motion.path(&path);
@@ -87,7 +84,7 @@ pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon
         let seam = Piece { label: None, ..place(1, vee(star, band), 0.0, 0.0) };
         out.push(coupon(spec, machine, "v-actuator", &[seam])?);
     }
-    let (x, y) = machine.work_area.map_or((300.0, 300.0), |(x, y)| (x.0, y.0));
+    let (x, y) = machine.bench.work_area.map_or((300.0, 300.0), |(x, y)| (x.0, y.0));
     let small = disc(40.0, band);
     let (w, h) = (small.bounds().width() + 2.0 * edge, small.bounds().height() + 2.0 * edge);
     let (right, top) = ((x - w).max(w), (y - h).max(h));
@@ -105,9 +102,9 @@ pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon
 fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result<Coupon, Refusals> {
     let mut steps = vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)];
     let mut reports = Vec::new();
-    let travel = machine.heights.travel.0;
+    let travel = machine.process.heights.travel.0;
     for Piece { number, path, height, .. } in seams {
-        let (down, up) = leads(path, machine.ramp.0);
+        let (down, up) = leads(path, machine.process.ramp.0);
         let Some(start) = down.start() else { continue };
         let ramp = |path: &Path, from, to| Ramp { pieces: seal_pieces(spec, machine, path), from, to };
         let (down, up) = (ramp(&down, travel, height.0), ramp(&up, height.0, travel));
@@ -130,18 +127,13 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result
     }
     steps.push(Step::Height(Height::Park));
     steps.push(Step::Travel(Point::ORIGIN));
-    let pace = Pace::new(spec, machine);
     let stars = seams.iter().map(|piece| piece.number).collect();
-    let mut program =
-        Program { purpose: Purpose::Seal, sheet: 1, stars, steps, seams: reports, pace, time: 0.0 };
-    program.time = program_time(machine, &program, spec.seal.speed.0);
+    let scope = Scope { purpose: Purpose::Seal, sheet: 1, stars };
+    let program = Program::new(spec, machine, scope, steps, reports);
     let mut found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
     found.extend(beyond(machine, name, &program));
     found.or(())?;
-    let facts = Facts { name: &spec.name, seal: &spec.seal, path: spec.accuracy.path, machine };
-    let mut gcode = String::new();
-    // A String takes everything.
-    let _ = emit::write_gcode(&mut gcode, facts, &program);
+    let gcode = emit::gcode(spec, machine, &program);
     let svg = drawing(name, spec, seams);
     Ok(Coupon { name: name.to_owned(), gcode, svg })
 }

@@ -10,7 +10,7 @@ const SLACK: f64 = 1e-6;
 
 /// Why `machine` does not reach all of the coupon `name`; `None` if it does, or if its work area is unknown.
 pub(super) fn beyond(machine: &Machine, name: &str, program: &Program) -> Option<Refusal> {
-    let (x, y) = machine.work_area?;
+    let (x, y) = machine.bench.work_area?;
     let reached = program
         .steps
         .iter()

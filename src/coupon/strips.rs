@@ -68,9 +68,9 @@ impl Grid {
 
     /// Every strip, in rows from the lower left, as many in a row as `machine` reaches.
     pub fn strips(&self, machine: &Machine) -> Vec<Strip> {
-        let ramp = machine.ramp.0.max(WASTE);
+        let ramp = machine.process.ramp.0.max(WASTE);
         let (edge, pitch) = (EDGE + ramp, WIDTH + 2.0 * WASTE + 2.0 * ramp);
-        let room = machine.work_area.map_or(f64::INFINITY, |(x, _)| x.0 - EDGE);
+        let room = machine.bench.work_area.map_or(f64::INFINITY, |(x, _)| x.0 - EDGE);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 6")]
         let row = (room / pitch).floor().clamp(1.0, ROW) as usize;
         let settings = self.settings().flat_map(|(t, v)| {

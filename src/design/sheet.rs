@@ -68,7 +68,7 @@ impl Design {
             }
         }
         refusals.or(())?;
-        let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.ramp.0)).collect();
+        let boxes: Vec<Bounds> = distinct.iter().map(|part| part.footprint(machine.process.ramp.0)).collect();
         let footprints: Vec<Bounds> = which.iter().map(|i| boxes[*i]).collect();
         let (places, sheets) = place(&footprints, &spec.sheet, machine)?;
         let stack = Stack::new(spec)?;
@@ -136,7 +136,7 @@ fn place(
     let reach = |extent: Option<crate::units::Length>, area: Option<f64>| {
         area.map_or(f64::INFINITY, |area| area - if extent.is_some() { margin } else { 2.0 * margin })
     };
-    let area = machine.work_area;
+    let area = machine.bench.work_area;
     let sheet_room = (given(sheet.width), given(sheet.height));
     let reach = (reach(sheet.width, area.map(|(x, _)| x.0)), reach(sheet.height, area.map(|(_, y)| y.0)));
     let (max_width, max_height) = (sheet_room.0.min(reach.0), sheet_room.1.min(reach.1));
@@ -226,7 +226,7 @@ fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal
 
 /// Refuses a part that the iron cannot reach all of.
 fn within_reach(part: &Bounds, room: (f64, f64), machine: &Machine) -> Result<(), Refusal> {
-    let Some((x, y)) = machine.work_area else { return Ok(()) };
+    let Some((x, y)) = machine.bench.work_area else { return Ok(()) };
     let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
     let missing = (part.width() - room.0).max(part.height() - room.1);
     Err(Refusal::new(

@@ -88,6 +88,11 @@ impl Decimals {
     }
 }
 
+/// A value from the spec, to nine decimals: more than any controller reads.
+pub(super) fn number(x: f64) -> String {
+    Decimals::exactly(9).text(x)
+}
+
 #[cfg(test)]
 mod tests {
     use proptest::prelude::*;

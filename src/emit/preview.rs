@@ -199,7 +199,7 @@ fn start_mark(page: &SvgPage, first: &Segment, order: usize, size: f64) -> Eleme
     dot.assign("fill", "#008000");
     group.append(dot);
     let beside = start + first.tangent(0.0).perp() * (1.2 * size);
-    group.append(text(page, beside, 1.2 * size, "middle", "#006000", &order.to_string()));
+    group.append(page.text(beside, 1.2 * size, "middle", "#006000", &order.to_string()));
     group
 }
 
@@ -209,35 +209,22 @@ fn labels(page: &SvgPage, part: &StarDesign, star: &PlacedStar, size: f64) -> El
     group.assign("id", format!("labels-{}", star.index));
     let geometry = &part.star;
     let center = star.placement.point(Point::ORIGIN);
-    group.append(text(page, center, 1.4 * size, "middle", "#202020", &format!("star {}", star.index)));
+    group.append(page.text(center, 1.4 * size, "middle", "#202020", &format!("star {}", star.index)));
     let beneath = center - Vec2::new(0.0, 1.6 * size);
-    group.append(text(page, beneath, size, "middle", "#202020", "this side up"));
+    group.append(page.text(beneath, size, "middle", "#202020", "this side up"));
     for k in 1..=geometry.n {
         let tip = Point::polar(geometry.tip_reach() - 0.5 * geometry.w, geometry.tip_ray(k));
         let corner = Point::polar(geometry.rho_0 + 0.5 * geometry.w, geometry.corner_ray(k));
         for (at, name) in [(tip, format!("tip {k}")), (corner, format!("corner {k}"))] {
-            group.append(text(page, star.placement.point(at), 0.8 * size, "middle", "#1f4e79", &name));
+            group.append(page.text(star.placement.point(at), 0.8 * size, "middle", "#1f4e79", &name));
         }
     }
     if let Some(channel) = &part.channel {
         let mouth = star.placement.point(channel.mouth_center(geometry));
-        group.append(text(page, mouth, 0.8 * size, "middle", "#1f4e79", "inlet"));
+        group.append(page.text(mouth, 0.8 * size, "middle", "#1f4e79", "inlet"));
     }
     group
 }
-
-pub(super) fn text(page: &SvgPage, at: Point, size: f64, anchor: &str, fill: &str, content: &str) -> Element {
-    let mut out = element("text");
-    out.assign("x", page.x(at));
-    out.assign("y", page.y(at));
-    out.assign("font-size", Decimals::exactly(2).text(size));
-    out.assign("font-family", "sans-serif");
-    out.assign("text-anchor", anchor);
-    out.assign("fill", fill);
-    out.append(svg::node::Text::new(content));
-    out
-}
-
 /// What the title block says, a line each.
 fn title_lines(spec: &Spec, design: &Design, programs: &[Program], sheet: usize) -> Vec<String> {
     let mut lines = vec![
@@ -292,8 +279,7 @@ impl Title {
         // Below the sheet's lower edge: negative ordinates of its frame.
         let mut y = -step;
         for line in lines {
-            group.append(text(
-                page,
+            group.append(page.text(
                 Point::new(size, y),
                 size.min(self.width / 60.0),
                 "start",
@@ -315,7 +301,7 @@ impl Title {
         bar.assign("stroke", "#202020");
         bar.assign("stroke-width", "0.3");
         group.append(bar);
-        group.append(text(page, to + Vec2::new(0.5 * size, 0.0), size, "start", "#202020", "50 mm"));
+        group.append(page.text(to + Vec2::new(0.5 * size, 0.0), size, "start", "#202020", "50 mm"));
         group
     }
 }

@@ -69,17 +69,10 @@ impl<'a> StackView<'a> {
                 group.append(stroke(page, &motion.path(edge), color, 0.5, "none"));
             }
             let corner = motion.point(Point::new(part.star.rho_0 + 0.5 * part.star.w, 0.0));
-            group.append(super::preview::text(
-                page,
-                corner,
-                0.8 * size,
-                "middle",
-                color,
-                &star.index.to_string(),
-            ));
+            group.append(page.text(corner, 0.8 * size, "middle", color, &star.index.to_string()));
         }
         let below = axis - Vec2::new(0.0, self.reach + 0.5 * BLANK);
-        group.append(super::preview::text(page, below, size, "middle", "#202020", "the stack from above"));
+        group.append(page.text(below, size, "middle", "#202020", "the stack from above"));
     }
 
     fn seen_from_the_side(&self, page: &SvgPage, group: &mut Element, foot: Point, size: f64) {
@@ -111,7 +104,7 @@ impl<'a> StackView<'a> {
         }
         let below = at(0.0, -0.8 * BLANK);
         let text = format!("from the side, inflated: {:.2} mm high", design.stack.height);
-        group.append(super::preview::text(page, below, size, "middle", "#202020", &text));
+        group.append(page.text(below, size, "middle", "#202020", &text));
     }
 }
 

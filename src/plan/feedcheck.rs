@@ -1,7 +1,7 @@
 //! The feed check: three lines of 10 mm that must take as long as the seal's speed says.
 
 use crate::geom::{Line, Point, Segment};
-use crate::plan::{Height, Pace, Program, Purpose, Step, program_time};
+use crate::plan::{Height, Program, Purpose, Scope, Step};
 use crate::spec::{Machine, Spec};
 
 /// Length of each line, mm: at 0.1 mm/s it takes 100 s, long enough for a wristwatch.
@@ -18,11 +18,8 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
     ends.map(|(name, end)| {
         let line: Segment = Line::new(Point::ORIGIN, end).into();
         let steps = vec![Step::Travel(Point::ORIGIN), Step::Height(Height::Travel), Step::Seal(vec![line])];
-        let pace = Pace::new(spec, machine);
-        let (sheet, stars, seams) = (1, Vec::new(), Vec::new());
-        let mut program = Program { purpose: Purpose::Trace, sheet, stars, steps, seams, pace, time: 0.0 };
-        program.time = program_time(machine, &program, spec.seal.speed.0);
-        (name, program)
+        let scope = Scope { purpose: Purpose::Trace, sheet: 1, stars: Vec::new() };
+        (name, Program::new(spec, machine, scope, steps, Vec::new()))
     })
     .into()
 }

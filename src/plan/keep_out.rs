@@ -33,7 +33,7 @@ pub(super) fn clamp_in_the_way(
     zone: &KeepOut,
 ) -> Option<Refusal> {
     let half_band = spec.seal.band.0 / 2.0;
-    let passes = zone.height.is_some_and(|height| height.0 < machine.heights.travel.0);
+    let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
     let refusal = |what: &str, star: &[usize]| {
         let stars: Vec<String> = star.iter().map(ToString::to_string).collect();
         Refusal::new(

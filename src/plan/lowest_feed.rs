@@ -79,7 +79,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     Some(Refusal::new(
         key::seal::SPEED,
         "feed-floor",
-        format!("{at}{} runs this at {runs} mm/s instead of {speed}", machine.dialect.title()),
+        format!("{at}{} runs this at {runs} mm/s instead of {speed}", machine.controller.dialect.title()),
         format!("write `feed_floor = \"chop\"` in [machine]; or a speed of at least {most:.2} mm/s{better}"),
     ))
 }

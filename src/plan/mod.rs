@@ -22,5 +22,5 @@ pub use pieces::{LONGEST_MOVE, pieces, seal_pieces};
 pub use program::{Height, Program, Purpose, Ramp, SeamReport, Step};
 pub use refusals::refusals;
 pub use seal::seal_programs;
-pub use time::{Clock, height_of, program_time};
+pub use time::{Clock, Scope, height_of};
 pub use trace::trace_programs;

@@ -68,7 +68,7 @@ impl Pace {
                 speed: chop,
                 longest: spec.seal.band.0 / 10.0,
                 acceleration: acceleration.0,
-                step: machine.dwell.step.0,
+                step: machine.controller.dwell.step.0,
             }),
             _ => Self::Steady,
         }

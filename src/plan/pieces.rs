@@ -49,5 +49,5 @@ pub fn seal_pieces(spec: &Spec, machine: &Machine, path: &Path) -> Vec<Segment> 
 /// The largest sagitta of a piece for `machine`: none where it draws arcs, else what the writers take for straight.
 pub(super) fn sagitta(spec: &Spec, machine: &Machine) -> Option<f64> {
     // A little less than the quarter of the tolerance below which a piece is written as a straight move.
-    (!machine.arcs).then_some(0.249 * spec.accuracy.path.0)
+    (!machine.controller.arcs).then_some(0.249 * spec.accuracy.path.0)
 }

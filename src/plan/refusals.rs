@@ -9,7 +9,7 @@ use crate::spec::{Machine, Spec};
 /// Every reason for which `machine` cannot run the sealing programs, or the traces, as they are.
 pub fn refusals(spec: &Spec, machine: &Machine, seals: &[Program], traces: &[Program]) -> Refusals {
     let mut refusals: Refusals = feed_floor(spec, machine, seals).into_iter().collect();
-    for zone in &machine.keep_out {
+    for zone in &machine.bench.keep_out {
         let found = clamp_in_the_way(spec, machine, seals, zone);
         refusals.extend(found.or_else(|| clamp_in_the_way(spec, machine, traces, zone)));
     }

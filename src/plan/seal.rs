@@ -3,14 +3,14 @@
 use crate::design::{Design, PlacedStar};
 use crate::geom::{Path, Point};
 use crate::plan::pieces::{flat_pieces, sagitta};
-use crate::plan::{Height, LONGEST_MOVE, Pace, Program, Purpose, Ramp, SeamReport, Step, program_time};
+use crate::plan::{Height, LONGEST_MOVE, Program, Purpose, Ramp, Scope, SeamReport, Step};
 use crate::spec::{Machine, ProgramScope, Spec};
 
-/// What one program covers: a sheet, and the stars on it in the order of sealing.
-pub(super) type Scope<'a> = (usize, Vec<&'a PlacedStar>);
+/// A sheet, and stars on it in the order of sealing: what one program covers.
+pub(super) type Batch<'a> = (usize, Vec<&'a PlacedStar>);
 
 /// What every program covers, by the spec's choice of one a star or one a sheet.
-pub(super) fn scopes(design: &Design, scope: ProgramScope) -> Vec<Scope<'_>> {
+pub(super) fn batches(design: &Design, scope: ProgramScope) -> Vec<Batch<'_>> {
     match scope {
         ProgramScope::Star => design.stars.iter().map(|star| (star.sheet, vec![star])).collect(),
         ProgramScope::Sheet => {
@@ -21,11 +21,11 @@ pub(super) fn scopes(design: &Design, scope: ProgramScope) -> Vec<Scope<'_>> {
 
 /// All sealing programs of `design`.
 pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    let scopes = scopes(design, spec.machine.program);
-    scopes.into_iter().map(|scope| seal_program(spec, machine, design, &scope)).collect()
+    let batches = batches(design, spec.machine.program);
+    batches.into_iter().map(|batch| seal_program(spec, machine, design, &batch)).collect()
 }
 
-fn seal_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Scope<'_>) -> Program {
+fn seal_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Batch<'_>) -> Program {
     let sagitta = sagitta(spec, machine);
     let mut plan = Planner { spec, machine, steps: Vec::new(), seams: Vec::new(), sagitta };
     plan.steps.push(Step::Height(Height::Park));
@@ -36,17 +36,12 @@ fn seal_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars):
     plan.steps.push(Step::Height(Height::Park));
     plan.steps.push(Step::Travel(Point::ORIGIN));
     let Planner { steps, seams, .. } = plan;
-    let mut program = Program {
-        purpose: Purpose::Seal,
-        sheet: *sheet,
-        stars: stars.iter().map(|star| star.index).collect(),
-        steps,
-        seams,
-        pace: Pace::new(spec, machine),
-        time: 0.0,
-    };
-    program.time = program_time(machine, &program, spec.seal.speed.0);
-    program
+    Program::new(spec, machine, scope(Purpose::Seal, *sheet, stars), steps, seams)
+}
+
+/// What the program of a batch covers.
+pub(super) fn scope(purpose: Purpose, sheet: usize, stars: &[&PlacedStar]) -> Scope {
+    Scope { purpose, sheet, stars: stars.iter().map(|star| star.index).collect() }
 }
 
 struct Planner<'a> {
@@ -59,14 +54,14 @@ struct Planner<'a> {
 
 impl Planner<'_> {
     fn star(&mut self, design: &Design, placed: &PlacedStar) {
-        let heights = &self.machine.heights;
+        let heights = &self.machine.process.heights;
         for seam in &design.part(placed).seams {
             let place = |path: Path| placed.placement.path(&path);
             let run = place(seam.run());
             let length = run.length();
             let (high, low) = (heights.travel.0, heights.contact.0);
-            let down = self.ramp(&place(seam.lead_in(self.machine.ramp.0)), high, low);
-            let up = self.ramp(&place(seam.lead_out(self.machine.ramp.0)), low, high);
+            let down = self.ramp(&place(seam.lead_in(self.machine.process.ramp.0)), high, low);
+            let up = self.ramp(&place(seam.lead_out(self.machine.process.ramp.0)), low, high);
             let time = (down.length() + length + up.length()) / self.spec.seal.speed.0;
             let Some(start) = down.pieces.first().map(crate::geom::Segment::start) else { continue };
             self.steps.extend([

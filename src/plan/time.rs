@@ -4,8 +4,8 @@
 //! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
 
 use crate::geom::{Point, Segment};
-use crate::plan::{Height, Pacer, Program, Step, move_time};
-use crate::spec::Machine;
+use crate::plan::{Height, Pace, Pacer, Program, Purpose, SeamReport, Step, move_time};
+use crate::spec::{Machine, Process, Spec};
 
 /// Follows a program step by step, and knows how long it has taken.
 #[derive(Clone, Debug)]
@@ -38,7 +38,7 @@ impl<'a> Clock<'a> {
 
     /// Adds a move straight up or down.
     pub fn height(&mut self, level: Height) {
-        let to = height_of(self.machine, level);
+        let to = height_of(&self.machine.process, level);
         let length = self.height.map_or(0.0, |from| (to - from).abs());
         self.elapsed += self.rapid(length);
         self.height = Some(to);
@@ -46,52 +46,81 @@ impl<'a> Clock<'a> {
 
     fn rapid(&self, length: f64) -> f64 {
         let acceleration = self.machine.motion.acceleration.map(|a| a.0);
-        if length > 0.0 { move_time(length, self.machine.travel_speed.0, acceleration) } else { 0.0 }
+        if length > 0.0 { move_time(length, self.machine.process.travel_speed.0, acceleration) } else { 0.0 }
     }
 }
 
 /// The height of a level, mm.
-pub fn height_of(machine: &Machine, level: Height) -> f64 {
+pub fn height_of(process: &Process, level: Height) -> f64 {
     match level {
-        Height::Travel => machine.heights.travel.0,
-        Height::Park => machine.heights.park.0,
+        Height::Travel => process.heights.travel.0,
+        Height::Park => process.heights.park.0,
     }
 }
 
-/// Time for all of `program`, s, without heating and pauses; `speed` is the seal's, mm/s.
-pub fn program_time(machine: &Machine, program: &Program, speed: f64) -> f64 {
+/// What a program covers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scope {
+    /// What it is for.
+    pub purpose: Purpose,
+    /// Number of its sheet, from 1.
+    pub sheet: usize,
+    /// The stars, by number.
+    pub stars: Vec<usize>,
+}
+
+impl Program {
+    /// The program of these steps at the pace of `spec` on `machine`, with its time.
+    pub fn new(
+        spec: &Spec,
+        machine: &Machine,
+        scope: Scope,
+        steps: Vec<Step>,
+        seams: Vec<SeamReport>,
+    ) -> Self {
+        let Scope { purpose, sheet, stars } = scope;
+        let pace = Pace::new(spec, machine);
+        let time = time_of(&steps, pace, machine, spec.seal.speed.0);
+        Self { purpose, sheet, stars, steps, seams, pace, time }
+    }
+}
+
+/// Time for all of `steps`, s, without heating and pauses; `speed` is the seal's, mm/s.
+fn time_of(steps: &[Step], pace: Pace, machine: &Machine, speed: f64) -> f64 {
     let mut clock = Clock::new(machine);
-    let mut pacer = Pacer::new(program.pace, speed);
-    let seal = |pacer: &mut Pacer, piece: &Segment, heights| {
-        let mut seconds = 0.0;
-        pacer.strokes(piece, heights, |stroke| seconds += stroke.seconds);
-        seconds
-    };
-    for step in &program.steps {
+    let mut pacer = Pacer::new(pace, speed);
+    for step in steps {
         match step {
             Step::Height(level) => clock.height(*level),
             Step::Travel(to) => clock.travel(*to),
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
                 // Every contact has a schedule of its own.
                 if matches!(step, Step::TouchDown(_)) {
-                    pacer = Pacer::new(program.pace, speed);
+                    pacer = Pacer::new(pace, speed);
                 }
                 for (piece, from, to) in ramp.with_heights() {
-                    clock.add(piece.end(), Some(to), seal(&mut pacer, piece, Some((from, to))));
+                    clock.add(piece.end(), Some(to), seal_time(&mut pacer, piece, Some((from, to))));
                 }
             }
             Step::Seal(pieces) => {
                 for piece in pieces {
-                    clock.add(piece.end(), None, seal(&mut pacer, piece, None));
+                    clock.add(piece.end(), None, seal_time(&mut pacer, piece, None));
                 }
             }
             Step::Trace(pieces) => {
                 for piece in pieces {
-                    clock.add(piece.end(), None, piece.length() / machine.trace_speed.0);
+                    clock.add(piece.end(), None, piece.length() / machine.process.trace_speed.0);
                 }
             }
             Step::Heat(_) | Step::Seam(_) => {}
         }
     }
     clock.elapsed
+}
+
+/// Time for all strokes of `piece`, s.
+fn seal_time(pacer: &mut Pacer, piece: &Segment, heights: Option<(f64, f64)>) -> f64 {
+    let mut seconds = 0.0;
+    pacer.strokes(piece, heights, |stroke| seconds += stroke.seconds);
+    seconds
 }

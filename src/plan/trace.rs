@@ -3,17 +3,17 @@
 use crate::design::{Design, PlacedStar};
 use crate::geom::{Bounds, Line, Path, Point, Segment};
 use crate::plan::pieces::{flat_pieces, sagitta};
-use crate::plan::seal::{Scope, scopes};
-use crate::plan::{Height, Pace, Program, Purpose, Step, program_time};
+use crate::plan::seal::{Batch, batches, scope};
+use crate::plan::{Height, Program, Purpose, Step};
 use crate::spec::{Machine, Spec};
 
 /// All trace programs of `design`, one for each sealing program.
 pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    let scopes = scopes(design, spec.machine.program);
-    scopes.into_iter().map(|scope| trace_program(spec, machine, design, &scope)).collect()
+    let batches = batches(design, spec.machine.program);
+    batches.into_iter().map(|batch| trace_program(spec, machine, design, &batch)).collect()
 }
 
-fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Scope<'_>) -> Program {
+fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Batch<'_>) -> Program {
     let sagitta = sagitta(spec, machine);
     let mut steps = vec![Step::Height(Height::Park)];
     let mut follow = |path: &Path| {
@@ -22,7 +22,7 @@ fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars)
         let moves = flat_pieces(path, f64::INFINITY, sagitta);
         steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(moves)]);
     };
-    follow(&frame(design, stars, machine.ramp.0));
+    follow(&frame(design, stars, machine.process.ramp.0));
     for placed in stars {
         for seam in &design.part(placed).seams {
             follow(&placed.placement.path(&seam.run()));
@@ -30,18 +30,7 @@ fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars)
     }
     steps.push(Step::Height(Height::Park));
     steps.push(Step::Travel(Point::ORIGIN));
-    let stars = stars.iter().map(|star| star.index).collect();
-    let mut program = Program {
-        purpose: Purpose::Trace,
-        sheet: *sheet,
-        stars,
-        steps,
-        seams: Vec::new(),
-        pace: Pace::Steady,
-        time: 0.0,
-    };
-    program.time = program_time(machine, &program, spec.seal.speed.0);
-    program
+    Program::new(spec, machine, scope(Purpose::Trace, *sheet, stars), steps, Vec::new())
 }
 
 /// The rectangle around everything that the sealing program does to the fabric.

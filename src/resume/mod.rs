@@ -10,9 +10,8 @@ mod resume_at;
 mod toolpath;
 
 use crate::emit;
-use crate::emit::Facts;
 use crate::geom::{Path, Segment};
-use crate::plan::{Height, Program, Purpose, Ramp, Step};
+use crate::plan::{Height, Ramp, Step};
 use crate::resume::record::Record;
 use crate::resume::toolpath::{Run, Toolpath};
 use crate::verify::gcode::read_program;
@@ -77,7 +76,7 @@ fn approach(
     from: f64,
     out: &mut Vec<String>,
 ) -> Result<usize, ResumeFault> {
-    let (heights, ramp) = (&record.machine.heights, record.machine.ramp.0);
+    let (heights, ramp) = (&record.process.heights, record.process.ramp.0);
     // The way down of the seam itself lies before its run: there is always room for a ramp.
     let track = Path::open(run.down.iter().chain(run.steps).filter_map(|step| step.step.path).collect());
     let before: f64 = run.down.iter().filter_map(|step| step.step.path).map(|path| path.length()).sum();
@@ -103,12 +102,9 @@ fn approach(
         Step::TouchDown(Ramp { pieces: down.segments, from: travel, to: contact }),
         Step::Seal(rest),
     ];
-    let (sheet, stars, seams) = (1, Vec::new(), Vec::new());
-    let program =
-        Program { purpose: Purpose::Seal, sheet, stars, steps, seams, pace: record.pace, time: 1.0 };
-    let facts = Facts { name: "", seal: &record.seal, path: record.path, machine: &record.machine };
     let mut text = String::new();
-    let _ = emit::write_steps(&mut text, facts, &program, start).map_err(|_| ResumeFault::NothingLeft)?;
+    let _ = emit::write_steps(&mut text, record.facts(), &steps, record.pace, start)
+        .map_err(|_| ResumeFault::NothingLeft)?;
     out.extend(run.title.clone());
     out.extend(text.lines().map(str::to_owned));
     // The dwells of the old move belong to it, and have been written anew with its rest.

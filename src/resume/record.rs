@@ -1,8 +1,9 @@
 //! The record: what a program's structured comments say of its machine and its seal.
 
+use crate::emit::Facts;
 use crate::plan::{Chop, Pace};
 use crate::resume::ResumeFault;
-use crate::spec::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, Machine, Motion, Seal};
+use crate::spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, Process, Seal};
 use crate::units::{Duration, Length, Speed, Temperature};
 use crate::verify::gcode;
 use crate::verify::gcode::Comment;
@@ -10,7 +11,8 @@ use crate::verify::gcode::Comment;
 /// What a file says of itself.
 #[derive(Clone, Debug)]
 pub(super) struct Record {
-    pub(super) machine: Machine,
+    pub(super) controller: Controller,
+    pub(super) process: Process,
     pub(super) seal: Seal,
     pub(super) path: Length,
     pub(super) pace: Pace,
@@ -23,48 +25,83 @@ impl Record {
     /// Reads the header.
     pub(super) fn read(text: &str) -> Result<Self, ResumeFault> {
         let comments = if text.starts_with('(') { Comments::Parentheses } else { Comments::Semicolon };
-        let header: Vec<Comment> = text
-            .lines()
-            .take(HEADER)
-            .map_while(|line| match comments {
-                Comments::Semicolon => line.strip_prefix(';'),
-                Comments::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
-            })
-            .map(|text| Comment { line: 0, text: text.trim().to_owned() })
-            .collect();
-        let find = |key: &'static str| {
-            header.iter().find(|comment| comment.key() == Some(key)).ok_or(ResumeFault::NotOurs(key))
-        };
-        let number = |key: &'static str, word: &str| find(key)?.number(word).ok_or(ResumeFault::NotOurs(key));
-        if find("program")?.word("purpose") != Some("seal") {
+        let header = Header::read(text, comments);
+        if header.find("program")?.word("purpose") != Some("seal") {
             return Err(ResumeFault::NotOurs("program: purpose=seal"));
         }
-        let machine = find("machine")?;
+        let pace = header.pace()?;
+        let process = header.process()?;
+        let (seal, path) = (header.seal()?, header.length("path", "tolerance_mm")?);
+        let positive =
+            seal.speed.0 > 0.0 && process.travel_speed.0 > 0.0 && path.0 > 0.0 && process.ramp.0 > 0.0;
+        if !positive {
+            return Err(ResumeFault::NotOurs("seal"));
+        }
+        Ok(Self { controller: header.controller(comments, pace)?, process, seal, path, pace })
+    }
+
+    /// The dialect by which the file is read.
+    pub(super) fn dialect(&self) -> gcode::Dialect {
+        gcode::Dialect::for_controller(&self.controller)
+    }
+
+    /// What the writing of further steps needs to know.
+    pub(super) fn facts(&self) -> Facts<'_> {
+        let Self { controller, process, seal, path, .. } = self;
+        Facts { name: "", seal, path: *path, controller, process }
+    }
+
+    /// A comment as this file marks it.
+    pub(super) fn comment(&self, text: &str) -> String {
+        match self.controller.comments {
+            Comments::Semicolon => format!("; {text}"),
+            Comments::Parentheses => format!("({text})"),
+        }
+    }
+}
+
+/// The comments before the first line of G-code.
+struct Header(Vec<Comment>);
+
+impl Header {
+    fn read(text: &str, comments: Comments) -> Self {
+        let lines = text.lines().take(HEADER).map_while(|line| match comments {
+            Comments::Semicolon => line.strip_prefix(';'),
+            Comments::Parentheses => line.strip_prefix('(').and_then(|line| line.strip_suffix(')')),
+        });
+        Self(lines.map(|text| Comment { line: 0, text: text.trim().to_owned() }).collect())
+    }
+
+    fn find(&self, key: &'static str) -> Result<&Comment, ResumeFault> {
+        self.0.iter().find(|comment| comment.key() == Some(key)).ok_or(ResumeFault::NotOurs(key))
+    }
+
+    fn number(&self, key: &'static str, word: &str) -> Result<f64, ResumeFault> {
+        self.find(key)?.number(word).ok_or(ResumeFault::NotOurs(key))
+    }
+
+    fn length(&self, key: &'static str, word: &str) -> Result<Length, ResumeFault> {
+        self.number(key, word).map(Length)
+    }
+
+    /// A number that a chopped program may say: nothing that we write is smaller or larger, and strokes without length
+    /// would never end.
+    fn within(&self, key: &'static str, word: &str) -> Result<f64, ResumeFault> {
+        let x = self.number(key, word)?;
+        if (1e-4..=1e7).contains(&x) { Ok(x) } else { Err(ResumeFault::NotOurs(key)) }
+    }
+
+    fn controller(&self, comments: Comments, pace: Pace) -> Result<Controller, ResumeFault> {
+        let machine = self.find("machine")?;
         let name = machine.word("dialect").unwrap_or_default();
         let dialect = Dialect::NAMES.iter().find(|(known, _)| *known == name).map(|(_, dialect)| *dialect);
         let heating = match machine.word("heating") {
             Some("hotend") => Heating::Hotend,
             _ => Heating::Operator,
         };
-        let unit = match find("path")?.word("dwell") {
+        let unit = match self.find("path")?.word("dwell") {
             Some("ms") => DwellUnit::Milliseconds,
             _ => DwellUnit::Seconds,
-        };
-        let pace = if find("chop").is_ok() {
-            // Nothing that we write is smaller or larger; strokes without length would never end.
-            let within = |key, word| {
-                number(key, word).and_then(|x| {
-                    if (1e-4..=1e7).contains(&x) { Ok(x) } else { Err(ResumeFault::NotOurs(key)) }
-                })
-            };
-            Pace::Chopped(Chop {
-                speed: within("chop", "feed_mm_min")? / 60.0,
-                longest: within("chop", "longest_mm")?,
-                acceleration: within("chop-rest", "acceleration_mm_s2")?,
-                step: number("chop-rest", "step_s")?,
-            })
-        } else {
-            Pace::Steady
         };
         let step = if let Pace::Chopped(chop) = pace { chop.step } else { 1e-3 };
         #[expect(
@@ -72,58 +109,54 @@ impl Record {
             clippy::cast_sign_loss,
             reason = "a line's length, kept in range"
         )]
-        let line_length = number("machine", "line")?.clamp(40.0, 255.0) as usize;
-        let length = |key, word| number(key, word).map(Length);
-        let machine = Machine {
-            name: name.to_owned(),
-            description: String::new(),
+        let line_length = self.number("machine", "line")?.clamp(40.0, 255.0) as usize;
+        Ok(Controller {
             dialect: dialect.ok_or(ResumeFault::NotOurs("machine"))?,
-            work_area: None,
             line_length,
             comments,
             arcs: machine.word("arcs") == Some("yes"),
             dwell: Dwells { unit, step: Duration(step) },
             heating,
-            spring_loaded: true,
-            heights: Heights {
-                contact: length("heights", "contact_mm")?,
-                travel: length("heights", "travel_mm")?,
-                park: length("heights", "park_mm")?,
-            },
-            ramp: length("heights", "ramp_mm")?,
-            travel_speed: number("path", "travel_mm_s").map(Speed)?,
-            trace_speed: Speed(1.0),
-            motion: Motion::UNKNOWN,
-            keep_out: Vec::new(),
-            start: Vec::new(),
-            pause: String::new(),
-            end: Vec::new(),
-            requires: Vec::new(),
+        })
+    }
+
+    fn process(&self) -> Result<Process, ResumeFault> {
+        let heights = Heights {
+            contact: self.length("heights", "contact_mm")?,
+            travel: self.length("heights", "travel_mm")?,
+            park: self.length("heights", "park_mm")?,
         };
-        let seal = Seal {
-            temperature: number("seal", "temperature_C").map(Temperature)?,
-            speed: number("seal", "speed_mm_s").map(Speed)?,
-            band: length("seal", "band_mm")?,
-            overlap: length("seal", "overlap_mm")?,
+        let travel_speed = self.number("path", "travel_mm_s").map(Speed)?;
+        Ok(Process {
+            spring_loaded: heights.contact.0 < 0.0,
+            heights,
+            ramp: self.length("heights", "ramp_mm")?,
+            travel_speed,
+            // Nothing is traced in a sealing program.
+            trace_speed: travel_speed,
+        })
+    }
+
+    fn seal(&self) -> Result<Seal, ResumeFault> {
+        Ok(Seal {
+            temperature: self.number("seal", "temperature_C").map(Temperature)?,
+            speed: self.number("seal", "speed_mm_s").map(Speed)?,
+            band: self.length("seal", "band_mm")?,
+            overlap: self.length("seal", "overlap_mm")?,
             allowance: Length(0.0),
             hole_allowance: Length(0.0),
-        };
-        let path = length("path", "tolerance_mm")?;
-        let positive =
-            seal.speed.0 > 0.0 && machine.travel_speed.0 > 0.0 && path.0 > 0.0 && machine.ramp.0 > 0.0;
-        if positive { Ok(Self { machine, seal, path, pace }) } else { Err(ResumeFault::NotOurs("seal")) }
+        })
     }
 
-    /// The dialect by which the file is read.
-    pub(super) fn dialect(&self) -> gcode::Dialect {
-        gcode::Dialect::for_machine(&self.machine)
-    }
-
-    /// A comment as this file marks it.
-    pub(super) fn comment(&self, text: &str) -> String {
-        match self.machine.comments {
-            Comments::Semicolon => format!("; {text}"),
-            Comments::Parentheses => format!("({text})"),
+    fn pace(&self) -> Result<Pace, ResumeFault> {
+        if self.find("chop").is_err() {
+            return Ok(Pace::Steady);
         }
+        Ok(Pace::Chopped(Chop {
+            speed: self.within("chop", "feed_mm_min")? / 60.0,
+            longest: self.within("chop", "longest_mm")?,
+            acceleration: self.within("chop-rest", "acceleration_mm_s2")?,
+            step: self.number("chop-rest", "step_s")?,
+        }))
     }
 }

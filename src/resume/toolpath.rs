@@ -106,7 +106,7 @@ impl Toolpath {
     }
 
     fn add(&mut self, step: Move, record: &Record, title: Option<usize>) {
-        let heights = &record.machine.heights;
+        let heights = &record.process.heights;
         let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
         let before = self.steps.last();
         let phase = if low >= heights.travel.0 - HEIGHT {
@@ -126,10 +126,8 @@ impl Toolpath {
             Pace::Chopped(chop) if phase != Phase::Clear => Some(chop.acceleration),
             _ => None,
         };
-        let seconds = match (step.kind, step.feed) {
-            (MoveKind::Feed, Some(feed)) => move_time(step.length(), feed / 60.0, chop),
-            _ => step.length() / record.machine.travel_speed.0,
-        };
+        let speed = step.feed.map_or(record.process.travel_speed.0, |feed| feed / 60.0);
+        let seconds = move_time(step.length(), speed, chop);
         let along = if phase == Phase::Clear { 0.0 } else { along };
         self.steps.push(TimedMove { step, phase, along, begins, seconds, title });
     }

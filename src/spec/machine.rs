@@ -10,34 +10,62 @@ pub struct Machine {
     pub name: String,
     /// One line for `stargrip-cam machines`.
     pub description: String,
-    /// The words the controller understands.
+    /// What the controller reads and does.
+    pub controller: Controller,
+    /// How the iron is led over the fabric.
+    pub process: Process,
+    /// Where the iron may go.
+    pub bench: Bench,
+    /// What is known of the motors.
+    pub motion: Motion,
+    /// The profile's own lines.
+    pub script: Script,
+}
+
+/// What the controller reads and does: enough to spell a program for it, and to read one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Controller {
+    /// The words that it understands.
     pub dialect: Dialect,
-    /// Reachable area from the origin, X by Y; `None` if unknown: the sheet is then the only limit.
-    pub work_area: Option<(Length, Length)>,
-    /// Longest line the controller reads, in characters without the line end.
+    /// Longest line that it reads, in characters without the line end.
     pub line_length: usize,
     /// How comments are marked.
     pub comments: Comments,
-    /// Whether the controller draws arcs (G2, G3) exactly enough; without, they are cut into chords.
+    /// Whether it draws arcs (G2, G3) exactly enough; without, they are cut into chords.
     pub arcs: bool,
     /// The unit of a dwell's time, and the step to which the controller rounds it up.
     pub dwell: Dwells,
     /// How the iron gets hot.
     pub heating: Heating,
+}
+
+/// How the iron is led over the fabric.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Process {
     /// Whether the tip is spring-loaded; a rigid one is asked to stay at height 0 or above.
     pub spring_loaded: bool,
     /// Heights of the iron's tip above the release layer.
     pub heights: Heights,
     /// Length of the ramp along the path on which the iron goes down before, and up after, a seam.
     pub ramp: Length,
-    /// Speed to assume for travel (G0), for time estimates only.
+    /// Speed of travel (G0): written as a feed where the controller needs one, else for time estimates only.
     pub travel_speed: Speed,
     /// Speed of the trace program.
     pub trace_speed: Speed,
-    /// What is known of the motors.
-    pub motion: Motion,
+}
+
+/// Where the iron may go.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Bench {
+    /// Reachable area from the origin, X by Y; `None` if unknown: the sheet is then the only limit.
+    pub work_area: Option<(Length, Length)>,
     /// Where clamps stand.
     pub keep_out: Vec<KeepOut>,
+}
+
+/// The profile's own lines, which go into a program as they are.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Script {
     /// Lines that put the controller into a known state: units, plane, distance, arc and feed mode.
     pub start: Vec<String>,
     /// The line at which the machine waits for the operator.

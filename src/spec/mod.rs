@@ -32,7 +32,10 @@ mod value;
 pub use builtin::UnknownMachine;
 pub use fault::{Fault, Faults, Severity};
 pub use key::KeyPath;
-pub use machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
+pub use machine::{
+    Bench, Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine, Process,
+    Script,
+};
 pub use model::{
     Accuracy, Fabric, FeedFloor, Frame, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
     Sheet, Spec, StarSpec,

@@ -21,7 +21,7 @@ fn every_coupon_is_sound_in_every_dialect() {
         let set = coupons(&spec, &machine, &grid).unwrap_or_else(|refusals| panic!("{name}: {refusals:?}"));
         assert_eq!(set.len(), 4 + 3);
         for coupon in &set {
-            let program = read_program(&coupon.gcode, Dialect::for_machine(&machine));
+            let program = read_program(&coupon.gcode, Dialect::for_controller(&machine.controller));
             assert_eq!(program.findings, [], "{name} {}", coupon.name);
             let low: Vec<_> = program.moves.iter().filter(|step| step.to.z < 4.9).collect();
             let hot = if coupon.name.starts_with("strips-180") { 180.0 } else { 200.0 };

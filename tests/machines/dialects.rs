@@ -21,6 +21,38 @@ fn every_dialect_writes_what_its_controller_reads() {
     }
 }
 
+/// Klipper, Marlin and RepRapFirmware run G0 at the feed in force: without an F a travel would crawl at the seal's.
+#[test]
+fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
+    for name in PROFILES {
+        let printer = ["marlin", "klipper", "reprapfirmware"].contains(&name);
+        let rest = if can_go_slowly(name) { "" } else { CHOP };
+        let build = built(&spec_text(rest), profile(name));
+        for file in ["star-1-seal.gcode", "star-1-trace.gcode"] {
+            let code = text(&build, file);
+            let mut after_travel = false;
+            for line in code.lines().filter(|line| line.starts_with("G0") || line.starts_with("G1")) {
+                let travel = line.starts_with("G0");
+                assert!(!travel || line.ends_with(" F1200") == printer, "{name}: {line}");
+                assert!(!printer || !after_travel || line.contains(" F"), "{name}: {line}");
+                after_travel = travel;
+            }
+        }
+        // One travel without its F is seen, at its line.
+        let code = text(&build, "star-1-seal.gcode");
+        let (line, crawl) =
+            code.lines().enumerate().filter(|(_, l)| l.starts_with("G0 X")).nth(1).expect("two");
+        let slow = code.replacen(crawl, crawl.trim_end_matches(" F1200"), 1);
+        let found = crate::findings_with(&build, "star-1-seal.gcode", &slow);
+        let expected = printer.then_some(("travel-feed", Some(line + 1)));
+        assert_eq!(found.first().map(|f| (f.code, f.line)), expected, "{name}: {found:?}");
+    }
+}
+
+fn can_go_slowly(name: &str) -> bool {
+    ["generic", "linuxcnc", "klipper", "reprapfirmware"].contains(&name)
+}
+
 #[test]
 fn below_the_lowest_feed_the_numbers_are_told() {
     let refusals = try_built(&spec_text(""), profile("grbl")).map(|_| ()).expect_err("too slow for GRBL");
@@ -118,7 +150,7 @@ fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
             &machine,
             &stargrip_cam::plan::feed_checks(&spec, &machine),
         );
-        let mut interpreter = Interpreter::new(Dialect::for_machine(&machine));
+        let mut interpreter = Interpreter::new(Dialect::for_controller(&machine.controller));
         let mut events = Vec::new();
         for line in code.split_inclusive('\n') {
             interpreter.feed(line, &mut events);

@@ -16,7 +16,7 @@ fn job(name: &str) -> String {
 }
 
 fn moves(name: &str, text: &str) -> Vec<Move> {
-    let program = read_program(text, Dialect::for_machine(&machine(profile(name))));
+    let program = read_program(text, Dialect::for_controller(&machine(profile(name)).controller));
     assert_eq!(program.findings, [], "{name}");
     program.moves
 }
@@ -118,6 +118,20 @@ fn at_many_moves_of_chopped_jobs_and_in_every_dialect() {
         let original = moves(name, &job);
         for step in original.iter().step_by(original.len() / 23 + 1).chain(original.last()) {
             check(name, &job, &original, step.line);
+        }
+    }
+}
+
+#[test]
+fn the_way_back_carries_its_feeds_where_g0_has_none_of_its_own() {
+    for name in ["marlin", "klipper", "reprapfirmware"] {
+        let text = resume(&job(name), ResumeAt::Share(0.4), None).expect("resumed").text;
+        let mut after_travel = false;
+        for line in text.lines().filter(|line| line.starts_with('G') && line.contains(['X', 'Y', 'Z'])) {
+            let travel = line.starts_with("G0 ");
+            assert!(!travel || line.ends_with(" F1200"), "{name}: {line}");
+            assert!(!after_travel || line.contains(" F"), "{name}: {line}");
+            after_travel = travel;
         }
     }
 }

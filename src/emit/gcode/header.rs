@@ -4,14 +4,15 @@ use std::fmt;
 
 use crate::emit::gcode::Facts;
 use crate::emit::gcode::writer::Writer;
-use crate::emit::number::Decimals;
+use crate::emit::number::number;
 use crate::plan::{Pace, Program, Purpose, SeamReport};
-use crate::spec::{DwellUnit, Heating};
+use crate::spec::{DwellUnit, Heating, Machine};
 
 /// Writes the header of `program`.
 pub(super) fn header(
     writer: &mut Writer<'_, impl fmt::Write>,
     facts: Facts<'_>,
+    machine: &Machine,
     program: &Program,
 ) -> fmt::Result {
     let purpose = match program.purpose {
@@ -24,7 +25,8 @@ pub(super) fn header(
     writer.comment(&format!("program: purpose={purpose} sheet={} stars={stars}", program.sheet))?;
     writer.comment("frame: origin at lower left of the sheet, Z0 on the release layer")?;
     if program.purpose == Purpose::Seal {
-        machine_facts(writer, facts, program)?;
+        job_facts(writer, facts)?;
+        conditions(writer, machine, program)?;
     }
     for (seam, i) in program.seams.iter().zip(1..) {
         writer.comment(&seam_facts("length", i, seam))?;
@@ -36,35 +38,35 @@ pub(super) fn header(
     Ok(())
 }
 
-/// What a new program for the rest of the job needs to know, and what the operator has to see to.
-fn machine_facts(
-    writer: &mut Writer<'_, impl fmt::Write>,
-    facts: Facts<'_>,
-    program: &Program,
-) -> fmt::Result {
-    let (seal, machine) = (facts.seal, facts.machine);
+/// What a new program for the rest of the job needs to know.
+fn job_facts(writer: &mut Writer<'_, impl fmt::Write>, facts: Facts<'_>) -> fmt::Result {
+    let Facts { seal, controller, process, .. } = facts;
     let (t, v) = (number(seal.temperature.0), number(seal.speed.0));
     let (w, o) = (number(seal.band.0), number(seal.overlap.0));
     writer.comment(&format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"))?;
-    let heating = match machine.heating {
+    let heating = match controller.heating {
         Heating::Operator => "operator",
         Heating::Hotend => "hotend",
     };
-    let (dialect, line) = (machine.dialect.name(), machine.line_length);
-    let arcs = if machine.arcs { "yes" } else { "no" };
+    let (dialect, line) = (controller.dialect.name(), controller.line_length);
+    let arcs = if controller.arcs { "yes" } else { "no" };
     writer.comment(&format!("machine: dialect={dialect} heating={heating} arcs={arcs} line={line}"))?;
-    let heights = &machine.heights;
+    let heights = &process.heights;
     let (contact, travel) = (number(heights.contact.0), number(heights.travel.0));
-    let (park, ramp) = (number(heights.park.0), number(machine.ramp.0));
+    let (park, ramp) = (number(heights.park.0), number(process.ramp.0));
     writer.comment(&format!(
         "heights: contact_mm={contact} travel_mm={travel} park_mm={park} ramp_mm={ramp}"
     ))?;
-    let (path, rapid) = (number(facts.path.0), number(machine.travel_speed.0));
-    let unit = match machine.dwell.unit {
+    let (path, rapid) = (number(facts.path.0), number(process.travel_speed.0));
+    let unit = match controller.dwell.unit {
         DwellUnit::Seconds => "s",
         DwellUnit::Milliseconds => "ms",
     };
-    writer.comment(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"))?;
+    writer.comment(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"))
+}
+
+/// What the operator has to see to, and what a chopped program relies on.
+fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, program: &Program) -> fmt::Result {
     if let Pace::Chopped(chop) = program.pace {
         let (feed, a) = (number(chop.speed * 60.0), number(chop.acceleration));
         let (longest, step) = (number(chop.longest), number(chop.step));
@@ -75,15 +77,10 @@ fn machine_facts(
             writer.requirement(&format!("requires: at least {x} and {y} steps/mm in X and Y"))?;
         }
     }
-    for line in &machine.requires {
+    for line in &machine.script.requires {
         writer.requirement(&format!("requires: {line}"))?;
     }
     Ok(())
-}
-
-/// A value from the spec, to nine decimals: more than any controller reads.
-pub(super) fn number(x: f64) -> String {
-    Decimals::exactly(9).text(x)
 }
 
 fn stars(program: &Program) -> String {

@@ -3,9 +3,8 @@
 use std::fmt;
 
 use crate::emit::gcode::Facts;
-use crate::emit::gcode::header::number;
-use crate::emit::gcode::speech::{Speech, speech};
-use crate::emit::number::Decimals;
+use crate::emit::gcode::dialect::Spelling;
+use crate::emit::number::{Decimals, number};
 use crate::emit::text::inert;
 use crate::geom::{Point, Segment};
 use crate::spec::Comments;
@@ -16,7 +15,7 @@ pub(super) struct Writer<'a, W> {
     facts: Facts<'a>,
     decimals: Decimals,
     /// The spelling of the dialect.
-    pub(super) speech: &'static dyn Speech,
+    pub(super) spelling: Spelling,
     /// Lines so far.
     pub(super) lines: usize,
     /// Where the iron is, as the file says.
@@ -32,7 +31,7 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
             out,
             facts,
             decimals: Decimals::for_tolerance(facts.path),
-            speech: speech(facts.machine.dialect),
+            spelling: Spelling::of(facts.controller.dialect),
             lines: 0,
             at: Point::ORIGIN,
             feed: None,
@@ -55,19 +54,19 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
 
     /// A comment, cut to the length that the controller reads.
     pub(super) fn comment(&mut self, text: &str) -> fmt::Result {
-        let room = self.facts.machine.line_length.saturating_sub(2);
+        let room = self.facts.controller.line_length.saturating_sub(2);
         self.marked(&inert(text, room))
     }
 
     /// A comment of the profile's own, which may name settings such as `$1`.
     pub(super) fn requirement(&mut self, text: &str) -> fmt::Result {
-        let room = self.facts.machine.line_length.saturating_sub(4);
+        let room = self.facts.controller.line_length.saturating_sub(4);
         let parts: Vec<String> = text.split('$').map(|part| inert(part, room)).collect();
         self.marked(&parts.join("$"))
     }
 
     fn marked(&mut self, text: &str) -> fmt::Result {
-        let line = match self.facts.machine.comments {
+        let line = match self.facts.controller.comments {
             Comments::Semicolon => format!("; {text}").trim_end().to_owned(),
             Comments::Parentheses => format!("({})", text.trim_end()),
         };
@@ -83,6 +82,7 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
     /// Straight up or down.
     pub(super) fn height(&mut self, z: f64) -> fmt::Result {
         self.word("G0 Z", z);
+        self.travel_feed();
         self.end_line()
     }
 
@@ -92,7 +92,17 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
         self.word("G0 X", to.x);
         self.word(" Y", to.y);
         self.at = to;
+        self.travel_feed();
         self.end_line()
+    }
+
+    /// The feed of a travel, on every one where the controller would go on at the seal's; the next cut states its own.
+    fn travel_feed(&mut self) {
+        if self.spelling.travel_at_feed {
+            self.line.push_str(" F");
+            self.line.push_str(&number(self.facts.process.travel_speed.0 * 60.0));
+            self.feed = None;
+        }
     }
 
     /// One feed move along `piece`, to height `z` if given, at `speed` mm/s.

@@ -59,6 +59,7 @@ impl<'a> Job<'a> {
         let corner = Point::new(layout.width, layout.height);
         let reach = expected
             .machine
+            .bench
             .work_area
             .map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
         let area = Bounds { min: Point::ORIGIN, max: reach };
@@ -67,11 +68,12 @@ impl<'a> Job<'a> {
 
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
     pub(in crate::verify) fn check(&self, text: &str, findings: &mut Findings) -> f64 {
-        let dialect = Dialect::for_machine(self.expected.machine);
+        let dialect = Dialect::for_controller(&self.expected.machine.controller);
         let program = read_program(text, dialect);
         self.area(&program, findings);
+        self.travels(&program, findings);
         let reach = if self.hot { self.expected.spec.seal.band.0 / 2.0 } else { 0.0 };
-        clamp::check(&self.expected.machine.keep_out, reach, &program, findings);
+        clamp::check(&self.expected.machine.bench.keep_out, reach, &program, findings);
         let deviation = if self.hot {
             self.heat_and_speed(&program, findings);
             pace::check(self.expected, &program, |step| self.phase(step) != Phase::Clear, findings);
@@ -89,7 +91,7 @@ impl<'a> Job<'a> {
     }
 
     fn expected(&self) -> Vec<ExpectedSeam> {
-        let ramp = self.expected.machine.ramp.0;
+        let ramp = self.expected.machine.process.ramp.0;
         let seams = self.stars.iter().flat_map(|placed| {
             self.expected.design.part(placed).seams.iter().map(move |seam| {
                 let place = |path: Path| placed.placement.path(&path);
@@ -125,8 +127,23 @@ impl<'a> Job<'a> {
         }
     }
 
+    /// Where G0 runs at the feed in force, a travel must not crawl at the seal's with a hot iron above the fabric.
+    fn travels(&self, program: &Program, findings: &mut Findings) {
+        let allowed = self.expected.machine.process.travel_speed.0 * 60.0;
+        for step in program.moves.iter().filter(|step| step.kind == MoveKind::Rapid) {
+            if let Some(feed) = step.feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed) {
+                findings.add(
+                    "travel-feed",
+                    step.line,
+                    format!("a G0 at F{feed}, the feed in force"),
+                    format!("F{allowed}"),
+                );
+            }
+        }
+    }
+
     fn phase(&self, step: &Move) -> Phase {
-        let heights = &self.expected.machine.heights;
+        let heights = &self.expected.machine.process.heights;
         let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
         if low >= heights.travel.0 - HEIGHT {
             Phase::Clear
@@ -139,7 +156,7 @@ impl<'a> Job<'a> {
 
     /// Below travel height the iron is hot, feeds at seal speed, and moves along the fabric.
     fn heat_and_speed(&self, program: &Program, findings: &mut Findings) {
-        let (seal, contact) = (&self.expected.spec.seal, self.expected.machine.heights.contact.0);
+        let (seal, contact) = (&self.expected.spec.seal, self.expected.machine.process.heights.contact.0);
         for step in program.moves.iter().filter(|step| self.phase(step) != Phase::Clear) {
             match step.heated {
                 Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
@@ -181,7 +198,7 @@ impl<'a> Job<'a> {
     fn rest(&self, program: &Program, findings: &mut Findings) {
         let seal = &self.expected.spec.seal;
         let longest = seal.band.0 / 10.0 / seal.speed.0;
-        let low = |z: f64| z < self.expected.machine.heights.travel.0 - HEIGHT;
+        let low = |z: f64| z < self.expected.machine.process.heights.travel.0 - HEIGHT;
         for dwell in program.dwells.iter().filter(|dwell| dwell.at.is_some_and(|at| low(at.z))) {
             if dwell.seconds > longest {
                 findings.add(

@@ -72,7 +72,7 @@ pub(in crate::verify) fn check(
             continue;
         }
         let off = schedule.spent - schedule.due;
-        let quantum = expected.machine.dwell.step.0;
+        let quantum = expected.machine.controller.dwell.step.0;
         let allowed = MEAN * schedule.due + 0.6 * quantum + 0.01;
         // One stroke alone may be early or late by a dwell's step.
         let alone = MEAN * length / speed + quantum + 0.015;

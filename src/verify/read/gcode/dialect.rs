@@ -87,6 +87,8 @@ pub struct Dialect {
     pub line_length: usize,
     /// Letter, ten times the number, and what the code does.
     pub codes: &'static [(u8, u16, Command)],
+    /// What of `codes` it does not know.
+    pub except: &'static [Command],
     /// Commands that are words of more than a letter, alone on their line (what follows them is their own).
     pub words: &'static [(&'static str, Command)],
     /// Modes that the controller is always in: no program needs to set them.
@@ -97,6 +99,8 @@ pub struct Dialect {
     pub comments: CommentMark,
     /// Characters that must not occur anywhere, comments included.
     pub forbidden: &'static str,
+    /// Whether G0 moves at the feed in force, as G1 does.
+    pub travel_at_feed: bool,
     /// Unit of a dwell's P word.
     pub dwell: DwellUnit,
     /// A dwell lasts for a multiple of this, rounded up, s; 0 for exactly as long as told.
@@ -124,6 +128,7 @@ impl Dialect {
             .find(|(l, tenths, _)| *l == letter && f64::from(*tenths) == (number * 10.0).round())
             .filter(|_| (number * 10.0).fract().abs() < 1e-9)
             .map(|(_, _, command)| *command)
+            .filter(|command| !self.except.contains(command))
     }
 
     /// How long a dwell with this P word lasts, s.

@@ -88,31 +88,27 @@ impl Dialect {
     pub const GENERIC: Self = Self {
         name: "generic",
         line_length: 70,
-        codes: &[
-            RS274[0], RS274[1], RS274[2], RS274[3], RS274[4], RS274[5], RS274[6], RS274[7], RS274[9],
-            RS274[10], RS274[11], RS274[12], RS274[13], RS274[14], RS274[15], RS274[16], RS274[17],
-        ],
+        codes: &RS274,
+        except: &[C::ExactPath],
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
         comments: CommentMark::Semicolon,
         forbidden: "()!~?",
+        travel_at_feed: false,
         dwell: DwellUnit::Seconds,
         dwell_step: 0.0,
         arcs: STRICTEST,
     };
 
     /// LinuxCNC: lines up to 255.
-    pub const LINUXCNC: Self = Self { name: "linuxcnc", line_length: 255, codes: &RS274, ..Self::GENERIC };
+    pub const LINUXCNC: Self = Self { name: "linuxcnc", line_length: 255, except: &[], ..Self::GENERIC };
 
     /// GRBL 1.1: lines up to 80 (protocol.h), no G90.1, arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
     pub const GRBL: Self = Self {
         name: "grbl",
         line_length: 80,
-        codes: &[
-            RS274[0], RS274[1], RS274[2], RS274[3], RS274[4], RS274[5], RS274[6], RS274[7], RS274[8],
-            RS274[9], RS274[10], RS274[12], RS274[13], RS274[14], RS274[15], RS274[16], RS274[17],
-        ],
+        except: &[C::CentersAbsolute],
         dwell_step: 0.05,
         arcs: ArcTolerance { free: 0.005, relative: 0.001, limit: 0.5 },
         ..Self::GENERIC
@@ -124,22 +120,24 @@ impl Dialect {
     /// FluidNC: as GRBL, lines up to 255 (Protocol.h), dwells in whole milliseconds (NutsBolts.cpp).
     pub const FLUIDNC: Self = Self { name: "fluidnc", line_length: 255, dwell_step: 0.0, ..Self::GRBL };
 
-    /// Marlin without its options: no arcs, planes or inches; lines up to 95 (MAX_CMD_SIZE); G4 P in ms.
+    /// Marlin without its options: no arcs, planes or inches; lines up to 95 (MAX_CMD_SIZE); G4 P in ms; G0 as G1.
     pub const MARLIN: Self = Self {
         name: "marlin",
         line_length: 95,
         codes: &MARLIN,
+        except: &[],
         words: &[],
         fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
         parameters: "XYZFPSRT",
         comments: CommentMark::Semicolon,
         forbidden: "()!~?*",
+        travel_at_feed: true,
         dwell: DwellUnit::Milliseconds,
         dwell_step: 0.0,
         arcs: STRICTEST,
     };
 
-    /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands.
+    /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands; G0 as G1.
     pub const KLIPPER: Self = Self {
         name: "klipper",
         line_length: 255,
@@ -150,7 +148,7 @@ impl Dialect {
         ..Self::MARLIN
     };
 
-    /// RepRapFirmware 3: G4 P in ms, arc centres always from the start.
+    /// RepRapFirmware 3: G4 P in ms, arc centres always from the start; G0 as G1, as printers have it.
     pub const REPRAPFIRMWARE: Self = Self {
         name: "reprapfirmware",
         line_length: 255,
@@ -187,10 +185,10 @@ impl Dialect {
         }
     }
 
-    /// The table for `machine`: its dialect, its comments, and its lines if they are shorter.
-    pub fn for_machine(machine: &spec::Machine) -> Self {
-        let dialect = Self::of(machine.dialect).with_line_length(machine.line_length);
-        match machine.comments {
+    /// The table for `controller`: its dialect, its comments, and its lines if they are shorter.
+    pub fn for_controller(controller: &spec::Controller) -> Self {
+        let dialect = Self::of(controller.dialect).with_line_length(controller.line_length);
+        match controller.comments {
             spec::Comments::Semicolon => dialect,
             spec::Comments::Parentheses => dialect.with_parentheses(),
         }

@@ -3,7 +3,7 @@
 use crate::verify::Finding;
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::lexer::Word;
-use crate::verify::read::gcode::machine::{Machine, report};
+use crate::verify::read::gcode::machine::{Here, Machine, report};
 use crate::verify::read::gcode::{Command, Comment, CommentMark, Dialect, Event, Pause, lexer};
 
 /// How the last line of every program begins; the number of lines follows.
@@ -126,7 +126,8 @@ impl Interpreter {
         if !pause && self.announced.take().is_some() {
             report(events, "heat-without-pause", self.line, "words between heating and pause", "M0 first");
         }
-        self.machine.execute(&self.block, self.line, &self.dialect, events);
+        let (block, line, dialect) = (&self.block, self.line, &self.dialect);
+        self.machine.execute(&mut Here { block, line, dialect, out: events });
         if pause {
             let heat = self.announced.take();
             self.machine.heated = heat.or(self.machine.heated);

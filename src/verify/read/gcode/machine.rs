@@ -7,6 +7,20 @@ use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::modes::Modes;
 use crate::verify::read::gcode::{Command, Dialect, Dwell, Event, Move, MoveKind, Point3};
 
+/// A line that is executed, and where what it does is told.
+pub(super) struct Here<'a> {
+    pub(super) block: &'a Block,
+    pub(super) line: usize,
+    pub(super) dialect: &'a Dialect,
+    pub(super) out: &'a mut Vec<Event>,
+}
+
+impl Here<'_> {
+    fn report(&mut self, code: &'static str, found: &str, allowed: &str) {
+        report(self.out, code, self.line, found, allowed);
+    }
+}
+
 /// The simulated machine.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Machine {
@@ -37,7 +51,8 @@ impl Machine {
     }
 
     /// Executes a block's modes, dwell and motion (pause and end are the interpreter's).
-    pub(super) fn execute(&mut self, block: &Block, line: usize, dialect: &Dialect, out: &mut Vec<Event>) {
+    pub(super) fn execute(&mut self, here: &mut Here<'_>) {
+        let Here { block, line, .. } = *here;
         for command in &block.commands {
             self.modes.set(*command);
             match command {
@@ -50,61 +65,66 @@ impl Machine {
             return;
         }
         if let Some(f) = block.value(b'F') {
-            self.require(self.modes.units.is_some(), "units (G20, G21)", line, out);
-            self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", line, out);
+            self.require(self.modes.units.is_some(), "units (G20, G21)", here);
+            self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", here);
             self.modes.feed = Some(if self.modes.is_inverse_time() { f } else { f * self.modes.scale() });
         }
         if let Some(p) = block.value(b'P') {
-            let seconds = dialect.dwell_seconds(p);
-            out.push(Event::Dwell(Dwell { line, seconds, at: self.at() }));
+            let seconds = here.dialect.dwell_seconds(p);
+            here.out.push(Event::Dwell(Dwell { line, seconds, at: self.at() }));
         }
         if block.has_any(b"XYZIJ") {
-            self.travel(block, line, dialect, out);
+            self.travel(here);
         } else if block.has(Command::ArcCw) || block.has(Command::ArcCcw) {
-            report(out, "bad-arc", line, "an arc without an end point", "X or Y with I, J");
+            here.report("bad-arc", "an arc without an end point", "X or Y with I, J");
         }
     }
 
-    fn travel(&mut self, block: &Block, line: usize, dialect: &Dialect, out: &mut Vec<Event>) {
+    fn travel(&mut self, here: &mut Here<'_>) {
+        let Here { block, line, .. } = *here;
         let Some(motion) = self.modes.motion else {
-            report(out, "mode-unset", line, "axis words before any motion", "G0, G1, G2 or G3 first");
+            here.report("mode-unset", "axis words before any motion", "G0, G1, G2 or G3 first");
             return;
         };
-        self.require(self.modes.units.is_some(), "units (G20, G21)", line, out);
-        self.require(self.modes.distance.is_some(), "distance mode (G90, G91)", line, out);
+        self.require(self.modes.units.is_some(), "units (G20, G21)", here);
+        self.require(self.modes.distance.is_some(), "distance mode (G90, G91)", here);
         let before = self.at();
-        let Some(to) = self.target(block, line, out) else { return };
+        let Some(to) = self.target(here) else { return };
         let kind = if motion == Command::Rapid { MoveKind::Rapid } else { MoveKind::Feed };
         let arcs = matches!(motion, Command::ArcCw | Command::ArcCcw);
         if !arcs && block.has_any(b"IJ") {
-            report(out, "unused-word", line, "I or J on a straight move", "I, J with G2, G3 only");
+            here.report("unused-word", "I or J on a straight move", "I, J with G2, G3 only");
+        }
+        let at_feed = kind == MoveKind::Feed || here.dialect.travel_at_feed;
+        if at_feed && kind == MoveKind::Rapid {
+            self.require(self.modes.feed.is_some(), "feed (F)", here);
         }
         let height_known = self.position[2].is_some() || block.value(b'Z').is_some();
         self.position = to;
         let (Some(from), Some(to)) = (before, self.at()) else {
             if kind == MoveKind::Feed || !height_known {
                 let found = "a move from a position that the program never set";
-                report(out, "unknown-position", line, found, "rapids first: Z, then X and Y");
+                here.report("unknown-position", found, "rapids first: Z, then X and Y");
             }
             return;
         };
         let path = if arcs {
-            self.arc(block, from.xy(), to.xy(), line, dialect, out)
+            self.arc(from.xy(), to.xy(), here)
         } else {
             (from.xy() != to.xy()).then(|| Line::new(from.xy(), to.xy()).into())
         };
         let mut step = Move { line, kind, from, to, path, feed: None, heated: self.heated };
-        if kind == MoveKind::Feed {
-            step.feed = self.feed_of(&step, block, line, out);
+        if at_feed {
+            step.feed = self.feed_of(&step, here);
         }
-        out.push(Event::Move(step));
+        here.out.push(Event::Move(step));
     }
 
     /// The position after the block; `None` if it cannot be known.
-    fn target(&self, block: &Block, line: usize, out: &mut Vec<Event>) -> Option<[Option<f64>; 3]> {
+    fn target(&self, here: &mut Here<'_>) -> Option<[Option<f64>; 3]> {
         let mut to = self.position;
         for (axis, letter) in to.iter_mut().zip(*b"XYZ") {
-            let Some(value) = block.value(letter) else { continue };
+            let Some(value) = here.block.value(letter) else { continue };
             let value = value * self.modes.scale();
             if !self.modes.is_relative() {
                 *axis = Some(value);
@@ -112,7 +132,7 @@ impl Machine {
                 *at += value;
             } else {
                 let found = format!("a displacement {} from nowhere", char::from(letter));
-                report(out, "unknown-position", line, &found, "a position (G90) first");
+                here.report("unknown-position", &found, "a position (G90) first");
                 return None;
             }
         }
@@ -120,56 +140,48 @@ impl Machine {
     }
 
     /// The path of an arc; after a fault the chord, so that what follows can still be read.
-    fn arc(
-        &mut self,
-        block: &Block,
-        from: Point,
-        to: Point,
-        line: usize,
-        dialect: &Dialect,
-        out: &mut Vec<Event>,
-    ) -> Option<Segment> {
-        self.require(self.modes.plane.is_some(), "plane (G17)", line, out);
-        self.require(self.modes.centers.is_some(), "arc centre mode (G90.1, G91.1)", line, out);
+    fn arc(&mut self, from: Point, to: Point, here: &mut Here<'_>) -> Option<Segment> {
+        self.require(self.modes.plane.is_some(), "plane (G17)", here);
+        self.require(self.modes.centers.is_some(), "arc centre mode (G90.1, G91.1)", here);
         let chord = (from != to).then(|| Line::new(from, to).into());
         let absolute = self.modes.centers == Some(Command::CentersAbsolute);
-        let (i, j) = (block.value(b'I'), block.value(b'J'));
+        let (i, j) = (here.block.value(b'I'), here.block.value(b'J'));
         if (i.is_none() && j.is_none()) || (absolute && (i.is_none() || j.is_none())) {
-            report(out, "bad-arc", line, "an arc without a centre", "I and J");
+            here.report("bad-arc", "an arc without a centre", "I and J");
             return chord;
         }
         let scale = self.modes.scale();
         let (i, j) = (i.unwrap_or(0.0) * scale, j.unwrap_or(0.0) * scale);
         let center = if absolute { Point::new(i, j) } else { Point::new(from.x + i, from.y + j) };
         let ccw = self.modes.motion == Some(Command::ArcCcw);
-        match arc(from, to, center, ccw, &dialect.arcs) {
+        match arc(from, to, center, ccw, &here.dialect.arcs) {
             Ok(arc) => Some(arc.into()),
             Err((found, allowed)) => {
-                report(out, "bad-arc", line, &found, &allowed);
+                here.report("bad-arc", &found, &allowed);
                 chord
             }
         }
     }
 
     /// The feed of a move in mm/min.
-    fn feed_of(&mut self, step: &Move, block: &Block, line: usize, out: &mut Vec<Event>) -> Option<f64> {
-        self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", line, out);
+    fn feed_of(&mut self, step: &Move, here: &mut Here<'_>) -> Option<f64> {
+        self.require(self.modes.feed_mode.is_some(), "feed mode (G93, G94)", here);
         if self.modes.is_inverse_time() {
-            let feed = block.value(b'F').map(|f| f * step.length());
+            let feed = here.block.value(b'F').map(|f| f * step.length());
             if feed.is_none() {
-                report(out, "bad-feed", line, "a move without F in inverse time", "F on each line");
+                here.report("bad-feed", "a move without F in inverse time", "F on each line");
             }
             return feed.filter(|f| *f > 0.0);
         }
-        self.require(self.modes.feed.is_some(), "feed (F)", line, out);
+        self.require(self.modes.feed.is_some(), "feed (F)", here);
         self.modes.feed
     }
 
     /// Reports, once, that something relied on a mode that the program has not set.
-    fn require(&mut self, set: bool, name: &'static str, line: usize, out: &mut Vec<Event>) {
+    fn require(&mut self, set: bool, name: &'static str, here: &mut Here<'_>) {
         if !set && !self.reported.contains(&name) {
             self.reported.push(name);
-            report(out, "mode-unset", line, &format!("{name} not set"), "every mode set before it is needed");
+            here.report("mode-unset", &format!("{name} not set"), "every mode set before it is needed");
         }
     }
 }

@@ -30,7 +30,7 @@ impl Point3 {
 /// Whether a move travels or works.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MoveKind {
-    /// As fast as the machine can.
+    /// G0: as fast as the machine can, or where the dialect has it so, at the feed in force.
     Rapid,
     /// At the feed.
     Feed,
@@ -49,7 +49,7 @@ pub struct Move {
     pub to: Point3,
     /// Its path seen from above; `None` if it is vertical or goes nowhere.
     pub path: Option<Segment>,
-    /// Feed in force, mm/min; `None` for a rapid, or if the program never gave one.
+    /// Feed in force, mm/min; `None` for a rapid that is as fast as the machine can, or if the program never gave one.
     pub feed: Option<f64>,
     /// Temperature of the iron in force, in degrees Celsius; `None` before the first heating.
     pub heated: Option<f64>,
@@ -61,9 +61,9 @@ impl Move {
         self.path.map_or(0.0, |path| path.length()).hypot(self.to.z - self.from.z)
     }
 
-    /// Time at the feed, s; `None` for a rapid.
+    /// Time at the feed, s; `None` for a rapid that has none.
     pub fn seconds(&self) -> Option<f64> {
-        self.feed.filter(|_| self.kind == MoveKind::Feed).map(|feed| self.length() / feed * 60.0)
+        self.feed.map(|feed| self.length() / feed * 60.0)
     }
 }
 

@@ -1,0 +1,55 @@
+//! The feed check as text: each line between two pauses, so that it can be timed.
+
+use std::fmt;
+
+use crate::emit::gcode::writer::Writer;
+use crate::emit::gcode::{Facts, Job};
+use crate::emit::number::number;
+use crate::plan::{CHECK_LENGTH, Program};
+use crate::spec::{Machine, Spec};
+
+/// The feed check: every program of `checks` between two pauses, so that it can be timed. Nothing is heated.
+pub fn feed_check(spec: &Spec, machine: &Machine, checks: &[(&'static str, Program)]) -> String {
+    let mut out = String::new();
+    // A String takes everything.
+    let _ = write(&mut out, spec, machine, checks);
+    out
+}
+
+fn write(
+    out: &mut impl fmt::Write,
+    spec: &Spec,
+    machine: &Machine,
+    checks: &[(&'static str, Program)],
+) -> fmt::Result {
+    let (facts, script) = (Facts::new(spec, machine), &machine.script);
+    let mut writer = Writer::new(out, facts);
+    writer.comment("stargrip-cam feedcheck program")?;
+    writer.comment("cold, at travel height: time each line with a watch")?;
+    for line in &script.requires {
+        writer.requirement(&format!("requires: {line}"))?;
+    }
+    for line in &script.start {
+        writer.line(line)?;
+    }
+    writer.height(machine.process.heights.park.0)?;
+    for (name, program) in checks {
+        let (seconds, speed) = (CHECK_LENGTH / spec.seal.speed.0, number(spec.seal.speed.0));
+        writer
+            .comment(&format!("next: {CHECK_LENGTH} mm {name}, must take {seconds:.1} s at {speed} mm/s"))?;
+        let mut job = Job::new(facts, program.pace, writer);
+        for (i, step) in program.steps.iter().enumerate() {
+            if i + 1 == program.steps.len() {
+                job.writer.line(&script.pause)?;
+            }
+            job.step(step)?;
+        }
+        job.writer.line(&script.pause)?;
+        writer = job.writer;
+    }
+    writer.height(machine.process.heights.park.0)?;
+    for line in &script.end {
+        writer.line(line)?;
+    }
+    writer.sentinel()
+}

@@ -1,0 +1,32 @@
+//! What the controller reads and does.
+
+use crate::spec::allowed::Allowed;
+use crate::spec::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating};
+use crate::spec::section::Section;
+use crate::units::Duration;
+
+/// Reads the controller, from the keys before the first section; its dwells have a section of their own.
+pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
+    let dialect = root.choice("dialect", &Dialect::NAMES).unwrap_or(Dialect::Generic);
+    let heating = root
+        .choice("heating", &[("operator", Heating::Operator), ("hotend", Heating::Hotend)])
+        .unwrap_or(Heating::Operator);
+    let comments = root
+        .choice("comments", &[("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)])
+        .unwrap_or(Comments::Semicolon);
+    let arcs = root.truth("arcs").unwrap_or(true);
+    let line_length = root.count("line_length", 40, 255).map_or(70, |length| length as usize);
+    Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating }
+}
+
+/// Dwells that are as long as told.
+const EXACT: Dwells = Dwells { unit: DwellUnit::Seconds, step: Duration(1e-3) };
+
+/// Reads [dwell].
+pub(super) fn read_dwells(s: &mut Section<'_, '_>) -> Dwells {
+    let units = [("s", DwellUnit::Seconds), ("ms", DwellUnit::Milliseconds)];
+    Dwells {
+        unit: s.choice("unit", &units).unwrap_or(EXACT.unit),
+        step: s.quantity("step", Allowed::closed(1e-3, 1.0)).unwrap_or(EXACT.step),
+    }
+}

@@ -1,0 +1,139 @@
+//! From a machine profile's text to the [`Machine`], a file a subject.
+//!
+//! A new key is added in three steps: a field in [`Machine`]'s part, a line in the file that reads this part (which
+//! makes the key known and gives its range), and a commented line in each profile that needs it.
+
+mod bench;
+mod builtin;
+mod controller;
+mod known;
+mod motion;
+mod process;
+mod script;
+
+use crate::spec::fault::{Fault, Faults, quoted};
+use crate::spec::machine::{Controller, Machine};
+use crate::spec::name::breaks_line;
+use crate::spec::profile::bench::read_bench;
+use crate::spec::profile::controller::{read_controller, read_dwells};
+use crate::spec::profile::motion::read_motion;
+use crate::spec::profile::process::{read_process, read_tip};
+use crate::spec::profile::script::read_script;
+use crate::spec::reading::{read_name, read_schema, read_with};
+use crate::spec::section::{Reader, Section};
+use crate::spec::source::Source;
+
+pub use builtin::{builtin_machine, builtin_machines};
+
+/// Longest description, in characters.
+const DESCRIPTION_LENGTH: usize = 200;
+
+/// Reads a machine profile.
+///
+/// # Errors
+/// All faults of the text at once, if at least one refuses it.
+pub fn read_machine(source: &Source) -> Result<Machine, Faults> {
+    read_with(source, read_profile).map(|(machine, _, _)| machine)
+}
+
+fn read_profile(reader: &mut Reader<'_>) -> Machine {
+    let mut root = reader.root();
+    root.require(&[("schema", "1"), ("name", "\"my machine\""), ("dialect", "\"generic\"")]);
+    read_schema(&mut root, 1);
+    let name = read_name(&mut root);
+    let description = read_description(&mut root);
+    let controller = read_controller(&mut root);
+    let tip = read_tip(&mut root);
+    let controller = Controller { dwell: read_dwells(&mut reader.section("dwell")), ..controller };
+    let process = read_process(reader, tip);
+    let bench = read_bench(reader);
+    let motion = read_motion(&mut reader.section("motion"));
+    let script = read_script(reader, controller.line_length);
+    Machine { name, description, controller, process, bench, motion, script }
+}
+
+fn read_description(root: &mut Section<'_, '_>) -> String {
+    let Some((text, span)) = root.text("description") else { return String::new() };
+    if text.chars().any(breaks_line) || text.chars().count() > DESCRIPTION_LENGTH {
+        let fault = Fault::error("name", span, format!("`description` is {}", quoted(text)))
+            .label(format!("must be one line of at most {DESCRIPTION_LENGTH} characters"));
+        root.report(fault);
+    }
+    text.to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Length;
+
+    #[test]
+    fn every_profile_that_comes_with_the_program_is_valid_and_bears_its_name() {
+        assert!(builtin_machines().count() > 0);
+        for name in builtin_machines() {
+            let text = builtin_machine(name).expect("listed");
+            match read_machine(&Source::new(name, text)) {
+                Ok(machine) => assert_eq!(machine.name, name),
+                Err(faults) => panic!("{faults}"),
+            }
+        }
+        assert_eq!(builtin_machine("no such"), None);
+    }
+
+    #[test]
+    fn generic_is_the_papers_machine() {
+        let text = builtin_machine("generic").expect("built in");
+        let machine = read_machine(&Source::new("generic", text)).expect("valid");
+        assert_eq!(machine.process.heights.contact, Length(-0.3));
+        assert_eq!(
+            (machine.process.heights.travel, machine.process.heights.park),
+            (Length(5.0), Length(30.0))
+        );
+        assert_eq!(
+            (machine.controller.line_length, machine.process.ramp, machine.bench.work_area),
+            (70, Length(3.0), None)
+        );
+        assert_eq!(machine.script.start, ["G21", "G17", "G90", "G91.1", "G94"]);
+        assert_eq!((machine.script.pause.as_str(), machine.script.end), ("M0", vec!["M2".to_owned()]));
+    }
+
+    /// The faults' codes of the generic profile with `old` replaced by `new`.
+    fn codes(old: &str, new: &str) -> Vec<&'static str> {
+        let text = builtin_machine("generic").expect("built in");
+        assert!(text.contains(old), "{old}");
+        match read_machine(&Source::new("changed", text.replacen(old, new, 1))) {
+            Ok(_) => Vec::new(),
+            Err(faults) => faults.list().iter().map(|fault| fault.code).collect(),
+        }
+    }
+
+    #[test]
+    fn a_line_for_the_controller_is_short_and_plain() {
+        let of_length = |n: usize| format!("\"M2 ;{}\"", "x".repeat(n - 4));
+        assert_eq!(codes("\"M2\"", &of_length(70)), [""; 0]);
+        assert_eq!(codes("\"M2\"", &of_length(71)), ["program-line"]);
+        assert_eq!(codes("\"M0\"", "\"\\u0000\""), ["program-line"]);
+        assert_eq!(codes("\"M0\"", "\" \""), ["program-line"]);
+        assert_eq!(codes("[\"M2\"]", "[]"), [""; 0]);
+    }
+
+    #[test]
+    fn heights_are_in_their_order() {
+        assert_eq!(codes("travel = \"5 mm\"", "travel = \"30 mm\""), ["out-of-range"]);
+        assert_eq!(codes("contact = \"-0.3 mm\"", "contact = \"5 mm\""), ["out-of-range"]);
+        assert_eq!(codes("contact = \"-0.3 mm\"", "contact = \"0 mm\""), [""; 0]);
+        assert_eq!(codes("travel = \"5 mm\"", ""), ["missing-key"]);
+    }
+
+    #[test]
+    fn a_work_area_is_known_whole_or_not_at_all() {
+        let text = builtin_machine("generic").expect("built in");
+        let known =
+            text.replace("x = \"unknown\"", "x = \"60 cm\"").replace("y = \"unknown\"", "y = \"400 mm\"");
+        let machine = read_machine(&Source::new("known", known)).expect("valid");
+        assert_eq!(machine.bench.work_area, Some((Length(600.0), Length(400.0))));
+        assert_eq!(codes("x = \"unknown\"", "x = \"60 cm\""), ["conflict"]);
+        assert_eq!(codes("x = \"unknown\"", "x = 600"), ["conflict", "no-unit"]);
+        assert_eq!(codes("x = \"unknown\"\ny = \"unknown\"", ""), [""; 0]);
+    }
+}

@@ -1,0 +1,44 @@
+//! What is known of the motors.
+
+use crate::spec::allowed::Allowed;
+use crate::spec::fault::Fault;
+use crate::spec::motion::{Motion, StepRate};
+use crate::spec::profile::known::{known, known_number, says};
+use crate::spec::section::Section;
+use crate::units::Speed;
+
+/// Steps per mm: from a coarse belt to a fine screw with microsteps.
+const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
+/// Lowest step rates, steps/s: from a step a quarter of an hour to what only a broken timer would have.
+const RATE: Allowed = Allowed::closed(1e-3, 1e5);
+
+/// Reads [motion].
+pub(super) fn read_motion(s: &mut Section<'_, '_>) -> Motion {
+    let axes = [
+        known_number(s, "x_steps_per_mm", STEPS),
+        known_number(s, "y_steps_per_mm", STEPS),
+        known_number(s, "z_steps_per_mm", STEPS),
+    ];
+    let steps_per_mm = match axes {
+        [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+        [None, None, None] => None,
+        _ => {
+            let fault = Fault::error("conflict", s.place(), "[motion] knows the steps of some axes only")
+                .label("must say `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them");
+            s.report(fault);
+            None
+        }
+    };
+    let step_rate = if says(s, "min_step_rate", "none") {
+        StepRate::NoLimit
+    } else {
+        known_number(s, "min_step_rate", RATE).map_or(StepRate::Unknown, StepRate::AtLeast)
+    };
+    Motion {
+        steps_per_mm,
+        step_rate,
+        min_feed: s.quantity("min_feed", Allowed::closed(0.0, 1e3)).unwrap_or(Speed(0.0)),
+        acceleration: known(s, "acceleration", Allowed::closed(0.1, 1e6)),
+        chop_feed: known(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
+    }
+}
