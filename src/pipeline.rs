@@ -57,7 +57,7 @@ pub fn build(
         return Err(refusals);
     }
     let mut artifacts = artifacts(spec, machine, sources, only, &design, &programs, &traces);
-    let prediction = predicted(spec, only)?;
+    let prediction = predicted(spec, &design, only)?;
     artifacts.extend(prediction.as_ref().map(prediction_file));
     let manifest = Manifest::new(spec, &design, &artifacts, &programs);
     Ok(Build { design, programs, traces, prediction, artifacts, manifest })
@@ -77,11 +77,11 @@ impl Build {
 }
 
 /// The prediction for a spec with a load; without one nothing is solved.
-fn predicted(spec: &Spec, only: &[Kind]) -> Result<Option<Prediction>, Vec<Refusal>> {
+fn predicted(spec: &Spec, design: &Design, only: &[Kind]) -> Result<Option<Prediction>, Vec<Refusal>> {
     if spec.load.is_none() || !(only.is_empty() || only.contains(&Kind::Prediction)) {
         return Ok(None);
     }
-    predict(spec).map(Some).map_err(|fault| vec![no_prediction(&fault)])
+    predict(spec, design).map(Some).map_err(|fault| vec![no_prediction(&fault)])
 }
 
 /// A prediction that cannot be made, as a refusal at the key that stands in its way.

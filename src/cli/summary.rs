@@ -5,7 +5,6 @@ use std::path::Path;
 
 use crate::design::{COATING_ASSUMES, Design, Plate};
 use crate::forecast::report;
-use crate::manifest;
 use crate::pipeline::Build;
 use crate::plan::{Pace, Program};
 use crate::spec::{Machine, Spec};
@@ -38,8 +37,8 @@ pub(super) fn design(spec: &Spec, design: &Design, programs: &[Program]) -> Stri
             out,
             "  clear radius at the flap {:.2} mm, fabric {:.0} cm2 in both sheets{}",
             part.clear_radius(),
-            manifest::fabric(part) / 100.0,
-            manifest::mass(spec, part).map_or(String::new(), |grams| format!(", {grams:.1} g")),
+            part.fabric() / 100.0,
+            part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
         );
         for program in programs {
             for seam in program.seams.iter().filter(|seam| seam.star == placed.index) {

@@ -215,7 +215,7 @@ fn no_such_part(entry: &ManifestFile, findings: &mut Findings) {
 
 /// The prediction made anew, against the one that was written.
 fn prediction(truth: Expected<'_>, text: &str, findings: &mut Findings) {
-    let Ok(right) = predict(truth.spec) else {
+    let Ok(right) = predict(truth.spec, truth.design) else {
         findings.add("prediction", None, "a prediction", "none: this spec has no prediction");
         return;
     };
