@@ -6,7 +6,7 @@ use crate::mechanics::fault::StarFault;
 use crate::mechanics::star::Mechanism;
 use crate::mechanics::strength::ElasticSheet;
 use crate::spec::{Fabric, Load, Seal, Spec};
-use crate::units::Length;
+use crate::units::{Length, LineForce, Pressure};
 
 /// One star with all that its answer depends on; SI units. `None` where the spec says nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,8 +44,8 @@ impl Case {
             inner_radius: Length(star.rho_0).metres(),
             realised: Hinges { tip, corner },
             sheet: ElasticSheet::new(thickness, fabric.young_modulus.pascals(), fabric.poisson_ratio)?,
-            peel: fabric.seal_strength.map(|strength| strength.newtons_per_metre()),
-            pressure: load.and_then(|load| load.pressure).map(|pressure| pressure.pascals()),
+            peel: fabric.seal_strength.map(LineForce::newtons_per_metre),
+            pressure: load.and_then(|load| load.pressure).map(Pressure::pascals),
             object: load.and_then(|load| load.object_radius).map(Length::metres),
             friction: load.and_then(|load| load.friction),
         })

@@ -94,7 +94,7 @@ pub fn search(
     let all: Vec<u32> = bounds.points.clone().collect();
     let found: Vec<Vec<Evaluated>> = all
         .into_par_iter()
-        .map(|points| for_points(points, base, bounds, constraints, goal, table))
+        .map(|points| Search { base, bounds, constraints, goal, table }.with_points(points))
         .collect();
     let computed = found.iter().map(Vec::len).sum();
     let better = |a: &&Evaluated, b: &&Evaluated| compare(a, b, goal);
@@ -104,36 +104,56 @@ pub fn search(
     Found { best, front: front(met.collect()), computed }
 }
 
-fn for_points(
-    points: u32,
-    base: &Candidate,
-    bounds: &Bounds,
-    constraints: &Constraints,
+/// What is searched, and for what.
+struct Search<'a> {
+    base: &'a Candidate,
+    bounds: &'a Bounds,
+    constraints: &'a Constraints,
     goal: Goal,
-    table: &RingTable,
-) -> Vec<Evaluated> {
-    let lengths = |ends: [Length; 2]| ends.map(|end| end.0);
-    let [width, tip_radius, corner_radius] =
-        [bounds.width, bounds.tip_radius, bounds.corner_radius].map(lengths);
-    let sides = [bounds.tip_angle.map(|end| end.0), width, tip_radius, corner_radius];
-    let candidate = |place: [f64; 4]| {
+    table: &'a RingTable,
+}
+
+/// A place in the unit cube that stands for the box: tip angle, width, tip and corner radius.
+type Place = [f64; 4];
+
+impl Search<'_> {
+    /// The ends of the box along each axis, deg and mm.
+    fn sides(&self) -> [[f64; 2]; 4] {
+        let Bounds { tip_angle, width, tip_radius, corner_radius, .. } = *self.bounds;
+        let [width, tip_radius, corner_radius] = [width, tip_radius, corner_radius].map(|e| e.map(|l| l.0));
+        [tip_angle.map(|end| end.0), width, tip_radius, corner_radius]
+    }
+
+    /// The design with `points` points at `place`; `None` if there is none, or it cannot be cut out.
+    fn at(&self, points: u32, place: Place) -> Option<Evaluated> {
+        let sides = self.sides();
         let [tip_angle, width, tip_radius, corner_radius] =
             std::array::from_fn(|k| sides[k][0] + place[k] * (sides[k][1] - sides[k][0]));
-        let mut point = base.clone();
+        let mut point = self.base.clone();
         point.star.points = points;
         (point.star.tip_angle, point.star.tube_width) = (Angle(tip_angle), Length(width));
         (point.star.tip_radius, point.star.corner_radius) = (Length(tip_radius), Length(corner_radius));
-        let answer = point.answer(table).ok()?;
-        let violation = violation(&point, &answer, constraints);
-        // What cannot be cut out is no design.
+        let answer = point.answer(self.table).ok()?;
+        let violation = violation(&point, &answer, self.constraints);
         answer.fabric.is_some().then_some(Evaluated { point, answer, violation })
-    };
-    let mut scanned: Vec<([f64; 4], Evaluated)> =
-        (1..=SCANNED).map(halton).filter_map(|place| Some((place, candidate(place)?))).collect();
-    scanned.sort_by(|a, b| compare(&a.1, &b.1, goal));
-    let starts: Vec<_> = scanned.iter().take(FOLLOWED).cloned().collect();
-    let mut all: Vec<Evaluated> = scanned.into_iter().map(|(_, candidate)| candidate).collect();
-    for (mut place, mut here) in starts {
+    }
+
+    /// All designs with `points` points that were computed.
+    fn with_points(&self, points: u32) -> Vec<Evaluated> {
+        let mut scanned: Vec<(Place, Evaluated)> =
+            (1..=SCANNED).map(halton).filter_map(|place| Some((place, self.at(points, place)?))).collect();
+        scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
+        let starts: Vec<_> = scanned.iter().take(FOLLOWED).cloned().collect();
+        let mut all: Vec<Evaluated> = scanned.into_iter().map(|(_, candidate)| candidate).collect();
+        for (place, here) in starts {
+            self.descend(points, place, here, &mut all);
+        }
+        all
+    }
+
+    /// The compass search from `here` at `place`; all designs on the way go to `all`.
+    fn descend(&self, points: u32, mut place: Place, mut here: Evaluated, all: &mut Vec<Evaluated>) {
+        let sides = self.sides();
         let mut step = 0.1;
         while step > SMALLEST_STEP {
             let mut moved = false;
@@ -141,9 +161,9 @@ fn for_points(
                 for sign in [-1.0, 1.0] {
                     let mut trial = place;
                     trial[k] = (trial[k] + sign * step).clamp(0.0, 1.0);
-                    let Some(next) = candidate(trial) else { continue };
+                    let Some(next) = self.at(points, trial) else { continue };
                     all.push(next.clone());
-                    if compare(&next, &here, goal).is_lt() {
+                    if compare(&next, &here, self.goal).is_lt() {
                         (place, here, moved) = (trial, next, true);
                     }
                 }
@@ -153,7 +173,6 @@ fn for_points(
             }
         }
     }
-    all
 }
 
 /// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.

@@ -70,7 +70,7 @@ impl Outcome {
             _ => force(rho, &rest).map_or_else(Hold::Unknown, Hold::Held),
         });
         let with_pressure = |value: f64| case.pressure.map(|_| value);
-        let object_force = hold.and_then(|hold| hold.force());
+        let object_force = hold.and_then(Hold::force);
         Self {
             rest,
             contraction: 1.0 - rest.radius / rho_0,
@@ -84,7 +84,7 @@ impl Outcome {
 
     /// Radial force on the object, N; 0 on one that the star does not reach.
     pub fn object_force(&self) -> Option<f64> {
-        self.hold.and_then(|hold| hold.force())
+        self.hold.and_then(Hold::force)
     }
 
     /// What a person should know about the object, if anything.
@@ -93,8 +93,8 @@ impl Outcome {
         let mm = |metres: f64| format!("{:.2} mm", Length::from_metres(metres).0);
         match self.hold? {
             Hold::Held(_) => {
-                let flat = |phi: f64| case.mechanism.radius(phi).slope;
-                let locks = flat(self.rest.widest.angle) < 0.25 * flat(self.rest.angle);
+                let slope = |phi: f64| case.mechanism.radius(phi).slope;
+                let locks = slope(self.rest.widest.angle) < LOCKING.sqrt() * slope(self.rest.angle);
                 let near = case.object.is_some_and(|rho| most - rho < LOCKING * (most - least));
                 (locks && near).then(|| {
                     format!(
