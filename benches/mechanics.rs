@@ -1,12 +1,14 @@
 //! What each model costs. `cargo bench --bench mechanics`
 
 use divan::{Bencher, black_box};
+use stargrip_cam::design::Design;
 use stargrip_cam::forecast::candidate::Candidate;
 use stargrip_cam::forecast::predict::predict;
 use stargrip_cam::forecast::sweep::{Axis, Sweep};
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::bvp::Bvp;
 use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
+use stargrip_cam::spec;
 use stargrip_cam::spec::{Source, Spec, read, starter};
 
 fn main() {
@@ -52,7 +54,7 @@ fn sweep_of_a_million_designs(bencher: Bencher) {
     let axes =
         ["star.points=3,4,5,6", "star.tube_width=10 mm..40 mm/500", "star.tip_angle=15 deg..60 deg/500"];
     let axes = axes.map(|text| Axis::parse(text).expect("valid")).to_vec();
-    let sweep = Sweep::new(Candidate::of(&spec()).expect("a star"), axes).expect("small");
+    let sweep = Sweep::new(Candidate::of(&star()).expect("a star"), axes).expect("small");
     assert_eq!(sweep.rows(), 1_000_000);
     bencher.bench_local(|| {
         let mut bytes = 0;
@@ -64,14 +66,17 @@ fn sweep_of_a_million_designs(bencher: Bencher) {
     });
 }
 
-/// A whole prediction from a spec.
+/// A whole prediction of a design.
 #[divan::bench]
 fn prediction(bencher: Bencher) {
-    let spec = spec();
-    bencher.bench_local(|| predict(black_box(&spec)).expect("predictable"));
+    let spec = star();
+    let profile = Source::new("generic", spec::builtin_machine("generic").expect("built in"));
+    let machine = spec::read_machine(&profile).expect("valid");
+    let design = Design::new(&spec, &machine).expect("makeable");
+    bencher.bench_local(|| predict(black_box(&spec), &design).expect("predictable"));
 }
 
-fn spec() -> Spec {
+fn star() -> Spec {
     let load = "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.5\n";
     let text = starter("bench").expect("a name") + load;
     read(&Source::new("bench", text)).expect("valid").spec

@@ -2,11 +2,15 @@
 //!
 //! `cargo run --release --example extremes`
 
+use stargrip_cam::design::Star;
+use stargrip_cam::forecast::case::mechanism;
+use stargrip_cam::mechanics::fault::StarFault;
 use stargrip_cam::mechanics::hinge::bvp::Bvp;
 use stargrip_cam::mechanics::hinge::ring::{Ring, limit};
 use stargrip_cam::mechanics::hinge::{Hinge, HingeModel, seal_load};
 use stargrip_cam::mechanics::star::response::Inflated;
-use stargrip_cam::mechanics::star::{Star, StarGeometry};
+use stargrip_cam::spec::StarSpec;
+use stargrip_cam::units::{Angle, Length};
 use std::fmt::Write;
 
 fn main() {
@@ -93,64 +97,59 @@ fn rest_angle() -> String {
     out + "\n"
 }
 
-/// A star of unit size at 1 kPa: rest and stiffness, or the refusal.
-fn row(out: &mut String, what: &str, geometry: StarGeometry, pressure: f64) {
-    let answer = Star::new(geometry).and_then(|star| {
-        let inflated = Inflated::new(&star, &Ring, pressure)?;
-        let (linear, own) = (inflated.linear_rest(), inflated.rest());
-        let own = own.map_or_else(
-            |fault| format!("refused: {fault}"),
-            |rest| format!("{:.6}", rest.radius / geometry.inner_radius),
-        );
-        Ok(format!(
-            "{:.4e} | {:.4} deg | {:.6} | {own} | {:.4e}",
-            star.arm_length(),
-            linear.equilibrium.to_degrees(),
-            linear.radius / geometry.inner_radius,
-            linear.stiffness
-        ))
-    });
+/// A star at `pressure` (Pa): rest and stiffness, or the refusal.
+fn row(out: &mut String, what: &str, spec: &StarSpec, pressure: f64) {
+    let answer = Star::new(spec)
+        .map_err(|refusal| refusal.to_string())
+        .and_then(|star| inflated(&star, pressure).map_err(|fault| fault.to_string()));
     let _ = match answer {
         Ok(text) => writeln!(out, "| {what} | {text} |"),
         Err(fault) => writeln!(out, "| {what} | refused: {fault} | | | | |"),
     };
 }
 
+fn inflated(star: &Star, pressure: f64) -> Result<String, StarFault> {
+    let (mechanism, rho_0) = (mechanism(star), Length(star.rho_0).metres());
+    let inflated = Inflated::new(&mechanism, &Ring, pressure)?;
+    let (linear, own) = (inflated.linear_rest(), inflated.rest());
+    let own =
+        own.map_or_else(|fault| format!("refused: {fault}"), |rest| format!("{:.6}", rest.radius / rho_0));
+    Ok(format!(
+        "{:.4e} | {:.4} deg | {:.6} | {own} | {:.4e}",
+        mechanism.arm,
+        linear.equilibrium.to_degrees(),
+        linear.radius / rho_0,
+        linear.stiffness
+    ))
+}
+
 const HEAD: &str =
     "arm, m | phi_eq | rho_f / rho_0 | the same, nonlinear | stiffness, N/m |\n|---|---|---|---|---|---|\n";
 
-fn paper() -> StarGeometry {
-    StarGeometry::paper(5)
+fn paper() -> StarSpec {
+    StarSpec::paper(5)
 }
 
 fn stars() -> String {
     let mut out = format!("| star | {HEAD}");
     for degrees in [0.001, 1.0, 30.0, 60.0, 100.0, 107.0, 107.99, 107.9999, 108.0, 120.0] {
-        let geometry = StarGeometry { tip_angle: f64::to_radians(degrees), width: 0.01, ..paper() };
-        row(&mut out, &format!("n = 5, W = 10 mm, phi_i0 = {degrees} deg"), geometry, 1e4);
+        let star = StarSpec { tip_angle: Angle(degrees), tube_width: Length(10.0), ..paper() };
+        row(&mut out, &format!("n = 5, W = 10 mm, phi_i0 = {degrees} deg"), &star, 1e4);
     }
     // The width at which the arms vanish, from both sides; and the angle at which phi_eq crosses 0.
     let sector = (std::f64::consts::PI / 5.0).sin();
-    let vanishing = 0.05 * sector / (15_f64.to_radians().cos() - sector);
+    let vanishing = 50.0 * sector / (15_f64.to_radians().cos() - sector);
     for part in [0.999_999, 0.999_999_999_9, 1.0, 1.000_001] {
-        let geometry = StarGeometry { width: part * vanishing, ..paper() };
-        row(&mut out, &format!("W = {part} of the width at which l = 0"), geometry, 1e4);
+        let star = StarSpec { tube_width: Length(part * vanishing), ..paper() };
+        row(&mut out, &format!("W = {part} of the width at which l = 0"), &star, 1e4);
     }
     for degrees in [27.9, 28.0, 28.1, 28.2, 28.3] {
-        row(
-            &mut out,
-            &format!("phi_i0 = {degrees} deg"),
-            StarGeometry { tip_angle: f64::to_radians(degrees), ..paper() },
-            1e4,
-        );
+        let star = StarSpec { tip_angle: Angle(degrees), ..paper() };
+        row(&mut out, &format!("phi_i0 = {degrees} deg"), &star, 1e4);
     }
     for points in [3, 16, 64] {
-        row(
-            &mut out,
-            &format!("n = {points}, W = 1 mm"),
-            StarGeometry { points, width: 0.001, ..paper() },
-            1e4,
-        );
+        let star = StarSpec { points, tube_width: Length(1.0), ..paper() };
+        row(&mut out, &format!("n = {points}, W = 1 mm"), &star, 1e4);
     }
     out + "\n"
 }
@@ -158,11 +157,11 @@ fn stars() -> String {
 fn sizes() -> String {
     let mut out = format!("| rho_0, p | {HEAD}");
     for (size, pressure) in
-        [(1e-3, 1.0), (1e-3, 1e6), (0.05, 1.0), (0.05, 1e6), (100.0, 1.0), (100.0, 1e6), (0.05, 0.0)]
+        [(1e-3, 1.0), (1e-3, 1e6), (0.05, 1.0), (0.05, 1e6), (30.0, 1.0), (30.0, 1e6), (0.05, 0.0)]
     {
-        let geometry =
-            StarGeometry { inner_radius: size, width: 0.6 * size, tip_radius: 0.02 * size, ..paper() };
-        row(&mut out, &format!("{size} m, {pressure} Pa"), geometry, pressure);
+        let of = |part: f64| Length::from_metres(part * size);
+        let star = StarSpec { inner_radius: of(1.0), tube_width: of(0.6), tip_radius: of(0.02), ..paper() };
+        row(&mut out, &format!("{size} m, {pressure} Pa"), &star, pressure);
     }
     out
 }

@@ -2,15 +2,17 @@
 //!
 //! `cargo run --release --example hinge`
 
-use stargrip_cam::mechanics::fault::StarFault;
+use stargrip_cam::design::Star;
+use stargrip_cam::forecast::case::mechanism;
 use stargrip_cam::mechanics::hinge::bvp::Bvp;
 use stargrip_cam::mechanics::hinge::fit::Fit;
 use stargrip_cam::mechanics::hinge::ring::Ring;
 use stargrip_cam::mechanics::hinge::{HingeModel, seal_load};
 use stargrip_cam::mechanics::star::response::Inflated;
-use stargrip_cam::mechanics::star::{Star, StarGeometry};
+use stargrip_cam::spec::StarSpec;
+use std::error::Error;
 
-fn main() -> Result<(), StarFault> {
+fn main() -> Result<(), Box<dyn Error>> {
     let bvp = Bvp::default();
     let models: [&dyn HingeModel; 3] = [&Fit, &Ring, &bvp];
 
@@ -30,7 +32,7 @@ fn main() -> Result<(), StarFault> {
         "star, rho_0 = 50 mm, W = 30 mm, phi_i0 = 30 deg, R = 0, 37 kPa: rest angle, rho_f, preload, stiffness"
     );
     for points in 3..=8 {
-        let star = Star::new(StarGeometry::paper(points))?;
+        let star = mechanism(&Star::new(&StarSpec::paper(points))?);
         for model in models {
             let inflated = Inflated::new(&star, model, 37e3)?;
             let rest = inflated.rest()?;

@@ -3,13 +3,16 @@
 //! `cargo run --release --example paper`
 
 use stargrip_cam::coupon::cone::{Balance, Cone};
+use stargrip_cam::design::{Refusal, Star};
+use stargrip_cam::forecast::case::mechanism;
 use stargrip_cam::mechanics::hinge::bvp::Bvp;
 use stargrip_cam::mechanics::hinge::fit::{Fit, target_curvature};
 use stargrip_cam::mechanics::hinge::ring::Ring;
 use stargrip_cam::mechanics::hinge::{Hinge, HingeModel, HingeState};
+use stargrip_cam::mechanics::star::Mechanism;
 use stargrip_cam::mechanics::star::response::Inflated;
-use stargrip_cam::mechanics::star::{Star, StarGeometry};
 use stargrip_cam::mechanics::strength::{ElasticSheet, GRAVITY};
+use stargrip_cam::spec::StarSpec;
 use std::fmt::Write;
 
 fn main() {
@@ -168,8 +171,8 @@ fn moment() -> String {
     out + "\n"
 }
 
-fn paper_star(points: u32) -> Result<Star, stargrip_cam::mechanics::fault::StarFault> {
-    Star::new(StarGeometry::paper(points))
+fn paper_star(points: u32) -> Result<Mechanism, Refusal> {
+    Star::new(&StarSpec::paper(points)).map(|star| mechanism(&star))
 }
 
 fn radii() -> String {
@@ -183,7 +186,7 @@ fn radii() -> String {
                 let fit = Inflated::new(&star, &Fit, 1e4).expect("in range").linear_rest();
                 let ring = Inflated::new(&star, &Ring, 1e4).expect("in range");
                 let (linear, own) = (ring.linear_rest(), ring.rest().expect("in range"));
-                let _ = write!(out, "| {points} | {:.2} mm", star.arm_length() * 1e3);
+                let _ = write!(out, "| {points} | {:.2} mm", star.arm * 1e3);
                 for rest in [fit, linear, own] {
                     let _ = write!(
                         out,
@@ -207,12 +210,9 @@ fn radii() -> String {
 fn scale() -> String {
     let mut out = String::from("| lengths by 3 | K / K_0, n = 4 |\n|---|---|\n");
     let stiffness = |eta: f64, pressure: f64| {
-        let star = Star::new(StarGeometry {
-            inner_radius: 0.05 * eta,
-            width: 0.03 * eta,
-            ..*paper_star(4).expect("feasible").geometry()
-        });
-        Inflated::new(&star.expect("feasible"), &Ring, pressure).expect("in range").linear_rest().stiffness
+        let one = paper_star(4).expect("feasible");
+        let star = Mechanism { arm: one.arm * eta, width: one.width * eta, ..one };
+        Inflated::new(&star, &Ring, pressure).expect("in range").linear_rest().stiffness
     };
     for (what, power, law) in
         [("p", 0, "eta = 3"), ("p / eta", 1, "1"), ("p / eta^3", 3, "1 / eta^2 = 0.1111")]

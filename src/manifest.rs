@@ -12,7 +12,7 @@ use crate::design::{Design, Paper};
 use crate::plan::Program;
 use crate::spec::Spec;
 
-pub use bill::{ManifestMask, ManifestPlates, ManifestPosts, fabric, mass};
+pub use bill::{ManifestMask, ManifestPlates, ManifestPosts};
 
 /// The manifest's file name in an output directory.
 pub const MANIFEST: &str = "manifest.json";
@@ -39,7 +39,7 @@ pub struct Manifest {
     /// Fabric of all stars, both sheets of each.
     #[serde(default)]
     pub fabric_mm2: f64,
-    /// Its mass, where its areal density is known.
+    /// Its mass, where its areal density is known: that of the whole stack, `stack_mass_g` of a prediction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
     /// The kinds that were asked for; absent if all were.
@@ -101,7 +101,7 @@ pub struct ManifestStar {
     /// Fabric of both sheets.
     #[serde(default)]
     pub fabric_mm2: f64,
-    /// Its mass, where its areal density is known.
+    /// Its mass, where its areal density is known: `mass_g` of this star in a prediction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
     /// The same, loop by loop.
@@ -147,8 +147,8 @@ impl Manifest {
                     seam_mm: thousandths(seams.iter().map(|seam| seam.length_mm).sum()),
                     time_s: thousandths(seams.iter().map(|seam| seam.time_s).sum()),
                     clear_radius_mm: thousandths(part.clear_radius()),
-                    fabric_mm2: thousandths(fabric(part)),
-                    mass_g: mass(spec, part).map(thousandths),
+                    fabric_mm2: thousandths(part.fabric()),
+                    mass_g: part.mass(&spec.fabric).map(thousandths),
                     seams,
                 });
             }

@@ -129,6 +129,42 @@ quantities! {
     Duration("duration"): "s" = 1.0, "ms" = 1e-3, "min" = 60.0, "h" = 3600.0;
 }
 
+impl Length {
+    /// The length in m.
+    pub fn metres(self) -> f64 {
+        self.0 * 1e-3
+    }
+
+    /// A length given in m.
+    pub fn from_metres(metres: f64) -> Self {
+        Self(metres * 1e3)
+    }
+}
+
+impl Pressure {
+    /// The pressure in Pa.
+    pub fn pascals(self) -> f64 {
+        self.0 * 1e3
+    }
+
+    /// A pressure given in Pa.
+    pub fn from_pascals(pascals: f64) -> Self {
+        Self(pascals * 1e-3)
+    }
+}
+
+impl LineForce {
+    /// The force per length in N/m.
+    pub fn newtons_per_metre(self) -> f64 {
+        self.0 * 1e3
+    }
+
+    /// A force per length given in N/m.
+    pub fn from_newtons_per_metre(newtons: f64) -> Self {
+        Self(newtons * 1e-3)
+    }
+}
+
 impl Angle {
     /// The angle in rad.
     pub fn rad(self) -> f64 {

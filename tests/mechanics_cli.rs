@@ -122,3 +122,34 @@ fn a_cone_test_is_laid_over_the_prediction() {
     assert!(text(&published.stdout).contains("3.727761"), "{}", text(&published.stdout));
     assert_eq!(run(dir.path(), &["cone", "test.csv"]).status.code(), Some(1));
 }
+
+/// A spec of the same star, for `sweep` and for `check`: fabric is that of both sheets, as it is cut.
+#[test]
+fn a_sweep_has_the_fabric_that_check_has() {
+    let dir = folder();
+    let sweep = run(dir.path(), &["sweep", "spec.toml", "--vary", "star.points=4,5"]);
+    let table = text(&sweep.stdout);
+    let column = table.lines().next().and_then(|head| head.split(',').position(|key| key == "fabric_cm2"));
+    let column = column.expect("a column");
+    for (row, points) in table.lines().skip(1).zip([4, 5]) {
+        let fabric: f64 = row.split(',').nth(column).and_then(|cell| cell.parse().ok()).expect("a number");
+        let spec = SPEC.replace("points = 5", &format!("points = {points}"));
+        fs::write(dir.path().join("one.toml"), spec).expect("written");
+        let check = text(&run(dir.path(), &["check", "one.toml"]).stdout);
+        assert!(check.contains(&format!("fabric {fabric:.0} cm2 in both sheets")), "{fabric}: {check}");
+    }
+}
+
+/// The object of the search must fit into the star when it is inflated, not only when it is flat.
+#[test]
+fn optimize_opens_as_far_as_it_promises() {
+    let dir = folder();
+    let args = ["optimize", "spec.toml", "--grasp", "30 mm..45 mm", "--points", "8", "--goal", "fabric"];
+    let output = run(dir.path(), &args);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    fs::write(dir.path().join("best.toml"), &output.stdout).expect("written");
+    let predicted = run(dir.path(), &["predict", "best.toml", "--json", "--model", "ring"]);
+    let value: serde_json::Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
+    let range = &value["graspable_radius_mm"];
+    assert!(range[0].as_f64() <= Some(30.0) && range[1].as_f64() >= Some(45.0), "{range}");
+}

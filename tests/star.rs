@@ -6,9 +6,10 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use stargrip_cam::design::{Design, Part, Side, Star, StarDesign};
+use stargrip_cam::design::{Channel, Design, Outline, Part, Side, Star, StarDesign, cut_area};
 use stargrip_cam::geom::{Isometry, Path, Point, Segment, path_distance, path_intersections};
-use stargrip_cam::spec::{StarSpec, key};
+use stargrip_cam::spec::{Inlet, StarSpec, key};
+use stargrip_cam::units::Length;
 use stargrip_cam::verify::deviation;
 
 use support::Shape;
@@ -97,6 +98,33 @@ proptest! {
         let exact = f64::from(star.n) * sector;
         let found = area(Side::Outside) - area(Side::Hole);
         prop_assert!((found - exact).abs() <= 1e-10 * area(Side::Outside), "{found} {exact}");
+    }
+
+    /// The closed form of the cut's area is the area of the outline that is drawn, ears and inlet included.
+    #[test]
+    fn the_closed_form_of_the_cut_is_the_outlines(
+        shape in support::shapes(),
+        flaps in (0.01..0.3_f64, 0.0..0.5_f64, 0.0..0.3_f64),
+        hole in prop_oneof![Just(0.0), 0.001..0.3_f64],
+        inlet in prop::option::of((0.05..0.5_f64, 0.5..3.0_f64, 0.0..0.5_f64)),
+    ) {
+        let star = star(&shape);
+        let w = |part: f64| Length(part * star.w);
+        let mut seal = support::read(support::PAPER).seal;
+        (seal.band, seal.allowance, seal.hole_allowance) = (w(flaps.0), w(flaps.1), w(flaps.2));
+        let inlet = inlet.map(|(d, length, fillet)| Inlet {
+            tube_diameter: w(d),
+            length: w(length),
+            fillet: w(fillet),
+        });
+        let channel = inlet.as_ref().map(|inlet| Channel::new(&star, inlet, 2));
+        let drawn = Outline::new(&star, channel.as_ref(), 2, &seal, w(hole).0).ok().map(|outline| outline.area());
+        let found = cut_area(&star, &seal, inlet.as_ref(), 2, w(hole).0);
+        prop_assert_eq!(found.is_some(), drawn.is_some());
+        if let Some((found, drawn)) = found.zip(drawn) {
+            // Of numbers as large as the square around the star.
+            prop_assert!((found - drawn).abs() <= 1e-11 * star.tip_reach().powi(2), "{} {}", found, drawn);
+        }
     }
 
     /// The two edges are W apart everywhere.

@@ -1,17 +1,17 @@
-//! Whether the seal is tight, and how much it holds: topology and strength of every seam.
+//! Whether the seal is tight: topology of every seam, and what the forecast says of its strength.
 //!
 //! A **leak** is a way for air that the design leaves open; a **weakness** is a place that may fail. Both are read off the
 //! geometry and the order in which the iron travels it, not assumed from how they were made.
 
-mod strength;
 mod topology;
 
 use std::fmt;
 
 use crate::design::Design;
+use crate::forecast::case::Case;
+use crate::forecast::seal_load::{SealLoad, seal_loads};
 use crate::spec::{Machine, Spec};
 
-pub use strength::{Load, seal_loads};
 pub use topology::{Passage, passage};
 
 /// What is to be said about the seals of a design.
@@ -33,7 +33,7 @@ pub struct StarReport {
     /// Where air goes and where it must not.
     pub passage: Passage,
     /// The load on the seal where it bends and where it is straight.
-    pub loads: Vec<Load>,
+    pub loads: Vec<SealLoad>,
 }
 
 /// The ways for air that `design` leaves open; best none. Read off the geometry alone, no mechanics is solved.
@@ -48,8 +48,9 @@ pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> Report {
     for ((index, passage), part) in passages.into_iter().zip(&design.distinct) {
         let of_star = |text: &String| format!("star {index}: {text}");
         report.weaknesses.extend(passage.weaknesses.iter().map(of_star));
-        let loads = seal_loads(spec, part);
-        report.weaknesses.extend(loads.iter().filter_map(Load::weakness).map(|text| of_star(&text)));
+        // No valid spec has a fabric without a case; without one there would be no load to speak of.
+        let loads = Case::of(spec, &part.star).map_or_else(|_| Vec::new(), |case| seal_loads(&case, part));
+        report.weaknesses.extend(loads.iter().filter_map(SealLoad::weakness).map(|text| of_star(&text)));
         report.stars.push(StarReport { index, passage, loads });
     }
     report

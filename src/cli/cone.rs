@@ -7,9 +7,9 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::quantity;
 use crate::coupon::cone::{Balance, Cone, Overlay, reduce};
-use crate::forecast::predict::geometry;
+use crate::design::Star;
+use crate::forecast::case::mechanism;
 use crate::mechanics::hinge::ring::Ring;
-use crate::mechanics::star::Star;
 use crate::mechanics::star::response::Inflated;
 use crate::units::{Angle, Length};
 
@@ -50,7 +50,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         BalanceArg::Derived => Balance::Derived,
         BalanceArg::Published => Balance::Published,
     };
-    let contact = args.contact_radius.map(|radius| radius.0 * 1e-3);
+    let contact = args.contact_radius.map(Length::metres);
     let reduced = |first: f64, overlay: Option<Overlay<'_>>| reduce(&data, &cone, balance, first, overlay);
     let Some(path) = &args.spec else {
         let first = contact
@@ -61,9 +61,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let pressure = pressure.ok_or_else(|| message("the spec's [load] has no pressure".to_owned()))?;
     let star = spec.stars.first().ok_or_else(|| message("the spec has no star".to_owned()))?;
-    let text = Star::new(geometry(star))
-        .and_then(|star| {
-            let inflated = Inflated::new(&star, &Ring, pressure.0 * 1e3)?;
+    let star = mechanism(&Star::new(star).map_err(|refusal| message(refusal.to_string()))?);
+    let text = Inflated::new(&star, &Ring, pressure.pascals())
+        .and_then(|inflated| {
             let (linear, own) = (inflated.linear_rest(), inflated.rest()?);
             let overlay =
                 |rho: f64| [inflated.linear_force(rho, &linear).ok(), inflated.force(rho, &own).ok()];

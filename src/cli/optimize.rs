@@ -8,15 +8,13 @@ use crate::cli::load::Loaded;
 use crate::cli::quantity::range;
 use crate::design::Design;
 use crate::forecast::candidate::Candidate;
-use crate::forecast::optimize::{Bounds, Constraints, Evaluated, Goal, search, thinned};
+use crate::forecast::optimize::{Bounds, Constraints, Evaluated, Goal, ROUNDING, search, thinned};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::spec;
 use crate::spec::Source;
 use crate::spec::edit::with_star;
 use crate::units::{Angle, Length, Readable};
 
-/// By how much the constraints are tightened for the search, so that they still hold once the values are rounded.
-const ROUNDING: f64 = 5e-4;
 /// Rows of the front that are shown.
 const SHOWN: usize = 12;
 
@@ -82,22 +80,23 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         GoalArg::Stiffness => Goal::Stiffness,
         GoalArg::Fabric => Goal::Fabric,
     };
-    if goal == Goal::Stiffness && base.pressure.is_none() {
+    if goal == Goal::Stiffness && base.load.pressure.is_none() {
         return Err(message("stiffness needs a pressure: give [load] one"));
     }
-    if args.payload.is_some() && (base.pressure.is_none() || base.object.is_none() || base.friction.is_none())
-    {
+    let load = &base.load;
+    let holds = load.pressure.is_some() && load.object_radius.is_some() && load.friction.is_some();
+    if args.payload.is_some() && !holds {
         return Err(message("payload needs [load] with pressure, object_radius and friction"));
     }
-    if args.burst_margin.is_some() && (base.pressure.is_none() || base.peel.is_none()) {
+    if args.burst_margin.is_some() && (load.pressure.is_none() || base.fabric.seal_strength.is_none()) {
         return Err(message("a burst margin needs [load] pressure and [fabric] seal_strength"));
     }
     let sheet = &read.sheet;
     let side = [sheet.width, sheet.height].into_iter().flatten().map(|side| side.0).reduce(f64::min);
     let constraints = Constraints {
-        grasp: args.grasp.map(|(from, to)| [from.0 * 1e-3 * (1.0 - ROUNDING), to.0 * 1e-3]),
+        grasp: args.grasp.map(|(from, to)| [Length(from.0 * (1.0 - ROUNDING)), to]),
         payload: args.payload.map(|mass| mass * (1.0 + ROUNDING)),
-        sheet: side.map(|side| (side - 2.0 * sheet.margin.0) * 1e-3),
+        sheet: side.map(|side| Length(side - 2.0 * sheet.margin.0)),
         burst_margin: args.burst_margin.map(|margin| margin * (1.0 + ROUNDING)),
     };
     let table = RingTable::new().map_err(|fault| message(&fault.to_string()))?;
@@ -128,17 +127,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 fn bounds(args: &Args, base: &Candidate) -> Bounds {
-    let geometry = &base.geometry;
-    let lengths = |range: Option<(Length, Length)>, default: [f64; 2]| {
-        range.map_or(default, |(from, to)| [from.0 * 1e-3, to.0 * 1e-3])
-    };
-    let (from, to) = args.tip_angle.unwrap_or((Angle(10.0), Angle(90.0)));
+    let star = &base.star;
+    let lengths = |range: Option<(Length, Length)>, default: [Length; 2]| range.map_or(default, Into::into);
+    let width = star.tube_width.0;
     Bounds {
         points: args.points.0..=args.points.1,
-        tip_angle: [from.rad(), to.rad()],
-        width: lengths(args.tube_width, [0.5 * geometry.width, 1.5 * geometry.width]),
-        tip_radius: lengths(args.tip_radius, [geometry.tip_radius; 2]),
-        corner_radius: lengths(args.corner_radius, [geometry.corner_radius; 2]),
+        tip_angle: args.tip_angle.unwrap_or((Angle(10.0), Angle(90.0))).into(),
+        width: lengths(args.tube_width, [Length(0.5 * width), Length(1.5 * width)]),
+        tip_radius: lengths(args.tip_radius, [star.tip_radius; 2]),
+        corner_radius: lengths(args.corner_radius, [star.corner_radius; 2]),
     }
 }
 
@@ -147,23 +144,24 @@ fn rows(candidates: &[Evaluated]) -> String {
     let mut out = String::from(
         "#   n  angle/deg  width/mm  R_i/mm  R_e/mm  arm/mm  rho_f/mm  contraction  K/(N/m)  payload/kg  fabric/cm2  short\n",
     );
-    for Evaluated { point, outcome, violation } in candidates {
-        let geometry = &point.geometry;
+    for Evaluated { point, answer, violation } in candidates {
+        let (star, outcome) = (&point.star, &answer.outcome);
         let optional = |value: Option<f64>| value.map_or("-".to_owned(), |value| format!("{value:.3}"));
         let _ = writeln!(
             out,
-            "# {:3}  {:9.3}  {:8.3}  {:6.3}  {:6.3}  {:6.2}  {:8.3}  {:9.2} %  {:>7}  {:>10}  {:10.1}  {}",
-            geometry.points,
-            geometry.tip_angle.to_degrees(),
-            geometry.width * 1e3,
-            geometry.tip_radius * 1e3,
-            geometry.corner_radius * 1e3,
-            outcome.arm * 1e3,
-            outcome.final_radius * 1e3,
+            "# {:3}  {:9.3}  {:8.3}  {:6.3}  {:6.3}  {:6.2}  {:8.3}  {:9.2} %  {:>7}  {:>10}  {:>10}  {}",
+            star.points,
+            star.tip_angle.0,
+            star.tube_width.0,
+            star.tip_radius.0,
+            star.corner_radius.0,
+            answer.star.l,
+            Length::from_metres(outcome.rest.radius).0,
             100.0 * outcome.contraction,
             outcome.stiffness.map_or("-".to_owned(), |k| format!("{k:.0}")),
-            optional(outcome.payload),
-            outcome.area * 1e4,
+            optional(answer.payload),
+            // mm^2 to cm^2.
+            answer.fabric.map_or("-".to_owned(), |area| format!("{:.1}", area / 100.0)),
             if *violation > 0.0 { format!("{:.1} %", 100.0 * violation) } else { "-".to_owned() },
         );
     }
@@ -172,17 +170,15 @@ fn rows(candidates: &[Evaluated]) -> String {
 
 /// The spec with the candidate's values, rounded to a micrometre and a thousandth of a degree.
 fn spec_text(loaded: &Loaded, candidate: &Evaluated) -> Result<String, Failure> {
-    let geometry = &candidate.point.geometry;
-    let mm = |metres: f64| format!("\"{} mm\"", Readable((metres * 1e6).round() * 1e-3));
+    let star = &candidate.point.star;
+    let thousandths = |value: f64| Readable((value * 1000.0).round() / 1000.0);
+    let mm = |length: Length| format!("\"{} mm\"", thousandths(length.0));
     let values = [
-        ("points", geometry.points.to_string()),
-        ("tube_width", mm(geometry.width)),
-        (
-            "tip_angle",
-            format!("\"{} deg\"", Readable((geometry.tip_angle.to_degrees() * 1e3).round() * 1e-3)),
-        ),
-        ("tip_radius", mm(geometry.tip_radius)),
-        ("corner_radius", mm(geometry.corner_radius)),
+        ("points", star.points.to_string()),
+        ("tube_width", mm(star.tube_width)),
+        ("tip_angle", format!("\"{} deg\"", thousandths(star.tip_angle.0))),
+        ("tip_radius", mm(star.tip_radius)),
+        ("corner_radius", mm(star.corner_radius)),
     ];
     with_star(&loaded.source.text, &values).map_err(Failure::Message)
 }

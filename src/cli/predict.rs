@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
+use crate::design::Design;
 use crate::forecast::predict::predict;
 use crate::forecast::report;
 use crate::pipeline::no_prediction;
@@ -47,7 +48,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             Model::Auto => ModelChoice::Auto,
         };
     }
-    let prediction = predict(&spec).map_err(|fault| loaded.refused(no_prediction(&fault).into()))?;
+    let design = Design::new(&spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
+    let prediction = predict(&spec, &design).map_err(|fault| loaded.refused(no_prediction(&fault).into()))?;
     if args.json {
         return say(&prediction.to_json());
     }

@@ -6,7 +6,6 @@ use std::path::Path;
 use crate::artifact::Format;
 use crate::design::{COATING_ASSUMES, Design, Plate};
 use crate::forecast::report;
-use crate::manifest;
 use crate::pipeline::{Forecast, Proven};
 use crate::plan::Pace;
 use crate::spec::Spec;
@@ -40,8 +39,8 @@ pub(super) fn design(forecast: &Forecast) -> String {
             out,
             "  clear radius at the flap {:.2} mm, fabric {:.0} cm2 in both sheets{}",
             part.clear_radius(),
-            manifest::fabric(part) / 100.0,
-            manifest::mass(spec, part).map_or(String::new(), |grams| format!(", {grams:.1} g")),
+            part.fabric() / 100.0,
+            part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
         );
         for program in programs {
             for seam in program.seams.iter().filter(|seam| seam.star == placed.index) {

@@ -6,9 +6,8 @@ use std::time::Instant;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
-use crate::forecast::predict::geometry;
 use crate::forecast::trade;
-use crate::mechanics::star::StarGeometry;
+use crate::spec::StarSpec;
 
 /// Arguments of `trade`.
 #[derive(clap::Args, Debug)]
@@ -26,13 +25,12 @@ pub(super) struct Args {
 /// Measures on this machine, and prints the table.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let base = match &args.spec {
-        Some(path) => Loaded::new(path)?.reading.spec.stars.first().map(geometry),
+        Some(path) => Loaded::new(path)?.reading.spec.stars.first().cloned(),
         None => None,
     };
     let start = Instant::now();
-    let rows =
-        trade::measure(&base.unwrap_or_else(|| StarGeometry::paper(5)), &|| start.elapsed().as_secs_f64())
-            .map_err(|fault| Failure::Message(fault.to_string()))?;
+    let rows = trade::measure(&base.unwrap_or_else(|| StarSpec::paper(5)), &|| start.elapsed().as_secs_f64())
+        .map_err(|fault| Failure::Message(fault.to_string()))?;
     for (path, text) in [(&args.csv, trade::csv(&rows)), (&args.svg, trade::plot(&rows))] {
         if let Some(path) = path {
             fs::write(path, text).map_err(|error| Failure::file("write", path, &error))?;

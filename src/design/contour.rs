@@ -47,13 +47,31 @@ pub struct Contour {
 
 /// One hinge as the contour passes it, in the frame of its ray.
 #[derive(Clone, Copy)]
-struct ContourHinge {
+pub(super) struct ContourHinge {
     /// Distance of the arc's centre from the axis.
-    center: f64,
+    pub(super) center: f64,
     /// Radius of the arc, 0 for a vertex.
-    radius: f64,
+    pub(super) radius: f64,
     /// Half the angle of the arc.
-    half: f64,
+    pub(super) half: f64,
+}
+
+/// A contour by what repeats in it n times.
+#[derive(Clone, Copy)]
+pub(super) enum Trimmed {
+    /// Hinges with arms between them.
+    Arms {
+        /// Each corner.
+        corner: ContourHinge,
+        /// Each tip.
+        tip: ContourHinge,
+        /// Length of each arm.
+        arm: f64,
+    },
+    /// Nothing but the corners' arcs, which meet on the tips' rays.
+    Corners(ContourHinge),
+    /// Nothing but the tips' arcs, which meet on the corners' rays.
+    Tips(ContourHinge),
 }
 
 impl Star {
@@ -61,6 +79,15 @@ impl Star {
     ///
     /// `None` if nothing is left: the hole is closed.
     pub fn contour(&self, side: Side, delta: f64, least_radius: f64) -> Option<Contour> {
+        Some(match self.trimmed(side, delta, least_radius)? {
+            Trimmed::Arms { corner, tip, arm } => self.with_arms(corner, tip, arm),
+            Trimmed::Corners(hinge) => self.arcs_only(hinge, Part::Corner, -1.0),
+            Trimmed::Tips(hinge) => self.arcs_only(hinge, Part::Tip, 1.0),
+        })
+    }
+
+    /// The same contour, trimmed but not yet drawn.
+    pub(super) fn trimmed(&self, side: Side, delta: f64, least_radius: f64) -> Option<Trimmed> {
         // Signed radii before trimming; their sum is always W + R_i + R_e.
         let (corner_radius, tip_radius) = match side {
             Side::Hole => (self.r_e + self.w + delta, self.r_i - delta),
@@ -82,12 +109,12 @@ impl Star {
         let arm = self.l - grown / (phi / 2.0).tan();
         // An arm of rounding error's length is no arm: the smallest real ones are 1e6 times longer.
         if arm > 1e-9 * self.l {
-            return Some(self.with_arms(corner, tip, arm));
+            return Some(Trimmed::Arms { corner, tip, arm });
         }
-        let meet = self.convex_arcs_meet(side, corner_radius, tip_radius)?;
+        let half = self.convex_arcs_meet(side, corner_radius, tip_radius)?;
         Some(match side {
-            Side::Hole => self.arcs_only(ContourHinge { half: meet, ..corner }, Part::Corner, -1.0),
-            Side::Outside => self.arcs_only(ContourHinge { half: meet, ..tip }, Part::Tip, 1.0),
+            Side::Hole => Trimmed::Corners(ContourHinge { half, ..corner }),
+            Side::Outside => Trimmed::Tips(ContourHinge { half, ..tip }),
         })
     }
 
@@ -152,6 +179,33 @@ impl Star {
     fn tip_arc(&self, k: u32, hinge: ContourHinge) -> Arc {
         let ray = self.tip_ray(k);
         Arc::new(Point::polar(hinge.center, ray), hinge.radius, ray - hinge.half, 2.0 * hinge.half)
+    }
+}
+
+impl Trimmed {
+    /// Area of one sector of `star` of angle 2 pi / n inside the contour, mm^2: the sum of half of x dy - y dx along it.
+    pub(super) fn sector_area(&self, star: &Star) -> f64 {
+        // An arc around a point at the distance c that turns by 2 h: r^2 h + c r sin h if it bulges outwards.
+        let swept = |hinge: &ContourHinge, sign: f64| {
+            let ContourHinge { center, radius, half } = *hinge;
+            sign * radius * radius * half + center * radius * half.sin()
+        };
+        match self {
+            Self::Tips(tip) => swept(tip, 1.0),
+            Self::Corners(corner) => swept(corner, -1.0),
+            Self::Arms { corner, tip, .. } => {
+                // From the corner's end to the tip's start; the other arm is its mirror image.
+                let from = Point::new(
+                    corner.center - corner.radius * corner.half.cos(),
+                    corner.radius * corner.half.sin(),
+                );
+                let (along, across) =
+                    (tip.center + tip.radius * tip.half.cos(), -tip.radius * tip.half.sin());
+                let (sin, cos) = star.half_sector().sin_cos();
+                let to = Point::new(along * cos - across * sin, along * sin + across * cos);
+                swept(tip, 1.0) + swept(corner, -1.0) + from.x * to.y - from.y * to.x
+            }
+        }
     }
 }
 

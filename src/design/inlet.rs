@@ -62,25 +62,51 @@ impl Channel {
             Segment::Arc(arc) if *part == Part::Tip(self.tip) => Some((at, *arc)),
             _ => None,
         });
-        let (Some((at, arc)), Some(junction)) = (arc, self.junction(star, delta, least_radius)) else {
+        let Some((at, arc)) = arc else {
             return Err(self.too_wide(delta, star.r_i + star.w + delta));
         };
-        // Strictly inside: the rest of the arc must be longer than rounding.
-        if junction.psi >= arc.sweep / 2.0 - 1e-9 {
-            return Err(self.too_wide(delta, arc.radius * (arc.sweep / 2.0).sin()));
-        }
+        let junction = self.fitted(star, arc.sweep / 2.0, delta, least_radius)?;
         let end = self.mouth - star.d_t + beyond;
-        if junction.x >= self.mouth - star.d_t {
-            return Err(Refusal::new(
-                key::inlet::LENGTH,
-                "short-inlet",
-                format!("the mouth would lie {} mm inside the flap", Readable(junction.x - (end - beyond))),
-                format!("length must be above {} mm", Readable(junction.x - star.r_i - star.w)),
-            ));
-        }
         let (into, out) = self.sides(star, &arc, &junction, end);
         let rest = contour.parts[at + 1..].iter().chain(&contour.parts[..at]).map(|(_, segment)| *segment);
         Ok(Path::open(into.into_iter().chain(rest).chain(out).collect()))
+    }
+
+    /// Area that the channel adds to what the contour at `delta` encloses, mm^2, the contour's arc at the tip of radius
+    /// `rim` turning by `half` to either side; `None` where [`Channel::open`] refuses.
+    pub(super) fn cut_area(&self, star: &Star, rim: f64, half: f64, delta: f64) -> Option<f64> {
+        let Junction { psi, x, y, radius } = self.fitted(star, half, delta, 0.0).ok()?;
+        // Either side of the ray: from T along the ray to the mouth, back along the channel's side, over the fillet's
+        // centre to T; without the tip's sector and the fillet's.
+        let end = self.mouth - star.d_t;
+        let side =
+            end * y - 0.5 * x * (y - radius) - 0.5 * (psi * rim * rim + (FRAC_PI_2 - psi) * radius * radius);
+        Some(2.0 * side)
+    }
+
+    /// Where the channel meets the arc of its tip, which turns by `half` to either side of the ray.
+    ///
+    /// # Errors
+    /// If the channel with its strips does not fit on the arc, or ends before it begins.
+    fn fitted(&self, star: &Star, half: f64, delta: f64, least_radius: f64) -> Result<Junction, Refusal> {
+        let rim = star.r_i + star.w + delta;
+        let Some(junction) = self.junction(star, delta, least_radius) else {
+            return Err(self.too_wide(delta, rim));
+        };
+        // Strictly inside: the rest of the arc must be longer than rounding.
+        if junction.psi >= half - 1e-9 {
+            return Err(self.too_wide(delta, rim * half.sin()));
+        }
+        let end = self.mouth - star.d_t;
+        if junction.x >= end {
+            return Err(Refusal::new(
+                key::inlet::LENGTH,
+                "short-inlet",
+                format!("the mouth would lie {} mm inside the flap", Readable(junction.x - end)),
+                format!("length must be above {} mm", Readable(junction.x - star.r_i - star.w)),
+            ));
+        }
+        Ok(junction)
     }
 
     /// Where channel and arc meet; `None` if the channel is wider than the tip.

@@ -1,9 +1,10 @@
 //! The outline: where the fabric is cut, and the registration holes.
 
+use crate::design::contour::Trimmed;
 use crate::design::seam::hole_closed;
 use crate::design::{Channel, Contour, Part, Refusal, Refusals, Side, Star, registration};
-use crate::geom::{Path, Point};
-use crate::spec::Seal;
+use crate::geom::{Path, Point, Segment};
+use crate::spec::{Inlet, Seal};
 
 /// A round hole.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -90,6 +91,32 @@ impl Outline {
     }
 }
 
+/// Area inside the cut of the star's outline, mm^2, in closed form; `None` if it cannot be cut.
+///
+/// It is [`Outline::area`] of [`Outline::new`], without drawing the outline: for searches over many stars.
+pub fn cut_area(
+    star: &Star,
+    seal: &Seal,
+    inlet: Option<&Inlet>,
+    inlet_tip: u32,
+    hole_diameter: f64,
+) -> Option<f64> {
+    let n = f64::from(star.n);
+    let hole = star.trimmed(Side::Hole, seal.band.0 + seal.hole_allowance.0, 0.0)?;
+    let delta = seal.band.0 + seal.allowance.0;
+    let flap = star.trimmed(Side::Outside, delta, 0.0)?;
+    let mut area = n * (flap.sector_area(star) - hole.sector_area(star));
+    let (Trimmed::Arms { tip, .. } | Trimmed::Tips(tip)) = flap else { return None };
+    if hole_diameter > 0.0 {
+        let sites = registration::sites(star, tip.half, inlet_tip, seal, hole_diameter).ok()?;
+        area += sites.iter().map(|site| site.ear_area(tip.radius)).sum::<f64>();
+    }
+    if let Some(inlet) = inlet {
+        area += Channel::new(star, inlet, inlet_tip).cut_area(star, tip.radius, tip.half, delta)?;
+    }
+    Some(area)
+}
+
 /// The flap's contour with the registration holes in it, on ears where the flap is too narrow.
 fn punched(
     star: &Star,
@@ -98,7 +125,11 @@ fn punched(
     seal: &Seal,
     diameter: f64,
 ) -> Result<(Contour, Vec<Circle>), Refusal> {
-    let sites = registration::sites(star, &flap, first, seal, diameter)?;
+    let half = flap.parts.iter().find_map(|(part, segment)| match (part, segment) {
+        (Part::Tip(_), Segment::Arc(arc)) => Some(arc.sweep / 2.0),
+        _ => None,
+    });
+    let sites = registration::sites(star, half.unwrap_or(0.0), first, seal, diameter)?;
     let holes = sites.iter().map(|site| Circle { center: site.center(star), diameter }).collect();
     let mut parts = Vec::with_capacity(flap.parts.len() + 2 * sites.len());
     for (part, segment) in flap.parts {

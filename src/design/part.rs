@@ -2,7 +2,7 @@
 
 use crate::design::{Channel, MaskPlate, Outline, Refusal, Refusals, Seam, Side, Star};
 use crate::geom::{Bounds, Path};
-use crate::spec::{Spec, StarSpec};
+use crate::spec::{Fabric, Spec, StarSpec};
 
 /// A star with its seams and its cut.
 #[derive(Clone, Debug, PartialEq)]
@@ -79,12 +79,23 @@ impl StarDesign {
 
     /// What the band makes of the tips.
     pub fn realised_tip(&self) -> Realised {
-        realised(self.star.r_i, self.star.phi_i, self.band)
+        self.star.realised_tip(self.band)
     }
 
     /// What the band makes of the reentrant corners.
     pub fn realised_corner(&self) -> Realised {
-        realised(self.star.r_e, self.star.phi_e, self.band)
+        self.star.realised_corner(self.band)
+    }
+
+    /// Fabric of the star, both sheets, mm^2: what lies inside the cut, registration holes included.
+    pub fn fabric(&self) -> f64 {
+        SHEETS * self.outline.area()
+    }
+
+    /// Mass of the star's fabric, both sheets, g; `None` where its areal density is not known.
+    pub fn mass(&self, fabric: &Fabric) -> Option<f64> {
+        // 1 kg/m^2 is 1e-3 g/mm^2.
+        fabric.areal_density.map(|density| density.0 * 1e-3 * self.fabric())
     }
 
     /// The box that the part needs on the sheet: its cut, and the bands with ramps of length `ramp`.
@@ -99,6 +110,21 @@ impl StarDesign {
     /// Radius of the largest circle around the axis that the hole-side flap leaves free.
     pub fn clear_radius(&self) -> f64 {
         self.outline.hole.distance(crate::geom::Point::ORIGIN)
+    }
+}
+
+/// Sheets of fabric that one star is made of.
+pub const SHEETS: f64 = 2.0;
+
+impl Star {
+    /// What a band of width `band` (mm) makes of the tips.
+    pub fn realised_tip(&self, band: f64) -> Realised {
+        realised(self.r_i, self.phi_i, band)
+    }
+
+    /// What a band of width `band` (mm) makes of the reentrant corners.
+    pub fn realised_corner(&self, band: f64) -> Realised {
+        realised(self.r_e, self.phi_e, band)
     }
 }
 

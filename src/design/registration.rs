@@ -5,7 +5,7 @@
 //! every n: its short side is a chord of one tip's arc, and the third hole lies off that chord's
 //! bisector by at least the sine of half the turn times the star's diameter.
 
-use crate::design::{Contour, Part, Refusal, Star};
+use crate::design::{Refusal, Star};
 use crate::geom::{Arc, Point, Segment, Vec2};
 use crate::spec::{Seal, key};
 use crate::units::{Length, Readable};
@@ -32,7 +32,32 @@ impl Site {
     }
 }
 
-/// The three sites on the contour `flap`.
+/// Where an ear leaves the tip's arc.
+struct Root {
+    /// Half the angle that the ear takes of the arc, seen from T.
+    beta: f64,
+    /// Half the angle of the ear's own arc, seen from its hole.
+    foot: f64,
+}
+
+impl Site {
+    /// The root of an ear of radius `ear` on the arc of radius `rim`: law of cosines.
+    fn root(&self, ear: f64, rim: f64) -> Root {
+        let c = self.radius;
+        let beta = ((rim * rim + c * c - ear * ear) / (2.0 * rim * c)).clamp(-1.0, 1.0).acos();
+        Root { beta, foot: Vec2::new(rim * beta.cos() - c, rim * beta.sin()).angle() }
+    }
+
+    /// Area that the site's ear, if it has one, adds to what the arc of radius `rim` encloses.
+    pub(super) fn ear_area(&self, rim: f64) -> f64 {
+        let Some(ear) = self.ear else { return 0.0 };
+        let Root { beta, foot } = self.root(ear, rim);
+        // The ear's sector and the kite between the two centres, without the arc's own sector.
+        ear * ear * foot + self.radius * rim * beta.sin() - rim * rim * beta
+    }
+}
+
+/// The three sites beside the arcs of the tips' flap, of which each turns by `half` to either side of its ray.
 ///
 /// A hole keeps a band's width from the seal and its own radius of fabric to the cut.
 ///
@@ -40,7 +65,7 @@ impl Site {
 /// If the tips' arcs have no room for them.
 pub(super) fn sites(
     star: &Star,
-    flap: &Contour,
+    half: f64,
     first: u32,
     seal: &Seal,
     diameter: f64,
@@ -56,14 +81,6 @@ pub(super) fn sites(
     };
     let tip = |k: u32| (k - 1) % star.n + 1;
     let (beside, across) = (tip(first + 1), tip(first + 1 + star.n / 2));
-    let half = flap
-        .parts
-        .iter()
-        .find_map(|(part, segment)| match segment {
-            Segment::Arc(arc) if *part == Part::Tip(beside) => Some(arc.sweep / 2.0),
-            _ => None,
-        })
-        .unwrap_or(0.0);
     let reach = (ear.unwrap_or(2.0 * r) / radius).min(1.0).asin();
     let turn = TURN.min(half - 1.1 * reach);
     if turn * radius < 2.0 * ear.unwrap_or(2.0 * r) {
@@ -91,14 +108,11 @@ pub(super) fn with_ears<'a>(segment: Segment, sites: impl Iterator<Item = &'a Si
     let mut from = arc.start_angle;
     for site in sites {
         let Some(ear) = site.ear else { continue };
-        let (rim, c) = (arc.radius, site.radius);
-        // Half the angle that the ear takes of the rim, seen from T (law of cosines).
-        let beta = ((rim * rim + c * c - ear * ear) / (2.0 * rim * c)).clamp(-1.0, 1.0).acos();
+        let Root { beta, foot } = site.root(ear, arc.radius);
         let direction = ray + site.turn;
-        let center = arc.center + Vec2::unit(direction) * c;
-        let foot = Vec2::new(rim * beta.cos() - c, -rim * beta.sin()).angle();
-        pieces.push(Arc::new(arc.center, rim, from, direction - beta - from).into());
-        pieces.push(Arc::new(center, ear, direction + foot, -2.0 * foot).into());
+        let center = arc.center + Vec2::unit(direction) * site.radius;
+        pieces.push(Arc::new(arc.center, arc.radius, from, direction - beta - from).into());
+        pieces.push(Arc::new(center, ear, direction - foot, 2.0 * foot).into());
         from = direction + beta;
     }
     pieces.push(Arc::new(arc.center, arc.radius, from, arc.end_angle() - from).into());

@@ -1,11 +1,25 @@
 //! What a spec's gripper will do: from the exact design to a prediction that says how good it is.
+//!
+//! It asks [`crate::mechanics`] about stars that [`crate::design`] has made; each stage stands on the ones above it:
+//!
+//! | stage | what it knows |
+//! |---|---|
+//! | [`case`] | what a spec asks about one star, in SI units: the only conversion |
+//! | [`seal_load`] | the load on the seal, burst pressure, the radius that would hold |
+//! | [`outcome`] | an inflated star with its load, in closed forms: for all that follow |
+//! | [`choice`] | which model answers, and the error to expect of it |
+//! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
+//! | [`candidate`], [`sweep`], [`optimize`] | the same answer for one design among millions |
+//! | [`trade`] | what each model costs, and how far it is off |
 
 pub mod candidate;
+pub mod case;
 pub mod choice;
-pub mod cut;
 pub mod optimize;
+pub mod outcome;
 pub mod predict;
 pub mod prediction;
 pub mod report;
+pub mod seal_load;
 pub mod sweep;
 pub mod trade;

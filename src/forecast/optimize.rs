@@ -5,8 +5,10 @@
 //! of the three most promising ones. Designs are compared by how far they are from meeting the constraints, and
 //! among those that meet them by the goal.
 
-use crate::forecast::candidate::{Candidate, Outcome};
+use crate::forecast::candidate::{Answer, Candidate};
+use crate::forecast::outcome::SHORTEST_ARM;
 use crate::mechanics::hinge::ring::RingTable;
+use crate::units::{Angle, Length};
 use rayon::prelude::*;
 use std::ops::RangeInclusive;
 
@@ -21,41 +23,41 @@ pub enum Goal {
     Fabric,
 }
 
-/// The box that is searched; lengths in m, angles in rad. Equal ends fix a value.
+/// The box that is searched. Equal ends fix a value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bounds {
     /// Number of points.
     pub points: RangeInclusive<u32>,
     /// Tip angle.
-    pub tip_angle: [f64; 2],
+    pub tip_angle: [Angle; 2],
     /// Tube width.
-    pub width: [f64; 2],
+    pub width: [Length; 2],
     /// Tip radius.
-    pub tip_radius: [f64; 2],
+    pub tip_radius: [Length; 2],
     /// Corner radius.
-    pub corner_radius: [f64; 2],
+    pub corner_radius: [Length; 2],
 }
 
 /// What a design must do; absent constraints always hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Constraints {
-    /// The star must close to the first radius and open to the second, m.
-    pub grasp: Option<[f64; 2]>,
+    /// The star must close to the first radius; the second must enter the flat star, and the inflated one must open to it.
+    pub grasp: Option<[Length; 2]>,
     /// Payload of the stack, kg, at the load's pressure, object and friction.
     pub payload: Option<f64>,
-    /// Smaller side of the sheet's free area, m: the cut star must fit.
-    pub sheet: Option<f64>,
+    /// Smaller side of the sheet's free area: the cut star must fit.
+    pub sheet: Option<Length>,
     /// Burst pressure over pressure.
     pub burst_margin: Option<f64>,
 }
 
 /// A design with what it does.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Evaluated {
     /// The design.
     pub point: Candidate,
     /// What it does.
-    pub outcome: Outcome,
+    pub answer: Answer,
     /// How far it is from meeting the constraints: 0 if it meets all.
     pub violation: f64,
 }
@@ -78,8 +80,8 @@ const SCANNED: u32 = 2048;
 const FOLLOWED: usize = 3;
 /// Smallest step of the compass search, of the box's side.
 const SMALLEST_STEP: f64 = 1e-4;
-/// Shortest arm over tube width: shorter ones are no straight tube any more, and the model's hinges would overlap.
-pub const SHORTEST_ARM: f64 = 0.5;
+/// By how much constraints are tightened for the search, so that they still hold once the values are rounded.
+pub const ROUNDING: f64 = 5e-4;
 
 /// Searches around `base`, whose other values are kept.
 pub fn search(
@@ -92,42 +94,66 @@ pub fn search(
     let all: Vec<u32> = bounds.points.clone().collect();
     let found: Vec<Vec<Evaluated>> = all
         .into_par_iter()
-        .map(|points| for_points(points, base, bounds, constraints, goal, table))
+        .map(|points| Search { base, bounds, constraints, goal, table }.with_points(points))
         .collect();
     let computed = found.iter().map(Vec::len).sum();
     let better = |a: &&Evaluated, b: &&Evaluated| compare(a, b, goal);
-    let mut best: Vec<Evaluated> = found.iter().filter_map(|of| of.iter().min_by(better)).copied().collect();
+    let mut best: Vec<Evaluated> = found.iter().filter_map(|of| of.iter().min_by(better)).cloned().collect();
     best.sort_by(|a, b| compare(a, b, goal));
     let met = found.into_iter().flatten().filter(|candidate| candidate.violation == 0.0);
     Found { best, front: front(met.collect()), computed }
 }
 
-fn for_points(
-    points: u32,
-    base: &Candidate,
-    bounds: &Bounds,
-    constraints: &Constraints,
+/// What is searched, and for what.
+struct Search<'a> {
+    base: &'a Candidate,
+    bounds: &'a Bounds,
+    constraints: &'a Constraints,
     goal: Goal,
-    table: &RingTable,
-) -> Vec<Evaluated> {
-    let sides = [bounds.tip_angle, bounds.width, bounds.tip_radius, bounds.corner_radius];
-    let candidate = |place: [f64; 4]| {
+    table: &'a RingTable,
+}
+
+/// A place in the unit cube that stands for the box: tip angle, width, tip and corner radius.
+type Place = [f64; 4];
+
+impl Search<'_> {
+    /// The ends of the box along each axis, deg and mm.
+    fn sides(&self) -> [[f64; 2]; 4] {
+        let Bounds { tip_angle, width, tip_radius, corner_radius, .. } = *self.bounds;
+        let [width, tip_radius, corner_radius] = [width, tip_radius, corner_radius].map(|e| e.map(|l| l.0));
+        [tip_angle.map(|end| end.0), width, tip_radius, corner_radius]
+    }
+
+    /// The design with `points` points at `place`; `None` if there is none, or it cannot be cut out.
+    fn at(&self, points: u32, place: Place) -> Option<Evaluated> {
+        let sides = self.sides();
         let [tip_angle, width, tip_radius, corner_radius] =
             std::array::from_fn(|k| sides[k][0] + place[k] * (sides[k][1] - sides[k][0]));
-        let mut point = *base;
-        point.geometry.points = points;
-        (point.geometry.tip_angle, point.geometry.width) = (tip_angle, width);
-        (point.geometry.tip_radius, point.geometry.corner_radius) = (tip_radius, corner_radius);
-        let outcome = point.outcome(table).ok()?;
-        let violation = violation(&point, &outcome, constraints);
-        Some(Evaluated { point, outcome, violation })
-    };
-    let mut scanned: Vec<([f64; 4], Evaluated)> =
-        (1..=SCANNED).map(halton).filter_map(|place| Some((place, candidate(place)?))).collect();
-    scanned.sort_by(|a, b| compare(&a.1, &b.1, goal));
-    let starts: Vec<_> = scanned.iter().take(FOLLOWED).copied().collect();
-    let mut all: Vec<Evaluated> = scanned.into_iter().map(|(_, candidate)| candidate).collect();
-    for (mut place, mut here) in starts {
+        let mut point = self.base.clone();
+        point.star.points = points;
+        (point.star.tip_angle, point.star.tube_width) = (Angle(tip_angle), Length(width));
+        (point.star.tip_radius, point.star.corner_radius) = (Length(tip_radius), Length(corner_radius));
+        let answer = point.answer(self.table).ok()?;
+        let violation = violation(&point, &answer, self.constraints);
+        answer.fabric.is_some().then_some(Evaluated { point, answer, violation })
+    }
+
+    /// All designs with `points` points that were computed.
+    fn with_points(&self, points: u32) -> Vec<Evaluated> {
+        let mut scanned: Vec<(Place, Evaluated)> =
+            (1..=SCANNED).map(halton).filter_map(|place| Some((place, self.at(points, place)?))).collect();
+        scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
+        let starts: Vec<_> = scanned.iter().take(FOLLOWED).cloned().collect();
+        let mut all: Vec<Evaluated> = scanned.into_iter().map(|(_, candidate)| candidate).collect();
+        for (place, here) in starts {
+            self.descend(points, place, here, &mut all);
+        }
+        all
+    }
+
+    /// The compass search from `here` at `place`; all designs on the way go to `all`.
+    fn descend(&self, points: u32, mut place: Place, mut here: Evaluated, all: &mut Vec<Evaluated>) {
+        let sides = self.sides();
         let mut step = 0.1;
         while step > SMALLEST_STEP {
             let mut moved = false;
@@ -135,9 +161,9 @@ fn for_points(
                 for sign in [-1.0, 1.0] {
                     let mut trial = place;
                     trial[k] = (trial[k] + sign * step).clamp(0.0, 1.0);
-                    let Some(next) = candidate(trial) else { continue };
-                    all.push(next);
-                    if compare(&next, &here, goal).is_lt() {
+                    let Some(next) = self.at(points, trial) else { continue };
+                    all.push(next.clone());
+                    if compare(&next, &here, self.goal).is_lt() {
                         (place, here, moved) = (trial, next, true);
                     }
                 }
@@ -147,45 +173,54 @@ fn for_points(
             }
         }
     }
-    all
 }
 
 /// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.
 fn compare(a: &Evaluated, b: &Evaluated, goal: Goal) -> std::cmp::Ordering {
     let cost = |candidate: &Evaluated| match goal {
-        Goal::Contraction => -candidate.outcome.contraction,
-        Goal::Stiffness => -candidate.outcome.stiffness.unwrap_or(0.0),
-        Goal::Fabric => candidate.outcome.area,
+        Goal::Contraction => -candidate.answer.outcome.contraction,
+        Goal::Stiffness => -candidate.answer.outcome.stiffness.unwrap_or(0.0),
+        Goal::Fabric => fabric(candidate),
     };
     a.violation
         .total_cmp(&b.violation)
         .then(cost(a).total_cmp(&cost(b)))
-        .then(a.outcome.area.total_cmp(&b.outcome.area))
+        .then(fabric(a).total_cmp(&fabric(b)))
+}
+
+fn fabric(candidate: &Evaluated) -> f64 {
+    candidate.answer.fabric.unwrap_or(f64::INFINITY)
 }
 
 /// Sum of relative shortfalls.
-fn violation(point: &Candidate, outcome: &Outcome, constraints: &Constraints) -> f64 {
-    let geometry = &point.geometry;
+fn violation(point: &Candidate, answer: &Answer, constraints: &Constraints) -> f64 {
     // Short of `least`: relative to it; a missing value is as bad as nothing.
     let short = |value: Option<f64>, least: Option<f64>| {
         least.map_or(0.0, |least| ((least - value.unwrap_or(0.0)) / least).max(0.0))
     };
-    let mut sum = short(Some(outcome.arm), Some(SHORTEST_ARM * geometry.width));
+    let (star, rest) = (&answer.star, &answer.outcome.rest);
+    let mut sum = short(Some(star.l), Some(SHORTEST_ARM * star.w));
     if let Some([close, open]) = constraints.grasp {
-        sum += ((outcome.final_radius - close) / close).max(0.0)
-            + short(Some(geometry.inner_radius), Some(open));
+        let widest = Length::from_metres(rest.widest.radius).0;
+        sum += ((Length::from_metres(rest.radius).0 - close.0) / close.0).max(0.0)
+            + short(Some(star.rho_0), Some(open.0))
+            + short(Some(widest), Some(open.0 * (1.0 + ROUNDING)));
     }
-    sum += short(outcome.payload, constraints.payload);
+    sum += short(answer.payload, constraints.payload);
     if let Some(side) = constraints.sheet {
-        sum += ((2.0 * outcome.reach - side) / side).max(0.0);
+        let reach = star.tip_reach() + point.seal.band.0 + point.seal.allowance.0;
+        sum += ((2.0 * reach - side.0) / side.0).max(0.0);
     }
-    let margin = outcome.burst.zip(point.pressure).map(|(burst, p)| burst / p);
+    let margin = answer.burst.zip(point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0);
     sum + short(margin, constraints.burst_margin)
 }
 
 /// The candidates that no other beats in all three goals at once.
 fn front(mut candidates: Vec<Evaluated>) -> Vec<Evaluated> {
-    let goals = |c: &Evaluated| [-c.outcome.contraction, -c.outcome.stiffness.unwrap_or(0.0), c.outcome.area];
+    let goals = |c: &Evaluated| {
+        let outcome = &c.answer.outcome;
+        [-outcome.contraction, -outcome.stiffness.unwrap_or(0.0), fabric(c)]
+    };
     candidates.sort_by(|a, b| {
         let (a, b) = (goals(a), goals(b));
         a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(a[2].total_cmp(&b[2]))
@@ -219,9 +254,9 @@ fn halton(index: u32) -> [f64; 4] {
 pub fn thinned(candidates: &[Evaluated], most: usize) -> Vec<Evaluated> {
     let count = candidates.len();
     if count <= most || most < 2 {
-        return candidates.iter().take(most.max(1)).copied().collect();
+        return candidates.iter().take(most.max(1)).cloned().collect();
     }
-    (0..most).map(|i| candidates[i * (count - 1) / (most - 1)]).collect()
+    (0..most).map(|i| candidates[i * (count - 1) / (most - 1)].clone()).collect()
 }
 
 #[cfg(test)]
@@ -238,10 +273,10 @@ mod tests {
     fn bounds() -> Bounds {
         Bounds {
             points: 3..=9,
-            tip_angle: [30_f64.to_radians(); 2],
-            width: [0.03; 2],
-            tip_radius: [0.0; 2],
-            corner_radius: [0.0; 2],
+            tip_angle: [Angle(30.0); 2],
+            width: [Length(30.0); 2],
+            tip_radius: [Length(0.0); 2],
+            corner_radius: [Length(0.0); 2],
         }
     }
 
@@ -252,31 +287,40 @@ mod tests {
     #[test]
     fn the_papers_star_contracts_most_with_four_or_five_points() {
         let found = search(&base(), &bounds(), &Constraints::default(), Goal::Contraction, &table());
-        assert!([4, 5].contains(&found.best[0].point.geometry.points), "{:?}", found.best[0].point.geometry);
+        assert!([4, 5].contains(&found.best[0].point.star.points), "{:?}", found.best[0].point.star);
         // n = 8 has arms of 6 mm, too short, and comes after all others; n = 9 has none.
         assert!(found.best.len() == 6 && found.best[5].violation > 0.0);
     }
 
     #[test]
     fn the_optimum_is_the_best_of_a_dense_grid() {
-        let bounds = Bounds { tip_angle: [0.3, 1.0], width: [0.015, 0.04], points: 4..=5, ..bounds() };
-        let constraints =
-            Constraints { payload: Some(0.5), grasp: Some([0.02, 0.05]), ..Constraints::default() };
+        let bounds = Bounds {
+            tip_angle: [20.0, 57.0].map(Angle),
+            width: [15.0, 40.0].map(Length),
+            points: 4..=5,
+            ..bounds()
+        };
+        let constraints = Constraints {
+            payload: Some(0.5),
+            grasp: Some([20.0, 50.0].map(Length)),
+            ..Constraints::default()
+        };
         let table = table();
         let found = search(&base(), &bounds, &constraints, Goal::Fabric, &table);
-        let best = found.best[0];
+        let best = found.best[0].clone();
         assert_eq!(best.violation, 0.0);
         for n in 4..=5 {
             for i in 0..=60 {
                 for j in 0..=60 {
                     let mut point = base();
-                    point.geometry.points = n;
-                    point.geometry.tip_angle = 0.3 + 0.7 * f64::from(i) / 60.0;
-                    point.geometry.width = 0.015 + 0.025 * f64::from(j) / 60.0;
-                    if let Ok(outcome) = point.outcome(&table)
-                        && violation(&point, &outcome, &constraints) == 0.0
+                    point.star.points = n;
+                    point.star.tip_angle = Angle(20.0 + 37.0 * f64::from(i) / 60.0);
+                    point.star.tube_width = Length(15.0 + 25.0 * f64::from(j) / 60.0);
+                    if let Ok(answer) = point.answer(&table)
+                        && violation(&point, &answer, &constraints) == 0.0
+                        && let Some(area) = answer.fabric
                     {
-                        assert!(outcome.area > best.outcome.area * 0.999, "{point:?} is smaller");
+                        assert!(area > fabric(&best) * 0.999, "{point:?} is smaller");
                     }
                 }
             }
@@ -285,13 +329,19 @@ mod tests {
 
     #[test]
     fn nothing_on_the_front_is_beaten() {
-        let bounds = Bounds { tip_angle: [0.2, 1.2], width: [0.01, 0.04], points: 3..=6, ..bounds() };
+        let bounds = Bounds {
+            tip_angle: [12.0, 69.0].map(Angle),
+            width: [10.0, 40.0].map(Length),
+            points: 3..=6,
+            ..bounds()
+        };
         let found = search(&base(), &bounds, &Constraints::default(), Goal::Contraction, &table());
         assert!(found.front.len() > 10 && found.computed > 1000);
         for (i, a) in found.front.iter().enumerate().step_by(7) {
             for (j, b) in found.front.iter().enumerate() {
-                let (x, y) = (a.outcome, b.outcome);
-                let beats = y.contraction >= x.contraction && y.stiffness >= x.stiffness && y.area <= x.area;
+                let (x, y) = (a.answer.outcome, b.answer.outcome);
+                let beats =
+                    y.contraction >= x.contraction && y.stiffness >= x.stiffness && fabric(b) <= fabric(a);
                 assert!(i == j || !beats, "{i} {j}");
             }
         }
@@ -303,7 +353,7 @@ mod tests {
 
     #[test]
     fn a_search_is_the_same_in_any_number_of_threads() {
-        let bounds = Bounds { tip_angle: [0.2, 1.2], ..bounds() };
+        let bounds = Bounds { tip_angle: [12.0, 69.0].map(Angle), ..bounds() };
         let run = || search(&base(), &bounds, &Constraints::default(), Goal::Stiffness, &table());
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
         assert_eq!(run(), pool.install(run));

@@ -13,10 +13,13 @@ pub struct Hinges<T> {
 
 /// What a gripper does. The keys at the top speak of star 1, `stars` of each.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct Prediction {
-    /// Star 1; `payload_kg` is the whole stack's.
+    /// Star 1, and so is its `mass_g`; only `payload_kg` is the whole stack's.
     #[serde(flatten)]
     pub first: StarPrediction,
+    /// Mass of all stars' fabric, what a manifest calls `mass_g` at its top; needs areal_density.
+    pub stack_mass_g: Option<f64>,
     /// All stars, bottom first; `payload_kg` is the star's own share.
     pub stars: Vec<StarPrediction>,
 }
@@ -51,7 +54,8 @@ pub struct StarPrediction {
     pub radial_stiffness_N_per_m: Option<f64>,
     /// Radial force stored in a star that is pressed shut; 0 for one that is free; needs a pressure.
     pub preload_N: Option<f64>,
-    /// Radii that the star can hold: from rho_f to rho_0.
+    /// Radii that the star can hold: from rho_f to the largest that the inflated star opens to, or to rho_0 where that is
+    /// less, because a wider object does not enter the flat star.
     pub graspable_radius_mm: [f64; 2],
     /// Radial force on the object; needs pressure and object_radius.
     pub object_force_N: Option<f64>,
@@ -59,13 +63,13 @@ pub struct StarPrediction {
     pub bendability: Option<f64>,
     /// Pressure from which the hinges are fully coiled.
     pub operating_pressure_kPa: f64,
-    /// Inner radius of curvature that the band makes of a hinge: max(R, band / 2).
+    /// Inner radius of curvature that the band makes of a hinge, at least half the band.
     pub realised_radius_mm: Hinges<f64>,
     /// Seal load k at the realised radius: the inner edge carries k p W per length.
     pub seal_load: Hinges<Option<f64>>,
     /// Pressure at which the seal peels at its sharpest hinge; needs seal_strength.
     pub burst_pressure_kPa: Option<f64>,
-    /// Mass of the star's two sheets; needs areal_density.
+    /// Mass of the two sheets that are cut for the star; needs areal_density.
     pub mass_g: Option<f64>,
     /// Mass that friction holds; needs pressure, object_radius and friction.
     pub payload_kg: Option<f64>,
@@ -124,7 +128,8 @@ pub struct Evidence {
     pub hinge_width: Hinges<Option<f64>>,
     /// Final radius if the corner's true inflated width is used instead of the arms', mm.
     pub final_radius_with_hinge_width_mm: Option<f64>,
-    /// Inner radius from which the seal would hold the pressure, mm; `None` if it holds or nothing is known.
+    /// Inner radius from which the seal would hold the pressure, mm, rounded up to a hundredth; `None` if it holds, no
+    /// radius helps, or nothing is known.
     pub safe_radius_mm: Option<f64>,
     /// What lies outside of a model's validity, and what a person should know.
     pub warnings: Vec<String>,

@@ -20,6 +20,9 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
             star_text(&mut out, star);
         }
     }
+    if let Some(mass) = prediction.stack_mass_g.filter(|_| prediction.stars.len() > 1) {
+        let _ = writeln!(out, "\nmass of the whole stack         {} g", Readable(mass));
+    }
     if let Some(payload) = prediction.first.payload_kg {
         let _ = writeln!(out, "\npayload of the whole stack      {} kg", Readable(payload));
     }

@@ -2,7 +2,7 @@
 //!
 //! Rows are numbered; row i is the same whoever computes it, so a sweep can be cut into parts and run in any number of threads.
 
-use crate::forecast::candidate::{Candidate, Outcome};
+use crate::forecast::candidate::{Answer, Candidate};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::units::{Angle, Length, LineForce, Pressure, Quantity};
 use rayon::prelude::*;
@@ -131,26 +131,25 @@ impl Key {
 
     /// Puts `value`, in the spec's own unit, into `point`.
     pub fn set(self, point: &mut Candidate, value: f64) {
-        let mm = 1e-3 * value;
-        let geometry = &mut point.geometry;
+        let Candidate { star, fabric, load, .. } = point;
         match self {
             #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "checked to be 3 to 64"
             )]
-            Self::Points => geometry.points = value as u32,
-            Self::InnerRadius => geometry.inner_radius = mm,
-            Self::TubeWidth => geometry.width = mm,
-            Self::TipAngle => geometry.tip_angle = value.to_radians(),
-            Self::TipRadius => geometry.tip_radius = mm,
-            Self::CornerRadius => geometry.corner_radius = mm,
-            Self::Thickness => point.thickness = mm,
-            Self::YoungModulus => point.young_modulus = 1e3 * value,
-            Self::SealStrength => point.peel = Some(1e3 * value),
-            Self::Pressure => point.pressure = Some(1e3 * value),
-            Self::ObjectRadius => point.object = Some(mm),
-            Self::Friction => point.friction = Some(value),
+            Self::Points => star.points = value as u32,
+            Self::InnerRadius => star.inner_radius = Length(value),
+            Self::TubeWidth => star.tube_width = Length(value),
+            Self::TipAngle => star.tip_angle = Angle(value),
+            Self::TipRadius => star.tip_radius = Length(value),
+            Self::CornerRadius => star.corner_radius = Length(value),
+            Self::Thickness => fabric.thickness = Length(value),
+            Self::YoungModulus => fabric.young_modulus = Pressure(value),
+            Self::SealStrength => fabric.seal_strength = Some(LineForce(value)),
+            Self::Pressure => load.pressure = Some(Pressure(value)),
+            Self::ObjectRadius => load.object_radius = Some(Length(value)),
+            Self::Friction => load.friction = Some(value),
         }
     }
 }
@@ -213,7 +212,7 @@ impl Sweep {
 
     /// The design of row `row`.
     pub fn point(&self, row: usize) -> Candidate {
-        let mut point = self.base;
+        let mut point = self.base.clone();
         self.for_each_value(row, |key, value| key.set(&mut point, value));
         point
     }
@@ -254,8 +253,8 @@ impl Sweep {
             self.for_each_value(row, |_, value| {
                 let _ = write!(out, ",{}", Plain(value));
             });
-            match self.point(row).outcome(&self.table) {
-                Ok(outcome) => write_outcome(&mut out, &outcome),
+            match self.point(row).answer(&self.table) {
+                Ok(answer) => write_answer(&mut out, &answer),
                 Err(fault) => {
                     let _ = writeln!(out, ",,,,,,,,,,,\"{fault}\"");
                 }
@@ -265,18 +264,20 @@ impl Sweep {
     }
 }
 
-fn write_outcome(out: &mut String, outcome: &Outcome) {
+fn write_answer(out: &mut String, answer: &Answer) {
+    let outcome = &answer.outcome;
     let values = [
-        Some(outcome.arm * 1e3),
-        Some(outcome.equilibrium.to_degrees()),
-        Some(outcome.final_radius * 1e3),
+        Some(answer.star.l),
+        Some(outcome.rest.equilibrium.to_degrees()),
+        Some(Length::from_metres(outcome.rest.radius).0),
         Some(outcome.contraction),
-        Some(outcome.operating_pressure * 1e-3),
+        Some(answer.operating_pressure.0),
         outcome.stiffness,
-        outcome.force,
-        outcome.payload,
-        outcome.burst.map(|p| p * 1e-3),
-        Some(outcome.area * 1e4),
+        outcome.object_force(),
+        answer.payload,
+        answer.burst.map(|pressure| pressure.0),
+        // mm^2 to cm^2.
+        answer.fabric.map(|area| area / 100.0),
     ];
     for value in values {
         out.push(',');
@@ -376,7 +377,7 @@ mod tests {
         assert!(
             whole.lines().filter(|line| !line.contains('"')).all(|line| line.split(',').count() == columns)
         );
-        assert!(whole.contains("9,") && whole.contains("arms would be"), "refusals are said");
+        assert!(whole.contains("9,") && whole.contains("arm would be"), "refusals are said");
     }
 
     #[test]

@@ -2,14 +2,18 @@
 //!
 //! The clock is handed in, so that this room stays a function of its arguments.
 
+use crate::design::Star;
 use crate::forecast::candidate::TableRing;
+use crate::forecast::case::mechanism;
 use crate::mechanics::fault::{HingeFault, StarFault};
 use crate::mechanics::hinge::bvp::Bvp;
 use crate::mechanics::hinge::fit::Fit;
 use crate::mechanics::hinge::ring::{Ring, RingTable};
 use crate::mechanics::hinge::{HingeModel, HingeState, Level, seal_load};
+use crate::mechanics::star::Mechanism;
 use crate::mechanics::star::response::{Inflated, Rest};
-use crate::mechanics::star::{Star, StarGeometry};
+use crate::spec::StarSpec;
+use crate::units::Length;
 use std::fmt::Write;
 
 /// R* of the comparison; k is infinite at 0 and is compared on the others.
@@ -36,8 +40,8 @@ pub const QUANTITIES: [&str; 5] = ["lambda_t", "V''", "k", "rho_f", "stiffness"]
 /// `base` gives the star's size; its points and radii are those of the comparison.
 ///
 /// # Errors
-/// If a model refuses one of the hinges, or the star does not exist.
-pub fn measure(base: &StarGeometry, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>, StarFault> {
+/// If a model refuses one of the hinges.
+pub fn measure(base: &StarSpec, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>, StarFault> {
     let table = RingTable::new()?;
     let fast = TableRing(&table);
     let penalised = [1e2, 1e3, 1e4, 1e5].map(|beta| Bvp::new(beta, 1e-6));
@@ -111,12 +115,13 @@ impl HingeModel for Known {
 }
 
 /// Stars of the given size with the points and the R* of the comparison, as far as they exist.
-fn stars(base: &StarGeometry) -> Vec<Star> {
+fn stars(base: &StarSpec) -> Vec<Mechanism> {
     let r_stars = R_STARS.iter().filter(|r_star| **r_star <= 0.1);
     r_stars
-        .flat_map(|r_star| POINTS.map(|points| (*r_star * base.width, points)))
+        .flat_map(|r_star| POINTS.map(|points| (Length(*r_star * base.tube_width.0), points)))
         .filter_map(|(radius, points)| {
-            Star::new(StarGeometry { points, tip_radius: radius, corner_radius: radius, ..*base }).ok()
+            let spec = StarSpec { points, tip_radius: radius, corner_radius: radius, ..base.clone() };
+            Star::new(&spec).ok().map(|star| mechanism(&star))
         })
         .collect()
 }
@@ -245,7 +250,6 @@ pub fn plot(rows: &[TradeRow]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mechanics::star::StarGeometry;
     use std::cell::Cell;
 
     #[test]
@@ -256,7 +260,7 @@ mod tests {
             now.set(now.get() + 1.0);
             now.get()
         };
-        let rows = measure(&StarGeometry::paper(5), &clock).expect("all models answer");
+        let rows = measure(&StarSpec::paper(5), &clock).expect("all models answer");
         let row = |name: &str| rows.iter().find(|row| row.model == name).expect("measured");
         assert_eq!(row("ring").errors, [Some(0.0); 5]);
         assert_eq!(row("fit").errors[2], None);

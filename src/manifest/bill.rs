@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::design::{COATING_ASSUMES, Design, StarDesign};
+use crate::design::{COATING_ASSUMES, Design};
 use crate::manifest::thousandths;
 use crate::spec::Spec;
 
@@ -91,15 +91,4 @@ pub(super) fn masks(spec: &Spec, design: &Design) -> Vec<ManifestMask> {
         }
     });
     first.collect()
-}
-
-/// Fabric in one star, both sheets, mm^2.
-pub fn fabric(part: &StarDesign) -> f64 {
-    2.0 * part.outline.area()
-}
-
-/// Mass of one star's fabric, both sheets, g; `None` where its areal density is not known.
-pub fn mass(spec: &Spec, part: &StarDesign) -> Option<f64> {
-    // 1 kg/m^2 is 1e-3 g/mm^2.
-    spec.fabric.areal_density.map(|density| density.0 * 1e-3 * fabric(part))
 }

@@ -1,7 +1,7 @@
 //! Why a prediction is refused: what was found, and what is allowed.
 
 use crate::numerics::RootFault;
-use crate::units::Readable;
+use crate::units::{Length, Readable};
 use std::fmt;
 
 /// Why a hinge's state cannot be computed.
@@ -60,7 +60,7 @@ impl std::error::Error for HingeFault {}
 /// Why a star's response cannot be computed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StarFault {
-    /// One of the star's dimensions is out of range.
+    /// A property of the fabric or the load is out of range.
     Dimension {
         /// Which: its symbol.
         symbol: &'static str,
@@ -69,10 +69,14 @@ pub enum StarFault {
         /// What is allowed, in words.
         allowed: &'static str,
     },
-    /// The arms would have this length, in m.
-    ArmLength {
-        /// The length, 0 or less.
+    /// The inflated star never has this inner radius.
+    Radius {
+        /// What was asked for, m.
         found: f64,
+        /// Inner radius at rest, m.
+        least: f64,
+        /// Inner radius at its largest, m.
+        most: f64,
     },
     /// A hinge's model refused.
     Hinge(HingeFault),
@@ -86,12 +90,10 @@ impl fmt::Display for StarFault {
             Self::Dimension { symbol, found, allowed } => {
                 write!(f, "{symbol} is {}, allowed is {allowed}", Readable(found))
             }
-            Self::ArmLength { found } => write!(
-                f,
-                "the arms would be {} mm long: fewer points, a narrower tube, smaller corner radii or a larger \
-                 inner radius make them longer",
-                Readable(found * 1e3)
-            ),
+            Self::Radius { found, least, most } => {
+                let [found, least, most] = [found, least, most].map(|m| Length::from_metres(m).to_string());
+                write!(f, "the radius is {found}, and the inflated star goes from {least} to {most} only")
+            }
             Self::Hinge(fault) => fault.fmt(f),
             Self::Root(RootFault::NoSignChange { low, high }) => {
                 let (low, high) = (Readable(low), Readable(high));

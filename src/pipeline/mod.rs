@@ -122,7 +122,7 @@ impl Planned {
     /// If the model that the spec asks for has no answer.
     pub fn forecast(self) -> Result<Forecast, Refusals> {
         let prediction = match &self.spec.load {
-            Some(_) => Some(predict(&self.spec).map_err(|fault| no_prediction(&fault))?),
+            Some(_) => Some(predict(&self.spec, &self.design).map_err(|fault| no_prediction(&fault))?),
             None => None,
         };
         let Self { spec, machine, design, programs, traces } = self;

@@ -68,6 +68,21 @@ pub struct StarSpec {
 }
 
 impl StarSpec {
+    /// The paper's star with `points` points: rho_0 = 50 mm, W = 30 mm, phi_i0 = 30 deg, sharp hinges.
+    pub fn paper(points: u32) -> Self {
+        Self {
+            points,
+            inner_radius: Length(50.0),
+            tube_width: Length(30.0),
+            tip_angle: Angle(30.0),
+            tip_radius: Length(0.0),
+            corner_radius: Length(0.0),
+            rotation: Angle(0.0),
+            pitch: Length(40.0),
+            inlet_tip: 1,
+        }
+    }
+
     /// Whether the flat parts are the same, wherever they stand in the stack.
     pub fn same_part(&self, other: &Self) -> bool {
         let flat = |star: &Self| Self { rotation: Angle(0.0), pitch: Length(0.0), ..star.clone() };

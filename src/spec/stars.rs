@@ -16,17 +16,7 @@ const TURN: Allowed = Allowed::closed(-3600.0, 3600.0);
 /// The stars from bottom to top, and the inlet that each of them has.
 pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<StarSpec>, Option<Inlet>) {
     // Faulty required values are stood in for by the paper's star.
-    let paper = StarSpec {
-        points: 5,
-        inner_radius: Length(50.0),
-        tube_width: Length(30.0),
-        tip_angle: Angle(30.0),
-        tip_radius: Length(0.0),
-        corner_radius: Length(0.0),
-        rotation: Angle(0.0),
-        pitch: Length(40.0),
-        inlet_tip: 1,
-    };
+    let paper = StarSpec::paper(5);
     let mut section = reader.section("star");
     section.require(&[
         ("points", "5"),

@@ -12,9 +12,8 @@
 
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
-use crate::mechanics::star::{Radius, Star};
+use crate::mechanics::star::{Mechanism, Radius, Widest};
 use crate::numerics::bracketed_root;
-use std::f64::consts::PI;
 
 /// Angles are found to this, rad: 1e-10 of a rad moves no radius by more than 1e-8 mm.
 const ANGLE_TOLERANCE: f64 = 1e-12;
@@ -22,7 +21,7 @@ const ANGLE_TOLERANCE: f64 = 1e-12;
 /// A star, inflated, as one hinge model sees it.
 #[derive(Clone, Copy)]
 pub struct Inflated<'a> {
-    star: &'a Star,
+    star: &'a Mechanism,
     model: &'a dyn HingeModel,
     /// Gauge pressure p, Pa.
     pressure: f64,
@@ -43,6 +42,8 @@ pub struct Rest {
     pub preload: f64,
     /// Radial stiffness dF/drho there, N per m.
     pub stiffness: f64,
+    /// How far it can be opened from there.
+    pub widest: Widest,
 }
 
 impl<'a> Inflated<'a> {
@@ -50,7 +51,7 @@ impl<'a> Inflated<'a> {
     ///
     /// # Errors
     /// If the model refuses one of the hinges.
-    pub fn new(star: &'a Star, model: &'a dyn HingeModel, pressure: f64) -> Result<Self, StarFault> {
+    pub fn new(star: &'a Mechanism, model: &'a dyn HingeModel, pressure: f64) -> Result<Self, StarFault> {
         let (tip, corner) = (model.target(star.tip().r_star)?, model.target(star.corner().r_star)?);
         if !(pressure >= 0.0 && pressure.is_finite()) {
             return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "0 or more" });
@@ -65,7 +66,7 @@ impl<'a> Inflated<'a> {
     }
 
     /// The star.
-    pub fn star(&self) -> &Star {
+    pub fn star(&self) -> &Mechanism {
         self.star
     }
 
@@ -111,10 +112,10 @@ impl<'a> Inflated<'a> {
     pub fn linear_rest(&self) -> Rest {
         let equilibrium = self.linear_equilibrium();
         let (tip, corner) = self.hinge_stiffness();
-        let spring = f64::from(self.star.geometry().points) * (tip + corner);
+        let spring = f64::from(self.star.points) * (tip + corner);
         let angle = equilibrium.max(0.0);
         let radius = self.star.radius(angle);
-        rest(equilibrium, spring * (angle - equilibrium), spring, &radius)
+        rest(equilibrium, spring * (angle - equilibrium), spring, &radius, self.star.widest(angle))
     }
 
     /// Rest with the model's own V_bar'.
@@ -129,7 +130,7 @@ impl<'a> Inflated<'a> {
             // The root is only found to a tolerance; what is left of the torque is no preload.
             torque = 0.0;
         }
-        Ok(rest(equilibrium, torque, spring, &self.star.radius(angle)))
+        Ok(rest(equilibrium, torque, spring, &self.star.radius(angle), self.star.widest(angle)))
     }
 
     /// Angle phi_i at which the torque vanishes, rad, not clamped.
@@ -163,13 +164,13 @@ impl<'a> Inflated<'a> {
     /// # Errors
     /// If the model refuses a coiling factor.
     pub fn torque(&self, phi: f64) -> Result<(f64, f64), StarFault> {
-        let scale = self.pressure * self.star.geometry().width.powi(3);
+        let scale = self.pressure * self.star.width.powi(3);
         self.scaled_torque(phi).map(|(torque, spring)| (scale * torque, scale * spring))
     }
 
     /// The torque and its derivative in units of p W^3.
     fn scaled_torque(&self, phi: f64) -> Result<(f64, f64), StarFault> {
-        let points = f64::from(self.star.geometry().points);
+        let points = f64::from(self.star.points);
         let (tip, corner) = (self.star.tip(), self.star.corner());
         let at = |hinge: Hinge, phi: f64| self.model.state(hinge.r_star, hinge.coiling(phi));
         let (of_tip, of_corner) = (at(tip, phi)?, at(corner, phi + self.star.turn())?);
@@ -189,7 +190,7 @@ impl<'a> Inflated<'a> {
     /// Radial force F (N, all corners together) on an object of radius `rho` (m) that keeps the star open.
     ///
     /// # Errors
-    /// If no angle between rest and the straight corner gives this radius, or the model refuses.
+    /// As for [`Inflated::angle_at`], or if the model refuses.
     pub fn force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         let phi = self.angle_at(rho, rest)?;
         let (torque, _) = self.torque(phi)?;
@@ -203,23 +204,26 @@ impl<'a> Inflated<'a> {
     pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         let phi = self.angle_at(rho, rest)?;
         let (tip, corner) = self.hinge_stiffness();
-        let torque = f64::from(self.star.geometry().points) * (tip + corner) * (phi - rest.equilibrium);
+        let torque = f64::from(self.star.points) * (tip + corner) * (phi - rest.equilibrium);
         Ok(torque / self.star.radius(phi).slope)
     }
 
-    /// Tip angle (rad) at which the inner radius is `rho` (m).
+    /// Tip angle (rad) at which the inner radius is `rho` (m), between rest and the widest opening.
     ///
     /// # Errors
-    /// If there is none between the rest and an almost straight corner.
+    /// If the star is not that wide anywhere between them.
     pub fn angle_at(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
-        let straight = PI - self.star.turn();
-        let high = rest.angle + 0.999 * (straight - rest.angle);
-        bracketed_root(rest.angle, high, ANGLE_TOLERANCE, |phi| Ok(self.star.radius(phi).value - rho))
+        if !(rest.radius..=rest.widest.radius).contains(&rho) {
+            return Err(StarFault::Radius { found: rho, least: rest.radius, most: rest.widest.radius });
+        }
+        bracketed_root(rest.angle, rest.widest.angle, ANGLE_TOLERANCE, |phi| {
+            Ok(self.star.radius(phi).value - rho)
+        })
     }
 }
 
 /// The rest at the angle where `radius` was taken, with the closing torque left there and the spring dtorque/dphi.
-fn rest(equilibrium: f64, torque: f64, spring: f64, radius: &Radius) -> Rest {
+fn rest(equilibrium: f64, torque: f64, spring: f64, radius: &Radius, widest: Widest) -> Rest {
     let stiffness = (spring - torque * radius.curvature / radius.slope) / (radius.slope * radius.slope);
     Rest {
         equilibrium,
@@ -227,6 +231,7 @@ fn rest(equilibrium: f64, torque: f64, spring: f64, radius: &Radius) -> Rest {
         radius: radius.value,
         preload: torque / radius.slope,
         stiffness,
+        widest,
     }
 }
 
@@ -236,17 +241,13 @@ mod tests {
     use crate::mechanics::hinge::bvp::Bvp;
     use crate::mechanics::hinge::fit::Fit;
     use crate::mechanics::hinge::ring::Ring;
-    use crate::mechanics::star::StarGeometry;
-    use crate::mechanics::star::tests::paper_geometry;
-
-    fn paper_star(points: u32) -> Star {
-        Star::new(paper_geometry(points)).expect("feasible")
-    }
+    use crate::mechanics::star::tests::{flat, paper};
+    use std::f64::consts::PI;
 
     #[test]
     fn final_radii_of_the_papers_stars() {
         for (points, radius) in (3..).zip([27.8, 15.8, 14.7, 19.1, 24.9, 30.8]) {
-            let star = paper_star(points);
+            let star = paper(points);
             let inflated = Inflated::new(&star, &Fit, 1e4).expect("covered");
             let rest = inflated.rest().expect("solvable");
             assert!((rest.radius * 1e3 - radius).abs() < 0.05, "n = {points}: {}", rest.radius);
@@ -255,8 +256,8 @@ mod tests {
 
     #[test]
     fn a_parabola_rests_where_the_closed_form_says() {
-        for geometry in [paper_geometry(3), paper_geometry(5), paper_geometry(7)] {
-            let star = Star::new(StarGeometry { corner_radius: 0.001, ..geometry }).expect("feasible");
+        for points in [3, 5, 7] {
+            let star = flat(0.05, Mechanism { corner_radius: 0.001, ..paper(points) });
             let inflated = Inflated::new(&star, &Fit, 2e4).expect("covered");
             let (own, closed) = (inflated.rest().expect("solvable"), inflated.linear_rest());
             let pairs = [
@@ -266,25 +267,25 @@ mod tests {
                 (own.preload + 1.0, closed.preload + 1.0),
             ];
             for (a, b) in pairs {
-                assert!((a / b - 1.0).abs() < 1e-9, "n = {}: {a} {b}", geometry.points);
+                assert!((a / b - 1.0).abs() < 1e-9, "n = {points}: {a} {b}");
             }
         }
     }
 
     #[test]
     fn linear_stiffness_is_the_published_formula_with_half_angles() {
-        let star = paper_star(4);
+        let star = paper(4);
         let inflated = Inflated::new(&star, &Fit, 2e4).expect("covered");
         let rest = inflated.linear_rest();
         let (tip, corner) = inflated.hinge_stiffness();
         let (sin, cos) = (0.5 * rest.angle).sin_cos();
-        let lever = (PI / 4.0).sin() / (star.arm_length() * cos - star.inflated_width() * sin);
+        let lever = (PI / 4.0).sin() / (star.arm * cos - star.inflated_width() * sin);
         assert!((rest.stiffness / (4.0 * 4.0 * (tip + corner) * lever * lever) - 1.0).abs() < 1e-12);
     }
 
     #[test]
     fn force_is_the_derivative_of_the_energy() {
-        let star = paper_star(5);
+        let star = paper(5);
         let inflated = Inflated::new(&star, &Ring, 37e3).expect("solvable");
         let rest = inflated.rest().expect("solvable");
         let energy = |phi: f64| {
@@ -308,7 +309,7 @@ mod tests {
     #[test]
     fn stiffness_is_the_slope_of_the_force() {
         for (points, model) in [(5, &Ring as &dyn HingeModel), (7, &Ring), (4, &Fit), (7, &Fit)] {
-            let star = paper_star(points);
+            let star = paper(points);
             let inflated = Inflated::new(&star, model, 37e3).expect("solvable");
             let rest = inflated.rest().expect("solvable");
             let step = 1e-7;
@@ -320,7 +321,7 @@ mod tests {
     #[test]
     fn a_star_pressed_shut_has_a_preload() {
         for points in [6, 8] {
-            let star = paper_star(points);
+            let star = paper(points);
             let rest = Inflated::new(&star, &Ring, 37e3).and_then(|i| i.rest()).expect("solvable");
             assert!(rest.equilibrium < 0.0 && rest.angle == 0.0 && rest.preload > 0.0, "{rest:?}");
             let contact = star.inflated_width() * (1.0 / (PI / f64::from(points)).sin() - 1.0);
@@ -330,8 +331,7 @@ mod tests {
 
     #[test]
     fn ring_and_penalised_star_agree() {
-        let star = Star::new(StarGeometry { tip_radius: 0.003, corner_radius: 0.003, ..paper_geometry(5) });
-        let star = star.expect("feasible");
+        let star = flat(0.05, Mechanism { tip_radius: 0.003, corner_radius: 0.003, ..paper(5) });
         let bvp = Bvp::new(1e4, 1e-4);
         let [exact, penalised] = [&Ring as &dyn HingeModel, &bvp]
             .map(|model| Inflated::new(&star, model, 37e3).and_then(|i| i.rest()).expect("solvable"));
@@ -343,10 +343,8 @@ mod tests {
     fn size_and_pressure_scale_as_published() {
         // All lengths by eta: K -> K eta at the same pressure; at p / eta^3: K / eta^2; at p / eta: K.
         let rest = |eta: f64, pressure: f64| {
-            let g = paper_geometry(4);
-            let star =
-                Star::new(StarGeometry { inner_radius: eta * g.inner_radius, width: eta * g.width, ..g });
-            let star = star.expect("feasible");
+            let one = paper(4);
+            let star = Mechanism { arm: eta * one.arm, width: eta * one.width, ..one };
             Inflated::new(&star, &Ring, pressure).and_then(|i| i.rest()).expect("solvable")
         };
         let one = rest(1.0, 2e4);
@@ -361,10 +359,31 @@ mod tests {
 
     #[test]
     fn what_cannot_be_reached_is_refused() {
-        let star = paper_star(5);
+        let star = paper(5);
         let inflated = Inflated::new(&star, &Ring, 37e3).expect("solvable");
         let rest = inflated.rest().expect("solvable");
-        assert!(inflated.force(0.001, &rest).is_err() && inflated.force(f64::NAN, &rest).is_err());
+        let refused = |rho: f64| matches!(inflated.force(rho, &rest), Err(StarFault::Radius { .. }));
+        assert!(refused(0.001) && refused(f64::NAN) && refused(2.0 * rest.widest.radius));
         assert!(Inflated::new(&star, &Ring, -1.0).is_err() && Inflated::new(&star, &Ring, f64::NAN).is_err());
+    }
+
+    #[test]
+    fn every_radius_up_to_the_widest_has_a_force_and_none_beyond() {
+        // With seven points rho(phi) falls again before the corner is straight: 47.0 mm there, 48.3 mm at its largest.
+        let star = paper(7);
+        let inflated = Inflated::new(&star, &Fit, 37e3).expect("covered");
+        let rest = inflated.linear_rest();
+        let straight = star.radius(0.999_999 * (PI - star.turn())).value;
+        assert!(straight < 0.0471 && rest.widest.radius > 0.0482, "{straight} {rest:?}");
+        let mut before = 0.0;
+        for rho in [0.03, 0.04, 0.0471, 0.048, rest.widest.radius - 1e-6] {
+            let phi = inflated.angle_at(rho, &rest).expect("in reach");
+            assert!((star.radius(phi).value - rho).abs() < 1e-12 && phi <= rest.widest.angle);
+            let force = inflated.linear_force(rho, &rest).expect("in reach");
+            assert!(force > before, "{rho}: {force} {before}");
+            before = force;
+        }
+        let beyond = inflated.linear_force(rest.widest.radius + 1e-6, &rest).expect_err("out of reach");
+        assert!(beyond.to_string().contains("goes from"), "{beyond}");
     }
 }

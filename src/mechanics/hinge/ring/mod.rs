@@ -9,7 +9,7 @@
 //!
 //! Both are a few quadratures (`arc`) and a system of two or three equations (`solve`). V_bar' is
 //! continuous at `lambda_c`, V_bar'' jumps. As stated, r(0) = 0 is imposed: the inner rim keeps its
-//! length. Far beyond the target the rim would then have to push ([`super::hinge::Edges::rim_force`] < 0); a real rim
+//! length. Far beyond the target the rim would then have to push ([`Edges::rim_force`] < 0); a real rim
 //! wrinkles, so there the model is too stiff.
 
 mod arc;

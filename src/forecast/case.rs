@@ -1,0 +1,79 @@
+//! What a spec asks about one star, in SI units: the one place where mm become m and kPa become Pa.
+
+use crate::design::Star;
+use crate::forecast::prediction::Hinges;
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::star::Mechanism;
+use crate::mechanics::strength::ElasticSheet;
+use crate::spec::{Fabric, Load, Seal, Spec};
+use crate::units::{Length, LineForce, Pressure};
+
+/// One star with all that its answer depends on; SI units. `None` where the spec says nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Case {
+    /// What moves.
+    pub mechanism: Mechanism,
+    /// Inner radius rho_0 of the flat star, m.
+    pub inner_radius: f64,
+    /// Inner radius of curvature that the band makes of tip and corner, m.
+    pub realised: Hinges<f64>,
+    /// The fabric.
+    pub sheet: ElasticSheet,
+    /// Peel strength of the seal, N per m.
+    pub peel: Option<f64>,
+    /// Gauge pressure, Pa.
+    pub pressure: Option<f64>,
+    /// Radius of the object, m.
+    pub object: Option<f64>,
+    /// Friction with the object.
+    pub friction: Option<f64>,
+}
+
+impl Case {
+    /// The case of `star`, made of `fabric`, sealed as `seal` says and loaded by `load`.
+    ///
+    /// # Errors
+    /// If a property of the fabric is out of its range; a spec's never is.
+    pub fn new(star: &Star, fabric: &Fabric, seal: &Seal, load: Option<&Load>) -> Result<Self, StarFault> {
+        let band = seal.band.0;
+        let realised = [star.realised_tip(band), star.realised_corner(band)];
+        let [tip, corner] = realised.map(|hinge| Length(hinge.radius).metres());
+        let thickness = fabric.thickness.metres();
+        Ok(Self {
+            mechanism: mechanism(star),
+            inner_radius: Length(star.rho_0).metres(),
+            realised: Hinges { tip, corner },
+            sheet: ElasticSheet::new(thickness, fabric.young_modulus.pascals(), fabric.poisson_ratio)?,
+            peel: fabric.seal_strength.map(LineForce::newtons_per_metre),
+            pressure: load.and_then(|load| load.pressure).map(Pressure::pascals),
+            object: load.and_then(|load| load.object_radius).map(Length::metres),
+            friction: load.and_then(|load| load.friction),
+        })
+    }
+
+    /// The case of `star`, one of the stars of `spec`.
+    ///
+    /// # Errors
+    /// As for [`Case::new`].
+    pub fn of(spec: &Spec, star: &Star) -> Result<Self, StarFault> {
+        Self::new(star, &spec.fabric, &spec.seal, spec.load.as_ref())
+    }
+
+    /// Pressure from which the hinges are fully coiled, Pa.
+    pub fn operating_pressure(&self) -> f64 {
+        self.sheet.operating_pressure(self.mechanism.width)
+    }
+}
+
+/// What moves of the flat star `star`.
+pub fn mechanism(star: &Star) -> Mechanism {
+    let metres = |mm: f64| Length(mm).metres();
+    Mechanism {
+        points: star.n,
+        arm: metres(star.l),
+        width: metres(star.w),
+        tip_angle: star.phi_i,
+        tip_radius: metres(star.r_i),
+        corner_radius: metres(star.r_e),
+    }
+}

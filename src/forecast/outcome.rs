@@ -1,0 +1,134 @@
+//! What an inflated star does with its load: one set of closed forms for predictions, sweeps and searches.
+
+use crate::forecast::case::Case;
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::star::response::{Inflated, Rest};
+use crate::mechanics::strength::payload;
+use crate::units::Length;
+
+/// Shortest arm over tube width: shorter ones are no straight tube any more, and the model's hinges would overlap.
+pub const SHORTEST_ARM: f64 = 0.5;
+/// The last part of the way from rest to the widest opening, where the arms lock. The radius is a parabola there, so at a
+/// sixteenth its slope has fallen to a quarter: the same torque makes four times the force.
+const LOCKING: f64 = 1.0 / 16.0;
+
+/// One star's answer in SI units; `None` where something is missing that it needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outcome {
+    /// Where it rests, and how far it opens.
+    pub rest: Rest,
+    /// 1 - rho_f / rho_0.
+    pub contraction: f64,
+    /// Radii that it can hold, m: from rho_f to the largest that both the flat star lets in and the inflated one opens
+    /// to; empty, both ends rho_f, if there are none.
+    pub graspable: [f64; 2],
+    /// Radial stiffness at rest, N per m.
+    pub stiffness: Option<f64>,
+    /// Radial force that is stored in a star that is pressed shut, N.
+    pub preload: Option<f64>,
+    /// What becomes of the object; needs a pressure.
+    pub hold: Option<Hold>,
+    /// Mass that friction holds with this star alone, kg.
+    pub payload: Option<f64>,
+}
+
+/// What becomes of an object within a star.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Hold {
+    /// It is held with this radial force, N.
+    Held(f64),
+    /// It is thinner than the final radius.
+    TooThin,
+    /// It is wider than the flat star's hole, and does not enter.
+    TooWideToEnter,
+    /// It is wider than the inflated star opens.
+    TooWideToOpen,
+    /// The model has no force there.
+    Unknown(StarFault),
+}
+
+impl Outcome {
+    /// With linear hinges.
+    pub fn linear(case: &Case, inflated: &Inflated<'_>) -> Self {
+        Self::at(case, inflated.linear_rest(), |rho, rest| inflated.linear_force(rho, rest))
+    }
+
+    /// With the model's own V_bar.
+    ///
+    /// # Errors
+    /// If the model has no equilibrium.
+    pub fn nonlinear(case: &Case, inflated: &Inflated<'_>) -> Result<Self, StarFault> {
+        Ok(Self::at(case, inflated.rest()?, |rho, rest| inflated.force(rho, rest)))
+    }
+
+    fn at(case: &Case, rest: Rest, force: impl Fn(f64, &Rest) -> Result<f64, StarFault>) -> Self {
+        let rho_0 = case.inner_radius;
+        let hold = case.pressure.and(case.object).map(|rho| match rho {
+            _ if rho > rho_0 => Hold::TooWideToEnter,
+            _ if rho < rest.radius => Hold::TooThin,
+            _ if rho > rest.widest.radius => Hold::TooWideToOpen,
+            _ => force(rho, &rest).map_or_else(Hold::Unknown, Hold::Held),
+        });
+        let with_pressure = |value: f64| case.pressure.map(|_| value);
+        let object_force = hold.and_then(Hold::force);
+        Self {
+            rest,
+            contraction: 1.0 - rest.radius / rho_0,
+            graspable: [rest.radius, rest.widest.radius.min(rho_0).max(rest.radius)],
+            stiffness: with_pressure(rest.stiffness),
+            preload: with_pressure(rest.preload),
+            hold,
+            payload: case.friction.zip(object_force).map(|(mu, force)| payload(mu, [force])),
+        }
+    }
+
+    /// Radial force on the object, N; 0 on one that the star does not reach.
+    pub fn object_force(&self) -> Option<f64> {
+        self.hold.and_then(Hold::force)
+    }
+
+    /// What a person should know about the object, if anything.
+    pub fn object_warning(&self, case: &Case) -> Option<String> {
+        let (least, most) = (self.rest.radius, self.rest.widest.radius);
+        let mm = |metres: f64| format!("{:.2} mm", Length::from_metres(metres).0);
+        match self.hold? {
+            Hold::Held(_) => {
+                let slope = |phi: f64| case.mechanism.radius(phi).slope;
+                let locks = slope(self.rest.widest.angle) < LOCKING.sqrt() * slope(self.rest.angle);
+                let near = case.object.is_some_and(|rho| most - rho < LOCKING * (most - least));
+                (locks && near).then(|| {
+                    format!(
+                        "the object is nearly as wide as the inflated star opens, {}: the arms lock there, and the \
+                         predicted force grows without bound",
+                        mm(most)
+                    )
+                })
+            }
+            Hold::TooThin => Some(format!(
+                "the object is thinner than the final radius, {}: the star does not reach it",
+                mm(least)
+            )),
+            Hold::TooWideToEnter => Some(format!(
+                "the object is wider than the flat star's {}: it does not enter",
+                mm(case.inner_radius)
+            )),
+            Hold::TooWideToOpen => Some(format!(
+                "the object is wider than the inflated star opens, {}: the arms lock there, and the star does not \
+                 close around it; a larger inner radius, fewer points or a narrower tube open it wider",
+                mm(most)
+            )),
+            Hold::Unknown(fault) => Some(format!("no force on the object: {fault}")),
+        }
+    }
+}
+
+impl Hold {
+    /// Radial force, N; `None` where the star cannot hold the object.
+    pub fn force(self) -> Option<f64> {
+        match self {
+            Self::Held(force) => Some(force),
+            Self::TooThin => Some(0.0),
+            Self::TooWideToEnter | Self::TooWideToOpen | Self::Unknown(_) => None,
+        }
+    }
+}
