@@ -5,14 +5,14 @@ use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
-use crate::cli::quantity::range;
+use crate::cli::quantity::{EXTRA, SIZE, number, range};
 use crate::design::Design;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{Bounds, Constraints, Evaluated, Goal, search, thinned};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::spec;
-use crate::spec::Source;
 use crate::spec::edit::with_star;
+use crate::spec::{Allowed, Source};
 use crate::units::{Angle, Length, Readable};
 
 /// By how much the constraints are tightened for the search, so that they still hold once the values are rounded.
@@ -32,25 +32,25 @@ pub(super) struct Args {
     #[arg(long, default_value = "3..12", value_parser = points)]
     points: (u32, u32),
     /// Tip angles; default: 10 to 90 deg.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Angle>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Angle>(Allowed::between(0.0, 180.0)))]
     tip_angle: Option<(Angle, Angle)>,
     /// Tube widths; default: half to one and a half times the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(SIZE))]
     tube_width: Option<(Length, Length)>,
     /// Tip radii; default: the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(EXTRA))]
     tip_radius: Option<(Length, Length)>,
     /// Corner radii; default: the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(EXTRA))]
     corner_radius: Option<(Length, Length)>,
     /// Radii that it must be able to hold: close to the first, open to the second.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(SIZE))]
     grasp: Option<(Length, Length)>,
     /// Payload of the stack in kg, with the pressure, object and friction of `[load]`.
-    #[arg(long, value_name = "KG")]
+    #[arg(long, value_name = "KG", value_parser = number(Allowed::above(0.0, 1e6)))]
     payload: Option<f64>,
     /// Least burst pressure over pressure.
-    #[arg(long, value_name = "RATIO")]
+    #[arg(long, value_name = "RATIO", value_parser = number(Allowed::above(0.0, 1e3)))]
     burst_margin: Option<f64>,
 }
 

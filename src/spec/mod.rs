@@ -27,6 +27,7 @@ mod starter;
 mod unknown;
 mod value;
 
+pub use allowed::Allowed;
 pub use fault::{Fault, Faults, Severity};
 pub use machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 pub use model::{
