@@ -207,3 +207,44 @@ fn numbers_without_sense_are_wrong_usage() {
     assert_eq!(locked.status.code(), Some(1));
     assert!(text(&locked.stderr).contains("below 0.57735, where the cone locks"), "{}", text(&locked.stderr));
 }
+
+/// Every layout that `check` accepts, `optimize` can write into; what it cannot is said before the search.
+#[test]
+fn optimize_writes_into_every_layout() {
+    let dir = folder();
+    let keys = [
+        ("points", "5"),
+        ("inner_radius", "\"50 mm\""),
+        ("tube_width", "\"30 mm\""),
+        ("tip_angle", "\"30 deg\""),
+    ];
+    let join = |gap: &str, each: &dyn Fn(&str, &str) -> String| {
+        keys.iter().map(|(key, value)| each(key, value)).collect::<Vec<_>>().join(gap)
+    };
+    let layouts = [
+        join("\n", &|key, value| format!("star.{key} = {value}")),
+        format!("[ star ] # mine\n{}", join("\n", &|key, value| format!("{key} = {value}"))),
+        format!("star = {{ {} }}", join(", ", &|key, value| format!("{key} = {value}"))),
+        format!("[\"star\"]\n{}", join("\n", &|key, value| format!("\"{key}\" = {value}"))),
+    ];
+    let args =
+        ["optimize", "spec.toml", "--points", "4", "--tube-width", "25 mm", "--tip-angle", "40 deg..50 deg"];
+    for layout in layouts {
+        fs::write(dir.path().join("spec.toml"), format!("schema = 1\nname = \"x\"\n{layout}\n"))
+            .expect("written");
+        let output = run(dir.path(), &args);
+        assert_eq!(output.status.code(), Some(0), "{layout}\n{}", text(&output.stderr));
+        fs::write(dir.path().join("best.toml"), &output.stdout).expect("written");
+        let source = stargrip_cam::spec::Source::new("best.toml", text(&output.stdout));
+        let star = stargrip_cam::spec::read(&source).expect("valid").spec.stars[0].clone();
+        assert_eq!((star.points, star.tube_width.0), (4, 25.0), "{layout}");
+        assert_eq!(run(dir.path(), &["check", "best.toml"]).status.code(), Some(0), "{layout}");
+    }
+    let own = format!("{SPEC}[[stack.star]]\nindex = 1\ntube_width = \"25 mm\"\n");
+    fs::write(dir.path().join("spec.toml"), own).expect("written");
+    let output = run(dir.path(), &args);
+    let said = text(&output.stderr);
+    assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(1), ""));
+    assert!(said.contains("error[own-value]") && said.contains("spec.toml:19:14"), "{said}");
+    assert!(!said.contains("designs computed"), "{said}");
+}

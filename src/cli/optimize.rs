@@ -11,9 +11,9 @@ use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{Bounds, Constraints, Evaluated, Goal, search, thinned};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::spec;
-use crate::spec::edit::with_star;
+use crate::spec::edit::{StarEdit, with_star};
 use crate::spec::{Allowed, Source};
-use crate::units::{Angle, Length, Readable};
+use crate::units::{Angle, Length};
 
 /// By how much the constraints are tightened for the search, so that they still hold once the values are rounded.
 const ROUNDING: f64 = 5e-4;
@@ -77,6 +77,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::new(&args.spec)?;
     let read = &loaded.reading.spec;
     let base = Candidate::of(read).ok_or_else(|| message("the spec has no star"))?;
+    // Whether the text can take a star is known before the search.
+    if let Some(star) = read.stars.first() {
+        let _ = with_star(&loaded.source, &StarEdit::of(star))?;
+    }
     let goal = match args.goal {
         GoalArg::Contraction => Goal::Contraction,
         GoalArg::Stiffness => Goal::Stiffness,
@@ -118,7 +122,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     out.push_str(&rows(&thinned(&found.front, SHOWN)));
     let met = found.best.iter().filter(|candidate| candidate.violation == 0.0);
     for candidate in met {
-        let text = spec_text(&loaded, candidate)?;
+        // Other values in the spec may forbid this star: four points have no inlet at tip 5.
+        let Ok(text) = with_star(&loaded.source, &rounded(candidate)) else { continue };
         if buildable(&loaded, &text) {
             let _ = writeln!(out, "# the best that can be built:\n{text}");
             return say(&out);
@@ -170,21 +175,17 @@ fn rows(candidates: &[Evaluated]) -> String {
     out
 }
 
-/// The spec with the candidate's values, rounded to a micrometre and a thousandth of a degree.
-fn spec_text(loaded: &Loaded, candidate: &Evaluated) -> Result<String, Failure> {
+/// The candidate's star, rounded to a micrometre and a thousandth of a degree.
+fn rounded(candidate: &Evaluated) -> StarEdit {
     let geometry = &candidate.point.geometry;
-    let mm = |metres: f64| format!("\"{} mm\"", Readable((metres * 1e6).round() * 1e-3));
-    let values = [
-        ("points", geometry.points.to_string()),
-        ("tube_width", mm(geometry.width)),
-        (
-            "tip_angle",
-            format!("\"{} deg\"", Readable((geometry.tip_angle.to_degrees() * 1e3).round() * 1e-3)),
-        ),
-        ("tip_radius", mm(geometry.tip_radius)),
-        ("corner_radius", mm(geometry.corner_radius)),
-    ];
-    with_star(&loaded.source.text, &values).map_err(Failure::Message)
+    let mm = |metres: f64| Length((metres * 1e6).round() / 1e3);
+    StarEdit {
+        points: geometry.points,
+        tube_width: mm(geometry.width),
+        tip_angle: Angle((geometry.tip_angle.to_degrees() * 1e3).round() / 1e3),
+        tip_radius: mm(geometry.tip_radius),
+        corner_radius: mm(geometry.corner_radius),
+    }
 }
 
 /// Whether the design stage accepts it.
