@@ -21,7 +21,7 @@ const MAY_USE: [(&str, &[&str]); 18] = [
     ("emit", &["design", "geom", "plan", "spec", "units"]),
     ("verify", &["artifact", "design", "forecast", "geom", "manifest", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
-    ("coupon", &["design", "emit", "geom", "mechanics", "plan", "spec", "units"]),
+    ("coupon", &["design", "emit", "geom", "plan", "spec", "units"]),
     (
         "pipeline",
         &["airtight", "artifact", "design", "emit", "forecast", "manifest", "plan", "spec", "verify"],

@@ -237,18 +237,19 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
 fn coupon_refuses_bad_settings_and_writes_nothing() {
     let dir = workshop();
     for (args, code, words) in [
-        (["--temperatures", "300 C"], 1, "below 300 C"),
-        (["--temperatures", "200"], 2, "with its unit"),
+        (["--temperatures", "300 C"], 2, "the temperature must be more than 0 C and less than 300 C"),
+        (["--temperatures", "nan C"], 2, "write a temperature as a number and one of C"),
+        (["--temperatures", "200"], 2, "write a temperature as a number and one of C"),
         (
             ["--temperatures", "180 C,180 C"],
             1,
             "cannot be told apart; temperatures must differ by at least 1 C",
         ),
         (["--temperatures", "180.1 C,180.3 C"], 1, "--repeats"),
-        (["--speeds", "0 mm/s"], 1, "from 0.001 to 1000 mm/s"),
+        (["--speeds", "0 mm/s"], 2, "must be at least 0.001 mm/s and at most 1000 mm/s"),
         (["--speeds", "0.1 mm/s,0.1001 mm/s"], 1, "at least 0.001 mm/s"),
         (["--heights", "6 mm"], 1, "to below 5 mm"),
-        (["--heights", "-21 mm"], 1, "from -20 mm"),
+        (["--heights", "-21 mm"], 2, "must be at least -20 mm"),
         (["--repeats", "0"], 2, "1..=20"),
         (["--repeats", "21"], 2, "1..=20"),
     ] {
@@ -322,7 +323,46 @@ fn calibrate_chooses_the_fastest_that_holds() {
     assert!(said.contains("speed = \"0.5 mm/s\""), "{said}");
     // A table as spreadsheets save it.
     let dir = calibration(&format!("\u{feff}{}", table(&[(0.1, &[74.0, 75.0, 76.0])]).replace('\n', "\r\n")));
-    assert!(done(dir.path(), &["calibrate", "results.csv"]).contains("speed = \"0.1 mm/s\""));
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    assert!(said.contains("speed = \"0.1 mm/s\""), "{said}");
+}
+
+/// Of a seal that is needed for nothing the weakest would do: nothing is chosen before somebody says what it has to hold.
+#[test]
+fn calibrate_takes_the_need_from_the_spec_or_asks() {
+    let dir = calibration(&table(&[(0.1, &[149.0, 150.0, 151.0]), (0.5, &[50.0, 51.0, 49.0])]));
+    let asked = run(dir.path(), &["calibrate", "results.csv"]);
+    assert_eq!(asked.status.code(), Some(1));
+    let said = stdout(&asked);
+    let holds: Vec<_> = said.lines().filter_map(|line| line.split_whitespace().last()).collect();
+    assert_eq!(holds, ["holds/(N/mm)", "1.920", "5.920"], "{said}");
+    assert!(said.lines().all(|line| line.starts_with("# ")), "{said}");
+    assert!(stderr(&asked).contains("what must the seal hold? --needed FORCE, or --spec SPEC"));
+    // At 30 kPa the corners of the paper's star pull with k p W = 3.8 * 0.03 * 30 = 3.4 N/mm; 1 kPa is held by every seal.
+    for (pressure, speed) in [("30 kPa", "0.1 mm/s"), ("1 kPa", "0.5 mm/s")] {
+        let spec = format!("{}[load]\npressure = \"{pressure}\"\n", support::PAPER);
+        fs::write(dir.path().join("star.toml"), spec).expect("written");
+        let said = done(dir.path(), &["calibrate", "results.csv", "--spec", "star.toml", "--margin", "1.2"]);
+        assert!(said.contains(&format!("speed = \"{speed}\"")), "{said}");
+        assert!(said.starts_with(&format!("# at {pressure} the seal has to hold ")), "{said}");
+    }
+    fs::write(dir.path().join("star.toml"), support::PAPER).expect("written");
+    let args = ["calibrate", "results.csv", "--spec", "star.toml"];
+    let _ = fails(dir.path(), &args, 1, &["star.toml: [load] has no pressure; write one, or give --needed"]);
+    let both = [&args[..], &["--needed", "1 N/mm"]].concat();
+    let _ = fails(dir.path(), &both, 2, &["cannot be used with"]);
+}
+
+/// Twice the rows take twice the time, not four times.
+#[test]
+fn calibrate_reads_many_settings_in_a_moment() {
+    let settings: Vec<(f64, &[f64])> =
+        (1..=40_000).map(|i| (f64::from(i) / 50.0, &[50.0, 50.0, 50.0][..])).collect();
+    let dir = calibration(&table(&settings));
+    let start = std::time::Instant::now();
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    assert!(start.elapsed().as_secs_f64() < 5.0, "{:?}", start.elapsed());
+    assert!(said.contains("speed = \"800 mm/s\""), "{said}");
 }
 
 #[test]
@@ -343,33 +383,69 @@ fn calibrate_says_what_data_do_not_support() {
     }
     // A seal that never held is none, whatever is needed.
     let dir = calibration(&table(&[(0.1, &[0.0, 0.0, 0.0])]));
-    let _ = fails(dir.path(), &["calibrate", "results.csv"], 1, &["the strongest setting holds 0.000 N/mm"]);
+    let args = ["calibrate", "results.csv", "--needed", "0.0001 N/mm"];
+    let _ = fails(dir.path(), &args, 1, &["the strongest setting holds 0.000 N/mm"]);
 }
 
 #[test]
 fn calibrate_names_the_line_it_cannot_read() {
     let good = table(&[(0.1, &[74.0, 75.0, 76.0])]);
     for (text, words) in [
-        (String::new(), "line 1: an empty table"),
-        ("a,b\n1,2\n".to_owned(), "line 1: no column temperature_C"),
-        (good.replace(',', ";"), "line 1: no column temperature_C"),
-        (good.replace(",75,", ",75 N,"), "line 3: peel_N is \"75 N\"; a number from 0 is needed"),
-        (good.replace(",75,", ",-75,"), "line 3: peel_N is \"-75\""),
-        (good.replace(",75,", ",inf,"), "line 3: peel_N is \"inf\""),
-        (good.replacen("200,", "hot,", 1), "line 2: temperature_C is \"hot\""),
+        (String::new(), &["error[no-header]: an empty table", "results.csv:1"][..]),
+        (
+            "a,b\n1,2\n".to_owned(),
+            &["error[no-header]", "results.csv:1:1", "must name `temperature_C`, `speed_mm_s`"],
+        ),
+        (
+            good.replacen("speed_mm_s", "speed", 1),
+            &["error[unit]", "results.csv:1:21", "must be `speed_mm_s`"],
+        ),
+        (
+            good.replace(',', ";").replace("0.1", "0,1"),
+            &[
+                "error[decimal-comma]: `speed_mm_s` is `0,1`",
+                "results.csv:2:7",
+                "results.csv:4:7",
+                "write 0.1",
+            ],
+        ),
+        (
+            good.replace("0.1", "0,1"),
+            &[
+                "error[cell-count]: 7 cells",
+                "results.csv:2:1",
+                "must be 6, as the header has",
+                "a decimal one?",
+            ],
+        ),
+        (good.replace(",75,\n", ",75,\n\n\n7,200\n"), &["error[cell-count]: 2 cells", "results.csv:6:1"]),
+        (
+            good.replace(",75,", ",75 N,"),
+            &["error[cell]: `peel_N` is `75 N`", "results.csv:3:16", "a number is needed"],
+        ),
+        (good.replace(",75,", ",-75,"), &["`peel_N` is `-75`", "must be at least 0"]),
+        (good.replace(",75,", ",inf,").replace(",76,", ",nan,"), &["`inf`", "`nan`", "2 errors"]),
+        (good.replacen("200,", "hot,", 1), &["`temperature_C` is `hot`", "results.csv:2:3"]),
+        (
+            good.replacen(",74,", ",74,\"peel", 1),
+            &["error[open-quote]", "results.csv:2:1", "is a quote left open?"],
+        ),
     ] {
         let dir = calibration(&text);
-        let _ = fails(dir.path(), &["calibrate", "results.csv"], 1, &["results.csv", words]);
+        let _ = fails(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"], 1, words);
     }
     let dir = calibration(&good);
     fs::write(dir.path().join("bytes.csv"), b"\xff\xfe").expect("written");
     let _ = fails(dir.path(), &["calibrate", "bytes.csv"], 1, &["bytes.csv", "UTF-8"]);
     let _ = fails(dir.path(), &["calibrate", "missing.csv"], 1, &["cannot read missing.csv"]);
     for (args, words) in [
-        (&["--needed", "1"][..], "a force per length"),
-        (&["--needed=-1 N/mm"], "a force per length"),
-        (&["--margin", "nan"], "a number from 1 to 100"),
-        (&["--margin", "0"], "a number from 1 to 100"),
+        (&["--needed", "1"][..], "write a force per length as a number and one of N/mm"),
+        (&["--needed=-1 N/mm"], "must be more than 0 N/mm"),
+        (&["--needed", "0 N/mm"], "must be more than 0 N/mm"),
+        (&["--needed", "nan N/mm"], "write a force per length"),
+        (&["--needed", "1,2 N/mm"], "a decimal comma: write 1.2 N/mm"),
+        (&["--margin", "nan"], "must be at least 1 and at most 100"),
+        (&["--margin", "0"], "must be at least 1 and at most 100"),
         (&["--flat-angle", "30"], "--inflated-angle"),
     ] {
         let _ = fails(dir.path(), &[&["calibrate", "results.csv"][..], args].concat(), 2, &[words]);
@@ -379,7 +455,10 @@ fn calibrate_names_the_line_it_cannot_read() {
 #[test]
 fn calibrate_compares_lambda_with_the_prediction() {
     let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
-    let angles = ["calibrate", "results.csv", "--flat-angle", "30", "--inflated-angle", "-12"];
+    let needed = ["--needed", "1 N/mm"];
+    let angles =
+        [&["calibrate", "results.csv", "--flat-angle", "30", "--inflated-angle", "-12"][..], &needed]
+            .concat();
     let said = done(dir.path(), &angles);
     assert!(said.starts_with("# lambda measured: 1.280\n# lambda predicted (ring): 1.2"), "{said}");
     assert!(said.contains("seal_strength"), "{said}");
@@ -388,13 +467,20 @@ fn calibrate_compares_lambda_with_the_prediction() {
     let thin = run(dir.path(), &angles);
     assert_eq!(thin.status.code(), Some(1));
     assert!(stdout(&thin).contains("# lambda measured: 1.280") && stderr(&thin).contains("no setting"));
-    for (flat, inflated) in [("0", "60"), ("180", "60"), ("nan", "60"), ("30", "180"), ("30", "-180")] {
+    for (flat, inflated) in
+        [("0", "60"), ("180", "60"), ("nan", "60"), ("30", "180"), ("30", "-180"), ("30", "inf")]
+    {
         let args = ["calibrate", "results.csv", "--flat-angle", flat, "--inflated-angle", inflated];
-        let _ = fails(dir.path(), &args, 1, &["--flat-angle must be above 0"]);
+        let _ = fails(dir.path(), &args, 2, &["and less than 180"]);
     }
-    for ratio in ["nan", "1e300"] {
-        let _ =
-            fails(dir.path(), &[&angles[..], &["--radius-ratio", ratio]].concat(), 1, &["--radius-ratio"]);
+    for ratio in ["nan", "0", "-1", "1e300"] {
+        let ratio = format!("--radius-ratio={ratio}");
+        let _ = fails(
+            dir.path(),
+            &[&angles[..], &[&ratio]].concat(),
+            2,
+            &["--radius-ratio", "must be more than 0"],
+        );
     }
 }
 

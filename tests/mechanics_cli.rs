@@ -120,7 +120,133 @@ fn a_cone_test_is_laid_over_the_prediction() {
     let published =
         run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm", "--balance", "published"]);
     assert!(text(&published.stdout).contains("3.727761"), "{}", text(&published.stdout));
-    assert_eq!(run(dir.path(), &["cone", "test.csv"]).status.code(), Some(1));
+    assert_eq!(run(dir.path(), &["cone", "test.csv"]).status.code(), Some(2));
+}
+
+/// A table is read right or refused with its faults: never another number, never a row less.
+#[test]
+fn cone_reads_a_table_right_or_not_at_all() {
+    let dir = folder();
+    let reduce = |table: &str| {
+        fs::write(dir.path().join("test.csv"), table).expect("written");
+        run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm"])
+    };
+    let right = "travel_mm,load_N,radius_mm,force_N\n10.5,2.5,21.062178,3.227761\n";
+    for table in [
+        "travel_mm,load_N\n10.5,2.5\n",
+        "\u{feff}travel_mm;load_N\r\n10.5;2.5\r\n",
+        "Time (s)\tLoad (N)\tExtension (mm)\n0.1\t2.5\t10.5\n\n# the end\n",
+        right,
+    ] {
+        let output = reduce(table);
+        assert_eq!((text(&output.stdout).as_str(), text(&output.stderr).as_str()), (right, ""), "{table:?}");
+    }
+    for (table, words) in [
+        (
+            "travel_mm;load_N\n10,5;2,5\n",
+            &["decimal-comma", "test.csv:2:1", "write 10.5", "write 2.5", "2 errors"][..],
+        ),
+        ("10,5;2,5\n", &["no-header", "test.csv:1:1", "must name `travel_mm`, `load_N`"]),
+        ("travel_mm,load_N\n10,5;2,5\n", &["cell-count", "test.csv:2:1", "3 cells"]),
+        ("O,0.5\n10,2.5\n", &["no-header", "test.csv:1:1", "write the names above the numbers"]),
+        ("\u{feff}0,0\n10,2.5\n", &["no-header", "test.csv:1:"]),
+        ("travel_in,load_N\n1,2\n", &["unit", "test.csv:1:1", "must be `travel_mm`"]),
+        (
+            "travel_mm,load_N\n1,nan\n2,inf\n3\n",
+            &["test.csv:2:3", "test.csv:3:3", "test.csv:4:1", "3 errors"],
+        ),
+        ("travel_mm,load_N\n", &["no-rows"]),
+    ] {
+        let output = reduce(table);
+        let said = text(&output.stderr);
+        assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(1), ""), "{table:?}");
+        assert!(words.iter().all(|word| said.contains(word)), "{table:?}: {said}");
+    }
+    fs::write(dir.path().join("test.csv"), b"\xff\xfet\0").expect("written");
+    let output = run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm"]);
+    assert!(text(&output.stderr).contains("it must be UTF-8"), "{}", text(&output.stderr));
+}
+
+#[test]
+fn numbers_without_sense_are_wrong_usage() {
+    let dir = folder();
+    fs::write(dir.path().join("test.csv"), "travel_mm,load_N\n0,0\n").expect("written");
+    let cone = ["cone", "test.csv", "--contact-radius", "15 mm"];
+    let optimize = ["optimize", "spec.toml"];
+    for (command, option, values, words) in [
+        (&optimize[..], "--payload", &["nan", "inf", "-inf", "0", "-1", "x", ""][..], "must be more than 0"),
+        (&optimize, "--payload", &["0,8"], "a decimal comma: write 0.8"),
+        (&optimize, "--burst-margin", &["nan", "inf", "0", "-1"], "must be more than 0"),
+        (
+            &optimize,
+            "--tip-angle",
+            &["0 deg..90 deg", "10 deg..180 deg"],
+            "the angle must be more than 0 deg",
+        ),
+        (&optimize, "--tube-width", &["-1 mm..5 mm", "0 mm..5 mm"], "the length must be at least 0.001 mm"),
+        (&optimize, "--tip-radius", &["-1 mm..5 mm"], "the length must be at least 0 mm"),
+        (&optimize, "--corner-radius", &["nan mm..5 mm", "5..6"], "write a length as a number and one of mm"),
+        (&optimize, "--grasp", &["5 mm..4 mm"], "the range falls; write \"4 mm..5 mm\""),
+        (&cone, "--friction", &["nan", "inf", "-0.1"], "must be at least 0 and at most 10"),
+        (
+            &cone,
+            "--half-angle",
+            &["0 deg", "90 deg", "-1 deg"],
+            "must be more than 0 deg and less than 90 deg",
+        ),
+        (&cone[..2], "--contact-radius", &["0 mm", "-1 mm"], "the length must be at least 0.001 mm"),
+    ] {
+        for value in values {
+            let output = run(dir.path(), &[command, &[&format!("{option}={value}")]].concat());
+            let said = text(&output.stderr);
+            assert_eq!(output.status.code(), Some(2), "{option}={value}: {said}");
+            assert!(said.contains(option) && said.contains(words), "{option}={value}: {said}");
+        }
+    }
+    let locked = run(dir.path(), &[&cone[..], &["--half-angle", "60 deg", "--friction", "0.6"]].concat());
+    assert_eq!(locked.status.code(), Some(1));
+    assert!(text(&locked.stderr).contains("below 0.57735, where the cone locks"), "{}", text(&locked.stderr));
+}
+
+/// Every layout that `check` accepts, `optimize` can write into; what it cannot is said before the search.
+#[test]
+fn optimize_writes_into_every_layout() {
+    let dir = folder();
+    let keys = [
+        ("points", "5"),
+        ("inner_radius", "\"50 mm\""),
+        ("tube_width", "\"30 mm\""),
+        ("tip_angle", "\"30 deg\""),
+    ];
+    let join = |gap: &str, each: &dyn Fn(&str, &str) -> String| {
+        keys.iter().map(|(key, value)| each(key, value)).collect::<Vec<_>>().join(gap)
+    };
+    let layouts = [
+        join("\n", &|key, value| format!("star.{key} = {value}")),
+        format!("[ star ] # mine\n{}", join("\n", &|key, value| format!("{key} = {value}"))),
+        format!("star = {{ {} }}", join(", ", &|key, value| format!("{key} = {value}"))),
+        format!("[\"star\"]\n{}", join("\n", &|key, value| format!("\"{key}\" = {value}"))),
+    ];
+    let args =
+        ["optimize", "spec.toml", "--points", "4", "--tube-width", "25 mm", "--tip-angle", "40 deg..50 deg"];
+    for layout in layouts {
+        fs::write(dir.path().join("spec.toml"), format!("schema = 1\nname = \"x\"\n{layout}\n"))
+            .expect("written");
+        let output = run(dir.path(), &args);
+        assert_eq!(output.status.code(), Some(0), "{layout}\n{}", text(&output.stderr));
+        fs::write(dir.path().join("best.toml"), &output.stdout).expect("written");
+        let source = stargrip_cam::spec::Source::new("best.toml", text(&output.stdout));
+        let star = stargrip_cam::spec::read(&source).expect("valid").spec.stars[0].clone();
+        assert_eq!((star.points, star.tube_width.0), (4, 25.0), "{layout}");
+        assert_eq!(run(dir.path(), &["check", "best.toml"]).status.code(), Some(0), "{layout}");
+    }
+    let own = format!("{SPEC}[[stack.star]]\nindex = 1\ntube_width = \"25 mm\"\n");
+    fs::write(dir.path().join("spec.toml"), own).expect("written");
+    let output = run(dir.path(), &args);
+    let said = text(&output.stderr);
+    assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(1), ""));
+    assert!(said.contains("error[own-value]") && said.contains("spec.toml:19:14"), "{said}");
+    assert!(!said.contains("designs computed"), "{said}");
 }
 
 /// A spec of the same star, for `sweep` and for `check`: fabric is that of both sheets, as it is cut.

@@ -1,73 +1,107 @@
 //! `stargrip-cam calibrate`
 
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, say};
+use crate::cli::load::Loaded;
+use crate::cli::quantity::{number, quantity};
 use crate::cli::read_text;
-use crate::coupon::{calibrate, read_rows};
+use crate::coupon::{calibrate, listing, read_rows, settings, steady};
+use crate::design::Design;
+use crate::forecast::case::Case;
+use crate::forecast::seal_load::seal_loads;
 use crate::mechanics::hinge::HingeModel;
 use crate::mechanics::hinge::ring::Ring;
-use crate::units::{LineForce, Quantity};
+use crate::spec::{Allowed, Source};
+use crate::units::LineForce;
 
 /// Arguments of `calibrate`.
 #[derive(clap::Args, Debug)]
+#[command(
+    after_help = "Without --needed and without --spec nothing is chosen: every setting is listed with what it holds, and the exit code is 1."
+)]
 pub(super) struct Args {
-    /// The filled-in table that `coupon` wrote.
+    /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N.
     results: PathBuf,
-    /// What the seal has to hold, such as "1.2 N/mm" (`check` tells the load); without it every even seal holds, and the fastest is chosen.
-    #[arg(long, value_parser = force, default_value = "0 N/mm")]
-    needed: f64,
+    /// What the seal has to hold, such as "1.2 N/mm".
+    #[arg(long, value_name = "FORCE", value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec")]
+    needed: Option<LineForce>,
+    /// The spec whose seal has to hold: the largest load of its stars at the pressure of its [load].
+    #[arg(long)]
+    spec: Option<PathBuf>,
     /// How many times that the seal should hold, 1 to 100.
-    #[arg(long, default_value_t = 1.5, value_parser = margin)]
+    #[arg(long, default_value_t = 1.5, value_parser = number(Allowed::closed(1.0, 100.0)))]
     margin: f64,
     /// The V-actuator's angle between its arms, flat, deg.
-    #[arg(long, requires = "inflated_angle")]
+    #[arg(long, requires = "inflated_angle", value_parser = number(Allowed::between(0.0, 180.0)))]
     flat_angle: Option<f64>,
     /// The same, inflated and free, deg.
-    #[arg(long, requires = "flat_angle", allow_hyphen_values = true)]
+    #[arg(long, requires = "flat_angle", allow_hyphen_values = true, value_parser = number(Allowed::between(-180.0, 180.0)))]
     inflated_angle: Option<f64>,
     /// The V-actuator's R / W as the band makes it.
-    #[arg(long, default_value_t = 1.0 / 30.0)]
+    #[arg(long, default_value_t = 1.0 / 30.0, value_parser = number(Allowed::above(0.0, 1e3)))]
     radius_ratio: f64,
-}
-
-fn force(text: &str) -> Result<f64, String> {
-    let parsed = LineForce::parse(text).ok().filter(|force| force.0 >= 0.0);
-    parsed.map(|force| force.0).ok_or_else(|| format!("a force per length: {}", LineForce::unit_list()))
-}
-
-fn margin(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok().filter(|margin| (1.0..=100.0).contains(margin));
-    number.ok_or_else(|| "a number from 1 to 100".to_owned())
 }
 
 /// Says what the spec should say.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let text = read_text(&args.results)?;
-    let refused = |fault| Failure::Message(format!("{}: {fault}", args.results.display()));
-    let rows = read_rows(&text).map_err(refused)?;
-    let mut out = String::new();
-    if let Some((flat, inflated)) = args.flat_angle.zip(args.inflated_angle) {
-        if !(flat > 0.0 && flat < 180.0 && inflated > -180.0 && inflated < 180.0) {
-            let found = format!("angles of {flat} and {inflated} deg");
-            return Err(Failure::Message(format!(
-                "{found}; --flat-angle must be above 0 and below 180, --inflated-angle above -180 and below 180"
-            )));
+    let source = Source::new(args.results.display().to_string(), read_text(&args.results)?);
+    let settings = settings(&read_rows(&source)?);
+    // What the V-actuator tells does not hang on the strips.
+    say(&lambda(args)?)?;
+    let refused = |fault| Failure::Message(format!("{}: {fault}", source.name));
+    let (needed, why) = match (args.needed, &args.spec) {
+        (Some(needed), _) => (needed.0, String::new()),
+        (None, Some(path)) => need_of(path)?,
+        (None, None) => {
+            let _ = steady(&settings).map_err(refused)?;
+            say(&listing(&settings))?;
+            return Err(Failure::Message(
+                "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
+                    .to_owned(),
+            ));
         }
-        let measured = (180.0 - inflated) / (180.0 - flat);
-        let _ = writeln!(out, "# lambda measured: {measured:.3}");
-        match Ring.target(args.radius_ratio) {
-            Ok(state) => {
-                let off = 100.0 * (measured / state.lambda - 1.0);
-                let _ =
-                    writeln!(out, "# lambda predicted (ring): {:.3}; measured is {off:+.1} %", state.lambda);
-            }
-            Err(fault) => return Err(Failure::Message(format!("--radius-ratio: {fault}"))),
+    };
+    let chosen = calibrate(&settings, needed, args.margin).map_err(refused)?;
+    say(&format!("{why}{}", chosen.toml()))
+}
+
+/// The largest load on a seal of the spec at `path`, N/mm, and a comment that says where it is.
+fn need_of(path: &Path) -> Result<(f64, String), Failure> {
+    let loaded = Loaded::new(path)?;
+    let spec = &loaded.reading.spec;
+    let refused = |why: &str| Failure::Message(format!("{}: {why}", path.display()));
+    let pressure = spec.load.as_ref().and_then(|load| load.pressure);
+    let pressure = pressure.ok_or_else(|| refused("[load] has no pressure; write one, or give --needed"))?;
+    let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
+    let mut largest = (0.0, "");
+    let mut loads = Vec::new();
+    for part in &design.distinct {
+        let case = Case::of(spec, &part.star).map_err(|fault| refused(&fault.to_string()))?;
+        loads.extend(seal_loads(&case, part));
+    }
+    for load in loads {
+        let unknown = || refused(&format!("the load at the {} is unknown; give --needed", load.place));
+        let force = load.load.ok_or_else(unknown)?;
+        if force.0 > largest.0 {
+            largest = (force.0, load.place);
         }
     }
-    // What the V-actuator tells does not hang on the strips.
-    say(&out)?;
-    let chosen = calibrate(&rows, args.needed, args.margin).map_err(refused)?;
-    say(&chosen.toml())
+    let (force, place) = largest;
+    Ok((force, format!("# at {pressure} the seal has to hold {force:.3} N/mm at the {place}\n")))
+}
+
+/// What the V-actuator's angles tell, as comments; empty without them.
+fn lambda(args: &Args) -> Result<String, Failure> {
+    let Some((flat, inflated)) = args.flat_angle.zip(args.inflated_angle) else { return Ok(String::new()) };
+    let measured = (180.0 - inflated) / (180.0 - flat);
+    let state = Ring
+        .target(args.radius_ratio)
+        .map_err(|fault| Failure::Message(format!("--radius-ratio: {fault}")))?;
+    let off = 100.0 * (measured / state.lambda - 1.0);
+    let mut out = format!("# lambda measured: {measured:.3}\n");
+    // A String takes everything.
+    let _ = writeln!(out, "# lambda predicted (ring): {:.3}; measured is {off:+.1} %", state.lambda);
+    Ok(out)
 }

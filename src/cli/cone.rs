@@ -1,34 +1,35 @@
 //! `stargrip-cam cone`
 
-use std::fs;
 use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
-use crate::cli::quantity::quantity;
-use crate::coupon::cone::{Balance, Cone, Overlay, reduce};
+use crate::cli::quantity::{SIZE, number, quantity};
+use crate::cli::read_text;
+use crate::coupon::cone::{Balance, Cone, Overlay, read_test, reduce};
 use crate::design::Star;
 use crate::forecast::case::mechanism;
 use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::star::response::Inflated;
+use crate::spec::{Allowed, Source};
 use crate::units::{Angle, Length};
 
 /// Arguments of `cone`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The test's CSV: a header, then travel in mm and vertical load in N.
+    /// The test's CSV, with a header: travel_mm (or displacement_mm, extension_mm) and the vertical load_N.
     data: PathBuf,
     /// Half the cone's angle.
-    #[arg(long, default_value = "30 deg", value_parser = quantity::<Angle>)]
+    #[arg(long, default_value = "30 deg", value_parser = quantity::<Angle>(Allowed::between(0.0, 90.0)))]
     half_angle: Angle,
     /// Kinetic friction with cone and plate.
-    #[arg(long, default_value_t = 0.1)]
+    #[arg(long, default_value_t = 0.1, value_parser = number(Allowed::closed(0.0, 10.0)))]
     friction: f64,
     /// Balance of forces: derived, or published (with the plate's friction as the paper prints it).
     #[arg(long, value_enum, default_value = "derived")]
     balance: BalanceArg,
     /// Radius at first contact, where the travel is 0; default: the predicted final radius of --spec.
-    #[arg(long, value_parser = quantity::<Length>)]
+    #[arg(long, value_parser = quantity::<Length>(SIZE), required_unless_present = "spec")]
     contact_radius: Option<Length>,
     /// Lay the prediction for this spec over the data; its `[load]` must give the pressure.
     #[arg(long)]
@@ -44,18 +45,19 @@ enum BalanceArg {
 /// Reduces the data, and prints CSV.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let message = |text: String| Failure::Message(text);
-    let data = fs::read_to_string(&args.data).map_err(|error| Failure::file("read", &args.data, &error))?;
+    let source = Source::new(args.data.display().to_string(), read_text(&args.data)?);
+    let test = read_test(&source)?;
     let cone = Cone::new(args.half_angle.rad(), args.friction).map_err(|fault| message(fault.to_string()))?;
     let balance = match args.balance {
         BalanceArg::Derived => Balance::Derived,
         BalanceArg::Published => Balance::Published,
     };
     let contact = args.contact_radius.map(Length::metres);
-    let reduced = |first: f64, overlay: Option<Overlay<'_>>| reduce(&data, &cone, balance, first, overlay);
+    let reduced = |first: f64, overlay: Option<Overlay<'_>>| reduce(&test, &cone, balance, first, overlay);
     let Some(path) = &args.spec else {
         let first = contact
             .ok_or_else(|| message("give --contact-radius, or a --spec that predicts it".to_owned()))?;
-        return say(&reduced(first, None).map_err(message)?);
+        return say(&reduced(first, None));
     };
     let spec = Loaded::new(path)?.reading.spec;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
@@ -70,5 +72,5 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             Ok(reduced(contact.unwrap_or(linear.radius), Some(&overlay)))
         })
         .map_err(|fault| message(fault.to_string()))?;
-    say(&text.map_err(message)?)
+    say(&text)
 }

@@ -6,9 +6,11 @@ use std::{fs, io};
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
+use crate::cli::quantity::quantity;
 use crate::cli::write_new;
 use crate::coupon::{Grid, coupons, table};
-use crate::units::{Length, Quantity, Speed, Temperature};
+use crate::spec::Allowed;
+use crate::units::{Length, Speed, Temperature};
 
 /// Arguments of `coupon`.
 #[derive(clap::Args, Debug)]
@@ -18,22 +20,18 @@ pub(super) struct Args {
     /// A new directory for the programs, drawings and the table.
     #[arg(short, long, value_name = "DIR", default_value = "coupons")]
     output: PathBuf,
-    /// Temperatures of the grid; default: the spec's.
-    #[arg(long, value_delimiter = ',', value_parser = quantity::<Temperature>)]
+    /// Temperatures of the grid, below 300 C, where the PTFE release layer gives off toxic fumes; default: the spec's.
+    #[arg(long, value_delimiter = ',', value_parser = quantity::<Temperature>(Allowed::between(0.0, 300.0)))]
     temperatures: Vec<Temperature>,
     /// Speeds of the grid; default: once, twice and five times the spec's.
-    #[arg(long, value_delimiter = ',', value_parser = quantity::<Speed>)]
+    #[arg(long, value_delimiter = ',', value_parser = quantity::<Speed>(Allowed::closed(1e-3, 1e3)))]
     speeds: Vec<Speed>,
     /// Heights of the tip in contact; default: the profile's.
-    #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>, allow_hyphen_values = true)]
+    #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(Allowed::closed(-20.0, 1e5)), allow_hyphen_values = true)]
     heights: Vec<Length>,
     /// How often each setting is sealed.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=20))]
     repeats: u8,
-}
-
-fn quantity<Q: Quantity>(text: &str) -> Result<Q, String> {
-    Q::parse(text).map_err(|_| format!("a {} with its unit: {}", Q::KIND, Q::unit_list()))
 }
 
 /// Writes the coupons.
@@ -53,10 +51,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         },
         repeats: usize::from(args.repeats),
     };
-    if let Some(t) = grid.temperatures.iter().find(|t| !(t.0 > 0.0 && t.0 < 300.0)) {
-        let why = "above 0 C, below 300 C: from there the PTFE release layer gives off toxic fumes";
-        return Err(Failure::Message(format!("a temperature of {t}; it must be {why}")));
-    }
+    // The spec's own speed may be too fast for five times of it.
     if let Some(v) = grid.speeds.iter().find(|v| !(1e-3..=1e3).contains(&v.0)) {
         return Err(Failure::Message(format!("a speed of {v}; it must be from 0.001 to 1000 mm/s")));
     }

@@ -5,15 +5,15 @@ use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
-use crate::cli::quantity::range;
+use crate::cli::quantity::{EXTRA, SIZE, number, range};
 use crate::design::Design;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{Bounds, Constraints, Evaluated, Goal, ROUNDING, search, thinned};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::spec;
-use crate::spec::Source;
-use crate::spec::edit::with_star;
-use crate::units::{Angle, Length, Readable};
+use crate::spec::edit::{StarEdit, with_star};
+use crate::spec::{Allowed, Source};
+use crate::units::{Angle, Length};
 
 /// Rows of the front that are shown.
 const SHOWN: usize = 12;
@@ -30,25 +30,25 @@ pub(super) struct Args {
     #[arg(long, default_value = "3..12", value_parser = points)]
     points: (u32, u32),
     /// Tip angles; default: 10 to 90 deg.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Angle>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Angle>(Allowed::between(0.0, 180.0)))]
     tip_angle: Option<(Angle, Angle)>,
     /// Tube widths; default: half to one and a half times the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(SIZE))]
     tube_width: Option<(Length, Length)>,
     /// Tip radii; default: the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(EXTRA))]
     tip_radius: Option<(Length, Length)>,
     /// Corner radii; default: the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(EXTRA))]
     corner_radius: Option<(Length, Length)>,
     /// Radii that it must be able to hold: close to the first, open to the second.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>)]
+    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(SIZE))]
     grasp: Option<(Length, Length)>,
     /// Payload of the stack in kg, with the pressure, object and friction of `[load]`.
-    #[arg(long, value_name = "KG")]
+    #[arg(long, value_name = "KG", value_parser = number(Allowed::above(0.0, 1e6)))]
     payload: Option<f64>,
     /// Least burst pressure over pressure.
-    #[arg(long, value_name = "RATIO")]
+    #[arg(long, value_name = "RATIO", value_parser = number(Allowed::above(0.0, 1e3)))]
     burst_margin: Option<f64>,
 }
 
@@ -75,6 +75,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::new(&args.spec)?;
     let read = &loaded.reading.spec;
     let base = Candidate::of(read).ok_or_else(|| message("the spec has no star"))?;
+    // Whether the text can take a star is known before the search.
+    if let Some(star) = read.stars.first() {
+        let _ = with_star(&loaded.source, &StarEdit::of(star))?;
+    }
     let goal = match args.goal {
         GoalArg::Contraction => Goal::Contraction,
         GoalArg::Stiffness => Goal::Stiffness,
@@ -117,7 +121,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     out.push_str(&rows(&thinned(&found.front, SHOWN)));
     let met = found.best.iter().filter(|candidate| candidate.violation == 0.0);
     for candidate in met {
-        let text = spec_text(&loaded, candidate)?;
+        // Other values in the spec may forbid this star: four points have no inlet at tip 5.
+        let Ok(text) = with_star(&loaded.source, &rounded(candidate)) else { continue };
         if buildable(&loaded, &text) {
             let _ = writeln!(out, "# the best that can be built:\n{text}");
             return say(&out);
@@ -168,19 +173,18 @@ fn rows(candidates: &[Evaluated]) -> String {
     out
 }
 
-/// The spec with the candidate's values, rounded to a micrometre and a thousandth of a degree.
-fn spec_text(loaded: &Loaded, candidate: &Evaluated) -> Result<String, Failure> {
+/// The candidate's star, rounded to a micrometre and a thousandth of a degree.
+fn rounded(candidate: &Evaluated) -> StarEdit {
     let star = &candidate.point.star;
-    let thousandths = |value: f64| Readable((value * 1000.0).round() / 1000.0);
-    let mm = |length: Length| format!("\"{} mm\"", thousandths(length.0));
-    let values = [
-        ("points", star.points.to_string()),
-        ("tube_width", mm(star.tube_width)),
-        ("tip_angle", format!("\"{} deg\"", thousandths(star.tip_angle.0))),
-        ("tip_radius", mm(star.tip_radius)),
-        ("corner_radius", mm(star.corner_radius)),
-    ];
-    with_star(&loaded.source.text, &values).map_err(Failure::Message)
+    let thousandths = |value: f64| (value * 1e3).round() / 1e3;
+    let mm = |length: Length| Length(thousandths(length.0));
+    StarEdit {
+        points: star.points,
+        tube_width: mm(star.tube_width),
+        tip_angle: Angle(thousandths(star.tip_angle.0)),
+        tip_radius: mm(star.tip_radius),
+        corner_radius: mm(star.corner_radius),
+    }
 }
 
 /// Whether the design stage accepts it.

@@ -1,15 +1,101 @@
-//! Quantities and ranges of quantities as arguments.
+//! Numbers, quantities and ranges of quantities as arguments: finite, within what makes sense, or refused as wrong usage.
 
+use crate::spec::Allowed;
 use crate::units::Quantity;
 
-/// A quantity with its unit: "30 deg".
-pub(super) fn quantity<Q: Quantity>(text: &str) -> Result<Q, String> {
-    Q::parse(text).map_err(|_| format!("write a number and one of {}", Q::unit_list()))
+/// Lengths that must be there: 1 um to 100 m, as in a spec.
+pub(super) const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
+/// Lengths that may be zero, to 100 m.
+pub(super) const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
+
+/// Reads a plain number in `allowed`.
+pub(super) fn number(allowed: Allowed) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
+    move |text| {
+        let found = text.trim().parse::<f64>().ok();
+        found
+            .filter(|number| allowed.holds(*number))
+            .ok_or_else(|| format!("{} {}", remedy(text, "it is a number and"), allowed.in_words("")))
+    }
 }
 
-/// A range "FROM..TO", or one quantity for a fixed value.
-pub(super) fn range<Q: Quantity>(text: &str) -> Result<(Q, Q), String> {
-    let (from, to) = text.split_once("..").unwrap_or((text, text));
-    let (from, to) = (quantity::<Q>(from)?, quantity::<Q>(to)?);
-    if from.base() <= to.base() { Ok((from, to)) } else { Err("the range falls".to_owned()) }
+/// Reads a quantity with its unit, "30 deg", in `allowed` (of the base unit).
+pub(super) fn quantity<Q: Quantity>(
+    allowed: Allowed,
+) -> impl Fn(&str) -> Result<Q, String> + Clone + Send + Sync {
+    move |text| {
+        let found = Q::parse(text).map_err(|_| {
+            let unit = format!("write a {} as a number and one of {}", Q::KIND, Q::unit_list());
+            remedy(text, &unit)
+        })?;
+        let unit = Q::UNITS.first().map_or("", |(name, _)| name);
+        if allowed.holds(found.base()) {
+            Ok(found)
+        } else {
+            Err(format!("the {} {}", Q::KIND, allowed.in_words(unit)))
+        }
+    }
+}
+
+/// Reads a range "FROM..TO" with both ends in `allowed`, or one quantity for a fixed value.
+pub(super) fn range<Q: Quantity>(
+    allowed: Allowed,
+) -> impl Fn(&str) -> Result<(Q, Q), String> + Clone + Send + Sync {
+    let quantity = quantity::<Q>(allowed);
+    move |text| {
+        let (from, to) = text.split_once("..").unwrap_or((text, text));
+        let (from, to) = (quantity(from)?, quantity(to)?);
+        if from.base() <= to.base() {
+            Ok((from, to))
+        } else {
+            Err(format!("the range falls; write \"{to}..{from}\""))
+        }
+    }
+}
+
+/// `otherwise`, but of a decimal comma that it is one.
+fn remedy(text: &str, otherwise: &str) -> String {
+    let is_comma =
+        |(i, c): (usize, char)| c == ',' && text[i + 1..].starts_with(|c: char| c.is_ascii_digit());
+    if text.char_indices().any(is_comma) {
+        format!("a decimal comma: write {}; {otherwise}", text.replace(',', "."))
+    } else {
+        otherwise.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::{Angle, Length};
+
+    #[test]
+    fn numbers_are_finite_and_in_their_range() {
+        let ratio = number(Allowed::above(0.0, 1e3));
+        assert_eq!(ratio(" 1.5"), Ok(1.5));
+        for text in ["nan", "NaN", "inf", "-inf", "infinity", "1e999", "0", "-1", "1e4", "", "x", "1.5 kg"] {
+            let why = ratio(text).expect_err(text);
+            assert_eq!(why, "it is a number and must be more than 0 and at most 1000", "{text}");
+        }
+        assert!(ratio("1,5").expect_err("a comma").starts_with("a decimal comma: write 1.5; it is a number"));
+    }
+
+    #[test]
+    fn quantities_are_in_their_range_whatever_their_unit() {
+        let length = quantity::<Length>(EXTRA);
+        assert_eq!((length("5 cm"), length("0 mm")), (Ok(Length(50.0)), Ok(Length(0.0))));
+        let range_of = "the length must be at least 0 mm and at most 100000 mm";
+        assert_eq!((length("-1 mm"), length("1e3 m")), (Err(range_of.to_owned()), Err(range_of.to_owned())));
+        assert_eq!(length("5"), Err("write a length as a number and one of mm, cm, m, um, in".to_owned()));
+        assert!(length("nan mm").is_err() && length("5 deg").is_err());
+        assert!(length("5,5 mm").expect_err("a comma").starts_with("a decimal comma: write 5.5 mm"));
+    }
+
+    #[test]
+    fn ranges_rise() {
+        let angles = range::<Angle>(Allowed::between(0.0, 180.0));
+        assert_eq!(angles("10 deg..1 rad").map(|(from, to)| from.0 < to.0), Ok(true));
+        assert_eq!(angles("30 deg"), Ok((Angle(30.0), Angle(30.0))));
+        assert_eq!(angles("30 deg..10 deg"), Err("the range falls; write \"10 deg..30 deg\"".to_owned()));
+        assert!(angles("0 deg..10 deg").is_err() && angles("10 deg..").is_err());
+    }
 }

@@ -1,12 +1,17 @@
 //! From the filled-in table of a peel test to what a spec should say.
 //!
-//! A setting **holds** if the lower bound of its peel strength, mean less two standard deviations, is at least the margin
-//! times what is needed. Of the settings that hold the fastest is chosen, of equals the strongest. Fewer than three
-//! specimens of a setting, or a spread above a quarter, support no choice.
+//! A **setting** is what the iron was told: temperature, speed, height. It **holds** if the lower bound of its peel
+//! strength, mean less two standard deviations, is at least the margin times what is needed. Of the settings that hold the
+//! fastest is chosen, of equals the strongest. Fewer than three specimens of a setting, or a spread above a quarter, support
+//! no choice; nor does a table without what the seal has to hold, for then the weakest seal would be as good as any.
 
+use std::collections::HashMap;
 use std::fmt;
+use std::fmt::Write;
 
 use crate::coupon::strips::WIDTH;
+use crate::coupon::table::{Column, read_table};
+use crate::spec::{Allowed, Faults, Source};
 
 /// Fewest specimens of a setting.
 const LEAST: usize = 3;
@@ -14,6 +19,15 @@ const LEAST: usize = 3;
 const WEAKEST: f64 = 1e-3;
 /// Largest standard deviation over the mean.
 const SPREAD: f64 = 0.25;
+
+/// The columns of the table that `coupon` writes, those with numbers that are needed.
+const COLUMNS: [Column; 4] = [
+    Column { names: &["temperature"], unit: "C", allowed: Allowed::closed(0.0, 1e3), optional: false },
+    Column { names: &["speed"], unit: "mm_s", allowed: Allowed::closed(1e-3, 1e3), optional: false },
+    Column { names: &["height"], unit: "mm", allowed: Allowed::closed(-20.0, 1e3), optional: false },
+    // Empty where a strip was not tested.
+    Column { names: &["peel"], unit: "N", allowed: Allowed::closed(0.0, 1e6), optional: true },
+];
 
 /// One filled-in row.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,34 +42,26 @@ pub struct Row {
     pub peel: f64,
 }
 
-/// Why there is nothing to choose.
-#[derive(Clone, Debug, PartialEq)]
-pub enum CalibrationFault {
-    /// A line of the table that cannot be read: number, what is wrong.
-    Line(usize, String),
-    /// The data do not support a choice: why.
-    Unsupported(String),
-}
+/// The data do not support a choice: why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CalibrationFault(pub String);
 
 impl fmt::Display for CalibrationFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Line(line, what) => write!(f, "line {line}: {what}"),
-            Self::Unsupported(why) => write!(f, "the data do not support a choice: {why}"),
-        }
+        write!(f, "the data do not support a choice: {}", self.0)
     }
 }
 
 impl std::error::Error for CalibrationFault {}
 
-/// What was chosen.
+/// A setting with what its specimens say of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {
     /// The setting, with its mean peel force in place of a single one.
     pub setting: Row,
     /// Mean peel strength, N/mm.
     pub mean: f64,
-    /// Standard deviation of the peel strength, N/mm.
+    /// Standard deviation of the peel strength, N/mm; not a number for a single specimen.
     pub deviation: f64,
     /// Mean less two standard deviations, N/mm: what the spec should count on.
     pub strength: f64,
@@ -66,82 +72,76 @@ pub struct Calibration {
 /// Reads the table; rows without a peel force were not tested and are left out.
 ///
 /// # Errors
-/// For the first line that cannot be read.
-pub fn read_rows(csv: &str) -> Result<Vec<Row>, CalibrationFault> {
-    let mut lines = (1..).zip(csv.lines()).filter(|(_, line)| !line.trim().is_empty());
-    let fault = |line: usize, what: &str| CalibrationFault::Line(line, what.to_owned());
-    let (_, head) = lines.next().ok_or_else(|| fault(1, "an empty table"))?;
-    let names: Vec<&str> = head.trim_start_matches('\u{feff}').split(',').map(str::trim).collect();
-    let column = |name: &str| {
-        let missing = format!("no column {name}; the columns are those that `coupon` wrote");
-        names.iter().position(|known| *known == name).ok_or(CalibrationFault::Line(1, missing))
-    };
-    let (t, v, h) = (column("temperature_C")?, column("speed_mm_s")?, column("height_mm")?);
-    let p = column("peel_N")?;
-    let mut rows = Vec::new();
-    for (number, line) in lines {
-        let cells: Vec<&str> = line.split(',').map(str::trim).collect();
-        if cells.get(p).is_none_or(|cell| cell.is_empty()) {
-            continue;
+/// All faults of the table, see [`read_table`].
+pub fn read_rows(source: &Source) -> Result<Vec<Row>, Faults> {
+    let rows = read_table(source, &COLUMNS)?;
+    let tested = rows.into_iter().filter_map(|row| match row {
+        [Some(temperature), Some(speed), Some(height), Some(peel)] => {
+            Some(Row { temperature, speed, height, peel })
         }
-        let value = |at: usize, name: &str, low: f64| {
-            let cell = cells.get(at).copied().unwrap_or_default();
-            let number_of = cell.parse::<f64>().ok().filter(|x| x.is_finite() && *x >= low && *x <= 1e6);
-            number_of
-                .ok_or_else(|| fault(number, &format!("{name} is {cell:?}; a number from {low} is needed")))
-        };
-        rows.push(Row {
-            temperature: value(t, "temperature_C", 0.0)?,
-            speed: value(v, "speed_mm_s", 1e-3)?,
-            height: value(h, "height_mm", -20.0)?,
-            peel: value(p, "peel_N", 0.0)?,
-        });
-    }
-    Ok(rows)
+        _ => None,
+    });
+    Ok(tested.collect())
 }
 
-/// Chooses a setting that holds `needed` (N/mm) with `margin`.
+/// Every setting that was tested, in the order of the table. The work is linear in the number of rows.
+pub fn settings(rows: &[Row]) -> Vec<Calibration> {
+    let mut places = HashMap::new();
+    let mut found: Vec<(Row, Vec<f64>)> = Vec::new();
+    for row in rows {
+        // 0 is added because 0 and -0 are one height.
+        let key = [row.temperature, row.speed, row.height].map(|x| (x + 0.0).to_bits());
+        let place = *places.entry(key).or_insert(found.len());
+        match found.get_mut(place) {
+            Some((_, peels)) => peels.push(row.peel / WIDTH),
+            None => found.push((*row, vec![row.peel / WIDTH])),
+        }
+    }
+    found.iter().map(|(setting, peels)| judge(*setting, peels)).collect()
+}
+
+/// Chooses one of `settings` that holds `needed` (N/mm, above 0) with `margin`.
 ///
 /// # Errors
 /// If the data do not support a choice.
-pub fn calibrate(rows: &[Row], needed: f64, margin: f64) -> Result<Calibration, CalibrationFault> {
-    let unsupported = |why: String| Err(CalibrationFault::Unsupported(why));
-    let mut settings: Vec<(Row, Vec<f64>)> = Vec::new();
-    for row in rows {
-        let same = |other: &Row| {
-            (other.temperature, other.speed, other.height) == (row.temperature, row.speed, row.height)
-        };
-        match settings.iter_mut().find(|(setting, _)| same(setting)) {
-            Some((_, peels)) => peels.push(row.peel / WIDTH),
-            None => settings.push((*row, vec![row.peel / WIDTH])),
-        }
-    }
-    let tested = settings.len();
-    settings.retain(|(_, peels)| peels.len() >= LEAST);
-    if settings.is_empty() {
-        return unsupported(format!("no setting has {LEAST} specimens, of {tested} that were tested"));
-    }
-    let judged: Vec<Calibration> = settings.iter().map(|(setting, peels)| judge(*setting, peels)).collect();
-    let steady: Vec<&Calibration> = judged.iter().filter(|c| c.deviation <= SPREAD * c.mean).collect();
-    if steady.is_empty() {
-        return unsupported(format!(
-            "every setting's spread is above {:.0} % of its mean: test more, or seal more evenly",
-            100.0 * SPREAD
-        ));
-    }
+pub fn calibrate(
+    settings: &[Calibration],
+    needed: f64,
+    margin: f64,
+) -> Result<Calibration, CalibrationFault> {
+    let least = (margin * needed).max(WEAKEST);
+    let steady = steady(settings)?;
     let best = steady
         .iter()
-        .filter(|c| c.strength >= (margin * needed).max(WEAKEST))
+        .filter(|c| c.strength >= least)
         .max_by(|a, b| a.setting.speed.total_cmp(&b.setting.speed).then(a.strength.total_cmp(&b.strength)));
-    if let Some(best) = best {
-        return Ok(**best);
+    best.copied().ok_or_else(|| {
+        let strongest = steady.iter().map(|c| c.strength).fold(0.0, f64::max);
+        CalibrationFault(format!(
+            "the strongest setting holds {strongest:.3} N/mm, and {least:.3} N/mm is needed ({margin} times {needed:.3}): \
+             slower, hotter, or less pressure"
+        ))
+    })
+}
+
+/// The settings that have specimens enough and little spread.
+///
+/// # Errors
+/// If there are none.
+pub fn steady(settings: &[Calibration]) -> Result<Vec<Calibration>, CalibrationFault> {
+    if !settings.iter().any(|c| c.count >= LEAST) {
+        let tested = settings.len();
+        let why = format!("no setting has {LEAST} specimens, of {tested} that were tested");
+        return Err(CalibrationFault(why));
     }
-    let least = (margin * needed).max(WEAKEST);
-    let strongest = steady.iter().map(|c| c.strength).fold(0.0, f64::max);
-    unsupported(format!(
-        "the strongest setting holds {strongest:.3} N/mm, and {least:.3} N/mm is needed ({margin} times {needed}): slower, hotter, or \
-         less pressure"
-    ))
+    let steady: Vec<Calibration> = settings.iter().filter(|c| c.unfit().is_none()).copied().collect();
+    if steady.is_empty() {
+        return Err(CalibrationFault(format!(
+            "every setting's spread is above {:.0} % of its mean: test more, or seal more evenly",
+            100.0 * SPREAD
+        )));
+    }
+    Ok(steady)
 }
 
 fn judge(setting: Row, peels: &[f64]) -> Calibration {
@@ -154,9 +154,22 @@ fn judge(setting: Row, peels: &[f64]) -> Calibration {
 }
 
 impl Calibration {
+    /// Why the setting cannot be chosen, whatever is needed; `None` if it can.
+    fn unfit(&self) -> Option<&'static str> {
+        if self.count < LEAST {
+            Some("too few")
+        } else if self.deviation > SPREAD * self.mean {
+            Some("too uneven")
+        } else {
+            None
+        }
+    }
+
     /// The lines for the spec.
     pub fn toml(&self) -> String {
         let Self { setting, mean, deviation, strength, count } = self;
+        // A lower bound is rounded down; 1e-6 of the last digit is noise of the arithmetic.
+        let strength = (strength * 1e3 + 1e-6).floor() / 1e3;
         format!(
             "# {count} specimens: {mean:.3} N/mm, standard deviation {deviation:.3}; mean less two of them:\n\
              [fabric]\nseal_strength = \"{strength:.3} N/mm\"\n\n\
@@ -165,6 +178,27 @@ impl Calibration {
             setting.height, setting.temperature, setting.speed
         )
     }
+}
+
+/// The settings as a table for people, the fastest first; every line begins with "# ", as a comment of a spec.
+pub fn listing(settings: &[Calibration]) -> String {
+    let mut sorted: Vec<&Calibration> = settings.iter().collect();
+    sorted.sort_by(|a, b| b.setting.speed.total_cmp(&a.setting.speed));
+    let mut out = String::from(
+        "# speed/(mm/s)  temperature/C  height/mm  specimens  mean/(N/mm)  deviation  holds/(N/mm)\n",
+    );
+    for c in sorted {
+        let Row { temperature, speed, height, .. } = c.setting;
+        let holds = c.unfit().map_or_else(|| format!("{:.3}", c.strength), str::to_owned);
+        let deviation = if c.count > 1 { format!("{:.3}", c.deviation) } else { "-".to_owned() };
+        // A String takes everything.
+        let _ = writeln!(
+            out,
+            "# {speed:12}  {temperature:13}  {height:9}  {:9}  {:11.3}  {deviation:>9}  {holds:>12}",
+            c.count, c.mean
+        );
+    }
+    out
 }
 
 #[cfg(test)]
@@ -176,30 +210,55 @@ mod tests {
         4,200,0.5,-0.3,50,peel\n5,200,0.5,-0.3,52,peel\n6,200,0.5,-0.3,48,peel\n\
         7,200,1,-0.3,20,peel\n8,200,1,-0.3,40,peel\n9,200,1,-0.3,10,peel\n10,220,1,-0.3,,\n";
 
+    fn rows() -> Vec<Row> {
+        read_rows(&Source::new("results.csv", TABLE)).expect("a table")
+    }
+
     #[test]
     fn the_fastest_that_holds_is_chosen() {
-        let rows = read_rows(TABLE).expect("a table");
-        assert_eq!(rows.len(), 9);
-        let fast = calibrate(&rows, 1.0, 1.5).expect("0.5 mm/s holds");
+        assert_eq!(rows().len(), 9);
+        let settings = settings(&rows());
+        let fast = calibrate(&settings, 1.0, 1.5).expect("0.5 mm/s holds");
         assert_eq!((fast.setting.speed, fast.count), (0.5, 3));
         assert!((fast.mean - 2.0).abs() < 1e-12 && (fast.deviation - 0.08).abs() < 1e-12);
         assert!((fast.strength - 1.84).abs() < 1e-12 && fast.toml().contains("speed = \"0.5 mm/s\""));
-        assert_eq!(calibrate(&rows, 1.5, 1.5).expect("0.1 mm/s holds").setting.speed, 0.1);
+        assert!(fast.toml().contains("seal_strength = \"1.840 N/mm\""), "{}", fast.toml());
+        assert_eq!(calibrate(&settings, 1.5, 1.5).expect("0.1 mm/s holds").setting.speed, 0.1);
+    }
+
+    #[test]
+    fn a_strength_is_rounded_down() {
+        let row = |peel| Row { temperature: 200.0, speed: 1.0, height: 0.0, peel };
+        let settings = settings(&[row(49.99), row(49.99), row(49.99)]);
+        assert!(settings[0].toml().contains("seal_strength = \"1.999 N/mm\""), "{}", settings[0].toml());
     }
 
     #[test]
     fn data_that_support_nothing_are_said_to() {
-        let rows = read_rows(TABLE).expect("a table");
-        let why = |rows: &[Row], needed| match calibrate(rows, needed, 1.5) {
-            Err(CalibrationFault::Unsupported(why)) => why,
-            other => panic!("{other:?}"),
-        };
-        assert!(why(&rows[..2], 1.0).contains("no setting has 3 specimens"));
-        assert!(why(&rows[6..], 0.1).contains("spread is above 25 %"));
-        assert!(why(&rows, 10.0).contains("the strongest setting holds 2.760 N/mm"));
-        for bad in ["", "a,b\n1,2\n", &TABLE.replace(",75,", ",nan,"), &TABLE.replace("1,200,0.1", "1,x,0.1")]
-        {
-            assert!(matches!(read_rows(bad), Err(CalibrationFault::Line(..))), "{bad}");
-        }
+        let why = |rows: &[Row], needed| calibrate(&settings(rows), needed, 1.5).expect_err("no choice").0;
+        assert!(why(&rows()[..2], 1.0).contains("no setting has 3 specimens"));
+        assert!(why(&rows()[6..], 0.1).contains("spread is above 25 %"));
+        assert!(why(&rows(), 10.0).contains("the strongest setting holds 2.760 N/mm"));
+    }
+
+    #[test]
+    fn the_listing_says_of_every_setting_what_it_holds() {
+        let text = listing(&settings(&rows()[..7]));
+        let last: Vec<&str> =
+            text.lines().skip(1).filter_map(|line| line.split_whitespace().last()).collect();
+        assert_eq!(last, ["few", "1.840", "2.760"], "{text}");
+    }
+
+    #[test]
+    fn settings_are_told_apart_by_all_of_their_values() {
+        let row = |temperature, speed, height| Row { temperature, speed, height, peel: 25.0 };
+        let rows = [
+            row(200.0, 1.0, 0.0),
+            row(200.0, 1.0, -0.0),
+            row(201.0, 1.0, 0.0),
+            row(200.0, 2.0, 0.0),
+            row(200.0, 1.0, 0.1),
+        ];
+        assert_eq!(settings(&rows).iter().map(|c| c.count).collect::<Vec<_>>(), [2, 1, 1, 1]);
     }
 }

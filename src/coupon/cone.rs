@@ -10,8 +10,23 @@
 //!
 //! The paper prints `+ mu`, which is the balance of a corner that slides inwards on the plate.
 
-use crate::mechanics::fault::StarFault;
+use std::fmt;
 use std::fmt::Write;
+
+use crate::coupon::table::{Column, read_table};
+use crate::spec::{Allowed, Fault, Faults, Source};
+use crate::units::Readable;
+
+/// The columns of a test; `travel` is 0 at first contact.
+const COLUMNS: [Column; 2] = [
+    Column {
+        names: &["travel", "displacement", "extension"],
+        unit: "mm",
+        allowed: Allowed::closed(-1e5, 1e5),
+        optional: false,
+    },
+    Column { names: &["load"], unit: "N", allowed: Allowed::closed(-1e6, 1e6), optional: false },
+];
 
 /// Which balance of forces reduces the test.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -32,20 +47,50 @@ pub struct Cone {
     pub friction: f64,
 }
 
+/// Why there is no such cone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ConeFault {
+    /// Half the angle, rad, is not above 0 and below pi/2.
+    HalfAngle(f64),
+    /// The friction is below 0, or so large that the cone cannot slide: its half angle, rad, and the friction.
+    Friction(f64, f64),
+}
+
+impl fmt::Display for ConeFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::HalfAngle(found) => {
+                let found = Readable(found.to_degrees());
+                write!(f, "half the cone's angle is {found} deg; it must be above 0 and below 90 deg")
+            }
+            Self::Friction(half_angle, found) => {
+                let most = Readable(1.0 / half_angle.tan());
+                let found = Readable(found);
+                write!(
+                    f,
+                    "the friction is {found}; it must be 0 or more, and below {most}, where the cone locks"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for ConeFault {}
+
 impl Cone {
     /// The cone, checked.
     ///
     /// # Errors
     /// If the angle or the friction is out of range, or friction locks the cone (`mu tan(gamma) >= 1`).
-    pub fn new(half_angle: f64, friction: f64) -> Result<Self, StarFault> {
-        let need = |holds: bool, symbol, found, allowed| {
-            if holds { Ok(()) } else { Err(StarFault::Dimension { symbol, found, allowed }) }
-        };
-        let acute = half_angle > 0.0 && half_angle < std::f64::consts::FRAC_PI_2;
-        need(acute, "gamma", half_angle, "above 0 and below pi/2 (in rad)")?;
-        let slides = friction >= 0.0 && friction * half_angle.tan() < 1.0;
-        need(slides, "mu", friction, "0 or more, and below 1 / tan(gamma)")?;
-        Ok(Self { half_angle, friction })
+    pub fn new(half_angle: f64, friction: f64) -> Result<Self, ConeFault> {
+        if !(half_angle > 0.0 && half_angle < std::f64::consts::FRAC_PI_2) {
+            return Err(ConeFault::HalfAngle(half_angle));
+        }
+        if friction >= 0.0 && friction * half_angle.tan() < 1.0 {
+            Ok(Self { half_angle, friction })
+        } else {
+            Err(ConeFault::Friction(half_angle, friction))
+        }
     }
 
     /// Radial force per vertical load, F_s / P.
@@ -64,46 +109,58 @@ impl Cone {
     }
 }
 
+/// One point of a test.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Press {
+    /// Travel of the cone since first contact, mm.
+    pub travel: f64,
+    /// Vertical load on the cone, N.
+    pub load: f64,
+}
+
+/// Reads a test: columns `travel_mm` (or `displacement`, `extension`) and `load_N`.
+///
+/// # Errors
+/// All faults of the table, see [`read_table`]; or that it has no rows.
+pub fn read_test(source: &Source) -> Result<Vec<Press>, Faults> {
+    let presses: Vec<Press> = read_table(source, &COLUMNS)?
+        .into_iter()
+        .filter_map(|row| match row {
+            [Some(travel), Some(load)] => Some(Press { travel, load }),
+            _ => None,
+        })
+        .collect();
+    if presses.is_empty() {
+        let end = source.text.len();
+        let fault =
+            Fault::error("no-rows", end..end, "no rows below the header").label("a travel and a load");
+        return Err(Faults::new(source, vec![fault]));
+    }
+    Ok(presses)
+}
+
 /// What a prediction says of a radius (m): the radial force, N, of linear hinges and of the model's own.
 pub type Overlay<'a> = &'a dyn Fn(f64) -> [Option<f64>; 2];
 
-/// Reduces a test's CSV (a header, then travel in mm and vertical load in N) to radius and radial force.
+/// Reduces a test to radius and radial force, as CSV.
 ///
 /// `first` is the radius (m) at first contact, where the travel is 0. With `overlay` two columns of predicted force
 /// are added; they are empty where the star cannot be.
-///
-/// # Errors
-/// One sentence with the line, if one is not two finite numbers.
 pub fn reduce(
-    csv: &str,
+    test: &[Press],
     cone: &Cone,
     balance: Balance,
     first: f64,
     overlay: Option<Overlay<'_>>,
-) -> Result<String, String> {
+) -> String {
     let mut out = String::from("travel_mm,load_N,radius_mm,force_N");
     out.push_str(if overlay.is_some() { ",linear_N,nonlinear_N\n" } else { "\n" });
     let ratio = cone.ratio(balance);
-    let mut found = false;
-    for (line, number) in csv.lines().zip(1_usize..) {
-        if line.trim().is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let mut fields = line.split([',', ';', '\t']).map(|field| field.trim().parse::<f64>());
-        let (Some(Ok(travel)), Some(Ok(load))) = (fields.next(), fields.next()) else {
-            if !found && number == 1 {
-                continue;
-            }
-            return Err(format!("line {number}: `{line}` is not a travel in mm and a load in N"));
-        };
-        if !(travel.is_finite() && load.is_finite()) {
-            return Err(format!("line {number}: `{line}` is not finite"));
-        }
-        found = true;
+    for Press { travel, load } in test {
         let radius = cone.radius(first, travel * 1e-3);
+        // A String takes everything.
         let _ = write!(out, "{travel},{load},{:.6},{:.6}", radius * 1e3, ratio * load);
-        for force in overlay.map_or([None; 2], |overlay| overlay(radius)).iter().filter(|_| overlay.is_some())
-        {
+        for force in overlay.into_iter().flat_map(|overlay| overlay(radius)) {
             let _ = match force {
                 Some(force) => write!(out, ",{force:.6}"),
                 None => write!(out, ","),
@@ -111,33 +168,41 @@ pub fn reduce(
         }
         out.push('\n');
     }
-    if found { Ok(out) } else { Err("there are no rows of travel and load".to_owned()) }
+    out
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    #[test]
-    fn a_test_is_reduced_line_by_line() {
-        let cone = Cone::new(30.0_f64.to_radians(), 0.1).expect("valid");
-        let csv = "travel_mm,load_N\n0,0\n10,2.5\n";
-        let plain = reduce(csv, &cone, Balance::Derived, 0.015, None).expect("two rows");
-        assert_eq!(plain.lines().nth(2), Some("10,2.5,20.773503,3.227761"));
-        let overlay = |radius: f64| [Some(radius * 100.0), None];
-        let laid = reduce(csv, &cone, Balance::Published, 0.015, Some(&overlay)).expect("two rows");
-        assert_eq!(laid.lines().next(), Some("travel_mm,load_N,radius_mm,force_N,linear_N,nonlinear_N"));
-        assert_eq!(laid.lines().nth(1), Some("0,0,15.000000,0.000000,1.500000,"));
+    fn test(csv: &str) -> Result<Vec<Press>, Faults> {
+        read_test(&Source::new("test.csv", csv))
     }
 
     #[test]
-    fn a_bad_line_is_named() {
-        let cone = Cone::new(0.5, 0.1).expect("valid");
-        let fault = |csv| reduce(csv, &cone, Balance::Derived, 0.01, None).expect_err("refused");
-        assert!(fault("a,b\n1,2\nx,3\n").starts_with("line 3"));
-        assert!(
-            fault("a,b\n1,NaN\n").starts_with("line 2") && fault("a,b\n").starts_with("there are no rows")
-        );
+    fn a_test_is_reduced_line_by_line() {
+        let cone = Cone::new(30.0_f64.to_radians(), 0.1).expect("valid");
+        let test = test("travel_mm,load_N\n0,0\n10,2.5\n").expect("two rows");
+        let plain = reduce(&test, &cone, Balance::Derived, 0.015, None);
+        assert_eq!(plain.lines().nth(2), Some("10,2.5,20.773503,3.227761"));
+        let overlay = |radius: f64| [Some(radius * 100.0), None];
+        let laid = reduce(&test, &cone, Balance::Published, 0.015, Some(&overlay));
+        assert_eq!(laid.lines().next(), Some("travel_mm,load_N,radius_mm,force_N,linear_N,nonlinear_N"));
+        assert_eq!(laid.lines().nth(1), Some("0,0,15.000000,0.000000,1.500000,"));
+        // What was reduced can be reduced again, with another friction for instance.
+        assert_eq!(read_test(&Source::new("again", laid)).expect("columns by name"), test);
+    }
+
+    #[test]
+    fn a_table_of_another_kind_or_without_rows_is_refused() {
+        let code = |csv| test(csv).expect_err(csv).list()[0].code;
+        assert_eq!(code("a,b\n1,2\n"), "no-header");
+        assert_eq!(code("travel_mm,load_N\n1,2\nx,3\n"), "cell");
+        assert_eq!(code("travel_mm,load_N\n1,NaN\n"), "cell");
+        assert_eq!(code("travel_mm,load_N\n1,\n"), "cell");
+        assert_eq!(code("travel_mm,load_N\n\n"), "no-rows");
+        assert_eq!(code("travel_mm;load_N\n10,5;2,5\n"), "decimal-comma");
+        assert_eq!(test("Load (N);Extension (mm)\n2.5;10.5\n"), Ok(vec![Press { travel: 10.5, load: 2.5 }]));
     }
 
     #[test]

@@ -2,13 +2,15 @@
 //!
 //! A **strip** is a straight seal across which legs are pulled apart (T-peel); a **pouch** is a closed seam with a mouth
 //! for a hose: a **disc** (inflated width and thickness), a **V** (two arms and one hinge, the bench test for lambda), and
-//! **burst** discs at the corners and in the middle of the bed. The **calibration** reads the filled-in table.
+//! **burst** discs at the corners and in the middle of the bed. Two bench tests are reduced: the **calibration** reads the
+//! filled-in table of a peel test, the **cone** test tells the radial force. Both read their **table** with one reader.
 
 mod calibration;
 pub mod cone;
 mod reach;
 mod shapes;
 mod strips;
+mod table;
 
 use crate::coupon::reach::beyond;
 use crate::coupon::strips::program_name;
@@ -19,9 +21,10 @@ use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step, refus
 use crate::spec::{Machine, Spec};
 use crate::units::Length;
 
-pub use calibration::{Calibration, CalibrationFault, Row, calibrate, read_rows};
+pub use calibration::{Calibration, CalibrationFault, Row, calibrate, listing, read_rows, settings, steady};
 pub use shapes::{disc, vee};
 pub use strips::{Grid, Strip, table};
+pub use table::{Column, read_table};
 
 /// One program of a coupon set, as text, with a drawing of it.
 #[derive(Clone, Debug, PartialEq)]

@@ -4,7 +4,7 @@ use crate::units::Readable;
 
 /// A range of numbers, each end in or out; it never holds NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Allowed {
+pub struct Allowed {
     low: f64,
     low_in: bool,
     high: f64,
@@ -13,29 +13,29 @@ pub(super) struct Allowed {
 
 impl Allowed {
     /// `low <= x <= high`.
-    pub(super) const fn closed(low: f64, high: f64) -> Self {
+    pub const fn closed(low: f64, high: f64) -> Self {
         Self { low, low_in: true, high, high_in: true }
     }
 
     /// `low < x <= high`.
-    pub(super) const fn above(low: f64, high: f64) -> Self {
+    pub const fn above(low: f64, high: f64) -> Self {
         Self { low, low_in: false, high, high_in: true }
     }
 
     /// `low < x < high`.
-    pub(super) const fn between(low: f64, high: f64) -> Self {
+    pub const fn between(low: f64, high: f64) -> Self {
         Self { low, low_in: false, high, high_in: false }
     }
 
     /// Whether `x` is in the range.
-    pub(super) fn holds(self, x: f64) -> bool {
+    pub fn holds(self, x: f64) -> bool {
         let low = if self.low_in { x >= self.low } else { x > self.low };
         let high = if self.high_in { x <= self.high } else { x < self.high };
         low && high
     }
 
     /// The range in words; `unit` is "" for plain numbers.
-    pub(super) fn in_words(self, unit: &str) -> String {
+    pub fn in_words(self, unit: &str) -> String {
         let gap = if unit.is_empty() { "" } else { " " };
         format!(
             "must be {} {}{gap}{unit} and {} {}{gap}{unit}",

@@ -1,71 +1,206 @@
-//! A spec's text with other values in its `[star]` section, everything else as it was, comments included.
+//! A spec's text with other values for its star, everything else as it was, comments included.
 
-use crate::spec::{Source, read};
-use std::fmt::Write;
+use toml_edit::{DocumentMut, Item, TableLike, Value};
 
-/// The text with `values` (key, TOML value) set in `[star]`; the result is read back and must say so.
+use crate::spec::fault::{Fault, Faults};
+use crate::spec::key;
+use crate::spec::key::KeyPath;
+use crate::spec::model::StarSpec;
+use crate::spec::reading::read;
+use crate::spec::source::Source;
+use crate::units::{Angle, Length};
+
+/// What a search may change of a star: the keys of `[star]` with their values.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StarEdit {
+    /// Number of points, 3 to 64.
+    pub points: u32,
+    /// Tube width W.
+    pub tube_width: Length,
+    /// Tip angle phi_i0.
+    pub tip_angle: Angle,
+    /// Tip radius R_i.
+    pub tip_radius: Length,
+    /// Corner radius R_e.
+    pub corner_radius: Length,
+}
+
+impl StarEdit {
+    /// The values that `star` has already.
+    pub fn of(star: &StarSpec) -> Self {
+        let StarSpec { points, tube_width, tip_angle, tip_radius, corner_radius, .. } = *star;
+        Self { points, tube_width, tip_angle, tip_radius, corner_radius }
+    }
+
+    /// Keys and values as TOML. `{}` prints the shortest decimals that read back to the same number.
+    fn entries(&self) -> [(KeyPath, Value); 5] {
+        let mm = |length: Length| Value::from(format!("{} mm", length.0));
+        [
+            (key::star::POINTS, Value::from(i64::from(self.points))),
+            (key::star::TUBE_WIDTH, mm(self.tube_width)),
+            (key::star::TIP_ANGLE, Value::from(format!("{} deg", self.tip_angle.0))),
+            (key::star::TIP_RADIUS, mm(self.tip_radius)),
+            (key::star::CORNER_RADIUS, mm(self.corner_radius)),
+        ]
+    }
+}
+
+/// The text of `source` with the values of `star` set in `[star]`, however that section is written: a table, dotted
+/// keys (which then all spell `star` as the first does), an inline table, quoted keys. Lines end with LF. The result has
+/// been read back: its first star has exactly these values.
 ///
 /// # Errors
-/// One sentence, if the text's layout is not the usual one (`[star]` on a line of its own, one key a line).
-pub fn with_star(text: &str, values: &[(&str, String)]) -> Result<String, String> {
-    let mut out = String::new();
-    let mut written = vec![false; values.len()];
-    let mut inside = false;
-    let mut end_of_section = 0;
-    for line in text.split_inclusive('\n') {
-        let trimmed = line.trim_start();
-        if trimmed.starts_with('[') {
-            inside = trimmed.trim_end().split('#').next().unwrap_or_default().trim() == "[star]";
-        }
-        let key = trimmed.split('=').next().unwrap_or_default().trim();
-        let place = values.iter().position(|(name, _)| inside && trimmed.contains('=') && *name == key);
-        match place {
-            Some(i) => {
-                let comment = line.find('#').map_or("", |at| line[at..].trim_end());
-                let gap = if comment.is_empty() { "" } else { "  " };
-                let _ = writeln!(out, "{key} = {}{gap}{comment}", values[i].1);
-                written[i] = true;
-            }
-            None => out.push_str(line),
-        }
-        if inside && !trimmed.trim().is_empty() && !trimmed.starts_with('#') {
-            end_of_section = out.len();
+/// If `source` is refused, if a `[[stack.star]]` decides one of the keys for star 1, or if the result is refused (five
+/// points may have an inlet at tip 5, four may not).
+pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
+    let refused = |fault: Fault| Faults::new(source, vec![fault]);
+    let raw = read(source)?.raw;
+    let entries = star.entries();
+    let own = entries.iter().filter_map(|(key, _)| {
+        let span = raw.span_of(key.of_star(1));
+        let fault = || {
+            Fault::error("own-value", span.clone(), format!("star 1 has a `{}` of its own", key.key()))
+                .label("a value in [star] does not reach it")
+                .help("move it into [star]")
+        };
+        (span != raw.span_of(*key)).then(fault)
+    });
+    let own: Vec<Fault> = own.collect();
+    if !own.is_empty() {
+        return Err(Faults::new(source, own));
+    }
+    let mut document: DocumentMut = source.text.parse().map_err(|error: toml_edit::TomlError| {
+        refused(Fault::error("syntax", error.span().unwrap_or(0..0), error.message()))
+    })?;
+    let item = document.entry("star").or_insert_with(toml_edit::table);
+    let inline = item.is_inline_table();
+    if let Some(section) = item.as_table_like_mut() {
+        for (key, value) in entries {
+            set(section, inline, key.key(), value);
         }
     }
-    let mut missing = String::new();
-    for ((key, value), _) in values.iter().zip(&written).filter(|(_, written)| !**written) {
-        let _ = writeln!(missing, "{key} = {value}");
+    let edited = Source::new(format!("{}, edited", source.name), document.to_string());
+    let found = read(&edited)?.spec;
+    if found.stars.first().map(StarEdit::of) == Some(*star) {
+        Ok(edited.text)
+    } else {
+        let fault = Fault::error("edit", raw.span_of(key::star::POINTS), "the star cannot be edited here");
+        Err(refused(fault.label("must take new values").help("write [star] with one key a line")))
     }
-    out.insert_str(end_of_section, &missing);
-    let source = Source::new("the optimised spec", out.as_str());
-    let _ = read(&source)
-        .map_err(|_| "the spec's layout is not understood: write [star] with one key a line".to_owned())?;
-    Ok(out)
+}
+
+/// Sets `key`; the blanks and comments around an old value stay.
+fn set(section: &mut dyn TableLike, inline: bool, key: &str, mut value: Value) {
+    if let Some(old) = section.get_mut(key).and_then(Item::as_value_mut) {
+        *value.decor_mut() = old.decor().clone();
+        *old = value;
+        return;
+    }
+    // The blank before a `}` belongs to the last value: it goes with the end.
+    let last = section.iter_mut().last().filter(|_| inline);
+    if let Some(last) = last.and_then(|(_, item)| item.as_value_mut())
+        && let Some(end) = last.decor().suffix().cloned()
+    {
+        last.decor_mut().set_suffix("");
+        value.decor_mut().set_suffix(end);
+    }
+    let _ = section.insert(key, Item::Value(value));
 }
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     const TEXT: &str = "schema = 1\nname = \"x\"\n[star]\npoints = 5   # n\ninner_radius = \"50 mm\"\n\
                         tube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n\n# the end\n[stack]\ncount = 2\n";
 
-    #[test]
-    fn values_are_replaced_or_added_and_the_rest_stays() {
-        let values = [("points", "4".to_owned()), ("tip_radius", "\"2 mm\"".to_owned())];
-        let text = with_star(TEXT, &values).expect("the usual layout");
-        let spec = read(&Source::new("x", text.as_str())).expect("valid").spec;
-        assert_eq!((spec.stars[0].points, spec.stars[0].tip_radius.0, spec.stars.len()), (4, 2.0, 2));
-        assert!(text.contains("points = 4  # n\n") && text.contains("# the end\n"));
-        assert_eq!(
-            text.replace("tip_radius = \"2 mm\"\n", "").replace("points = 4  # n", "points = 5   # n"),
-            TEXT
-        );
+    /// The same star in every layout that TOML has for it.
+    const LAYOUTS: [&str; 9] = [
+        TEXT,
+        "schema = 1\nname = \"x\"\n[ star ]  # spaced\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"3 cm\"\ntip_angle = \"30 deg\"",
+        "schema = 1\nname = \"x\"\nstar.points = 5\nstar.inner_radius = \"50 mm\"\nstar.tube_width = \"30 mm\" # W\nstar.tip_angle = \"30 deg\"\n[stack]\ncount = 2\n",
+        "schema = 1\nname = \"x\"\nstar = { points = 5, inner_radius = \"50 mm\", tube_width = \"30 mm\", tip_angle = \"30 deg\" }\n",
+        "schema = 1\nname = \"x\"\nstar = { points = 5, inner_radius = \"50 mm\", # hole\n  tube_width = \"30 mm\",\n  tip_angle = \"30 deg\", # sharp\n}\n[seal]\n",
+        "schema = 1\nname = \"x\"\n[\"star\"]\n\"points\" = 5\n'inner_radius' = '50 mm'\n\"tube_width\" = '''30 mm'''\ntip_angle = \"30 deg\"\n",
+        "schema = 1\nname = \"x\"\n\"star\".'points' = 5\nstar . inner_radius = \"50 mm\"\nstar.tube_width = \"30 mm\"\nstar.tip_angle = \"30 deg\"\n",
+        "schema = 1\r\nname = \"x\"\r\n[stack]\r\ncount = 2\r\n\r\n[star] # last\r\npoints = 5\r\ninner_radius = \"50 mm\"\r\ntube_width = \"30 mm\"\r\ntip_angle = \"30 deg\"\r\n# end\r\n",
+        "\u{feff}schema = 1\nname = \"x\"\n[star]\n    points    =   5\n    inner_radius = \"50 mm\"\n    tube_width   = \"30 mm\"    # W = 1\n    tip_angle = \"30 deg\"\n    tip_radius = \"1 mm\"\n    corner_radius = \"1 mm\"\n[[stack.star]]\nindex = 1\ninner_radius = \"45 mm\"\n",
+    ];
+
+    const EDIT: StarEdit = StarEdit {
+        points: 4,
+        tube_width: Length(28.125),
+        tip_angle: Angle(31.5),
+        tip_radius: Length(2.0),
+        corner_radius: Length(0.0),
+    };
+
+    fn edited(text: &str, star: &StarEdit) -> String {
+        with_star(&Source::new("x.toml", text), star).unwrap_or_else(|faults| panic!("{text}\n{faults}"))
     }
 
     #[test]
-    fn another_layout_is_refused() {
-        let text = "schema = 1\nname = \"x\"\nstar = { points = 5, inner_radius = \"50 mm\", tube_width = \"30 mm\", tip_angle = \"30 deg\" }\n";
-        assert!(with_star(text, &[("points", "4".to_owned())]).is_err());
+    fn values_are_replaced_or_added_and_the_rest_stays() {
+        let expected = TEXT
+            .replace("points = 5 ", "points = 4 ")
+            .replace("30 mm", "28.125 mm")
+            .replace("\"30 deg\"\n", "\"31.5 deg\"\ntip_radius = \"2 mm\"\ncorner_radius = \"0 mm\"\n");
+        assert_eq!(edited(TEXT, &EDIT), expected);
+    }
+
+    #[test]
+    fn every_layout_keeps_its_form_and_its_comments() {
+        let texts = LAYOUTS.map(|text| edited(text, &EDIT));
+        for (text, kept) in texts.iter().zip([
+            "points = 4   # n\n",
+            "[ star ]  # spaced\npoints = 4\n",
+            "star.tube_width = \"28.125 mm\" # W\nstar.tip_angle = \"31.5 deg\"\nstar.tip_radius = \"2 mm\"\n",
+            "tube_width = \"28.125 mm\", tip_angle = \"31.5 deg\", tip_radius = \"2 mm\", corner_radius = \"0 mm\" }\n",
+            "inner_radius = \"50 mm\", # hole\n  tube_width = \"28.125 mm\",\n",
+            "[\"star\"]\n\"points\" = 4\n'inner_radius' = '50 mm'\n",
+            "\"star\".'points' = 4\n\"star\". inner_radius = \"50 mm\"\n",
+            "# end",
+            "    tube_width   = \"28.125 mm\"    # W = 1\n",
+        ]) {
+            assert!(text.contains(kept) && !text.contains('\r'), "{kept}\n{text}");
+        }
+    }
+
+    #[test]
+    fn a_value_that_star_one_has_of_its_own_is_named() {
+        let text = format!("{TEXT}[[stack.star]]\nindex = 1\ntube_width = \"25 mm\"\n");
+        let faults = with_star(&Source::new("x.toml", text), &EDIT).expect_err("refused");
+        assert_eq!(faults.list()[0].code, "own-value");
+        assert!(faults.to_string().contains("x.toml:14:14"), "{faults}");
+    }
+
+    #[test]
+    fn what_the_new_values_make_invalid_is_refused() {
+        let text = format!("{TEXT}[inlet]\ntip = 5\n");
+        let faults = with_star(&Source::new("x.toml", text), &EDIT).expect_err("four points have no tip 5");
+        assert!(faults.to_string().contains("x.toml, edited:"), "{faults}");
+    }
+
+    proptest! {
+        /// The layouts times the values: what is written is what is read.
+        #[test]
+        fn what_is_set_is_what_is_read(
+            layout in 0..LAYOUTS.len(),
+            points in 3..=64_u32,
+            w in 1e-3..1e5_f64, angle in 1e-9..180.0_f64, r_i in 0.0..1e5_f64, r_e in 0.0..1e5_f64,
+        ) {
+            let star = StarEdit {
+                points, tube_width: Length(w), tip_angle: Angle(angle), tip_radius: Length(r_i), corner_radius: Length(r_e),
+            };
+            let text = edited(LAYOUTS[layout], &star);
+            let spec = read(&Source::new("back", text.as_str())).map_err(|f| TestCaseError::fail(f.to_string()))?.spec;
+            prop_assert_eq!(StarEdit::of(&spec.stars[0]), star);
+            // Nothing else has changed: with the old values back, the spec is the old one.
+            let old = read(&Source::new("old", LAYOUTS[layout])).expect("valid").spec;
+            let back = edited(&text, &StarEdit::of(&old.stars[0]));
+            prop_assert_eq!(read(&Source::new("x", back)).expect("valid").spec, old);
+        }
     }
 }

@@ -29,6 +29,7 @@ mod starter;
 mod unknown;
 mod value;
 
+pub use allowed::Allowed;
 pub use builtin::UnknownMachine;
 pub use fault::{Fault, Faults, Severity};
 pub use key::KeyPath;
