@@ -133,3 +133,41 @@ fn a_machine_that_just_holds_the_speed_is_not_refused() {
     assert_eq!(refused_at("6 mm/min"), None);
     assert_eq!(refused_at("6.001 mm/min").map(|refusal| refusal.code), Some("feed-floor"));
 }
+
+/// The refusal of GRBL's profile with `from` in it replaced by `to`, for a spec with this in it.
+fn grbl_says(rest: &str, from: &str, to: &str) -> Option<Refusal> {
+    let changed = profile("grbl").replace(from, to);
+    assert_ne!(changed, profile("grbl"));
+    try_built(&spec_text(rest), &changed).map(|_| ()).err().map(|refusals| refusals[0].clone())
+}
+
+/// With a coarse Z a ramp has its XY motor step more rarely than any move in the plane.
+#[test]
+fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
+    let few = |rest: &str| grbl_says(rest, "z_steps_per_mm = 400", "z_steps_per_mm = 20");
+    let refusal = few("").expect("too slow");
+    assert_eq!(refusal.code, "feed-floor");
+    let advised =
+        refusal.remedy.split("at least ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a number");
+    let speed: f64 = advised.parse().expect("a number");
+    // 3 mm of ramp for 5.3 mm of height; in the plane 0.54 mm/s would do.
+    let slope = 3.0_f64.hypot(5.3) / 3.0;
+    assert!(speed > 0.541 && speed < 0.5396 * slope + 0.005, "{}", refusal.remedy);
+    let at = |speed: f64| few(&format!("[seal]\nspeed = \"{speed:.3} mm/s\"\n"));
+    assert_eq!(at(speed + 0.005), None);
+    assert_eq!(at(speed - 0.01).map(|refusal| refusal.code), Some("feed-floor"));
+}
+
+/// From rest to rest over 0.2 mm at 0.1 mm/s^2 takes 2.83 s; at 0.1 mm/s it may take 2.
+#[test]
+fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
+    let slow = |speed: f64| {
+        let rest = format!("[seal]\nspeed = \"{speed} mm/s\"\n[machine]\nfeed_floor = \"chop\"\n");
+        grbl_says(&rest, "acceleration = \"10 mm/s^2\"", "acceleration = \"0.1 mm/s^2\"")
+    };
+    let refusal = slow(0.1).expect("too slow");
+    assert_eq!((refusal.key.as_str(), refusal.code), ("seal.speed", "no-chop"));
+    assert!(refusal.found.contains("takes 2.828 s, longer than 0.1 mm/s allows"), "{}", refusal.found);
+    assert_eq!(refusal.remedy, "speed must be below 0.071 mm/s");
+    assert_eq!(slow(0.07), None);
+}
