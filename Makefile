@@ -1,8 +1,9 @@
-# Everything a person or CI does here. Only cargo is needed, except for `strangers`, which installs its own readers.
+# Everything a person or CI does here. Only cargo is needed, except for `strangers`, which installs its own readers, and
+# for `deny`, `audit` and `mutants`, which say what to install.
 
 CARGO ?= cargo
 
-.PHONY: demo test check strangers bench docs
+.PHONY: demo test check deny audit strangers mutants bench docs
 
 # Build the paper's star and say what was written, and where.
 demo:
@@ -11,13 +12,34 @@ demo:
 test:
 	$(CARGO) test --locked
 
-# What CI runs first: format, lints, the tests in debug, the golden files in release, the documentation.
+# What CI runs first: format, dependencies, lints, the tests in debug, the golden files in release, the documentation.
 check:
 	$(CARGO) fmt --check
+	$(MAKE) deny
 	$(CARGO) clippy --locked --all-targets -- -D warnings
 	$(MAKE) test
 	$(CARGO) test --locked --release --test golden
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items
+
+# Licences, doubled versions and sources of all dependencies, by deny.toml. It asks no one and takes a second.
+deny:
+	@$(call needs,deny,cargo-deny)
+	$(CARGO) deny --locked check licenses bans sources
+
+# Known faults of the dependencies. Not in `check`: it asks a list that others change, so it can fail on any day.
+audit:
+	@$(call needs,deny,cargo-deny)
+	$(CARGO) deny --locked check advisories
+
+# Mutants of some files, and which of them no test notices (docs/testing.md): `make mutants FILES='src/plan/*.rs' SHARD=0/8`.
+FILES ?= src/plan/*.rs
+SHARD ?= 0/1
+mutants:
+	@$(call needs,mutants,cargo-mutants)
+	PROPTEST_RNG_SEED=20 INSTA_UPDATE=no $(CARGO) mutants -f '$(FILES)' --shard $(SHARD) -o target/mutants -- --locked
+
+# Says how to get a cargo subcommand that is not there.
+needs = $(CARGO) $(1) --version >/dev/null 2>&1 || { echo "$(2) is missing: run \`cargo install --locked $(2)\`" >&2; exit 1; }
 
 # Readers that no one here wrote, on every output of every shipped design. Needs root for apt-get.
 strangers:

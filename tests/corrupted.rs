@@ -6,6 +6,7 @@
 mod support;
 
 use std::borrow::Cow;
+use std::ops::RangeInclusive;
 
 use stargrip_cam::artifact::Kind;
 use stargrip_cam::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
@@ -90,9 +91,46 @@ fn contact(lines: &[String], n: usize) -> usize {
     nth(lines, "; seam:", n) + 2
 }
 
+/// The lines of `bad`, from 1, that are not those of `good`; the last one, which counts the others, does not matter.
+fn changed(good: &str, bad: &str) -> RangeInclusive<usize> {
+    let body = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>();
+    let (mut good, mut bad) = (body(good), body(bad));
+    drop((good.pop(), bad.pop()));
+    let same = good.iter().zip(&bad).take_while(|(a, b)| a == b).count();
+    let rest = good[same..].iter().rev().zip(bad[same..].iter().rev()).take_while(|(a, b)| a == b).count();
+    same + 1..=bad.len() - rest
+}
+
+/// Where a fault is seen that `place` has: a line removed is missed by those around it.
+fn around(place: &RangeInclusive<usize>) -> RangeInclusive<usize> {
+    place.start().saturating_sub(2)..=place.end() + 2
+}
+
+/// The fault has its name, and the line that is blamed is where the program was changed.
 #[track_caller]
 fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
-    assert_found(&forged(SEAL, |program| with_lines(program, &change)), code, SEAL);
+    assert_blamed(code, change, around);
+}
+
+/// The same for what only shows further on in the program.
+#[track_caller]
+fn assert_later_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
+    assert_blamed(code, change, |place| *place.start()..=usize::MAX);
+}
+
+#[track_caller]
+fn assert_blamed(
+    code: &str,
+    change: impl Fn(&mut Vec<String>),
+    lines: impl Fn(&RangeInclusive<usize>) -> RangeInclusive<usize>,
+) {
+    let good = text(&output_files(), SEAL);
+    let lines = lines(&changed(&good, &with_lines(&good, &change)));
+    let findings = forged(SEAL, |program| with_lines(program, &change));
+    let is_it = |finding: &&Finding| finding.code == code && finding.file == SEAL;
+    let blamed: Vec<_> = findings.iter().filter(is_it).map(|finding| finding.line).collect();
+    let found = blamed.iter().any(|line| line.is_some_and(|line| lines.contains(&line)));
+    assert!(found, "{code} blames {blamed:?}, not a line of {lines:?}: {findings:#?}");
 }
 
 #[test]
@@ -161,7 +199,9 @@ fn a_directory_without_its_spec_profile_or_manifest_is_refused() {
     let mut files = output_files();
     replace(&mut files, MANIFEST, b"{}".to_vec());
     assert_found(&prove_files(&files).findings, "manifest", MANIFEST);
-    assert!(!prove_files(&OutputFiles::default()).findings.is_empty());
+    let nothing = prove_files(&OutputFiles::default()).findings;
+    assert_found(&nothing, "missing-file", "spec.toml");
+    assert_found(&nothing, "missing-file", "machine.toml");
 }
 
 #[test]
@@ -325,7 +365,8 @@ fn a_late_start_and_a_cut_corner_are_found() {
         let first = lines.remove(i);
         lines[i - 1] = format!("{first} Z-0.3 F6");
     });
-    assert_program_fault("deviation", |lines| {
+    // Told is the worst place, and it lies further on: past a sharp corner that is cut the way back is taken for the way there.
+    assert_later_fault("deviation", |lines| {
         // The move that ends at a vertex of the path.
         let i = nth(lines, "G1 X271.7383 Y239.0098", 0);
         let _ = lines.remove(i);
@@ -344,11 +385,11 @@ fn going_back_is_found() {
 
 #[test]
 fn a_cold_or_wrongly_heated_iron_is_found() {
-    assert_program_fault("cold-seal", |lines| {
+    assert_later_fault("cold-seal", |lines| {
         let pause = nth(lines, "M0", 0);
         let _ = lines.remove(pause);
     });
-    assert_program_fault("cold-seal", |lines| {
+    assert_later_fault("cold-seal", |lines| {
         let heat = nth(lines, "; heat:", 0);
         lines[heat] = "; heat: temperature_C=180".to_owned();
     });
@@ -401,10 +442,14 @@ fn a_move_off_the_sheet_is_found() {
 
 #[test]
 fn missing_and_extra_seams_are_found() {
-    assert_program_fault("missing-seam", |lines| {
-        let (from, to) = (nth(lines, "; seam:", 1), nth(lines, "M2", 0) - 2);
-        let _ = lines.drain(from..to);
+    // What is not there has no line.
+    let missing = forged(SEAL, |program| {
+        with_lines(program, |lines| {
+            let (from, to) = (nth(lines, "; seam:", 1), nth(lines, "M2", 0) - 2);
+            let _ = lines.drain(from..to);
+        })
     });
+    assert_found(&missing, "missing-seam", SEAL);
     assert_program_fault("extra-seam", |lines| {
         let at = nth(lines, "M2", 0);
         for (k, line) in
@@ -448,7 +493,7 @@ fn a_line_that_the_controller_would_not_read_is_found() {
         "line-too-long",
         insert("; 345678901234567890123456789012345678901234567890123456789012345678901"),
     );
-    assert_program_fault("mode-unset", |lines| {
+    assert_later_fault("mode-unset", |lines| {
         let i = nth(lines, "G21", 0);
         let _ = lines.remove(i);
     });
@@ -483,7 +528,7 @@ fn a_damaged_dxf_is_found() {
     let dxf = "sheet-1-seal.dxf";
     assert_found(&forged(dxf, |text| text.replace("  0\nEOF\n", "")), "truncated", dxf);
     let inches = forged(dxf, |text| text.replace("$INSUNITS\n 70\n4\n", "$INSUNITS\n 70\n1\n"));
-    assert!(inches.iter().any(|finding| finding.file == dxf), "{inches:#?}");
+    assert_found(&inches, "wrong-scale", dxf);
     let hollow = forged(dxf, |text| text.replacen(" 42\n-0.", " 42\n0.", 1));
     assert_found(&hollow, "deviation", dxf);
 }

@@ -7,25 +7,10 @@ use std::f64::consts::TAU;
 use proptest::prelude::*;
 use stargrip_cam::geom::{Arc, Isometry, Line, Point, Segment, Vec2, intersections, segment_distance};
 
-use shapes::blob;
+use shapes::{arc, blob, close, point, segment};
 
 /// Points on each segment at which the brute force looks.
 const SAMPLES: u32 = 200;
-
-fn point(size: f64) -> impl Strategy<Value = Point> {
-    (-size..size, -size..size).prop_map(|(x, y)| Point::new(x, y))
-}
-
-fn arc() -> impl Strategy<Value = Arc> {
-    (point(10.0), 0.01..20.0, -7.0..7.0, prop_oneof![-6.2..-0.01, 0.01..6.2])
-        .prop_map(|(center, radius, start, sweep)| Arc::new(center, radius, start, sweep))
-}
-
-fn segment() -> impl Strategy<Value = Segment> {
-    let line = (point(10.0), point(10.0))
-        .prop_filter_map("a point", |(a, b)| (a.distance(b) > 0.01).then(|| Line::new(a, b).into()));
-    prop_oneof![line, arc().prop_map(Segment::Arc)]
-}
 
 fn motion() -> impl Strategy<Value = Isometry> {
     (any::<bool>(), -7.0..7.0, -100.0..100.0, -100.0..100.0).prop_map(|(mirrored, rotation, x, y)| Isometry {
@@ -37,11 +22,6 @@ fn motion() -> impl Strategy<Value = Isometry> {
 
 fn samples(segment: &Segment) -> impl Iterator<Item = Point> + '_ {
     (0..=SAMPLES).map(|i| segment.point(f64::from(i) / f64::from(SAMPLES)))
-}
-
-fn close(a: f64, b: f64, tolerance: f64) -> Result<(), TestCaseError> {
-    prop_assert!((a - b).abs() <= tolerance, "{} is not {} (+- {})", a, b, tolerance);
-    Ok(())
 }
 
 proptest! {

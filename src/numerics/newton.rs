@@ -1,6 +1,6 @@
 //! Damped Newton iteration for small dense systems.
 
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Const, DimMin, SMatrix, SVector};
 
 /// Why Newton's iteration found no root.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +46,10 @@ pub fn newton<const N: usize>(
     start: [f64; N],
     tolerance: f64,
     mut system: impl FnMut([f64; N]) -> Option<([f64; N], [[f64; N]; N])>,
-) -> Result<NewtonReport<N>, NewtonFault> {
+) -> Result<NewtonReport<N>, NewtonFault>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
     let defined = |(residuals, jacobian): &([f64; N], [[f64; N]; N])| {
         residuals.iter().chain(jacobian.iter().flatten()).all(|x| x.is_finite())
     };
@@ -55,7 +58,7 @@ pub fn newton<const N: usize>(
     for iterations in 1..=MOST_ITERATIONS {
         let size = largest(&current.0);
         let matrix = SMatrix::<f64, N, N>::from_fn(|row, column| current.1[row][column]);
-        let Some(step) = solve_dense(matrix, SVector::from(current.0)) else {
+        let Some(step) = solve_dense(matrix, &SVector::from(current.0)) else {
             return if size <= tolerance {
                 Ok(NewtonReport { point, residual: size, iterations: iterations - 1 })
             } else {
@@ -93,33 +96,16 @@ pub fn newton<const N: usize>(
 }
 
 /// Solution of `matrix x = right`; `None` if the matrix is singular or the solution not finite.
+///
+/// By LU with partial pivoting.
 pub fn solve_dense<const N: usize>(
-    mut matrix: SMatrix<f64, N, N>,
-    mut right: SVector<f64, N>,
-) -> Option<SVector<f64, N>> {
-    for column in 0..N {
-        let pivot =
-            (column..N).max_by(|&a, &b| matrix[(a, column)].abs().total_cmp(&matrix[(b, column)].abs()))?;
-        if matrix[(pivot, column)] == 0.0 {
-            return None;
-        }
-        matrix.swap_rows(pivot, column);
-        right.swap_rows(pivot, column);
-        for row in column + 1..N {
-            let factor = matrix[(row, column)] / matrix[(column, column)];
-            for k in column..N {
-                matrix[(row, k)] -= factor * matrix[(column, k)];
-            }
-            right[row] -= factor * right[column];
-        }
-    }
-    for row in (0..N).rev() {
-        for k in row + 1..N {
-            right[row] -= matrix[(row, k)] * right[k];
-        }
-        right[row] /= matrix[(row, row)];
-    }
-    right.iter().all(|x| x.is_finite()).then_some(right)
+    matrix: SMatrix<f64, N, N>,
+    right: &SVector<f64, N>,
+) -> Option<SVector<f64, N>>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
+    matrix.lu().solve(right).filter(|x| x.iter().all(|x| x.is_finite()))
 }
 
 fn largest(values: &[f64]) -> f64 {

@@ -63,7 +63,9 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     if wanted {
         return Some(cannot_chop(machine));
     }
-    let (least, most) = machine.motion.speed_range().unwrap_or((most, most));
+    let (least, flat) = machine.motion.speed_range().unwrap_or((most, most));
+    // A ramp can be worse than every direction of the plane, where Z has few steps.
+    let most = most.max(flat);
     let runs = if most - least < 0.005 { format!("{most:.2}") } else { format!("{least:.2} to {most:.2}") };
     let at = match machine.motion.steps_per_mm {
         Some([x, y, _]) if x == y => format!("at {x} steps/mm "),

@@ -1,11 +1,16 @@
-//! Seeded faults: each is found, wherever it is put, in every dialect.
+//! Seeded faults: each is found by its name and in its place, wherever it is put, in every dialect.
+
+use std::ops::RangeInclusive;
 
 use proptest::prelude::*;
 use stargrip_cam::pipeline::Built;
+use stargrip_cam::verify::Finding;
 
 use crate::{PROFILES, built, findings_with, profile, spec_text, text};
 
 const FILE: &str = "star-1-seal.gcode";
+/// How programs without a word for heat tell the operator.
+const HEAT: &str = "; heat: temperature_C=200";
 
 fn build(name: &str) -> Built {
     let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
@@ -29,86 +34,141 @@ fn contact(lines: &[String]) -> Vec<usize> {
     (0..lines.len()).filter(|i| is_cut(&lines[*i]) && !lines[*i].contains('Z')).collect()
 }
 
+/// A program with a fault in it, and what has to be found.
+struct Seeded {
+    text: String,
+    /// The codes that may name it.
+    codes: &'static [&'static str],
+    /// The lines, from 1, one of which has to be blamed.
+    lines: RangeInclusive<usize>,
+}
+
+/// Index of an item of `n` at a place from 0 to 1.
+fn pick(n: usize, at: f64) -> usize {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "small"
+    )]
+    let i = (at * n as f64) as usize;
+    i.min(n - 1)
+}
+
 /// One fault at a place from 0 to 1; `None` if this program has no such thing.
-fn seeded(kind: usize, at: f64, text: &str) -> Option<String> {
+fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    let pick = |n: usize| {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            clippy::cast_precision_loss,
-            reason = "small"
-        )]
-        let i = (at * n as f64) as usize;
-        i.min(n - 1)
-    };
+    let count = lines.len();
     let cuts = contact(&lines);
-    let cut = cuts[pick(cuts.len())];
-    let dwells: Vec<usize> = (0..lines.len()).filter(|i| lines[*i].starts_with("G4 P")).collect();
-    let heat = (0..lines.len())
-        .find(|i| lines[*i].starts_with("M109"))
-        .or_else(|| (0..lines.len()).find(|i| lines[*i] == "; heat: temperature_C=200"))?;
-    match kind {
+    let cut = cuts[pick(cuts.len(), at)];
+    let starting = |code: &str| (0..count).filter(|i| lines[*i].starts_with(code)).collect::<Vec<_>>();
+    let dwells = starting("G4 P");
+    let chopped = !dwells.is_empty();
+    let heat = starting("M109").first().copied().or_else(|| lines.iter().position(|line| line == HEAT))?;
+    // The end of the first contact: its last cut, and the way up.
+    let up = (cuts[0]..count).find(|i| lines[*i].contains('Z'))?;
+    let before_up = |n: usize| cuts.iter().copied().filter(|i| *i < up).rev().nth(n);
+    let on = |line: usize| line + 1..=line + 1;
+    let (codes, places): (&'static [&'static str], _) = match kind {
         // The feed changed from here on.
         0 => {
             let line = lines[cut].split(" F").next().unwrap_or_default().to_owned();
             lines[cut] = line + " F30";
+            (&["wrong-feed", "below-floor"], on(cut))
         }
         // An arc reversed.
         1 => {
-            let arcs: Vec<usize> = cuts
-                .iter()
-                .copied()
-                .filter(|i| lines[*i].starts_with("G2") || lines[*i].starts_with("G3"))
-                .collect();
-            let arc = *arcs.get(pick(arcs.len().max(1)))?;
+            let is_arc = |i: &usize| lines[*i].starts_with("G2") || lines[*i].starts_with("G3");
+            let arcs: Vec<usize> = cuts.iter().copied().filter(is_arc).collect();
+            let arc = *arcs.get(pick(arcs.len().max(1), at))?;
             let turned = if lines[arc].starts_with("G2") { "G3" } else { "G2" };
             lines[arc].replace_range(..2, turned);
+            (&["deviation", "backwards"], on(arc))
         }
         // A loop left open: moves before the first lift are gone.
         2 => {
-            let up = (cuts[0]..lines.len()).find(|i| lines[*i].contains('Z'))?;
-            let from = cuts.iter().copied().filter(|i| *i < up).rev().nth(60.min(cuts.len() / 4))?;
+            let from = before_up(60.min(cuts.len() / 4))?;
             drop(lines.drain(from..up));
+            (&["open-loop"], from.saturating_sub(2)..=from + 1)
         }
         // The overlap cut short: the last move in contact of the first seam is gone.
         3 => {
-            let up = (cuts[0]..lines.len()).find(|i| lines[*i].contains('Z'))?;
-            let last = cuts.iter().copied().rfind(|i| *i < up)?;
+            let last = before_up(0)?;
             drop(lines.drain(last..up));
+            (&["missing-overlap"], last.saturating_sub(2)..=last + 1)
         }
-        // The heat removed.
-        4 => drop(lines.drain(heat..=heat)),
+        // The heat removed: every move on the fabric is cold.
+        4 => {
+            drop(lines.drain(heat..=heat));
+            (&["cold-seal"], heat + 1..=count)
+        }
         // The dwell's unit wrong.
         5 => {
-            let dwell = *dwells.get(pick(dwells.len().max(1)))?;
+            let dwell = *dwells.get(pick(dwells.len().max(1), at))?;
             let p: f64 = lines[dwell][4..].parse().ok()?;
             lines[dwell] = format!("G4 P{}", if p > 100.0 { p / 1000.0 } else { p * 1000.0 });
+            // Too short a dwell makes its stroke too fast, too long a one leaves a scar.
+            (&["wrong-feed", "iron-at-rest"], dwell.saturating_sub(1)..=dwell + 1)
         }
         // A line too long.
-        6 => lines[cut].push_str(&[" ;", &"x".repeat(300)].concat()),
+        6 => {
+            lines[cut].push_str(&[" ;", &"x".repeat(300)].concat());
+            (&["line-too-long"], on(cut))
+        }
         // A comment that closes early.
-        7 => lines[cut] += " ; note) G0 Z0",
+        7 => {
+            lines[cut] += " ; note) G0 Z0";
+            (&["bad-character", "bad-comment"], on(cut))
+        }
         // A move to where nothing is, and back.
-        8 => lines.insert(cut, "G1 X1 Y1".to_owned()),
+        8 => {
+            lines.insert(cut, "G1 X1 Y1".to_owned());
+            (&["deviation", "jump"], cut + 1..=cut + 2)
+        }
         // The iron at rest on the fabric.
-        9 => lines.insert(
-            cut,
-            if dwells.is_empty() && !text.contains("M109") { "G4 P3" } else { "G4 P4000" }.to_owned(),
-        ),
+        9 => {
+            let seconds = !chopped && !text.contains("M109");
+            lines.insert(cut, if seconds { "G4 P3" } else { "G4 P4000" }.to_owned());
+            (&["iron-at-rest"], on(cut))
+        }
         // A pause on the fabric.
-        10 => lines.insert(cut, "M0".to_owned()),
+        10 => {
+            lines.insert(cut, "M0".to_owned());
+            // RepRapFirmware ends the job there, and the next line comes after its end.
+            (&["iron-at-rest", "unknown-word", "after-end"], cut + 1..=cut + 3)
+        }
         // A word that no controller knows.
-        11 => lines.insert(cut, "M7".to_owned()),
+        11 => {
+            lines.insert(cut, "M7".to_owned());
+            (&["unknown-word"], on(cut))
+        }
         // Cooled on the way.
-        12 => lines.insert(cut, "M104 S0".to_owned()),
+        12 => {
+            lines.insert(cut, "M104 S0".to_owned());
+            (&["cold-seal", "unknown-word"], cut + 1..=count)
+        }
         _ => return None,
-    }
-    Some(counted(&lines))
+    };
+    Some(Seeded { text: counted(&lines), codes, lines: places })
+}
+
+/// Whether one of the findings names the fault by its kind and its place.
+fn is_named(fault: &Seeded, findings: &[Finding]) -> bool {
+    findings.iter().any(|finding| {
+        finding.file == FILE
+            && fault.codes.contains(&finding.code)
+            && finding.line.is_some_and(|line| fault.lines.contains(&line))
+    })
+}
+
+/// Each finding's code and line, so that a failure can be read.
+fn told(findings: &[Finding]) -> Vec<(&str, Option<usize>)> {
+    findings.iter().take(8).map(|finding| (finding.code, finding.line)).collect()
 }
 
 #[test]
-fn every_kind_of_fault_is_found_in_every_dialect() {
+fn every_kind_of_fault_is_named_with_its_line_in_every_dialect() {
+    let mut missed = Vec::new();
     for name in PROFILES {
         let build = build(name);
         let good = text(&build, FILE);
@@ -116,10 +176,18 @@ fn every_kind_of_fault_is_found_in_every_dialect() {
         for kind in 0..13 {
             for at in [0.0, 0.3, 0.77] {
                 let Some(bad) = seeded(kind, at, &good) else { continue };
-                assert!(!findings_with(&build, FILE, &bad).is_empty(), "{name}: fault {kind} at {at}");
+                let findings = findings_with(&build, FILE, &bad.text);
+                if !is_named(&bad, &findings) {
+                    let told = told(&findings);
+                    missed.push(format!(
+                        "{name}: fault {kind}, no {:?} in {:?}: {told:?}",
+                        bad.codes, bad.lines
+                    ));
+                }
             }
         }
     }
+    assert!(missed.is_empty(), "{missed:#?}");
 }
 
 proptest! {
@@ -129,7 +197,8 @@ proptest! {
     fn a_fault_anywhere_is_found(profile in 0..8_usize, kind in 0..13_usize, at in 0.0..1.0_f64) {
         let build = build(PROFILES[profile]);
         if let Some(bad) = seeded(kind, at, &text(&build, FILE)) {
-            prop_assert!(!findings_with(&build, FILE, &bad).is_empty(), "{} {kind} {at}", PROFILES[profile]);
+            let findings = findings_with(&build, FILE, &bad.text);
+            prop_assert!(is_named(&bad, &findings), "{} {kind} {at}: {:?}", PROFILES[profile], told(&findings));
         }
     }
 
@@ -139,7 +208,8 @@ proptest! {
         let good = text(&build, FILE);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "small")]
         let end = (at * good.len() as f64) as usize;
-        prop_assert!(!findings_with(&build, FILE, &good[..end]).is_empty());
+        let findings = findings_with(&build, FILE, &good[..end]);
+        prop_assert!(findings.iter().any(|f| f.code == "truncated" && f.file == FILE), "cut at {end}: {:?}", told(&findings));
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod airtight;
 mod coupons;
 mod dialects;
 mod faults;
+mod lowest_feed;
 mod resume;
 
 use stargrip_cam::design::Refusals;

@@ -1,9 +1,38 @@
 //! Random shapes for property tests.
+#![allow(dead_code, reason = "every test file is a crate of its own and uses some of it")]
 
 use std::f64::consts::TAU;
 
 use proptest::prelude::*;
 use stargrip_cam::geom::{Arc, Line, Path, Point, Segment, Vec2};
+
+/// A point at most `size` from the axes.
+pub(crate) fn point(size: f64) -> impl Strategy<Value = Point> {
+    (-size..size, -size..size).prop_map(|(x, y)| Point::new(x, y))
+}
+
+/// An arc of any direction, from next to nothing to next to a full circle, either way round.
+pub(crate) fn arc() -> impl Strategy<Value = Arc> {
+    (point(10.0), 0.01..20.0, -7.0..7.0, prop_oneof![-6.2..-0.01, 0.01..6.2])
+        .prop_map(|(center, radius, start, sweep)| Arc::new(center, radius, start, sweep))
+}
+
+/// A line that is no point.
+pub(crate) fn line() -> impl Strategy<Value = Line> {
+    (point(10.0), point(10.0))
+        .prop_filter_map("a point", |(a, b)| (a.distance(b) > 0.01).then(|| Line::new(a, b)))
+}
+
+/// A line or an arc.
+pub(crate) fn segment() -> impl Strategy<Value = Segment> {
+    prop_oneof![line().prop_map(Segment::Line), arc().prop_map(Segment::Arc)]
+}
+
+/// Fails a property if `a` and `b` are further apart than `tolerance`.
+pub(crate) fn close(a: f64, b: f64, tolerance: f64) -> Result<(), TestCaseError> {
+    prop_assert!((a - b).abs() <= tolerance, "{} is not {} (+- {})", a, b, tolerance);
+    Ok(())
+}
 
 /// A closed curve that is star-shaped about its centre: vertices at growing angles, joined by lines and flat arcs.
 pub(crate) fn blob() -> impl Strategy<Value = (Path, Point)> {

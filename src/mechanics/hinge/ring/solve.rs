@@ -9,7 +9,7 @@ use crate::mechanics::hinge::ring::section::{
 };
 use crate::numerics::newton::solve_dense;
 use crate::numerics::{NewtonFault, newton};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Const, DimMin, SMatrix, SVector};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2};
 
 /// Residuals are sums of some 50 terms of order one: a few 1e-16 can be reached, this always.
@@ -42,7 +42,10 @@ fn solve<const N: usize>(
     free: [usize; N],
     start: [f64; 4],
     slope_scale: f64,
-) -> Result<([f64; 4], f64, u32), NewtonFault> {
+) -> Result<([f64; 4], f64, u32), NewtonFault>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
     let place = |values: [f64; N]| {
         let mut unknowns = start;
         for (&index, value) in free.iter().zip(values) {
@@ -115,12 +118,15 @@ fn finish<const N: usize>(
     build: impl Fn([f64; 4]) -> Option<RingSection>,
     free: [usize; N],
     (unknowns, residual, iterations): ([f64; 4], f64, u32),
-) -> Result<Solved, NewtonFault> {
+) -> Result<Solved, NewtonFault>
+where
+    Const<N>: DimMin<Const<N>, Output = Const<N>>,
+{
     let section = build(unknowns).ok_or(NewtonFault::Stalled { residual })?;
     let rows = with_cone(&section);
     let jacobian = SMatrix::<f64, N, N>::from_fn(|row, column| rows[row].slope[free[column]]);
     let right = SVector::<f64, N>::from_fn(|row, _| -rows[row].slope[LAMBDA]);
-    let change = solve_dense(jacobian, right).ok_or(NewtonFault::Singular)?;
+    let change = solve_dense(jacobian, &right).ok_or(NewtonFault::Singular)?;
     let mut tangent = [0.0; 4];
     tangent[LAMBDA] = 1.0;
     for (&index, &value) in free.iter().zip(change.iter()) {

@@ -1,0 +1,173 @@
+//! The lowest feed along a move: that of its worst direction, wherever in an arc it lies.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use proptest::prelude::*;
+use stargrip_cam::design::Refusal;
+use stargrip_cam::geom::{Arc, Line, Point, Segment};
+use stargrip_cam::plan::lowest_speed;
+use stargrip_cam::spec::{Motion, StepRate};
+use stargrip_cam::units::Speed;
+
+use crate::{profile, spec_text, try_built};
+
+/// Directions at which the brute force looks.
+const SAMPLES: u32 = 8_000;
+/// GRBL's lowest step rate, steps/s.
+const RATE: f64 = 30.52;
+
+fn motion(steps: [f64; 3]) -> Motion {
+    Motion { steps_per_mm: Some(steps), step_rate: StepRate::AtLeast(RATE), ..Motion::UNKNOWN }
+}
+
+/// The greatest of the lowest speeds of `SAMPLES` directions on the way, from the formula alone: the step rate
+/// over the steps per mm of the axis that has most of them.
+fn brute_force(steps: [f64; 3], piece: &Segment, rise: f64) -> f64 {
+    let length = piece.length();
+    let along = |t: f64| {
+        let u = piece.tangent(t);
+        let way = [u.x * length, u.y * length, rise];
+        let most = steps.iter().zip(way).map(|(s, d)| s * d.abs()).fold(0.0, f64::max);
+        RATE * length.hypot(rise) / most
+    };
+    (0..=SAMPLES).map(|i| along(f64::from(i) / f64::from(SAMPLES))).fold(0.0, f64::max)
+}
+
+fn steps() -> impl Strategy<Value = [f64; 3]> {
+    ([60.0..240.0_f64, 60.0..240.0, 100.0..800.0])
+        .prop_filter("different in X and Y", |[x, y, _]| (x - y).abs() > 20.0)
+}
+
+fn arc() -> impl Strategy<Value = Arc> {
+    (0.5..80.0_f64, -PI..PI, prop_oneof![-6.2..-0.05, 0.05..6.2_f64])
+        .prop_map(|(radius, start, sweep)| Arc::new(Point::new(120.0, 90.0), radius, start, sweep))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(512))]
+
+    #[test]
+    fn it_is_that_of_the_worst_direction(steps in steps(), arc in arc(), climb in prop_oneof![Just(0.0), -1.0..1.0_f64]) {
+        let piece = Segment::Arc(arc);
+        let rise = climb * piece.length();
+        let found = lowest_speed(&motion(steps), &piece, rise).expect("known");
+        let sampled = brute_force(steps, &piece, rise);
+        prop_assert!(found >= sampled * (1.0 - 1e-12), "{} of {}", found, sampled);
+        // Beside the worst direction the speed falls by at most the greater ratio of the steps a radian.
+        let ratio = (steps[0] / steps[1]).max(steps[1] / steps[0]);
+        let missed = ratio * arc.sweep.abs() / f64::from(SAMPLES);
+        prop_assert!(found <= sampled * (1.0 + missed), "{} of {}", found, sampled);
+    }
+
+    #[test]
+    fn it_does_not_depend_on_the_way_round(steps in steps(), arc in arc(), climb in -1.0..1.0_f64) {
+        let piece = Segment::Arc(arc);
+        let rise = climb * piece.length();
+        let there = lowest_speed(&motion(steps), &piece, rise).expect("known");
+        let back = lowest_speed(&motion(steps), &piece.reversed(), -rise).expect("known");
+        prop_assert!((there / back - 1.0).abs() < 1e-9, "{} and {}", there, back);
+    }
+}
+
+/// In each quadrant a short arc, at whose ends the controller goes more slowly than in between.
+#[test]
+fn the_worst_direction_within_a_short_arc_counts_in_every_quadrant() {
+    let m = motion([80.0, 200.0, 400.0]);
+    // X and Y step equally often where 80 cos = 200 sin.
+    let even = 80.0_f64.atan2(200.0);
+    let (_, most) = m.speed_range().expect("known");
+    for direction in [even, PI - even, PI + even, -even] {
+        for turn in [1.0, -1.0] {
+            let arc = Arc::new(Point::ORIGIN, 10.0, direction - turn * (FRAC_PI_2 + 0.1), turn * 0.2);
+            let found = lowest_speed(&m, &arc.into(), 0.0).expect("known");
+            assert!((found / most - 1.0).abs() < 1e-12, "{direction} {turn}: {found} of {most}");
+            // Beyond the worst direction only the end counts.
+            let beyond = arc.part(0.6, 1.0);
+            let end = lowest_speed(&m, &beyond.into(), 0.0).expect("known");
+            assert!(
+                end < 0.999 * most
+                    && (end / brute_force([80.0, 200.0, 400.0], &beyond.into(), 0.0) - 1.0).abs() < 1e-12
+            );
+        }
+    }
+    let circle = Arc::new(Point::ORIGIN, 10.0, 0.3, TAU).into();
+    assert!((lowest_speed(&m, &circle, 0.0).expect("known") / most - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_line_has_one_direction_and_what_is_unknown_stays_unknown() {
+    let line = Line::new(Point::new(3.0, 4.0), Point::new(6.0, 8.0)).into();
+    let found = lowest_speed(&motion([100.0, 100.0, 400.0]), &line, 0.0).expect("known");
+    assert!((found - RATE / 80.0).abs() < 1e-12, "{found}");
+    let steep = lowest_speed(&motion([100.0, 100.0, 400.0]), &line, -5.0).expect("known");
+    assert!((steep - RATE * 50.0_f64.sqrt() / 2000.0).abs() < 1e-12, "{steep}");
+    let arc = Arc::new(Point::ORIGIN, 10.0, 0.0, 3.0).into();
+    for piece in [line, arc] {
+        assert_eq!(lowest_speed(&Motion::UNKNOWN, &piece, 0.0), None);
+        // A lowest feed of its own is one for every direction.
+        let own = Motion { step_rate: StepRate::NoLimit, min_feed: Speed(0.25), ..Motion::UNKNOWN };
+        assert_eq!(lowest_speed(&own, &piece, 1.0), Some(0.25));
+    }
+}
+
+/// What a machine that goes no slower than `feed` in any direction says to a seal at 0.1 mm/s.
+fn refused_at(feed: &str) -> Option<Refusal> {
+    let slow =
+        profile("reprapfirmware").replace("min_feed = \"5 mm/min\"", &format!("min_feed = \"{feed}\""));
+    assert_ne!(slow, profile("reprapfirmware"));
+    try_built(&spec_text(""), &slow).map(|_| ()).err().map(|refusals| refusals[0].clone())
+}
+
+#[test]
+fn a_lowest_feed_in_every_direction_is_told_as_one_number() {
+    let refusal = refused_at("30 mm/min").expect("too slow");
+    assert_eq!(
+        (refusal.code, refusal.found.as_str()),
+        ("feed-floor", "RepRapFirmware runs this at 0.50 mm/s instead of 0.1")
+    );
+    assert!(refusal.remedy.ends_with("or a speed of at least 0.50 mm/s"), "{}", refusal.remedy);
+}
+
+#[test]
+fn a_machine_that_just_holds_the_speed_is_not_refused() {
+    assert_eq!(refused_at("6 mm/min"), None);
+    assert_eq!(refused_at("6.001 mm/min").map(|refusal| refusal.code), Some("feed-floor"));
+}
+
+/// The refusal of GRBL's profile with `from` in it replaced by `to`, for a spec with this in it.
+fn grbl_says(rest: &str, from: &str, to: &str) -> Option<Refusal> {
+    let changed = profile("grbl").replace(from, to);
+    assert_ne!(changed, profile("grbl"));
+    try_built(&spec_text(rest), &changed).map(|_| ()).err().map(|refusals| refusals[0].clone())
+}
+
+/// With a coarse Z a ramp has its XY motor step more rarely than any move in the plane.
+#[test]
+fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
+    let few = |rest: &str| grbl_says(rest, "z_steps_per_mm = 400", "z_steps_per_mm = 20");
+    let refusal = few("").expect("too slow");
+    assert_eq!(refusal.code, "feed-floor");
+    let advised =
+        refusal.remedy.split("at least ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a number");
+    let speed: f64 = advised.parse().expect("a number");
+    // 3 mm of ramp for 5.3 mm of height; in the plane 0.54 mm/s would do.
+    let slope = 3.0_f64.hypot(5.3) / 3.0;
+    assert!(speed > 0.541 && speed < 0.5396 * slope + 0.005, "{}", refusal.remedy);
+    let at = |speed: f64| few(&format!("[seal]\nspeed = \"{speed:.3} mm/s\"\n"));
+    assert_eq!(at(speed + 0.005), None);
+    assert_eq!(at(speed - 0.01).map(|refusal| refusal.code), Some("feed-floor"));
+}
+
+/// From rest to rest over 0.2 mm at 0.1 mm/s^2 takes 2.83 s; at 0.1 mm/s it may take 2.
+#[test]
+fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
+    let slow = |speed: f64| {
+        let rest = format!("[seal]\nspeed = \"{speed} mm/s\"\n[machine]\nfeed_floor = \"chop\"\n");
+        grbl_says(&rest, "acceleration = \"10 mm/s^2\"", "acceleration = \"0.1 mm/s^2\"")
+    };
+    let refusal = slow(0.1).expect("too slow");
+    assert_eq!((refusal.key, refusal.code), (stargrip_cam::spec::key::seal::SPEED, "no-chop"));
+    assert!(refusal.found.contains("takes 2.828 s, longer than 0.1 mm/s allows"), "{}", refusal.found);
+    assert_eq!(refusal.remedy, "speed must be below 0.071 mm/s");
+    assert_eq!(slow(0.07), None);
+}
