@@ -9,7 +9,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use crate::airtight;
 use crate::artifact::Kind;
 use crate::cli::check::leaking;
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
 use crate::cli::{clock, publish, summary};
 use crate::pipeline;
@@ -48,7 +48,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         return Err(Failure::Findings(proof.findings));
     }
     let target = args.output.clone().unwrap_or_else(|| default_output(&args.spec));
-    publish(&target, build.files())?;
+    tell(&publish(&target, build.files())?.to_string());
     let mut said = summary::built(spec, &loaded.machine, &build, &proof, &target);
     let seconds = build.programs.iter().map(|program| program.time).sum();
     if let Some(end) = clock::finish(SystemTime::now(), seconds) {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, shown};
 use crate::cli::read_text;
 use crate::coupon::{calibrate, read_rows};
 use crate::mechanics::hinge::HingeModel;
@@ -45,7 +45,7 @@ fn margin(text: &str) -> Result<f64, String> {
 /// Says what the spec should say.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = read_text(&args.results)?;
-    let refused = |fault| Failure::Message(format!("{}: {fault}", args.results.display()));
+    let refused = |fault| Failure::Message(format!("{}: {fault}", shown(&args.results)));
     let rows = read_rows(&text).map_err(refused)?;
     let mut out = String::new();
     if let Some((flat, inflated)) = args.flat_angle.zip(args.inflated_angle) {

@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use crate::cli::failure::shown;
 use crate::design::{COATING_ASSUMES, Design, Plate};
 use crate::forecast::report;
 use crate::manifest;
@@ -142,7 +143,7 @@ pub(super) fn built(spec: &Spec, machine: &Machine, build: &Build, proof: &Proof
         out.push_str("predicted:\n");
         out.push_str(&report::text(spec, prediction));
     }
-    let _ = writeln!(out, "wrote to {}:", target.display());
+    let _ = writeln!(out, "wrote to {}:", shown(target));
     for (name, bytes) in build.files() {
         let _ = writeln!(out, "  {name} ({} bytes)", bytes.len());
     }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, shown};
 use crate::verify;
 use crate::verify::OutputFiles;
 
@@ -34,16 +34,16 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     } else {
         let mut text = String::new();
         for (file, mm) in &proof.deviations {
-            let _ = writeln!(text, "{file:28} within {mm:.6} mm");
+            let _ = writeln!(text, "{:28} within {mm:.6} mm", shown(file));
         }
         for finding in &proof.findings {
-            let _ = writeln!(text, "{finding}");
+            let _ = writeln!(text, "{}", shown(finding.to_string()));
         }
         let verdict = match proof.findings.len() {
             0 => "proven, no findings".to_owned(),
             n => format!("{n} findings"),
         };
-        let _ = writeln!(text, "{}: {verdict}", args.dir.display());
+        let _ = writeln!(text, "{}: {verdict}", shown(&args.dir));
         say(&text)?;
     }
     if proof.findings.is_empty() { Ok(()) } else { Err(Failure::Said) }

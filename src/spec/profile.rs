@@ -9,7 +9,7 @@ use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, Faults, quoted};
 use crate::spec::machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 use crate::spec::motion::{Motion, StepRate};
-use crate::spec::name::{breaks_line, check_name};
+use crate::spec::name::{check_name, misleads};
 use crate::spec::reading::{SIZE, read_name, read_schema, read_with};
 use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
@@ -115,7 +115,7 @@ fn read_profile(reader: &mut Reader<'_>) -> Machine {
 
 fn read_description(root: &mut Section<'_, '_>) -> String {
     let Some((text, span)) = root.text("description") else { return String::new() };
-    if text.chars().any(breaks_line) || text.chars().count() > DESCRIPTION_LENGTH {
+    if text.chars().any(misleads) || text.chars().count() > DESCRIPTION_LENGTH {
         let fault = Fault::error("name", span, format!("`description` is {}", quoted(text)))
             .label(format!("must be one line of at most {DESCRIPTION_LENGTH} characters"));
         root.report(fault);
