@@ -8,7 +8,7 @@ use proptest::prelude::*;
 
 use stargrip_cam::design::{Drawing, Layer, Origin, Shape, Side};
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment};
-use stargrip_cam::plan::{LONGEST_MOVE, Height, Program, Purpose, SeamReport, Step, pieces};
+use stargrip_cam::plan::{Height, LONGEST_MOVE, Program, Purpose, SeamReport, Step, pieces};
 use stargrip_cam::units::Length;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
 use stargrip_cam::verify::{SvgOrigin, deviation};

@@ -68,16 +68,6 @@ impl From<PublishFault> for Failure {
     }
 }
 
-/// Prints what `clap` has to say: help, or wrong usage, which may quote any argument.
-pub(super) fn usage(fault: &clap::Error) -> ExitCode {
-    let plain = fault.render().to_string();
-    if matches!(harmless(&plain), Cow::Borrowed(_)) {
-        fault.exit();
-    }
-    tell(&plain);
-    ExitCode::from(2)
-}
-
 /// Prints warnings to standard error, if there are any.
 pub(super) fn warn(faults: &Faults) {
     if !faults.is_empty() {
@@ -145,7 +135,10 @@ mod tests {
     #[test]
     fn foreign_text_is_harmless_on_a_terminal() {
         let hostile = "e\u{1b}]0;pwn\u{7}\u{1b}[2J\u{9b}31m\u{7f}\u{202e}gpj\u{2066}\r";
-        assert_eq!(shown(hostile), "e\\u001b]0;pwn\\u0007\\u001b[2J\\u009b31m\\u007f\\u202egpj\\u2066\\u000d");
+        assert_eq!(
+            shown(hostile),
+            "e\\u001b]0;pwn\\u0007\\u001b[2J\\u009b31m\\u007f\\u202egpj\\u2066\\u000d"
+        );
         assert_eq!(shown("a\nproven, no findings"), "a\\u000aproven, no findings");
         assert_eq!(harmless("two\n\tlines, é 星"), "two\n\tlines, é 星");
     }

@@ -25,10 +25,10 @@ mod trade;
 mod verify;
 
 use std::fs::File;
-use std::io;
 use std::io::{Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::{env, io};
 
 use clap::{Parser, Subcommand};
 
@@ -80,7 +80,7 @@ enum Command {
 pub fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
-        Err(fault) => return failure::usage(&fault),
+        Err(fault) => misused(fault),
     };
     let result = match cli.command {
         Command::Build(args) => build::run(&args),
@@ -104,6 +104,11 @@ pub fn main() -> ExitCode {
     }
 }
 
+/// Ends with what `clap` has to say: help, or wrong usage. It quotes arguments, so it gets to see harmless ones.
+fn misused(fault: clap::Error) -> ! {
+    Cli::try_parse_from(env::args_os().map(shown)).err().unwrap_or(fault).exit()
+}
+
 /// Most bytes of a program or a table: many times what the largest design needs.
 const TEXT_LIMIT: u64 = 1 << 28;
 
@@ -118,10 +123,7 @@ fn read_text(path: &Path) -> Result<String, Failure> {
     }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        Failure::Message(format!(
-            "{}: byte {at} is no text; it must be UTF-8: save it as such",
-            shown(path)
-        ))
+        Failure::Message(format!("{}: byte {at} is no text; it must be UTF-8: save it as such", shown(path)))
     })
 }
 

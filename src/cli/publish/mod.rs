@@ -71,8 +71,7 @@ pub fn publish<'a>(
     let mut kept = retire::sweep(&place, locks.alone())?;
     kept.extend(journal::recover(&place)?);
     let before = record::ours(&place.target)?;
-    let after =
-        files.iter().find(|(name, _)| *name == MANIFEST).and_then(|(_, bytes)| Record::parse(bytes));
+    let after = files.iter().find(|(name, _)| *name == MANIFEST).and_then(|(_, bytes)| Record::parse(bytes));
     let by_files = || journal::publish(&place, &files, before.as_ref()).map(Some);
     let old = if place.underfoot() {
         by_files()?
