@@ -206,12 +206,16 @@ fn a_build_killed_at_any_moment_can_be_taken_up() {
     let first = content(&target);
     let _ = build(dir.path(), "other.toml", "out/star");
     let second = content(&target);
-    let began = std::time::Instant::now();
-    let _ = build(dir.path(), "star.toml", "out/star");
-    let lasts = u64::try_from(began.elapsed().as_micros()).expect("short");
+    // How long a build takes when nobody disturbs it, so that most kills meet one at work.
+    let lasts = (0..5).map(|_| {
+        let began = std::time::Instant::now();
+        let _ = build(dir.path(), "star.toml", "out/star");
+        u64::try_from(began.elapsed().as_micros()).expect("short")
+    });
+    let lasts = lasts.min().expect("five builds");
     let (mut killed, mut left) = (0, 0);
     for round in 0..rounds {
-        let spec = ["star.toml", "other.toml"][usize::from(round % 2 == 0)];
+        let spec = ["star.toml", "other.toml"][usize::from(round.is_multiple_of(2))];
         let standing = round % 4 >= 2;
         let (from, to) = if standing { (target.as_path(), ".") } else { (dir.path(), "out/star") };
         let mut child = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
@@ -230,7 +234,7 @@ fn a_build_killed_at_any_moment_can_be_taken_up() {
         left += usize::from(names(&dir.path().join("out")).len() > 1 || names(&target) != FILES);
         // File by file it may be between the two; then the next build makes it whole.
         assert!(standing || now == first || now == second, "round {round}: {:?}", names(&target));
-        if standing || round % 8 == 0 {
+        if standing || round.is_multiple_of(8) {
             let next = build(dir.path(), spec, "out/star");
             assert!(!stderr(&next).contains("kept"), "round {round}: {}", stderr(&next));
             assert_eq!(content(&target), if spec == "star.toml" { &*first } else { &*second });

@@ -103,7 +103,7 @@ pub(super) fn step(step: Step, path: &Path) -> io::Result<()> {
 
 /// The files of version `version` of a build: one changes, one stays, one comes and goes.
 fn build(version: u8) -> Vec<File<'static>> {
-    let passing = if version % 2 == 0 { "sheet-1.svg" } else { "sheet-2.svg" };
+    let passing = if version.is_multiple_of(2) { "sheet-1.svg" } else { "sheet-2.svg" };
     let mut files: Vec<File<'static>> = vec![
         ("machine.toml", Cow::Borrowed(b"the same")),
         ("star-1.gcode", format!("version {version}").into_bytes().into()),
@@ -168,7 +168,7 @@ fn again(root: &Path, target: &Path, version: u8, system: System) {
         match run(target, version, system, 0, NOTHING).0 {
             Ok(_) => return,
             Err(PublishFault::Foreign(path)) => {
-                let desk = (0..).map(|n| root.join(format!("desk-{n}"))).find(|path| !path.exists());
+                let desk = (0..100).map(|n| root.join(format!("desk-{n}"))).find(|path| !path.exists());
                 fs::rename(path, desk.unwrap()).unwrap();
             }
             Err(fault) => panic!("{fault}"),

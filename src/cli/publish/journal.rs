@@ -86,7 +86,7 @@ fn undo(place: &Place) -> Result<Vec<PathBuf>, PublishFault> {
                 Err(fault) => return Err(fault),
             }
         }
-        kept = retire(&old, None, &place.kept())?;
+        kept = retire(&old, None, &place.kept(&old))?;
     }
     let new = place.inside(Role::New);
     disk::rename(&ready, &new).map_err(PublishFault::io("set aside", &ready))?;
@@ -110,7 +110,7 @@ pub(super) fn recover(place: &Place) -> Result<Vec<PathBuf>, PublishFault> {
         disk::remove_dir(&ready).map_err(PublishFault::io("remove", &ready))?;
     }
     if disk::exists(&old) {
-        return retire(&old, Record::read(&place.target).as_ref(), &place.kept());
+        return retire(&old, Record::read(&place.target).as_ref(), &place.kept(&old));
     }
     Ok(Vec::new())
 }

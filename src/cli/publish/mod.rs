@@ -83,7 +83,7 @@ pub fn publish<'a>(
     };
     let mut left = None;
     if let Some(old) = old {
-        match retire::retire(&old, after.as_ref(), &place.kept()) {
+        match retire::retire(&old, after.as_ref(), &place.kept(&old)) {
             Ok(more) => kept.extend(more),
             Err(fault) => left = Some(fault),
         }

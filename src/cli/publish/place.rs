@@ -75,9 +75,11 @@ impl Place {
         self.target.join(role.suffix())
     }
 
-    /// The names, but for their number, under which something is kept: beside the target, or else in it.
-    pub(super) fn kept(&self) -> [PathBuf; 2] {
-        [kept_beside(&self.parent, &self.name), self.target.join("kept")]
+    /// The names, but for their number, that may be given to the hidden directory `path` to keep what is in it: one
+    /// beside the target, and for what is in the target one there too, since it may not get out of a mount point.
+    pub(super) fn kept(&self, path: &Path) -> Vec<PathBuf> {
+        let inside = path.starts_with(&self.target).then(|| self.target.join("kept"));
+        [kept_beside(&self.parent, &self.name)].into_iter().chain(inside).collect()
     }
 
     /// Whether somebody stands in the target: giving its name to another directory would take it from under his feet.

@@ -78,7 +78,8 @@ fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault
 pub(super) fn sweep(place: &Place, alone: bool) -> Result<Vec<PathBuf>, PublishFault> {
     let mut kept = Vec::new();
     for role in Role::ALL {
-        kept.extend(clear(&place.beside(role), role, &place.target, &place.kept()[..1])?);
+        let path = place.beside(role);
+        kept.extend(clear(&path, role, &place.target, &place.kept(&path))?);
     }
     // Without a lock a hidden directory of another target may be one that is being written.
     for (path, name, role) in place.hidden().into_iter().filter(|_| alone) {
