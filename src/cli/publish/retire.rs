@@ -47,7 +47,8 @@ pub(super) fn retire(
 
 /// Gives `directory` the first free name, and says what is in it.
 fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault> {
-    let mut refused = io::Error::from(io::ErrorKind::AlreadyExists);
+    let refused = |error| PublishFault::Io("give a visible name to", directory.to_owned(), error);
+    let mut fault = refused(io::ErrorKind::AlreadyExists.into());
     for stem in kept {
         for number in 1..=NAMES {
             let mut name = stem.clone().into_os_string();
@@ -61,13 +62,17 @@ fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault
                 // Taken in this moment: no directory replaces one that is not empty.
                 Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => {}
                 Err(error) => {
-                    refused = error;
+                    fault = refused(error);
                     break;
                 }
             }
         }
+        // Only what cannot get to the one place is put into the other.
+        if !fault.bound() {
+            break;
+        }
     }
-    Err(PublishFault::Io("give a visible name to", directory.to_owned(), refused))
+    Err(fault)
 }
 
 /// Removes what killed publications have left beside the target, whatever their targets were, and puts
