@@ -7,7 +7,7 @@ use std::time::SystemTime;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::artifact::Kind;
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
 use crate::cli::{clock, publish, summary};
 
@@ -35,7 +35,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let built = loaded.forecast()?.build(loaded.sources(), &args.only);
     let proven = built.prove().map_err(Failure::Findings)?;
     let target = args.output.clone().unwrap_or_else(|| default_output(&args.spec));
-    publish(&target, proven.built().files())?;
+    tell(&publish(&target, &proven)?.to_string());
     let mut said = summary::built(&proven, &target);
     // Without a program there is nothing to wait for.
     let seconds = proven.sealing_time();

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, shown};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{number, quantity};
 use crate::cli::read_text;
@@ -50,7 +50,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let settings = settings(&read_rows(&source)?);
     // What the V-actuator tells does not hang on the strips.
     say(&lambda(args)?)?;
-    let refused = |fault| Failure::Message(format!("{}: {fault}", source.name));
+    let refused = |fault| Failure::Message(format!("{}: {fault}", shown(&args.results)));
     let (needed, why) = match (args.needed, &args.spec) {
         (Some(needed), _) => (needed.0, String::new()),
         (None, Some(path)) => need_of(path)?,
@@ -71,7 +71,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 fn need_of(path: &Path) -> Result<(f64, String), Failure> {
     let loaded = Loaded::new(path)?;
     let spec = &loaded.reading.spec;
-    let refused = |why: &str| Failure::Message(format!("{}: {why}", path.display()));
+    let refused = |why: &str| Failure::Message(format!("{}: {why}", shown(path)));
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let pressure = pressure.ok_or_else(|| refused("[load] has no pressure; write one, or give --needed"))?;
     let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::{fs, io};
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, shown};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::quantity;
 use crate::cli::write_new;
@@ -65,7 +65,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let set = coupons(spec, machine, &grid).map_err(|refusals| loaded.refused(refusals))?;
     fs::create_dir(&args.output).map_err(|error| match error.kind() {
         io::ErrorKind::AlreadyExists => {
-            Failure::Message(format!("{} exists already; choose another name", args.output.display()))
+            Failure::Message(format!("{} exists already; choose another name", shown(&args.output)))
         }
         _ => Failure::file("create", &args.output, &error),
     })?;
@@ -74,7 +74,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         for (ending, text) in [("gcode", &coupon.gcode), ("svg", &coupon.svg)] {
             let path = args.output.join(format!("{}.{ending}", coupon.name));
             write_new(&path, text)?;
-            let _ = writeln!(said, "wrote {}", path.display());
+            let _ = writeln!(said, "wrote {}", shown(&path));
         }
     }
     let results = args.output.join("results.csv");
@@ -82,7 +82,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     say(&format!(
         "{said}wrote {}\nseal the strips, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in peel_N, \
          then: stargrip-cam calibrate {}\n",
-        results.display(),
-        results.display()
+        shown(&results),
+        shown(&results)
     ))
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, shown};
 use crate::cli::load::Loaded;
 use crate::cli::write_new;
 use crate::emit;
@@ -33,7 +33,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     say(&format!(
         "wrote {}\neach of its three lines of {} mm (X, Y, 45 deg) must take {seconds:.0} s; if one is faster, the \
          machine cannot go at {}: {remedy}\n",
-        args.output.display(),
+        shown(&args.output),
         plan::CHECK_LENGTH,
         spec.seal.speed
     ))

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::cli::failure::shown;
 use crate::verify::Finding;
 
 /// Findings of one kind in one file that are shown: the first says what is wrong, a few more whether it is everywhere.
@@ -20,10 +21,10 @@ pub(super) fn lines(findings: &[Finding]) -> Vec<String> {
         let (count, all) = (seen.entry(kind).or_default(), alike.get(&kind).copied().unwrap_or(0));
         *count += 1;
         if *count <= SHOWN {
-            lines.push(finding.to_string());
+            lines.push(shown(finding.to_string()));
         }
         if *count == SHOWN && all > SHOWN {
-            lines.push(format!("{}: {}: and {} more", finding.file, finding.code, all - SHOWN));
+            lines.push(format!("{}: {}: and {} more", shown(&finding.file), finding.code, all - SHOWN));
         }
     }
     lines

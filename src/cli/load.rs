@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use crate::cli::failure::{Failure, warn};
+use crate::cli::failure::{Failure, shown, warn};
 use crate::design::Refusals;
 use crate::pipeline::{Forecast, Sources};
 use crate::spec;
@@ -83,7 +83,7 @@ fn machine_source(path: &Path, source: &Source, reading: &Reading) -> Result<Sou
     let fault = Fault::error(
         "unknown-machine",
         reading.raw.span_of(key::machine::PROFILE),
-        format!("no machine profile has this name, and there is no file {}", file.display()),
+        format!("no machine profile has this name, and there is no file {}", shown(&file)),
     )
     .label(format!("a built-in profile ({}) or a path relative to the spec", known.join(", ")));
     Err(Faults::new(source, vec![fault]).into())

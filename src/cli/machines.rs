@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, shown};
 use crate::spec;
 use crate::spec::{Motion, Source};
 
@@ -27,7 +27,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(Command::Show { name }) = &args.command else { return say(&list()?) };
     let known: Vec<&str> = spec::builtin_machines().collect();
     let text = spec::builtin_machine(name).ok_or_else(|| {
-        Failure::Message(format!("no built-in profile is called {name}; there are: {}", known.join(", ")))
+        Failure::Message(format!(
+            "no built-in profile is called {}; there are: {}",
+            shown(name),
+            known.join(", ")
+        ))
     })?;
     say(text)
 }

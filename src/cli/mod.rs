@@ -26,16 +26,16 @@ mod trade;
 mod verify;
 
 use std::fs::File;
-use std::io;
 use std::io::{Read, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::{env, io};
 
 use clap::{Parser, Subcommand};
 
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, shown};
 
-pub use publish::{PublishFault, publish};
+pub use publish::{PublishFault, Published, publish};
 
 /// Fabrication CAM for fabric-based star soft grippers.
 #[derive(Parser, Debug)]
@@ -79,7 +79,11 @@ enum Command {
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
-    let result = match Cli::parse().command {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(fault) => misused(fault),
+    };
+    let result = match cli.command {
         Command::Build(args) => build::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Predict(args) => predict::run(&args),
@@ -101,6 +105,11 @@ pub fn main() -> ExitCode {
     }
 }
 
+/// Ends with what `clap` has to say: help, or wrong usage. It quotes arguments, so it gets to see harmless ones.
+fn misused(fault: clap::Error) -> ! {
+    Cli::try_parse_from(env::args_os().map(shown)).err().unwrap_or(fault).exit()
+}
+
 /// Most bytes of a program or a table: many times what the largest design needs.
 const TEXT_LIMIT: u64 = 1 << 28;
 
@@ -111,14 +120,11 @@ fn read_text(path: &Path) -> Result<String, Failure> {
     let length = read.map_err(|error| Failure::file("read", path, &error))?;
     if u64::try_from(length).unwrap_or(u64::MAX) > TEXT_LIMIT {
         let most = "a program or a table has at most 256 MiB; name another file";
-        return Err(Failure::Message(format!("{} is too large: {most}", path.display())));
+        return Err(Failure::Message(format!("{} is too large: {most}", shown(path))));
     }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        Failure::Message(format!(
-            "{}: byte {at} is no text; it must be UTF-8: save it as such",
-            path.display()
-        ))
+        Failure::Message(format!("{}: byte {at} is no text; it must be UTF-8: save it as such", shown(path)))
     })
 }
 
@@ -127,7 +133,7 @@ fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
     File::create_new(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
         match error.kind() {
             io::ErrorKind::AlreadyExists => {
-                Failure::Message(format!("{} exists already; choose another name", path.display()))
+                Failure::Message(format!("{} exists already; choose another name", shown(path)))
             }
             _ => Failure::file("write", path, &error),
         }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, shown};
 use crate::cli::write_new;
 use crate::spec;
 
@@ -19,7 +19,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let text = spec::starter(&args.name).map_err(|fault| Failure::Message(fault.to_string()))?;
     let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
     write_new(&path, &text)?;
-    let path = path.display();
+    let path = shown(&path);
     say(&format!("wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"))
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, shown};
 use crate::cli::{read_text, write_new};
 use crate::geom::Point;
 use crate::resume::{ResumeAt, resume};
@@ -63,7 +63,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         _ => return Err(Failure::Message("where did it stop? --line, --at or --near".to_owned())),
     };
     let resumed = resume(&text, place, args.overlap)
-        .map_err(|fault| Failure::Message(format!("{}: {fault}", args.job.display())))?;
+        .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;
     let target = args.output.clone().unwrap_or_else(|| {
         let stem = args.job.file_stem().unwrap_or_default().to_string_lossy();
         args.job.with_file_name(format!("{stem}-resume.gcode"))
@@ -72,7 +72,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     say(&format!(
         "wrote {}\ngoes on in line {} of the old program, {:.1} % of its time done; seals {:.1} mm again\n\
          before you start it: same sheet, same zero, iron above the fabric\n",
-        target.display(),
+        shown(&target),
         resumed.line,
         100.0 * resumed.done,
         resumed.overlap

@@ -4,6 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::artifact::Format;
+use crate::cli::failure::shown;
 use crate::design::{COATING_ASSUMES, Design, Plate};
 use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};
@@ -130,7 +131,7 @@ pub(super) fn built(proven: &Proven, target: &Path) -> String {
     let _ = writeln!(out, "machine: {} ({})", machine.name, machine.description);
     out.push_str(&conditions(&built.forecast));
     out.push_str(&predicted(&built.forecast));
-    let _ = writeln!(out, "wrote to {}:", target.display());
+    let _ = writeln!(out, "wrote to {}:", shown(target));
     for (name, bytes) in built.files() {
         let _ = writeln!(out, "  {name} ({} bytes)", bytes.len());
     }

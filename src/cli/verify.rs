@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::{Failure, say, shown};
 use crate::cli::{findings, summary};
 use crate::pipeline::prove_files;
 use crate::verify::{By, FileProof, OutputFiles, Proof};
@@ -49,7 +49,7 @@ fn text(dir: &Path, proof: &Proof) -> String {
             By::Hash => "only its hash was looked at",
         };
         let near = deviation.map_or(String::new(), |mm| format!("within {mm:.6} mm, "));
-        let _ = writeln!(text, "{path:28} {near}{how}");
+        let _ = writeln!(text, "{:28} {near}{how}", shown(path));
     }
     for line in findings::lines(&proof.findings) {
         let _ = writeln!(text, "{line}");
@@ -58,7 +58,7 @@ fn text(dir: &Path, proof: &Proof) -> String {
         0 => format!("proven, no findings; {}", summary::scope(proof)),
         n => format!("{n} findings"),
     };
-    let _ = writeln!(text, "{}: {verdict}", dir.display());
+    let _ = writeln!(text, "{}: {verdict}", shown(dir));
     text
 }
 

@@ -42,7 +42,7 @@ pub use model::{
     Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
-pub use name::{NAME_LENGTH, NameFault, check_name};
+pub use name::{NAME_LENGTH, NameFault, check_name, misleads};
 pub use profile::{builtin_machine, builtin_machines, read_machine};
 pub use raw::RawSpec;
 pub use reading::{Reading, read};

@@ -14,6 +14,8 @@ pub enum NameFault {
     TooLong(usize),
     /// It holds a control character or a line break.
     Control(char),
+    /// It holds a mark that turns the direction of text, so that it reads as another one.
+    Direction(char),
 }
 
 impl fmt::Display for NameFault {
@@ -30,19 +32,29 @@ impl fmt::Display for NameFault {
                     u32::from(*c)
                 )
             }
+            Self::Direction(c) => {
+                write!(
+                    f,
+                    "a name must read the same everywhere: take out U+{:04X}, which turns the direction of text",
+                    u32::from(*c)
+                )
+            }
         }
     }
 }
 
 impl std::error::Error for NameFault {}
 
-/// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break.
+/// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break, and
+/// no mark that turns the direction of text (letters that are written from right to left need none).
 ///
 /// # Errors
 /// If it cannot.
 pub fn check_name(text: &str) -> Result<(), NameFault> {
-    if let Some(c) = text.chars().find(|c| breaks_line(*c)) {
-        return Err(NameFault::Control(c));
+    match text.chars().find(|c| misleads(*c)) {
+        Some(c) if turns(c) => return Err(NameFault::Direction(c)),
+        Some(c) => return Err(NameFault::Control(c)),
+        None => {}
     }
     if text.trim().is_empty() {
         return Err(NameFault::Empty);
@@ -53,9 +65,15 @@ pub fn check_name(text: &str) -> Result<(), NameFault> {
     }
 }
 
-/// Whether `c` is a control character or one of Unicode's two line breaks, which Rust does not count as such.
-pub(super) fn breaks_line(c: char) -> bool {
-    c.is_control() || matches!(c, '\u{2028}' | '\u{2029}')
+/// Whether `c` makes a line of text show something else than it says: a control character, one of Unicode's two line
+/// breaks, which Rust does not count as such, or a mark that turns the direction of text.
+pub fn misleads(c: char) -> bool {
+    c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') || turns(c)
+}
+
+/// Whether `c` is one of Unicode's controls of direction (UAX 9, 2.1 to 2.6).
+fn turns(c: char) -> bool {
+    matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 #[cfg(test)]
@@ -71,5 +89,9 @@ mod tests {
         for c in ['\n', '\r', '\0', '\u{85}', '\u{2028}', '\u{1b}'] {
             assert_eq!(check_name(&format!("a{c}b")), Err(NameFault::Control(c)));
         }
+        for c in ['\u{202a}', '\u{202e}', '\u{2066}', '\u{2069}', '\u{200e}', '\u{200f}', '\u{61c}'] {
+            assert_eq!(check_name(&format!("a{c}b")), Err(NameFault::Direction(c)));
+        }
+        assert_eq!(check_name("כוכב نجمة"), Ok(()), "right to left, by its letters alone");
     }
 }

@@ -9,7 +9,7 @@ use crate::spec::model::{
     Accuracy, Fabric, FeedFloor, Frame, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal, Sheet,
     Spec,
 };
-use crate::spec::name::{breaks_line, check_name};
+use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
@@ -191,7 +191,7 @@ fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
 
 fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
     let profile = s.text("profile").map(|(profile, span)| {
-        if profile.trim().is_empty() || profile.chars().any(breaks_line) {
+        if profile.trim().is_empty() || profile.chars().any(misleads) {
             let fault = Fault::error("profile", span, format!("`profile` is {}", quoted(profile)))
                 .label("must be the name of a built-in profile, or a path relative to the spec");
             s.report(fault);

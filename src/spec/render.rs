@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Level as Tone, Renderer, Snippet};
 
 use crate::spec::fault::{Fault, Faults, Severity};
-use crate::spec::name::breaks_line;
+use crate::spec::name::misleads;
 
 /// Most faults shown; a wrong file has thousands, and nobody reads them.
 const SHOWN: usize = 30;
@@ -70,5 +70,5 @@ fn summary(faults: &Faults) -> String {
 
 /// The source's name without what would command a terminal.
 fn shown_name(faults: &Faults) -> String {
-    faults.source().name.chars().map(|c| if breaks_line(c) { '?' } else { c }).collect()
+    faults.source().name.chars().map(|c| if misleads(c) { '?' } else { c }).collect()
 }

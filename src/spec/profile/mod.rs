@@ -13,7 +13,7 @@ mod script;
 
 use crate::spec::fault::{Fault, Faults, quoted};
 use crate::spec::machine::{Controller, Machine};
-use crate::spec::name::breaks_line;
+use crate::spec::name::misleads;
 use crate::spec::profile::bench::read_bench;
 use crate::spec::profile::controller::{read_controller, read_dwells};
 use crate::spec::profile::motion::read_motion;
@@ -54,7 +54,7 @@ fn read_profile(reader: &mut Reader<'_>) -> Machine {
 
 fn read_description(root: &mut Section<'_, '_>) -> String {
     let Some((text, span)) = root.text("description") else { return String::new() };
-    if text.chars().any(breaks_line) || text.chars().count() > DESCRIPTION_LENGTH {
+    if text.chars().any(misleads) || text.chars().count() > DESCRIPTION_LENGTH {
         let fault = Fault::error("name", span, format!("`description` is {}", quoted(text)))
             .label(format!("must be one line of at most {DESCRIPTION_LENGTH} characters"));
         root.report(fault);

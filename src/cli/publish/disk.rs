@@ -1,0 +1,138 @@
+//! The few operations on files that publishing is made of.
+//!
+//! Nothing else in this room changes a file. So a test can make any single one of them fail, or be the
+//! last one that a killed process does, and try them all ([`faults`](super::faults)).
+
+use std::fs::{File, Permissions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+#[cfg(test)]
+use crate::cli::publish::faults::step;
+
+/// Where a test interferes.
+#[cfg(not(test))]
+#[expect(clippy::unnecessary_wraps, reason = "in tests it fails")]
+fn step(_: Step, _: &Path) -> io::Result<()> {
+    Ok(())
+}
+
+/// What is about to be done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Step {
+    Create,
+    Write,
+    Rename,
+    Exchange,
+    Remove,
+    Permit,
+    List,
+    Sync,
+}
+
+pub(super) fn create_dir(path: &Path) -> io::Result<()> {
+    step(Step::Create, path)?;
+    fs::create_dir(path)
+}
+
+/// Writes a file that is not there yet, synced: after a power cut no name stands for an empty file.
+pub(super) fn write_new(path: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
+    step(Step::Write, path)?;
+    let mut file = File::create_new(path)?;
+    if let Some(permissions) = permissions {
+        file.set_permissions(permissions)?;
+    }
+    let (first, rest) = bytes.split_at(bytes.len() / 2);
+    file.write_all(first)?;
+    step(Step::Write, path)?; // a full disk leaves half of a file
+    file.write_all(rest)?;
+    file.sync_all()
+}
+
+pub(super) fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    step(Step::Rename, from)?;
+    fs::rename(from, to)
+}
+
+pub(super) fn remove_file(path: &Path) -> io::Result<()> {
+    step(Step::Remove, path)?;
+    fs::remove_file(path)
+}
+
+/// Removes an empty directory; one that is not empty stays as it is.
+pub(super) fn remove_dir(path: &Path) -> io::Result<()> {
+    step(Step::Remove, path)?;
+    fs::remove_dir(path)
+}
+
+/// Removes a directory of half-written files, if there is one.
+pub(super) fn remove_tree(path: &Path) -> io::Result<()> {
+    step(Step::Remove, path)?;
+    #[cfg(unix)]
+    if fs::metadata(path).is_ok_and(|found| found.permissions().readonly()) {
+        use std::os::unix::fs::PermissionsExt;
+        let _ = fs::set_permissions(path, Permissions::from_mode(0o700));
+    }
+    match fs::remove_dir_all(path) {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        other => other,
+    }
+}
+
+pub(super) fn set_permissions(path: &Path, permissions: Permissions) -> io::Result<()> {
+    step(Step::Permit, path)?;
+    fs::set_permissions(path, permissions)
+}
+
+/// What a directory holds, in order.
+pub(super) fn entries(directory: &Path) -> io::Result<Vec<PathBuf>> {
+    step(Step::List, directory)?;
+    let mut paths = Vec::new();
+    for entry in fs::read_dir(directory)? {
+        paths.push(entry?.path());
+    }
+    paths.sort();
+    Ok(paths)
+}
+
+/// Makes the names in a directory outlive a power cut, where the system can.
+pub(super) fn sync_dir(path: &Path) -> io::Result<()> {
+    step(Step::Sync, path)?;
+    if !cfg!(unix) {
+        return Ok(()); // elsewhere a directory cannot be opened as a file
+    }
+    match File::open(path).and_then(|directory| directory.sync_all()) {
+        // Some network file systems sync no directories.
+        Err(error) if matches!(error.kind(), io::ErrorKind::InvalidInput | io::ErrorKind::Unsupported) => {
+            Ok(())
+        }
+        other => other,
+    }
+}
+
+/// Exchanges two names in one step.
+///
+/// # Errors
+/// Also where the system cannot.
+#[cfg(any(target_os = "linux", target_os = "android"))]
+pub(super) fn exchange(a: &Path, b: &Path) -> io::Result<()> {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    step(Step::Exchange, a)?;
+    Ok(renameat_with(CWD, a, CWD, b, RenameFlags::EXCHANGE)?)
+}
+
+#[cfg(not(any(target_os = "linux", target_os = "android")))]
+pub(super) fn exchange(_: &Path, _: &Path) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+/// Whether something has this name, be it a link to nothing.
+pub(super) fn exists(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok()
+}
+
+/// Whether this name stands for a file: no link, pipe, device or directory.
+pub(super) fn is_plain(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|found| found.is_file())
+}

@@ -1,0 +1,37 @@
+//! Publishing in one step: a directory that is whole takes the target's name.
+//!
+//! Where the system cannot exchange two names it takes two renames. A kill between the two leaves the
+//! old output under its hidden name, and the next publication puts it back.
+
+use std::path::PathBuf;
+
+use crate::cli::publish::fault::PublishFault;
+use crate::cli::publish::place::{Place, Role};
+use crate::cli::publish::stage::Staging;
+use crate::cli::publish::{File, disk};
+
+/// Puts `files` in the target's place. Returns where the old build is now, if there was one.
+///
+/// # Errors
+/// The target is then as it was.
+pub(super) fn publish(place: &Place, files: &[File<'_>]) -> Result<Option<PathBuf>, PublishFault> {
+    let (target, ready, old) = (&place.target, place.beside(Role::Ready), place.beside(Role::Old));
+    let staging = Staging::write(&place.beside(Role::New), &ready, files, target)?;
+    let left = if !disk::exists(target) {
+        disk::rename(staging.path(), target).map_err(PublishFault::io("create", target))?;
+        None
+    } else if disk::exchange(staging.path(), target).is_ok() {
+        Some(ready)
+    } else {
+        disk::rename(target, &old).map_err(PublishFault::io("set aside", target))?;
+        if let Err(error) = disk::rename(staging.path(), target) {
+            let _ = disk::rename(&old, target);
+            return Err(PublishFault::Io("replace", target.clone(), error));
+        }
+        Some(old)
+    };
+    staging.keep();
+    // It is published; a system that cannot sync its name may at most show the old build after a power cut.
+    let _ = disk::sync_dir(&place.parent);
+    Ok(left)
+}

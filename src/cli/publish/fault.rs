@@ -1,0 +1,71 @@
+//! Why nothing was published.
+
+use std::path::{Path, PathBuf};
+use std::{fmt, io};
+
+use crate::cli::failure::shown;
+
+/// Why nothing was published; the target is as it was.
+#[derive(Debug)]
+pub enum PublishFault {
+    /// The target exists and is not a directory.
+    NotADirectory(PathBuf),
+    /// The target holds this entry, which no build of ours has written there.
+    Foreign(PathBuf),
+    /// The target, or a file in it, is protected from being written.
+    ReadOnly(PathBuf),
+    /// The target has no name of its own, such as `/`.
+    NoName(PathBuf),
+    /// The target's name has this many bytes, too many for what stands beside it for a moment.
+    LongName(usize),
+    /// The system refused.
+    Io(&'static str, PathBuf, io::Error),
+}
+
+/// Longest name of an output directory, bytes: file systems take 255, `.NAME.stargrip-ready` needs 16 of them.
+pub(super) const NAME_BYTES: usize = 235;
+
+impl PublishFault {
+    /// The fault of an operation, `what`, on `path`.
+    pub(super) fn io(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
+        let path = path.to_owned();
+        move |error| Self::Io(what, path, error)
+    }
+
+    /// Whether it comes from where the target stands: it cannot be given another name, or nothing can be put beside it.
+    pub(super) fn bound(&self) -> bool {
+        use io::ErrorKind::{CrossesDevices, PermissionDenied, ReadOnlyFilesystem, ResourceBusy};
+        let kinds = [CrossesDevices, PermissionDenied, ReadOnlyFilesystem, ResourceBusy];
+        matches!(self, Self::Io(_, _, error) if kinds.contains(&error.kind()))
+    }
+}
+
+impl fmt::Display for PublishFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotADirectory(path) => {
+                write!(f, "{} exists and is not a directory; choose another with -o", shown(path))
+            }
+            Self::Foreign(path) => write!(
+                f,
+                "{} is not named in a manifest beside it, so its directory is left alone; move it away or choose another directory with -o",
+                shown(path)
+            ),
+            Self::ReadOnly(path) => write!(
+                f,
+                "{} is read-only and stays as it is; allow writing to it or choose another directory with -o",
+                shown(path)
+            ),
+            Self::NoName(path) => {
+                write!(f, "{} cannot be an output directory; name one with -o", shown(path))
+            }
+            Self::LongName(bytes) => write!(
+                f,
+                "the output directory's name has {bytes} bytes, at most {NAME_BYTES} are allowed; choose another with -o"
+            ),
+            Self::Io(what, path, error) => write!(f, "cannot {what} {}: {error}", shown(path)),
+        }
+    }
+}
+
+impl std::error::Error for PublishFault {}

@@ -1,0 +1,288 @@
+//! Publishing under faults: every single operation fails, or is the last one, or a guest walks in before it.
+//!
+//! The disk is a real one; [`step`] stands before each operation on it. A killed process is one whose
+//! operations all fail from there on, those that clean up as well.
+
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::{env, fs, io};
+
+use tempfile::TempDir;
+
+use crate::cli::publish::disk::Step;
+use crate::cli::publish::place::Place;
+use crate::cli::publish::{File, PublishFault, Published, journal, put, retire};
+use crate::manifest::{MANIFEST, sha256};
+
+/// What the system can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum System {
+    /// Exchange two names in one step.
+    Exchange,
+    /// Only rename.
+    Rename,
+    /// Not even that, since the target is a mount point.
+    Mount,
+}
+
+const SYSTEMS: [System; 3] = [System::Exchange, System::Rename, System::Mount];
+
+/// What happens at one operation.
+#[derive(Clone, Copy, Debug)]
+enum Event {
+    Fails(io::ErrorKind),
+    Killed,
+    /// A file is put into the target.
+    Added,
+    /// A file of the target is changed.
+    Edited,
+}
+
+const EVENTS: [Event; 7] = [
+    Event::Fails(io::ErrorKind::StorageFull),
+    Event::Fails(io::ErrorKind::PermissionDenied),
+    Event::Fails(io::ErrorKind::Other),
+    Event::Fails(io::ErrorKind::ResourceBusy),
+    Event::Killed,
+    Event::Added,
+    Event::Edited,
+];
+
+/// At operation 0, which there is none.
+const NOTHING: Event = Event::Fails(io::ErrorKind::Other);
+
+/// One publication's fate.
+#[derive(Debug)]
+struct Fate {
+    version: u8,
+    system: System,
+    target: PathBuf,
+    at: usize,
+    event: Event,
+    steps: usize,
+    /// What the guest wrote.
+    written: Option<String>,
+}
+
+thread_local! {
+    static FATE: RefCell<Option<Fate>> = const { RefCell::new(None) };
+}
+
+/// Before an operation on `path`.
+pub(super) fn step(step: Step, path: &Path) -> io::Result<()> {
+    FATE.with_borrow_mut(|fate| {
+        let Some(fate) = fate else { return Ok(()) };
+        fate.steps += 1;
+        match fate.system {
+            System::Mount if step == Step::Exchange || (step == Step::Rename && path == fate.target) => {
+                return Err(io::ErrorKind::ResourceBusy.into());
+            }
+            System::Rename if step == Step::Exchange => return Err(io::ErrorKind::InvalidInput.into()),
+            _ => {}
+        }
+        match fate.event {
+            Event::Fails(kind) if fate.steps == fate.at => Err(kind.into()),
+            Event::Killed if fate.steps >= fate.at => Err(io::ErrorKind::Interrupted.into()),
+            Event::Added | Event::Edited if fate.steps == fate.at => {
+                let added = matches!(fate.event, Event::Added);
+                let file = fate.target.join(if added { "notes.txt" } else { "star-1.gcode" });
+                if fate.target.is_dir() && file.exists() != added {
+                    let text = format!("my work on version {}, {}. ", fate.version, fate.at);
+                    let before = if added { Vec::new() } else { fs::read(&file)? };
+                    fs::write(file, [&before, text.as_bytes()].concat())?;
+                    fate.written = Some(text);
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    })
+}
+
+/// The files of version `version` of a build: one changes, one stays, one comes and goes.
+fn build(version: u8) -> Vec<File<'static>> {
+    let passing = if version.is_multiple_of(2) { "sheet-1.svg" } else { "sheet-2.svg" };
+    let mut files: Vec<File<'static>> = vec![
+        ("machine.toml", Cow::Borrowed(b"the same")),
+        ("star-1.gcode", format!("version {version}").into_bytes().into()),
+        (passing, Cow::Borrowed(b"passing")),
+    ];
+    let listed = |(name, bytes): &File<'_>| serde_json::json!({ "path": name, "bytes": bytes.len(), "sha256": sha256(bytes) });
+    let listed: Vec<_> = files.iter().map(listed).collect();
+    let manifest = serde_json::json!({ "name": format!("design {version}"), "files": listed });
+    files.push((MANIFEST, manifest.to_string().into_bytes().into()));
+    files
+}
+
+/// Publishes `version` and tells how many operations it took, and what a guest wrote meanwhile.
+fn run(
+    target: &Path,
+    version: u8,
+    system: System,
+    at: usize,
+    event: Event,
+) -> (Result<Published, PublishFault>, usize, Option<String>) {
+    let fate = Fate { version, system, target: target.to_owned(), at, event, steps: 0, written: None };
+    FATE.set(Some(fate));
+    let result = put(target, build(version));
+    let fate = FATE.take().unwrap();
+    (result, fate.steps, fate.written)
+}
+
+/// Everything in `directory`, but for what is hidden in it.
+fn visible(directory: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = fs::read_dir(directory).into_iter().flatten().map(|entry| entry.unwrap());
+    let named = entries.map(|entry| (entry.file_name().into_string().unwrap(), entry.path()));
+    let files = named.filter(|(name, path)| !name.starts_with('.') && path.is_file());
+    files.map(|(name, path)| (name, fs::read(path).unwrap())).collect()
+}
+
+fn whole(directory: &Path, version: u8) -> bool {
+    let files = build(version).into_iter();
+    visible(directory) == files.map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
+}
+
+/// Hidden entries in and beside `target`.
+fn leftovers(target: &Path) -> Vec<PathBuf> {
+    let directories = [target, target.parent().unwrap()].into_iter();
+    let entries = directories.flat_map(|directory| fs::read_dir(directory).into_iter().flatten());
+    let paths = entries.map(|entry| entry.unwrap().path());
+    paths.filter(|path| path.file_name().unwrap().to_string_lossy().starts_with('.')).collect()
+}
+
+/// Whether a file that everybody sees holds `text`.
+fn found(directory: &Path, text: &str) -> bool {
+    fs::read_dir(directory).unwrap().map(|entry| entry.unwrap()).any(|entry| {
+        let path = entry.path();
+        let hidden = entry.file_name().to_string_lossy().starts_with('.');
+        let holds = || String::from_utf8_lossy(&fs::read(&path).unwrap()).contains(text);
+        !hidden && if path.is_dir() { found(&path, text) } else { holds() }
+    })
+}
+
+/// Does what a person does who reads that a file is in the way, and what the next publication does.
+fn again(root: &Path, target: &Path, version: u8, system: System) {
+    for _ in 0..10 {
+        match run(target, version, system, 0, NOTHING).0 {
+            Ok(_) => return,
+            Err(PublishFault::Foreign(path)) => {
+                let desk = (0..100).map(|n| root.join(format!("desk-{n}"))).find(|path| !path.exists());
+                fs::rename(path, desk.unwrap()).unwrap();
+            }
+            Err(fault) => panic!("{fault}"),
+        }
+    }
+    panic!("never done");
+}
+
+fn workshop(before: Option<u8>) -> (TempDir, PathBuf) {
+    // In memory, where that is: a disk takes milliseconds for each sync, and a round has dozens.
+    let root = tempfile::tempdir_in("/dev/shm").or_else(|_| tempfile::tempdir()).unwrap();
+    let target = fs::canonicalize(root.path()).unwrap().join("out/star");
+    fs::create_dir(root.path().join("out")).unwrap();
+    if let Some(version) = before {
+        assert!(put(&target, build(version)).is_ok());
+    }
+    (root, target)
+}
+
+/// The rounds to do: `ROUNDS` of the environment, or a few.
+fn rounds() -> usize {
+    env::var("ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(300)
+}
+
+#[test]
+fn one_fault_leaves_the_old_build_or_the_new_one() {
+    let mut tried = 0;
+    for system in SYSTEMS {
+        for event in EVENTS {
+            for at in 1.. {
+                let (root, target) = workshop(Some(1));
+                let (result, steps, written) = run(&target, 2, system, at, event);
+                if at > steps {
+                    break;
+                }
+                tried += 1;
+                let place = Place::new(&target).unwrap();
+                let case = format!("{system:?}, {event:?} at {at} of {steps}: {result:?}");
+                match event {
+                    Event::Fails(_) => {
+                        let version = if result.is_ok() { 2 } else { 1 };
+                        assert!(whole(&target, version), "{case}: {:?}", visible(&target));
+                    }
+                    Event::Killed => {
+                        let _ = retire::sweep(&place, true).unwrap();
+                        let _ = journal::recover(&place).unwrap();
+                        assert!(whole(&target, 1) || whole(&target, 2), "{case}: {:?}", visible(&target));
+                    }
+                    Event::Added | Event::Edited => {
+                        let text = written.unwrap_or_default();
+                        assert!(text.is_empty() || found(root.path(), &text), "{case}: {text} is lost");
+                    }
+                }
+                again(root.path(), &target, 3, system);
+                assert!(whole(&target, 3), "{case}: {:?}", visible(&target));
+                assert_eq!(leftovers(&target), Vec::<PathBuf>::new(), "{case}");
+            }
+        }
+    }
+    println!("one fault: {tried} rounds");
+    assert!(tried > 400, "{tried}");
+}
+
+#[test]
+fn a_first_publication_leaves_all_or_nothing() {
+    for system in [System::Exchange, System::Rename] {
+        for event in [Event::Fails(io::ErrorKind::StorageFull), Event::Killed] {
+            for at in 1.. {
+                let (root, target) = workshop(None);
+                let (result, steps, _) = run(&target, 1, system, at, event);
+                if at > steps {
+                    break;
+                }
+                let case = format!("{event:?} at {at}: {result:?}");
+                assert!(!target.exists() || whole(&target, 1), "{case}");
+                assert!(result.is_err() || target.exists(), "{case}");
+                if !matches!(event, Event::Killed) && result.is_err() {
+                    // What was being removed when removing failed is the one thing that may stay.
+                    assert!(leftovers(&target).len() <= usize::from(at == steps), "{case}");
+                }
+                again(root.path(), &target, 2, system);
+                assert!(whole(&target, 2) && leftovers(&target).is_empty(), "{case}");
+            }
+        }
+    }
+}
+
+/// Long lives: publications one after the other, each with a fate of its own, recovery from the last included.
+#[test]
+fn many_faults_lose_nothing() {
+    let mut seed = 0x9e37_79b9_7f4a_7c15_u64;
+    let mut random = |below: usize| {
+        seed ^= seed << 13;
+        seed ^= seed >> 7;
+        seed ^= seed << 17;
+        usize::try_from(seed % 1_000_003).unwrap() % below
+    };
+    for round in 0..rounds() {
+        let system = SYSTEMS[random(3)];
+        let (root, target) = workshop(Some(1));
+        let mut texts = Vec::new();
+        let mut lives = Vec::new();
+        for life in 0..=random(4) {
+            let (at, event) = (1 + random(50), EVENTS[random(7)]);
+            let version = u8::try_from(2 + life).unwrap();
+            let (result, _, written) = run(&target, version, system, at, event);
+            lives.push(format!("{event:?} at {at}: {result:?}"));
+            texts.extend(written);
+        }
+        again(root.path(), &target, 9, system);
+        assert!(whole(&target, 9), "{round}, {system:?}: {lives:#?}");
+        assert_eq!(leftovers(&target), Vec::<PathBuf>::new(), "{round}, {system:?}: {lives:#?}");
+        for text in texts {
+            assert!(found(root.path(), &text), "{round}, {system:?}: {text} is lost: {lives:#?}");
+        }
+    }
+}

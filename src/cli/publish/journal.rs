@@ -1,0 +1,116 @@
+//! Publishing file by file, where the target cannot be given another name: a mount point, or the
+//! directory that somebody stands in.
+//!
+//! The hidden directories are in the target. The new build is written there first, and **ready** once it
+//! is whole. Then the old files move to **old** and the new ones to the target, their manifest last: this
+//! is the moment in which it is published. Before it a fault or a kill is undone, by moving
+//! everything back; after it there is only the old build to remove. The two directories are the
+//! journal: what is in them tells how far it went, after a kill as well.
+
+use std::path::{Path, PathBuf};
+
+use crate::cli::publish::fault::PublishFault;
+use crate::cli::publish::place::{Place, Role};
+use crate::cli::publish::record::{Record, is_manifest};
+use crate::cli::publish::retire::retire;
+use crate::cli::publish::stage::Staging;
+use crate::cli::publish::{File, disk};
+use crate::manifest::MANIFEST;
+
+/// Puts `files` into the target in place of the build that `before` records. Returns where the old build is now.
+///
+/// # Errors
+/// The target is then as it was; if not even that could be done, the next publication into it does it.
+pub(super) fn publish(
+    place: &Place,
+    files: &[File<'_>],
+    before: Option<&Record>,
+) -> Result<PathBuf, PublishFault> {
+    let ready = place.inside(Role::Ready);
+    Staging::write(&place.inside(Role::New), &ready, files, &place.target)?.keep();
+    if let Err(fault) = commit(place, files, before) {
+        // The first fault is the one to tell; the next publication tries again.
+        let _ = undo(place);
+        return Err(fault);
+    }
+    let _ = disk::sync_dir(&place.target);
+    let _ = disk::remove_dir(&ready);
+    Ok(place.inside(Role::Old))
+}
+
+fn commit(place: &Place, files: &[File<'_>], before: Option<&Record>) -> Result<(), PublishFault> {
+    let (target, ready, old) = (&place.target, place.inside(Role::Ready), place.inside(Role::Old));
+    disk::sync_dir(target).map_err(PublishFault::io("sync", target))?;
+    disk::create_dir(&old).map_err(PublishFault::io("create", &old))?;
+    let entries = disk::entries(target).map_err(PublishFault::io("read", target))?;
+    for entry in entries.iter().filter(|entry| before.is_some_and(|before| before.names(entry))) {
+        move_to(entry, &old)?;
+    }
+    let (manifest, others): (Vec<_>, Vec<_>) =
+        files.iter().map(|(name, _)| ready.join(name)).partition(|file| is_manifest(file));
+    for file in others {
+        move_to(&file, target)?;
+    }
+    disk::sync_dir(target).map_err(PublishFault::io("sync", target))?;
+    for file in manifest {
+        move_to(&file, target)?;
+    }
+    Ok(())
+}
+
+/// Moves `entry` into `directory`, but not onto anything.
+fn move_to(entry: &Path, directory: &Path) -> Result<(), PublishFault> {
+    let to = directory.join(entry.file_name().unwrap_or_default());
+    if disk::exists(&to) {
+        return Err(PublishFault::Foreign(to));
+    }
+    disk::rename(entry, &to).map_err(PublishFault::io("move", entry))
+}
+
+/// Puts the target back as it was before a publication into it that was cut short. It may be cut short itself.
+fn undo(place: &Place) -> Result<Vec<PathBuf>, PublishFault> {
+    let (target, ready, old) = (&place.target, place.inside(Role::Ready), place.inside(Role::Old));
+    for file in Record::read(&ready).into_iter().flat_map(|record| record.files) {
+        let (staged, published) = (ready.join(&file.path), target.join(&file.path));
+        // What is not ready any more has been moved, so what the target has is the new one.
+        if !disk::exists(&staged) && disk::exists(&published) {
+            move_to(&published, &ready)?;
+        }
+    }
+    let mut kept = Vec::new();
+    if disk::exists(&old) {
+        for entry in disk::entries(&old).map_err(PublishFault::io("read", &old))? {
+            // What came in under the same name meanwhile stays, and the old file is kept beside.
+            match move_to(&entry, target) {
+                Ok(()) | Err(PublishFault::Foreign(_)) => {}
+                Err(fault) => return Err(fault),
+            }
+        }
+        kept = retire(&old, None, &place.kept(&old))?;
+    }
+    let new = place.inside(Role::New);
+    disk::rename(&ready, &new).map_err(PublishFault::io("set aside", &ready))?;
+    disk::remove_tree(&new).map_err(PublishFault::io("remove", &new))?;
+    Ok(kept)
+}
+
+/// Undoes or finishes what a killed publication has left in the target. Returns what had to be kept.
+///
+/// # Errors
+/// If the system refuses.
+pub(super) fn recover(place: &Place) -> Result<Vec<PathBuf>, PublishFault> {
+    let [new, ready, old] = Role::ALL.map(|role| place.inside(role));
+    if disk::exists(&new) {
+        disk::remove_tree(&new).map_err(PublishFault::io("remove", &new))?;
+    }
+    if disk::is_plain(&ready.join(MANIFEST)) {
+        return undo(place);
+    }
+    if disk::exists(&ready) {
+        disk::remove_dir(&ready).map_err(PublishFault::io("remove", &ready))?;
+    }
+    if disk::exists(&old) {
+        return retire(&old, Record::read(&place.target).as_ref(), &place.kept(&old));
+    }
+    Ok(Vec::new())
+}

@@ -1,0 +1,155 @@
+//! Where something is published: the target, its neighbours with hidden names, the locks.
+
+use std::ffi::{OsStr, OsString};
+use std::fs::File;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+use crate::cli::publish::disk;
+use crate::cli::publish::fault::{NAME_BYTES, PublishFault};
+
+/// What a hidden directory is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Role {
+    /// Being written: nothing in it is of use to anybody.
+    New,
+    /// A whole build that waits to take the target's place, or an old one that it has exchanged places with.
+    Ready,
+    /// An old build, set aside.
+    Old,
+}
+
+impl Role {
+    pub(super) const ALL: [Self; 3] = [Self::New, Self::Ready, Self::Old];
+
+    fn suffix(self) -> &'static str {
+        match self {
+            Self::New => ".stargrip-new",
+            Self::Ready => ".stargrip-ready",
+            Self::Old => ".stargrip-old",
+        }
+    }
+}
+
+/// A target, with nothing about it left to guess.
+#[derive(Debug)]
+pub(super) struct Place {
+    /// The output directory; links in its path are resolved.
+    pub(super) target: PathBuf,
+    /// The directory that holds it.
+    pub(super) parent: PathBuf,
+    name: OsString,
+    _made: Parents,
+}
+
+impl Place {
+    /// The place that `target` names. A link is followed, so that the directory it names is replaced and not the link.
+    /// Missing parents are made, and removed again with the place if nothing was put into them.
+    pub(super) fn new(target: &Path) -> Result<Self, PublishFault> {
+        let resolved = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
+        let name = resolved.file_name().ok_or_else(|| PublishFault::NoName(resolved.clone()))?.to_owned();
+        if name.as_encoded_bytes().len() > NAME_BYTES {
+            return Err(PublishFault::LongName(name.as_encoded_bytes().len()));
+        }
+        let parent = match resolved.parent() {
+            Some(parent) if !parent.as_os_str().is_empty() => parent,
+            _ => Path::new("."),
+        };
+        let made = Parents(parent.ancestors().filter(|path| !path.exists()).map(Path::to_owned).collect());
+        fs::create_dir_all(parent).map_err(PublishFault::io("create", parent))?;
+        let parent = fs::canonicalize(parent).map_err(PublishFault::io("find", parent))?;
+        let target = parent.join(&name);
+        if !target.exists() && disk::exists(&target) {
+            return Err(PublishFault::NotADirectory(target)); // a link to nothing, or to itself
+        }
+        Ok(Self { target, parent, name, _made: made })
+    }
+
+    /// The hidden directory beside the target.
+    pub(super) fn beside(&self, role: Role) -> PathBuf {
+        self.parent.join(hidden(&self.name, role))
+    }
+
+    /// The hidden directory in the target.
+    pub(super) fn inside(&self, role: Role) -> PathBuf {
+        self.target.join(role.suffix())
+    }
+
+    /// The names, but for their number, that may be given to the hidden directory `path` to keep what is in it: one
+    /// beside the target, and for what is in the target one there too, since it may not get out of a mount point.
+    pub(super) fn kept(&self, path: &Path) -> Vec<PathBuf> {
+        let inside = path.starts_with(&self.target).then(|| self.target.join("kept"));
+        [kept_beside(&self.parent, &self.name)].into_iter().chain(inside).collect()
+    }
+
+    /// Whether somebody stands in the target: giving its name to another directory would take it from under his feet.
+    pub(super) fn underfoot(&self) -> bool {
+        let here = env::current_dir().and_then(fs::canonicalize);
+        here.is_ok_and(|here| here.starts_with(&self.target))
+    }
+
+    /// Keeps other publications in the same parent, or into the same target from elsewhere, waiting.
+    /// Systems that cannot lock directories go without.
+    pub(super) fn lock(&self) -> Locks {
+        Locks { parent: lock(&self.parent), _target: lock(&self.target) }
+    }
+
+    /// Every hidden directory beside the target, of whatever target: its path, the target's name, its role.
+    pub(super) fn hidden(&self) -> Vec<(PathBuf, OsString, Role)> {
+        let entries = disk::entries(&self.parent).unwrap_or_default();
+        let known = entries.into_iter().filter_map(|path| {
+            let name = path.file_name()?.as_encoded_bytes();
+            let role = Role::ALL.into_iter().find(|role| name.ends_with(role.suffix().as_bytes()))?;
+            let of = path.file_name()?.to_str()?.strip_prefix('.')?.strip_suffix(role.suffix())?;
+            let own = !of.is_empty() && path.symlink_metadata().is_ok_and(|found| found.is_dir());
+            own.then(|| (path.clone(), OsString::from(of), role))
+        });
+        known.collect()
+    }
+}
+
+fn hidden(name: &OsStr, role: Role) -> OsString {
+    let mut hidden = OsString::from(".");
+    hidden.push(name);
+    hidden.push(role.suffix());
+    hidden
+}
+
+/// The name, but for its number, under which something of the target `name` in `parent` is kept.
+pub(super) fn kept_beside(parent: &Path, name: &OsStr) -> PathBuf {
+    let mut kept = name.to_owned();
+    kept.push(".kept");
+    parent.join(kept)
+}
+
+/// Held while something is published.
+#[derive(Debug)]
+pub(super) struct Locks {
+    parent: Option<File>,
+    _target: Option<File>,
+}
+
+impl Locks {
+    /// Whether nobody else publishes beside the target.
+    pub(super) fn alone(&self) -> bool {
+        self.parent.is_some()
+    }
+}
+
+fn lock(directory: &Path) -> Option<File> {
+    let file = File::open(directory).ok()?;
+    file.lock().ok()?;
+    Some(file)
+}
+
+/// Directories that were made for a publication, deepest first. The empty ones go with it.
+#[derive(Debug)]
+struct Parents(Vec<PathBuf>);
+
+impl Drop for Parents {
+    fn drop(&mut self) {
+        for made in &self.0 {
+            let _ = disk::remove_dir(made);
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! What a directory's manifest says about it, and whether that is still true.
+
+use std::fs;
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use serde::Deserialize;
+
+use crate::cli::publish::disk;
+use crate::cli::publish::fault::PublishFault;
+use crate::manifest::{MANIFEST, sha256};
+
+/// Largest manifest that is read, bytes; one of sixty-four stars has a tenth of it.
+const LARGEST: u64 = 1 << 24;
+
+/// The part of a manifest that publishing needs. Every version of the program has written it alike.
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct Record {
+    /// What the spec calls the design.
+    pub(super) name: String,
+    /// Every file beside the manifest.
+    pub(super) files: Vec<Recorded>,
+}
+
+/// One file.
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct Recorded {
+    /// Its name: no path.
+    pub(super) path: String,
+    bytes: u64,
+    sha256: String,
+}
+
+impl Record {
+    /// The record in `directory`, if there is one.
+    pub(super) fn read(directory: &Path) -> Option<Self> {
+        let path = directory.join(MANIFEST);
+        let size = fs::symlink_metadata(&path).ok().filter(fs::Metadata::is_file)?.len();
+        let bytes = if size <= LARGEST { fs::read(path).ok()? } else { return None };
+        Self::parse(&bytes)
+    }
+
+    /// The record in the bytes of a manifest.
+    pub(super) fn parse(bytes: &[u8]) -> Option<Self> {
+        let mut record: Self = serde_json::from_slice(bytes).ok()?;
+        // A name that leads out of the directory is no file of it, whoever wrote the manifest.
+        record.files.retain(|file| Path::new(&file.path).file_name().is_some_and(|name| *name == *file.path));
+        Some(record)
+    }
+
+    fn find(&self, entry: &Path) -> Option<&Recorded> {
+        let name = entry.file_name()?.to_str()?;
+        self.files.iter().find(|file| file.path == name)
+    }
+
+    /// Whether `entry` is a file that the record names, or the manifest itself.
+    pub(super) fn names(&self, entry: &Path) -> bool {
+        disk::is_plain(entry) && (is_manifest(entry) || self.find(entry).is_some())
+    }
+
+    /// Whether `entry` is a file that the record names and still has the recorded bytes.
+    pub(super) fn holds(&self, entry: &Path) -> bool {
+        let Some(file) = self.find(entry).filter(|_| disk::is_plain(entry)) else { return false };
+        // The length first, so that nothing is read which cannot be ours.
+        let mut bytes = Vec::new();
+        let read = File::open(entry).and_then(|open| open.take(file.bytes + 1).read_to_end(&mut bytes));
+        read.is_ok_and(|length| u64::try_from(length) == Ok(file.bytes)) && sha256(&bytes) == file.sha256
+    }
+}
+
+pub(super) fn is_manifest(entry: &Path) -> bool {
+    entry.file_name().is_some_and(|name| name == MANIFEST)
+}
+
+/// The record of the build that `target` holds; `None` if there is no target or it is empty.
+///
+/// # Errors
+/// If something in it is named by no record, or protected from being written.
+pub(super) fn ours(target: &Path) -> Result<Option<Record>, PublishFault> {
+    if !disk::exists(target) {
+        return Ok(None);
+    }
+    let found = fs::metadata(target).map_err(PublishFault::io("read", target))?;
+    if !found.is_dir() {
+        return Err(PublishFault::NotADirectory(target.to_owned()));
+    }
+    if !writable(target) {
+        return Err(PublishFault::ReadOnly(target.to_owned()));
+    }
+    let record = Record::read(target);
+    for entry in disk::entries(target).map_err(PublishFault::io("read", target))? {
+        if !record.as_ref().is_some_and(|record| record.names(&entry)) {
+            return Err(PublishFault::Foreign(entry));
+        }
+        if fs::metadata(&entry).is_ok_and(|found| found.permissions().readonly()) {
+            return Err(PublishFault::ReadOnly(entry));
+        }
+    }
+    Ok(record)
+}
+
+/// Whether the directory may be written to. Who has taken away the last right to write means it, even for root.
+fn writable(directory: &Path) -> bool {
+    #[cfg(any(target_os = "linux", target_os = "android"))]
+    if rustix::fs::access(directory, rustix::fs::Access::WRITE_OK).is_err() {
+        return false;
+    }
+    fs::metadata(directory).is_ok_and(|found| !found.permissions().readonly())
+}

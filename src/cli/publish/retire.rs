@@ -1,0 +1,113 @@
+//! Removing an old build, and nothing else.
+//!
+//! Only a file that a manifest names and that still has the recorded hash is removed. Whatever else is in
+//! the directory came in, or was changed, since it was built: somebody wants it. The directory then gets
+//! a visible name and keeps just that. It is never removed with its content, so that a file which comes
+//! in at the last moment is kept as well.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use crate::cli::publish::disk;
+use crate::cli::publish::fault::PublishFault;
+use crate::cli::publish::place::{Place, Role, kept_beside};
+use crate::cli::publish::record::{Record, is_manifest};
+
+/// Names that are tried for what is kept, per place.
+const NAMES: usize = 10_000;
+
+/// Removes the build in `directory`; what has to be kept takes one of the free names `kept`-1, `kept`-2, ...
+/// `successor` is the build that stands in its place: what is equal to a file of it is not lost.
+/// Returns what was kept.
+///
+/// # Errors
+/// If the system refuses; then what was not removed is still there.
+pub(super) fn retire(
+    directory: &Path,
+    successor: Option<&Record>,
+    kept: &[PathBuf],
+) -> Result<Vec<PathBuf>, PublishFault> {
+    let record = Record::read(directory);
+    let entries = disk::entries(directory).map_err(PublishFault::io("read", directory))?;
+    let (manifest, files): (Vec<_>, Vec<_>) = entries.into_iter().partition(|entry| is_manifest(entry));
+    let clean = |entry: &PathBuf| {
+        [record.as_ref(), successor].into_iter().flatten().any(|record| record.holds(entry))
+    };
+    // The manifest goes last: after a kill it still says which files are ours.
+    let manifest = manifest.into_iter().filter(|_| record.is_some());
+    for entry in files.into_iter().filter(clean).chain(manifest) {
+        disk::remove_file(&entry).map_err(PublishFault::io("remove", &entry))?;
+    }
+    match disk::remove_dir(directory) {
+        Ok(()) => Ok(Vec::new()),
+        Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => keep(directory, kept),
+        Err(error) => Err(PublishFault::Io("remove", directory.to_owned(), error)),
+    }
+}
+
+/// Gives `directory` the first free name, and says what is in it.
+fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault> {
+    let refused = |error| PublishFault::Io("give a visible name to", directory.to_owned(), error);
+    let mut fault = refused(io::ErrorKind::AlreadyExists.into());
+    for stem in kept {
+        for number in 1..=NAMES {
+            let mut name = stem.clone().into_os_string();
+            name.push(format!("-{number}"));
+            let name = PathBuf::from(name);
+            if disk::exists(&name) {
+                continue;
+            }
+            match disk::rename(directory, &name) {
+                Ok(()) => return disk::entries(&name).map_err(PublishFault::io("read", &name)),
+                // Taken in this moment: no directory replaces one that is not empty.
+                Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => {}
+                Err(error) => {
+                    fault = refused(error);
+                    break;
+                }
+            }
+        }
+        // Only what cannot get to the one place is put into the other.
+        if !fault.bound() {
+            break;
+        }
+    }
+    Err(fault)
+}
+
+/// Removes what killed publications have left beside the target, whatever their targets were, and puts
+/// back an output that one of them had set aside. Returns what had to be kept.
+///
+/// # Errors
+/// If something of this very target stays in the way; leftovers of others harm nobody.
+pub(super) fn sweep(place: &Place, alone: bool) -> Result<Vec<PathBuf>, PublishFault> {
+    let mut kept = Vec::new();
+    for role in Role::ALL {
+        let path = place.beside(role);
+        kept.extend(clear(&path, role, &place.target, &place.kept(&path))?);
+    }
+    // Without a lock a hidden directory of another target may be one that is being written.
+    for (path, name, role) in place.hidden().into_iter().filter(|_| alone) {
+        let stem = kept_beside(&place.parent, &name);
+        kept.extend(clear(&path, role, &place.parent.join(name), &[stem]).unwrap_or_default());
+    }
+    Ok(kept)
+}
+
+/// Clears away the hidden directory `path` of `target`.
+fn clear(path: &Path, role: Role, target: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault> {
+    if !disk::exists(path) {
+        return Ok(Vec::new());
+    }
+    match role {
+        Role::New => {
+            disk::remove_tree(path).map_err(PublishFault::io("remove", path))?;
+            Ok(Vec::new())
+        }
+        Role::Old if !disk::exists(target) => {
+            disk::rename(path, target).map_err(PublishFault::io("restore", target))?;
+            Ok(Vec::new())
+        }
+        Role::Ready | Role::Old => retire(path, Record::read(target).as_ref(), kept),
+    }
+}
