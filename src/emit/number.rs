@@ -58,26 +58,18 @@ impl Decimals {
             rest /= 10;
             decimals -= 1;
         }
-        // Filled from the right, as the digits come out; 20 digits and a point are the most there can be.
-        let mut text = [0_u8; 24];
-        let mut at = text.len();
-        let mut push = |byte: u8| {
-            at -= 1;
-            text[at] = byte;
-        };
-        for _ in 0..decimals {
-            push(b'0' + (rest % 10) as u8);
-            rest /= 10;
-        }
+        let mut digits = Digits { text: [0; 24], at: 24 };
         if decimals > 0 {
-            push(b'.');
+            digits.take(&mut rest, decimals);
+            digits.push(b'.');
         }
-        push(b'0' + (rest % 10) as u8);
-        while rest >= 10 {
-            rest /= 10;
-            push(b'0' + (rest % 10) as u8);
+        // At least one digit stands before the point.
+        digits.take(&mut rest, 1);
+        while rest > 0 {
+            let count = if rest < 10 { 1 } else { 2 };
+            digits.take(&mut rest, count);
         }
-        out.push_str(std::str::from_utf8(&text[at..]).unwrap_or_default());
+        out.push_str(std::str::from_utf8(&digits.text[digits.at..]).unwrap_or_default());
     }
 
     /// `x` as text, see [`Decimals::write`].
@@ -85,6 +77,33 @@ impl Decimals {
         let mut out = String::new();
         self.write(&mut out, x);
         out
+    }
+}
+
+/// A number's text, filled from the right, as the digits come out; 20 digits and a point are the most there can be.
+struct Digits {
+    text: [u8; 24],
+    at: usize,
+}
+
+impl Digits {
+    fn push(&mut self, byte: u8) {
+        self.at -= 1;
+        self.text[self.at] = byte;
+    }
+
+    /// Takes `count` digits off the end of `rest`, two by two: a division costs more than all the rest.
+    fn take(&mut self, rest: &mut u64, count: u32) {
+        for _ in 0..count / 2 {
+            let pair = (*rest % 100) as u8;
+            *rest /= 100;
+            self.push(b'0' + pair % 10);
+            self.push(b'0' + pair / 10);
+        }
+        if !count.is_multiple_of(2) {
+            self.push(b'0' + (*rest % 10) as u8);
+            *rest /= 10;
+        }
     }
 }
 
