@@ -254,3 +254,19 @@ fn plate_label(radius: f64, plate: &Plate) -> Vec<Path> {
     out.push(Path::open(vec![tick.into()]));
     out
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_figure_only_what_is_in_the_window_is_shown() {
+        let stroke =
+            |x: f64| Path::open(vec![Line::new(Point::new(x, 0.0), Point::new(x + 1.0, 0.0)).into()]);
+        let window = Bounds { min: Point::new(-0.5, -0.5), max: Point::new(4.0, 4.0) };
+        let figure = |places: &[f64]| Shape::Figure(places.iter().map(|x| stroke(*x)).collect());
+        assert_eq!(figure(&[0.0, 3.0, 6.0]).shown(&window), Some(figure(&[0.0, 3.0])));
+        assert_eq!(figure(&[6.0]).shown(&window), None);
+        assert_eq!(Shape::figure(Vec::new()), None);
+    }
+}

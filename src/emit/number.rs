@@ -23,7 +23,9 @@ impl Decimals {
     }
 
     fn scale(self) -> f64 {
-        f64::from(10_u32.pow(self.0))
+        // Looked up: this is asked more often than anything else.
+        const SCALES: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
+        SCALES[self.0 as usize]
     }
 
     /// `x` in quanta, halves away from zero.

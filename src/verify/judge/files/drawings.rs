@@ -223,3 +223,49 @@ impl Seals {
         findings
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::{Isometry, Line, Vec2};
+
+    /// A half disc, and the same in pieces, as a writer would cut it.
+    fn half_disc(pieces: u32) -> Path {
+        let (left, right) = (Point::new(-20.0, 0.0), Point::new(20.0, 0.0));
+        let arc: Segment = Arc::new(Point::ORIGIN, 20.0, 0.0, PI).into();
+        let at = |i: u32| f64::from(i) / f64::from(pieces);
+        let arcs = (0..pieces).map(|i| arc.part(at(i), at(i + 1)));
+        Path::closed(arcs.chain([Line::new(left, right).into()]).collect())
+    }
+
+    #[test]
+    fn in_step_never_underrates() {
+        let exact = half_disc(1);
+        for pieces in [1, 2, 7] {
+            for shift in [0.0, 1e-5, 9e-4] {
+                let moved = Isometry::translation(Vec2::new(shift, shift)).path(&half_disc(pieces));
+                let quick = in_step(&moved, &exact, 1e-2).expect("the same path");
+                let thorough =
+                    deviation(std::slice::from_ref(&moved), std::slice::from_ref(&exact)).largest();
+                assert!(quick >= thorough - 1e-12, "{pieces}, {shift}: {quick} {thorough}");
+                assert!(quick <= 1.5 * shift + 1e-9, "{pieces}, {shift}: {quick}");
+            }
+        }
+    }
+
+    #[test]
+    fn another_start_or_a_missing_piece_is_left_to_the_thorough_comparer() {
+        let exact = half_disc(1);
+        let cut = Path::closed(half_disc(3).segments[..3].to_vec());
+        let longer = Path::open(half_disc(3).segments.iter().chain(&exact.segments).copied().collect());
+        for path in [exact.starting_at(10.0), exact.reversed(), cut, longer] {
+            let quick = in_step(&path, &exact, 1e-3);
+            assert!(quick.is_none_or(|distance| distance > 1.0), "{quick:?}");
+        }
+        // All the same no finding: the order of a file is its own.
+        let mut findings = Findings::default();
+        let turned = [exact.starting_at(10.0)];
+        assert!(compare_layer(Layer::CutOutside, &turned, &[exact], 1e-3, &mut findings) < 1e-9);
+        assert_eq!(findings.into_vec(), []);
+    }
+}
