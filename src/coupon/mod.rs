@@ -151,8 +151,8 @@ fn drawing(name: &str, spec: &Spec, seams: &[Piece]) -> String {
     let bounds = seams.iter().map(|piece| &piece.path).chain(&labels).map(Path::bounds);
     let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);
     let seals = seams.iter().map(|piece| Shape::Path(piece.path.clone())).collect();
-    let layers =
-        vec![(Layer::SealOuter, seals), (Layer::Label, labels.into_iter().map(Shape::Path).collect())];
+    let labels = Shape::figure(labels).into_iter().collect();
+    let layers = vec![(Layer::SealOuter, seals), (Layer::Label, labels)];
     let (width, height) = (bounds.max.x + 10.0, bounds.max.y + 10.0);
     let drawing = Drawing { origin: Origin::LowerLeft, width, height, layers };
     emit::svg(&format!("coupon {name}"), &drawing, spec.accuracy.path)

@@ -1,7 +1,10 @@
 //! Drawings: what lies on one sheet, or what one plate is cut to, layer by layer. Writers write them, the verifier compares files with them.
 
+use std::borrow::Cow;
+use std::f64::consts::TAU;
+
 use crate::design::{Design, Plate, Side, label, lettering};
-use crate::geom::{Bounds, Isometry, Line, Path, Point};
+use crate::geom::{Arc, Bounds, Isometry, Line, Path, Point};
 
 /// Exact geometry on a page.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,14 +89,44 @@ pub enum Shape {
         /// Its radius.
         radius: f64,
     },
+    /// Paths that make one mark, such as the strokes of a label.
+    Figure(Vec<Path>),
 }
 
 impl Shape {
+    /// The paths as one mark; nothing if there is none.
+    pub fn figure(paths: Vec<Path>) -> Option<Self> {
+        (!paths.is_empty()).then_some(Self::Figure(paths))
+    }
+
+    /// What is drawn, pen down to pen up; a circle is one whole turn.
+    pub fn paths(&self) -> Cow<'_, [Path]> {
+        match self {
+            Self::Path(path) => std::slice::from_ref(path).into(),
+            Self::Circle { center, radius } => {
+                vec![Path::closed(vec![Arc::new(*center, *radius, 0.0, TAU).into()])].into()
+            }
+            Self::Figure(paths) => paths.as_slice().into(),
+        }
+    }
+
+    /// The shape without the paths of a figure that lie outside `window`; nothing if all of it does.
+    pub fn shown(self, window: &Bounds) -> Option<Self> {
+        match self {
+            Self::Figure(mut paths) => {
+                paths.retain(|path| path.bounds().overlaps(window));
+                Self::figure(paths)
+            }
+            shape => shape.bounds().overlaps(window).then_some(shape),
+        }
+    }
+
     /// Smallest axis-parallel box around the shape.
     pub fn bounds(&self) -> Bounds {
         match self {
             Self::Path(path) => path.bounds(),
             Self::Circle { center, radius } => Bounds::of_points([*center]).grown(*radius),
+            Self::Figure(paths) => paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union),
         }
     }
 
@@ -104,6 +137,7 @@ impl Shape {
             Self::Circle { center, radius } => {
                 Self::Circle { center: motion.point(*center), radius: *radius }
             }
+            Self::Figure(paths) => Self::Figure(paths.iter().map(|path| motion.path(path)).collect()),
         }
     }
 }
@@ -132,7 +166,7 @@ impl Drawing {
         for placed in design.on_sheet(sheet) {
             let part = design.part(placed);
             let outline = &part.outline;
-            labels.extend(label::on_outline(part, placed).into_iter().map(Shape::Path));
+            labels.extend(Shape::figure(label::on_outline(part, placed)));
             let place = |path: &Path| Shape::Path(placed.placement.path(path));
             holes.extend(
                 outline.registration.iter().map(|hole| circle(&placed.placement, hole.center, hole.diameter)),
@@ -156,9 +190,9 @@ impl Drawing {
         let motion = if mirrored { Isometry::mirror() } else { Isometry::IDENTITY };
         let place = |path: &Path| Shape::Path(motion.path(path));
         let holes = part.outline.registration.iter().map(|hole| circle(&motion, hole.center, hole.diameter));
-        let labels = label::on_mask(part, mask, star, mirrored).into_iter().map(Shape::Path);
+        let labels = Shape::figure(label::on_mask(part, mask, star, mirrored));
         Some(Self::around_axis(vec![
-            (Layer::Label, labels.collect()),
+            (Layer::Label, labels.into_iter().collect()),
             (Layer::Registration, holes.collect()),
             (Layer::MaskWindow, mask.windows.iter().map(place).collect()),
             (Layer::MaskPlate, vec![place(&mask.plate)]),
@@ -172,7 +206,7 @@ impl Drawing {
         let hole = |center: Point, radius: f64| Shape::Circle { center, radius };
         let posts = frame.posts.iter().map(|post| hole(*post, frame.post_diameter / 2.0 - half_kerf));
         Self::around_axis(vec![
-            (Layer::Label, plate_label(frame.radius, plate).into_iter().map(Shape::Path).collect()),
+            (Layer::Label, Shape::figure(plate_label(frame.radius, plate)).into_iter().collect()),
             (Layer::PostHole, posts.collect()),
             (Layer::FrameOpening, vec![hole(Point::ORIGIN, plate.opening - half_kerf)]),
             (Layer::FrameEdge, vec![hole(Point::ORIGIN, frame.radius + half_kerf)]),
@@ -219,4 +253,20 @@ fn plate_label(radius: f64, plate: &Plate) -> Vec<Path> {
     let tick = Line::new(Point::new(middle - height, 0.0), Point::new(middle + height, 0.0));
     out.push(Path::open(vec![tick.into()]));
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_figure_only_what_is_in_the_window_is_shown() {
+        let stroke =
+            |x: f64| Path::open(vec![Line::new(Point::new(x, 0.0), Point::new(x + 1.0, 0.0)).into()]);
+        let window = Bounds { min: Point::new(-0.5, -0.5), max: Point::new(4.0, 4.0) };
+        let figure = |places: &[f64]| Shape::Figure(places.iter().map(|x| stroke(*x)).collect());
+        assert_eq!(figure(&[0.0, 3.0, 6.0]).shown(&window), Some(figure(&[0.0, 3.0])));
+        assert_eq!(figure(&[6.0]).shown(&window), None);
+        assert_eq!(Shape::figure(Vec::new()), None);
+    }
 }

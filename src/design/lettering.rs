@@ -9,10 +9,11 @@ const CAPITAL: f64 = 6.0;
 /// From one glyph to the next on the grid.
 const ADVANCE: f64 = 6.0;
 
-/// The strokes of every glyph; what is not here is drawn as a blank.
+/// The strokes of every glyph: as few as can be, and no line twice, as a laser burns what it passes twice. What is not
+/// here is drawn as a blank.
 const GLYPHS: [(char, &str); 41] = [
     ('A', "002640 1232"),
-    ('B', "000636453433033342413000"),
+    ('B', "030636453433424130000333"),
     ('C', "4536160501103041"),
     ('D', "00062645412000"),
     ('E', "40000646 0333"),
@@ -37,11 +38,11 @@ const GLYPHS: [(char, &str); 41] = [
     ('X', "0046 0640"),
     ('Y', "062346 2320"),
     ('Z', "06460040"),
-    ('0', "103041453616050110 0145"),
+    ('0', "01103041453616050145"),
     ('1', "052620 1030"),
     ('2', "05163645440040"),
     ('3', "0516364534334241301001 1333"),
-    ('4', "360242 3036"),
+    ('4', "42023630"),
     ('5', "460603334241301001"),
     ('6', "0333424130100105163645"),
     ('7', "064610"),
@@ -103,15 +104,15 @@ pub(super) fn around(text: &str, center: Point, radius: f64, middle: f64, height
 fn glyph(c: char, place: GlyphPlace, out: &mut Vec<Path>) {
     let Some((_, strokes)) = GLYPHS.iter().find(|(known, _)| *known == c) else { return };
     let (right, up) = (place.along * (place.height / CAPITAL), place.along.perp() * (place.height / CAPITAL));
+    let at = |xy: &[u8]| {
+        let digit = |byte: u8| f64::from(byte - b'0');
+        place.origin + right * digit(xy[0]) + up * digit(xy[1])
+    };
     for stroke in strokes.split(' ') {
-        let digits: Vec<f64> = stroke.chars().filter_map(|d| d.to_digit(10)).map(f64::from).collect();
-        let points: Vec<Point> =
-            digits.chunks_exact(2).map(|xy| place.origin + right * xy[0] + up * xy[1]).collect();
-        let lines = points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into());
-        let path = Path::open(lines.collect());
-        if !path.segments.is_empty() {
-            out.push(path);
-        }
+        let mut points = stroke.as_bytes().chunks_exact(2).map(at);
+        let Some(mut from) = points.next() else { continue };
+        let mut line = |to: Point| Line::new(std::mem::replace(&mut from, to), to).into();
+        out.push(Path::open(points.map(&mut line).collect()));
     }
 }
 
@@ -128,6 +129,57 @@ mod tests {
             let bounds = out.iter().map(Path::bounds).reduce(crate::geom::Bounds::union).expect("strokes");
             assert!(bounds.min.x >= 0.0 && bounds.min.y >= 0.0, "{c}");
             assert!(bounds.max.x <= 4.0 && bounds.max.y <= 6.0, "{c}");
+        }
+    }
+
+    /// Every stroke as grid points.
+    fn grid(strokes: &str) -> Vec<Vec<(i32, i32)>> {
+        let digit = |byte: u8| i32::from(byte - b'0');
+        let point = |xy: &[u8]| (digit(xy[0]), digit(xy[1]));
+        strokes.split(' ').map(|stroke| stroke.as_bytes().chunks_exact(2).map(point).collect()).collect()
+    }
+
+    /// The lines between neighbouring grid points of the strokes, lower end first: a line is cut where a stroke ends on it.
+    fn pieces(strokes: &[Vec<(i32, i32)>]) -> Vec<[(i32, i32); 2]> {
+        let mut pieces = Vec::new();
+        for (a, b) in strokes.iter().flat_map(|stroke| stroke.iter().zip(&stroke[1..])) {
+            let along = |p: &(i32, i32)| (p.0 - a.0) * (b.0 - a.0) + (p.1 - a.1) * (b.1 - a.1);
+            let across = |p: &(i32, i32)| (p.0 - a.0) * (b.1 - a.1) - (p.1 - a.1) * (b.0 - a.0);
+            let on = |p: &&(i32, i32)| across(p) == 0 && (0..=along(b)).contains(&along(p));
+            let mut points: Vec<(i32, i32)> = strokes.iter().flatten().filter(on).copied().collect();
+            points.sort_by_key(along);
+            points.dedup();
+            pieces.extend(points.windows(2).map(|ends| [ends[0].min(ends[1]), ends[0].max(ends[1])]));
+        }
+        pieces
+    }
+
+    /// Euler: a connected figure takes half as many strokes as it has points where an odd number of lines meet, at least one.
+    #[test]
+    fn no_glyph_has_more_strokes_than_it_needs_or_a_line_twice() {
+        for (c, strokes) in GLYPHS {
+            let strokes = grid(strokes);
+            let mut pieces = pieces(&strokes);
+            let all = pieces.len();
+            pieces.sort_unstable();
+            pieces.dedup();
+            assert_eq!(pieces.len(), all, "{c} has a line twice");
+            let mut needed = 0;
+            while let Some(first) = pieces.pop() {
+                let mut figure = first.to_vec();
+                while let Some(next) =
+                    pieces.iter().position(|piece| piece.iter().any(|p| figure.contains(p)))
+                {
+                    figure.extend(pieces.swap_remove(next));
+                }
+                let meeting = |p: &(i32, i32)| figure.iter().filter(|q| *q == p).count();
+                let mut odd: Vec<(i32, i32)> =
+                    figure.iter().filter(|p| !meeting(p).is_multiple_of(2)).copied().collect();
+                odd.sort_unstable();
+                odd.dedup();
+                needed += (odd.len() / 2).max(1);
+            }
+            assert_eq!(strokes.len(), needed, "{c}");
         }
     }
 

@@ -131,10 +131,10 @@ impl TileGrid<'_> {
             .iter()
             .map(|(layer, shapes)| {
                 let moved = shapes.iter().map(|shape| shape.moved(&motion));
-                (*layer, moved.filter(|shape| shape.bounds().overlaps(&self.window)).collect())
+                (*layer, moved.filter_map(|shape| shape.shown(&self.window)).collect())
             })
             .collect();
-        layers.push((Layer::PaperMark, self.marks(name).into_iter().map(Shape::Path).collect()));
+        layers.push((Layer::PaperMark, vec![Shape::Figure(self.marks(name))]));
         let (width, height) = (self.width, self.height);
         Page {
             name: name.to_owned(),

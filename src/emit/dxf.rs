@@ -2,8 +2,6 @@
 //!
 //! What never changes of a drawing stands in `templates/drawing.dxf`; this room fills in layers and entities.
 
-use std::fmt::Write;
-
 use crate::design::{Drawing, Layer, Shape};
 use crate::emit::number::Decimals;
 use crate::geom::{Path, Point, Segment};
@@ -30,6 +28,8 @@ pub fn dxf(drawing: &Drawing, path: Length) -> String {
             match shape {
                 Shape::Path(path) => writer.polyline(*layer, path),
                 Shape::Circle { center, radius } => writer.circle(*layer, *center, *radius),
+                // A polyline cannot lift the pen.
+                Shape::Figure(paths) => paths.iter().for_each(|path| writer.polyline(*layer, path)),
             }
         }
     }
@@ -69,67 +69,66 @@ struct Writer {
 }
 
 impl Writer {
-    fn tag(&mut self, code: u16, value: &str) {
-        self.code(code);
+    /// A group code, right in three columns, and its value.
+    fn tag(&mut self, code: &str, value: &str) {
+        self.out.push_str(code);
+        self.out.push('\n');
         self.out.push_str(value);
         self.out.push('\n');
     }
 
-    fn code(&mut self, code: u16) {
-        let _ = writeln!(self.out, "{code:>3}");
-    }
-
-    fn number(&mut self, code: u16, value: f64) {
-        self.code(code);
+    fn number(&mut self, code: &str, value: f64) {
+        self.out.push_str(code);
+        self.out.push('\n');
         self.decimals.write(&mut self.out, value);
         self.out.push('\n');
     }
 
     /// Begins an object with a handle of its own; `owner` is the skeleton's handle of what holds it.
     fn begin(&mut self, kind: &str, owner: &str) {
-        self.tag(0, kind);
+        self.tag("  0", kind);
         let handle = format!("{:X}", self.handle);
         self.handle += 1;
-        self.tag(5, &handle);
-        self.tag(330, owner);
+        self.tag("  5", &handle);
+        self.tag("330", owner);
     }
 
     fn layer(&mut self, layer: Layer) {
         self.begin("LAYER", "2");
-        self.tag(100, "AcDbSymbolTableRecord");
-        self.tag(100, "AcDbLayerTableRecord");
-        self.tag(2, layer.name());
-        self.tag(70, "0");
-        self.tag(62, color(layer));
-        self.tag(6, "Continuous");
-        self.tag(390, "F");
+        self.tag("100", "AcDbSymbolTableRecord");
+        self.tag("100", "AcDbLayerTableRecord");
+        self.tag("  2", layer.name());
+        self.tag(" 70", "0");
+        self.tag(" 62", color(layer));
+        self.tag("  6", "Continuous");
+        self.tag("390", "F");
     }
 
     fn entity(&mut self, kind: &str, layer: Layer, class: &str) {
         self.begin(kind, "1F");
-        self.tag(100, "AcDbEntity");
-        self.tag(8, layer.name());
-        self.tag(100, class);
+        self.tag("100", "AcDbEntity");
+        self.tag("  8", layer.name());
+        self.tag("100", class);
     }
 
     fn circle(&mut self, layer: Layer, center: Point, radius: f64) {
         self.entity("CIRCLE", layer, "AcDbCircle");
-        self.number(10, center.x);
-        self.number(20, center.y);
-        self.tag(30, "0");
-        self.number(40, radius);
+        self.number(" 10", center.x);
+        self.number(" 20", center.y);
+        self.tag(" 30", "0");
+        self.number(" 40", radius);
     }
 
     fn polyline(&mut self, layer: Layer, path: &Path) {
         self.entity("LWPOLYLINE", layer, "AcDbPolyline");
-        let segments: Vec<Segment> = path.segments.iter().flat_map(halved).collect();
+        let segments = || path.segments.iter().flat_map(halved);
         let open_end = path.end().filter(|_| !path.closed);
-        self.tag(90, &(segments.len() + usize::from(open_end.is_some())).to_string());
-        self.tag(70, if path.closed { "1" } else { "0" });
-        for segment in &segments {
+        self.tag(" 90", &(segments().count() + usize::from(open_end.is_some())).to_string());
+        self.tag(" 70", if path.closed { "1" } else { "0" });
+        for segment in segments() {
             self.vertex(segment.start());
             if let Segment::Arc(arc) = segment {
-                self.tag(42, &Decimals::exactly(BULGE).text(arc.bulge()));
+                self.tag(" 42", &Decimals::exactly(BULGE).text(arc.bulge()));
             }
         }
         if let Some(end) = open_end {
@@ -138,20 +137,21 @@ impl Writer {
     }
 
     fn vertex(&mut self, p: Point) {
-        self.number(10, p.x);
-        self.number(20, p.y);
+        self.number(" 10", p.x);
+        self.number(" 20", p.y);
     }
 }
 
 /// The segment, in halves if it turns by more than 180 degrees: a large arc over a short chord magnifies the
 /// rounding of the chord's ends.
-fn halved(segment: &Segment) -> Vec<Segment> {
-    match segment {
+fn halved(segment: &Segment) -> impl Iterator<Item = Segment> {
+    let (first, second) = match segment {
         Segment::Arc(arc) if arc.sweep.abs() > std::f64::consts::PI => {
-            vec![segment.part(0.0, 0.5), segment.part(0.5, 1.0)]
+            (segment.part(0.0, 0.5), Some(segment.part(0.5, 1.0)))
         }
-        _ => vec![*segment],
-    }
+        _ => (*segment, None),
+    };
+    std::iter::once(first).chain(second)
 }
 
 /// AutoCAD colour index of a layer, as near to the SVG's colour as the palette is.

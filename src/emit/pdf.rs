@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_6;
 
 use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, TextStr};
 
-use crate::design::{Layer, PaperPage, Shape};
+use crate::design::{Layer, PaperPage};
 use crate::emit::number::Decimals;
 use crate::emit::text::inert;
 use crate::geom::{Arc, Path, Point, Segment};
@@ -68,13 +68,8 @@ fn stream(page: &PaperPage, scale: f64) -> Vec<u8> {
         let _ = content.set_line_width(width);
         let _ = content.set_stroke_gray(gray);
         for shape in shapes {
-            match shape {
-                Shape::Path(path) => draw(&mut content, path),
-                Shape::Circle { center, radius } => {
-                    let whole = Arc::new(*center, *radius, 0.0, std::f64::consts::TAU);
-                    draw(&mut content, &Path::closed(vec![whole.into()]));
-                }
-            }
+            shape.paths().iter().for_each(|path| draw(&mut content, path));
+            let _ = content.stroke();
         }
         let _ = content.end_marked_content();
         let _ = content.restore_state();
@@ -106,7 +101,9 @@ fn draw(content: &mut Content, path: &Path) {
             Segment::Arc(arc) => curves(content, arc, closes.then_some(start)),
         }
     }
-    let _ = if path.closed { content.close_and_stroke() } else { content.stroke() };
+    if path.closed {
+        let _ = content.close_path();
+    }
 }
 
 /// An arc as curves; the last one ends at `end` if that is given.

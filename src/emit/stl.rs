@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use earcut::Earcut;
 
-use crate::design::{Drawing, Layer, Shape};
+use crate::design::{Drawing, Layer};
 use crate::emit::number::Decimals;
 use crate::geom::{Path, Point, Segment};
 
@@ -24,9 +24,9 @@ pub fn stl(drawing: &Drawing, thickness: f64) -> Vec<u8> {
     let holes = on(Layer::MaskWindow).chain(on(Layer::Registration));
     let mut points: Vec<[f64; 2]> = Vec::new();
     let mut starts: Vec<u32> = Vec::new();
-    for shape in plate.chain(holes) {
+    for path in plate.chain(holes).flat_map(|shape| shape.paths().into_owned()) {
         starts.push(index(points.len()));
-        points.extend(corners(shape));
+        points.extend(corners(&path));
     }
     let mut triangles: Vec<u32> = Vec::new();
     Earcut::new().earcut(points.iter().copied(), starts.get(1..).unwrap_or_default(), &mut triangles);
@@ -52,14 +52,8 @@ fn index(n: usize) -> u32 {
     u32::try_from(n).unwrap_or(u32::MAX)
 }
 
-/// The corners of a shape as a polygon, rounded; no two neighbours are the same.
-fn corners(shape: &Shape) -> Vec<[f64; 2]> {
-    let path = match shape {
-        Shape::Path(path) => path.clone(),
-        Shape::Circle { center, radius } => {
-            Path::closed(vec![crate::geom::Arc::new(*center, *radius, 0.0, std::f64::consts::TAU).into()])
-        }
-    };
+/// The corners of a path as a polygon, rounded; no two neighbours are the same.
+fn corners(path: &Path) -> Vec<[f64; 2]> {
     let mut out: Vec<[f64; 2]> = Vec::new();
     for segment in &path.segments {
         let count = pieces(segment);

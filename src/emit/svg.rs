@@ -101,11 +101,8 @@ impl SvgPage {
 
     fn shape(&self, shape: &Shape) -> Element {
         match shape {
-            Shape::Path(path) => {
-                let mut out = element("path");
-                out.assign("d", self.data(path));
-                out
-            }
+            Shape::Path(path) => self.path(std::slice::from_ref(path)),
+            Shape::Figure(paths) => self.path(paths),
             Shape::Circle { center, radius } => {
                 let mut out = element("circle");
                 out.assign("cx", self.x(*center));
@@ -116,21 +113,42 @@ impl SvgPage {
         }
     }
 
+    /// One element, however many times the pen is lifted.
+    fn path(&self, paths: &[Path]) -> Element {
+        let mut data =
+            String::with_capacity(40 * paths.iter().map(|path| path.segments.len()).sum::<usize>());
+        for path in paths {
+            if !data.is_empty() {
+                data.push(' ');
+            }
+            self.write(&mut data, path);
+        }
+        let mut out = element("path");
+        out.assign("d", data);
+        out
+    }
+
     /// The path as SVG path data.
+    pub(super) fn data(&self, path: &Path) -> String {
+        let mut out = String::with_capacity(40 * path.segments.len());
+        self.write(&mut out, path);
+        out
+    }
+
+    /// Appends the path as SVG path data.
     ///
     /// Arcs of more than 90 degrees are written as halves: SVG states only the ends, and near 180 degrees
     /// the centre that follows from them is worthless.
-    pub(super) fn data(&self, path: &Path) -> String {
-        let mut out = String::with_capacity(40 * path.segments.len());
-        let Some(start) = path.start() else { return out };
-        self.point(&mut out, "M", start);
+    fn write(&self, out: &mut String, path: &Path) {
+        let Some(start) = path.start() else { return };
+        self.point(out, "M", start);
         let last = path.segments.len() - 1;
         for (i, segment) in path.segments.iter().enumerate() {
             let closes = path.closed && i == last;
             match segment {
                 // `Z` draws the last line of a closed path.
                 Segment::Line(_) if closes => {}
-                Segment::Line(line) => self.point(&mut out, " L", line.end),
+                Segment::Line(line) => self.point(out, " L", line.end),
                 Segment::Arc(arc) => {
                     let halves = if arc.sweep.abs() > std::f64::consts::FRAC_PI_2 { 2 } else { 1 };
                     let halves = if arc.sweep.abs() > std::f64::consts::PI { 4 } else { halves };
@@ -142,11 +160,11 @@ impl SvgPage {
                             segment.point(f64::from(k) / f64::from(halves))
                         };
                         out.push_str(" A");
-                        self.decimals.write(&mut out, arc.radius);
+                        self.decimals.write(out, arc.radius);
                         out.push(' ');
-                        self.decimals.write(&mut out, arc.radius);
+                        self.decimals.write(out, arc.radius);
                         // Y points down: what turned counterclockwise turns clockwise.
-                        self.point(&mut out, if arc.is_ccw() { " 0 0 0 " } else { " 0 0 1 " }, end);
+                        self.point(out, if arc.is_ccw() { " 0 0 0 " } else { " 0 0 1 " }, end);
                     }
                 }
             }
@@ -154,7 +172,6 @@ impl SvgPage {
         if path.closed {
             out.push_str(" Z");
         }
-        out
     }
 
     fn point(&self, out: &mut String, command: &str, p: Point) {

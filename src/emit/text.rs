@@ -5,6 +5,11 @@
 /// What stays is letters, digits, blanks and `. , - _ + = : /`: no bracket, semicolon, per cent sign, quote,
 /// line break or control character can come out, and nothing outside ASCII.
 pub(crate) fn inert(text: &str, most: usize) -> String {
-    let keep = |c: char| if c.is_ascii_alphanumeric() || " .,-_+=:/".contains(c) { c } else { '_' };
-    text.chars().take(most).map(keep).collect()
+    let mut out = String::with_capacity(text.len().min(most));
+    for c in text.chars().take(most) {
+        let known =
+            c.is_ascii_alphanumeric() || matches!(c, ' ' | '.' | ',' | '-' | '_' | '+' | '=' | ':' | '/');
+        out.push(if known { c } else { '_' });
+    }
+    out
 }

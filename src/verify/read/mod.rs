@@ -5,5 +5,6 @@ pub(in crate::verify) mod dxf;
 pub mod gcode;
 mod number;
 pub mod pdf;
+pub(in crate::verify) mod stl;
 pub(in crate::verify) mod svg;
 mod svg_path;

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use crate::design::{Drawing as Exact, Layer, Origin, Shape};
 use crate::geom::{Arc, Bounds, Path, Point, Segment};
+use crate::verify::judge::path::measure::{Prepared, furthest};
 use crate::verify::{Drawing, Finding, Findings, SvgOrigin, deviation, read_dxf, read_svg};
 
 /// Reads an SVG; its page must be the drawing's.
@@ -60,7 +61,7 @@ pub(in crate::verify) fn compare(
         }
     }
     for (layer, shapes) in &exact.layers {
-        let expected: Vec<Path> = shapes.iter().map(path_of).collect();
+        let expected: Vec<Path> = shapes.iter().flat_map(paths_of).collect();
         let paths = found.layer(layer.name());
         largest = largest.max(compare_layer(*layer, paths, &expected, tolerance, findings));
     }
@@ -116,7 +117,7 @@ fn one_by_one(paths: &[Path], expected: &[Path], tolerance: f64) -> Option<f64> 
     }
     let mut largest = 0.0_f64;
     for (path, right) in paths.iter().zip(expected) {
-        let measured = strokes_apart(path, right)
+        let measured = in_step(path, right, tolerance)
             .unwrap_or_else(|| deviation(std::slice::from_ref(path), std::slice::from_ref(right)).largest());
         if measured.is_nan() || measured > tolerance {
             return None;
@@ -126,31 +127,55 @@ fn one_by_one(paths: &[Path], expected: &[Path], tolerance: f64) -> Option<f64> 
     Some(largest)
 }
 
-/// How far two chains of as many straight lines lie apart: at most what their vertices do, as lines change evenly in between.
-fn strokes_apart(path: &Path, right: &Path) -> Option<f64> {
-    if path.segments.len() != right.segments.len() {
-        return None;
-    }
-    path.segments.iter().zip(&right.segments).try_fold(0.0_f64, |largest, pair| match pair {
-        (Segment::Line(a), Segment::Line(b)) => {
-            Some(largest.max(a.start.distance(b.start)).max(a.end.distance(b.end)))
+/// How far at most a path lies from the exact one, if it says the same from the same start; `None` if it does not.
+///
+/// Writers cut segments into pieces. Each piece is held, both ways, against the part of the exact segment that it stands
+/// for; the parts are all of the exact path, so no distance is underrated, and the cost is linear.
+fn in_step(path: &Path, right: &Path, tolerance: f64) -> Option<f64> {
+    let mut scratch = Vec::new();
+    let mut largest = 0.0_f64;
+    let mut pieces = path.segments.iter();
+    for exact in &right.segments {
+        let mut done = 0.0;
+        while done < 1.0 {
+            let piece = pieces.next()?;
+            let end = piece.end();
+            let here = if end.distance(exact.end()) <= tolerance { 1.0 } else { exact.nearest_fraction(end) };
+            if here <= done {
+                return None;
+            }
+            let whole = done == 0.0 && here >= 1.0;
+            let part = if whole { *exact } else { exact.part(done, here) };
+            largest = largest.max(apart(piece, &part, &mut scratch));
+            done = here;
         }
-        _ => None,
-    })
+    }
+    pieces.next().is_none().then_some(largest)
+}
+
+/// How far two segments lie apart at most.
+fn apart(a: &Segment, b: &Segment, scratch: &mut Vec<f64>) -> f64 {
+    if let (Segment::Line(a), Segment::Line(b)) = (a, b) {
+        // What lies between the ends changes evenly.
+        return a.start.distance(b.start).max(a.end.distance(b.end));
+    }
+    let (a, b) = ([Prepared::new(*a)], [Prepared::new(*b)]);
+    furthest(&a[0], &b, scratch).max(furthest(&b[0], &a, scratch)).distance
 }
 
 fn total(paths: &[Path]) -> f64 {
     paths.iter().map(Path::length).sum()
 }
 
-/// A shape as a path; a circle as two half turns.
-pub(in crate::verify) fn path_of(shape: &Shape) -> Path {
+/// A shape as paths; a circle as two half turns.
+pub(in crate::verify) fn paths_of(shape: &Shape) -> Vec<Path> {
     match shape {
-        Shape::Path(path) => path.clone(),
-        Shape::Circle { center, radius } => Path::closed(vec![
-            Arc::new(*center, *radius, 0.0, PI).into(),
-            Arc::new(*center, *radius, PI, PI).into(),
-        ]),
+        Shape::Path(path) => vec![path.clone()],
+        Shape::Circle { center, radius } => {
+            let half = |from: f64| Arc::new(*center, *radius, from, PI).into();
+            vec![Path::closed(vec![half(0.0), half(PI)])]
+        }
+        Shape::Figure(paths) => paths.clone(),
     }
 }
 
@@ -196,5 +221,51 @@ impl Seals {
             }
         }
         findings
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::{Isometry, Line, Vec2};
+
+    /// A half disc, and the same in pieces, as a writer would cut it.
+    fn half_disc(pieces: u32) -> Path {
+        let (left, right) = (Point::new(-20.0, 0.0), Point::new(20.0, 0.0));
+        let arc: Segment = Arc::new(Point::ORIGIN, 20.0, 0.0, PI).into();
+        let at = |i: u32| f64::from(i) / f64::from(pieces);
+        let arcs = (0..pieces).map(|i| arc.part(at(i), at(i + 1)));
+        Path::closed(arcs.chain([Line::new(left, right).into()]).collect())
+    }
+
+    #[test]
+    fn in_step_never_underrates() {
+        let exact = half_disc(1);
+        for pieces in [1, 2, 7] {
+            for shift in [0.0, 1e-5, 9e-4] {
+                let moved = Isometry::translation(Vec2::new(shift, shift)).path(&half_disc(pieces));
+                let quick = in_step(&moved, &exact, 1e-2).expect("the same path");
+                let thorough =
+                    deviation(std::slice::from_ref(&moved), std::slice::from_ref(&exact)).largest();
+                assert!(quick >= thorough - 1e-12, "{pieces}, {shift}: {quick} {thorough}");
+                assert!(quick <= 1.5 * shift + 1e-9, "{pieces}, {shift}: {quick}");
+            }
+        }
+    }
+
+    #[test]
+    fn another_start_or_a_missing_piece_is_left_to_the_thorough_comparer() {
+        let exact = half_disc(1);
+        let cut = Path::closed(half_disc(3).segments[..3].to_vec());
+        let longer = Path::open(half_disc(3).segments.iter().chain(&exact.segments).copied().collect());
+        for path in [exact.starting_at(10.0), exact.reversed(), cut, longer] {
+            let quick = in_step(&path, &exact, 1e-3);
+            assert!(quick.is_none_or(|distance| distance > 1.0), "{quick:?}");
+        }
+        // All the same no finding: the order of a file is its own.
+        let mut findings = Findings::default();
+        let turned = [exact.starting_at(10.0)];
+        assert!(compare_layer(Layer::CutOutside, &turned, &[exact], 1e-3, &mut findings) < 1e-9);
+        assert_eq!(findings.into_vec(), []);
     }
 }

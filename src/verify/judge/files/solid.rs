@@ -1,16 +1,13 @@
 //! STL files against the plates they should be: closed, of the right volume, with their edges where they belong.
 
-use std::collections::BTreeMap;
-
 use crate::design::{Drawing, Layer};
-use crate::geom::{Bounds, Path, Point};
-use crate::verify::Findings;
-use crate::verify::judge::files::drawings::path_of;
+use crate::geom::{Path, Point};
+use crate::verify::judge::files::drawings::paths_of;
+use crate::verify::judge::path::measure::Prepared;
+use crate::verify::{Facet, Findings, read_stl};
 
 /// What chords and single precision may take away, mm.
 const TOLERANCE: f64 = 0.025;
-
-type Vertex = [f32; 3];
 
 /// Reads a binary STL and checks it as the plate of `drawing`, `thickness` high; the largest deviation of its edges, mm.
 pub(in crate::verify) fn check(
@@ -19,7 +16,7 @@ pub(in crate::verify) fn check(
     thickness: f64,
     findings: &mut Findings,
 ) -> f64 {
-    let Some(facets) = facets(bytes) else {
+    let Some(facets) = read_stl(bytes) else {
         let found = format!("{} bytes that are no binary STL", bytes.len());
         findings.add("bad-stl", None, found, "a head of 84 bytes and 50 a facet, all numbers finite");
         return f64::INFINITY;
@@ -29,7 +26,7 @@ pub(in crate::verify) fn check(
         .layers
         .iter()
         .filter(|(layer, _)| *layer != Layer::Label)
-        .flat_map(|(layer, shapes)| shapes.iter().map(|shape| (*layer, path_of(shape))))
+        .flat_map(|(layer, shapes)| shapes.iter().flat_map(paths_of).map(|path| (*layer, path)))
         .collect();
     let area = |(layer, path): &(Layer, Path)| {
         if *layer == Layer::MaskPlate { path.area().abs() } else { -path.area().abs() }
@@ -45,41 +42,32 @@ pub(in crate::verify) fn check(
     edges(&facets, &paths, length, thickness, findings)
 }
 
-fn facets(bytes: &[u8]) -> Option<Vec<[Vertex; 3]>> {
-    let count = usize::try_from(u32::from_le_bytes(bytes.get(80..84)?.try_into().ok()?)).ok()?;
-    if bytes.len() != 84 + 50 * count {
-        return None;
-    }
-    let number = |raw: &[u8], at: usize| -> Option<f32> {
-        Some(f32::from_le_bytes(raw.get(at..at + 4)?.try_into().ok()?)).filter(|x| x.is_finite())
-    };
-    let vertex = |raw: &[u8], at: usize| -> Option<Vertex> {
-        Some([number(raw, at)?, number(raw, at + 4)?, number(raw, at + 8)?])
-    };
-    let facet = |raw: &[u8]| Some([vertex(raw, 12)?, vertex(raw, 24)?, vertex(raw, 36)?]);
-    bytes[84..].chunks_exact(50).map(facet).collect()
-}
-
 /// Six times the signed volume of the tetrahedron over the origin.
-fn sixfold(facet: &[Vertex; 3]) -> f64 {
+fn sixfold(facet: &Facet) -> f64 {
     let [a, b, c] = facet.map(|v| v.map(f64::from));
     a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
         + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
 /// Every edge is passed once each way.
-fn closed(facets: &[[Vertex; 3]], findings: &mut Findings) {
-    let mut uses: BTreeMap<[[u32; 3]; 2], (u32, u32)> = BTreeMap::new();
-    for facet in facets {
-        for (from, to) in [(0, 1), (1, 2), (2, 0)] {
-            let (a, b) = (facet[from].map(bits), facet[to].map(bits));
-            let entry = uses.entry([a.min(b), a.max(b)]).or_default();
-            if a < b { entry.0 += 1 } else { entry.1 += 1 }
-        }
+fn closed(facets: &[Facet], findings: &mut Findings) {
+    let edge = |facet: &Facet, from: usize, to: usize| {
+        let (a, b) = (facet[from].map(bits), facet[to].map(bits));
+        ([a.min(b), a.max(b)], a < b)
+    };
+    let mut edges: Vec<([[u32; 3]; 2], bool)> = facets
+        .iter()
+        .flat_map(|facet| [(0, 1), (1, 2), (2, 0)].map(|(from, to)| edge(facet, from, to)))
+        .collect();
+    edges.sort_unstable();
+    let paired = |uses: &[(_, bool)]| matches!(uses, [(_, false), (_, true)]);
+    let (mut open, mut all) = (0_usize, 0_usize);
+    for uses in edges.chunk_by(|a, b| a.0 == b.0) {
+        all += 1;
+        open += usize::from(!paired(uses));
     }
-    let open = uses.values().filter(|uses| **uses != (1, 1)).count();
-    if open > 0 || uses.is_empty() {
-        findings.add("not-watertight", None, format!("{open} of {} edges", uses.len()), "each once each way");
+    if open > 0 || all == 0 {
+        findings.add("not-watertight", None, format!("{open} of {all} edges"), "each once each way");
     }
 }
 
@@ -89,15 +77,23 @@ fn bits(x: f32) -> u32 {
 }
 
 /// The walls stand on the exact paths, all along them, from Z 0 to the thickness.
-fn edges(facets: &[[Vertex; 3]], paths: &[Path], right: f64, thickness: f64, findings: &mut Findings) -> f64 {
-    let boxes: Vec<Bounds> = paths.iter().map(Path::bounds).collect();
-    let near = |x: f64, y: f64| {
+fn edges(facets: &[Facet], paths: &[Path], right: f64, thickness: f64, findings: &mut Findings) -> f64 {
+    let targets: Vec<Prepared> =
+        paths.iter().flat_map(|path| &path.segments).map(|segment| Prepared::new(*segment)).collect();
+    // Edges come along the paths: where the last one lay, the next one lies, mostly.
+    let mut last = 0;
+    let mut near = |x: f64, y: f64| {
         let p = Point::new(x, y);
-        // Small paths first: a path whose box is farther than what is found already cannot be nearer.
-        let nearer = |best: f64, (path, bounds): (&Path, &Bounds)| {
-            if bounds.distance(p) < best { best.min(path.distance(p)) } else { best }
-        };
-        paths.iter().zip(&boxes).rev().fold(f64::INFINITY, nearer)
+        let mut best = targets.get(last).map_or(f64::INFINITY, |target| target.distance(p));
+        for (i, target) in targets.iter().enumerate() {
+            if target.bounds.distance(p) < best {
+                let distance = target.distance(p);
+                if distance < best {
+                    (best, last) = (distance, i);
+                }
+            }
+        }
+        best
     };
     let (mut largest, mut length) = (0.0_f64, 0.0);
     for facet in facets {

@@ -2,4 +2,4 @@
 
 pub mod compare;
 pub(in crate::verify) mod follow;
-mod measure;
+pub(in crate::verify) mod measure;

@@ -62,7 +62,7 @@ pub(in crate::verify) fn read(
             Object::Number(x) => operands.push(x),
             Object::Name(text) => name = Some(text),
             Object::Word(word) => {
-                pen.operator(&word, &operands, name.take());
+                pen.operator(word, &operands, name.take());
                 operands.clear();
             }
             _ => pen.findings.add("unknown-word", None, "an operand that is no number", "numbers and names"),
@@ -78,7 +78,7 @@ pub(in crate::verify) fn read(
 }
 
 impl PdfPen<'_> {
-    fn operator(&mut self, word: &str, operands: &[f64], name: Option<String>) {
+    fn operator(&mut self, word: &str, operands: &[f64], name: Option<&str>) {
         match (word, operands) {
             ("q", []) => self.saved.push(self.state),
             ("Q", []) => match self.saved.pop() {
@@ -93,7 +93,7 @@ impl PdfPen<'_> {
             ("cm", _) => {
                 self.findings.add("transform", None, format!("cm {operands:?}"), "scaling and shifting only");
             }
-            ("BMC", []) => self.layers.push(name.unwrap_or_default()),
+            ("BMC", []) => self.layers.push(name.unwrap_or_default().to_owned()),
             ("EMC", []) => drop(self.layers.pop()),
             ("w" | "G" | "g" | "J" | "j", [_]) => {}
             ("m", [x, y]) => {

@@ -18,7 +18,7 @@ pub use page::PdfPage;
 const POINT: f64 = 25.4 / 72.0;
 
 /// The objects of a file by number.
-type Objects<'a> = BTreeMap<u32, (Object, Option<&'a [u8]>)>;
+type Objects<'a> = BTreeMap<u32, (Object<'a>, Option<&'a [u8]>)>;
 
 /// Reads the pages of a PDF file; what is wrong with it goes to `findings`.
 pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
@@ -27,7 +27,7 @@ pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
         return Vec::new();
     }
     let Some((objects, trailer)) = objects(bytes, findings) else { return Vec::new() };
-    let object = |reference: Option<&Object>| objects.get(&reference?.target()?);
+    let object = |reference: Option<&Object<'_>>| objects.get(&reference?.target()?);
     let tree = object(trailer.get("Root")).and_then(|(catalog, _)| object(catalog.get("Pages")));
     let Some((tree, _)) = tree else {
         findings.add("bad-pdf", None, "no page tree", "a catalog with pages");
@@ -58,7 +58,7 @@ pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
 }
 
 /// Width and height of a page, mm.
-fn extent(page: &Object) -> Option<(f64, f64)> {
+fn extent(page: &Object<'_>) -> Option<(f64, f64)> {
     let unit = page.get("UserUnit").map_or(Some(1.0), Object::number)?;
     let numbers: Option<Vec<f64>> = page.get("MediaBox")?.items().iter().map(Object::number).collect();
     match numbers?[..] {
@@ -68,7 +68,7 @@ fn extent(page: &Object) -> Option<(f64, f64)> {
 }
 
 /// All objects and the trailer's dictionary.
-fn objects<'a>(bytes: &'a [u8], findings: &mut Findings) -> Option<(Objects<'a>, Object)> {
+fn objects<'a>(bytes: &'a [u8], findings: &mut Findings) -> Option<(Objects<'a>, Object<'a>)> {
     let mut scan = Scan::new(bytes);
     let mut objects = Objects::new();
     let mut refuse = |found: String| {
@@ -79,7 +79,7 @@ fn objects<'a>(bytes: &'a [u8], findings: &mut Findings) -> Option<(Objects<'a>,
         match scan.object() {
             Some(Object::Number(number)) => {
                 let (generation, word) = (scan.object(), scan.object());
-                if generation != Some(Object::Number(0.0)) || word != Some(Object::Word("obj".to_owned())) {
+                if generation != Some(Object::Number(0.0)) || word != Some(Object::Word("obj")) {
                     return refuse(format!("no object at byte {}", scan.position()));
                 }
                 let Some(value) = scan.object() else {
@@ -87,13 +87,13 @@ fn objects<'a>(bytes: &'a [u8], findings: &mut Findings) -> Option<(Objects<'a>,
                 };
                 let mut stream = None;
                 let mut end = scan.object();
-                if end == Some(Object::Word("stream".to_owned())) {
+                if end == Some(Object::Word("stream")) {
                     if value.get("Filter").is_some() {
                         return refuse(format!("a compressed stream at byte {}", scan.position()));
                     }
                     let length = value.get("Length").and_then(Object::number).and_then(whole);
                     stream = length.and_then(|length| scan.stream(length));
-                    if stream.is_none() || scan.object() != Some(Object::Word("endstream".to_owned())) {
+                    if stream.is_none() || scan.object() != Some(Object::Word("endstream")) {
                         return refuse(format!("a stream without its length at byte {}", scan.position()));
                     }
                     end = scan.object();
@@ -102,16 +102,16 @@ fn objects<'a>(bytes: &'a [u8], findings: &mut Findings) -> Option<(Objects<'a>,
                 if number.and_then(|number| objects.insert(number, (value, stream))).is_some() {
                     return refuse(format!("an object twice at byte {}", scan.position()));
                 }
-                if end != Some(Object::Word("endobj".to_owned())) {
+                if end != Some(Object::Word("endobj")) {
                     return refuse(format!("no endobj at byte {}", scan.position()));
                 }
             }
-            Some(Object::Word(word)) if word == "xref" => break,
+            Some(Object::Word("xref")) => break,
             _ => return refuse(format!("no object at byte {}", scan.position())),
         }
     }
     while let Some(object) = scan.object() {
-        if object == Object::Word("trailer".to_owned()) {
+        if object == Object::Word("trailer") {
             return scan.object().map(|trailer| (objects, trailer));
         }
     }

@@ -9,24 +9,24 @@ const DEPTH: usize = 16;
 
 /// One object.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::verify) enum Object {
+pub(in crate::verify) enum Object<'a> {
     /// A number.
     Number(f64),
     /// `/Name`.
-    Name(String),
+    Name(&'a str),
     /// A string, its content left out: nothing here depends on it.
     Text,
     /// `[ ... ]`.
-    Array(Vec<Object>),
+    Array(Vec<Object<'a>>),
     /// `<< ... >>`.
-    Dict(BTreeMap<String, Object>),
+    Dict(BTreeMap<&'a str, Object<'a>>),
     /// `n 0 R`.
     Reference(u32),
     /// A keyword or an operator.
-    Word(String),
+    Word(&'a str),
 }
 
-impl Object {
+impl Object<'_> {
     /// The value of `key`, if this is a dictionary that has it.
     pub(in crate::verify) fn get(&self, key: &str) -> Option<&Self> {
         match self {
@@ -95,11 +95,11 @@ impl<'a> Scan<'a> {
     }
 
     /// The next object; `None` at the end or where nothing can be read.
-    pub(in crate::verify) fn object(&mut self) -> Option<Object> {
+    pub(in crate::verify) fn object(&mut self) -> Option<Object<'a>> {
         self.nested(0)
     }
 
-    fn nested(&mut self, depth: usize) -> Option<Object> {
+    fn nested(&mut self, depth: usize) -> Option<Object<'a>> {
         if depth > DEPTH {
             return None;
         }
@@ -136,13 +136,13 @@ impl<'a> Scan<'a> {
             (b')' | b']' | b'>' | b'{' | b'}', _) => None,
             _ => {
                 let word = self.regular();
-                let Some(value) = number::value(&word) else { return Some(Object::Word(word)) };
-                Some(self.reference(&word).unwrap_or(Object::Number(value)))
+                let Some(value) = number::value(word) else { return Some(Object::Word(word)) };
+                Some(self.reference(word).unwrap_or(Object::Number(value)))
             }
         }
     }
 
-    fn dict(&mut self, depth: usize) -> Option<Object> {
+    fn dict(&mut self, depth: usize) -> Option<Object<'a>> {
         let mut entries = BTreeMap::new();
         loop {
             self.skip_blanks();
@@ -160,7 +160,7 @@ impl<'a> Scan<'a> {
     }
 
     /// `n 0 R`, of which `first` has been read.
-    fn reference(&mut self, first: &str) -> Option<Object> {
+    fn reference(&mut self, first: &str) -> Option<Object<'a>> {
         let target: u32 = first.parse().ok()?;
         let mut ahead = Scan { bytes: self.bytes, at: self.at };
         ahead.skip_blanks();
@@ -176,7 +176,7 @@ impl<'a> Scan<'a> {
     }
 
     /// A string in brackets, which may hold pairs of brackets and escapes.
-    fn literal(&mut self) -> Option<Object> {
+    fn literal(&mut self) -> Option<Object<'a>> {
         let mut open = 0_usize;
         loop {
             match self.peek()? {
@@ -192,13 +192,14 @@ impl<'a> Scan<'a> {
         }
     }
 
-    fn regular(&mut self) -> String {
+    fn regular(&mut self) -> &'a str {
         let start = self.at;
         let ends = |b: u8| is_blank(b) || b"()<>[]{}/%".contains(&b);
         while self.peek().is_some_and(|b| !ends(b)) {
             self.at += 1;
         }
-        String::from_utf8_lossy(&self.bytes[start..self.at]).into_owned()
+        // What is no text is no word of this tool either.
+        std::str::from_utf8(&self.bytes[start..self.at]).unwrap_or("\u{fffd}")
     }
 
     /// The bytes of a stream of `length`, whose dictionary and keyword have been read.

@@ -1,0 +1,59 @@
+//! Reads binary STL: a head, a count, and triangles in single precision.
+
+/// Three corners (x, y, z), mm, counterclockwise from outside.
+pub type Facet = [[f32; 3]; 3];
+
+/// Length of the head and the count.
+const HEAD: usize = 84;
+/// Length of a facet: its normal, which nobody needs, three corners, two bytes.
+const FACET: usize = 50;
+
+/// The facets of a binary STL; `None` if the length is not the one that the count says, or a number is not finite.
+pub fn read_stl(bytes: &[u8]) -> Option<Vec<Facet>> {
+    let count = usize::try_from(u32::from_le_bytes(bytes.get(80..HEAD)?.try_into().ok()?)).ok()?;
+    if bytes.len() != HEAD.checked_add(FACET.checked_mul(count)?)? {
+        return None;
+    }
+    let number = |raw: &[u8], at: usize| -> Option<f32> {
+        Some(f32::from_le_bytes(raw.get(at..at + 4)?.try_into().ok()?)).filter(|x| x.is_finite())
+    };
+    let corner = |raw: &[u8], at: usize| -> Option<[f32; 3]> {
+        Some([number(raw, at)?, number(raw, at + 4)?, number(raw, at + 8)?])
+    };
+    let facet = |raw: &[u8]| Some([corner(raw, 12)?, corner(raw, 24)?, corner(raw, 36)?]);
+    bytes[HEAD..].chunks_exact(FACET).map(facet).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One facet in the plane Z 0.
+    fn triangle() -> Vec<u8> {
+        let mut bytes = vec![b' '; 80];
+        bytes.extend(1_u32.to_le_bytes());
+        let numbers = [0.0, 0.0, 1.0, 1.0, 2.0, 0.0, 3.0, 2.0, 0.0, 1.0, 4.0, 0.0_f32];
+        bytes.extend(numbers.iter().flat_map(|x| x.to_le_bytes()));
+        bytes.extend([0, 0]);
+        bytes
+    }
+
+    #[test]
+    fn reads_what_stands_there() {
+        let facets = read_stl(&triangle()).expect("a facet");
+        assert_eq!(facets, [[[1.0, 2.0, 0.0], [3.0, 2.0, 0.0], [1.0, 4.0, 0.0]]]);
+    }
+
+    #[test]
+    fn refuses_another_length_and_numbers_that_are_none() {
+        let good = triangle();
+        assert_eq!(read_stl(&good[..good.len() - 1]), None);
+        assert_eq!(read_stl(&[]), None);
+        let mut many = good.clone();
+        many[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
+        assert_eq!(read_stl(&many), None);
+        let mut odd = good;
+        odd[96..100].copy_from_slice(&f32::NAN.to_le_bytes());
+        assert_eq!(read_stl(&odd), None);
+    }
+}
