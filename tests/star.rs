@@ -49,8 +49,11 @@ fn the_papers_stars_have_the_papers_arms() {
         assert!((star.l - l).abs() < 0.005, "n = {n}: {}", star.l);
     }
     let refusal = Star::new(&paper(9)).expect_err("no arms are left");
-    assert_eq!(refusal.found, "with 9 points the arm would be -6.2 mm long");
-    assert_eq!(refusal.remedy, "for this radius, width and tip angle at most 8 points fit");
+    assert!(refusal.found.ends_with("the arms would be -6.2 mm long"), "{refusal}");
+    assert!(
+        refusal.remedy.starts_with("must be: points at most 8; or alone: inner_radius above "),
+        "{refusal}"
+    );
 }
 
 #[test]

@@ -8,7 +8,6 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::airtight;
 use crate::artifact::Kind;
-use crate::cli::check::leaking;
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::{clock, publish, summary};
@@ -39,10 +38,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let spec = &loaded.reading.spec;
     let build = pipeline::build(spec, &loaded.machine, loaded.sources(), &args.only)
         .map_err(|refusals| loaded.refused(refusals))?;
+    loaded.warn(&build.design.warnings);
     let leaks = airtight::leaks(spec, &loaded.machine, &build.design);
-    if !leaks.is_empty() {
-        return Err(leaking(&leaks));
-    }
+    leaks.or(()).map_err(|leaks| loaded.refused(leaks))?;
     let proof = verify::prove(&build.design, spec, &loaded.machine, &build.output_files());
     if !proof.findings.is_empty() {
         return Err(Failure::Findings(proof.findings));

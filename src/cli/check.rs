@@ -21,6 +21,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::new(&args.spec)?;
     let spec = &loaded.reading.spec;
     let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
+    loaded.warn(&design.warnings);
     let programs = plan::seal_programs(spec, &loaded.machine, &design);
     let traces = plan::trace_programs(spec, &loaded.machine, &design);
     let refusals = plan::refusals(spec, &loaded.machine, &programs, &traces);
@@ -29,10 +30,5 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     say(&summary::design(spec, &design, &programs))?;
     say(&summary::conditions(spec, &loaded.machine, &programs))?;
     say(&report.to_string())?;
-    if report.leaks.is_empty() { Ok(()) } else { Err(leaking(&report.leaks)) }
-}
-
-/// The leaks of a design, which is refused for them.
-pub(super) fn leaking(leaks: &[String]) -> Failure {
-    Failure::Message(format!("the seal would leak: {}", leaks.join("; ")))
+    report.leaks.or(()).map_err(|leaks| loaded.refused(leaks))
 }

@@ -87,7 +87,8 @@ fn rendered(faults: &Faults) -> String {
     }
 }
 
-fn tell(text: &str) {
+/// Prints to standard error.
+pub(super) fn tell(text: &str) {
     // Nothing is left to do if standard error is gone as well.
     let _ = writeln!(io::stderr(), "{}", text.trim_end());
 }

@@ -4,11 +4,15 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use crate::cli::failure::{Failure, warn};
-use crate::design::Refusals;
+use crate::cli::failure::{Failure, tell, warn};
+use crate::design::{Refusals, Warning};
+use crate::manifest::MANIFEST;
 use crate::pipeline::Sources;
 use crate::spec;
 use crate::spec::{Fault, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
+
+/// The profile's name in a published directory.
+const MACHINE: &str = "machine.toml";
 
 /// A spec with the machine it names, both read and valid.
 #[derive(Debug)]
@@ -33,6 +37,15 @@ impl Loaded {
     /// The texts as read.
     pub(super) fn sources(&self) -> Sources<'_> {
         Sources { spec: &self.source.text, machine: &self.machine_text }
+    }
+
+    /// Prints what a person should know about a design, at the keys it speaks of.
+    pub(super) fn warn(&self, warnings: &[Warning]) {
+        let faults = warnings.iter().map(|warning| {
+            Fault::warning(warning.code, self.reading.raw.span_of(warning.key), warning.found.clone())
+                .label(warning.remedy.clone())
+        });
+        warn(&Faults::new(&self.source, faults.collect()));
     }
 
     /// Refusals of the design as faults at the keys they speak of.
@@ -63,6 +76,13 @@ pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
     Ok(Source::from_bytes(path.display().to_string(), &bytes)?)
 }
 
+/// The profile of the build whose directory holds the spec at `path`: the profile's own path led elsewhere when the
+/// spec was copied there. Only beside a manifest, so that no other file of this name is taken by chance.
+fn published_profile(path: &Path) -> Option<PathBuf> {
+    let profile = path.with_file_name(MACHINE);
+    (path.with_file_name(MANIFEST).is_file() && profile.is_file()).then_some(profile)
+}
+
 /// The machine profile that the spec at `path` names: a built-in one, or a file relative to the spec.
 fn machine_source(path: &Path, source: &Source, reading: &Reading) -> Result<Source, Failure> {
     let name = &reading.spec.machine.profile;
@@ -72,6 +92,12 @@ fn machine_source(path: &Path, source: &Source, reading: &Reading) -> Result<Sou
     let file: PathBuf = path.parent().unwrap_or(Path::new("")).join(name);
     if file.is_file() {
         return read_source(&file);
+    }
+    if let Some(published) = published_profile(path) {
+        let said =
+            format!("note: there is no {}; {} is used, as published", file.display(), published.display());
+        tell(&said);
+        return read_source(&published);
     }
     let known: Vec<&str> = spec::builtin_machines().collect();
     let fault = Fault::error(

@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use crate::design::star_fault::blamed;
 use crate::design::{Contour, Part, Refusal, Star};
 use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Inlet, key};
@@ -63,11 +64,11 @@ impl Channel {
             _ => None,
         });
         let (Some((at, arc)), Some(junction)) = (arc, self.junction(star, delta, least_radius)) else {
-            return Err(self.too_wide(delta, star.r_i + star.w + delta));
+            return Err(self.too_wide(star.w, delta, star.r_i + star.w + delta));
         };
         // Strictly inside: the rest of the arc must be longer than rounding.
         if junction.psi >= arc.sweep / 2.0 - 1e-9 {
-            return Err(self.too_wide(delta, arc.radius * (arc.sweep / 2.0).sin()));
+            return Err(self.too_wide(star.w, delta, arc.radius * (arc.sweep / 2.0).sin()));
         }
         let end = self.mouth - star.d_t + beyond;
         if junction.x >= self.mouth - star.d_t {
@@ -116,10 +117,13 @@ impl Channel {
         (into, out)
     }
 
-    fn too_wide(&self, delta: f64, room: f64) -> Refusal {
+    fn too_wide(&self, width: f64, delta: f64, room: f64) -> Refusal {
         let strips = if delta > 0.0 { " with the strips along it" } else { "" };
+        // A hose too thick, or a tube too narrow: compared with the defaults.
+        let hose = 4.0 * self.half_width / PI;
+        let key = blamed([(key::inlet::TUBE_DIAMETER, hose / 4.0), (key::star::TUBE_WIDTH, 30.0 / width)]);
         Refusal::new(
-            key::inlet::TUBE_DIAMETER,
+            key,
             "inlet-meets-arm",
             format!(
                 "the channel{strips} would be {} mm wide and meet an arm, where tip {} leaves {} mm",

@@ -22,6 +22,7 @@ mod seam;
 mod sheet;
 mod stack;
 mod star;
+mod star_fault;
 mod window;
 
 pub use coating::COATING_ASSUMES;
@@ -34,7 +35,7 @@ pub use mask::MaskPlate;
 pub use outline::{Circle, Outline};
 pub use paper::{Page as PaperPage, Paper};
 pub use part::{Realised, StarDesign};
-pub use refusal::{Refusal, Refusals};
+pub use refusal::{Refusal, Refusals, Warning};
 pub use seam::{MOUTH_OVERRUN, Seam};
 pub use sheet::{Design, PlacedStar, SheetLayout};
 pub use stack::Stack;

@@ -38,6 +38,19 @@ impl fmt::Display for Refusal {
 
 impl std::error::Error for Refusal {}
 
+/// What a person should know about a design although it can be made.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// The key that is best changed, or written to accept what is warned of.
+    pub key: KeyPath,
+    /// A short name for scripts: "short-window".
+    pub code: &'static str,
+    /// What was found, with numbers.
+    pub found: String,
+    /// What to do about it.
+    pub remedy: String,
+}
+
 /// Every reason at once for which there is no such gripper; as an error it says them all, a line each.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Refusals(Vec<Refusal>);

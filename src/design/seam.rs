@@ -1,5 +1,6 @@
 //! Seams: what the iron travels on one star, in contact.
 
+use crate::design::star_fault::blamed;
 use crate::design::{Channel, Part, Refusal, Side, Star};
 use crate::geom::{Line, Path};
 use crate::spec::{Seal, key};
@@ -87,8 +88,14 @@ impl Seam {
 }
 
 pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
+    // Which of the three is out of line: compared with the defaults, and with the paper's radius.
+    let key = blamed([
+        (key::star::INNER_RADIUS, 50.0 / star.rho_0),
+        (key::seal::BAND, seal.band.0 / 2.0),
+        (key::seal::HOLE_ALLOWANCE, seal.hole_allowance.0),
+    ]);
     Refusal::new(
-        key::star::INNER_RADIUS,
+        key,
         "hole-closed",
         format!(
             "a band of {} and a flap of {} close the hole of radius {} mm",
@@ -96,7 +103,10 @@ pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
             seal.hole_allowance,
             Readable(star.rho_0)
         ),
-        format!("inner_radius must be above {} mm", Readable(seal.band.0 + seal.hole_allowance.0)),
+        format!(
+            "inner_radius must be above band and hole_allowance together, {} mm",
+            Readable(seal.band.0 + seal.hole_allowance.0)
+        ),
     )
 }
 

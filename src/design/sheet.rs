@@ -1,6 +1,6 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
-use crate::design::{Frame, Refusal, Refusals, Stack, StarDesign};
+use crate::design::{Frame, Refusal, Refusals, Stack, StarDesign, Warning};
 use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{KeyPath, Machine, Sheet, Spec, key};
 use crate::units::Readable;
@@ -18,6 +18,8 @@ pub struct Design {
     pub stack: Stack,
     /// The frame around them.
     pub frame: Frame,
+    /// What a person should know before making it.
+    pub warnings: Vec<Warning>,
 }
 
 /// One star of the stack, on its sheet.
@@ -80,7 +82,13 @@ impl Design {
             .zip(1..)
             .map(|((&distinct, (sheet, placement)), index)| PlacedStar { index, distinct, sheet, placement })
             .collect();
-        Ok(Self { distinct, stars, sheets, stack, frame })
+        let mut design = Self { distinct, stars, sheets, stack, frame, warnings: Vec::new() };
+        let warnings = design
+            .firsts()
+            .zip(&design.distinct)
+            .filter_map(|(s, part)| part.mask.cut_short(s.index, &part.star));
+        design.warnings = warnings.collect();
+        Ok(design)
     }
 
     /// The design of a placed star.
