@@ -3,7 +3,7 @@
 mod parts;
 
 use crate::artifact::{Artifact, Kind, Variant};
-use crate::design::{Design, Drawing, Refusal, Refusals};
+use crate::design::{Design, Drawing, Refusal, RefusalCode, Refusals};
 use crate::emit;
 use crate::forecast::predict::{PredictFault, predict};
 use crate::forecast::prediction::Prediction;
@@ -79,7 +79,7 @@ fn predicted(spec: &Spec, only: &[Kind]) -> Result<Option<Prediction>, Refusals>
 /// A prediction that cannot be made, as a refusal at the key that stands in its way.
 pub fn no_prediction(fault: &PredictFault) -> Refusal {
     let key = fault.star.map_or(fault.key, |star| fault.key.of_star(star));
-    Refusal::new(key, "no-prediction", fault.what.clone(), "needed for a prediction".to_owned())
+    Refusal::new(key, RefusalCode::NoPrediction, fault.what.clone(), "needed for a prediction".to_owned())
 }
 
 fn prediction_file(prediction: &Prediction) -> Artifact {

@@ -112,8 +112,11 @@ fn what_bands_and_flaps_make_impossible_is_refused() {
 #[test]
 fn all_refusals_come_together() {
     let spec = paper("[seal]\nhole_allowance = \"48 mm\"\n[inlet]\nlength = \"1 mm\"\n");
-    let mut codes: Vec<&str> =
-        Design::new(&spec, &support::machine()).expect_err("refused").iter().map(|r| r.code).collect();
+    let mut codes: Vec<String> = Design::new(&spec, &support::machine())
+        .expect_err("refused")
+        .iter()
+        .map(|r| r.code.to_string())
+        .collect();
     codes.sort_unstable();
     assert_eq!(codes, ["hole-closed", "short-inlet"]);
 }

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use stargrip_cam::design::{Design, Part, Side, Star, StarDesign};
+use stargrip_cam::design::{Design, Part, RefusalCode, Side, Star, StarDesign};
 use stargrip_cam::geom::{Isometry, Path, Point, Segment, path_distance, path_intersections};
 use stargrip_cam::spec::{StarSpec, key};
 use stargrip_cam::verify::deviation;
@@ -60,7 +60,7 @@ fn the_papers_stars_have_the_papers_arms() {
 fn a_straight_corner_is_refused() {
     let spec = StarSpec { tip_angle: stargrip_cam::units::Angle(108.0), ..paper(5) };
     let refusal = Star::new(&spec).expect_err("phi_e = 180 deg");
-    assert_eq!((refusal.code, refusal.key), ("straight-corner", key::star::TIP_ANGLE));
+    assert_eq!((refusal.code, refusal.key), (RefusalCode::StraightCorner, key::star::TIP_ANGLE));
     assert!(refusal.remedy.contains("below 108 deg"), "{}", refusal.remedy);
 }
 

@@ -8,7 +8,7 @@ mod topology;
 
 use std::fmt;
 
-use crate::design::{Design, Refusal, Refusals};
+use crate::design::{Design, Refusal, RefusalCode, Refusals};
 use crate::spec::{Machine, Spec, key};
 
 pub use strength::{Load, seal_loads};
@@ -74,7 +74,7 @@ fn open_ways(passages: &[(usize, Passage)], design: &Design) -> Refusals {
     let between = topology::between_stars(design).filter(|distance| *distance <= 0.0).map(|distance| {
         let found = format!("the bands of two stars overlap by {:.3} mm", -distance);
         let remedy = format!("gap must be {:.3} mm larger, or the allowance", 1e-3 - distance);
-        Refusal::new(key::sheet::GAP, "stars-overlap", found, remedy)
+        Refusal::new(key::sheet::GAP, RefusalCode::StarsOverlap, found, remedy)
     });
     of_stars.chain(between).collect()
 }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::design::{Design, Refusal, Refusals, Seam, Side, StarDesign};
+use crate::design::{Design, Refusal, RefusalCode, Refusals, Seam, Side, StarDesign};
 use crate::geom::{Path, Segment, intersections, path_distance, path_intersections, segment_distance};
 use crate::spec::{KeyPath, Machine, Spec, key};
 
@@ -51,7 +51,7 @@ struct Found {
 }
 
 impl Found {
-    fn leak(&mut self, key: KeyPath, code: &'static str, found: String, remedy: &str) {
+    fn leak(&mut self, key: KeyPath, code: RefusalCode, found: String, remedy: &str) {
         self.leaks.push(Refusal::new(key, code, found, remedy.to_owned()));
     }
 }
@@ -67,7 +67,7 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
         let what = format!("the two seams cross or touch in {crossings} places");
         found.leak(
             key::star::TUBE_WIDTH,
-            "seams-cross",
+            RefusalCode::SeamsCross,
             what,
             "make tube_width larger, or the band narrower",
         );
@@ -78,7 +78,7 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
             let what = format!("the {name} seam crosses itself in {own} places");
             found.leak(
                 key::seal::BAND,
-                "seam-crosses-itself",
+                RefusalCode::SeamCrossesItself,
                 what,
                 "make band narrower, or the arms longer",
             );
@@ -87,7 +87,12 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
     let channel = path_distance(&inner.center_line, &outer.center_line) - band;
     if channel <= 0.0 {
         let what = format!("the bands meet: {channel:.3} mm are left between them");
-        found.leak(key::star::TUBE_WIDTH, "bands-meet", what, "make tube_width larger, or the band narrower");
+        found.leak(
+            key::star::TUBE_WIDTH,
+            RefusalCode::BandsMeet,
+            what,
+            "make tube_width larger, or the band narrower",
+        );
     } else if channel < 0.99 * part.star.w {
         found
             .weaknesses
@@ -99,7 +104,7 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
         if width < 2.0 * channel.half_width - 1e-6 {
             let what = format!("the inlet's mouth is {width:.3} mm wide, too narrow for the hose");
             let remedy = format!("it needs {:.3} mm: make tube_diameter smaller", 2.0 * channel.half_width);
-            found.leak(key::inlet::TUBE_DIAMETER, "narrow-mouth", what, &remedy);
+            found.leak(key::inlet::TUBE_DIAMETER, RefusalCode::NarrowMouth, what, &remedy);
         }
         width
     });
@@ -125,11 +130,16 @@ fn closure(spec: &Spec, machine: &Machine, seam: &Seam, has_inlet: bool, found: 
     };
     if path.largest_gap() > GAP {
         let what = format!("a gap of {:.6} mm in the {name} seam", path.largest_gap());
-        found.leak(key::seal::BAND, "seam-gap", what, "a seam has no gap: try another band");
+        found.leak(key::seal::BAND, RefusalCode::SeamGap, what, "a seam has no gap: try another band");
     }
     if path.closed == may_open {
         let is = if path.closed { "closed, and the inlet with it" } else { "open without an inlet" };
-        found.leak(key::inlet::NONE, "wrong-opening", format!("the {name} loop is {is}"), "change [inlet]");
+        found.leak(
+            key::inlet::NONE,
+            RefusalCode::WrongOpening,
+            format!("the {name} loop is {is}"),
+            "change [inlet]",
+        );
     }
     let run = seam.run();
     let twice = run.length() - path.length();
@@ -137,7 +147,7 @@ fn closure(spec: &Spec, machine: &Machine, seam: &Seam, has_inlet: bool, found: 
         if (twice - seam.overlap).abs() > 1e-6 || seam.overlap <= 0.0 {
             let what = format!("the {name} loop closes with an overlap of {twice:.3} mm");
             let remedy = format!("overlap must be above 0 mm: at least the band of {}", spec.seal.band);
-            found.leak(key::seal::OVERLAP, "no-overlap", what, &remedy);
+            found.leak(key::seal::OVERLAP, RefusalCode::NoOverlap, what, &remedy);
         } else if seam.overlap < spec.seal.band.0 {
             found.weaknesses.push(format!(
                 "the {name} loop closes with an overlap of {} mm, less than the band of {}",

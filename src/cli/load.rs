@@ -9,7 +9,7 @@ use crate::design::{Refusals, Warning};
 use crate::manifest::MANIFEST;
 use crate::pipeline::Sources;
 use crate::spec;
-use crate::spec::{Fault, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
+use crate::spec::{Fault, FaultCode, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
 
 /// The profile's name in a published directory.
 const MACHINE: &str = "machine.toml";
@@ -101,7 +101,7 @@ fn machine_source(path: &Path, source: &Source, reading: &Reading) -> Result<Sou
     }
     let known: Vec<&str> = spec::builtin_machines().collect();
     let fault = Fault::error(
-        "unknown-machine",
+        FaultCode::UnknownMachine,
         reading.raw.span_of(key::machine::PROFILE),
         format!("no machine profile has this name, and there is no file {}", file.display()),
     )

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::star_fault::blamed;
-use crate::design::{Contour, Part, Refusal, Star};
+use crate::design::{Contour, Part, Refusal, RefusalCode, Star};
 use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Inlet, key};
 use crate::units::Readable;
@@ -74,7 +74,7 @@ impl Channel {
         if junction.x >= self.mouth - star.d_t {
             return Err(Refusal::new(
                 key::inlet::LENGTH,
-                "short-inlet",
+                RefusalCode::ShortInlet,
                 format!("the mouth would lie {} mm inside the flap", Readable(junction.x - (end - beyond))),
                 format!("length must be above {} mm", Readable(junction.x - star.r_i - star.w)),
             ));
@@ -124,7 +124,7 @@ impl Channel {
         let key = blamed([(key::inlet::TUBE_DIAMETER, hose / 4.0), (key::star::TUBE_WIDTH, 30.0 / width)]);
         Refusal::new(
             key,
-            "inlet-meets-arm",
+            RefusalCode::InletMeetsArm,
             format!(
                 "the channel{strips} would be {} mm wide and meet an arm, where tip {} leaves {} mm",
                 Readable(2.0 * (self.half_width + delta)),

@@ -3,7 +3,7 @@
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 
 use crate::design::window::{Reach, Zone};
-use crate::design::{Outline, Refusal, Star, Warning};
+use crate::design::{Outline, Refusal, RefusalCode, Star, Warning};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Segment};
 use crate::spec::{Spec, StarSpec, key};
 use crate::units::Readable;
@@ -71,7 +71,7 @@ impl MaskPlate {
             "write extent = \"{} mm\" in [mask] to accept it; fewer points or a larger inner_radius make room",
             hundredths(self.extent)
         );
-        Some(Warning { key: key::mask::EXTENT, code: "short-window", found, remedy })
+        Some(Warning { key: key::mask::EXTENT, code: RefusalCode::ShortWindow, found, remedy })
     }
 
     /// What stands on every page on which the mask of star number `star` is printed.
@@ -123,7 +123,7 @@ fn grown(path: &Path, border: f64) -> Option<Path> {
 fn too_far(wanted: f64, most: f64) -> Refusal {
     Refusal::new(
         key::mask::EXTENT,
-        "long-extent",
+        RefusalCode::LongExtent,
         format!("at {} mm neighbouring windows would leave no bridge or run past the arms", Readable(wanted)),
         format!("extent must be at most {} mm", Readable((most * 100.0).floor() / 100.0)),
     )
@@ -132,7 +132,7 @@ fn too_far(wanted: f64, most: f64) -> Refusal {
 fn no_plate(border: f64) -> Refusal {
     Refusal::new(
         key::mask::BORDER,
-        "no-plate",
+        RefusalCode::NoPlate,
         format!("the outline cannot be grown by {} mm", Readable(border)),
         "make border smaller, or \"0 mm\" for a plate as large as the outline".to_owned(),
     )

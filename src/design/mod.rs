@@ -6,6 +6,7 @@
 //! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
 
 mod coating;
+mod code;
 mod contour;
 mod drawing;
 mod frame;
@@ -26,6 +27,7 @@ mod star_fault;
 mod window;
 
 pub use coating::COATING_ASSUMES;
+pub use code::RefusalCode;
 pub use contour::{Contour, Part, Side};
 pub use drawing::{Drawing, Layer, Origin, Shape};
 pub use frame::{Frame, Plate, shut_reach};

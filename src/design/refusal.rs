@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::Deref;
 
+use crate::design::RefusalCode;
 use crate::spec::KeyPath;
 
 /// A spec whose every value is in its range, but whose geometry cannot be made.
@@ -10,8 +11,8 @@ use crate::spec::KeyPath;
 pub struct Refusal {
     /// The key that is best changed, of the star that the refusal speaks of where stars can differ in it.
     pub key: KeyPath,
-    /// A short name for scripts: "no-arm".
-    pub code: &'static str,
+    /// Its code for scripts: "no-arm".
+    pub code: RefusalCode,
     /// What was found, with numbers.
     pub found: String,
     /// What is allowed, and the remedy.
@@ -20,7 +21,7 @@ pub struct Refusal {
 
 impl Refusal {
     /// A refusal that points at `key`.
-    pub fn new(key: KeyPath, code: &'static str, found: String, remedy: String) -> Self {
+    pub fn new(key: KeyPath, code: RefusalCode, found: String, remedy: String) -> Self {
         Self { key, code, found, remedy }
     }
 
@@ -43,8 +44,8 @@ impl std::error::Error for Refusal {}
 pub struct Warning {
     /// The key that is best changed, or written to accept what is warned of.
     pub key: KeyPath,
-    /// A short name for scripts: "short-window".
-    pub code: &'static str,
+    /// Its code for scripts: "short-window".
+    pub code: RefusalCode,
     /// What was found, with numbers.
     pub found: String,
     /// What to do about it.
@@ -139,7 +140,8 @@ mod tests {
 
     #[test]
     fn refusals_say_all_of_themselves() {
-        let one = |key: KeyPath| Refusal::new(key, "x", "found".to_owned(), "remedy".to_owned());
+        let one =
+            |key: KeyPath| Refusal::new(key, RefusalCode::NoArm, "found".to_owned(), "remedy".to_owned());
         let both: Refusals = [one(key::star::POINTS), one(key::seal::BAND)].into_iter().collect();
         assert_eq!(both.to_string(), "star.points: found; remedy\nseal.band: found; remedy");
         assert_eq!(both.clone().or(()), Err(both));

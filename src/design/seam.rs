@@ -1,7 +1,7 @@
 //! Seams: what the iron travels on one star, in contact.
 
 use crate::design::star_fault::blamed;
-use crate::design::{Channel, Part, Refusal, Side, Star};
+use crate::design::{Channel, Part, Refusal, RefusalCode, Side, Star};
 use crate::geom::{Line, Path};
 use crate::spec::{Seal, key};
 use crate::units::Readable;
@@ -45,7 +45,7 @@ impl Seam {
         if overlap > length / 2.0 {
             return Err(Refusal::new(
                 key::seal::OVERLAP,
-                "long-overlap",
+                RefusalCode::LongOverlap,
                 format!("an overlap of {} on a loop of {} mm", seal.overlap, Readable(length)),
                 format!("overlap must be at most half the loop, {} mm", Readable(length / 2.0)),
             ));
@@ -96,7 +96,7 @@ pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
     ]);
     Refusal::new(
         key,
-        "hole-closed",
+        RefusalCode::HoleClosed,
         format!(
             "a band of {} and a flap of {} close the hole of radius {} mm",
             seal.band,
@@ -119,7 +119,7 @@ fn band_eats_arm(star: &Star, side: Side, seal: &Seal) -> Refusal {
     let widest = 2.0 * (radius + star.l * (phi / 2.0).tan());
     Refusal::new(
         key::seal::BAND,
-        "band-eats-arm",
+        RefusalCode::BandEatsArm,
         format!(
             "at the {hinge} a band of {} takes {} mm of arms that are {} mm long",
             seal.band,

@@ -1,6 +1,6 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
-use crate::design::{Frame, Refusal, Refusals, Stack, StarDesign, Warning};
+use crate::design::{Frame, Refusal, RefusalCode, Refusals, Stack, StarDesign, Warning};
 use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{KeyPath, Machine, Sheet, Spec, key};
 use crate::units::Readable;
@@ -206,7 +206,7 @@ fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal
     }
     Err(Refusal::new(
         key,
-        "sheet-too-small",
+        RefusalCode::SheetTooSmall,
         format!(
             "a part needs {} mm where the margins leave {} mm",
             Readable(needed),

@@ -13,8 +13,8 @@
 
 use std::f64::consts::PI;
 
-use crate::design::Refusal;
 use crate::design::star_fault::{blamed, no_arm};
+use crate::design::{Refusal, RefusalCode};
 use crate::geom::Point;
 use crate::spec::{StarSpec, key};
 use crate::units::Readable;
@@ -71,7 +71,7 @@ impl Star {
         if phi_e >= PI - 1e-6 {
             return Err(Refusal::new(
                 key::star::TIP_ANGLE,
-                "straight-corner",
+                RefusalCode::StraightCorner,
                 format!(
                     "with {n} points and a tip angle of {} the reentrant corners would open to {} deg",
                     spec.tip_angle,
@@ -138,7 +138,7 @@ fn too_large(spec: &StarSpec, star: &Star) -> Refusal {
     ]);
     Refusal::new(
         key,
-        "too-large",
+        RefusalCode::TooLarge,
         format!("the tips would lie {:.1} m from the axis", star.tip_reach() / 1000.0),
         format!(
             "at most {} m: make tip_angle wider than {}, or the star smaller",

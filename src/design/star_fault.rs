@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use crate::design::{Refusal, arm_length};
+use crate::design::{Refusal, RefusalCode, arm_length};
 use crate::spec::{KeyPath, StarSpec, key};
 use crate::units::Readable;
 
@@ -56,7 +56,7 @@ pub(super) fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
         spec.tip_angle,
         if l > -0.05 { -0.0 } else { l }
     );
-    Refusal::new(blamed, "no-arm", found, remedy)
+    Refusal::new(blamed, RefusalCode::NoArm, found, remedy)
 }
 
 /// Every single change that would give arms, each with its limit.
@@ -128,7 +128,7 @@ mod tests {
         ];
         for (spec, key) in cases {
             let refusal = Star::new(&spec).expect_err("no arms");
-            assert_eq!((refusal.code, refusal.key), ("no-arm", key), "{refusal}");
+            assert_eq!((refusal.code, refusal.key), (RefusalCode::NoArm, key), "{refusal}");
             assert!(refusal.remedy.starts_with(&format!("must be: {} ", key.key())), "{refusal}");
         }
     }

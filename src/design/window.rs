@@ -15,7 +15,7 @@
 
 use std::f64::consts::PI;
 
-use crate::design::{Refusal, Star};
+use crate::design::{Refusal, RefusalCode, Star};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Mask, Seal, key};
 use crate::units::Readable;
@@ -169,7 +169,7 @@ impl<'a> Zone<'a> {
         let room = self.star.w + self.delta_h + self.delta_o + 2.0 * self.creep;
         Refusal::new(
             key::mask::CREEP,
-            "no-window",
+            RefusalCode::NoWindow,
             format!(
                 "a creep of {} mm leaves nothing of a window {} mm deep and {} mm long on each side",
                 Readable(self.creep),

@@ -10,6 +10,7 @@
 
 mod allowed;
 mod builtin;
+mod code;
 pub mod edit;
 mod fault;
 pub mod key;
@@ -30,6 +31,8 @@ mod unknown;
 mod value;
 
 pub use builtin::UnknownMachine;
+pub(crate) use code::codes;
+pub use code::{Code, FaultCode};
 pub use fault::{Fault, Faults, Severity};
 pub use key::KeyPath;
 pub use machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};

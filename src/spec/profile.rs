@@ -3,6 +3,7 @@
 //! A new key is added in three steps: a field in [`Machine`], a line in one of the functions below (which
 //! makes the key known and gives its range), and a commented line in each profile that needs it.
 
+use crate::spec::FaultCode;
 use std::ops::Range;
 
 use crate::spec::allowed::Allowed;
@@ -116,7 +117,7 @@ fn read_profile(reader: &mut Reader<'_>) -> Machine {
 fn read_description(root: &mut Section<'_, '_>) -> String {
     let Some((text, span)) = root.text("description") else { return String::new() };
     if text.chars().any(breaks_line) || text.chars().count() > DESCRIPTION_LENGTH {
-        let fault = Fault::error("name", span, format!("`description` is {}", quoted(text)))
+        let fault = Fault::error(FaultCode::Name, span, format!("`description` is {}", quoted(text)))
             .label(format!("must be one line of at most {DESCRIPTION_LENGTH} characters"));
         root.report(fault);
     }
@@ -133,7 +134,7 @@ fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
         (Some(x), Some(y)) => Some((x, y)),
         (None, None) => None,
         _ => {
-            let fault = Fault::error("conflict", s.place(), "[work_area] knows one side only")
+            let fault = Fault::error(FaultCode::Conflict, s.place(), "[work_area] knows one side only")
                 .label("must say both `x` and `y`, or neither, or \"unknown\" for both");
             s.report(fault);
             None
@@ -174,8 +175,11 @@ fn read_motion(s: &mut Section<'_, '_>) -> Motion {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
         [None, None, None] => None,
         _ => {
-            let fault = Fault::error("conflict", s.place(), "[motion] knows the steps of some axes only")
-                .label("must say `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them");
+            let fault =
+                Fault::error(FaultCode::Conflict, s.place(), "[motion] knows the steps of some axes only")
+                    .label(
+                        "must say `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them",
+                    );
             s.report(fault);
             None
         }
@@ -217,7 +221,7 @@ fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
             let height = known(&mut s, "height", HEIGHT);
             let name = name.map_or("clamp".to_owned(), |(name, span)| {
                 if let Err(reason) = check_name(name) {
-                    let fault = Fault::error("name", span, format!("`name` is {}", quoted(name)));
+                    let fault = Fault::error(FaultCode::Name, span, format!("`name` is {}", quoted(name)));
                     s.report(fault.label(reason.to_string()));
                 }
                 name.to_owned()
@@ -236,7 +240,7 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
         && contact < 0.0
     {
         let fault = Fault::error(
-            "out-of-range",
+            FaultCode::OutOfRange,
             s.place_of("contact"),
             format!("`contact` is {}", Length(contact)),
         )
@@ -250,7 +254,7 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
             && high <= low
         {
             let fault = Fault::error(
-                "out-of-range",
+                FaultCode::OutOfRange,
                 s.place_of(high_key),
                 format!("`{high_key}` is {}", Length(high)),
             )
@@ -283,7 +287,8 @@ fn read_line(s: &mut Section<'_, '_>, key: &str, line: &str, span: Range<usize>,
         return line.to_owned();
     };
     s.report(
-        Fault::error("program-line", span, format!("a line of `{key}` is {}", quoted(line))).label(label),
+        Fault::error(FaultCode::ProgramLine, span, format!("a line of `{key}` is {}", quoted(line)))
+            .label(label),
     );
     String::new()
 }

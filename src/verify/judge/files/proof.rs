@@ -13,7 +13,7 @@ use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::{drawings, paper, solid};
 use crate::verify::judge::job;
 use crate::verify::judge::job::Job;
-use crate::verify::{Finding, Findings, OutputFiles};
+use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
 /// What the verifier has to say about a directory.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,7 +30,8 @@ pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
     let text = |name: &'static str, findings: &mut Findings| -> Option<Source> {
         let Some(bytes) = files.get(name) else {
             findings.push(
-                Finding::new("missing-file", None, "no such file", "the file of the build").in_file(name),
+                Finding::new(FindingCode::MissingFile, None, "no such file", "the file of the build")
+                    .in_file(name),
             );
             return None;
         };
@@ -61,7 +62,7 @@ pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
 
 fn unreadable(name: &str, faults: &spec::Faults) -> Finding {
     let found = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
-    Finding::new("unreadable", None, found, "text that `check` accepts").in_file(name)
+    Finding::new(FindingCode::Unreadable, None, found, "text that `check` accepts").in_file(name)
 }
 
 /// Proves the files of `files` against a design that is known.
@@ -70,8 +71,12 @@ pub fn prove(design: &Design, spec: &Spec, machine: &Machine, files: &OutputFile
     let mut proof = Proof::default();
     let Some(manifest) = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok())
     else {
-        let finding =
-            Finding::new("manifest", None, "no manifest that can be read", "the manifest of the build");
+        let finding = Finding::new(
+            FindingCode::Manifest,
+            None,
+            "no manifest that can be read",
+            "the manifest of the build",
+        );
         proof.findings.push(finding.in_file(MANIFEST));
         return proof;
     };
@@ -95,17 +100,18 @@ fn names(files: &OutputFiles<'_>, manifest: &Manifest, proof: &mut Proof) {
     let named = |name: &str| manifest.files.iter().any(|entry| entry.path == name);
     for required in ["spec.toml", "machine.toml"].into_iter().filter(|name| !named(name)) {
         proof.findings.push(
-            Finding::new("manifest", None, "does not name this file", "a file the build wrote")
+            Finding::new(FindingCode::Manifest, None, "does not name this file", "a file the build wrote")
                 .in_file(required),
         );
     }
     for entry in manifest.files.iter().filter(|entry| files.get(&entry.path).is_none()) {
-        let finding = Finding::new("missing-file", None, "no such file", format!("{} bytes", entry.bytes));
+        let finding =
+            Finding::new(FindingCode::MissingFile, None, "no such file", format!("{} bytes", entry.bytes));
         proof.findings.push(finding.in_file(&entry.path));
     }
     for (name, _) in files.files.iter().filter(|(name, _)| *name != MANIFEST && !named(name)) {
         let finding = Finding::new(
-            "unnamed-file",
+            FindingCode::UnnamedFile,
             None,
             "a file that the manifest does not name",
             "only what it names",
@@ -116,11 +122,16 @@ fn names(files: &OutputFiles<'_>, manifest: &Manifest, proof: &mut Proof) {
 
 fn check_hash(entry: &ManifestFile, bytes: &[u8], findings: &mut Findings) {
     if bytes.len() != entry.bytes {
-        findings.add("size", None, format!("{} bytes", bytes.len()), format!("{} bytes", entry.bytes));
+        findings.add(
+            FindingCode::Size,
+            None,
+            format!("{} bytes", bytes.len()),
+            format!("{} bytes", entry.bytes),
+        );
     }
     let hash = sha256(bytes);
     if hash != entry.sha256 {
-        findings.add("hash", None, hash, entry.sha256.clone());
+        findings.add(FindingCode::Hash, None, hash, entry.sha256.clone());
     }
 }
 
@@ -133,14 +144,14 @@ fn file(
     findings: &mut Findings,
 ) -> Option<f64> {
     let Some(kind) = Kind::from_name(&entry.kind) else {
-        findings.add("unknown-kind", None, entry.kind.clone(), "a kind of this tool");
+        findings.add(FindingCode::UnknownKind, None, entry.kind.clone(), "a kind of this tool");
         return None;
     };
     if kind == Kind::MaskPdf || kind == Kind::MaskStl {
         return binary(truth, entry, kind, bytes, findings);
     }
     let Ok(text) = std::str::from_utf8(bytes) else {
-        findings.add("not-text", None, "bytes that are not UTF-8", "text");
+        findings.add(FindingCode::NotText, None, "bytes that are not UTF-8", "text");
         return None;
     };
     let sheet = entry.sheet.unwrap_or(0);
@@ -210,13 +221,13 @@ fn no_such_part(entry: &ManifestFile, findings: &mut Findings) {
         "sheet {:?}, star {:?}, plate {:?}, paper {:?}",
         entry.sheet, entry.star, entry.plate, entry.paper
     );
-    findings.add("manifest", None, found, "a part of the design");
+    findings.add(FindingCode::Manifest, None, found, "a part of the design");
 }
 
 /// The prediction made anew, against the one that was written.
 fn prediction(truth: Expected<'_>, text: &str, findings: &mut Findings) {
     let Ok(right) = predict(truth.spec) else {
-        findings.add("prediction", None, "a prediction", "none: this spec has no prediction");
+        findings.add(FindingCode::Prediction, None, "a prediction", "none: this spec has no prediction");
         return;
     };
     // The same program gives the same bytes; another build of it may differ in the last digits.
@@ -227,7 +238,7 @@ fn prediction(truth: Expected<'_>, text: &str, findings: &mut Findings) {
     };
     if !same {
         findings.add(
-            "prediction",
+            FindingCode::Prediction,
             None,
             "other figures than this spec gives",
             "what `predict --json` prints",

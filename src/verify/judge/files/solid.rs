@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::design::{Drawing, Layer};
 use crate::geom::{Bounds, Path, Point};
-use crate::verify::Findings;
 use crate::verify::judge::files::drawings::path_of;
+use crate::verify::{FindingCode, Findings};
 
 /// What chords and single precision may take away, mm.
 const TOLERANCE: f64 = 0.025;
@@ -21,7 +21,12 @@ pub(in crate::verify) fn check(
 ) -> f64 {
     let Some(facets) = facets(bytes) else {
         let found = format!("{} bytes that are no binary STL", bytes.len());
-        findings.add("bad-stl", None, found, "a head of 84 bytes and 50 a facet, all numbers finite");
+        findings.add(
+            FindingCode::BadStl,
+            None,
+            found,
+            "a head of 84 bytes and 50 a facet, all numbers finite",
+        );
         return f64::INFINITY;
     };
     closed(&facets, findings);
@@ -39,7 +44,7 @@ pub(in crate::verify) fn check(
     let volume: f64 = facets.iter().map(sixfold).sum::<f64>() / 6.0;
     // Chords cut off less than the tolerance along all edges.
     if (volume - right).abs() > length * TOLERANCE * thickness {
-        findings.add("wrong-volume", None, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
+        findings.add(FindingCode::WrongVolume, None, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
     }
     let paths: Vec<Path> = exact.into_iter().map(|(_, path)| path).collect();
     edges(&facets, &paths, length, thickness, findings)
@@ -79,7 +84,12 @@ fn closed(facets: &[[Vertex; 3]], findings: &mut Findings) {
     }
     let open = uses.values().filter(|uses| **uses != (1, 1)).count();
     if open > 0 || uses.is_empty() {
-        findings.add("not-watertight", None, format!("{open} of {} edges", uses.len()), "each once each way");
+        findings.add(
+            FindingCode::NotWatertight,
+            None,
+            format!("{open} of {} edges", uses.len()),
+            "each once each way",
+        );
     }
 }
 
@@ -119,11 +129,16 @@ fn edges(facets: &[[Vertex; 3]], paths: &[Path], right: f64, thickness: f64, fin
         }
     }
     if largest.is_nan() || largest > TOLERANCE {
-        findings.add("deviation", None, format!("{largest:.6} mm"), format!("{TOLERANCE} mm"));
+        findings.add(FindingCode::Deviation, None, format!("{largest:.6} mm"), format!("{TOLERANCE} mm"));
     }
     // A chord within the tolerance of its arc is shorter than it by far less than a hundredth.
     if (length - right).abs() > 0.01 * right {
-        findings.add("path-length", None, format!("{length:.1} mm of edges"), format!("{right:.1} mm"));
+        findings.add(
+            FindingCode::PathLength,
+            None,
+            format!("{length:.1} mm of edges"),
+            format!("{right:.1} mm"),
+        );
     }
     largest
 }

@@ -1,11 +1,11 @@
 //! Executes blocks: the modes, the position and the heat of the simulated machine.
 
 use crate::geom::{Line, Point, Segment};
-use crate::verify::Finding;
 use crate::verify::read::gcode::arc::arc;
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::modes::Modes;
 use crate::verify::read::gcode::{Command, Dialect, Dwell, Event, Move, MoveKind, Point3};
+use crate::verify::{Finding, FindingCode};
 
 /// The simulated machine.
 #[derive(Clone, Debug, Default)]
@@ -61,13 +61,19 @@ impl Machine {
         if block.has_any(b"XYZIJ") {
             self.travel(block, line, dialect, out);
         } else if block.has(Command::ArcCw) || block.has(Command::ArcCcw) {
-            report(out, "bad-arc", line, "an arc without an end point", "X or Y with I, J");
+            report(out, FindingCode::BadArc, line, "an arc without an end point", "X or Y with I, J");
         }
     }
 
     fn travel(&mut self, block: &Block, line: usize, dialect: &Dialect, out: &mut Vec<Event>) {
         let Some(motion) = self.modes.motion else {
-            report(out, "mode-unset", line, "axis words before any motion", "G0, G1, G2 or G3 first");
+            report(
+                out,
+                FindingCode::ModeUnset,
+                line,
+                "axis words before any motion",
+                "G0, G1, G2 or G3 first",
+            );
             return;
         };
         self.require(self.modes.units.is_some(), "units (G20, G21)", line, out);
@@ -77,14 +83,14 @@ impl Machine {
         let kind = if motion == Command::Rapid { MoveKind::Rapid } else { MoveKind::Feed };
         let arcs = matches!(motion, Command::ArcCw | Command::ArcCcw);
         if !arcs && block.has_any(b"IJ") {
-            report(out, "unused-word", line, "I or J on a straight move", "I, J with G2, G3 only");
+            report(out, FindingCode::UnusedWord, line, "I or J on a straight move", "I, J with G2, G3 only");
         }
         let height_known = self.position[2].is_some() || block.value(b'Z').is_some();
         self.position = to;
         let (Some(from), Some(to)) = (before, self.at()) else {
             if kind == MoveKind::Feed || !height_known {
                 let found = "a move from a position that the program never set";
-                report(out, "unknown-position", line, found, "rapids first: Z, then X and Y");
+                report(out, FindingCode::UnknownPosition, line, found, "rapids first: Z, then X and Y");
             }
             return;
         };
@@ -112,7 +118,7 @@ impl Machine {
                 *at += value;
             } else {
                 let found = format!("a displacement {} from nowhere", char::from(letter));
-                report(out, "unknown-position", line, &found, "a position (G90) first");
+                report(out, FindingCode::UnknownPosition, line, &found, "a position (G90) first");
                 return None;
             }
         }
@@ -135,7 +141,7 @@ impl Machine {
         let absolute = self.modes.centers == Some(Command::CentersAbsolute);
         let (i, j) = (block.value(b'I'), block.value(b'J'));
         if (i.is_none() && j.is_none()) || (absolute && (i.is_none() || j.is_none())) {
-            report(out, "bad-arc", line, "an arc without a centre", "I and J");
+            report(out, FindingCode::BadArc, line, "an arc without a centre", "I and J");
             return chord;
         }
         let scale = self.modes.scale();
@@ -145,7 +151,7 @@ impl Machine {
         match arc(from, to, center, ccw, &dialect.arcs) {
             Ok(arc) => Some(arc.into()),
             Err((found, allowed)) => {
-                report(out, "bad-arc", line, &found, &allowed);
+                report(out, FindingCode::BadArc, line, &found, &allowed);
                 chord
             }
         }
@@ -157,7 +163,7 @@ impl Machine {
         if self.modes.is_inverse_time() {
             let feed = block.value(b'F').map(|f| f * step.length());
             if feed.is_none() {
-                report(out, "bad-feed", line, "a move without F in inverse time", "F on each line");
+                report(out, FindingCode::BadFeed, line, "a move without F in inverse time", "F on each line");
             }
             return feed.filter(|f| *f > 0.0);
         }
@@ -169,12 +175,18 @@ impl Machine {
     fn require(&mut self, set: bool, name: &'static str, line: usize, out: &mut Vec<Event>) {
         if !set && !self.reported.contains(&name) {
             self.reported.push(name);
-            report(out, "mode-unset", line, &format!("{name} not set"), "every mode set before it is needed");
+            report(
+                out,
+                FindingCode::ModeUnset,
+                line,
+                &format!("{name} not set"),
+                "every mode set before it is needed",
+            );
         }
     }
 }
 
 /// Adds a finding to the events.
-pub(super) fn report(out: &mut Vec<Event>, code: &'static str, line: usize, found: &str, allowed: &str) {
+pub(super) fn report(out: &mut Vec<Event>, code: FindingCode, line: usize, found: &str, allowed: &str) {
     out.push(Event::Finding(Finding::new(code, line, found, allowed)));
 }
