@@ -32,7 +32,7 @@ pub use contour::{Contour, Part, Side};
 pub use drawing::{Drawing, Layer, Origin, Shape};
 pub use frame::{Frame, Plate, shut_reach};
 pub use inlet::Channel;
-pub use lettering::straight as lettered;
+pub use lettering::lettered;
 pub use mask::MaskPlate;
 pub use outline::{Circle, Outline};
 pub use paper::{Page as PaperPage, Paper};

@@ -7,6 +7,7 @@ use crate::design::RefusalCode;
 use crate::spec::KeyPath;
 
 /// A spec whose every value is in its range, but whose geometry cannot be made.
+#[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// The key that is best changed, of the star that the refusal speaks of where stars can differ in it.
@@ -40,6 +41,7 @@ impl fmt::Display for Refusal {
 impl std::error::Error for Refusal {}
 
 /// What a person should know about a design although it can be made.
+#[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Warning {
     /// The key that is best changed, or written to accept what is warned of.

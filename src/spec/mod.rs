@@ -37,8 +37,8 @@ pub use fault::{Fault, Faults, Severity};
 pub use key::KeyPath;
 pub use machine::{Comments, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine};
 pub use model::{
-    Accuracy, Fabric, FeedFloor, Frame, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
-    Sheet, Spec, StarSpec,
+    Accuracy, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope,
+    Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name};

@@ -6,8 +6,8 @@
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, Faults, quoted};
 use crate::spec::model::{
-    Accuracy, Fabric, FeedFloor, Frame, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal, Sheet,
-    Spec,
+    Accuracy, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
+    Sheet, Spec,
 };
 use crate::spec::name::{breaks_line, check_name};
 use crate::spec::raw::RawSpec;
@@ -171,8 +171,8 @@ fn read_mask(s: &mut Section<'_, '_>) -> Mask {
     }
 }
 
-fn read_frame(s: &mut Section<'_, '_>) -> Frame {
-    Frame {
+fn read_frame(s: &mut Section<'_, '_>) -> FrameSpec {
+    FrameSpec {
         plate_thickness: length(s, "plate_thickness", SIZE, 5.0),
         clearance: length(s, "clearance", EXTRA, 5.0),
         post_diameter: length(s, "post_diameter", SIZE, 6.0),
