@@ -68,7 +68,7 @@ fn a_straight_corner_is_refused() {
 fn a_number_of_points_is_not_promised_where_none_fits() {
     let spec = StarSpec { inner_radius: stargrip_cam::units::Length(0.01), ..paper(5) };
     let refusal = Star::new(&spec).expect_err("no arms");
-    assert!(refusal.remedy.starts_with("no number of points fits"), "{}", refusal.remedy);
+    assert!(!refusal.remedy.contains("points at most"), "{}", refusal.remedy);
 }
 
 /// Tips on the rays (2k - 1) pi/n, corners on the rays 2 (k - 1) pi/n, corner 1 on +X and nearest to the axis.
