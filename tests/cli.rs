@@ -179,7 +179,7 @@ fn a_design_that_cannot_be_made_points_at_its_key() {
     let refused = run(dir.path(), &["check", "star.toml"]);
     assert_code(&refused, 1);
     let said = stderr(&refused);
-    for words in ["with 9 points the arm would be -6.2 mm long", "at most 8 points fit", "star.toml:6"] {
+    for words in ["the arms would be -6.2 mm long", "points at most 8", "star.toml:6"] {
         assert!(said.contains(words), "{words}: {said}");
     }
 }

@@ -95,7 +95,7 @@ fn what_bands_and_flaps_make_impossible_is_refused() {
     let refused = |rest: &str| Design::new(&paper(rest), &support::machine()).expect_err("refused");
     for (rest, code, key) in [
         ("[seal]\nband = \"45 mm\"\n", "band-eats-arm", "seal.band"),
-        ("[seal]\nhole_allowance = \"48 mm\"\n", "hole-closed", "star.inner_radius"),
+        ("[seal]\nhole_allowance = \"48 mm\"\n", "hole-closed", "seal.hole_allowance"),
         ("[seal]\noverlap = \"500 mm\"\n", "long-overlap", "seal.overlap"),
         ("[sheet]\nhole_diameter = \"60 mm\"\n", "no-room-for-holes", "sheet.hole_diameter"),
         ("[sheet]\nwidth = \"300 mm\"\n", "sheet-too-small", "sheet.width"),
@@ -112,8 +112,11 @@ fn what_bands_and_flaps_make_impossible_is_refused() {
 #[test]
 fn all_refusals_come_together() {
     let spec = paper("[seal]\nhole_allowance = \"48 mm\"\n[inlet]\nlength = \"1 mm\"\n");
-    let mut codes: Vec<&str> =
-        Design::new(&spec, &support::machine()).expect_err("refused").iter().map(|r| r.code).collect();
+    let mut codes: Vec<String> = Design::new(&spec, &support::machine())
+        .expect_err("refused")
+        .iter()
+        .map(|r| r.code.to_string())
+        .collect();
     codes.sort_unstable();
     assert_eq!(codes, ["hole-closed", "short-inlet"]);
 }

@@ -29,7 +29,7 @@ fn a_star_beyond_the_machines_reach_is_one_refusal_with_sizes_and_remedy() {
         let said = stderr(&output);
         assert_eq!(output.status.code(), Some(1), "{said}");
         assert_eq!(said.matches("error[").count(), 1, "{said}");
-        assert!(said.contains("error[beyond-reach]: a part with its ramps needs 313.1 x 316.5 mm"), "{said}");
+        assert!(said.contains("error[out-of-reach]: a part with its ramps needs 313.1 x 316.5 mm"), "{said}");
         assert!(said.contains("reaches 180 x 380 mm") && said.contains("mm are missing"), "{said}");
     }
 }

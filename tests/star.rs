@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use stargrip_cam::design::{Channel, Design, Outline, Part, Side, Star, StarDesign, cut_area};
+use stargrip_cam::design::{Channel, Design, Outline, Part, RefusalCode, Side, Star, StarDesign, cut_area};
 use stargrip_cam::geom::{Isometry, Path, Point, Segment, path_distance, path_intersections};
 use stargrip_cam::spec::{Inlet, StarSpec, key};
 use stargrip_cam::units::Length;
@@ -50,15 +50,18 @@ fn the_papers_stars_have_the_papers_arms() {
         assert!((star.l - l).abs() < 0.005, "n = {n}: {}", star.l);
     }
     let refusal = Star::new(&paper(9)).expect_err("no arms are left");
-    assert_eq!(refusal.found, "with 9 points the arm would be -6.2 mm long");
-    assert_eq!(refusal.remedy, "for this radius, width and tip angle at most 8 points fit");
+    assert!(refusal.found.ends_with("the arms would be -6.2 mm long"), "{refusal}");
+    assert!(
+        refusal.remedy.starts_with("must be: points at most 8; or alone: inner_radius above "),
+        "{refusal}"
+    );
 }
 
 #[test]
 fn a_straight_corner_is_refused() {
     let spec = StarSpec { tip_angle: stargrip_cam::units::Angle(108.0), ..paper(5) };
     let refusal = Star::new(&spec).expect_err("phi_e = 180 deg");
-    assert_eq!((refusal.code, refusal.key), ("straight-corner", key::star::TIP_ANGLE));
+    assert_eq!((refusal.code, refusal.key), (RefusalCode::StraightCorner, key::star::TIP_ANGLE));
     assert!(refusal.remedy.contains("below 108 deg"), "{}", refusal.remedy);
 }
 
@@ -66,7 +69,7 @@ fn a_straight_corner_is_refused() {
 fn a_number_of_points_is_not_promised_where_none_fits() {
     let spec = StarSpec { inner_radius: stargrip_cam::units::Length(0.01), ..paper(5) };
     let refusal = Star::new(&spec).expect_err("no arms");
-    assert!(refusal.remedy.starts_with("no number of points fits"), "{}", refusal.remedy);
+    assert!(!refusal.remedy.contains("points at most"), "{}", refusal.remedy);
 }
 
 /// Tips on the rays (2k - 1) pi/n, corners on the rays 2 (k - 1) pi/n, corner 1 on +X and nearest to the axis.

@@ -7,10 +7,10 @@ mod topology;
 
 use std::fmt;
 
-use crate::design::Design;
+use crate::design::{Design, Refusal, RefusalCode, Refusals};
 use crate::forecast::case::Case;
 use crate::forecast::seal_load::{SealLoad, seal_loads};
-use crate::spec::{Machine, Spec};
+use crate::spec::{Machine, Spec, key};
 
 pub use topology::{Passage, passage};
 
@@ -19,8 +19,8 @@ pub use topology::{Passage, passage};
 pub struct Report {
     /// Every distinct star: the number of the first that is like it, its passages, its loads.
     pub stars: Vec<StarReport>,
-    /// Ways for air that are open.
-    pub leaks: Vec<String>,
+    /// Ways for air that are open, each with the key that is best changed.
+    pub leaks: Refusals,
     /// Places that may fail.
     pub weaknesses: Vec<String>,
 }
@@ -37,7 +37,7 @@ pub struct StarReport {
 }
 
 /// The ways for air that `design` leaves open; best none. Read off the geometry alone, no mechanics is solved.
-pub fn leaks(spec: &Spec, machine: &Machine, design: &Design) -> Vec<String> {
+pub fn leaks(spec: &Spec, machine: &Machine, design: &Design) -> Refusals {
     open_ways(&passages(spec, machine, design), design)
 }
 
@@ -64,12 +64,20 @@ fn passages(spec: &Spec, machine: &Machine, design: &Design) -> Vec<(usize, Pass
     parts.map(|(number, part)| (first(number), passage(spec, machine, part))).collect()
 }
 
-fn open_ways(passages: &[(usize, Passage)], design: &Design) -> Vec<String> {
-    let of_stars = passages
-        .iter()
-        .flat_map(|(index, passage)| passage.leaks.iter().map(move |leak| format!("star {index}: {leak}")));
-    let between = topology::between_stars(design).filter(|distance| *distance <= 0.0);
-    of_stars.chain(between.map(|d| format!("the bands of two stars overlap by {:.3} mm", -d))).collect()
+fn open_ways(passages: &[(usize, Passage)], design: &Design) -> Refusals {
+    let of_stars = passages.iter().flat_map(|(index, passage)| {
+        passage.leaks.iter().cloned().map(move |leak| Refusal {
+            key: leak.key.of_star(*index),
+            found: format!("star {index}: {}", leak.found),
+            ..leak
+        })
+    });
+    let between = topology::between_stars(design).filter(|distance| *distance <= 0.0).map(|distance| {
+        let found = format!("the bands of two stars overlap by {:.3} mm", -distance);
+        let remedy = format!("gap must be {:.3} mm larger, or the allowance", 1e-3 - distance);
+        Refusal::new(key::sheet::GAP, RefusalCode::StarsOverlap, found, remedy)
+    });
+    of_stars.chain(between).collect()
 }
 
 impl fmt::Display for Report {
@@ -83,13 +91,18 @@ impl fmt::Display for Report {
             }
         }
         for leak in &self.leaks {
-            writeln!(f, "  LEAK: {leak}")?;
+            writeln!(f, "  LEAK: {}", leak.found)?;
         }
         for weakness in &self.weaknesses {
             writeln!(f, "  warning: {weakness}")?;
         }
         if self.leaks.is_empty() {
-            writeln!(f, "  tight: no way for air but the inlet")?;
+            let but = if self.stars.iter().any(|star| star.passage.inlet.is_some()) {
+                " but the inlet"
+            } else {
+                ": the tube is closed all around, without an inlet"
+            };
+            writeln!(f, "  tight: no way for air{but}")?;
         }
         Ok(())
     }

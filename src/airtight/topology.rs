@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use crate::design::{Design, Seam, Side, StarDesign};
+use crate::design::{Design, Refusal, RefusalCode, Refusals, Seam, Side, StarDesign};
 use crate::geom::{Path, Segment, intersections, path_distance, path_intersections, segment_distance};
-use crate::spec::{Machine, Spec};
+use crate::spec::{KeyPath, Machine, Spec, key};
 
 /// Gaps below this are rounding, mm.
 const GAP: f64 = 1e-9;
@@ -23,7 +23,7 @@ pub struct Passage {
     /// How much of a tip, and of a corner, the band eats: radius drawn, radius made.
     pub eaten: [(f64, f64); 2],
     /// Ways for air.
-    pub leaks: Vec<String>,
+    pub leaks: Refusals,
     /// Places that may fail.
     pub weaknesses: Vec<String>,
 }
@@ -43,34 +43,68 @@ pub struct Loop {
     pub between_passes: f64,
 }
 
+/// What is to be said about one star.
+#[derive(Default)]
+struct Found {
+    leaks: Refusals,
+    weaknesses: Vec<String>,
+}
+
+impl Found {
+    fn leak(&mut self, key: KeyPath, code: RefusalCode, found: String, remedy: &str) {
+        self.leaks.push(Refusal::new(key, code, found, remedy.to_owned()));
+    }
+}
+
 /// What the seams of `part` leave open.
 pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
     let [inner, outer] = &part.seams;
     let band = part.band;
-    let (mut leaks, mut weaknesses) = (Vec::new(), Vec::new());
-    let loops = [inner, outer]
-        .map(|seam| closure(spec, machine, seam, part.channel.is_some(), &mut leaks, &mut weaknesses));
+    let mut found = Found::default();
+    let loops = [inner, outer].map(|seam| closure(spec, machine, seam, part.channel.is_some(), &mut found));
     let crossings = path_intersections(&inner.center_line, &outer.center_line).len();
     if crossings > 0 {
-        leaks.push(format!("the two seams cross or touch in {crossings} places"));
+        let what = format!("the two seams cross or touch in {crossings} places");
+        found.leak(
+            key::star::TUBE_WIDTH,
+            RefusalCode::SeamsCross,
+            what,
+            "make tube_width larger, or the band narrower",
+        );
     }
     for (seam, Loop { name, .. }) in [inner, outer].iter().zip(&loops) {
         let own = self_crossings(&seam.center_line);
         if own > 0 {
-            leaks.push(format!("the {name} seam crosses itself in {own} places"));
+            let what = format!("the {name} seam crosses itself in {own} places");
+            found.leak(
+                key::seal::BAND,
+                RefusalCode::SeamCrossesItself,
+                what,
+                "make band narrower, or the arms longer",
+            );
         }
     }
     let channel = path_distance(&inner.center_line, &outer.center_line) - band;
     if channel <= 0.0 {
-        leaks.push(format!("the bands meet: {channel:.3} mm are left between them"));
+        let what = format!("the bands meet: {channel:.3} mm are left between them");
+        found.leak(
+            key::star::TUBE_WIDTH,
+            RefusalCode::BandsMeet,
+            what,
+            "make tube_width larger, or the band narrower",
+        );
     } else if channel < 0.99 * part.star.w {
-        weaknesses.push(format!("the tube is {channel:.3} mm wide at its narrowest, of {} mm", part.star.w));
+        found
+            .weaknesses
+            .push(format!("the tube is {channel:.3} mm wide at its narrowest, of {} mm", part.star.w));
     }
     let inlet = part.channel.map(|channel| {
         let ends = outer.center_line.start().zip(outer.center_line.end());
         let width = ends.map_or(0.0, |(a, b)| a.distance(b)) - band;
         if width < 2.0 * channel.half_width - 1e-6 {
-            leaks.push(format!("the inlet's mouth is {width:.3} mm wide, too narrow for the hose"));
+            let what = format!("the inlet's mouth is {width:.3} mm wide, too narrow for the hose");
+            let remedy = format!("it needs {:.3} mm: make tube_diameter smaller", 2.0 * channel.half_width);
+            found.leak(key::inlet::TUBE_DIAMETER, RefusalCode::NarrowMouth, what, &remedy);
         }
         width
     });
@@ -80,42 +114,42 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
     };
     let starts_apart = nearest(&inner.center_line, &outer.center_line);
     if starts_apart < 2.0 * band + spec.seal.overlap.0 {
-        weaknesses.push(format!("the two loops start only {starts_apart:.1} mm from each other"));
+        found.weaknesses.push(format!("the two loops start only {starts_apart:.1} mm from each other"));
     }
     let (tip, corner) = (part.realised_tip(), part.realised_corner());
     let eaten = [(part.star.r_i, tip.radius), (part.star.r_e, corner.radius)];
+    let Found { leaks, weaknesses } = found;
     Passage { loops: loops.into(), starts_apart, channel, inlet, eaten, leaks, weaknesses }
 }
 
-fn closure(
-    spec: &Spec,
-    machine: &Machine,
-    seam: &Seam,
-    has_inlet: bool,
-    leaks: &mut Vec<String>,
-    weaknesses: &mut Vec<String>,
-) -> Loop {
+fn closure(spec: &Spec, machine: &Machine, seam: &Seam, has_inlet: bool, found: &mut Found) -> Loop {
     let path = &seam.center_line;
     let (name, may_open) = match seam.side {
         Side::Hole => ("inner", false),
         Side::Outside => ("outer", has_inlet),
     };
     if path.largest_gap() > GAP {
-        leaks.push(format!("a gap of {:.6} mm in the {name} seam", path.largest_gap()));
+        let what = format!("a gap of {:.6} mm in the {name} seam", path.largest_gap());
+        found.leak(key::seal::BAND, RefusalCode::SeamGap, what, "a seam has no gap: try another band");
     }
     if path.closed == may_open {
         let is = if path.closed { "closed, and the inlet with it" } else { "open without an inlet" };
-        leaks.push(format!("the {name} loop is {is}"));
+        found.leak(
+            key::inlet::NONE,
+            RefusalCode::WrongOpening,
+            format!("the {name} loop is {is}"),
+            "change [inlet]",
+        );
     }
     let run = seam.run();
     let twice = run.length() - path.length();
     if path.closed {
         if (twice - seam.overlap).abs() > 1e-6 || seam.overlap <= 0.0 {
-            leaks.push(format!(
-                "the {name} loop closes with an overlap of {twice:.3} mm; it needs one above 0"
-            ));
+            let what = format!("the {name} loop closes with an overlap of {twice:.3} mm");
+            let remedy = format!("overlap must be above 0 mm: at least the band of {}", spec.seal.band);
+            found.leak(key::seal::OVERLAP, RefusalCode::NoOverlap, what, &remedy);
         } else if seam.overlap < spec.seal.band.0 {
-            weaknesses.push(format!(
+            found.weaknesses.push(format!(
                 "the {name} loop closes with an overlap of {} mm, less than the band of {}",
                 seam.overlap, spec.seal.band
             ));
@@ -133,7 +167,7 @@ fn closure(
         ahead.min(behind)
     };
     if path.closed && ahead.min(behind) <= 0.0 {
-        weaknesses.push(format!("the {name} loop starts on a hinge"));
+        found.weaknesses.push(format!("the {name} loop starts on a hinge"));
     }
     let between_passes = if path.closed { path.length() / spec.seal.speed.0 } else { 0.0 };
     Loop { name, closed: path.closed, overlap: twice, to_hinge, between_passes }

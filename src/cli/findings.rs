@@ -33,12 +33,14 @@ pub(super) fn lines(findings: &[Finding]) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::verify::FindingCode;
 
     #[test]
     fn findings_of_one_kind_are_counted_after_the_first_few() {
-        let finding = |line: usize, code| Finding::new(code, line, "x", "y").in_file("a.gcode");
-        let mut findings: Vec<Finding> = (1..90).map(|line| finding(line, "outside-work-area")).collect();
-        findings.push(finding(7, "wrong-feed"));
+        let finding = |line: usize, code: FindingCode| Finding::new(code, line, "x", "y").in_file("a.gcode");
+        let mut findings: Vec<Finding> =
+            (1..90).map(|line| finding(line, FindingCode::OutsideWorkArea)).collect();
+        findings.push(finding(7, FindingCode::WrongFeed));
         let lines = lines(&findings);
         assert_eq!(lines.len(), SHOWN + 2);
         assert_eq!(lines[SHOWN], "a.gcode: outside-work-area: and 86 more");

@@ -4,11 +4,15 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use crate::cli::failure::{Failure, shown, warn};
-use crate::design::Refusals;
+use crate::cli::failure::{Failure, shown, tell, warn};
+use crate::design::{Refusals, Warning};
+use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Sources};
 use crate::spec;
-use crate::spec::{Fault, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
+use crate::spec::{Fault, FaultCode, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
+
+/// The profile's name in a published directory.
+const MACHINE: &str = "machine.toml";
 
 /// A spec with the machine it names, both read and valid.
 #[derive(Debug)]
@@ -35,10 +39,21 @@ impl Loaded {
         Sources { spec: &self.source.text, machine: &self.machine_text }
     }
 
-    /// Everything that can be known of it without making its files.
+    /// Prints what a person should know about a design, at the keys it speaks of.
+    pub(super) fn warn(&self, warnings: &[Warning]) {
+        let faults = warnings.iter().map(|warning| {
+            Fault::warning(warning.code, self.reading.raw.span_of(warning.key), warning.found.clone())
+                .label(warning.remedy.clone())
+        });
+        warn(&Faults::new(&self.source, faults.collect()));
+    }
+
+    /// Everything that can be known of it without making its files; prints the design's warnings.
     pub(super) fn forecast(&self) -> Result<Forecast, Failure> {
-        Forecast::of(self.reading.spec.clone(), self.machine.clone())
-            .map_err(|refusals| self.refused(refusals))
+        let forecast = Forecast::of(self.reading.spec.clone(), self.machine.clone())
+            .map_err(|refusals| self.refused(refusals))?;
+        self.warn(&forecast.design.warnings);
+        Ok(forecast)
     }
 
     /// Refusals of the design as faults at the keys they speak of.
@@ -69,6 +84,13 @@ pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
     Ok(Source::from_bytes(path.display().to_string(), &bytes)?)
 }
 
+/// The profile of the build whose directory holds the spec at `path`: the profile's own path led elsewhere when the
+/// spec was copied there. Only beside a manifest, so that no other file of this name is taken by chance.
+fn published_profile(path: &Path) -> Option<PathBuf> {
+    let profile = path.with_file_name(MACHINE);
+    (path.with_file_name(MANIFEST).is_file() && profile.is_file()).then_some(profile)
+}
+
 /// The machine profile that the spec at `path` names: a built-in one, or a file relative to the spec.
 fn machine_source(path: &Path, source: &Source, reading: &Reading) -> Result<Source, Failure> {
     let name = &reading.spec.machine.profile;
@@ -79,9 +101,15 @@ fn machine_source(path: &Path, source: &Source, reading: &Reading) -> Result<Sou
     if file.is_file() {
         return read_source(&file);
     }
+    if let Some(published) = published_profile(path) {
+        let (named, found) = (shown(&file), shown(&published));
+        let said = format!("note: there is no {named}; {found} is used, as published");
+        tell(&said);
+        return read_source(&published);
+    }
     let known: Vec<&str> = spec::builtin_machines().collect();
     let fault = Fault::error(
-        "unknown-machine",
+        FaultCode::UnknownMachine,
         reading.raw.span_of(key::machine::PROFILE),
         format!("no machine profile has this name, and there is no file {}", shown(&file)),
     )

@@ -14,7 +14,7 @@ use std::fmt;
 use std::fmt::Write;
 
 use crate::coupon::table::{Column, read_table};
-use crate::spec::{Allowed, Fault, Faults, Source};
+use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
 use crate::units::Readable;
 
 /// The columns of a test; `travel` is 0 at first contact.
@@ -132,8 +132,8 @@ pub fn read_test(source: &Source) -> Result<Vec<Press>, Faults> {
         .collect();
     if presses.is_empty() {
         let end = source.text.len();
-        let fault =
-            Fault::error("no-rows", end..end, "no rows below the header").label("a travel and a load");
+        let fault = Fault::error(FaultCode::NoRows, end..end, "no rows below the header")
+            .label("a travel and a load");
         return Err(Faults::new(source, vec![fault]));
     }
     Ok(presses)

@@ -1,6 +1,6 @@
 //! What the machine reaches: every seam of a coupon, with its ways down and up, inside the work area.
 
-use crate::design::Refusal;
+use crate::design::{Refusal, RefusalCode};
 use crate::geom::{Bounds, Path, Point};
 use crate::plan::{Program, Step};
 use crate::spec::{Machine, key};
@@ -34,7 +34,7 @@ pub(super) fn beyond(machine: &Machine, name: &str, program: &Program) -> Option
     };
     Some(Refusal::new(
         key::machine::PROFILE,
-        "out-of-reach",
+        RefusalCode::OutOfReach,
         format!(
             "the coupon {name} needs X {:.1} to {:.1} mm, Y {:.1} to {:.1} mm; the machine reaches 0 to {:.1} mm, 0 to {:.1} mm",
             reached.min.x, reached.max.x, reached.min.y, reached.max.y, x.0, y.0

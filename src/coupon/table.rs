@@ -10,7 +10,7 @@ use std::ops::Range;
 
 use csv::{ReaderBuilder, StringRecord, Trim};
 
-use crate::spec::{Allowed, Fault, Faults, Source};
+use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
 
 /// Most faults collected: a wrong file has one a line.
 const FAULTS: usize = 100;
@@ -83,7 +83,7 @@ impl<'a> Table<'a> {
         // A comment would swallow all that follows it, were a lone CR the end of a line.
         let bytes = self.text.as_bytes();
         if let Some(at) = (0..bytes.len()).find(|i| bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n')) {
-            let fault = Fault::error("line-end", at..at + 1, "a line ends with CR alone");
+            let fault = Fault::error(FaultCode::LineEnd, at..at + 1, "a line ends with CR alone");
             self.faults.push(fault.label("must be LF or CRLF").help("save the table as CSV once more"));
             return Vec::new();
         }
@@ -112,7 +112,7 @@ impl<'a> Table<'a> {
             }
         }
         if header.is_none() && self.faults.is_empty() {
-            let fault = Fault::error("no-header", self.text.len()..self.text.len(), "an empty table");
+            let fault = Fault::error(FaultCode::NoHeader, self.text.len()..self.text.len(), "an empty table");
             self.faults.push(fault.label(format!("needs {}", headers(columns))));
         }
         rows
@@ -141,7 +141,7 @@ impl<'a> Table<'a> {
         let mut places = [0; N];
         let known = |cell: &str| columns.iter().any(|column| column.unit_in(cell).is_some());
         if !record.iter().any(known) {
-            let fault = Fault::error("no-header", line.clone(), "this line is no header")
+            let fault = Fault::error(FaultCode::NoHeader, line.clone(), "this line is no header")
                 .label(format!("must name {}", headers(columns)))
                 .help("write the names above the numbers, with these units");
             self.faults.push(fault);
@@ -160,15 +160,19 @@ impl<'a> Table<'a> {
                 }
                 [(i, unit)] => {
                     let is = if unit.is_empty() { "says no unit" } else { "is in another unit" };
-                    Fault::error("unit", self.cell(line, *i), format!("`{}` {is}", shortened(&record[*i])))
-                        .label(format!("must be `{name}`"))
-                        .help("convert the numbers if they are in another one")
+                    Fault::error(
+                        FaultCode::Unit,
+                        self.cell(line, *i),
+                        format!("`{}` {is}", shortened(&record[*i])),
+                    )
+                    .label(format!("must be `{name}`"))
+                    .help("convert the numbers if they are in another one")
                 }
-                [] => Fault::error("no-column", line.clone(), format!("no column `{name}`"))
+                [] => Fault::error(FaultCode::NoColumn, line.clone(), format!("no column `{name}`"))
                     .label(format!("must name {}", headers(columns))),
                 [_, (i, _), ..] => {
                     let message = format!("a second column `{}`", shortened(&record[*i]));
-                    Fault::error("two-columns", self.cell(line, *i), message)
+                    Fault::error(FaultCode::TwoColumns, self.cell(line, *i), message)
                         .label(format!("`{name}` must be there once"))
                 }
             };
@@ -187,12 +191,12 @@ impl<'a> Table<'a> {
         count: usize,
     ) -> Option<[Option<f64>; N]> {
         if record.iter().any(|cell| cell.contains('\n')) {
-            let fault = Fault::error("open-quote", line.clone(), "a cell goes on in the next line");
+            let fault = Fault::error(FaultCode::OpenQuote, line.clone(), "a cell goes on in the next line");
             self.faults.push(fault.label("must end in its line").help("is a quote left open?"));
             return None;
         }
         if record.len() != count {
-            let fault = Fault::error("cell-count", line.clone(), format!("{} cells", record.len()));
+            let fault = Fault::error(FaultCode::CellCount, line.clone(), format!("{} cells", record.len()));
             let help = match (record.len() > count, self.text[line.clone()].contains(';')) {
                 (_, true) => {
                     "the header is not separated by `;`: write one separator throughout, decimals with a point"
@@ -240,12 +244,16 @@ fn bad_number(column: &Column, cell: &str, place: Range<usize>) -> Fault {
     let name = column.header();
     let pointed = cell.replacen(',', ".", 1);
     if cell.contains(',') && pointed.parse::<f64>().is_ok() {
-        return Fault::error("decimal-comma", place, format!("`{name}` is `{cell}`: a decimal comma"))
-            .label(format!("write {pointed}"));
+        return Fault::error(
+            FaultCode::DecimalComma,
+            place,
+            format!("`{name}` is `{cell}`: a decimal comma"),
+        )
+        .label(format!("write {pointed}"));
     }
     let found = if cell.is_empty() { "empty".to_owned() } else { format!("`{}`", shortened(cell)) };
     let label = format!("a number is needed; it {}", column.allowed.in_words(""));
-    Fault::error("cell", place, format!("`{name}` is {found}")).label(label)
+    Fault::error(FaultCode::Cell, place, format!("`{name}` is {found}")).label(label)
 }
 
 /// As much of a cell as a message bears.

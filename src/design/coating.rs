@@ -34,7 +34,13 @@ mod tests {
 
     #[test]
     fn the_papers_coating_is_two_tenths_of_a_millimetre() {
-        let plate = MaskPlate { plate: Path::default(), windows: Vec::new(), extent: 30.0, border: 0.0 };
+        let plate = MaskPlate {
+            plate: Path::default(),
+            windows: Vec::new(),
+            extent: 30.0,
+            wanted: 30.0,
+            border: 0.0,
+        };
         let [thin, thick] = plate.coating_um();
         assert!(thin < 200.0 && 200.0 < thick, "{thin} to {thick} um, the paper has about 200");
     }

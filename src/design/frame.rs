@@ -6,7 +6,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::design::{Refusal, Refusals, Stack, Star, StarDesign};
+use crate::design::{Refusal, RefusalCode, Refusals, Stack, Star, StarDesign};
 use crate::geom::Point;
 use crate::spec::{Spec, key};
 use crate::units::Readable;
@@ -51,7 +51,7 @@ impl Frame {
         if frame.kerf.0 >= post {
             refusals.push(Refusal::new(
                 key::frame::KERF,
-                "wide-kerf",
+                RefusalCode::WideKerf,
                 format!("a cut of {} leaves no hole for a post of {}", frame.kerf, frame.post_diameter),
                 format!("kerf must be below {}", frame.post_diameter),
             ));
@@ -159,7 +159,7 @@ fn first_post(count: u32, hoses: &[Hose]) -> f64 {
 fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
     Refusal::new(
         key::frame::CLEARANCE,
-        "arms-fall-through",
+        RefusalCode::ArmsFallThrough,
         format!(
             "the tips of a star bend {} mm from the axis, the opening of plate {plate} has a radius of {} mm",
             Readable(tips),
@@ -172,7 +172,7 @@ fn falls_through(plate: usize, tips: f64, opening: f64) -> Refusal {
 fn meets_hose(posts: u32, free: f64, needed: f64) -> Refusal {
     Refusal::new(
         key::frame::POSTS,
-        "post-meets-hose",
+        RefusalCode::PostMeetsHose,
         format!(
             "with {posts} posts one would stand {} mm from the middle of a hose that needs {} mm",
             Readable(free),

@@ -2,7 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::design::{Contour, Part, Refusal, Star};
+use crate::design::star_fault::blamed;
+use crate::design::{Contour, Part, Refusal, RefusalCode, Star};
 use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Inlet, key};
 use crate::units::Readable;
@@ -63,7 +64,7 @@ impl Channel {
             _ => None,
         });
         let Some((at, arc)) = arc else {
-            return Err(self.too_wide(delta, star.r_i + star.w + delta));
+            return Err(self.too_wide(star.w, delta, star.r_i + star.w + delta));
         };
         let junction = self.fitted(star, arc.sweep / 2.0, delta, least_radius)?;
         let end = self.mouth - star.d_t + beyond;
@@ -91,17 +92,17 @@ impl Channel {
     fn fitted(&self, star: &Star, half: f64, delta: f64, least_radius: f64) -> Result<Junction, Refusal> {
         let rim = star.r_i + star.w + delta;
         let Some(junction) = self.junction(star, delta, least_radius) else {
-            return Err(self.too_wide(delta, rim));
+            return Err(self.too_wide(star.w, delta, rim));
         };
         // Strictly inside: the rest of the arc must be longer than rounding.
         if junction.psi >= half - 1e-9 {
-            return Err(self.too_wide(delta, rim * half.sin()));
+            return Err(self.too_wide(star.w, delta, rim * half.sin()));
         }
         let end = self.mouth - star.d_t;
         if junction.x >= end {
             return Err(Refusal::new(
                 key::inlet::LENGTH,
-                "short-inlet",
+                RefusalCode::ShortInlet,
                 format!("the mouth would lie {} mm inside the flap", Readable(junction.x - end)),
                 format!("length must be above {} mm", Readable(junction.x - star.r_i - star.w)),
             ));
@@ -142,11 +143,14 @@ impl Channel {
         (into, out)
     }
 
-    fn too_wide(&self, delta: f64, room: f64) -> Refusal {
+    fn too_wide(&self, width: f64, delta: f64, room: f64) -> Refusal {
         let strips = if delta > 0.0 { " with the strips along it" } else { "" };
+        // A hose too thick, or a tube too narrow: compared with the defaults.
+        let hose = 4.0 * self.half_width / PI;
+        let key = blamed([(key::inlet::TUBE_DIAMETER, hose / 4.0), (key::star::TUBE_WIDTH, 30.0 / width)]);
         Refusal::new(
-            key::inlet::TUBE_DIAMETER,
-            "inlet-meets-arm",
+            key,
+            RefusalCode::InletMeetsArm,
             format!(
                 "the channel{strips} would be {} mm wide and meet an arm, where tip {} leaves {} mm",
                 Readable(2.0 * (self.half_width + delta)),

@@ -73,7 +73,7 @@ pub(super) fn width(text: &str, height: f64) -> f64 {
 }
 
 /// The text in a straight line, from `origin` to the right.
-pub fn straight(text: &str, origin: Point, height: f64) -> Vec<Path> {
+pub fn lettered(text: &str, origin: Point, height: f64) -> Vec<Path> {
     let mut out = Vec::new();
     for (i, c) in (0_u32..).zip(text.chars()) {
         let shift = Vec2::new(f64::from(i) * ADVANCE * height / CAPITAL, 0.0);
@@ -191,7 +191,7 @@ mod tests {
             let far = path.furthest(Point::new(3.0, 4.0));
             assert!(near > 38.4 && far < 41.7, "{near} {far}");
         }
-        assert_eq!(straight("A B", Point::ORIGIN, 6.0).len(), 3);
+        assert_eq!(lettered("A B", Point::ORIGIN, 6.0).len(), 3);
         assert_eq!(width("A B", 6.0), 16.0);
     }
 }

@@ -3,7 +3,7 @@
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 
 use crate::design::window::{Reach, Zone};
-use crate::design::{Outline, Refusal, Star};
+use crate::design::{Outline, Refusal, RefusalCode, Star, Warning};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Segment};
 use crate::spec::{Spec, StarSpec, key};
 use crate::units::Readable;
@@ -18,6 +18,8 @@ pub struct MaskPlate {
     pub windows: Vec<Path>,
     /// How far each window reaches along the gripping edge from its corner's apex, mm.
     pub extent: f64,
+    /// How far it would reach if its neighbours left it room, mm: more than `extent` only where the default was cut.
+    pub wanted: f64,
     /// Width of the plate beyond the outline, mm.
     pub border: f64,
 }
@@ -34,15 +36,42 @@ impl MaskPlate {
         let mask = &spec.mask;
         let zone = Zone::new(star, &spec.seal, mask);
         let Reach { hinge, most } = zone.reach();
-        let extent = match mask.extent {
+        let (wanted, extent) = match mask.extent {
             Some(wanted) if wanted.0 > most => return Err(too_far(wanted.0, most)),
-            Some(wanted) => wanted.0,
-            None => star_spec.tube_width.0.max(hinge).min(most),
+            Some(wanted) => (wanted.0, wanted.0),
+            None => {
+                let wanted = star_spec.tube_width.0.max(hinge);
+                (wanted, wanted.min(most))
+            }
         };
         let window = zone.window(extent)?;
         let windows = (1..=star.n).map(|k| Isometry::rotation(star.corner_ray(k)).path(&window)).collect();
         let plate = grown(&outline.outside, mask.border.0).ok_or_else(|| no_plate(mask.border.0))?;
-        Ok(Self { plate, windows, extent, border: mask.border.0 })
+        Ok(Self { plate, windows, extent, wanted, border: mask.border.0 })
+    }
+
+    /// A default that was cut, for the mask of star number `index`, which is `star`.
+    pub(super) fn cut_short(&self, index: usize, star: &Star) -> Option<Warning> {
+        if self.extent >= self.wanted {
+            return None;
+        }
+        let hinge = Zone::hinge(star);
+        let hundredths = |length: f64| Readable((length * 100.0).floor() / 100.0);
+        let part = if self.extent < hinge {
+            format!("less than the hinge of {} mm", hundredths(hinge))
+        } else {
+            format!("less than the default of {} mm", hundredths(self.wanted))
+        };
+        let found = format!(
+            "the coating windows of star {index} reach {} mm from a corner's apex, {part}: neighbouring windows \
+             leave no more room",
+            hundredths(self.extent)
+        );
+        let remedy = format!(
+            "write extent = \"{} mm\" in [mask] to accept it; fewer points or a larger inner_radius make room",
+            hundredths(self.extent)
+        );
+        Some(Warning { key: key::mask::EXTENT, code: RefusalCode::ShortWindow, found, remedy })
     }
 
     /// What stands on every page on which the mask of star number `star` is printed.
@@ -94,7 +123,7 @@ fn grown(path: &Path, border: f64) -> Option<Path> {
 fn too_far(wanted: f64, most: f64) -> Refusal {
     Refusal::new(
         key::mask::EXTENT,
-        "long-extent",
+        RefusalCode::LongExtent,
         format!("at {} mm neighbouring windows would leave no bridge or run past the arms", Readable(wanted)),
         format!("extent must be at most {} mm", Readable((most * 100.0).floor() / 100.0)),
     )
@@ -103,7 +132,7 @@ fn too_far(wanted: f64, most: f64) -> Refusal {
 fn no_plate(border: f64) -> Refusal {
     Refusal::new(
         key::mask::BORDER,
-        "no-plate",
+        RefusalCode::NoPlate,
         format!("the outline cannot be grown by {} mm", Readable(border)),
         "make border smaller, or \"0 mm\" for a plate as large as the outline".to_owned(),
     )

@@ -6,6 +6,7 @@
 //! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
 
 mod coating;
+mod code;
 mod contour;
 mod drawing;
 mod frame;
@@ -22,19 +23,21 @@ mod seam;
 mod sheet;
 mod stack;
 mod star;
+mod star_fault;
 mod window;
 
 pub use coating::COATING_ASSUMES;
+pub use code::RefusalCode;
 pub use contour::{Contour, Part, Side};
 pub use drawing::{Drawing, Layer, Origin, Shape};
 pub use frame::{Frame, Plate, shut_reach};
 pub use inlet::Channel;
-pub use lettering::straight as lettered;
+pub use lettering::lettered;
 pub use mask::MaskPlate;
 pub use outline::{Circle, Outline, cut_area};
 pub use paper::{Page as PaperPage, Paper};
 pub use part::{Realised, SHEETS, StarDesign};
-pub use refusal::{Refusal, Refusals};
+pub use refusal::{Refusal, Refusals, Warning};
 pub use seam::{MOUTH_OVERRUN, Seam};
 pub use sheet::{Design, PlacedStar, SheetLayout};
 pub use stack::Stack;

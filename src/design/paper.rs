@@ -177,16 +177,16 @@ impl TileGrid<'_> {
             let tall = if centimetre.is_multiple_of(5) { 5.0 } else { 3.0 };
             out.push(stroke(&[at(x, 2.0), at(x, 2.0 + tall)]));
         }
-        out.extend(lettering::straight("100 MM", at(76.0, 6.0), 2.5));
+        out.extend(lettering::lettered("100 MM", at(76.0, 6.0), 2.5));
         let (a, b) = (at(110.0, 0.0), at(130.0, 20.0));
         let corners = [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y), a];
         out.push(Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect()));
-        out.extend(lettering::straight("20 MM", at(112.5, 9.0), 2.5));
+        out.extend(lettering::lettered("20 MM", at(112.5, 9.0), 2.5));
         let (columns, rows) = (self.columns, self.rows);
         let page = format!("PAGE {name} OF {columns} X {rows}");
-        out.extend(lettering::straight(&page, at(0.0, 14.0), 3.0));
-        out.extend(lettering::straight(self.caption, at(0.0, 20.0), 3.0));
-        out.extend(lettering::straight("PRINT AT 100 PER CENT", at(134.0, 9.0), 2.0));
+        out.extend(lettering::lettered(&page, at(0.0, 14.0), 3.0));
+        out.extend(lettering::lettered(self.caption, at(0.0, 20.0), 3.0));
+        out.extend(lettering::lettered("PRINT AT 100 PER CENT", at(134.0, 9.0), 2.0));
     }
 }
 

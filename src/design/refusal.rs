@@ -3,15 +3,17 @@
 use std::fmt;
 use std::ops::Deref;
 
+use crate::design::RefusalCode;
 use crate::spec::KeyPath;
 
 /// A spec whose every value is in its range, but whose geometry cannot be made.
+#[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// The key that is best changed, of the star that the refusal speaks of where stars can differ in it.
     pub key: KeyPath,
-    /// A short name for scripts: "no-arm".
-    pub code: &'static str,
+    /// Its code for scripts: "no-arm".
+    pub code: RefusalCode,
     /// What was found, with numbers.
     pub found: String,
     /// What is allowed, and the remedy.
@@ -20,7 +22,7 @@ pub struct Refusal {
 
 impl Refusal {
     /// A refusal that points at `key`.
-    pub fn new(key: KeyPath, code: &'static str, found: String, remedy: String) -> Self {
+    pub fn new(key: KeyPath, code: RefusalCode, found: String, remedy: String) -> Self {
         Self { key, code, found, remedy }
     }
 
@@ -37,6 +39,20 @@ impl fmt::Display for Refusal {
 }
 
 impl std::error::Error for Refusal {}
+
+/// What a person should know about a design although it can be made.
+#[non_exhaustive]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// The key that is best changed, or written to accept what is warned of.
+    pub key: KeyPath,
+    /// Its code for scripts: "short-window".
+    pub code: RefusalCode,
+    /// What was found, with numbers.
+    pub found: String,
+    /// What to do about it.
+    pub remedy: String,
+}
 
 /// Every reason at once for which there is no such gripper; as an error it says them all, a line each.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -126,7 +142,8 @@ mod tests {
 
     #[test]
     fn refusals_say_all_of_themselves() {
-        let one = |key: KeyPath| Refusal::new(key, "x", "found".to_owned(), "remedy".to_owned());
+        let one =
+            |key: KeyPath| Refusal::new(key, RefusalCode::NoArm, "found".to_owned(), "remedy".to_owned());
         let both: Refusals = [one(key::star::POINTS), one(key::seal::BAND)].into_iter().collect();
         assert_eq!(both.to_string(), "star.points: found; remedy\nseal.band: found; remedy");
         assert_eq!(both.clone().or(()), Err(both));

@@ -5,7 +5,7 @@
 //! every n: its short side is a chord of one tip's arc, and the third hole lies off that chord's
 //! bisector by at least the sine of half the turn times the star's diameter.
 
-use crate::design::{Refusal, Star};
+use crate::design::{Refusal, RefusalCode, Star};
 use crate::geom::{Arc, Point, Segment, Vec2};
 use crate::spec::{Seal, key};
 use crate::units::{Length, Readable};
@@ -86,7 +86,7 @@ pub(super) fn sites(
     if turn * radius < 2.0 * ear.unwrap_or(2.0 * r) {
         return Err(Refusal::new(
             key::sheet::HOLE_DIAMETER,
-            "no-room-for-holes",
+            RefusalCode::NoRoomForHoles,
             format!(
                 "two holes of {} side by side need {} mm of a tip's arc of {} mm",
                 Length(diameter),

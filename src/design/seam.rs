@@ -1,6 +1,7 @@
 //! Seams: what the iron travels on one star, in contact.
 
-use crate::design::{Channel, Part, Refusal, Side, Star};
+use crate::design::star_fault::blamed;
+use crate::design::{Channel, Part, Refusal, RefusalCode, Side, Star};
 use crate::geom::{Line, Path};
 use crate::spec::{Seal, key};
 use crate::units::Readable;
@@ -44,7 +45,7 @@ impl Seam {
         if overlap > length / 2.0 {
             return Err(Refusal::new(
                 key::seal::OVERLAP,
-                "long-overlap",
+                RefusalCode::LongOverlap,
                 format!("an overlap of {} on a loop of {} mm", seal.overlap, Readable(length)),
                 format!("overlap must be at most half the loop, {} mm", Readable(length / 2.0)),
             ));
@@ -87,16 +88,25 @@ impl Seam {
 }
 
 pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
+    // Which of the three is out of line: compared with the defaults, and with the paper's radius.
+    let key = blamed([
+        (key::star::INNER_RADIUS, 50.0 / star.rho_0),
+        (key::seal::BAND, seal.band.0 / 2.0),
+        (key::seal::HOLE_ALLOWANCE, seal.hole_allowance.0),
+    ]);
     Refusal::new(
-        key::star::INNER_RADIUS,
-        "hole-closed",
+        key,
+        RefusalCode::HoleClosed,
         format!(
             "a band of {} and a flap of {} close the hole of radius {} mm",
             seal.band,
             seal.hole_allowance,
             Readable(star.rho_0)
         ),
-        format!("inner_radius must be above {} mm", Readable(seal.band.0 + seal.hole_allowance.0)),
+        format!(
+            "inner_radius must be above band and hole_allowance together, {} mm",
+            Readable(seal.band.0 + seal.hole_allowance.0)
+        ),
     )
 }
 
@@ -109,7 +119,7 @@ fn band_eats_arm(star: &Star, side: Side, seal: &Seal) -> Refusal {
     let widest = 2.0 * (radius + star.l * (phi / 2.0).tan());
     Refusal::new(
         key::seal::BAND,
-        "band-eats-arm",
+        RefusalCode::BandEatsArm,
         format!(
             "at the {hinge} a band of {} takes {} mm of arms that are {} mm long",
             seal.band,

@@ -1,6 +1,6 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
-use crate::design::{Frame, Refusal, Refusals, Stack, StarDesign};
+use crate::design::{Frame, Refusal, RefusalCode, Refusals, Stack, StarDesign, Warning};
 use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{KeyPath, Machine, Sheet, Spec, key};
 use crate::units::Readable;
@@ -18,6 +18,8 @@ pub struct Design {
     pub stack: Stack,
     /// The frame around them.
     pub frame: Frame,
+    /// What a person should know before making it.
+    pub warnings: Vec<Warning>,
 }
 
 /// One star of the stack, on its sheet.
@@ -80,7 +82,13 @@ impl Design {
             .zip(1..)
             .map(|((&distinct, (sheet, placement)), index)| PlacedStar { index, distinct, sheet, placement })
             .collect();
-        Ok(Self { distinct, stars, sheets, stack, frame })
+        let mut design = Self { distinct, stars, sheets, stack, frame, warnings: Vec::new() };
+        let warnings = design
+            .firsts()
+            .zip(&design.distinct)
+            .filter_map(|(s, part)| part.mask.cut_short(s.index, &part.star));
+        design.warnings = warnings.collect();
+        Ok(design)
     }
 
     /// The design of a placed star.
@@ -210,7 +218,7 @@ fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal
     }
     Err(Refusal::new(
         key,
-        "sheet-too-small",
+        RefusalCode::SheetTooSmall,
         format!(
             "a part needs {} mm where the margins leave {} mm",
             Readable(needed),
@@ -231,7 +239,7 @@ fn within_reach(part: &Bounds, room: (f64, f64), machine: &Machine) -> Result<()
     let missing = (part.width() - room.0).max(part.height() - room.1);
     Err(Refusal::new(
         key::machine::PROFILE,
-        "beyond-reach",
+        RefusalCode::OutOfReach,
         format!(
             "a part with its ramps needs {}; within the margins {} reaches {}",
             size(round_up(part.width()), round_up(part.height())),

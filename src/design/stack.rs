@@ -6,7 +6,7 @@
 
 use std::f64::consts::PI;
 
-use crate::design::{Refusal, Refusals};
+use crate::design::{Refusal, RefusalCode, Refusals};
 use crate::spec::{Spec, key};
 use crate::units::Readable;
 
@@ -62,7 +62,7 @@ impl Stack {
 fn too_tight(below: usize, pitch: f64, needed: f64, thickness: f64) -> Refusal {
     Refusal::new(
         key::stack::PITCH.of_star(below + 1),
-        "tube-between-plates",
+        RefusalCode::TubeBetweenPlates,
         format!(
             "between star {below} and star {} a pitch of {} mm leaves {} mm between plates of {} mm, the inflated tube is {} mm high",
             below + 1,

@@ -13,7 +13,8 @@
 
 use std::f64::consts::PI;
 
-use crate::design::Refusal;
+use crate::design::star_fault::{blamed, no_arm};
+use crate::design::{Refusal, RefusalCode};
 use crate::geom::Point;
 use crate::spec::{StarSpec, key};
 use crate::units::Readable;
@@ -70,7 +71,7 @@ impl Star {
         if phi_e >= PI - 1e-6 {
             return Err(Refusal::new(
                 key::star::TIP_ANGLE,
-                "straight-corner",
+                RefusalCode::StraightCorner,
                 format!(
                     "with {n} points and a tip angle of {} the reentrant corners would open to {} deg",
                     spec.tip_angle,
@@ -129,33 +130,20 @@ impl Star {
 }
 
 fn too_large(spec: &StarSpec, star: &Star) -> Refusal {
+    // Here it is large radii and widths that are out of line, and narrow tips.
+    let key = blamed([
+        (key::star::TIP_ANGLE, 30.0 / spec.tip_angle.0),
+        (key::star::INNER_RADIUS, spec.inner_radius.0 / 50.0),
+        (key::star::TUBE_WIDTH, spec.tube_width.0 / 30.0),
+    ]);
     Refusal::new(
-        key::star::TIP_ANGLE,
-        "too-large",
+        key,
+        RefusalCode::TooLarge,
         format!("the tips would lie {:.1} m from the axis", star.tip_reach() / 1000.0),
         format!(
             "at most {} m: make tip_angle wider than {}, or the star smaller",
             Readable(LARGEST / 1000.0),
             spec.tip_angle
         ),
-    )
-}
-
-fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
-    let n = spec.points;
-    let fits = |m: &u32| {
-        let corner = spec.tip_angle.rad() + 2.0 * PI / f64::from(*m);
-        corner < PI - 1e-6 && arm_length(spec, *m) > 0.0
-    };
-    let remedy = match (3..n).rev().find(fits) {
-        Some(most) => format!("for this radius, width and tip angle at most {most} points fit"),
-        None => "no number of points fits: make inner_radius larger, tube_width smaller or tip_angle wider"
-            .to_owned(),
-    };
-    Refusal::new(
-        key::star::POINTS,
-        "no-arm",
-        format!("with {n} points the arm would be {:.1} mm long", if l > -0.05 { -0.0 } else { l }),
-        remedy,
     )
 }

@@ -15,7 +15,7 @@
 
 use std::f64::consts::PI;
 
-use crate::design::{Refusal, Star};
+use crate::design::{Refusal, RefusalCode, Star};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Mask, Seal, key};
 use crate::units::Readable;
@@ -76,7 +76,7 @@ impl<'a> Zone<'a> {
         let flap = grip + self.delta_h + self.creep;
         let bridge = BRIDGE.min((star.d_p - flap) * alpha.sin());
         let room = star.d_p * alpha.sin() - bridge / 2.0;
-        let hinge = grip * h;
+        let hinge = Self::hinge(star);
         let most = if room < flap * (h + alpha).sin() {
             grip * ((room / flap).asin() - alpha)
         } else {
@@ -84,6 +84,11 @@ impl<'a> Zone<'a> {
             hinge + x.min(star.l)
         };
         Reach { hinge, most }
+    }
+
+    /// From a corner's apex to the end of its hinge, along the gripping edge, mm.
+    pub(super) fn hinge(star: &Star) -> f64 {
+        (star.r_e + star.w) * (PI - star.phi_e) / 2.0
     }
 
     fn half(&self) -> f64 {
@@ -164,7 +169,7 @@ impl<'a> Zone<'a> {
         let room = self.star.w + self.delta_h + self.delta_o + 2.0 * self.creep;
         Refusal::new(
             key::mask::CREEP,
-            "no-window",
+            RefusalCode::NoWindow,
             format!(
                 "a creep of {} mm leaves nothing of a window {} mm deep and {} mm long on each side",
                 Readable(self.creep),

@@ -1,8 +1,7 @@
 //! Which model answers: the one that was asked for, or the cheapest whose estimated error is accepted.
 
-use crate::mechanics::hinge::Level;
-use crate::mechanics::hinge::fit;
 use crate::mechanics::hinge::ring::RingTable;
+use crate::mechanics::hinge::{Level, fit};
 use crate::mechanics::strength::{FULL_ACTUATION, INEXTENSIBLE, LimitEstimate, limit_estimate};
 
 /// What the answer must be good for.

@@ -14,13 +14,13 @@ mod proven;
 
 use crate::airtight;
 use crate::artifact::{Artifact, Kind};
-use crate::design::{Design, Refusal, Refusals};
+use crate::design::{Design, Refusal, RefusalCode, Refusals};
 use crate::forecast::predict::{PredictFault, predict};
 use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
 use crate::plan;
 use crate::plan::Program;
-use crate::spec::{Machine, Spec, key};
+use crate::spec::{Machine, Spec};
 
 pub use proven::{Proven, prove_files, read_back};
 
@@ -94,12 +94,8 @@ impl Designed {
     /// Every reason for which it cannot be made, or would leak.
     pub fn new(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         let design = Design::new(&spec, &machine)?;
-        let leaks = airtight::leaks(&spec, &machine, &design);
-        if leaks.is_empty() {
-            Ok(Self { spec, machine, design })
-        } else {
-            Err(leaks.into_iter().map(leak).collect())
-        }
+        airtight::leaks(&spec, &machine, &design).or(())?;
+        Ok(Self { spec, machine, design })
     }
 
     /// The programs that make it.
@@ -158,9 +154,5 @@ pub fn build(spec: &Spec, machine: &Machine, sources: Sources<'_>, only: &[Kind]
 /// A prediction that cannot be made, as a refusal at the key that stands in its way.
 pub fn no_prediction(fault: &PredictFault) -> Refusal {
     let key = fault.star.map_or(fault.key, |star| fault.key.of_star(star));
-    Refusal::new(key, "no-prediction", fault.what.clone(), "needed for a prediction".to_owned())
-}
-
-fn leak(found: String) -> Refusal {
-    Refusal::new(key::seal::BAND, "leak", found, "no way for air but the inlet".to_owned())
+    Refusal::new(key, RefusalCode::NoPrediction, fault.what.clone(), "needed for a prediction".to_owned())
 }

@@ -9,7 +9,7 @@ use crate::pipeline::{Built, Forecast, Sources};
 use crate::spec;
 use crate::spec::{Faults, Machine, Reading, Source};
 use crate::verify;
-use crate::verify::{Expected, Finding, OutputFiles, Proof};
+use crate::verify::{Expected, Finding, FindingCode, OutputFiles, Proof};
 
 /// A gripper whose files have been read back and say what the design says: the only thing that can be published.
 #[derive(Clone, Debug)]
@@ -116,11 +116,12 @@ fn source_of<T>(
     read: impl Fn(&Source) -> Result<T, Faults>,
 ) -> Result<T, Finding> {
     let Some(bytes) = files.get(name) else {
-        return Err(Finding::new("missing-file", None, "no such file", "the file of the build").in_file(name));
+        return Err(Finding::new(FindingCode::MissingFile, None, "no such file", "the file of the build")
+            .in_file(name));
     };
     Source::from_bytes(name, bytes).and_then(|source| read(&source)).map_err(|faults| {
         let found = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
-        Finding::new("unreadable", None, found, "text that `check` accepts").in_file(name)
+        Finding::new(FindingCode::Unreadable, None, found, "text that `check` accepts").in_file(name)
     })
 }
 

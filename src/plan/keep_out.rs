@@ -1,6 +1,6 @@
 //! Clamps: places that the iron must not enter.
 
-use crate::design::Refusal;
+use crate::design::{Refusal, RefusalCode};
 use crate::geom::{Bounds, Line, Point, Segment, segment_distance};
 use crate::plan::lowest_feed::contact;
 use crate::plan::{Program, Step};
@@ -38,7 +38,7 @@ pub(super) fn clamp_in_the_way(
         let stars: Vec<String> = star.iter().map(ToString::to_string).collect();
         Refusal::new(
             key::machine::PROFILE,
-            "clamp-in-the-way",
+            RefusalCode::ClampInTheWay,
             format!("{what} of star {} meets the clamp {:?}", stars.join(", "), zone.name),
             "move the clamp; give its height, if it is below travel height; or change [sheet]".to_owned(),
         )

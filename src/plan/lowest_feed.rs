@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::design::Refusal;
+use crate::design::{Refusal, RefusalCode};
 use crate::geom::Segment;
 use crate::plan::{Pace, Program, Step};
 use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
@@ -40,7 +40,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
             if moving >= chop.longest / speed {
                 return Some(Refusal::new(
                     key::seal::SPEED,
-                    "no-chop",
+                    RefusalCode::NoChop,
                     format!(
                         "a stroke of {:.3} mm at {:.3} mm/s takes {moving:.3} s, longer than {} allows",
                         chop.longest, chop.speed, spec.seal.speed
@@ -80,7 +80,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     };
     Some(Refusal::new(
         key::seal::SPEED,
-        "feed-floor",
+        RefusalCode::FeedFloor,
         format!("{at}{} runs this at {runs} mm/s instead of {speed}", machine.controller.dialect.title()),
         format!("write `feed_floor = \"chop\"` in [machine]; or a speed of at least {most:.2} mm/s{better}"),
     ))
@@ -102,7 +102,7 @@ fn cannot_chop(machine: &Machine) -> Refusal {
     }
     Refusal::new(
         key::machine::FEED_FLOOR,
-        "no-chop",
+        RefusalCode::NoChop,
         format!("the profile {} does not know {}", machine.name, missing.join(" and ")),
         "write them, or `chop_feed` and `acceleration`, in [motion] of your own profile".to_owned(),
     )

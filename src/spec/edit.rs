@@ -3,11 +3,11 @@
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
 use crate::spec::fault::{Fault, Faults};
-use crate::spec::key;
 use crate::spec::key::KeyPath;
 use crate::spec::model::StarSpec;
 use crate::spec::reading::read;
 use crate::spec::source::Source;
+use crate::spec::{FaultCode, key};
 use crate::units::{Angle, Length};
 
 /// What a search may change of a star: the keys of `[star]` with their values.
@@ -59,9 +59,13 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     let own = entries.iter().filter_map(|(key, _)| {
         let span = raw.span_of(key.of_star(1));
         let fault = || {
-            Fault::error("own-value", span.clone(), format!("star 1 has a `{}` of its own", key.key()))
-                .label("a value in [star] does not reach it")
-                .help("move it into [star]")
+            Fault::error(
+                FaultCode::OwnValue,
+                span.clone(),
+                format!("star 1 has a `{}` of its own", key.key()),
+            )
+            .label("a value in [star] does not reach it")
+            .help("move it into [star]")
         };
         (span != raw.span_of(*key)).then(fault)
     });
@@ -70,7 +74,7 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
         return Err(Faults::new(source, own));
     }
     let mut document: DocumentMut = source.text.parse().map_err(|error: toml_edit::TomlError| {
-        refused(Fault::error("syntax", error.span().unwrap_or(0..0), error.message()))
+        refused(Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message()))
     })?;
     let item = document.entry("star").or_insert_with(toml_edit::table);
     let inline = item.is_inline_table();
@@ -84,7 +88,8 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     if found.stars.first().map(StarEdit::of) == Some(*star) {
         Ok(edited.text)
     } else {
-        let fault = Fault::error("edit", raw.span_of(key::star::POINTS), "the star cannot be edited here");
+        let fault =
+            Fault::error(FaultCode::Edit, raw.span_of(key::star::POINTS), "the star cannot be edited here");
         Err(refused(fault.label("must take new values").help("write [star] with one key a line")))
     }
 }

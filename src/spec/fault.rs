@@ -6,8 +6,8 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::spec::render;
 use crate::spec::source::Source;
+use crate::spec::{Code, render};
 
 /// Whether a fault refuses the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,7 +21,7 @@ pub enum Severity {
 /// One thing found at one place of a [`Source`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// A stable word for scripts and tests, such as `unknown-key`.
+    /// The word of its [`Code`] for scripts, such as `unknown-key`.
     pub code: &'static str,
     /// Whether it refuses the text.
     pub level: Severity,
@@ -37,12 +37,19 @@ pub struct Fault {
 
 impl Fault {
     /// A fault that refuses the text; `message` says what was found.
-    pub fn error(code: &'static str, span: Range<usize>, message: impl Into<String>) -> Self {
-        Self { code, level: Severity::Error, message: message.into(), label: String::new(), span, help: None }
+    pub fn error(code: impl Code, span: Range<usize>, message: impl Into<String>) -> Self {
+        Self {
+            code: code.as_str(),
+            level: Severity::Error,
+            message: message.into(),
+            label: String::new(),
+            span,
+            help: None,
+        }
     }
 
     /// A fault that lets the text pass; `message` says what was found.
-    pub fn warning(code: &'static str, span: Range<usize>, message: impl Into<String>) -> Self {
+    pub fn warning(code: impl Code, span: Range<usize>, message: impl Into<String>) -> Self {
         Self { level: Severity::Warning, ..Self::error(code, span, message) }
     }
 
@@ -128,13 +135,15 @@ pub(super) fn quoted(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spec::FaultCode;
 
     #[test]
     fn spans_are_drawn_into_the_text() {
         let source = Source::new("a", "µ = 1");
         #[expect(clippy::reversed_empty_ranges, reason = "this is what must do no harm")]
         let spans = [1..3, 100..200, 3..1, 2..usize::MAX];
-        let faults = Faults::new(&source, spans.into_iter().map(|s| Fault::error("x", s, "m")).collect());
+        let faults =
+            Faults::new(&source, spans.into_iter().map(|s| Fault::error(FaultCode::Name, s, "m")).collect());
         for fault in faults.list() {
             assert!(source.text.get(fault.span.clone()).is_some(), "{:?}", fault.span);
         }
@@ -146,11 +155,11 @@ mod tests {
         let source = Source::new("a", "a\nb\nc\n");
         let faults = Faults::new(
             &source,
-            [4, 0, 2].map(|at| Fault::warning("x", at..at + 1, "m")).into_iter().collect(),
+            [4, 0, 2].map(|at| Fault::warning(FaultCode::Name, at..at + 1, "m")).into_iter().collect(),
         );
         assert_eq!(faults.list().iter().map(|f| f.span.start).collect::<Vec<_>>(), [0, 2, 4]);
         assert!(!faults.refuse());
-        assert!(Faults::new(&source, vec![Fault::error("x", 0..0, "m")]).refuse());
+        assert!(Faults::new(&source, vec![Fault::error(FaultCode::Name, 0..0, "m")]).refuse());
     }
 
     #[test]

@@ -10,6 +10,7 @@
 
 mod allowed;
 mod builtin;
+mod code;
 pub mod edit;
 mod fault;
 pub mod key;
@@ -31,6 +32,8 @@ mod value;
 
 pub use allowed::Allowed;
 pub use builtin::UnknownMachine;
+pub(crate) use code::codes;
+pub use code::{Code, FaultCode};
 pub use fault::{Fault, Faults, Severity};
 pub use key::KeyPath;
 pub use machine::{
@@ -38,8 +41,8 @@ pub use machine::{
     Script,
 };
 pub use model::{
-    Accuracy, Fabric, FeedFloor, Frame, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
-    Sheet, Spec, StarSpec,
+    Accuracy, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask, ModelChoice, ProgramScope,
+    Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};

@@ -18,7 +18,7 @@ pub struct Spec {
     /// `[mask]`
     pub mask: Mask,
     /// `[frame]`
-    pub frame: Frame,
+    pub frame: FrameSpec,
     /// `[sheet]`
     pub sheet: Sheet,
     /// `[machine]`
@@ -135,7 +135,7 @@ pub struct Mask {
 
 /// The frame that keeps the arms in their planes.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Frame {
+pub struct FrameSpec {
     /// Thickness of a plate.
     pub plate_thickness: Length,
     /// Clearance around the moving parts.
@@ -217,6 +217,7 @@ pub struct Accuracy {
 }
 
 /// A level of fidelity of the mechanics.
+#[non_exhaustive]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelChoice {
     /// Published constants.

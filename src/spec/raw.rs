@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use toml::de::DeTable;
 
-use crate::spec::KeyPath;
 use crate::spec::fault::Fault;
 use crate::spec::value::{RawKind, RawTable, RawValue};
+use crate::spec::{FaultCode, KeyPath};
 
 /// Most syntax errors collected: a wrong file has one a line.
 const SYNTAX_ERRORS: usize = 100;
@@ -85,5 +85,5 @@ fn syntax_fault(error: &toml::de::Error) -> Fault {
         None if error.message() == "duplicate key" => (error.message(), "this was written before".to_owned()),
         None => (error.message(), String::new()),
     };
-    Fault::error("syntax", error.span().unwrap_or(0..0), found).label(allowed)
+    Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), found).label(allowed)
 }

@@ -6,14 +6,14 @@
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, Faults, quoted};
 use crate::spec::model::{
-    Accuracy, Fabric, FeedFloor, Frame, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal, Sheet,
-    Spec,
+    Accuracy, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
+    Sheet, Spec,
 };
 use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
-use crate::spec::stars;
+use crate::spec::{Code, FaultCode, stars};
 use crate::units::{Length, Percent, Pressure, Speed, Temperature};
 
 /// Lengths that must be there: 1 um to 100 m, far beyond what fabric and iron can do at both ends.
@@ -68,7 +68,9 @@ fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault>
     let line = |at: usize| text.as_bytes().iter().take(at).filter(|byte| **byte == b'\n').count();
     let broken: Vec<usize> = syntax.iter().map(|fault| line(fault.span.start)).collect();
     let is_sound = |fault: &Fault| {
-        fault.code != "missing-key" && fault.span != (0..0) && !broken.contains(&line(fault.span.start))
+        fault.code != FaultCode::MissingKey.as_str()
+            && fault.span != (0..0)
+            && !broken.contains(&line(fault.span.start))
     };
     others.into_iter().filter(is_sound).collect()
 }
@@ -76,7 +78,7 @@ fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault>
 /// Reports a `schema` that is not `version`, the only one that is known.
 pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
     if let Some(found) = root.count("schema", 0, u32::MAX).filter(|found| *found != version) {
-        let fault = Fault::error("schema", root.place_of("schema"), format!("`schema` is {found}"))
+        let fault = Fault::error(FaultCode::Schema, root.place_of("schema"), format!("`schema` is {found}"))
             .label(format!("must be {version}, the only version this program knows"));
         root.report(fault);
     }
@@ -87,7 +89,8 @@ pub(super) fn read_name(root: &mut Section<'_, '_>) -> String {
     let Some((name, span)) = root.text("name") else { return String::new() };
     if let Err(reason) = check_name(name) {
         root.report(
-            Fault::error("name", span, format!("`name` is {}", quoted(name))).label(reason.to_string()),
+            Fault::error(FaultCode::Name, span, format!("`name` is {}", quoted(name)))
+                .label(reason.to_string()),
         );
     }
     name.to_owned()
@@ -147,11 +150,11 @@ fn check_ptfe(s: &mut Section<'_, '_>, temperature: Temperature) {
     let place = s.place_of("temperature");
     let message = format!("`temperature` is {temperature}");
     if temperature.0 >= 300.0 {
-        let fault = Fault::error("ptfe", place, message)
+        let fault = Fault::error(FaultCode::Ptfe, place, message)
             .label("must be less than 300 C: from there the PTFE release layer gives off toxic fumes");
         s.report(fault);
     } else if temperature.0 > 260.0 {
-        let fault = Fault::warning("ptfe", place, message)
+        let fault = Fault::warning(FaultCode::Ptfe, place, message)
             .label("above 260 C the PTFE release layer decomposes slowly")
             .help("seal at 260 C or below, or see to good ventilation");
         s.report(fault);
@@ -168,8 +171,8 @@ fn read_mask(s: &mut Section<'_, '_>) -> Mask {
     }
 }
 
-fn read_frame(s: &mut Section<'_, '_>) -> Frame {
-    Frame {
+fn read_frame(s: &mut Section<'_, '_>) -> FrameSpec {
+    FrameSpec {
         plate_thickness: length(s, "plate_thickness", SIZE, 5.0),
         clearance: length(s, "clearance", EXTRA, 5.0),
         post_diameter: length(s, "post_diameter", SIZE, 6.0),
@@ -192,7 +195,7 @@ fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
 fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
     let profile = s.text("profile").map(|(profile, span)| {
         if profile.trim().is_empty() || profile.chars().any(misleads) {
-            let fault = Fault::error("profile", span, format!("`profile` is {}", quoted(profile)))
+            let fault = Fault::error(FaultCode::Profile, span, format!("`profile` is {}", quoted(profile)))
                 .label("must be the name of a built-in profile, or a path relative to the spec");
             s.report(fault);
         }

@@ -3,6 +3,7 @@
 //! A **section** is a table with a name. Taking a key registers it as known, so that a key nobody asked
 //! for is an unknown one, and there is no second list of keys to keep in step.
 
+use crate::spec::FaultCode;
 use std::ops::Range;
 
 use crate::spec::allowed::Allowed;
@@ -54,9 +55,12 @@ impl<'r> Reader<'r> {
     pub(super) fn element(&mut self, name: &'static str, value: &'r RawValue) -> Section<'_, 'r> {
         let table = value.as_table();
         if table.is_none() {
-            let fault =
-                Fault::error("wrong-type", value.span.clone(), format!("`{name}` is {}", value.in_words()))
-                    .label(format!("must be a section, [{name}]"));
+            let fault = Fault::error(
+                FaultCode::WrongType,
+                value.span.clone(),
+                format!("`{name}` is {}", value.in_words()),
+            )
+            .label(format!("must be a section, [{name}]"));
             self.faults.push(fault);
         }
         self.open(name, table, value.span.clone())
@@ -134,7 +138,7 @@ impl<'r> Section<'_, 'r> {
             ),
         };
         let label = if missing.len() == 1 { "this key is required" } else { "these keys are required" };
-        let fault = Fault::error("missing-key", self.place(), message);
+        let fault = Fault::error(FaultCode::MissingKey, self.place(), message);
         self.report(fault.label(label).help(format!("write for instance: {help}")));
     }
 
@@ -158,7 +162,7 @@ impl<'r> Section<'_, 'r> {
                     let is_plain = base == text.trim() || found.base().abs() > 1e9;
                     let same = if is_plain { String::new() } else { format!(", that is {base}") };
                     Fault::error(
-                        "out-of-range",
+                        FaultCode::OutOfRange,
                         value.span.clone(),
                         format!("`{key}` is {}{same}", quoted(text)),
                     )
@@ -168,9 +172,13 @@ impl<'r> Section<'_, 'r> {
             },
             RawKind::Number(number) => {
                 let number = number.shown();
-                Fault::error("no-unit", value.span.clone(), format!("`{key}` is the bare number {number}"))
-                    .label(format!("{} needs a unit: {}", article(Q::KIND), Q::unit_list()))
-                    .help(format!("write for instance: {key} = \"{number} {}\"", Q::UNITS[0].0))
+                Fault::error(
+                    FaultCode::NoUnit,
+                    value.span.clone(),
+                    format!("`{key}` is the bare number {number}"),
+                )
+                .label(format!("{} needs a unit: {}", article(Q::KIND), Q::unit_list()))
+                .help(format!("write for instance: {key} = \"{number} {}\"", Q::UNITS[0].0))
             }
             _ => {
                 let label =
@@ -248,9 +256,10 @@ impl<'r> Section<'_, 'r> {
             return Some(*found);
         }
         let list = choices.iter().map(|(name, _)| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
-        let mut fault = Fault::error("unknown-choice", span, format!("`{key}` is {}", quoted(word))).label(
-            if choices.len() == 1 { format!("must be {list}") } else { format!("must be one of {list}") },
-        );
+        let mut fault =
+            Fault::error(FaultCode::UnknownChoice, span, format!("`{key}` is {}", quoted(word))).label(
+                if choices.len() == 1 { format!("must be {list}") } else { format!("must be one of {list}") },
+            );
         if let Some(near) = unknown::nearest(word, choices.iter().map(|(name, _)| *name)) {
             fault = fault.help(format!("did you mean \"{near}\"?"));
         }
@@ -261,7 +270,7 @@ impl<'r> Section<'_, 'r> {
     fn wrong_type(&self, key: &str, value: &RawValue, label: &str) -> Fault {
         let section = if self.name.is_empty() { String::new() } else { format!(" in {}", header(self.name)) };
         let message = format!("`{key}`{section} is {}", value.in_words());
-        Fault::error("wrong-type", value.span.clone(), message).label(label)
+        Fault::error(FaultCode::WrongType, value.span.clone(), message).label(label)
     }
 
     /// Reports [`Self::wrong_type`]; always `None`.

@@ -1,5 +1,6 @@
 //! The text that is read, and where it came from.
 
+use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, Faults};
 
 /// Largest text read, in bytes: hundreds of times a long spec, and small enough that a wrong file costs nothing.
@@ -28,7 +29,7 @@ impl Source {
         let name = name.into();
         if bytes.len() > SIZE_LIMIT {
             let message = format!("the file has {} bytes", bytes.len());
-            let fault = Fault::error("too-large", 0..0, message)
+            let fault = Fault::error(FaultCode::TooLarge, 0..0, message)
                 .label(format!("at most {SIZE_LIMIT} bytes are read"))
                 .help("is this the right file?");
             return Err(Faults::new(&Self::new(name, ""), vec![fault]));
@@ -40,10 +41,13 @@ impl Source {
                 let byte = bytes.get(at).copied().unwrap_or_default();
                 let line_end = bytes[at..].iter().position(|b| *b == b'\n').map_or(bytes.len(), |n| at + n);
                 let shown = String::from_utf8_lossy(&bytes[..line_end]);
-                let fault =
-                    Fault::error("not-text", at..at + 1, format!("byte {} is {byte:#04x}: no UTF-8", at + 1))
-                        .label("the text ends here")
-                        .help("save the file as UTF-8");
+                let fault = Fault::error(
+                    FaultCode::NotText,
+                    at..at + 1,
+                    format!("byte {} is {byte:#04x}: no UTF-8", at + 1),
+                )
+                .label("the text ends here")
+                .help("save the file as UTF-8");
                 Err(Faults::new(&Self::new(name, shown), vec![fault]))
             }
         }

@@ -2,10 +2,10 @@
 
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::Fault;
-use crate::spec::key;
 use crate::spec::model::{Inlet, StarSpec};
 use crate::spec::reading::{EXTRA, SIZE};
 use crate::spec::section::{Reader, Section};
+use crate::spec::{FaultCode, key};
 use crate::units::{Angle, Length};
 
 /// Most points of a star, and most stars of a stack.
@@ -80,7 +80,7 @@ fn read_inlet(s: &mut Section<'_, '_>) -> (Option<Inlet>, Option<u32>) {
     let others: Vec<_> = s.other_keys("none").into_iter().map(|key| format!("`{key}`")).collect();
     if !others.is_empty() {
         let message = format!("[inlet] says `none = true` beside {}", others.join(", "));
-        let fault = Fault::error("conflict", s.place_of("none"), message)
+        let fault = Fault::error(FaultCode::Conflict, s.place_of("none"), message)
             .label("no inlet, so no other key is allowed here")
             .help("delete the other keys, or this one");
         s.report(fault);
@@ -93,8 +93,9 @@ fn read_list(stack: &mut Section<'_, '_>) {
     if let Some(value) = stack.take("star")
         && value.as_list().is_none()
     {
-        let fault = Fault::error("wrong-type", value.span.clone(), "`stack.star` is no list of sections")
-            .label("must be written [[stack.star]], with two brackets");
+        let fault =
+            Fault::error(FaultCode::WrongType, value.span.clone(), "`stack.star` is no list of sections")
+                .label("must be written [[stack.star]], with two brackets");
         stack.report(fault);
     }
 }
@@ -116,17 +117,23 @@ fn read_overrides(reader: &mut Reader<'_>, stars: &mut [StarSpec], highest: u32,
         let tip = section.count("inlet_tip", 1, MOST);
         star.inlet_tip = tip.unwrap_or(star.inlet_tip);
         if tip.is_some() && !has_inlet {
-            let fault =
-                Fault::error("conflict", section.place_of("inlet_tip"), "`inlet_tip` without an inlet")
-                    .label("[inlet] says `none = true`");
+            let fault = Fault::error(
+                FaultCode::Conflict,
+                section.place_of("inlet_tip"),
+                "`inlet_tip` without an inlet",
+            )
+            .label("[inlet] says `none = true`");
             section.report(fault);
         }
         let Some(slot) = slot else { continue };
         if std::mem::replace(&mut seen[slot], true) {
-            let fault =
-                Fault::error("duplicate-index", section.place_of("index"), format!("`index` is {slot}"))
-                    .label("this star has a section already")
-                    .help("write all keys of one star into one section");
+            let fault = Fault::error(
+                FaultCode::DuplicateIndex,
+                section.place_of("index"),
+                format!("`index` is {slot}"),
+            )
+            .label("this star has a section already")
+            .help("write all keys of one star into one section");
             section.report(fault);
         }
         if let Some(place) = stars.get_mut(slot - 1) {
@@ -146,7 +153,7 @@ fn check_inlet_tips(reader: &mut Reader<'_>, stars: &[StarSpec], has_inlet: bool
         if !places.contains(&place) {
             let message =
                 format!("the inlet is at tip {}, star {index} has {} points", star.inlet_tip, star.points);
-            let fault = Fault::error("out-of-range", place.clone(), message)
+            let fault = Fault::error(FaultCode::OutOfRange, place.clone(), message)
                 .label(format!("must be from 1 to {}", star.points));
             reader.faults.push(fault);
             places.push(place);

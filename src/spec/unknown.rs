@@ -1,5 +1,6 @@
 //! Keys and sections that nobody asked for, and what their writer may have meant.
 
+use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::message::header;
 use crate::spec::value::RawTable;
@@ -32,7 +33,7 @@ pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
                 continue;
             }
             let fault = if one.section.is_empty() && entry.value.as_table().is_some() {
-                Fault::error("unknown-section", place, format!("unknown section [{}]", bare(word)))
+                Fault::error(FaultCode::UnknownSection, place, format!("unknown section [{}]", bare(word)))
                     .label("no section has this name")
                     .help(section_hint(word, known))
             } else {
@@ -41,7 +42,7 @@ pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
                 } else {
                     format!(" in {}", header(one.section))
                 };
-                Fault::error("unknown-key", place, format!("unknown key {}{home}", quoted(word)))
+                Fault::error(FaultCode::UnknownKey, place, format!("unknown key {}{home}", quoted(word)))
                     .label("no key has this name here")
                     .help(key_hint(word, one, known))
             };

@@ -1,5 +1,7 @@
 //! What the verifier has to say about a file.
 
+use crate::spec::Code;
+use crate::verify::FindingCode;
 use std::fmt;
 
 use serde::Serialize;
@@ -17,7 +19,7 @@ pub struct Finding {
     pub file: String,
     /// Line in the file, from 1, where a line is to blame.
     pub line: Option<usize>,
-    /// The kind of fault, kebab-case, for scripts.
+    /// The word of its [`FindingCode`] for scripts; of a design that is refused, of the refusal's code.
     pub code: &'static str,
     /// What stands in the file.
     pub found: String,
@@ -28,12 +30,18 @@ pub struct Finding {
 impl Finding {
     /// A finding about a file that is not known yet.
     pub fn new(
-        code: &'static str,
+        code: impl Code,
         line: impl Into<Option<usize>>,
         found: impl Into<String>,
         allowed: impl Into<String>,
     ) -> Self {
-        Self { file: String::new(), line: line.into(), code, found: found.into(), allowed: allowed.into() }
+        Self {
+            file: String::new(),
+            line: line.into(),
+            code: code.as_str(),
+            found: found.into(),
+            allowed: allowed.into(),
+        }
     }
 
     /// The same finding, about `file`.
@@ -63,7 +71,7 @@ impl Findings {
     /// Adds a finding.
     pub fn add(
         &mut self,
-        code: &'static str,
+        code: impl Code,
         line: impl Into<Option<usize>>,
         found: impl Into<String>,
         allowed: impl Into<String>,
@@ -94,7 +102,7 @@ impl Findings {
     pub fn into_vec(mut self) -> Vec<Finding> {
         if self.dropped > 0 {
             let found = format!("{} more findings", self.dropped);
-            self.kept.push(Finding::new("more-findings", None, found, "none"));
+            self.kept.push(Finding::new(FindingCode::MoreFindings, None, found, "none"));
         }
         self.kept
     }
@@ -115,7 +123,7 @@ mod tests {
 
     #[test]
     fn shows_file_line_and_both_sides() {
-        let finding = Finding::new("wrong-feed", 7, "F12", "F6").in_file("star-1.gcode");
+        let finding = Finding::new(FindingCode::WrongFeed, 7, "F12", "F6").in_file("star-1.gcode");
         assert_eq!(finding.to_string(), "star-1.gcode:7: wrong-feed: found F12, allowed F6");
         let json = serde_json::to_string(&finding).unwrap();
         assert_eq!(
@@ -128,7 +136,7 @@ mod tests {
     fn counts_what_it_does_not_keep() {
         let mut findings = Findings::default();
         for line in 0..250 {
-            findings.add("unknown-word", line, "x", "y");
+            findings.add(FindingCode::UnknownWord, line, "x", "y");
         }
         let all = findings.into_vec();
         assert_eq!(all.len(), LIMIT + 1);

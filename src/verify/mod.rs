@@ -4,11 +4,13 @@
 //! arcs by its format's own rules, and the **comparer** measures how far those lie from what the design
 //! says. Whatever is wrong becomes a **finding**; no input makes a reader panic.
 
+mod code;
 mod finding;
 mod judge;
 mod output_files;
 mod read;
 
+pub use code::FindingCode;
 pub use finding::{Finding, Findings};
 pub use judge::expected::Expected;
 pub use judge::files::bytes::compare_bytes;

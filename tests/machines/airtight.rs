@@ -3,6 +3,7 @@
 use stargrip_cam::airtight::report;
 use stargrip_cam::design::Design;
 use stargrip_cam::geom::Path;
+use stargrip_cam::spec::key;
 
 use crate::{machine, profile, spec, spec_text};
 
@@ -17,12 +18,14 @@ fn a_design_is_tight_and_its_channel_as_wide_as_the_tube() {
     for rest in ["", "[inlet]\nnone = true\n", "[stack]\ncount = 3\n"] {
         let (spec, machine, design) = design(rest);
         let found = report(&spec, &machine, &design);
-        assert_eq!((found.leaks.as_slice(), found.stars.len()), (&[][..], 1), "{rest}");
+        assert_eq!((&found.leaks[..], found.stars.len()), (&[][..], 1), "{rest}");
         let passage = &found.stars[0].passage;
         assert!((passage.channel - 10.0).abs() < 1e-6, "{passage:?}");
         assert!(passage.starts_apart > 20.0 && passage.loops[0].closed);
         assert_eq!(passage.loops[1].closed, rest.contains("none"));
         assert_eq!(passage.inlet.is_some(), !rest.contains("none"));
+        assert_eq!(found.to_string().contains("no way for air but the inlet"), passage.inlet.is_some());
+        assert_eq!(found.to_string().contains("closed all around"), passage.inlet.is_none());
     }
 }
 
@@ -37,27 +40,41 @@ fn every_seeded_leak_is_seen() {
     assert!(leaks(&|_| {}).is_empty());
     // The inner loop left open.
     let open = leaks(&|d| d.distinct[0].seams[0].center_line.closed = false);
-    assert!(open.iter().any(|leak| leak.contains("open without an inlet")), "{open:?}");
+    assert!(
+        open.iter().any(|leak| leak.code == "wrong-opening" && leak.found.contains("open without an inlet")),
+        "{open:?}"
+    );
     // A piece of a seam missing.
     let gap = leaks(&|d| {
         let _ = d.distinct[0].seams[1].center_line.segments.remove(4);
     });
-    assert!(gap.iter().any(|leak| leak.contains("a gap of")), "{gap:?}");
+    assert!(gap.iter().any(|leak| leak.code == "seam-gap" && leak.found.contains("a gap of")), "{gap:?}");
     // A closure without overlap.
     let bare = leaks(&|d| d.distinct[0].seams[0].overlap = 0.0);
-    assert!(bare.iter().any(|leak| leak.contains("overlap of 0.000 mm")), "{bare:?}");
+    assert!(bare.iter().any(|leak| leak.code == "no-overlap" && leak.key == key::seal::OVERLAP), "{bare:?}");
+    assert_eq!(bare[0].key.star(), None, "no star has an overlap of its own");
     // Bands that meet, and seams that cross.
     let wide = leaks(&|d| d.distinct[0].band = 12.0);
-    assert!(wide.iter().any(|leak| leak.contains("the bands meet")), "{wide:?}");
+    assert!(
+        wide.iter().any(|leak| leak.code == "bands-meet" && leak.found.contains("the bands meet")),
+        "{wide:?}"
+    );
     let cross = leaks(&|d| {
         let moved = stargrip_cam::geom::Isometry::translation(stargrip_cam::geom::Vec2::new(16.0, 0.0));
         let seam = &mut d.distinct[0].seams[0];
         seam.center_line = Path { closed: true, ..moved.path(&seam.center_line) };
     });
-    assert!(cross.iter().any(|leak| leak.contains("cross or touch")), "{cross:?}");
+    assert!(
+        cross.iter().any(|leak| leak.code == "seams-cross" && leak.found.contains("cross or touch")),
+        "{cross:?}"
+    );
     // A tube without an inlet that is open all the same.
     let lost = leaks(&|d| d.distinct[0].channel = None);
-    assert!(lost.iter().any(|leak| leak.contains("the outer loop is open without an inlet")), "{lost:?}");
+    assert!(
+        lost.iter().any(|leak| leak.code == "wrong-opening"
+            && leak.found.contains("the outer loop is open without an inlet")),
+        "{lost:?}"
+    );
 }
 
 #[test]

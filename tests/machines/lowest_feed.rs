@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use proptest::prelude::*;
-use stargrip_cam::design::Refusal;
+use stargrip_cam::design::{Refusal, RefusalCode};
 use stargrip_cam::geom::{Arc, Line, Point, Segment};
 use stargrip_cam::plan::lowest_speed;
 use stargrip_cam::spec::{Motion, StepRate};
@@ -123,7 +123,7 @@ fn a_lowest_feed_in_every_direction_is_told_as_one_number() {
     let refusal = refused_at("30 mm/min").expect("too slow");
     assert_eq!(
         (refusal.code, refusal.found.as_str()),
-        ("feed-floor", "RepRapFirmware runs this at 0.50 mm/s instead of 0.1")
+        (RefusalCode::FeedFloor, "RepRapFirmware runs this at 0.50 mm/s instead of 0.1")
     );
     assert!(refusal.remedy.ends_with("or a speed of at least 0.50 mm/s"), "{}", refusal.remedy);
 }
@@ -131,7 +131,7 @@ fn a_lowest_feed_in_every_direction_is_told_as_one_number() {
 #[test]
 fn a_machine_that_just_holds_the_speed_is_not_refused() {
     assert_eq!(refused_at("6 mm/min"), None);
-    assert_eq!(refused_at("6.001 mm/min").map(|refusal| refusal.code), Some("feed-floor"));
+    assert_eq!(refused_at("6.001 mm/min").map(|refusal| refusal.code), Some(RefusalCode::FeedFloor));
 }
 
 /// The refusal of GRBL's profile with `from` in it replaced by `to`, for a spec with this in it.
@@ -146,7 +146,7 @@ fn grbl_says(rest: &str, from: &str, to: &str) -> Option<Refusal> {
 fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
     let few = |rest: &str| grbl_says(rest, "z_steps_per_mm = 400", "z_steps_per_mm = 20");
     let refusal = few("").expect("too slow");
-    assert_eq!(refusal.code, "feed-floor");
+    assert_eq!(refusal.code, RefusalCode::FeedFloor);
     let advised =
         refusal.remedy.split("at least ").nth(1).and_then(|rest| rest.split(' ').next()).expect("a number");
     let speed: f64 = advised.parse().expect("a number");
@@ -155,7 +155,7 @@ fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
     assert!(speed > 0.541 && speed < 0.5396 * slope + 0.005, "{}", refusal.remedy);
     let at = |speed: f64| few(&format!("[seal]\nspeed = \"{speed:.3} mm/s\"\n"));
     assert_eq!(at(speed + 0.005), None);
-    assert_eq!(at(speed - 0.01).map(|refusal| refusal.code), Some("feed-floor"));
+    assert_eq!(at(speed - 0.01).map(|refusal| refusal.code), Some(RefusalCode::FeedFloor));
 }
 
 /// From rest to rest over 0.2 mm at 0.1 mm/s^2 takes 2.83 s; at 0.1 mm/s it may take 2.
@@ -166,7 +166,7 @@ fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
         grbl_says(&rest, "acceleration = \"10 mm/s^2\"", "acceleration = \"0.1 mm/s^2\"")
     };
     let refusal = slow(0.1).expect("too slow");
-    assert_eq!((refusal.key, refusal.code), (stargrip_cam::spec::key::seal::SPEED, "no-chop"));
+    assert_eq!((refusal.key, refusal.code), (stargrip_cam::spec::key::seal::SPEED, RefusalCode::NoChop));
     assert!(refusal.found.contains("takes 2.828 s, longer than 0.1 mm/s allows"), "{}", refusal.found);
     assert_eq!(refusal.remedy, "speed must be below 0.071 mm/s");
     assert_eq!(slow(0.07), None);

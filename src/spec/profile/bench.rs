@@ -1,5 +1,6 @@
 //! Where the iron may go: the work area and the clamps.
 
+use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::machine::{Bench, KeepOut};
@@ -25,7 +26,7 @@ fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
         (Some(x), Some(y)) => Some((x, y)),
         (None, None) => None,
         _ => {
-            let fault = Fault::error("conflict", s.place(), "[work_area] knows one side only")
+            let fault = Fault::error(FaultCode::Conflict, s.place(), "[work_area] knows one side only")
                 .label("must say both `x` and `y`, or neither, or \"unknown\" for both");
             s.report(fault);
             None
@@ -56,7 +57,7 @@ fn read_keep_out(reader: &mut Reader<'_>) -> Vec<KeepOut> {
             let height = known(&mut s, "height", HEIGHT);
             let name = name.map_or("clamp".to_owned(), |(name, span)| {
                 if let Err(reason) = check_name(name) {
-                    let fault = Fault::error("name", span, format!("`name` is {}", quoted(name)));
+                    let fault = Fault::error(FaultCode::Name, span, format!("`name` is {}", quoted(name)));
                     s.report(fault.label(reason.to_string()));
                 }
                 name.to_owned()

@@ -11,6 +11,7 @@ mod motion;
 mod process;
 mod script;
 
+use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, Faults, quoted};
 use crate::spec::machine::{Controller, Machine};
 use crate::spec::name::misleads;
@@ -55,7 +56,7 @@ fn read_profile(reader: &mut Reader<'_>) -> Machine {
 fn read_description(root: &mut Section<'_, '_>) -> String {
     let Some((text, span)) = root.text("description") else { return String::new() };
     if text.chars().any(misleads) || text.chars().count() > DESCRIPTION_LENGTH {
-        let fault = Fault::error("name", span, format!("`description` is {}", quoted(text)))
+        let fault = Fault::error(FaultCode::Name, span, format!("`description` is {}", quoted(text)))
             .label(format!("must be one line of at most {DESCRIPTION_LENGTH} characters"));
         root.report(fault);
     }

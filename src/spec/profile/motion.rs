@@ -1,5 +1,6 @@
 //! What is known of the motors.
 
+use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::Fault;
 use crate::spec::motion::{Motion, StepRate};
@@ -23,8 +24,11 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>) -> Motion {
         [Some(x), Some(y), Some(z)] => Some([x, y, z]),
         [None, None, None] => None,
         _ => {
-            let fault = Fault::error("conflict", s.place(), "[motion] knows the steps of some axes only")
-                .label("must say `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them");
+            let fault =
+                Fault::error(FaultCode::Conflict, s.place(), "[motion] knows the steps of some axes only")
+                    .label(
+                        "must say `x_steps_per_mm`, `y_steps_per_mm` and `z_steps_per_mm`, or none of them",
+                    );
             s.report(fault);
             None
         }

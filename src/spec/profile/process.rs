@@ -1,5 +1,6 @@
 //! How the iron is led: heights, ramp, speeds.
 
+use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::Fault;
 use crate::spec::machine::{Heights, Process};
@@ -41,7 +42,7 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
         && contact < 0.0
     {
         let fault = Fault::error(
-            "out-of-range",
+            FaultCode::OutOfRange,
             s.place_of("contact"),
             format!("`contact` is {}", Length(contact)),
         )
@@ -55,7 +56,7 @@ fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights
             && high <= low
         {
             let fault = Fault::error(
-                "out-of-range",
+                FaultCode::OutOfRange,
                 s.place_of(high_key),
                 format!("`{high_key}` is {}", Length(high)),
             )

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::machine::Script;
 use crate::spec::section::{Reader, Section};
@@ -37,7 +38,8 @@ fn read_line(s: &mut Section<'_, '_>, key: &str, line: &str, span: Range<usize>,
         return line.to_owned();
     };
     s.report(
-        Fault::error("program-line", span, format!("a line of `{key}` is {}", quoted(line))).label(label),
+        Fault::error(FaultCode::ProgramLine, span, format!("a line of `{key}` is {}", quoted(line)))
+            .label(label),
     );
     String::new()
 }

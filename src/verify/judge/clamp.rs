@@ -2,8 +2,8 @@
 
 use crate::geom::{Line, Point, Segment, segment_distance};
 use crate::spec::KeepOut;
-use crate::verify::Findings;
 use crate::verify::read::gcode::Program;
+use crate::verify::{FindingCode, Findings};
 
 /// Reports every move that comes nearer to a clamp than `reach`, below its height.
 pub(in crate::verify) fn check(zones: &[KeepOut], reach: f64, program: &Program, findings: &mut Findings) {
@@ -21,7 +21,12 @@ pub(in crate::verify) fn check(zones: &[KeepOut], reach: f64, program: &Program,
             let near = |side: &Segment| segment_distance(side, &path) <= reach - 1e-3;
             if inside(path.start()) || inside(path.end()) || sides.iter().any(near) {
                 let found = format!("a move at Z{z} through the clamp {:?}", zone.name);
-                findings.add("clamp-in-the-way", step.line, found, format!("{reach} mm off every clamp"));
+                findings.add(
+                    FindingCode::ClampInTheWay,
+                    step.line,
+                    found,
+                    format!("{reach} mm off every clamp"),
+                );
             }
         }
     }

@@ -6,7 +6,7 @@ use crate::manifest::Manifest;
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::{clamp, pace};
 use crate::verify::read::gcode::{Dialect, Move, MoveKind, Program, read_program};
-use crate::verify::{Finding, Findings, follow};
+use crate::verify::{Finding, FindingCode, Findings, follow};
 
 /// Slack on heights, mm; they are written to at least two decimals and read as written.
 const HEIGHT: f64 = 1e-6;
@@ -115,7 +115,7 @@ impl<'a> Job<'a> {
             let bounds = step.path.map_or(Bounds::EMPTY, |path| path.bounds());
             if !(allowed.contains(bounds.min) && allowed.contains(bounds.max)) && step.path.is_some() {
                 findings.add(
-                    "outside-work-area",
+                    FindingCode::OutsideWorkArea,
                     step.line,
                     format!(
                         "a move from ({:.3}, {:.3}) to ({:.3}, {:.3})",
@@ -133,7 +133,7 @@ impl<'a> Job<'a> {
         for step in program.moves.iter().filter(|step| step.kind == MoveKind::Rapid) {
             if let Some(feed) = step.feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed) {
                 findings.add(
-                    "travel-feed",
+                    FindingCode::TravelFeed,
                     step.line,
                     format!("a G0 at F{feed}, the feed in force"),
                     format!("F{allowed}"),
@@ -161,7 +161,7 @@ impl<'a> Job<'a> {
             match step.heated {
                 Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
                 found => findings.add(
-                    "cold-seal",
+                    FindingCode::ColdSeal,
                     step.line,
                     found.map_or("an iron that nobody heated".to_owned(), |t| format!("{t} C")),
                     seal.temperature.to_string(),
@@ -169,7 +169,7 @@ impl<'a> Job<'a> {
             }
             if step.kind == MoveKind::Rapid {
                 findings.add(
-                    "rapid-in-contact",
+                    FindingCode::RapidInContact,
                     step.line,
                     "G0 below travel height",
                     "G1, G2 or G3 at seal speed",
@@ -177,7 +177,7 @@ impl<'a> Job<'a> {
             }
             if step.path.is_none() {
                 findings.add(
-                    "plunge",
+                    FindingCode::Plunge,
                     step.line,
                     "a vertical move below travel height",
                     "a ramp along the path",
@@ -185,7 +185,7 @@ impl<'a> Job<'a> {
             }
             if step.from.z.min(step.to.z) < contact - HEIGHT {
                 findings.add(
-                    "too-deep",
+                    FindingCode::TooDeep,
                     step.line,
                     format!("Z{}", step.to.z),
                     format!("Z{contact} or above"),
@@ -202,7 +202,7 @@ impl<'a> Job<'a> {
         for dwell in program.dwells.iter().filter(|dwell| dwell.at.is_some_and(|at| low(at.z))) {
             if dwell.seconds > longest {
                 findings.add(
-                    "iron-at-rest",
+                    FindingCode::IronAtRest,
                     dwell.line,
                     format!("{} s", dwell.seconds),
                     format!("at most {longest:.2} s"),
@@ -211,7 +211,7 @@ impl<'a> Job<'a> {
         }
         for pause in program.pauses.iter().filter(|pause| pause.at.is_some_and(|at| low(at.z))) {
             findings.add(
-                "iron-at-rest",
+                FindingCode::IronAtRest,
                 pause.line,
                 "a pause on the fabric",
                 "pauses above travel height only",
@@ -234,11 +234,21 @@ impl<'a> Job<'a> {
             }
         }
         for seam in expected.iter().skip(contacts.len()) {
-            findings.add("missing-seam", None, format!("no {}", seam.name), "every seam of the design");
+            findings.add(
+                FindingCode::MissingSeam,
+                None,
+                format!("no {}", seam.name),
+                "every seam of the design",
+            );
         }
         for contact in contacts.iter().skip(expected.len()) {
             let line = contact.run.first().map(|step| step.line);
-            findings.add("extra-seam", line, "a contact that the design does not have", "only its seams");
+            findings.add(
+                FindingCode::ExtraSeam,
+                line,
+                "a contact that the design does not have",
+                "only its seams",
+            );
         }
         deviation
     }
@@ -252,7 +262,7 @@ impl<'a> Job<'a> {
         let deviation = walked.largest();
         if deviation.is_nan() || deviation > tolerance {
             findings.add(
-                "deviation",
+                FindingCode::Deviation,
                 line(walked.step),
                 format!("{deviation:.6} mm off the {name}"),
                 format!("{tolerance} mm"),
@@ -262,7 +272,7 @@ impl<'a> Job<'a> {
         let slack = 2.0 * tolerance;
         if walked.start > slack {
             findings.add(
-                "late-start",
+                FindingCode::LateStart,
                 line(0),
                 format!("the {name} begins {:.3} mm late", walked.start),
                 "its start",
@@ -270,11 +280,16 @@ impl<'a> Job<'a> {
         }
         if walked.end < once - slack {
             let found = format!("the {name} ends {:.3} mm before it is closed", once - walked.end);
-            findings.add("open-loop", line(steps.len().saturating_sub(1)), found, format!("{once:.3} mm"));
+            findings.add(
+                FindingCode::OpenLoop,
+                line(steps.len().saturating_sub(1)),
+                found,
+                format!("{once:.3} mm"),
+            );
         } else if walked.end < path.length() - slack {
             let found = format!("{:.3} mm of overlap on the {name}", walked.end - once);
             findings.add(
-                "missing-overlap",
+                FindingCode::MissingOverlap,
                 line(steps.len().saturating_sub(1)),
                 found,
                 format!("{:.3} mm", path.length() - once),
@@ -282,7 +297,7 @@ impl<'a> Job<'a> {
         }
         if let Some((back, step)) = walked.backwards.filter(|(back, _)| *back > slack) {
             findings.add(
-                "backwards",
+                FindingCode::Backwards,
                 line(step),
                 format!("{back:.3} mm back along the {name}"),
                 "forwards only",
@@ -290,7 +305,7 @@ impl<'a> Job<'a> {
         }
         if let Some((gap, step)) = walked.jump.filter(|(gap, _)| *gap > tolerance) {
             findings.add(
-                "jump",
+                FindingCode::Jump,
                 line(step),
                 format!("a gap of {gap:.3} mm in the {name}"),
                 "an unbroken path",
@@ -302,11 +317,16 @@ impl<'a> Job<'a> {
     /// A trace stays at travel height, cold, and shows the frame and every seam.
     fn traces(&self, program: &Program, findings: &mut Findings) -> f64 {
         for step in program.moves.iter().filter(|step| self.phase(step) != Phase::Clear) {
-            findings.add("low-trace", step.line, format!("Z{}", step.to.z), "travel height or above");
+            findings.add(
+                FindingCode::LowTrace,
+                step.line,
+                format!("Z{}", step.to.z),
+                "travel height or above",
+            );
         }
         if let Some(pause) = program.pauses.first() {
             findings.add(
-                "hot-trace",
+                FindingCode::HotTrace,
                 pause.line,
                 "a pause as for heating",
                 "a trace runs unheated and through",
@@ -327,7 +347,7 @@ impl<'a> Job<'a> {
         }
         if runs.len() != expected.len() {
             findings.add(
-                "missing-seam",
+                FindingCode::MissingSeam,
                 None,
                 format!("{} paths", runs.len()),
                 format!("{} paths", expected.len()),
@@ -373,7 +393,7 @@ fn contacts(program: &Program, phase: impl Fn(&Move) -> Phase) -> Vec<Contact<'_
 pub(in crate::verify) fn manifest_figures(expected: &Expected<'_>, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     let wrong = |found: String, allowed: String| {
-        Finding::new("manifest", None, found, allowed).in_file(crate::manifest::MANIFEST)
+        Finding::new(FindingCode::Manifest, None, found, allowed).in_file(crate::manifest::MANIFEST)
     };
     for placed in &expected.design.stars {
         let seam_mm: f64 = expected.design.part(placed).seams.iter().map(|seam| seam.run().length()).sum();

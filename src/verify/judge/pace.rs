@@ -5,9 +5,9 @@
 
 use crate::geom::Segment;
 use crate::spec::{FeedFloor, Motion};
-use crate::verify::Findings;
 use crate::verify::judge::expected::Expected;
 use crate::verify::read::gcode::{Move, MoveKind, Program};
+use crate::verify::{FindingCode, Findings};
 
 /// How far the mean speed may be off.
 const MEAN: f64 = 0.002;
@@ -44,7 +44,7 @@ pub(in crate::verify) fn check(
             continue;
         }
         let Some(feed) = step.feed.map(|feed| feed / 60.0) else {
-            findings.add("wrong-feed", step.line, "none", format!("F{}", speed * 60.0));
+            findings.add(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
             continue;
         };
         while dwells.next_if(|dwell| dwell.line < step.line).is_some() {}
@@ -64,11 +64,11 @@ pub(in crate::verify) fn check(
             schedule.spent += move_time(length, feed, motion.acceleration.map(|a| a.0)) + rest;
             if length > longest + 0.01 {
                 let found = format!("a stroke of {length:.3} mm");
-                findings.add("long-stroke", step.line, found, format!("at most {longest:.3} mm"));
+                findings.add(FindingCode::LongStroke, step.line, found, format!("at most {longest:.3} mm"));
             }
         } else {
             let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", speed * 60.0));
-            findings.add("wrong-feed", step.line, found, allowed);
+            findings.add(FindingCode::WrongFeed, step.line, found, allowed);
             continue;
         }
         let off = schedule.spent - schedule.due;
@@ -78,13 +78,18 @@ pub(in crate::verify) fn check(
         let alone = MEAN * length / speed + quantum + 0.015;
         if off.abs() > allowed || (off - before).abs() > alone {
             let found = format!("{off:+.3} s off the schedule of {speed} mm/s");
-            findings.add("wrong-feed", step.line, found, format!("{allowed:.3} s"));
+            findings.add(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
             schedule = Schedule::default();
         }
         let lowest = step.path.and_then(|path| lowest_speed(motion, &path, step.to.z - step.from.z));
         if let Some(lowest) = lowest.filter(|lowest| feed < lowest * (1.0 - ROUNDING)) {
             let found = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
-            findings.add("below-floor", step.line, found, format!("at least F{:.3}", lowest * 60.0));
+            findings.add(
+                FindingCode::BelowFloor,
+                step.line,
+                found,
+                format!("at least F{:.3}", lowest * 60.0),
+            );
         }
     }
 }

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use crate::geom::{Arc, Line, Path, Point};
 use crate::verify::finding::quote;
 use crate::verify::read::number;
-use crate::verify::{Drawing, Findings};
+use crate::verify::{Drawing, FindingCode, Findings};
 
 /// Arcs of a larger radius are read as their chord, mm: at this radius a 1 m chord has a sagitta of a nanometre.
 const STRAIGHT: f64 = 1e11;
@@ -32,13 +32,13 @@ pub fn read_dxf(text: &str) -> Drawing {
     // A record runs from its group code 0 to the next.
     let starts: Vec<usize> = (0..tags.len()).filter(|i| tags[*i].code == 0).collect();
     if starts.first() != Some(&0) {
-        reader.findings.add("bad-dxf", 1, "no record at the beginning", "0, SECTION");
+        reader.findings.add(FindingCode::BadDxf, 1, "no record at the beginning", "0, SECTION");
     }
     for (k, start) in starts.iter().enumerate() {
         let record = &tags[*start..starts.get(k + 1).copied().unwrap_or(tags.len())];
         let Some((head, body)) = record.split_first() else { continue };
         if ended {
-            reader.findings.add("bad-dxf", head.line, "records after EOF", "EOF last");
+            reader.findings.add(FindingCode::BadDxf, head.line, "records after EOF", "EOF last");
             break;
         }
         match head.value {
@@ -52,7 +52,12 @@ pub fn read_dxf(text: &str) -> Drawing {
             "EOF" => {
                 ended = true;
                 if section.is_some() {
-                    reader.findings.add("truncated", head.line, "EOF within a section", "ENDSEC first");
+                    reader.findings.add(
+                        FindingCode::Truncated,
+                        head.line,
+                        "EOF within a section",
+                        "ENDSEC first",
+                    );
                 }
             }
             "LAYER" if section == Some("TABLES") => {
@@ -65,10 +70,10 @@ pub fn read_dxf(text: &str) -> Drawing {
         }
     }
     if !ended {
-        reader.findings.add("truncated", None, "no EOF", "0, EOF at the end");
+        reader.findings.add(FindingCode::Truncated, None, "no EOF", "0, EOF at the end");
     }
     if !reader.has_version || !reader.has_units {
-        reader.findings.add("wrong-scale", None, "no $ACADVER or no $INSUNITS", "both");
+        reader.findings.add(FindingCode::WrongScale, None, "no $ACADVER or no $INSUNITS", "both");
     }
     Drawing { findings: reader.findings.into_vec(), ..reader.drawing }
 }
@@ -87,11 +92,16 @@ impl DxfReader {
         let mut lines = text.lines().enumerate();
         while let Some((i, code)) = lines.next() {
             let Ok(code) = code.trim().parse::<i32>() else {
-                self.findings.add("bad-dxf", i + 1, quote(code), "a group code");
+                self.findings.add(FindingCode::BadDxf, i + 1, quote(code), "a group code");
                 break;
             };
             let Some((_, value)) = lines.next() else {
-                self.findings.add("truncated", i + 1, "a group code without a value", "pairs of lines");
+                self.findings.add(
+                    FindingCode::Truncated,
+                    i + 1,
+                    "a group code without a value",
+                    "pairs of lines",
+                );
                 break;
             };
             // Comments may stand anywhere.
@@ -109,14 +119,14 @@ impl DxfReader {
                 (9, "$ACADVER") => {
                     self.has_version = true;
                     if !VERSIONS.contains(&tag.value) {
-                        self.findings.add("bad-dxf", tag.line, quote(tag.value), "AC1015 or later");
+                        self.findings.add(FindingCode::BadDxf, tag.line, quote(tag.value), "AC1015 or later");
                     }
                 }
                 (9, "$INSUNITS") => {
                     self.has_units = true;
                     if tag.value != "4" {
                         let found = format!("$INSUNITS {}", quote(tag.value));
-                        self.findings.add("wrong-scale", tag.line, found, "4 (millimetres)");
+                        self.findings.add(FindingCode::WrongScale, tag.line, found, "4 (millimetres)");
                     }
                 }
                 _ => {}
@@ -128,11 +138,11 @@ impl DxfReader {
         let text = |code: i32| body.iter().find(|tag| tag.code == code).map(|tag| tag.value);
         let layer = text(8).unwrap_or("0").to_owned();
         if !self.drawing.layers.contains_key(&layer) {
-            self.findings.add("unknown-layer", head.line, quote(&layer), "a layer of the table");
+            self.findings.add(FindingCode::UnknownLayer, head.line, quote(&layer), "a layer of the table");
         }
         let extrusion = [(210, "x"), (220, "y"), (230, "z")].map(|(code, _)| text(code).map(number::value));
         if !matches!(extrusion, [None, None, None] | [Some(Some(0.0)), Some(Some(0.0)), Some(Some(1.0))]) {
-            self.findings.add("transform", head.line, "another extrusion direction", "0, 0, 1");
+            self.findings.add(FindingCode::Transform, head.line, "another extrusion direction", "0, 0, 1");
         }
         let path = match head.value {
             "LWPOLYLINE" => self.polyline(head, body),
@@ -158,7 +168,7 @@ impl DxfReader {
             }
             other => {
                 let allowed = "LWPOLYLINE, LINE, ARC, CIRCLE, TEXT";
-                self.findings.add("unknown-word", head.line, quote(other), allowed);
+                self.findings.add(FindingCode::UnknownWord, head.line, quote(other), allowed);
                 None
             }
         };
@@ -177,7 +187,7 @@ impl DxfReader {
             let mut tags = body.iter().filter(|tag| tag.code == code);
             let (Some(tag), None) = (tags.next(), tags.next()) else {
                 let found = format!("{} without exactly one group {code}", quote(head.value));
-                self.findings.add("bad-dxf", head.line, found, "each group once");
+                self.findings.add(FindingCode::BadDxf, head.line, found, "each group once");
                 return None;
             };
             *value = self.number(*tag)?;
@@ -189,7 +199,7 @@ impl DxfReader {
         let value = number::value(tag.value);
         if value.is_none() {
             let allowed = format!("a number, at most {}", number::LARGEST);
-            self.findings.add("bad-number", tag.line + 1, quote(tag.value), allowed);
+            self.findings.add(FindingCode::BadNumber, tag.line + 1, quote(tag.value), allowed);
         }
         value
     }
@@ -198,7 +208,7 @@ impl DxfReader {
         if r > 0.0 {
             return Some(r);
         }
-        self.findings.add("bad-number", head.line, format!("radius {r}"), "> 0");
+        self.findings.add(FindingCode::BadNumber, head.line, format!("radius {r}"), "> 0");
         None
     }
 
@@ -213,7 +223,12 @@ impl DxfReader {
                 (20, Some(last)) => last.1 = Some(self.number(*tag)?),
                 (42, Some(last)) => last.2 = self.number(*tag)?,
                 (20 | 42, None) => {
-                    self.findings.add("bad-dxf", tag.line, "a group 20 or 42 before 10", "10 first");
+                    self.findings.add(
+                        FindingCode::BadDxf,
+                        tag.line,
+                        "a group 20 or 42 before 10",
+                        "10 first",
+                    );
                     return None;
                 }
                 _ => {}
@@ -225,7 +240,7 @@ impl DxfReader {
         let (Some(points), Some(flags)) = (points, whole(70)) else {
             let found = format!("{} vertices, {} said", vertices.len(), whole(90).unwrap_or(0));
             self.findings.add(
-                "bad-dxf",
+                FindingCode::BadDxf,
                 head.line,
                 found,
                 "2 or more whole ones, as many as said, and flags",

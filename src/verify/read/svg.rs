@@ -7,7 +7,7 @@ use roxmltree::{Document, Node};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Vec2};
 use crate::verify::finding::quote;
 use crate::verify::read::{number, svg_path};
-use crate::verify::{Drawing, Findings};
+use crate::verify::{Drawing, FindingCode, Findings};
 
 /// Groups inside groups beyond this depth are refused: drawings need two or three, and the walk is recursive.
 const DEPTH: usize = 32;
@@ -28,7 +28,7 @@ pub enum SvgOrigin {
 pub fn read_svg(text: &str, origin: SvgOrigin) -> Drawing {
     let (mut drawing, mut findings) = (Drawing::default(), Findings::default());
     match Document::parse(text) {
-        Err(error) => findings.add("bad-xml", None, quote(&error.to_string()), "well-formed XML"),
+        Err(error) => findings.add(FindingCode::BadXml, None, quote(&error.to_string()), "well-formed XML"),
         Ok(document) => {
             let root = document.root_element();
             if root.tag_name().name() == "svg" {
@@ -39,7 +39,7 @@ pub fn read_svg(text: &str, origin: SvgOrigin) -> Drawing {
                 };
                 SvgReader { flip, drawing: &mut drawing, findings: &mut findings }.group(root, "", 0);
             } else {
-                findings.add("bad-xml", None, quote(root.tag_name().name()), "a root element svg");
+                findings.add(FindingCode::BadXml, None, quote(root.tag_name().name()), "a root element svg");
             }
         }
     }
@@ -57,12 +57,17 @@ fn page(root: Node<'_, '_>, drawing: &mut Drawing, findings: &mut Findings) -> f
     let (Some(width), Some(height), Some(&[_, _, w, h])) = (mm("width"), mm("height"), view.as_deref())
     else {
         let found = ["width", "height", "viewBox"].map(|name| quote(root.attribute(name).unwrap_or("")));
-        findings.add("wrong-scale", line, found.join(", "), "width and height in mm, and a viewBox");
+        findings.add(
+            FindingCode::WrongScale,
+            line,
+            found.join(", "),
+            "width and height in mm, and a viewBox",
+        );
         return 0.0;
     };
     if width != w || height != h || width <= 0.0 || height <= 0.0 {
         let found = format!("{width} x {height} mm for {w} x {h} user units");
-        findings.add("wrong-scale", line, found, "1 user unit = 1 mm, and a size > 0");
+        findings.add(FindingCode::WrongScale, line, found, "1 user unit = 1 mm, and a size > 0");
     }
     drawing.page = Some((width, height));
     h
@@ -77,13 +82,23 @@ struct SvgReader<'a> {
 impl SvgReader<'_> {
     fn group(&mut self, node: Node<'_, '_>, id: &str, depth: usize) {
         if depth > DEPTH {
-            self.findings.add("too-deep", line_of(node), "groups in groups", format!("{DEPTH} levels"));
+            self.findings.add(
+                FindingCode::TooDeep,
+                line_of(node),
+                "groups in groups",
+                format!("{DEPTH} levels"),
+            );
             return;
         }
         for child in node.children().filter(Node::is_element) {
             if child.has_attribute("transform") {
                 let found = quote(child.attribute("transform").unwrap_or(""));
-                self.findings.add("transform", line_of(child), found, "coordinates that are final");
+                self.findings.add(
+                    FindingCode::Transform,
+                    line_of(child),
+                    found,
+                    "coordinates that are final",
+                );
             }
             match child.tag_name().name() {
                 "g" => {
@@ -118,7 +133,12 @@ impl SvgReader<'_> {
             "rect" => self.rect(node),
             "polyline" | "polygon" => self.points(node, name == "polygon"),
             _ => {
-                self.findings.add("unknown-word", line_of(node), quote(name), "shapes of lines and arcs");
+                self.findings.add(
+                    FindingCode::UnknownWord,
+                    line_of(node),
+                    quote(name),
+                    "shapes of lines and arcs",
+                );
                 None
             }
         };
@@ -133,7 +153,7 @@ impl SvgReader<'_> {
             let Some(text) = node.attribute(name) else { continue };
             let Some(number) = number::value(text.trim()) else {
                 let found = format!("{name}={}", quote(text));
-                self.findings.add("bad-number", line_of(node), found, "a plain number");
+                self.findings.add(FindingCode::BadNumber, line_of(node), found, "a plain number");
                 return None;
             };
             *value = number;
@@ -144,7 +164,7 @@ impl SvgReader<'_> {
     fn circle(&mut self, node: Node<'_, '_>) -> Option<Vec<Path>> {
         let [x, y, r] = self.numbers(node, ["cx", "cy", "r"])?;
         if r <= 0.0 {
-            self.findings.add("bad-number", line_of(node), format!("r={r}"), "a radius > 0");
+            self.findings.add(FindingCode::BadNumber, line_of(node), format!("r={r}"), "a radius > 0");
             return None;
         }
         Some(vec![Path::closed(vec![Arc::new(Point::new(x, y), r, 0.0, TAU).into()])])
@@ -154,7 +174,7 @@ impl SvgReader<'_> {
         let [x, y, w, h, rx, ry] = self.numbers(node, ["x", "y", "width", "height", "rx", "ry"])?;
         if w <= 0.0 || h <= 0.0 || rx != 0.0 || ry != 0.0 {
             let found = format!("{w} x {h}, corners {rx}, {ry}");
-            self.findings.add("bad-number", line_of(node), found, "a size > 0 and sharp corners");
+            self.findings.add(FindingCode::BadNumber, line_of(node), found, "a size > 0 and sharp corners");
             return None;
         }
         let corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)].map(|(x, y)| Point::new(x, y));
@@ -169,7 +189,7 @@ impl SvgReader<'_> {
             .map(number::value)
             .collect();
         let Some(numbers) = numbers.filter(|n| n.len() % 2 == 0) else {
-            self.findings.add("bad-number", line_of(node), quote(text), "pairs of numbers");
+            self.findings.add(FindingCode::BadNumber, line_of(node), quote(text), "pairs of numbers");
             return None;
         };
         let points: Vec<Point> = numbers.chunks_exact(2).map(|xy| Point::new(xy[0], xy[1])).collect();

@@ -1,12 +1,13 @@
 //! The `d` attribute of an SVG path: absolute `M L H V A Z`, in user units, Y down.
 
 use crate::geom::{Arc, Line, Path, Point, Segment};
+use crate::verify::FindingCode;
 use crate::verify::finding::quote;
 use crate::verify::read::drawing::JOIN;
 use crate::verify::read::number;
 
 /// What is wrong: code, found, allowed.
-pub(in crate::verify) type Fault = (&'static str, String, String);
+pub(in crate::verify) type Fault = (FindingCode, String, String);
 
 /// The subpaths of `d`; a fault gives up what follows it.
 pub(in crate::verify) fn parse(d: &str) -> (Vec<Path>, Option<Fault>) {
@@ -36,7 +37,13 @@ fn draw(scan: &mut Scan<'_>, pen: &mut SvgPen) -> Result<(), Fault> {
                     let (large, sweep) = (scan.flag()?, scan.flag()?);
                     pen.arc(rx, ry, large, sweep, Point::new(scan.number()?, scan.number()?))?;
                 }
-                _ => return Err(("unknown-word", format!("path command {command}"), ALLOWED.to_owned())),
+                _ => {
+                    return Err((
+                        FindingCode::UnknownWord,
+                        format!("path command {command}"),
+                        ALLOWED.to_owned(),
+                    ));
+                }
             }
             first = false;
         }
@@ -78,7 +85,7 @@ impl Scan<'_> {
     fn number(&mut self) -> Result<f64, Fault> {
         let (text, tail) = number::split_number(self.rest, true).ok_or_else(|| self.fault("a number"))?;
         let value = number::value(text)
-            .ok_or_else(|| ("bad-number", quote(text), format!("at most {}", number::LARGEST)))?;
+            .ok_or_else(|| (FindingCode::BadNumber, quote(text), format!("at most {}", number::LARGEST)))?;
         self.rest = tail;
         self.skip(true);
         Ok(value)
@@ -97,7 +104,7 @@ impl Scan<'_> {
     }
 
     fn fault(&self, allowed: &str) -> Fault {
-        ("bad-path", quote(self.rest), allowed.to_owned())
+        (FindingCode::BadPath, quote(self.rest), allowed.to_owned())
     }
 }
 
@@ -126,7 +133,11 @@ impl SvgPen {
 
     fn push(&mut self, segment: impl Into<Segment>, end: Point) -> Result<(), Fault> {
         if self.start.is_none() {
-            return Err(("bad-path", "a path that does not begin with M".to_owned(), ALLOWED.to_owned()));
+            return Err((
+                FindingCode::BadPath,
+                "a path that does not begin with M".to_owned(),
+                ALLOWED.to_owned(),
+            ));
         }
         self.segments.push(segment.into());
         self.here = end;
@@ -150,7 +161,7 @@ impl SvgPen {
     fn arc(&mut self, rx: f64, ry: f64, large: bool, sweep: bool, end: Point) -> Result<(), Fault> {
         if rx != ry {
             let found = format!("an ellipse with radii {rx} and {ry}");
-            return Err(("bad-arc", found, "circular arcs".to_owned()));
+            return Err((FindingCode::BadArc, found, "circular arcs".to_owned()));
         }
         match arc(self.here, end, rx.abs(), large, sweep) {
             Drawn::Arc(arc) => self.push(arc, end),
@@ -194,6 +205,7 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
+    use crate::spec::Code;
 
     fn good(d: &str) -> Vec<Path> {
         let (paths, fault) = parse(d);
@@ -209,7 +221,7 @@ mod tests {
         for d in ["M0,0H4V3H0Z", "M0 0 4 0 4,3 0,3Z", "M0-0L4 0,4 3 0 3 0 0Z", "M0 0L4.0.0L4 3e0L.0 3z"] {
             let (paths, fault) = parse(d);
             if d.ends_with('z') {
-                assert_eq!(fault.map(|f| f.0), Some("unknown-word"));
+                assert_eq!(fault.map(|f| f.0), Some(FindingCode::UnknownWord));
             } else {
                 assert_eq!((paths, fault), (square.clone(), None), "{d}");
             }
@@ -258,7 +270,7 @@ mod tests {
             ("M0 0L nan 0", "bad-path"),
             ("M0 0 Lé", "bad-path"),
         ] {
-            assert_eq!(parse(d).1.map(|f| f.0), Some(code), "{d}");
+            assert_eq!(parse(d).1.map(|f| f.0.as_str()), Some(code), "{d}");
         }
     }
 }

@@ -6,7 +6,7 @@
 use crate::manifest::MANIFEST;
 use crate::verify::finding::quote;
 use crate::verify::judge::files::proof::{By, Proof};
-use crate::verify::{Finding, OutputFiles};
+use crate::verify::{Finding, FindingCode, OutputFiles};
 
 /// Names the first difference of every file of `found` from the one `made` anew; those that are equal are proven by it.
 pub fn compare_bytes(made: &OutputFiles<'_>, found: &OutputFiles<'_>, proof: &mut Proof) {
@@ -38,13 +38,13 @@ fn first_difference(found: &[u8], right: &[u8]) -> Finding {
     if !is_text {
         let said = |bytes: &[u8]| bytes.get(at).map_or("the end".to_owned(), |byte| format!("{byte:#04x}"));
         let place = format!("{} at byte {at}", said(found));
-        return Finding::new("differs", None, place, said(right));
+        return Finding::new(FindingCode::Differs, None, place, said(right));
     }
     let line = found[..at].split(|byte| *byte == b'\n').count();
     let said = |bytes: &[u8]| {
         if at >= bytes.len() { "the end of the file".to_owned() } else { quote(&line_of(bytes)) }
     };
-    Finding::new("differs", line, said(found), said(right))
+    Finding::new(FindingCode::Differs, line, said(found), said(right))
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use crate::design::{Drawing as Exact, Layer, Origin, Shape};
 use crate::geom::{Arc, Bounds, Path, Point, Segment};
 use crate::verify::judge::path::measure::{Prepared, furthest};
-use crate::verify::{Drawing, Finding, Findings, SvgOrigin, deviation, read_dxf, read_svg};
+use crate::verify::{Drawing, Finding, FindingCode, Findings, SvgOrigin, deviation, read_dxf, read_svg};
 
 /// Reads an SVG; its page must be the drawing's.
 pub(in crate::verify) fn read_page(text: &str, exact: &Exact, findings: &mut Findings) -> Drawing {
@@ -20,7 +20,7 @@ pub(in crate::verify) fn read_page(text: &str, exact: &Exact, findings: &mut Fin
     let same = |(w, h): (f64, f64)| (w - exact.width).abs() <= 1e-2 && (h - exact.height).abs() <= 1e-2;
     if !drawing.page.is_some_and(same) {
         let found = drawing.page.map_or("no page".to_owned(), |(w, h)| format!("{w} x {h} mm"));
-        findings.add("wrong-size", None, found, format!("{} x {} mm", exact.width, exact.height));
+        findings.add(FindingCode::WrongSize, None, found, format!("{} x {} mm", exact.width, exact.height));
     }
     drawing
 }
@@ -34,7 +34,12 @@ fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
         let bounds = paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
         let inside = paths.is_empty() || page.contains(bounds.min) && page.contains(bounds.max);
         if !inside {
-            findings.add("outside-page", None, format!("{bounds:?} on layer {layer}"), format!("{page:?}"));
+            findings.add(
+                FindingCode::OutsidePage,
+                None,
+                format!("{bounds:?} on layer {layer}"),
+                format!("{page:?}"),
+            );
         }
     }
 }
@@ -57,7 +62,7 @@ pub(in crate::verify) fn compare(
     for (name, paths) in found.layers.iter().filter(|(_, paths)| !paths.is_empty()) {
         if !exact.layers.iter().any(|(layer, _)| layer.name() == name) {
             let found = format!("{} paths on layer {name}", paths.len());
-            findings.add("unknown-layer", None, found, "only the layers of the drawing");
+            findings.add(FindingCode::UnknownLayer, None, found, "only the layers of the drawing");
         }
     }
     for (layer, shapes) in &exact.layers {
@@ -78,19 +83,19 @@ fn compare_layer(
     let name = layer.name();
     if paths.len() != expected.len() {
         let (found, allowed) = (format!("{} paths on layer {name}", paths.len()), expected.len().to_string());
-        findings.add("path-count", None, found, allowed);
+        findings.add(FindingCode::PathCount, None, found, allowed);
     }
     let closed = |paths: &[Path]| paths.iter().filter(|path| path.closed).count();
     if closed(paths) != closed(expected) {
         let found = format!("{} closed paths on layer {name}", closed(paths));
-        findings.add("open-loop", None, found, closed(expected).to_string());
+        findings.add(FindingCode::OpenLoop, None, found, closed(expected).to_string());
     }
     // Rounding moves each vertex by less than a tolerance, so a doubled stretch stands out by far.
     let (length, right) = (total(paths), total(expected));
     let slack: f64 = paths.iter().flat_map(|path| &path.segments).map(|_| tolerance).sum();
     if (length - right).abs() > slack.max(tolerance) {
         let found = format!("{length:.3} mm on layer {name}");
-        findings.add("path-length", None, found, format!("{right:.3} mm"));
+        findings.add(FindingCode::PathLength, None, found, format!("{right:.3} mm"));
     }
     if expected.is_empty() && paths.is_empty() {
         return 0.0;
@@ -99,7 +104,7 @@ fn compare_layer(
         one_by_one(paths, expected, tolerance).unwrap_or_else(|| deviation(paths, expected).largest());
     if measured.is_nan() || measured > tolerance {
         findings.add(
-            "deviation",
+            FindingCode::Deviation,
             None,
             format!("{measured:.6} mm on layer {name}"),
             format!("{tolerance} mm"),
@@ -217,7 +222,7 @@ impl Seals {
                 let allowed = twin.map_or(format!("none, as in {other}"), |(_, c, l)| {
                     format!("{c} of {l:.3} mm, as in {other}")
                 });
-                findings.push(Finding::new("formats-disagree", None, found, allowed).in_file(file));
+                findings.push(Finding::new(FindingCode::FormatsDisagree, None, found, allowed).in_file(file));
             }
         }
         findings

@@ -8,7 +8,7 @@ use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::{drawings, paper, solid};
 use crate::verify::judge::job;
 use crate::verify::judge::job::Job;
-use crate::verify::{Finding, Findings, OutputFiles};
+use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
 /// What the verifier has to say about a directory.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,9 +52,10 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
         unreadable => {
             let found =
                 unreadable.and_then(Result::err).map_or("no such file".to_owned(), |error| error.to_string());
-            proof
-                .findings
-                .push(Finding::new("manifest", None, found, "the manifest of the build").in_file(MANIFEST));
+            proof.findings.push(
+                Finding::new(FindingCode::Manifest, None, found, "the manifest of the build")
+                    .in_file(MANIFEST),
+            );
             return proof;
         }
     };
@@ -86,27 +87,41 @@ fn names(files: &OutputFiles<'_>, manifest: &Manifest, wanted: &[Output], proof:
         let name = output.name();
         let mut entries = manifest.files.iter().filter(|entry| entry.path == name);
         match (entries.next(), entries.next()) {
-            (None, _) => blame(&name, "manifest", "not named in the manifest", format!("a {}", output.kind)),
-            (Some(_), Some(_)) => blame(&name, "manifest", "named more than once", "named once".to_owned()),
+            (None, _) => {
+                blame(&name, FindingCode::Manifest, "not named in the manifest", format!("a {}", output.kind))
+            }
+            (Some(_), Some(_)) => {
+                blame(&name, FindingCode::Manifest, "named more than once", "named once".to_owned())
+            }
             (Some(entry), None) if entry.output() != *output => {
-                blame(&name, "manifest", "named as another part or kind", format!("a {}", output.kind));
+                blame(
+                    &name,
+                    FindingCode::Manifest,
+                    "named as another part or kind",
+                    format!("a {}", output.kind),
+                );
             }
             _ => {}
         }
         if files.get(&name).is_none() {
-            blame(&name, "missing-file", "no such file", format!("a {}", output.kind));
+            blame(&name, FindingCode::MissingFile, "no such file", format!("a {}", output.kind));
         }
     }
     for entry in &manifest.files {
         if !wanted.iter().any(|output| output.name() == entry.path) {
-            blame(&entry.path, "manifest", "named in the manifest", "only files of the design".to_owned());
+            blame(
+                &entry.path,
+                FindingCode::Manifest,
+                "named in the manifest",
+                "only files of the design".to_owned(),
+            );
         }
     }
     for (name, _) in &files.files {
         if *name != MANIFEST && !manifest.files.iter().any(|entry| entry.path == *name) {
             blame(
                 name,
-                "unnamed-file",
+                FindingCode::UnnamedFile,
                 "a file that the manifest does not name",
                 "only what it names".to_owned(),
             );
@@ -116,11 +131,16 @@ fn names(files: &OutputFiles<'_>, manifest: &Manifest, wanted: &[Output], proof:
 
 fn check_hash(entry: &ManifestFile, bytes: &[u8], findings: &mut Findings) {
     if bytes.len() != entry.bytes {
-        findings.add("size", None, format!("{} bytes", bytes.len()), format!("{} bytes", entry.bytes));
+        findings.add(
+            FindingCode::Size,
+            None,
+            format!("{} bytes", bytes.len()),
+            format!("{} bytes", entry.bytes),
+        );
     }
     let hash = sha256(bytes);
     if hash != entry.sha256 {
-        findings.add("hash", None, hash, entry.sha256.clone());
+        findings.add(FindingCode::Hash, None, hash, entry.sha256.clone());
     }
 }
 
@@ -137,7 +157,7 @@ fn file(
         _ => {}
     }
     let Ok(text) = std::str::from_utf8(bytes) else {
-        findings.add("not-text", None, "bytes that are not UTF-8", "text");
+        findings.add(FindingCode::NotText, None, "bytes that are not UTF-8", "text");
         return (By::Reading, None);
     };
     match (output.kind.subject(), output.kind.format()) {
@@ -181,7 +201,7 @@ fn solid_or_paper(
 /// The prediction made anew, against the one that was written.
 fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
     let Some(right) = expected.prediction else {
-        findings.add("prediction", None, "a prediction", "none: this spec has no prediction");
+        findings.add(FindingCode::Prediction, None, "a prediction", "none: this spec has no prediction");
         return;
     };
     // The same program gives the same bytes; another build of it may differ in the last digits.
@@ -192,7 +212,7 @@ fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
     };
     if !same {
         findings.add(
-            "prediction",
+            FindingCode::Prediction,
             None,
             "other figures than this spec gives",
             "what `predict --json` prints",

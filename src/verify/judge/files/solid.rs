@@ -4,7 +4,7 @@ use crate::design::{Drawing, Layer};
 use crate::geom::{Path, Point};
 use crate::verify::judge::files::drawings::paths_of;
 use crate::verify::judge::path::measure::Prepared;
-use crate::verify::{Facet, Findings, read_stl};
+use crate::verify::{Facet, FindingCode, Findings, read_stl};
 
 /// What chords and single precision may take away, mm.
 const TOLERANCE: f64 = 0.025;
@@ -18,7 +18,12 @@ pub(in crate::verify) fn check(
 ) -> f64 {
     let Some(facets) = read_stl(bytes) else {
         let found = format!("{} bytes that are no binary STL", bytes.len());
-        findings.add("bad-stl", None, found, "a head of 84 bytes and 50 a facet, all numbers finite");
+        findings.add(
+            FindingCode::BadStl,
+            None,
+            found,
+            "a head of 84 bytes and 50 a facet, all numbers finite",
+        );
         return f64::INFINITY;
     };
     closed(&facets, findings);
@@ -36,7 +41,7 @@ pub(in crate::verify) fn check(
     let volume: f64 = facets.iter().map(sixfold).sum::<f64>() / 6.0;
     // Chords cut off less than the tolerance along all edges.
     if (volume - right).abs() > length * TOLERANCE * thickness {
-        findings.add("wrong-volume", None, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
+        findings.add(FindingCode::WrongVolume, None, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
     }
     let paths: Vec<Path> = exact.into_iter().map(|(_, path)| path).collect();
     edges(&facets, &paths, length, thickness, findings)
@@ -67,7 +72,12 @@ fn closed(facets: &[Facet], findings: &mut Findings) {
         open += usize::from(!paired(uses));
     }
     if open > 0 || all == 0 {
-        findings.add("not-watertight", None, format!("{open} of {all} edges"), "each once each way");
+        findings.add(
+            FindingCode::NotWatertight,
+            None,
+            format!("{open} of {all} edges"),
+            "each once each way",
+        );
     }
 }
 
@@ -115,11 +125,16 @@ fn edges(facets: &[Facet], paths: &[Path], right: f64, thickness: f64, findings:
         }
     }
     if largest.is_nan() || largest > TOLERANCE {
-        findings.add("deviation", None, format!("{largest:.6} mm"), format!("{TOLERANCE} mm"));
+        findings.add(FindingCode::Deviation, None, format!("{largest:.6} mm"), format!("{TOLERANCE} mm"));
     }
     // A chord within the tolerance of its arc is shorter than it by far less than a hundredth.
     if (length - right).abs() > 0.01 * right {
-        findings.add("path-length", None, format!("{length:.1} mm of edges"), format!("{right:.1} mm"));
+        findings.add(
+            FindingCode::PathLength,
+            None,
+            format!("{length:.1} mm of edges"),
+            format!("{right:.1} mm"),
+        );
     }
     largest
 }

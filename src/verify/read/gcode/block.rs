@@ -1,5 +1,6 @@
 //! A line that the dialect understands: its commands and the values of its other words.
 
+use crate::verify::FindingCode;
 use crate::verify::read::gcode::lexer::{Fault, Word};
 use crate::verify::read::gcode::{Command, Dialect};
 
@@ -19,11 +20,15 @@ impl Block {
             let name = || format!("{}{}", char::from(word.letter), word.number);
             if matches!(word.letter, b'G' | b'M') || (word.letter == b'T' && place == 0) {
                 let Some(command) = dialect.command(word.letter, word.number) else {
-                    return Err(("unknown-word", name(), format!("codes of {}", dialect.name)));
+                    return Err((FindingCode::UnknownWord, name(), format!("codes of {}", dialect.name)));
                 };
                 if let Some(other) = self.commands.iter().find(|c| c.group() == command.group()) {
                     let found = format!("{} ({command:?}) beside {other:?}", name());
-                    return Err(("modal-conflict", found, "one code of each group on a line".to_owned()));
+                    return Err((
+                        FindingCode::ModalConflict,
+                        found,
+                        "one code of each group on a line".to_owned(),
+                    ));
                 }
                 self.commands.push(command);
                 continue;
@@ -31,8 +36,12 @@ impl Block {
             let known = dialect.parameters.as_bytes().contains(&word.letter);
             let slot = word.letter.checked_sub(b'A').and_then(|i| self.values.get_mut(usize::from(i)));
             match slot.filter(|_| known) {
-                None => return Err(("unknown-word", name(), format!("words {}", dialect.parameters))),
-                Some(Some(_)) => return Err(("repeated-word", name(), "each letter once a line".to_owned())),
+                None => {
+                    return Err((FindingCode::UnknownWord, name(), format!("words {}", dialect.parameters)));
+                }
+                Some(Some(_)) => {
+                    return Err((FindingCode::RepeatedWord, name(), "each letter once a line".to_owned()));
+                }
                 Some(slot) => *slot = Some(word.number),
             }
         }
@@ -65,36 +74,48 @@ impl Block {
     fn check(&self) -> Result<(), Fault> {
         let dwell = self.has(Command::Dwell);
         if dwell && self.has_any(b"XYZIJ") {
-            return Err(("modal-conflict", "a dwell with axis words".to_owned(), "P alone".to_owned()));
+            return Err((
+                FindingCode::ModalConflict,
+                "a dwell with axis words".to_owned(),
+                "P alone".to_owned(),
+            ));
         }
         if let Some(command) = self.commands.iter().find(|command| command.stands_alone()) {
             if self.commands.len() > 1 || self.has_any(b"XYZJF") {
                 let found = format!("{command:?} beside other words");
-                return Err(("modal-conflict", found, "it alone".to_owned()));
+                return Err((FindingCode::ModalConflict, found, "it alone".to_owned()));
             }
             let heats = matches!(command, Command::HeatAndWait | Command::HeatOnly);
             if heats && !self.value(b'S').is_some_and(|s| s >= 0.0) {
-                return Err(("bad-number", "heat without a temperature".to_owned(), "S, >= 0".to_owned()));
+                return Err((
+                    FindingCode::BadNumber,
+                    "heat without a temperature".to_owned(),
+                    "S, >= 0".to_owned(),
+                ));
             }
         } else if self.value(b'P').is_some() != dwell {
-            return Err(("unused-word", "P or a dwell, one of them".to_owned(), "both or none".to_owned()));
+            return Err((
+                FindingCode::UnusedWord,
+                "P or a dwell, one of them".to_owned(),
+                "both or none".to_owned(),
+            ));
         }
         let own = |letter: u8| self.commands.iter().any(|command| command.own_letters().contains(&letter));
         if let Some(letter) =
             [b'P', b'R', b'S', b'T'].into_iter().find(|l| self.value(*l).is_some() && !own(*l))
         {
             let found = format!("{} without its command", char::from(letter));
-            return Err(("unused-word", found, "words that something reads".to_owned()));
+            return Err((FindingCode::UnusedWord, found, "words that something reads".to_owned()));
         }
         if let Some(p) = self.value(b'P').filter(|p| *p < 0.0) {
-            return Err(("bad-number", format!("P{p}"), "a time >= 0".to_owned()));
+            return Err((FindingCode::BadNumber, format!("P{p}"), "a time >= 0".to_owned()));
         }
         if let Some(f) = self.value(b'F').filter(|f| *f <= 0.0) {
-            return Err(("bad-feed", format!("F{f}"), "a feed > 0".to_owned()));
+            return Err((FindingCode::BadFeed, format!("F{f}"), "a feed > 0".to_owned()));
         }
         if self.has_any(b"IJ") && !self.has_any(b"XY") && !own(b'I') {
             return Err((
-                "bad-arc",
+                FindingCode::BadArc,
                 "a centre without an end point".to_owned(),
                 "X or Y with I, J".to_owned(),
             ));

@@ -1,10 +1,10 @@
 //! The interpreter: line after line, in constant memory.
 
-use crate::verify::Finding;
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::lexer::Word;
 use crate::verify::read::gcode::machine::{Here, Machine, report};
 use crate::verify::read::gcode::{Command, Comment, CommentMark, Dialect, Event, Pause, lexer};
+use crate::verify::{Finding, FindingCode};
 
 /// How the last line of every program begins; the number of lines follows.
 const SENTINEL: &str = "end of program, ";
@@ -59,7 +59,7 @@ impl Interpreter {
         if line.len() > self.dialect.line_length {
             let found = format!("{} characters", line.len());
             let allowed = format!("at most {}", self.dialect.line_length);
-            report(events, "line-too-long", self.line, &found, &allowed);
+            report(events, FindingCode::LineTooLong, self.line, &found, &allowed);
         }
         let mut comment = None;
         if let Some(command) = self.whole_word(line) {
@@ -90,14 +90,20 @@ impl Interpreter {
     /// After the last line: reports what is missing.
     pub fn finish(&mut self, events: &mut Vec<Event>) {
         if self.ended.is_none() {
-            report(events, "truncated", self.line, "no end of the program", "M2 or M30");
+            report(events, FindingCode::Truncated, self.line, "no end of the program", "M2 or M30");
         }
         if !self.sentinel || !self.complete {
             let allowed = format!("last line \"; {SENTINEL}{} lines\" and a line end", self.line);
-            report(events, "truncated", self.line, "another last line", &allowed);
+            report(events, FindingCode::Truncated, self.line, "another last line", &allowed);
         }
         if self.announced.take().is_some() {
-            report(events, "heat-without-pause", self.line, "a heating that nobody waits for", "M0 after it");
+            report(
+                events,
+                FindingCode::HeatWithoutPause,
+                self.line,
+                "a heating that nobody waits for",
+                "M0 after it",
+            );
         }
     }
 
@@ -115,7 +121,7 @@ impl Interpreter {
     fn execute(&mut self, events: &mut Vec<Event>) {
         if let Some(end) = self.ended {
             let found = format!("words after the program's end in line {end}");
-            report(events, "after-end", self.line, &found, "comments only");
+            report(events, FindingCode::AfterEnd, self.line, &found, "comments only");
             return;
         }
         let pause = self.block.has(Command::Pause);
@@ -124,7 +130,13 @@ impl Interpreter {
             self.announced = None;
         }
         if !pause && self.announced.take().is_some() {
-            report(events, "heat-without-pause", self.line, "words between heating and pause", "M0 first");
+            report(
+                events,
+                FindingCode::HeatWithoutPause,
+                self.line,
+                "words between heating and pause",
+                "M0 first",
+            );
         }
         let (block, line, dialect) = (&self.block, self.line, &self.dialect);
         self.machine.execute(&mut Here { block, line, dialect, out: events });
@@ -146,7 +158,7 @@ impl Interpreter {
             if self.announced.is_none() {
                 report(
                     events,
-                    "bad-comment",
+                    FindingCode::BadComment,
                     self.line,
                     "heat without a temperature",
                     "temperature_C=number",

@@ -1,5 +1,6 @@
 //! Cuts a line into words and a comment.
 
+use crate::verify::FindingCode;
 use crate::verify::finding::quote;
 use crate::verify::read::gcode::{CommentMark, Dialect};
 use crate::verify::read::number;
@@ -12,7 +13,7 @@ pub(super) struct Word {
 }
 
 /// What is wrong with a line's characters: code, found, allowed.
-pub(super) type Fault = (&'static str, String, String);
+pub(super) type Fault = (FindingCode, String, String);
 
 /// The words of `line` into `words` (emptied first), and its comment without the semicolon.
 ///
@@ -24,12 +25,12 @@ pub(super) fn cut<'a>(
 ) -> (Option<&'a str>, Option<Fault>) {
     words.clear();
     if let Some(bad) = line.chars().find(|c| !matches!(c, ' '..='~')) {
-        let fault = ("bad-character", format!("{bad:?}"), "printable ASCII".to_owned());
+        let fault = (FindingCode::BadCharacter, format!("{bad:?}"), "printable ASCII".to_owned());
         return (None, Some(fault));
     }
     if let Some(bad) = line.bytes().find(|c| dialect.forbidden.as_bytes().contains(c)) {
         let allowed = format!("no character of {} in {}", dialect.forbidden, dialect.name);
-        return (None, Some(("bad-character", format!("{:?}", char::from(bad)), allowed)));
+        return (None, Some((FindingCode::BadCharacter, format!("{:?}", char::from(bad)), allowed)));
     }
     let (code, comment) = match split_comment(line, dialect) {
         Ok(parts) => parts,
@@ -45,12 +46,14 @@ pub(super) fn cut<'a>(
                         rest = tail.trim_start();
                         continue;
                     }
-                    None => ("bad-number", quote(text), format!("at most {}", number::LARGEST)),
+                    None => (FindingCode::BadNumber, quote(text), format!("at most {}", number::LARGEST)),
                 },
-                None => ("bad-number", quote(rest), "a decimal number after each letter".to_owned()),
+                None => {
+                    (FindingCode::BadNumber, quote(rest), "a decimal number after each letter".to_owned())
+                }
             }
         } else {
-            ("unknown-word", quote(rest), "a capital letter and a number".to_owned())
+            (FindingCode::UnknownWord, quote(rest), "a capital letter and a number".to_owned())
         };
         words.clear();
         return (comment, Some(fault));
@@ -66,24 +69,31 @@ fn split_comment<'a>(line: &'a str, dialect: &Dialect) -> Result<(&'a str, Optio
     let Some((code, rest)) = line.split_once('(') else {
         return match line.find(')') {
             None => Ok((line, None)),
-            Some(_) => Err(("bad-comment", quote(line), "a comment that begins before it ends".to_owned())),
+            Some(_) => {
+                Err((FindingCode::BadComment, quote(line), "a comment that begins before it ends".to_owned()))
+            }
         };
     };
     match rest.split_once(')') {
         Some((comment, "")) if !comment.contains('(') => Ok((code, Some(comment))),
-        _ => Err(("bad-comment", quote(line), "one comment, closed at the end of the line".to_owned())),
+        _ => Err((
+            FindingCode::BadComment,
+            quote(line),
+            "one comment, closed at the end of the line".to_owned(),
+        )),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spec::Code;
 
     fn words(line: &str) -> Result<Vec<(char, f64)>, &'static str> {
         let mut words = Vec::new();
         match cut(line, &Dialect::GENERIC, &mut words) {
             (_, None) => Ok(words.iter().map(|w| (char::from(w.letter), w.number)).collect()),
-            (_, Some((code, _, _))) => Err(code),
+            (_, Some((code, _, _))) => Err(code.as_str()),
         }
     }
 

@@ -1,11 +1,11 @@
 //! Executes blocks: the modes, the position and the heat of the simulated machine.
 
 use crate::geom::{Line, Point, Segment};
-use crate::verify::Finding;
 use crate::verify::read::gcode::arc::arc;
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::modes::Modes;
 use crate::verify::read::gcode::{Command, Dialect, Dwell, Event, Move, MoveKind, Point3};
+use crate::verify::{Finding, FindingCode};
 
 /// A line that is executed, and where what it does is told.
 pub(super) struct Here<'a> {
@@ -16,7 +16,7 @@ pub(super) struct Here<'a> {
 }
 
 impl Here<'_> {
-    fn report(&mut self, code: &'static str, found: &str, allowed: &str) {
+    fn report(&mut self, code: FindingCode, found: &str, allowed: &str) {
         report(self.out, code, self.line, found, allowed);
     }
 }
@@ -76,14 +76,14 @@ impl Machine {
         if block.has_any(b"XYZIJ") {
             self.travel(here);
         } else if block.has(Command::ArcCw) || block.has(Command::ArcCcw) {
-            here.report("bad-arc", "an arc without an end point", "X or Y with I, J");
+            here.report(FindingCode::BadArc, "an arc without an end point", "X or Y with I, J");
         }
     }
 
     fn travel(&mut self, here: &mut Here<'_>) {
         let Here { block, line, .. } = *here;
         let Some(motion) = self.modes.motion else {
-            here.report("mode-unset", "axis words before any motion", "G0, G1, G2 or G3 first");
+            here.report(FindingCode::ModeUnset, "axis words before any motion", "G0, G1, G2 or G3 first");
             return;
         };
         self.require(self.modes.units.is_some(), "units (G20, G21)", here);
@@ -93,7 +93,7 @@ impl Machine {
         let kind = if motion == Command::Rapid { MoveKind::Rapid } else { MoveKind::Feed };
         let arcs = matches!(motion, Command::ArcCw | Command::ArcCcw);
         if !arcs && block.has_any(b"IJ") {
-            here.report("unused-word", "I or J on a straight move", "I, J with G2, G3 only");
+            here.report(FindingCode::UnusedWord, "I or J on a straight move", "I, J with G2, G3 only");
         }
         let at_feed = kind == MoveKind::Feed || here.dialect.travel_at_feed;
         if at_feed && kind == MoveKind::Rapid {
@@ -104,7 +104,7 @@ impl Machine {
         let (Some(from), Some(to)) = (before, self.at()) else {
             if kind == MoveKind::Feed || !height_known {
                 let found = "a move from a position that the program never set";
-                here.report("unknown-position", found, "rapids first: Z, then X and Y");
+                here.report(FindingCode::UnknownPosition, found, "rapids first: Z, then X and Y");
             }
             return;
         };
@@ -132,7 +132,7 @@ impl Machine {
                 *at += value;
             } else {
                 let found = format!("a displacement {} from nowhere", char::from(letter));
-                here.report("unknown-position", &found, "a position (G90) first");
+                here.report(FindingCode::UnknownPosition, &found, "a position (G90) first");
                 return None;
             }
         }
@@ -147,7 +147,7 @@ impl Machine {
         let absolute = self.modes.centers == Some(Command::CentersAbsolute);
         let (i, j) = (here.block.value(b'I'), here.block.value(b'J'));
         if (i.is_none() && j.is_none()) || (absolute && (i.is_none() || j.is_none())) {
-            here.report("bad-arc", "an arc without a centre", "I and J");
+            here.report(FindingCode::BadArc, "an arc without a centre", "I and J");
             return chord;
         }
         let scale = self.modes.scale();
@@ -157,7 +157,7 @@ impl Machine {
         match arc(from, to, center, ccw, &here.dialect.arcs) {
             Ok(arc) => Some(arc.into()),
             Err((found, allowed)) => {
-                here.report("bad-arc", &found, &allowed);
+                here.report(FindingCode::BadArc, &found, &allowed);
                 chord
             }
         }
@@ -169,7 +169,7 @@ impl Machine {
         if self.modes.is_inverse_time() {
             let feed = here.block.value(b'F').map(|f| f * step.length());
             if feed.is_none() {
-                here.report("bad-feed", "a move without F in inverse time", "F on each line");
+                here.report(FindingCode::BadFeed, "a move without F in inverse time", "F on each line");
             }
             return feed.filter(|f| *f > 0.0);
         }
@@ -181,12 +181,16 @@ impl Machine {
     fn require(&mut self, set: bool, name: &'static str, here: &mut Here<'_>) {
         if !set && !self.reported.contains(&name) {
             self.reported.push(name);
-            here.report("mode-unset", &format!("{name} not set"), "every mode set before it is needed");
+            here.report(
+                FindingCode::ModeUnset,
+                &format!("{name} not set"),
+                "every mode set before it is needed",
+            );
         }
     }
 }
 
 /// Adds a finding to the events.
-pub(super) fn report(out: &mut Vec<Event>, code: &'static str, line: usize, found: &str, allowed: &str) {
+pub(super) fn report(out: &mut Vec<Event>, code: FindingCode, line: usize, found: &str, allowed: &str) {
     out.push(Event::Finding(Finding::new(code, line, found, allowed)));
 }

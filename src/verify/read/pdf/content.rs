@@ -4,7 +4,7 @@ use crate::geom::{Arc, Bounds, Line, Path, Point, Segment};
 use crate::verify::finding::quote;
 use crate::verify::read::pdf::object::{Object, Scan};
 use crate::verify::read::pdf::page::PdfPage;
-use crate::verify::{Drawing, Findings};
+use crate::verify::{Drawing, FindingCode, Findings};
 
 /// How far a curve may leave the circle through its ends and its middle, mm, to be read as an arc.
 const ROUND: f64 = 0.002;
@@ -65,14 +65,24 @@ pub(in crate::verify) fn read(
                 pen.operator(word, &operands, name.take());
                 operands.clear();
             }
-            _ => pen.findings.add("unknown-word", None, "an operand that is no number", "numbers and names"),
+            _ => pen.findings.add(
+                FindingCode::UnknownWord,
+                None,
+                "an operand that is no number",
+                "numbers and names",
+            ),
         }
     }
     if !stream.get(scan.position()..).unwrap_or_default().iter().all(u8::is_ascii_whitespace) {
-        pen.findings.add("bad-pdf", None, format!("junk at byte {} of a page", scan.position()), "operators");
+        pen.findings.add(
+            FindingCode::BadPdf,
+            None,
+            format!("junk at byte {} of a page", scan.position()),
+            "operators",
+        );
     }
     if !pen.saved.is_empty() || !pen.layers.is_empty() {
-        pen.findings.add("truncated", None, "a page that ends within q or BMC", "Q and EMC");
+        pen.findings.add(FindingCode::Truncated, None, "a page that ends within q or BMC", "Q and EMC");
     }
     pen.page
 }
@@ -83,7 +93,7 @@ impl PdfPen<'_> {
             ("q", []) => self.saved.push(self.state),
             ("Q", []) => match self.saved.pop() {
                 Some(state) => self.state = state,
-                None => self.findings.add("bad-pdf", None, "Q without q", "pairs"),
+                None => self.findings.add(FindingCode::BadPdf, None, "Q without q", "pairs"),
             },
             ("cm", [a, b, c, d, e, f]) if *b == 0.0 && *c == 0.0 && a == d && *a > 0.0 => {
                 let State { scale, shift: (x, y), .. } = self.state;
@@ -91,7 +101,12 @@ impl PdfPen<'_> {
                 self.state.scale = scale * a;
             }
             ("cm", _) => {
-                self.findings.add("transform", None, format!("cm {operands:?}"), "scaling and shifting only");
+                self.findings.add(
+                    FindingCode::Transform,
+                    None,
+                    format!("cm {operands:?}"),
+                    "scaling and shifting only",
+                );
             }
             ("BMC", []) => self.layers.push(name.unwrap_or_default().to_owned()),
             ("EMC", []) => drop(self.layers.pop()),
@@ -122,7 +137,12 @@ impl PdfPen<'_> {
             }
             _ => {
                 let found = quote(&format!("{operands:?} {word}"));
-                self.findings.add("unknown-word", None, found, "q Q cm BMC EMC w G m l c h re W n S s");
+                self.findings.add(
+                    FindingCode::UnknownWord,
+                    None,
+                    found,
+                    "q Q cm BMC EMC w G m l c h re W n S s",
+                );
             }
         }
     }
@@ -134,7 +154,7 @@ impl PdfPen<'_> {
 
     fn push(&mut self, segment: impl Into<Segment>, end: Point) {
         if self.start.is_none() {
-            self.findings.add("bad-path", None, "a path that does not begin with m", "m first");
+            self.findings.add(FindingCode::BadPath, None, "a path that does not begin with m", "m first");
         }
         self.segments.push(segment.into());
         self.here = end;
@@ -168,7 +188,12 @@ impl PdfPen<'_> {
         match segment.filter(is_on) {
             Some(segment) => self.push(segment, end),
             None => {
-                self.findings.add("bad-arc", None, "a curve that is no arc of a circle", "lines and arcs");
+                self.findings.add(
+                    FindingCode::BadArc,
+                    None,
+                    "a curve that is no arc of a circle",
+                    "lines and arcs",
+                );
             }
         }
     }
@@ -209,7 +234,12 @@ impl PdfPen<'_> {
             }
             self.page.drawing.layers.entry(layer).or_default().extend(paths);
         } else if paths.len() != 1 {
-            self.findings.add("unknown-word", None, "a path that is not drawn", "a clip, or a stroke");
+            self.findings.add(
+                FindingCode::UnknownWord,
+                None,
+                "a path that is not drawn",
+                "a clip, or a stroke",
+            );
         }
     }
 }

@@ -9,8 +9,8 @@ mod page;
 
 use std::collections::BTreeMap;
 
-use crate::verify::Findings;
 use crate::verify::read::pdf::object::{Object, Scan};
+use crate::verify::{FindingCode, Findings};
 
 pub use page::PdfPage;
 
@@ -23,14 +23,14 @@ type Objects<'a> = BTreeMap<u32, (Object<'a>, Option<&'a [u8]>)>;
 /// Reads the pages of a PDF file; what is wrong with it goes to `findings`.
 pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
     if !bytes.starts_with(b"%PDF-1.") {
-        findings.add("bad-pdf", 1, "no %PDF-1. at the beginning", "a PDF file");
+        findings.add(FindingCode::BadPdf, 1, "no %PDF-1. at the beginning", "a PDF file");
         return Vec::new();
     }
     let Some((objects, trailer)) = objects(bytes, findings) else { return Vec::new() };
     let object = |reference: Option<&Object<'_>>| objects.get(&reference?.target()?);
     let tree = object(trailer.get("Root")).and_then(|(catalog, _)| object(catalog.get("Pages")));
     let Some((tree, _)) = tree else {
-        findings.add("bad-pdf", None, "no page tree", "a catalog with pages");
+        findings.add(FindingCode::BadPdf, None, "no page tree", "a catalog with pages");
         return Vec::new();
     };
     let mut pages = Vec::new();
@@ -41,7 +41,7 @@ pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
         });
         let Some((page, stream, size)) = content else {
             findings.add(
-                "bad-pdf",
+                FindingCode::BadPdf,
                 None,
                 "a page without size or content",
                 "a MediaBox at 0 0 and one stream",
@@ -49,7 +49,7 @@ pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
             continue;
         };
         for key in ["Rotate", "CropBox", "Annots"].into_iter().filter(|key| page.get(key).is_some()) {
-            findings.add("transform", None, format!("a page with /{key}"), "a page as it is");
+            findings.add(FindingCode::Transform, None, format!("a page with /{key}"), "a page as it is");
         }
         let unit = page.get("UserUnit").and_then(Object::number).unwrap_or(1.0);
         pages.push(content::read(stream, size, unit * POINT, findings));
@@ -72,7 +72,7 @@ fn objects<'a>(bytes: &'a [u8], findings: &mut Findings) -> Option<(Objects<'a>,
     let mut scan = Scan::new(bytes);
     let mut objects = Objects::new();
     let mut refuse = |found: String| {
-        findings.add("bad-pdf", None, found, "objects as PDF 1.7 has them");
+        findings.add(FindingCode::BadPdf, None, found, "objects as PDF 1.7 has them");
         None
     };
     loop {

@@ -1,0 +1,94 @@
+//! Codes: the stable kebab-case words by which scripts tell one fault, refusal or finding from another.
+//!
+//! Each room declares its own in one table: name, word, and the sentence that docs/codes.md shows. Whoever reports
+//! something names a code of the table, so that none can be misspelt or be missing from the page.
+
+/// A code of some room.
+pub trait Code: Copy {
+    /// The word for scripts: "no-arm".
+    fn as_str(self) -> &'static str;
+
+    /// What it means and what to do, in one sentence.
+    fn meaning(self) -> &'static str;
+}
+
+/// Declares the codes of a room: an enum with `ALL`, and [`Code`] for it.
+macro_rules! codes {
+    ($(#[$doc:meta])* $room:ident { $($name:ident $word:literal $meaning:literal,)+ }) => {
+        $(#[$doc])*
+        #[non_exhaustive]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum $room {
+            $(#[doc = $meaning] $name,)+
+        }
+
+        impl $room {
+            /// Every code of this room, in the order of the alphabet.
+            pub const ALL: &'static [Self] = &[$(Self::$name),+];
+        }
+
+        impl $crate::spec::Code for $room {
+            fn as_str(self) -> &'static str {
+                match self { $(Self::$name => $word),+ }
+            }
+
+            fn meaning(self) -> &'static str {
+                match self { $(Self::$name => $meaning),+ }
+            }
+        }
+
+        /// The word for scripts.
+        impl std::fmt::Display for $room {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str($crate::spec::Code::as_str(*self))
+            }
+        }
+
+        /// Compares the word for scripts.
+        impl PartialEq<&str> for $room {
+            fn eq(&self, word: &&str) -> bool {
+                $crate::spec::Code::as_str(*self) == *word
+            }
+        }
+    };
+}
+
+pub(crate) use codes;
+
+codes! {
+    /// What the readers of specs and machine profiles find.
+    FaultCode {
+        Cell "cell" "A cell of a table is no number in its range; write one, with a decimal point.",
+        CellCount "cell-count" "A row of a table has more or fewer cells than its header; mend the row.",
+        Conflict "conflict" "Two values exclude each other; delete or change one of them.",
+        DecimalComma "decimal-comma" "A number of a table is written with a decimal comma; write a point.",
+        DuplicateIndex "duplicate-index" "One star has two `[[stack.star]]` sections; write all of its keys into one.",
+        Edit "edit" "The star of this spec cannot be given other values; write [star] with one key a line.",
+        LineEnd "line-end" "A line of a table ends with CR alone; save the table as CSV once more.",
+        MissingKey "missing-key" "A required key is not written; write it.",
+        Name "name" "A name is empty, too long, or holds control characters; choose another.",
+        NoColumn "no-column" "A table lacks a column; add it, under the name shown.",
+        NoHeader "no-header" "A table does not begin with the names of its columns; write them above the numbers.",
+        NoRows "no-rows" "A table has a header and nothing below it; see whether it is the right file.",
+        NoUnit "no-unit" "A quantity is a bare number; write it in quotes, with one of the units shown.",
+        NotANumber "not-a-number" "A quantity does not begin with a decimal number; write one, with a decimal point.",
+        NotText "not-text" "The file is not UTF-8; save it as UTF-8, and see whether it is the right file.",
+        OpenQuote "open-quote" "A quoted cell of a table does not end in its line; close the quote.",
+        OutOfRange "out-of-range" "A value is outside of the range shown; choose one inside.",
+        OwnValue "own-value" "A `[[stack.star]]` decides a value that [star] should be given; move it into [star].",
+        Profile "profile" "The machine's profile is neither a name nor a path; write one of them.",
+        ProgramLine "program-line" "A line that the profile puts into programs cannot stand there; shorten or mend it.",
+        Ptfe "ptfe" "The temperature harms the PTFE release layer: a warning above 260 C, refused from 300 C; lower it.",
+        Schema "schema" "The spec is of a version that this program does not know; write the one shown.",
+        Syntax "syntax" "The text is not TOML; mend the line shown.",
+        TooLarge "too-large" "The file is larger than any spec; see whether it is the right one.",
+        TwoColumns "two-columns" "A table has two columns of one name; delete or rename one.",
+        Unit "unit" "A column of a table is in another unit than needed; convert it.",
+        UnknownChoice "unknown-choice" "The word is none of the choices shown; take one of them.",
+        UnknownKey "unknown-key" "No key has this name here; write the one suggested, or delete it.",
+        UnknownMachine "unknown-machine" "No machine profile has this name, and no file; `stargrip-cam machines` lists them.",
+        UnknownSection "unknown-section" "No section has this name; write the one suggested, or delete it.",
+        UnknownUnit "unknown-unit" "The unit does not fit the quantity, or is unknown; write one of those shown.",
+        WrongType "wrong-type" "The value is of another kind than the key takes; write it as shown.",
+    }
+}
