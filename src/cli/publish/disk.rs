@@ -1,7 +1,7 @@
 //! The few operations on files that publishing is made of.
 //!
 //! Nothing else in this room changes a file. So a test can make any single one of them fail, or be the
-//! last one that a killed process does, and try them all ([`faults`](super::faults)).
+//! last one that a killed process does, and try them all (`faults.rs`).
 
 use std::fs::{File, Permissions};
 use std::io::Write;
