@@ -58,10 +58,10 @@ fn paper_of_another_scale_or_size_is_found() {
 
 #[test]
 fn paper_with_a_lost_or_unknown_stroke_is_found() {
-    assert_found(PAPER, "unknown-word", swap("/mask-plate BMC", "\ns\n", "\nb\n"));
-    assert_found(PAPER, "path-count", swap("/mask-window BMC", "\ns\n", "\nn\n"));
+    assert_found(PAPER, "unknown-word", swap("/mask-plate BMC", "\nS\n", "\nb\n"));
+    assert_found(PAPER, "path-count", swap("/mask-window BMC", "\nS\n", "\nn\n"));
     assert_found(PAPER, "unknown-layer", swap("stream", "/mask-plate BMC", "/mask-plane BMC"));
-    assert_found(PAPER, "open-loop", swap("/mask-plate BMC", "\ns\n", "\nS\n"));
+    assert_found(PAPER, "open-loop", swap("/mask-plate BMC", "\nh\n", "\n \n"));
 }
 
 #[test]

@@ -143,15 +143,11 @@ fn coupon(spec: &Spec, machine: &Machine, name: &str, seams: &[Piece]) -> Result
 
 /// The seams and their numbers at 1:1.
 fn drawing(name: &str, spec: &Spec, seams: &[Piece]) -> String {
-    let labels: Vec<Path> = seams
-        .iter()
-        .filter_map(|piece| Some((piece.number, piece.label?)))
-        .flat_map(|(number, at)| lettered(&number.to_string(), at, LABEL))
-        .collect();
-    let bounds = seams.iter().map(|piece| &piece.path).chain(&labels).map(Path::bounds);
+    let label = |piece: &Piece| Shape::figure(lettered(&piece.number.to_string(), piece.label?, LABEL));
+    let labels: Vec<Shape> = seams.iter().filter_map(label).collect();
+    let bounds = seams.iter().map(|piece| piece.path.bounds()).chain(labels.iter().map(Shape::bounds));
     let bounds = bounds.fold(Bounds::EMPTY, Bounds::union);
     let seals = seams.iter().map(|piece| Shape::Path(piece.path.clone())).collect();
-    let labels = Shape::figure(labels).into_iter().collect();
     let layers = vec![(Layer::SealOuter, seals), (Layer::Label, labels)];
     let (width, height) = (bounds.max.x + 10.0, bounds.max.y + 10.0);
     let drawing = Drawing { origin: Origin::LowerLeft, width, height, layers };
