@@ -155,6 +155,37 @@ mod tests {
     }
 
     #[test]
+    fn strokes_meet_end_to_end_and_climb_evenly() {
+        let line: Segment = Line::new(Point::new(1.0, 2.0), Point::new(4.0, 6.0)).into();
+        let (from, to) = (5.0, -0.3);
+        let found = strokes(line, Some((from, to)));
+        // The way is 7.29 mm in space: 37 strokes, none longer than 0.2 mm.
+        assert_eq!(found.len(), 37);
+        let (mut here, mut way) = (line.start(), 0.0);
+        for stroke in &found {
+            assert!(stroke.piece.start().distance(here) < 1e-12);
+            here = stroke.piece.end();
+            way += stroke.piece.length() / line.length();
+            let height = stroke.height.expect("a height");
+            assert!((height - (from + way * (to - from))).abs() < 1e-12, "{height} at {way}");
+        }
+        assert!(here.distance(line.end()) < 1e-12);
+        let level = strokes(line, None);
+        assert!(level.len() == 25 && level.iter().all(|stroke| stroke.height.is_none()));
+    }
+
+    #[test]
+    fn the_speed_is_reached_if_half_the_way_is_enough() {
+        // At 10 mm/s^2, 0.65 mm/s is reached and left again within 0.0423 mm.
+        for (length, seconds) in
+            [(0.05, 0.05 / 0.65 + 0.065), (0.035, 2.0 * 0.0035_f64.sqrt()), (2.0, 2.0 / 0.65 + 0.065)]
+        {
+            assert!((move_time(length, 0.65, Some(10.0)) - seconds).abs() < 1e-12, "{length}");
+        }
+        assert!((move_time(0.3, 2.0, Some(10.0)) - 2.0 * 0.03_f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
     fn a_steady_piece_is_one_stroke() {
         let line: Segment = Line::new(Point::ORIGIN, Point::new(3.0, 4.0)).into();
         let mut found = Vec::new();

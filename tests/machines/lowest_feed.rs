@@ -171,3 +171,13 @@ fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
     assert_eq!(refusal.remedy, "speed must be below 0.071 mm/s");
     assert_eq!(slow(0.07), None);
 }
+
+#[test]
+fn unequal_steps_are_both_told() {
+    let refusal = grbl_says("", "y_steps_per_mm = 80", "y_steps_per_mm = 100").expect("too slow");
+    assert!(
+        refusal.found.starts_with("at 80 (X) and 100 (Y) steps/mm GRBL runs this at 0.31 to 0.49 mm/s"),
+        "{}",
+        refusal.found
+    );
+}
