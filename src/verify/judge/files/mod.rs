@@ -2,6 +2,7 @@
 
 pub(in crate::verify) mod bytes;
 pub(in crate::verify) mod drawings;
+mod names;
 mod paper;
 pub(in crate::verify) mod proof;
 mod solid;

@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use crate::artifact::{Format, Output, Subject, outputs};
-use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
+use crate::manifest::{ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
-use crate::verify::judge::files::{drawings, paper, solid};
+use crate::verify::judge::files::{drawings, names, paper, solid};
 use crate::verify::judge::job;
 use crate::verify::judge::job::Job;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
@@ -47,26 +47,16 @@ pub enum By {
 /// Reads every file back and compares it with what is expected.
 pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
-    let manifest = match files.get(MANIFEST).map(serde_json::from_slice::<Manifest>) {
-        Some(Ok(manifest)) => manifest,
-        unreadable => {
-            let found =
-                unreadable.and_then(Result::err).map_or("no such file".to_owned(), |error| error.to_string());
-            proof.findings.push(
-                Finding::new(FindingCode::Manifest, None, found, "the manifest of the build")
-                    .in_file(MANIFEST),
-            );
-            return proof;
-        }
-    };
-    let wanted = outputs(expected.spec, expected.design, &manifest.only);
-    names(files, &manifest, &wanted, &mut proof);
+    let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
+    let only = manifest.as_ref().map_or(&[][..], |manifest| &manifest.only);
+    let wanted = outputs(expected.spec, expected.design, only);
+    let entries = names::check(files, manifest.as_ref(), &wanted, &mut proof.findings);
     let mut seals = drawings::Seals::default();
     for output in wanted {
         let path = output.name();
         let Some(bytes) = files.get(&path) else { continue };
         let mut findings = Findings::default();
-        if let Some(entry) = manifest.files.iter().find(|entry| entry.path == path) {
+        if let Some(entry) = entries.get(path.as_str()) {
             check_hash(entry, bytes, &mut findings);
         }
         let (by, deviation) = file(expected, &output, bytes, &mut seals, &mut findings);
@@ -74,59 +64,10 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
         proof.files.push(FileProof { path, output, by, deviation });
     }
     proof.findings.extend(seals.disagreements(expected.spec.accuracy.path.0));
-    proof.findings.extend(job::manifest_figures(expected, &manifest));
+    if let Some(manifest) = &manifest {
+        proof.findings.extend(job::manifest_figures(expected, manifest));
+    }
     proof
-}
-
-/// The design decides which files there must be; the manifest must name them, once and rightly, and no others.
-fn names(files: &OutputFiles<'_>, manifest: &Manifest, wanted: &[Output], proof: &mut Proof) {
-    let mut blame = |file: &str, code, found: &str, allowed: String| {
-        proof.findings.push(Finding::new(code, None, found, allowed).in_file(file));
-    };
-    for output in wanted {
-        let name = output.name();
-        let mut entries = manifest.files.iter().filter(|entry| entry.path == name);
-        match (entries.next(), entries.next()) {
-            (None, _) => {
-                blame(&name, FindingCode::Manifest, "not named in the manifest", format!("a {}", output.kind))
-            }
-            (Some(_), Some(_)) => {
-                blame(&name, FindingCode::Manifest, "named more than once", "named once".to_owned())
-            }
-            (Some(entry), None) if entry.output() != *output => {
-                blame(
-                    &name,
-                    FindingCode::Manifest,
-                    "named as another part or kind",
-                    format!("a {}", output.kind),
-                );
-            }
-            _ => {}
-        }
-        if files.get(&name).is_none() {
-            blame(&name, FindingCode::MissingFile, "no such file", format!("a {}", output.kind));
-        }
-    }
-    for entry in &manifest.files {
-        if !wanted.iter().any(|output| output.name() == entry.path) {
-            blame(
-                &entry.path,
-                FindingCode::Manifest,
-                "named in the manifest",
-                "only files of the design".to_owned(),
-            );
-        }
-    }
-    for (name, _) in &files.files {
-        if *name != MANIFEST && !manifest.files.iter().any(|entry| entry.path == *name) {
-            blame(
-                name,
-                FindingCode::UnnamedFile,
-                "a file that the manifest does not name",
-                "only what it names".to_owned(),
-            );
-        }
-    }
 }
 
 fn check_hash(entry: &ManifestFile, bytes: &[u8], findings: &mut Findings) {
