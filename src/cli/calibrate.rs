@@ -27,7 +27,7 @@ pub(super) struct Args {
     /// What the seal has to hold, such as "1.2 N/mm".
     #[arg(long, value_name = "FORCE", value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec")]
     needed: Option<LineForce>,
-    /// The spec whose seal has to hold: the largest load of its stars at the pressure of its [load].
+    /// The spec whose seal has to hold: the largest load of its stars at the pressure of its `load` section.
     #[arg(long)]
     spec: Option<PathBuf>,
     /// How many times that the seal should hold, 1 to 100.

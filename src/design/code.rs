@@ -19,7 +19,7 @@ codes! {
         NoChop "no-chop" "The slow seal cannot be chopped into strokes; give the profile what is missing, or another speed.",
         NoOverlap "no-overlap" "A leak: a loop closes without sealing any of it twice; make overlap larger.",
         NoPlate "no-plate" "The mask's plate cannot be made so much larger than the outline; make border smaller.",
-        NoPrediction "no-prediction" "The mechanics has no answer for this spec; change the key shown, or delete [load].",
+        NoPrediction "no-prediction" "The mechanics has no answer for this spec; change the key shown, or delete its `load` section.",
         NoRoomForHoles "no-room-for-holes" "The registration holes do not fit on a tip; make them smaller, or 0.",
         NoWindow "no-window" "Creep leaves nothing of the coating windows; make it smaller.",
         OutOfReach "out-of-reach" "The machine does not reach all of a part or a coupon; make it smaller, or take a larger machine.",
@@ -35,6 +35,6 @@ codes! {
         TooLarge "too-large" "The star is larger than 200 m; widen the tips or shrink it.",
         TubeBetweenPlates "tube-between-plates" "The inflated tube does not fit between its plates; make pitch larger.",
         WideKerf "wide-kerf" "The cut is wider than a post's hole; make kerf smaller.",
-        WrongOpening "wrong-opening" "A leak: a loop is open that must be closed, or the other way round; change [inlet].",
+        WrongOpening "wrong-opening" "A leak: a loop is open that must be closed, or the other way round; change the `inlet` section.",
     }
 }

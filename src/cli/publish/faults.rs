@@ -126,7 +126,7 @@ fn run(
 ) -> (Result<Published, PublishFault>, usize, Option<String>) {
     let fate = Fate { version, system, target: target.to_owned(), at, event, steps: 0, written: None };
     FATE.set(Some(fate));
-    let result = put(target, build(version));
+    let result = put(target, &build(version));
     let fate = FATE.take().unwrap();
     (result, fate.steps, fate.written)
 }
@@ -183,7 +183,7 @@ fn workshop(before: Option<u8>) -> (TempDir, PathBuf) {
     let target = fs::canonicalize(root.path()).unwrap().join("out/star");
     fs::create_dir(root.path().join("out")).unwrap();
     if let Some(version) = before {
-        assert!(put(&target, build(version)).is_ok());
+        assert!(put(&target, &build(version)).is_ok());
     }
     (root, target)
 }

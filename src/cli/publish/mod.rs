@@ -63,22 +63,23 @@ impl fmt::Display for Published {
 /// # Errors
 /// See [`PublishFault`]; the target is then as it was before.
 pub fn publish(target: &Path, proven: &Proven) -> Result<Published, PublishFault> {
-    put(target, proven.built().files().collect())
+    let files: Vec<File<'_>> = proven.built().files().collect();
+    put(target, &files)
 }
 
 /// Puts `files` (name, content) into the directory `target`.
-fn put(target: &Path, files: Vec<File<'_>>) -> Result<Published, PublishFault> {
+fn put(target: &Path, files: &[File<'_>]) -> Result<Published, PublishFault> {
     let place = Place::new(target)?;
     let locks = place.lock();
     let mut kept = retire::sweep(&place, locks.alone())?;
     kept.extend(journal::recover(&place)?);
     let before = record::ours(&place.target)?;
     let after = files.iter().find(|(name, _)| *name == MANIFEST).and_then(|(_, bytes)| Record::parse(bytes));
-    let by_files = || journal::publish(&place, &files, before.as_ref()).map(Some);
+    let by_files = || journal::publish(&place, files, before.as_ref()).map(Some);
     let old = if place.underfoot() {
         by_files()?
     } else {
-        match exchange::publish(&place, &files) {
+        match exchange::publish(&place, files) {
             Err(fault) if fault.bound() && place.target.is_dir() => by_files()?,
             result => result?,
         }
