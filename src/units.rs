@@ -188,13 +188,48 @@ impl fmt::Display for Readable {
         if x == 0.0 || !x.is_finite() {
             return write!(f, "{}", if x == 0.0 { 0.0 } else { x });
         }
-        #[expect(clippy::cast_possible_truncation, reason = "the exponent of an f64 is below 400")]
-        let exponent = x.abs().log10().floor() as i32;
-        let decimals = usize::try_from(5 - exponent).unwrap_or(0);
+        let decimals = decimals(x);
         let text = format!("{x:.decimals$}");
         let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
         f.write_str(if text == "-0" { "0" } else { text })
     }
+}
+
+/// Prints a limit below which something is too small: as [`Readable`], but rounded up, so that what is printed will do.
+pub struct Least(pub f64);
+
+impl fmt::Display for Least {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Readable(directed(self.0, f64::ceil)).fmt(f)
+    }
+}
+
+/// Prints a limit above which something is too large: as [`Readable`], but rounded down, so that what is printed will do.
+pub struct Most(pub f64);
+
+impl fmt::Display for Most {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Readable(directed(self.0, f64::floor)).fmt(f)
+    }
+}
+
+/// `x` to six significant digits, in the direction of `round`. What is within rounding of such a number is that number.
+fn directed(x: f64, round: fn(f64) -> f64) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return x;
+    }
+    let scale = i32::try_from(decimals(x)).map_or(1.0, |decimals| 10_f64.powi(decimals));
+    let (scaled, nearest) = (x * scale, (x * scale).round());
+    let rounded = if (scaled - nearest).abs() <= 1e-14 * scaled.abs() { nearest } else { round(scaled) };
+    let rounded = rounded / scale;
+    if rounded.is_finite() { rounded } else { x }
+}
+
+/// Decimals that give a number other than 0 six significant digits, if it has fractions so far up.
+fn decimals(x: f64) -> usize {
+    #[expect(clippy::cast_possible_truncation, reason = "the exponent of an f64 is below 400")]
+    let exponent = x.abs().log10().floor() as i32;
+    usize::try_from(5 - exponent).unwrap_or(0)
 }
 
 #[cfg(test)]
@@ -280,6 +315,22 @@ mod tests {
         ] {
             assert_eq!(Length::parse(text), Err(QuantityFault::NotANumber), "{text}");
         }
+    }
+
+    #[test]
+    fn a_limit_is_printed_on_the_side_that_will_do() {
+        for (x, least, most) in [
+            (333.039_378_8, "333.04", "333.039"),
+            (147.272_727_27, "147.273", "147.272"),
+            (0.1 + 0.2, "0.3", "0.3"),
+            (40.0, "40", "40"),
+            (0.000_123_456_78, "0.000123457", "0.000123456"),
+            (-1.234_567_8, "-1.23456", "-1.23457"),
+            (0.0, "0", "0"),
+        ] {
+            assert_eq!((Least(x).to_string().as_str(), Most(x).to_string().as_str()), (least, most), "{x}");
+        }
+        assert_eq!(Least(f64::INFINITY).to_string(), "inf");
     }
 
     #[test]

@@ -11,7 +11,7 @@ use stargrip_cam::geom::{Path, Point, Segment, Vec2};
 use stargrip_cam::plan;
 use stargrip_cam::plan::{Height, LONGEST_MOVE, Step};
 use stargrip_cam::spec::{Spec, key};
-use stargrip_cam::units::Temperature;
+use stargrip_cam::units::{Length, Temperature};
 
 fn paper(rest: &str) -> Spec {
     support::read(&format!("{}{rest}", support::PAPER))
@@ -106,6 +106,38 @@ fn what_bands_and_flaps_make_impossible_is_refused() {
     }
     let sheet = refused("[sheet]\nwidth = \"300 mm\"\n")[0].clone();
     assert!(sheet.remedy.contains("33.0394 mm are missing"), "{sheet}");
+}
+
+/// Whoever writes the limit that a refusal names is not refused for it again.
+#[test]
+fn the_limit_that_is_named_will_do() {
+    let number =
+        |text: &str| text.split_whitespace().find_map(|word| word.parse::<f64>().ok()).expect("a number");
+    for width in [29.1, 30.0, 30.3, 31.7, 33.3] {
+        let spec = |rest: &str| {
+            let mut spec = paper(rest);
+            spec.stars[0].tube_width = Length(width);
+            spec
+        };
+        for (key, rest) in [
+            ("[sheet]\nwidth", "300"),
+            ("[sheet]\nheight", "300"),
+            ("[seal]\noverlap", "5000"),
+            ("[seal]\nhole_allowance = \"8 mm\"\nband", "99"),
+        ] {
+            let with =
+                |value: &str| Design::new(&spec(&format!("{key} = \"{value} mm\"\n")), &support::machine());
+            let Err(refusals) = with(rest) else { continue };
+            let first = refusals.iter().next().expect("a refusal");
+            let remedy = first.remedy.rsplit(": ").next().expect("a text");
+            // "above" and "below" leave the limit itself out.
+            let limit = number(remedy) + if remedy.contains("above") { 1e-6 } else { 0.0 };
+            let limit = if remedy.contains("below") { limit - 1e-6 } else { limit };
+            let again = with(&limit.to_string()).err();
+            let same = again.is_some_and(|again| again.iter().any(|r| r.code == first.code));
+            assert!(!same, "{width}: {first}");
+        }
+    }
 }
 
 /// Several things that are wrong at once are told at once.

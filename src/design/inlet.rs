@@ -6,7 +6,7 @@ use crate::design::star_fault::blamed;
 use crate::design::{Contour, Part, Refusal, RefusalCode, Star};
 use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Inlet, key};
-use crate::units::Readable;
+use crate::units::{Least, Readable};
 
 /// The channel of one star, in the star's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -104,7 +104,7 @@ impl Channel {
                 key::inlet::LENGTH,
                 RefusalCode::ShortInlet,
                 format!("the mouth would lie {} mm inside the flap", Readable(junction.x - end)),
-                format!("length must be above {} mm", Readable(junction.x - star.r_i - star.w)),
+                format!("length must be above {} mm", Least(junction.x - star.r_i - star.w)),
             ));
         }
         Ok(junction)

@@ -4,7 +4,7 @@ use crate::design::star_fault::blamed;
 use crate::design::{Channel, Part, Refusal, RefusalCode, Side, Star};
 use crate::geom::{Line, Path};
 use crate::spec::{Seal, key};
-use crate::units::Readable;
+use crate::units::{Least, Most, Readable};
 
 /// How far the bands of an inlet run past the cut at full contact, mm, so that the cut edge is sealed to its end.
 pub const MOUTH_OVERRUN: f64 = 1.0;
@@ -47,7 +47,7 @@ impl Seam {
                 key::seal::OVERLAP,
                 RefusalCode::LongOverlap,
                 format!("an overlap of {} on a loop of {} mm", seal.overlap, Readable(length)),
-                format!("overlap must be at most half the loop, {} mm", Readable(length / 2.0)),
+                format!("overlap must be at most half the loop, {} mm", Most(length / 2.0)),
             ));
         }
         Ok(Self { side, center_line, overlap })
@@ -105,7 +105,7 @@ pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
         ),
         format!(
             "inner_radius must be above band and hole_allowance together, {} mm",
-            Readable(seal.band.0 + seal.hole_allowance.0)
+            Least(seal.band.0 + seal.hole_allowance.0)
         ),
     )
 }
@@ -126,6 +126,6 @@ fn band_eats_arm(star: &Star, side: Side, seal: &Seal) -> Refusal {
             Readable(eaten),
             Readable(star.l)
         ),
-        format!("band must be below {} mm, or {key} larger", Readable(widest)),
+        format!("band must be below {} mm, or {key} larger", Most(widest)),
     )
 }

@@ -3,7 +3,7 @@
 use crate::design::{Frame, Refusal, RefusalCode, Refusals, Stack, StarDesign, Warning};
 use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{KeyPath, Machine, Sheet, Spec, key};
-use crate::units::Readable;
+use crate::units::{Least, Most, Readable};
 
 /// Everything that is made, exactly.
 #[derive(Clone, Debug, PartialEq)]
@@ -219,16 +219,8 @@ fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal
     Err(Refusal::new(
         key,
         RefusalCode::SheetTooSmall,
-        format!(
-            "a part needs {} mm where the margins leave {} mm",
-            Readable(needed),
-            Readable(room.max(0.0))
-        ),
-        format!(
-            "{} mm are missing: at least {} mm",
-            Readable(needed - room),
-            Readable(needed + 2.0 * margin)
-        ),
+        format!("a part needs {} mm where the margins leave {} mm", Least(needed), Most(room.max(0.0))),
+        format!("{} mm are missing: at least {} mm", Least(needed - room), Least(needed + 2.0 * margin)),
     ))
 }
 

@@ -18,7 +18,7 @@ use crate::design::star_fault::{blamed, no_arm};
 use crate::design::{Refusal, RefusalCode};
 use crate::geom::Point;
 use crate::spec::{StarSpec, key};
-use crate::units::Readable;
+use crate::units::{Most, Readable};
 
 /// The flat geometry of a star that exists: every length positive. Lengths in mm, angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,10 +68,7 @@ impl Star {
                     spec.tip_angle,
                     Readable(phi_e.to_degrees())
                 ),
-                format!(
-                    "tip_angle must be below {} deg for {n} points",
-                    Readable(180.0 - 360.0 / f64::from(n))
-                ),
+                format!("tip_angle must be below {} deg for {n} points", Most(180.0 - 360.0 / f64::from(n))),
             ));
         }
         let l = arm_length(spec, n);

@@ -49,8 +49,11 @@ pub(super) fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
         [only] => format!("must be: {only}"),
         [first, rest @ ..] => format!("must be: {first}; or alone: {}", rest.join(", or ")),
     };
+    let round = [("a tip radius", spec.tip_radius), ("a corner radius", spec.corner_radius)];
+    let round = round.into_iter().filter(|(_, radius)| radius.0 > 0.0);
+    let round: String = round.map(|(what, radius)| format!(", {what} of {radius}")).collect();
     let found = format!(
-        "with {} points, an inner radius of {}, a tube width of {} and a tip angle of {} the arms would be {:.1} mm long",
+        "with {} points, an inner radius of {}, a tube width of {}{round} and a tip angle of {} the arms would be {:.1} mm long",
         spec.points,
         spec.inner_radius,
         spec.tube_width,
@@ -131,6 +134,8 @@ mod tests {
             let refusal = Star::new(&spec).expect_err("no arms");
             assert_eq!((refusal.code, refusal.key), (RefusalCode::NoArm, key), "{refusal}");
             assert!(refusal.remedy.starts_with(&format!("must be: {} ", key.key())), "{refusal}");
+            // What is blamed is also what was found.
+            assert!(refusal.found.contains(&key.key().replace('_', " ")), "{refusal}");
         }
     }
 

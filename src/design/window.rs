@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 use crate::design::{Refusal, RefusalCode, Star};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Mask, Seal, key};
-use crate::units::Readable;
+use crate::units::{Most, Readable};
 
 /// Width of plate left between neighbouring windows, mm, where there is room for it: a strip of a 2 mm
 /// plate that is narrower breaks when it is peeled off. At worst half of what lies between two apices stays.
@@ -176,7 +176,7 @@ impl<'a> Zone<'a> {
                 Readable(room),
                 Readable(extent)
             ),
-            format!("creep must be below {} mm", Readable((room / 2.0).min(extent / 2.0))),
+            format!("creep must be below {} mm", Most((room / 2.0).min(extent / 2.0))),
         )
     }
 }

@@ -6,6 +6,7 @@ use crate::design::{Refusal, RefusalCode};
 use crate::geom::Segment;
 use crate::plan::{Pace, Program, Step};
 use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
+use crate::units::Most;
 
 /// The lowest speed that `motion` holds all along `piece`, which climbs by `rise`: that of its worst direction.
 ///
@@ -45,7 +46,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
                         "a stroke of {:.3} mm at {:.3} mm/s takes {moving:.3} s, longer than {} allows",
                         chop.longest, chop.speed, spec.seal.speed
                     ),
-                    format!("speed must be below {:.3} mm/s", chop.longest / moving),
+                    format!("speed must be below {} mm/s", Most(chop.longest / moving)),
                 ));
             }
             continue;
@@ -82,7 +83,10 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
         key::seal::SPEED,
         RefusalCode::FeedFloor,
         format!("{at}{} runs this at {runs} mm/s instead of {speed}", machine.controller.dialect.title()),
-        format!("write `feed_floor = \"chop\"` in [machine]; or a speed of at least {most:.2} mm/s{better}"),
+        format!(
+            "write `feed_floor = \"chop\"` in [machine]; or a speed of at least {:.2} mm/s{better}",
+            (most * (1.0 - 1e-9) * 100.0).ceil() / 100.0
+        ),
     ))
 }
 

@@ -168,7 +168,7 @@ fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
     let refusal = slow(0.1).expect("too slow");
     assert_eq!((refusal.key, refusal.code), (stargrip_cam::spec::key::seal::SPEED, RefusalCode::NoChop));
     assert!(refusal.found.contains("takes 2.828 s, longer than 0.1 mm/s allows"), "{}", refusal.found);
-    assert_eq!(refusal.remedy, "speed must be below 0.071 mm/s");
+    assert_eq!(refusal.remedy, "speed must be below 0.0707106 mm/s");
     assert_eq!(slow(0.07), None);
 }
 
