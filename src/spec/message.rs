@@ -23,6 +23,24 @@ pub(super) fn article(noun: &str) -> String {
     format!("{article} {noun}")
 }
 
+/// Other names of units, and what they are called in a spec.
+const SYNONYMS: [(&str, &str); 8] = [
+    ("\u{b0}", "deg"),
+    ("degrees", "deg"),
+    ("\"", "in"),
+    ("\u{2033}", "in"),
+    ("inch", "in"),
+    ("inches", "in"),
+    ("Celsius", "C"),
+    ("mm/sec", "mm/s"),
+];
+
+/// Whether what follows a whole number is the rest of one with a decimal comma.
+fn is_decimal_comma(rest: &str) -> bool {
+    rest.strip_prefix(',')
+        .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()) && !rest.contains(','))
+}
+
 /// A text that should be a quantity and is none.
 pub(super) fn malformed<Q: Quantity>(
     key: &str,
@@ -33,6 +51,16 @@ pub(super) fn malformed<Q: Quantity>(
     let (kind, units, base) = (Q::KIND, Q::unit_list(), Q::UNITS[0].0);
     let message = format!("`{key}` is {}", quoted(text));
     match reason {
+        QuantityFault::UnknownUnit(rest) if is_decimal_comma(rest) => {
+            Fault::error(FaultCode::NotANumber, span, message)
+                .label("a decimal point is needed, where a comma stands")
+                .help(format!("write {key} = \"{}\"", text.trim().replacen(',', ".", 1)))
+        }
+        QuantityFault::NotANumber if text.contains('\u{2212}') => {
+            Fault::error(FaultCode::NotANumber, span, message)
+                .label("its sign is U+2212, a typographer's minus")
+                .help(format!("write {key} = \"{}\"", text.trim().replace('\u{2212}', "-")))
+        }
         QuantityFault::NotANumber => Fault::error(FaultCode::NotANumber, span, message)
             .label(format!("must be {}: a finite decimal number and a unit", article(kind)))
             .help(format!("write for instance: {key} = \"5 {base}\"; units are {units}")),
@@ -42,7 +70,10 @@ pub(super) fn malformed<Q: Quantity>(
         QuantityFault::UnknownUnit(unit) => {
             let fault = Fault::error(FaultCode::UnknownUnit, span, message)
                 .label(format!("{} is no unit of {kind}: must be one of {units}", quoted(unit)));
-            match Q::UNITS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit)) {
+            let usual =
+                SYNONYMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit)).map(|(_, usual)| *usual);
+            let meant = usual.unwrap_or(unit);
+            match Q::UNITS.iter().find(|(name, _)| name.eq_ignore_ascii_case(meant)) {
                 Some((near, _)) => fault.help(format!("did you mean `{near}`?")),
                 None => fault,
             }

@@ -171,6 +171,8 @@ impl<'r> Section<'_, 'r> {
                 Err(reason) => malformed::<Q>(key, text, &reason, value.span.clone()),
             },
             RawKind::Number(number) => {
+                // Whoever wrote `nan` is shown a number.
+                let example = if number.value.is_finite() { number.shown() } else { "5".to_owned() };
                 let number = number.shown();
                 Fault::error(
                     FaultCode::NoUnit,
@@ -178,7 +180,7 @@ impl<'r> Section<'_, 'r> {
                     format!("`{key}` is the bare number {number}"),
                 )
                 .label(format!("{} needs a unit: {}", article(Q::KIND), Q::unit_list()))
-                .help(format!("write for instance: {key} = \"{number} {}\"", Q::UNITS[0].0))
+                .help(format!("write for instance: {key} = \"{example} {}\"", Q::UNITS[0].0))
             }
             _ => {
                 let label =

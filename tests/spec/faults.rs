@@ -32,6 +32,9 @@ refused! {
     quantities: format!("{SHORTEST}corner_radius = 3\n[fabric]\nthickness = \"nan mm\"\nyoung_modulus = \"128 mpa\"\n\
         [seal]\ntemperature = \"473 K\"\nspeed = \"1e999 mm/s\"\nband = \"\"\noverlap = \"5\"\nallowance = true\n\
         [accuracy]\nresponse = \"10\"\n");
+    /// What people write who are used to other signs and names.
+    habits: "schema = 1\nname = \"habits\"\n[star]\npoints = 5\ninner_radius = \"50,5 mm\"\ntube_width = \"2 inches\"\n\
+        tip_angle = \"30\u{b0}\"\ncorner_radius = nan\n[stack]\nrotation = \"\u{2212}36 deg\"\n[sheet]\nmargin = \"1,5,5 mm\"\n";
     /// Values out of their ranges.
     ranges: "schema = 1\nname = \"ranges\"\n[star]\npoints = 1000000000\ninner_radius = \"-50 mm\"\ntube_width = \"1e300 mm\"\n\
         tip_angle = \"180 deg\"\n[fabric]\npoisson_ratio = nan\n[load]\nfriction = -inf\n[frame]\nposts = 2\n\
