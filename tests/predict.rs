@@ -316,3 +316,14 @@ proptest! {
         }
     }
 }
+
+/// Whoever reads the page is told once that no model will do, and no line ends in a blank.
+#[test]
+fn a_page_says_nothing_twice() {
+    let mut unsure = spec(PAPER);
+    unsure.accuracy.response = stargrip_cam::units::Percent(1.0);
+    let prediction = predict(&unsure).expect("an answer");
+    let page = stargrip_cam::forecast::report::text(&unsure, &prediction);
+    assert_eq!(page.matches("no model is estimated").count(), 1, "{page}");
+    assert!(page.lines().all(|line| line == line.trim_end()), "{page}");
+}

@@ -33,8 +33,10 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     let mut line = |what: &str, value: String| {
         let _ = writeln!(out, "  {what:30}{value}");
     };
-    let show = |value: f64, unit: &str| format!("{} {unit}", Readable(value));
-    line("model", format!("{} ({})", star.model, star.evidence.choice));
+    let show = |value: f64, unit: &str| format!("{} {unit}", Readable(value)).trim_end().to_owned();
+    // Why no model will do is a warning, and said there.
+    let why = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
+    line("model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
     line("arm length", show(star.arm_length_mm, "mm"));
     line(
         "target coiling tip, corner",
