@@ -15,10 +15,50 @@ fn every_dialect_writes_what_its_controller_reads() {
         assert_eq!(proof.findings, [], "{name}");
         let code = text(&build, "star-1-seal.gcode");
         assert_eq!(code.contains("\nG4 P"), !can, "{name}");
-        assert_eq!(code.contains("\nG3 ") || code.contains("\nG2 "), !["marlin", "klipper"].contains(&name));
+        let chords = ["generic", "marlin", "klipper"].contains(&name);
+        assert_eq!(code.contains("\nG3 ") || code.contains("\nG2 "), !chords, "{name}");
         assert!(code.contains("; progress: percent=50 remaining_s="), "{name}");
         assert_eq!(code.contains("\nM73 P50"), ["marlin", "klipper", "reprapfirmware"].contains(&name));
     }
+}
+
+/// Some controllers read G91.1 as G91, and then every position as a displacement.
+#[test]
+fn the_plain_subset_has_no_arcs_and_nothing_that_may_be_read_as_relative() {
+    let build = built(&spec_text(""), profile("generic"));
+    for file in ["star-1-seal.gcode", "star-1-trace.gcode"] {
+        let code = text(&build, file);
+        for word in ["G2 ", "G3 ", "G91", " I", " J"] {
+            assert!(!code.lines().any(|line| line.starts_with('G') && line.contains(word)), "{file}: {word}");
+        }
+        assert!(file != "star-1-seal.gcode" || code.contains("\n; requires: M0 must stop the machine"));
+    }
+    let code = text(&build, "star-1-seal.gcode");
+    let line = code.lines().position(|line| line == "G90").expect("absolute") + 1;
+    let found = crate::findings_with(&build, "star-1-seal.gcode", &code.replacen("G90\n", "G91.1\n", 1));
+    assert!(found.iter().any(|f| (f.code, f.line) == ("unknown-word", Some(line))), "{found:?}");
+    // A profile of the user's own may say that its controller draws arcs.
+    let arcs =
+        profile("generic").replace("arcs = false", "arcs = true").replace("\"G90\"", "\"G91.1\", \"G90\"");
+    let own = built(&spec_text(""), &arcs);
+    assert_eq!(prove_files(&own.output_files()).findings, []);
+    assert!(text(&own, "star-1-seal.gcode").contains("\nG3 "));
+    let tables = PROFILES.map(|name| (name, crate::machine(profile(name)).script.start));
+    for (name, start) in tables {
+        let at = |word: &str| start.iter().position(|line| line == word);
+        let family = ["linuxcnc", "grbl", "grblhal", "fluidnc"].contains(&name);
+        assert_eq!(at("G91.1").is_some(), family, "{name}");
+        assert!(at("G91.1") < at("G90"), "{name}");
+    }
+}
+
+#[test]
+fn a_reversed_arc_is_found_at_its_line() {
+    let build = built(&spec_text(""), profile("linuxcnc"));
+    let code = text(&build, "star-1-seal.gcode");
+    let line = code.lines().position(|line| line.starts_with("G3 ")).expect("an arc") + 1;
+    let found = crate::findings_with(&build, "star-1-seal.gcode", &code.replacen("\nG3 ", "\nG2 ", 1));
+    assert!(found.iter().any(|f| (f.code, f.line) == ("deviation", Some(line))), "{found:?}");
 }
 
 /// Klipper, Marlin and RepRapFirmware run G0 at the feed in force: without an F a travel would crawl at the seal's.

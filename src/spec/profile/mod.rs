@@ -93,7 +93,7 @@ mod tests {
             (machine.controller.line_length, machine.process.ramp, machine.bench.work_area),
             (70, Length(3.0), None)
         );
-        assert_eq!(machine.script.start, ["G21", "G17", "G90", "G91.1", "G94"]);
+        assert_eq!(machine.script.start, ["G21", "G17", "G90", "G94"]);
         assert_eq!((machine.script.pause.as_str(), machine.script.end), ("M0", vec!["M2".to_owned()]));
     }
 
