@@ -13,6 +13,7 @@ pub use finding::{Finding, Findings};
 pub use judge::files::proof::{Proof, prove, prove_files};
 pub use judge::path::compare::{self, Deviation, deviation};
 pub use judge::path::follow::{Following, follow};
+pub use judge::stroke::stroke_seconds;
 pub use output_files::OutputFiles;
 pub use read::drawing::Drawing;
 pub use read::dxf::read_dxf;

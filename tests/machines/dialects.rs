@@ -107,6 +107,49 @@ fn below_the_lowest_feed_the_numbers_are_told() {
     assert!(try_built(&spec_text("[seal]\nspeed = \"0.6 mm/s\"\n"), profile("grbl")).is_ok());
 }
 
+/// Where the controller is so nearly slow enough that a stroke has hardly time left for a dwell.
+#[test]
+fn strokes_just_below_the_floor_keep_their_mean_speed() {
+    for (name, speed) in [("grbl", 0.5), ("grbl", 0.2), ("fluidnc", 0.6), ("marlin", 0.5), ("grblhal", 0.15)]
+    {
+        let rest = format!("[seal]\nspeed = \"{speed} mm/s\"\n{CHOP}");
+        let build = built(&spec_text(&rest), profile(name));
+        assert_eq!(prove_files(&build.output_files()).findings, [], "{name}");
+        let code = text(&build, "star-1-seal.gcode");
+        // One dwell longer than told.
+        let from = code.find("; seam:").expect("a seam");
+        let (at, dwell) = code[from..].match_indices("\nG4 ").nth(40).expect("dwells");
+        let line = code[..from + at].lines().count() + 1;
+        let end = from + at + 1 + code[from + at + 1..].find('\n').expect("a line end");
+        let slow = format!("{}{dwell}P9{}", &code[..from + at], &code[end..]);
+        let found = crate::findings_with(&build, "star-1-seal.gcode", &slow);
+        assert!(found.iter().any(|f| f.code == "wrong-feed" || f.code == "iron-at-rest"), "{name} {line}");
+    }
+    // Speeds at which no stroke of half a band has time for one are refused with the number.
+    let chop_feed = "acceleration = \"10 mm/s^2\"\nchop_feed = \"36 mm/min\"";
+    let own = profile("grbl").replace("acceleration = \"10 mm/s^2\"", chop_feed);
+    let fast = spec_text(&format!("[seal]\nspeed = \"0.5 mm/s\"\nband = \"0.6 mm\"\n{CHOP}"));
+    let refusals = try_built(&fast, &own).map(|_| ()).expect_err("no time for a dwell");
+    assert_eq!(refusals[0].code, "no-chop");
+    let limit =
+        refusals[0].remedy.split(' ').rev().nth(1).and_then(|x| x.parse::<f64>().ok()).expect("a speed");
+    let fine = fast.replace("0.5 mm/s", &format!("{:.3} mm/s", limit - 0.001));
+    assert_eq!(prove_files(&built(&fine, &own).output_files()).findings, []);
+}
+
+/// Marlin lets a move wait that meets an empty queue, and after a dwell each does.
+#[test]
+fn the_wait_of_a_start_is_taken_off_the_dwell() {
+    let with = text(&built(&spec_text(CHOP), profile("marlin")), "star-1-seal.gcode");
+    let none = profile("marlin").replace("start_delay = \"100 ms\"", "start_delay = \"0 s\"");
+    let without = text(&built(&spec_text(CHOP), &none), "star-1-seal.gcode");
+    let dwell = |code: &str| {
+        let lines = code.lines().filter_map(|line| line.strip_prefix("G4 P")?.parse::<f64>().ok());
+        lines.sum::<f64>() / code.lines().filter(|line| line.starts_with("G4 P")).count() as f64
+    };
+    assert!((dwell(&without) - dwell(&with) - 100.0).abs() < 0.5, "{} {}", dwell(&without), dwell(&with));
+}
+
 #[test]
 fn what_is_unknown_is_not_chopped() {
     let refusals = try_built(&spec_text(CHOP), profile("generic")).map(|_| ()).expect_err("unknown");
@@ -180,7 +223,8 @@ fn a_clamp_in_the_way_is_refused_and_one_beside_it_is_not() {
 
 #[test]
 fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
-    use stargrip_cam::verify::gcode::{Dialect, Event, Interpreter};
+    use stargrip_cam::verify::gcode::{Dialect, Event, Interpreter, MoveKind};
+    use stargrip_cam::verify::stroke_seconds;
     for name in PROFILES {
         let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
         let spec = crate::spec(&spec_text(if chop { CHOP } else { "" }));
@@ -208,8 +252,13 @@ fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
                 Event::Dwell(dwell) => *watch.last_mut().expect("a pause first") += dwell.seconds,
                 Event::Move(step) => {
                     if let (Some(feed), Some(last)) = (step.feed, watch.last_mut()) {
-                        let a = machine.motion.acceleration.filter(|_| chop).map(|a| a.0);
-                        *last += stargrip_cam::plan::move_time(step.length(), feed / 60.0, a);
+                        let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
+                        let stroke = chop && step.kind == MoveKind::Feed;
+                        *last += if stroke {
+                            stroke_seconds(&machine.motion, from, to, feed / 60.0)
+                        } else {
+                            step.length() / feed * 60.0
+                        };
                     }
                 }
                 _ => {}

@@ -5,7 +5,7 @@ use crate::spec::fault::Fault;
 use crate::spec::motion::{Motion, StepRate};
 use crate::spec::profile::known::{known, known_number, says};
 use crate::spec::section::Section;
-use crate::units::Speed;
+use crate::units::{Duration, Speed};
 
 /// Steps per mm: from a coarse belt to a fine screw with microsteps.
 const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
@@ -40,5 +40,7 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>) -> Motion {
         min_feed: s.quantity("min_feed", Allowed::closed(0.0, 1e3)).unwrap_or(Speed(0.0)),
         acceleration: known(s, "acceleration", Allowed::closed(0.1, 1e6)),
         chop_feed: known(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
+        start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
+        tick: known(s, "tick", Allowed::closed(1e-3, 0.1)),
     }
 }
