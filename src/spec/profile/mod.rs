@@ -47,7 +47,7 @@ fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let controller = Controller { dwell: read_dwells(&mut reader.section("dwell")), ..controller };
     let process = read_process(reader, tip);
     let bench = read_bench(reader);
-    let motion = read_motion(&mut reader.section("motion"));
+    let motion = read_motion(&mut reader.section("motion"), controller.dialect);
     let script = read_script(reader, controller.line_length);
     Machine { name, description, controller, process, bench, motion, script }
 }
@@ -115,6 +115,18 @@ mod tests {
         assert_eq!(codes("\"M0\"", "\"\\u0000\""), ["program-line"]);
         assert_eq!(codes("\"M0\"", "\" \""), ["program-line"]);
         assert_eq!(codes("[\"M2\"]", "[]"), [""; 0]);
+    }
+
+    #[test]
+    fn marlin_is_never_without_a_floor() {
+        let read = |name: &str, old: &str| {
+            let text = builtin_machine(name).expect("built in");
+            assert!(text.contains(old));
+            let text = text.replace(old, "min_step_rate = \"none\"");
+            read_machine(&Source::new(name, text)).map_err(|faults| faults.list()[0].code)
+        };
+        assert_eq!(read("marlin", "min_step_rate = 32").map(|_| ()), Err("conflict"));
+        assert!(read("grblhal", "min_step_rate = 9.54").is_ok());
     }
 
     #[test]
