@@ -26,7 +26,7 @@ fn write(
     let mut writer = Writer::new(out, facts);
     writer.comment("stargrip-cam feedcheck program")?;
     writer.comment("cold, at travel height: time each line with a watch")?;
-    writer.comment("at every pause the machine must stop, where the comment before it says")?;
+    writer.comment("each pause must stop the machine where the comment before it says")?;
     for line in &script.requires {
         writer.requirement(&format!("requires: {line}"))?;
     }
