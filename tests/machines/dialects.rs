@@ -61,6 +61,27 @@ fn a_reversed_arc_is_found_at_its_line() {
     assert!(found.iter().any(|f| (f.code, f.line) == ("deviation", Some(line))), "{found:?}");
 }
 
+/// What a printer does not say itself: unhomed, or with Z 0 as its lowest, it stops or presses nothing after heating.
+#[test]
+fn printers_say_what_has_to_be_true() {
+    for (name, pause) in
+        [("marlin", "M0 must stop"), ("klipper", "PAUSE stops"), ("reprapfirmware", "M226 pauses")]
+    {
+        let rest = if can_go_slowly(name) { "" } else { CHOP };
+        let build = built(&spec_text(rest), profile(name));
+        let code = text(&build, "star-1-seal.gcode");
+        let requires: Vec<&str> = code.lines().filter_map(|line| line.strip_prefix("; requires: ")).collect();
+        for needed in ["homed", "Z 0 set on the release layer", pause] {
+            assert!(requires.iter().any(|line| line.contains(needed)), "{name}: {needed}: {requires:?}");
+        }
+        let lowest = |line: &&str| ["position_min", "M211", "M564"].iter().any(|word| line.contains(word));
+        assert!(requires.iter().any(lowest), "{name}: {requires:?}");
+        for line in crate::machine(profile(name)).script.requires {
+            assert!(requires.contains(&line.as_str()), "{name}: {line:?} is cut or changed");
+        }
+    }
+}
+
 /// Klipper, Marlin and RepRapFirmware run G0 at the feed in force: without an F a travel would crawl at the seal's.
 #[test]
 fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
