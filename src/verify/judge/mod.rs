@@ -6,3 +6,4 @@ pub(in crate::verify) mod files;
 mod job;
 mod pace;
 pub(in crate::verify) mod path;
+pub(in crate::verify) mod stroke;
