@@ -22,7 +22,7 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
 /// Dwells that are as long as told.
 const EXACT: Dwells = Dwells { unit: DwellUnit::Seconds, step: Duration(1e-3) };
 
-/// Reads [dwell].
+/// Reads `[dwell]`.
 pub(super) fn read_dwells(s: &mut Section<'_, '_>) -> Dwells {
     let units = [("s", DwellUnit::Seconds), ("ms", DwellUnit::Milliseconds)];
     Dwells {

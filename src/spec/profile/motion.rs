@@ -13,7 +13,7 @@ const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
 /// Lowest step rates, steps/s: from a step a quarter of an hour to what only a broken timer would have.
 const RATE: Allowed = Allowed::closed(1e-3, 1e5);
 
-/// Reads [motion] of a controller of the family `dialect`.
+/// Reads `[motion]` of a controller of the family `dialect`.
 pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
     let axes = [
         known_number(s, "x_steps_per_mm", STEPS),

@@ -6,7 +6,7 @@ use crate::spec::fault::{Fault, quoted};
 use crate::spec::machine::Script;
 use crate::spec::section::{Reader, Section};
 
-/// Reads [program] for a controller that reads lines of at most `length` characters.
+/// Reads `[program]` for a controller that reads lines of at most `length` characters.
 pub(super) fn read_script(reader: &mut Reader<'_>, length: usize) -> Script {
     let mut program = reader.section("program");
     program.require(&[("start", "[\"G21\", \"G90\"]"), ("pause", "\"M0\""), ("end", "[\"M2\"]")]);
