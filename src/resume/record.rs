@@ -158,7 +158,8 @@ impl Header {
             acceleration: self.within("chop-rest", "acceleration_mm_s2")?,
             step: self.number("chop-rest", "step_s")?,
             rest: self.within("seal", "band_mm")? / 10.0 / self.within("seal", "speed_mm_s")?,
-            start_delay: self.number("chop-start", "delay_s")?.clamp(0.0, 1.0),
+            // Older programs do not say it.
+            start_delay: self.number("chop-start", "delay_s").map_or(0.0, |delay| delay.clamp(0.0, 1.0)),
             stepper: self.stepper()?,
         }))
     }

@@ -164,9 +164,11 @@ fn the_wait_of_a_start_is_taken_off_the_dwell() {
     let with = text(&built(&spec_text(CHOP), profile("marlin")), "star-1-seal.gcode");
     let none = profile("marlin").replace("start_delay = \"100 ms\"", "start_delay = \"0 s\"");
     let without = text(&built(&spec_text(CHOP), &none), "star-1-seal.gcode");
+    // The mean dwell, ms.
     let dwell = |code: &str| {
-        let lines = code.lines().filter_map(|line| line.strip_prefix("G4 P")?.parse::<f64>().ok());
-        lines.sum::<f64>() / code.lines().filter(|line| line.starts_with("G4 P")).map(|_| 1.0).sum::<f64>()
+        let times = code.lines().filter_map(|line| line.strip_prefix("G4 P")?.parse::<f64>().ok());
+        let (sum, count) = times.fold((0.0, 0.0), |(sum, count), ms| (sum + ms, count + 1.0));
+        sum / count
     };
     assert!((dwell(&without) - dwell(&with) - 100.0).abs() < 0.5, "{} {}", dwell(&without), dwell(&with));
 }

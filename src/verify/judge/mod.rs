@@ -7,3 +7,4 @@ mod job;
 mod pace;
 pub(in crate::verify) mod path;
 pub(in crate::verify) mod stroke;
+mod travel;
