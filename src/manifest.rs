@@ -9,6 +9,7 @@ use sha2::{Digest, Sha256};
 
 use crate::artifact::{Artifact, Kind, Output};
 use crate::design::{Design, Paper};
+use crate::manifest::bill::thousandths;
 use crate::plan::Program;
 use crate::spec::Spec;
 
@@ -219,9 +220,4 @@ pub fn sha256(bytes: &[u8]) -> String {
         let _ = write!(hex, "{byte:02x}");
         hex
     })
-}
-
-/// A figure for people, to a thousandth: the last bits of a sum are not worth a changed file.
-fn thousandths(x: f64) -> f64 {
-    (x * 1000.0).round() / 1000.0
 }

@@ -3,10 +3,11 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use crate::cli::failure::{Failure, say, shown};
+use crate::cli::failure::{Failure, say};
+use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{number, quantity};
-use crate::cli::read_text;
+use crate::cli::text_file::read_text;
 use crate::coupon::{calibrate, listing, read_rows, settings, steady};
 use crate::design::Design;
 use crate::forecast::case::Case;

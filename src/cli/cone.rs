@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, number, quantity};
-use crate::cli::read_text;
+use crate::cli::text_file::read_text;
 use crate::coupon::cone::{Balance, Cone, Overlay, read_test, reduce};
 use crate::design::Star;
 use crate::forecast::case::mechanism;

@@ -4,10 +4,11 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::{fs, io};
 
-use crate::cli::failure::{Failure, say, shown};
+use crate::cli::failure::{Failure, say};
+use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::quantity::quantity;
-use crate::cli::write_new;
+use crate::cli::text_file::write_new;
 use crate::coupon::{Grid, coupons, table};
 use crate::spec::Allowed;
 use crate::units::{Length, Speed, Temperature};

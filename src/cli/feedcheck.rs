@@ -2,9 +2,10 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say, shown};
+use crate::cli::failure::{Failure, say};
+use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
-use crate::cli::write_new;
+use crate::cli::text_file::write_new;
 use crate::emit;
 use crate::plan;
 use crate::spec::FeedFloor;

@@ -4,7 +4,8 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use crate::cli::failure::{Failure, shown, tell, warn};
+use crate::cli::failure::{Failure, tell, warn};
+use crate::cli::harmless::shown;
 use crate::design::{Refusals, Warning};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Sources};

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::cli::failure::{Failure, say, shown};
+use crate::cli::failure::{Failure, say};
+use crate::cli::harmless::shown;
 use crate::spec;
 use crate::spec::{Motion, Source};
 

@@ -12,6 +12,7 @@ mod coupon;
 mod failure;
 mod feedcheck;
 mod findings;
+mod harmless;
 mod load;
 mod machines;
 mod new;
@@ -22,18 +23,16 @@ mod quantity;
 mod resume;
 mod summary;
 mod sweep;
+mod text_file;
 mod trade;
 mod verify;
 
-use std::fs::File;
-use std::io::{Read, Write};
-use std::path::Path;
+use std::env;
 use std::process::ExitCode;
-use std::{env, io};
 
 use clap::{Parser, Subcommand};
 
-use crate::cli::failure::{Failure, shown};
+use crate::cli::harmless::shown;
 
 pub use publish::{PublishFault, Published, publish};
 
@@ -108,34 +107,4 @@ pub fn main() -> ExitCode {
 /// Ends with what `clap` has to say: help, or wrong usage. It quotes arguments, so it gets to see harmless ones.
 fn misused(fault: clap::Error) -> ! {
     Cli::try_parse_from(env::args_os().map(shown)).err().unwrap_or(fault).exit()
-}
-
-/// Most bytes of a program or a table: many times what the largest design needs.
-const TEXT_LIMIT: u64 = 1 << 28;
-
-/// Reads a program or a table that a command is given.
-fn read_text(path: &Path) -> Result<String, Failure> {
-    let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(TEXT_LIMIT + 1).read_to_end(&mut bytes));
-    let length = read.map_err(|error| Failure::file("read", path, &error))?;
-    if u64::try_from(length).unwrap_or(u64::MAX) > TEXT_LIMIT {
-        let most = "a program or a table has at most 256 MiB; name another file";
-        return Err(Failure::Message(format!("{} is too large: {most}", shown(path))));
-    }
-    String::from_utf8(bytes).map_err(|error| {
-        let at = error.utf8_error().valid_up_to();
-        Failure::Message(format!("{}: byte {at} is no text; it must be UTF-8: save it as such", shown(path)))
-    })
-}
-
-/// Writes a file that must not be there yet.
-fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
-    File::create_new(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
-        match error.kind() {
-            io::ErrorKind::AlreadyExists => {
-                Failure::Message(format!("{} exists already; choose another name", shown(path)))
-            }
-            _ => Failure::file("write", path, &error),
-        }
-    })
 }

@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say, shown};
-use crate::cli::write_new;
+use crate::cli::failure::{Failure, say};
+use crate::cli::harmless::shown;
+use crate::cli::text_file::write_new;
 use crate::spec;
 
 /// Arguments of `new`.

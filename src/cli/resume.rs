@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say, shown};
-use crate::cli::{read_text, write_new};
+use crate::cli::failure::{Failure, say};
+use crate::cli::harmless::shown;
+use crate::cli::text_file::{read_text, write_new};
 use crate::geom::Point;
 use crate::resume::{ResumeAt, resume};
 use crate::units::{Length, Quantity};

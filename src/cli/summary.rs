@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use crate::artifact::Format;
-use crate::cli::failure::shown;
+use crate::cli::harmless::shown;
 use crate::design::{COATING_ASSUMES, Design, Plate};
 use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};

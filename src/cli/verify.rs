@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use crate::cli::failure::{Failure, say, shown};
+use crate::cli::failure::{Failure, say};
+use crate::cli::harmless::shown;
 use crate::cli::{findings, summary};
 use crate::pipeline::prove_files;
 use crate::verify::{By, FileProof, OutputFiles, Proof};

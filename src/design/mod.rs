@@ -5,6 +5,7 @@
 //! is the cut. A [`StarDesign`] holds all of one star in the star's own frame (axis at the origin,
 //! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
 
+mod arm;
 mod coating;
 mod code;
 mod contour;
@@ -27,6 +28,7 @@ mod star;
 mod star_fault;
 mod window;
 
+pub use arm::arm_length;
 pub use coating::COATING_ASSUMES;
 pub use code::RefusalCode;
 pub use contour::{Contour, Part, Side};
@@ -42,4 +44,4 @@ pub use refusal::{Refusal, Refusals, Warning};
 pub use seam::{MOUTH_OVERRUN, Seam};
 pub use sheet::{Design, PlacedStar, SheetLayout};
 pub use stack::Stack;
-pub use star::{Star, arm_length};
+pub use star::Star;

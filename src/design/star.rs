@@ -13,6 +13,7 @@
 
 use std::f64::consts::PI;
 
+use crate::design::arm::arm_length;
 use crate::design::star_fault::{blamed, no_arm};
 use crate::design::{Refusal, RefusalCode};
 use crate::geom::Point;
@@ -47,16 +48,6 @@ pub struct Star {
 /// Largest distance of a tip from the axis, mm: 100 m, as for every length of a spec. A tip angle near 0 makes arms of
 /// any length, and programs that fill any memory.
 const LARGEST: f64 = 1e5;
-
-/// Arm length l of the star that `spec` describes with `n` points, mm; it may come out negative.
-///
-/// `(rho_0 + W + R_e) sin(pi/n) = l sin(phi_i0/2) + (W + R_i + R_e) cos(phi_i0/2)`: Andrade-Silva and
-/// Marthelot, supplement, Eq. for l, which is the case R_i = R_e = 0.
-pub fn arm_length(spec: &StarSpec, n: u32) -> f64 {
-    let (sin, cos) = (spec.tip_angle.rad() / 2.0).sin_cos();
-    let (w, r_i, r_e) = (spec.tube_width.0, spec.tip_radius.0, spec.corner_radius.0);
-    ((spec.inner_radius.0 + w + r_e) * (PI / f64::from(n)).sin() - (w + r_i + r_e) * cos) / sin
-}
 
 impl Star {
     /// The star of `spec`.

@@ -6,7 +6,8 @@
 
 use std::f64::consts::PI;
 
-use crate::design::{Refusal, RefusalCode, arm_length};
+use crate::design::arm::arm_length;
+use crate::design::{Refusal, RefusalCode};
 use crate::spec::{KeyPath, StarSpec, key};
 use crate::units::Readable;
 

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use crate::design::{COATING_ASSUMES, Design};
-use crate::manifest::thousandths;
 use crate::spec::Spec;
 
 /// Posts of one length.
@@ -91,4 +90,9 @@ pub(super) fn masks(spec: &Spec, design: &Design) -> Vec<ManifestMask> {
         }
     });
     first.collect()
+}
+
+/// A figure for people, to a thousandth: the last bits of a sum are not worth a changed file.
+pub(super) fn thousandths(x: f64) -> f64 {
+    (x * 1000.0).round() / 1000.0
 }

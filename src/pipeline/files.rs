@@ -2,11 +2,21 @@
 
 use crate::artifact::{Artifact, Format, Kind, Output, Subject, outputs};
 use crate::emit;
-use crate::pipeline::{Forecast, Sources};
+use crate::manifest::Manifest;
+use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
 
+impl Forecast {
+    /// The files of the kinds `only`, and the sources; empty means all.
+    pub fn build(self, sources: Sources<'_>, only: &[Kind]) -> Built {
+        let artifacts = artifacts(&self, sources, only);
+        let manifest = Manifest::new(&self.spec, &self.design, &self.programs).with_files(&artifacts, only);
+        Built { forecast: self, artifacts, manifest }
+    }
+}
+
 /// The files of the kinds `only`, and the sources; empty means all.
-pub(super) fn artifacts(forecast: &Forecast, sources: Sources<'_>, only: &[Kind]) -> Vec<Artifact> {
+fn artifacts(forecast: &Forecast, sources: Sources<'_>, only: &[Kind]) -> Vec<Artifact> {
     let wanted = outputs(&forecast.spec, &forecast.design, only);
     let made = wanted
         .into_iter()

@@ -134,13 +134,6 @@ impl Forecast {
     pub fn of(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         Designed::new(spec, machine)?.plan()?.forecast()
     }
-
-    /// The files of the kinds `only`, and the sources; empty means all.
-    pub fn build(self, sources: Sources<'_>, only: &[Kind]) -> Built {
-        let artifacts = files::artifacts(&self, sources, only);
-        let manifest = Manifest::new(&self.spec, &self.design, &self.programs).with_files(&artifacts, only);
-        Built { forecast: self, artifacts, manifest }
-    }
 }
 
 /// All steps up to [`Built`].

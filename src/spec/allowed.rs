@@ -2,6 +2,11 @@
 
 use crate::units::Readable;
 
+/// Lengths that must be there: 1 um to 100 m, far beyond what fabric and iron can do at both ends.
+pub(super) const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
+/// Lengths that may be zero, up to 100 m.
+pub(super) const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
+
 /// A range of numbers, each end in or out; it never holds NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Allowed {

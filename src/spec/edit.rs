@@ -2,7 +2,8 @@
 
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
-use crate::spec::fault::{Fault, Faults};
+use crate::spec::fault::Fault;
+use crate::spec::faults::Faults;
 use crate::spec::key::KeyPath;
 use crate::spec::model::StarSpec;
 use crate::spec::reading::read;

@@ -10,9 +10,11 @@
 
 mod allowed;
 mod builtin;
+mod bytes;
 mod code;
 pub mod edit;
 mod fault;
+mod faults;
 pub mod key;
 mod machine;
 mod message;
@@ -34,7 +36,8 @@ pub use allowed::Allowed;
 pub use builtin::UnknownMachine;
 pub(crate) use code::codes;
 pub use code::{Code, FaultCode};
-pub use fault::{Fault, Faults, Severity};
+pub use fault::{Fault, Severity};
+pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{
     Bench, Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine, Process,

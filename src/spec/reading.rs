@@ -3,8 +3,9 @@
 //! Reading goes on after a fault with a stand-in for the faulty value; a stand-in never leaves this
 //! room, because the faults then refuse the spec.
 
-use crate::spec::allowed::Allowed;
-use crate::spec::fault::{Fault, Faults, quoted};
+use crate::spec::allowed::{Allowed, EXTRA, SIZE};
+use crate::spec::fault::{Fault, quoted};
+use crate::spec::faults::Faults;
 use crate::spec::model::{
     Accuracy, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
     Sheet, Spec,
@@ -15,11 +16,6 @@ use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
 use crate::spec::{Code, FaultCode, stars};
 use crate::units::{Length, Percent, Pressure, Speed, Temperature};
-
-/// Lengths that must be there: 1 um to 100 m, far beyond what fabric and iron can do at both ends.
-pub(super) const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
-/// Lengths that may be zero, up to 100 m.
-pub(super) const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
 
 /// A spec that was read, and what can still be said about its text.
 #[derive(Clone, Debug)]

@@ -2,37 +2,38 @@
 
 use annotate_snippets::{AnnotationKind, Level as Tone, Renderer, Snippet};
 
-use crate::spec::fault::{Fault, Faults, Severity};
+use crate::spec::fault::{Fault, Severity};
 use crate::spec::name::misleads;
+use crate::spec::source::Source;
 
 /// Most faults shown; a wrong file has thousands, and nobody reads them.
 const SHOWN: usize = 30;
 
-/// All of `faults` without colour.
-pub(super) fn plain(faults: &Faults) -> String {
-    render(faults, &Renderer::plain())
+/// All of `faults`, which `source` has, without colour.
+pub(super) fn plain(source: &Source, faults: &[Fault]) -> String {
+    render(source, faults, &Renderer::plain())
 }
 
-/// All of `faults` with the colours of a terminal.
-pub(super) fn coloured(faults: &Faults) -> String {
-    render(faults, &Renderer::styled())
+/// All of `faults`, which `source` has, with the colours of a terminal.
+pub(super) fn coloured(source: &Source, faults: &[Fault]) -> String {
+    render(source, faults, &Renderer::styled())
 }
 
-fn render(faults: &Faults, renderer: &Renderer) -> String {
+fn render(source: &Source, faults: &[Fault], renderer: &Renderer) -> String {
     let mut text = String::new();
-    for fault in faults.list().iter().take(SHOWN) {
-        text.push_str(&one(faults, fault, renderer));
+    for fault in faults.iter().take(SHOWN) {
+        text.push_str(&one(source, fault, renderer));
         text.push_str("\n\n");
     }
     if !faults.is_empty() {
-        text.push_str(&summary(faults));
+        text.push_str(&summary(source, faults));
         text.push('\n');
     }
     text
 }
 
-fn one(faults: &Faults, fault: &Fault, renderer: &Renderer) -> String {
-    let text = &faults.source().text;
+fn one(source: &Source, fault: &Fault, renderer: &Renderer) -> String {
+    let text = &source.text;
     // Only the line is handed on: the renderer's work grows with what it is given, once for each fault.
     let start = text[..fault.span.start].rfind('\n').map_or(0, |at| at + 1);
     let end = text[fault.span.start..].find('\n').map_or(text.len(), |n| fault.span.start + n);
@@ -45,7 +46,7 @@ fn one(faults: &Faults, fault: &Fault, renderer: &Renderer) -> String {
     };
     let snippet = Snippet::source(line)
         .line_start(1 + text[..start].matches('\n').count())
-        .path(shown_name(faults))
+        .path(shown_name(source))
         .annotation(AnnotationKind::Primary.span(span).label(fault.label.as_str()));
     let mut group = tone.primary_title(fault.message.as_str()).id(fault.code).element(snippet);
     if let Some(help) = &fault.help {
@@ -55,8 +56,8 @@ fn one(faults: &Faults, fault: &Fault, renderer: &Renderer) -> String {
 }
 
 /// "spec.toml: 2 errors, 1 warning".
-fn summary(faults: &Faults) -> String {
-    let count = |level| faults.list().iter().filter(|fault| fault.level == level).count();
+fn summary(source: &Source, faults: &[Fault]) -> String {
+    let count = |level| faults.iter().filter(|fault| fault.level == level).count();
     let phrase = |n: usize, word: &str| match n {
         0 => None,
         1 => Some(format!("1 {word}")),
@@ -64,11 +65,11 @@ fn summary(faults: &Faults) -> String {
     };
     let parts = [phrase(count(Severity::Error), "error"), phrase(count(Severity::Warning), "warning")];
     let parts = parts.into_iter().flatten().collect::<Vec<_>>().join(", ");
-    let cut = if faults.list().len() > SHOWN { format!(", the first {SHOWN} shown") } else { String::new() };
-    format!("{}: {parts}{cut}", shown_name(faults))
+    let cut = if faults.len() > SHOWN { format!(", the first {SHOWN} shown") } else { String::new() };
+    format!("{}: {parts}{cut}", shown_name(source))
 }
 
 /// The source's name without what would command a terminal.
-fn shown_name(faults: &Faults) -> String {
-    faults.source().name.chars().map(|c| if misleads(c) { '?' } else { c }).collect()
+fn shown_name(source: &Source) -> String {
+    source.name.chars().map(|c| if misleads(c) { '?' } else { c }).collect()
 }

@@ -1,9 +1,8 @@
 //! The stars of the stack: `[star]`, `[stack]` with its `[[stack.star]]`, and `[inlet]`.
 
-use crate::spec::allowed::Allowed;
+use crate::spec::allowed::{Allowed, EXTRA, SIZE};
 use crate::spec::fault::Fault;
 use crate::spec::model::{Inlet, StarSpec};
-use crate::spec::reading::{EXTRA, SIZE};
 use crate::spec::section::{Reader, Section};
 use crate::spec::{FaultCode, key};
 use crate::units::{Angle, Length};

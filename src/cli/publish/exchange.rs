@@ -5,10 +5,10 @@
 
 use std::path::PathBuf;
 
+use crate::cli::publish::disk;
 use crate::cli::publish::fault::PublishFault;
 use crate::cli::publish::place::{Place, Role};
-use crate::cli::publish::stage::Staging;
-use crate::cli::publish::{File, disk};
+use crate::cli::publish::stage::{File, Staging};
 
 /// Puts `files` in the target's place. Returns where the old build is now, if there was one.
 ///

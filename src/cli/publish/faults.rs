@@ -13,7 +13,8 @@ use tempfile::TempDir;
 
 use crate::cli::publish::disk::Step;
 use crate::cli::publish::place::Place;
-use crate::cli::publish::{File, PublishFault, Published, journal, put, retire};
+use crate::cli::publish::stage::File;
+use crate::cli::publish::{PublishFault, Published, journal, put, retire};
 use crate::manifest::{MANIFEST, sha256};
 
 /// What the system can do.

@@ -9,12 +9,12 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::cli::publish::disk;
 use crate::cli::publish::fault::PublishFault;
 use crate::cli::publish::place::{Place, Role};
 use crate::cli::publish::record::{Record, is_manifest};
 use crate::cli::publish::retire::retire;
-use crate::cli::publish::stage::Staging;
-use crate::cli::publish::{File, disk};
+use crate::cli::publish::stage::{File, Staging};
 use crate::manifest::MANIFEST;
 
 /// Puts `files` into the target in place of the build that `before` records. Returns where the old build is now.

@@ -17,20 +17,17 @@ mod record;
 mod retire;
 mod stage;
 
-use std::borrow::Cow;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use crate::cli::failure::shown;
+use crate::cli::harmless::shown;
 use crate::cli::publish::place::Place;
 use crate::cli::publish::record::Record;
+use crate::cli::publish::stage::File;
 use crate::manifest::MANIFEST;
 use crate::pipeline::Proven;
 
 pub use fault::PublishFault;
-
-/// A file to publish: its name and content.
-type File<'a> = (&'a str, Cow<'a, [u8]>);
 
 /// What a person should know of a publication; it prints as one line for each, with nothing if all is as usual.
 #[derive(Debug, Default)]

@@ -1,10 +1,14 @@
 //! Writing a build where nobody sees it.
 
+use std::borrow::Cow;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::cli::publish::disk;
 use crate::cli::publish::fault::PublishFault;
-use crate::cli::publish::{File, disk};
+
+/// A file to publish: its name and content.
+pub(super) type File<'a> = (&'a str, Cow<'a, [u8]>);
 
 /// A whole build in a hidden directory, synced. It goes when it is dropped.
 #[derive(Debug)]

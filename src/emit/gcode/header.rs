@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::emit::gcode::Facts;
+use crate::emit::gcode::facts::Facts;
 use crate::emit::gcode::writer::Writer;
 use crate::emit::number::number;
 use crate::plan::{Pace, Program, Purpose, SeamReport, Stepper};

@@ -9,6 +9,7 @@
 //! it spells differently; this room goes through a program's steps.
 
 mod dialect;
+mod facts;
 mod feed_check;
 mod header;
 mod writer;
@@ -21,33 +22,10 @@ use crate::emit::gcode::writer::Writer;
 use crate::emit::number::number;
 use crate::geom::{Point, Segment};
 use crate::plan::{Clock, Pace, Pacer, Program, Step, height_of};
-use crate::spec::{Controller, Heating, Machine, Process, Seal, Spec};
-use crate::units::Length;
+use crate::spec::{Heating, Machine, Spec};
 
+pub use facts::Facts;
 pub use feed_check::feed_check;
-
-/// What the spelling of steps needs to know beside them.
-#[derive(Clone, Copy, Debug)]
-pub struct Facts<'a> {
-    /// What the user calls the design; any text.
-    pub name: &'a str,
-    /// Temperature, speed, band and overlap.
-    pub seal: &'a Seal,
-    /// Largest deviation from the exact geometry.
-    pub path: Length,
-    /// What reads the program.
-    pub controller: &'a Controller,
-    /// How the iron is led.
-    pub process: &'a Process,
-}
-
-impl<'a> Facts<'a> {
-    /// The facts about programs of `spec` for `machine`.
-    pub fn new(spec: &'a Spec, machine: &'a Machine) -> Self {
-        let Machine { controller, process, .. } = machine;
-        Self { name: &spec.name, seal: &spec.seal, path: spec.accuracy.path, controller, process }
-    }
-}
 
 /// The program as text.
 pub fn gcode(spec: &Spec, machine: &Machine, program: &Program) -> String {

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use crate::emit::gcode::Facts;
 use crate::emit::gcode::dialect::Spelling;
+use crate::emit::gcode::facts::Facts;
 use crate::emit::number::{Decimals, number};
 use crate::emit::text::inert;
 use crate::geom::{Point, Segment};

@@ -1,13 +1,12 @@
 //! Where the iron may go: the work area and the clamps.
 
 use crate::spec::FaultCode;
-use crate::spec::allowed::Allowed;
+use crate::spec::allowed::{Allowed, SIZE};
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::machine::{Bench, KeepOut};
 use crate::spec::name::check_name;
 use crate::spec::profile::known::known;
 use crate::spec::profile::process::HEIGHT;
-use crate::spec::reading::SIZE;
 use crate::spec::section::{Reader, Section};
 use crate::units::Length;
 

@@ -12,7 +12,8 @@ mod process;
 mod script;
 
 use crate::spec::FaultCode;
-use crate::spec::fault::{Fault, Faults, quoted};
+use crate::spec::fault::{Fault, quoted};
+use crate::spec::faults::Faults;
 use crate::spec::machine::{Controller, Machine};
 use crate::spec::name::misleads;
 use crate::spec::profile::bench::read_bench;

@@ -1,10 +1,9 @@
 //! How the iron is led: heights, ramp, speeds.
 
 use crate::spec::FaultCode;
-use crate::spec::allowed::Allowed;
+use crate::spec::allowed::{Allowed, SIZE};
 use crate::spec::fault::Fault;
 use crate::spec::machine::{Heights, Process};
-use crate::spec::reading::SIZE;
 use crate::spec::section::{Reader, Section};
 use crate::units::{Length, Speed};
 

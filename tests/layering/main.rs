@@ -2,6 +2,8 @@
 //!
 //! Imports are written `use crate::room::{A, B};`, a line a module, so the rooms a file knows can be read from its lines.
 
+mod circles;
+
 use std::fs;
 use std::path::Path;
 
@@ -141,4 +143,28 @@ fn scan(path: &Path, words: &[&str], found: &mut Vec<String>) {
                 .map(|w| format!("{}:{number}: {w}", path.display())),
         );
     }
+}
+
+/// Two files that know each other are one subject in two places, or two in one.
+#[test]
+fn no_files_know_each_other_in_a_circle() {
+    let imports = circles::imports(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"));
+    assert!(imports.len() > 150, "only {} files were read", imports.len());
+    let found = circles::circles(&imports);
+    assert!(found.is_empty(), "{found:#?}");
+}
+
+#[test]
+fn a_circle_is_seen() {
+    let imports = |pairs: &[(&str, &str)]| -> circles::Imports {
+        let mut imports = circles::Imports::new();
+        for (file, other) in pairs {
+            let _ = imports.entry((*file).to_owned()).or_default().insert((*other).to_owned());
+        }
+        imports
+    };
+    assert!(circles::circles(&imports(&[("a", "b"), ("b", "c"), ("a", "c")])).is_empty());
+    let round = imports(&[("a", "b"), ("b", "c"), ("c", "b")]);
+    let found = circles::circles(&round);
+    assert_eq!(found.into_iter().flatten().collect::<Vec<_>>(), ["b", "c"]);
 }

@@ -1,0 +1,96 @@
+//! All faults of one text, in order.
+
+use std::fmt;
+
+use crate::spec::fault::{Fault, Severity};
+use crate::spec::render;
+use crate::spec::source::Source;
+
+/// All faults of one source, in the order of their places. It prints without colour.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Faults {
+    source: Source,
+    list: Vec<Fault>,
+}
+
+impl Faults {
+    /// Collects `list`, the faults of `source`; spans outside the text are drawn to its end.
+    pub fn new(source: &Source, mut list: Vec<Fault>) -> Self {
+        for fault in &mut list {
+            let end = boundary(&source.text, fault.span.end);
+            fault.span = boundary(&source.text, fault.span.start).min(end)..end;
+        }
+        list.sort_by_key(|fault| (fault.span.start, fault.span.end));
+        Self { source: source.clone(), list }
+    }
+
+    /// The faults in the order of their places.
+    pub fn list(&self) -> &[Fault] {
+        &self.list
+    }
+
+    /// The text they speak of.
+    pub fn source(&self) -> &Source {
+        &self.source
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Whether at least one of them refuses the text.
+    pub fn refuse(&self) -> bool {
+        self.list.iter().any(|fault| fault.level == Severity::Error)
+    }
+
+    /// All faults for a terminal, with colour; [`fmt::Display`] gives the same without.
+    pub fn coloured(&self) -> String {
+        render::coloured(&self.source, &self.list)
+    }
+}
+
+impl fmt::Display for Faults {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&render::plain(&self.source, &self.list))
+    }
+}
+
+impl std::error::Error for Faults {}
+
+/// The last place at or before `at` where a character of `text` begins or the text ends.
+fn boundary(text: &str, at: usize) -> usize {
+    let at = at.min(text.len());
+    (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::FaultCode;
+
+    #[test]
+    fn spans_are_drawn_into_the_text() {
+        let source = Source::new("a", "µ = 1");
+        #[expect(clippy::reversed_empty_ranges, reason = "this is what must do no harm")]
+        let spans = [1..3, 100..200, 3..1, 2..usize::MAX];
+        let faults =
+            Faults::new(&source, spans.into_iter().map(|s| Fault::error(FaultCode::Name, s, "m")).collect());
+        for fault in faults.list() {
+            assert!(source.text.get(fault.span.clone()).is_some(), "{:?}", fault.span);
+        }
+        assert!(!faults.to_string().is_empty());
+    }
+
+    #[test]
+    fn faults_stand_in_the_order_of_their_places() {
+        let source = Source::new("a", "a\nb\nc\n");
+        let faults = Faults::new(
+            &source,
+            [4, 0, 2].map(|at| Fault::warning(FaultCode::Name, at..at + 1, "m")).into_iter().collect(),
+        );
+        assert_eq!(faults.list().iter().map(|f| f.span.start).collect::<Vec<_>>(), [0, 2, 4]);
+        assert!(!faults.refuse());
+        assert!(Faults::new(&source, vec![Fault::error(FaultCode::Name, 0..0, "m")]).refuse());
+    }
+}
