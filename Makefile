@@ -3,7 +3,7 @@
 
 CARGO ?= cargo
 
-.PHONY: demo test check deny audit strangers mutants bench docs
+.PHONY: demo test check deny audit strangers mutants faults bench
 
 # Build the paper's star and say what was written, and where.
 demo:
@@ -37,6 +37,11 @@ SHARD ?= 0/1
 mutants:
 	@$(call needs,mutants,cargo-mutants)
 	PROPTEST_RNG_SEED=20 INSTA_UPDATE=no $(CARGO) mutants -f '$(FILES)' --shard $(SHARD) -o target/mutants -- --locked
+
+# Kills and errors at every system call of a publication, by strace (docs/reliability.md). Minutes.
+faults:
+	$(CARGO) build --release --locked
+	tests/faults/run target/release/stargrip-cam
 
 # Says how to get a cargo subcommand that is not there.
 needs = $(CARGO) $(1) --version >/dev/null 2>&1 || { echo "$(2) is missing: run \`cargo install --locked $(2)\`" >&2; exit 1; }

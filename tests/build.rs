@@ -110,9 +110,12 @@ fn placed(path: &Path, turn: f64) -> Path {
     Isometry::translation(Point::new(10.0, 10.0) - corner).path(&turned)
 }
 
-/// The moves in contact that the generic G-code of one seam along `path` has.
+/// The moves in contact that the G-code of one seam along `path` has, for a controller that draws arcs.
 fn read_back(path: &Path) -> Vec<Segment> {
-    let (spec, machine) = (support::read(support::PAPER), support::machine());
+    let linuxcnc = stargrip_cam::spec::builtin_machine("linuxcnc").expect("built in");
+    let source = stargrip_cam::spec::Source::new("linuxcnc", linuxcnc);
+    let machine = stargrip_cam::spec::read_machine(&source).expect("valid");
+    let spec = support::read(support::PAPER);
     let seam = SeamReport { star: 1, side: Side::Outside, length: path.length(), overlap: 0.0, time: 0.0 };
     let program = Program {
         purpose: Purpose::Seal,
@@ -129,7 +132,7 @@ fn read_back(path: &Path) -> Vec<Segment> {
         time: 0.0,
     };
     let text = emit::gcode(&spec, &machine, &program);
-    let program = read_program(&text, Dialect::GENERIC);
+    let program = read_program(&text, Dialect::LINUXCNC);
     assert_eq!(program.findings, []);
     for (step, next) in program.moves.iter().zip(program.moves.iter().skip(1)) {
         assert_eq!(step.to, next.from);

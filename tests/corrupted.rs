@@ -332,10 +332,10 @@ fn a_moved_point_is_found() {
 }
 
 #[test]
-fn a_reversed_arc_is_found() {
-    assert_program_fault("deviation", |lines| {
-        let i = nth(lines, "G3", 0);
-        lines[i] = lines[i].replacen("G3", "G2", 1);
+fn an_arc_for_a_controller_that_draws_none_is_found() {
+    assert_program_fault("unknown-word", |lines| {
+        let i = nth(lines, "G1 X", 40);
+        lines[i] = lines[i].replacen("G1", "G3", 1) + " I1 J0";
     });
 }
 

@@ -71,7 +71,13 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     let dir = workshop();
     let said = done(dir.path(), &["feedcheck", "star.toml"]);
     assert!(said.contains("wrote feedcheck.gcode") && said.contains("must take 100 s"), "{said}");
+    assert!(said.contains("at each M0 it must stop and wait, at the X, Y and Z"), "{said}");
     let program = read(dir.path(), "feedcheck.gcode");
+    assert!(
+        program.contains("; requires: M0 must stop the machine") && !program.contains("G91"),
+        "{program}"
+    );
+    assert!(program.contains("\n; must stop here, at X10 Y0 Z5\nM0\n"), "{program}");
     assert!(program.contains("F6") && !program.contains("M104") && !program.contains("G1 Z"), "{program}");
     // Where strokes are chopped already, chopping is no remedy.
     let chopped = format!("{}[machine]\nprofile = \"marlin\"\nfeed_floor = \"chop\"\n", support::PAPER);

@@ -4,8 +4,8 @@
 ; frame: origin at lower left of the sheet, Z0 on the release layer
 G21
 G17
-G90
 G91.1
+G90
 G94
 G0 Z30
 G0 X10 Y10

@@ -62,28 +62,7 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
     let band = part.band;
     let mut found = Found::default();
     let loops = [inner, outer].map(|seam| closure(spec, machine, seam, part.channel.is_some(), &mut found));
-    let crossings = path_intersections(&inner.center_line, &outer.center_line).len();
-    if crossings > 0 {
-        let what = format!("the two seams cross or touch in {crossings} places");
-        found.leak(
-            key::star::TUBE_WIDTH,
-            RefusalCode::SeamsCross,
-            what,
-            "make tube_width larger, or the band narrower",
-        );
-    }
-    for (seam, Loop { name, .. }) in [inner, outer].iter().zip(&loops) {
-        let own = self_crossings(&seam.center_line);
-        if own > 0 {
-            let what = format!("the {name} seam crosses itself in {own} places");
-            found.leak(
-                key::seal::BAND,
-                RefusalCode::SeamCrossesItself,
-                what,
-                "make band narrower, or the arms longer",
-            );
-        }
-    }
+    crossings(part, &mut found);
     let channel = path_distance(&inner.center_line, &outer.center_line) - band;
     if channel <= 0.0 {
         let what = format!("the bands meet: {channel:.3} mm are left between them");
@@ -98,16 +77,7 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
             .weaknesses
             .push(format!("the tube is {channel:.3} mm wide at its narrowest, of {} mm", part.star.w));
     }
-    let inlet = part.channel.map(|channel| {
-        let ends = outer.center_line.start().zip(outer.center_line.end());
-        let width = ends.map_or(0.0, |(a, b)| a.distance(b)) - band;
-        if width < 2.0 * channel.half_width - 1e-6 {
-            let what = format!("the inlet's mouth is {width:.3} mm wide, too narrow for the hose");
-            let remedy = format!("it needs {:.3} mm: make tube_diameter smaller", 2.0 * channel.half_width);
-            found.leak(key::inlet::TUBE_DIAMETER, RefusalCode::NarrowMouth, what, &remedy);
-        }
-        width
-    });
+    let inlet = mouth(part, &mut found);
     let nearest = |path: &Path, other: &Path| match (path.start(), other.start()) {
         (Some(a), Some(b)) => a.distance(b),
         _ => 0.0,
@@ -122,12 +92,42 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
     Passage { loops: loops.into(), starts_apart, channel, inlet, eaten, leaks, weaknesses }
 }
 
+/// Where a seam meets the other, or itself.
+fn crossings(part: &StarDesign, found: &mut Found) {
+    let [inner, outer] = &part.seams;
+    let both = path_intersections(&inner.center_line, &outer.center_line).len();
+    if both > 0 {
+        let what = format!("the two seams cross or touch in {both} places");
+        let remedy = "make tube_width larger, or the band narrower";
+        found.leak(key::star::TUBE_WIDTH, RefusalCode::SeamsCross, what, remedy);
+    }
+    for seam in [inner, outer] {
+        let own = self_crossings(&seam.center_line);
+        if own > 0 {
+            let what = format!("the {} seam crosses itself in {own} places", seam.side.loop_name());
+            let remedy = "make band narrower, or the arms longer";
+            found.leak(key::seal::BAND, RefusalCode::SeamCrossesItself, what, remedy);
+        }
+    }
+}
+
+/// Width of the inlet's mouth between its bands, mm, if there is an inlet.
+fn mouth(part: &StarDesign, found: &mut Found) -> Option<f64> {
+    let [_, outer] = &part.seams;
+    let needed = 2.0 * part.channel?.half_width;
+    let ends = outer.center_line.start().zip(outer.center_line.end());
+    let width = ends.map_or(0.0, |(a, b)| a.distance(b)) - part.band;
+    if width < needed - 1e-6 {
+        let what = format!("the inlet's mouth is {width:.3} mm wide, too narrow for the hose");
+        let remedy = format!("it needs {needed:.3} mm: make tube_diameter smaller");
+        found.leak(key::inlet::TUBE_DIAMETER, RefusalCode::NarrowMouth, what, &remedy);
+    }
+    Some(width)
+}
+
 fn closure(spec: &Spec, machine: &Machine, seam: &Seam, has_inlet: bool, found: &mut Found) -> Loop {
     let path = &seam.center_line;
-    let (name, may_open) = match seam.side {
-        Side::Hole => ("inner", false),
-        Side::Outside => ("outer", has_inlet),
-    };
+    let (name, may_open) = (seam.side.loop_name(), seam.side == Side::Outside && has_inlet);
     if path.largest_gap() > GAP {
         let what = format!("a gap of {:.6} mm in the {name} seam", path.largest_gap());
         found.leak(key::seal::BAND, RefusalCode::SeamGap, what, "a seam has no gap: try another band");

@@ -33,9 +33,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     };
     say(&format!(
         "wrote {}\neach of its three lines of {} mm (X, Y, 45 deg) must take {seconds:.0} s; if one is faster, the \
-         machine cannot go at {}: {remedy}\n",
+         machine cannot go at {}: {remedy}\nat each {} it must stop and wait, at the X, Y and Z that the comment before it \
+         says; if it runs on, or stands elsewhere, do not seal with this profile\n",
         shown(&args.output),
         plan::CHECK_LENGTH,
-        spec.seal.speed
+        spec.seal.speed,
+        machine.script.pause
     ))
 }

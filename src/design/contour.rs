@@ -25,6 +25,16 @@ pub enum Side {
     Outside,
 }
 
+impl Side {
+    /// The loop's name in files and reports.
+    pub fn loop_name(self) -> &'static str {
+        match self {
+            Self::Hole => "inner",
+            Self::Outside => "outer",
+        }
+    }
+}
+
 /// What a segment of a contour belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {

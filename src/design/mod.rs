@@ -18,6 +18,7 @@ mod mask;
 mod outline;
 mod paper;
 mod part;
+mod placement;
 mod refusal;
 mod registration;
 mod seam;

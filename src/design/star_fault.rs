@@ -107,17 +107,7 @@ mod tests {
     use crate::units::{Angle, Length};
 
     fn paper() -> StarSpec {
-        StarSpec {
-            points: 5,
-            inner_radius: Length(50.0),
-            tube_width: Length(30.0),
-            tip_angle: Angle(30.0),
-            tip_radius: Length(0.0),
-            corner_radius: Length(0.0),
-            rotation: Angle(0.0),
-            pitch: Length(40.0),
-            inlet_tip: 1,
-        }
+        StarSpec::paper(5)
     }
 
     #[test]

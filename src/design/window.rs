@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 use crate::design::{Refusal, RefusalCode, Star};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Mask, Seal, key};
-use crate::units::{Most, Readable};
+use crate::units::Readable;
 
 /// Width of plate left between neighbouring windows, mm, where there is room for it: a strip of a 2 mm
 /// plate that is narrower breaks when it is peeled off. At worst half of what lies between two apices stays.
@@ -58,13 +58,13 @@ struct Cut {
 
 impl<'a> Zone<'a> {
     pub(super) fn new(star: &'a Star, seal: &Seal, mask: &Mask) -> Self {
-        let creep = mask.creep.0;
-        Self {
-            star,
-            delta_h: seal.band.0 + seal.hole_allowance.0 - creep,
-            delta_o: seal.band.0 - creep,
-            creep,
-        }
+        let (delta_h, delta_o) = (seal.band.0 + seal.hole_allowance.0, seal.band.0);
+        Self { star, delta_h, delta_o, creep: 0.0 }.crept(mask.creep.0)
+    }
+
+    /// The same windows with `more` creep.
+    fn crept(self, more: f64) -> Self {
+        Self { delta_h: self.delta_h - more, delta_o: self.delta_o - more, creep: self.creep + more, ..self }
     }
 
     /// How far the windows may reach before the plate between them is too narrow or the arms end.
@@ -176,8 +176,24 @@ impl<'a> Zone<'a> {
                 Readable(room),
                 Readable(extent)
             ),
-            format!("creep must be below {} mm", Most((room / 2.0).min(extent / 2.0))),
+            format!(
+                "creep must be at most {} mm",
+                Readable((self.most_creep(extent) * 100.0).floor() / 100.0)
+            ),
         )
+    }
+
+    /// The largest creep that leaves something of a window with cuts at `extent`, where this one leaves nothing.
+    fn most_creep(&self, extent: f64) -> f64 {
+        let (mut least, mut most) = (0.0, self.creep);
+        // Halved until the ends differ by rounding: a refusal may take its time.
+        for _ in 0..60 {
+            let creep = 0.5 * (least + most);
+            let zone = self.crept(creep - self.creep);
+            let hole = self.star.r_e + self.star.w + zone.delta_h;
+            if zone.cut(extent, hole).is_some() { least = creep } else { most = creep }
+        }
+        least
     }
 }
 

@@ -9,6 +9,7 @@ mod stack_view;
 mod stl;
 mod svg;
 mod text;
+mod travel_view;
 
 pub use dxf::dxf;
 pub use gcode::{Facts, feed_check, gcode, write_gcode, write_steps};

@@ -8,8 +8,9 @@ use crate::emit::number::Decimals;
 use crate::emit::stack_view::StackView;
 use crate::emit::svg::{SvgPage, element};
 use crate::emit::text::inert;
-use crate::geom::{Path, Point, Segment, Vec2};
-use crate::plan::{Program, SeamReport, Step};
+use crate::emit::travel_view::travel_group;
+use crate::geom::{Path, Point, Vec2};
+use crate::plan::Program;
 use crate::spec::Spec;
 use crate::units::{Duration, Readable};
 
@@ -39,7 +40,7 @@ pub fn preview(spec: &Spec, design: &Design, programs: &[Program], sheet: usize)
         picture.append(star_group(&page, design.part(star), star));
     }
     for program in programs.iter().filter(|program| program.sheet == sheet) {
-        picture.append(travel_group(&page, program, size));
+        picture.append(travel_group(&page, design, program, size));
     }
     for star in stars {
         picture.append(labels(&page, design.part(star), star, size));
@@ -115,91 +116,6 @@ fn star_group(page: &SvgPage, part: &StarDesign, star: &PlacedStar) -> Element {
         circle.assign("stroke-width", "0.25");
         group.append(circle);
     }
-    group
-}
-
-/// How the iron travels: read from the program's own steps.
-fn travel_group(page: &SvgPage, program: &Program, size: f64) -> Element {
-    let mut group = element("g");
-    group.assign(
-        "id",
-        format!("program-{}", program.stars.iter().map(ToString::to_string).collect::<Vec<_>>().join("-")),
-    );
-    let mut seam: Option<(usize, &SeamReport)> = None;
-    for step in &program.steps {
-        match step {
-            Step::Seam(i) => seam = program.seams.get(*i).map(|report| (*i, report)),
-            Step::TouchDown(ramp) | Step::Lift(ramp) => {
-                group.append(stroke(page, &ramp.pieces, "#7030a0", 0.4, Some("1.2 0.8")));
-            }
-            Step::Seal(pieces) => {
-                let Some((index, report)) = seam else { continue };
-                group.append(stroke(page, pieces, "#404040", 0.15, None));
-                if report.overlap > 0.0 {
-                    let run = Path::open(pieces.clone());
-                    let twice = run.part(report.length - report.overlap, report.length);
-                    group.append(stroke(page, &twice.segments, "#d00000", 0.8, None));
-                }
-                for arrow in arrows(page, pieces, size) {
-                    group.append(arrow);
-                }
-                if let Some(start) = pieces.first() {
-                    group.append(start_mark(page, start, index + 1, size));
-                }
-            }
-            Step::Height(_) | Step::Heat(_) | Step::Travel(_) | Step::Trace(_) => {}
-        }
-    }
-    group
-}
-
-fn stroke(page: &SvgPage, pieces: &[Segment], color: &str, width: f64, dash: Option<&str>) -> Element {
-    let mut out = element("path");
-    out.assign("d", page.data(&Path::open(pieces.to_vec())));
-    out.assign("fill", "none");
-    out.assign("stroke", color);
-    out.assign("stroke-width", Decimals::exactly(3).text(width));
-    if let Some(dash) = dash {
-        out.assign("stroke-dasharray", dash);
-    }
-    out
-}
-
-/// Arrow heads in the direction of travel, about eight along a seam.
-fn arrows(page: &SvgPage, pieces: &[Segment], size: f64) -> Vec<Element> {
-    let every = (pieces.len() / 8).max(1);
-    pieces
-        .iter()
-        .skip(every / 2)
-        .step_by(every)
-        .map(|piece| {
-            let (tip, along) = (piece.point(0.5), piece.tangent(0.5));
-            let back = tip - along * (0.9 * size);
-            let side = along.perp() * (0.35 * size);
-            triangle(page, [tip, back + side, back - side], "#404040")
-        })
-        .collect()
-}
-
-fn triangle(page: &SvgPage, points: [Point; 3], fill: &str) -> Element {
-    let mut out = element("polygon");
-    out.assign("points", points.map(|p| format!("{},{}", page.x(p), page.y(p))).join(" "));
-    out.assign("fill", fill);
-    out
-}
-
-/// A dot where the seam starts, and its number in the order of sealing.
-fn start_mark(page: &SvgPage, first: &Segment, order: usize, size: f64) -> Element {
-    let start = first.start();
-    let mut group = element("g");
-    let mut dot = element("circle");
-    dot.assign("cx", page.x(start));
-    dot.assign("cy", page.y(start));
-    dot.assign("r", Decimals::exactly(2).text(0.45 * size));
-    dot.assign("fill", "#008000");
-    group.append(dot);
-    let beside = start + first.tangent(0.0).perp() * (1.2 * size);
-    group.append(page.text(beside, 1.2 * size, "middle", "#006000", &order.to_string()));
     group
 }
 

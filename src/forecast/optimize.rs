@@ -351,6 +351,14 @@ mod tests {
         );
     }
 
+    /// The digits of the index in each base, mirrored at the point: 6 is 110, 20, 11 and 6.
+    #[test]
+    fn the_scan_mirrors_digits() {
+        assert_eq!(halton(1), [1.0 / 2.0, 1.0 / 3.0, 1.0 / 5.0, 1.0 / 7.0]);
+        let expected = [3.0 / 8.0, 2.0 / 9.0, 6.0 / 25.0, 6.0 / 7.0];
+        assert!(halton(6).iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-15));
+    }
+
     #[test]
     fn a_search_is_the_same_in_any_number_of_threads() {
         let bounds = Bounds { tip_angle: [12.0, 69.0].map(Angle), ..bounds() };

@@ -44,7 +44,7 @@ pub(super) fn clamp_in_the_way(
         )
     };
     for program in programs {
-        if contact(program).any(|(piece, _)| distance(zone, piece) <= half_band) {
+        if contact(&program.steps).any(|(piece, _)| distance(zone, piece) <= half_band) {
             return Some(refusal("the seal", &program.stars));
         }
         let mut at: Option<Point> = None;

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::design::{Refusal, RefusalCode};
 use crate::geom::Segment;
-use crate::plan::{Pace, Program, Step};
+use crate::plan::{Chop, Pace, Program, Step};
 use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
 use crate::units::Most;
 
@@ -37,26 +37,15 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     let mut most = 0.0_f64;
     for program in programs {
         if let Pace::Chopped(chop) = program.pace {
-            let moving = crate::plan::move_time(chop.longest, chop.speed, Some(chop.acceleration));
-            if moving >= chop.longest / speed {
-                return Some(Refusal::new(
-                    key::seal::SPEED,
-                    RefusalCode::NoChop,
-                    format!(
-                        "a stroke of {:.3} mm at {:.3} mm/s takes {moving:.3} s, longer than {} allows",
-                        chop.longest, chop.speed, spec.seal.speed
-                    ),
-                    format!("speed must be below {} mm/s", Most(chop.longest / moving)),
-                ));
+            if let Some(refusal) = too_fast_to_chop(spec, &chop) {
+                return Some(refusal);
             }
             continue;
         }
-        for (piece, rise) in contact(program) {
-            let Some(lowest) = lowest_speed(&machine.motion, piece, rise) else {
-                return wanted.then(|| cannot_chop(machine));
-            };
-            most = most.max(lowest);
-        }
+        let Some(lowest) = lowest_of(&machine.motion, &program.steps) else {
+            return wanted.then(|| cannot_chop(machine));
+        };
+        most = most.max(lowest);
     }
     if most <= speed * (1.0 + 1e-9) {
         return None;
@@ -90,6 +79,25 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     ))
 }
 
+/// Why there is no time for dwells: in strokes of half a band at most, each has to have one, of a step or two.
+fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
+    let (speed, stroke) = (spec.seal.speed, spec.seal.band.0 / 2.0);
+    if chop.longest <= stroke && chop.rest >= 2.0 * chop.step {
+        return None;
+    }
+    let seconds = stroke / chop.speed + chop.cost();
+    let limit = (stroke / seconds).min(spec.seal.band.0 / 10.0 / (2.0 * chop.step));
+    Some(Refusal::new(
+        key::seal::SPEED,
+        RefusalCode::NoChop,
+        format!(
+            "a stroke of {stroke:.3} mm at {:.3} mm/s takes {seconds:.3} s with the shortest dwell, too long for {speed}",
+            chop.speed
+        ),
+        format!("speed must be below {} mm/s", Most(limit)),
+    ))
+}
+
 fn cannot_chop(machine: &Machine) -> Refusal {
     let motion = &machine.motion;
     let mut missing = Vec::new();
@@ -112,9 +120,14 @@ fn cannot_chop(machine: &Machine) -> Refusal {
     )
 }
 
+/// The lowest speed, mm/s, that `motion` holds in every contact of `steps`; `None` if it is unknown.
+pub(super) fn lowest_of(motion: &Motion, steps: &[Step]) -> Option<f64> {
+    contact(steps).try_fold(0.0_f64, |most, (piece, rise)| Some(most.max(lowest_speed(motion, piece, rise)?)))
+}
+
 /// What is travelled below travel height: each piece with the change of height along it.
-pub(super) fn contact(program: &Program) -> impl Iterator<Item = (&Segment, f64)> {
-    program.steps.iter().flat_map(|step| {
+pub(super) fn contact(steps: &[Step]) -> impl Iterator<Item = (&Segment, f64)> {
+    steps.iter().flat_map(|step| {
         let (pieces, rise): (&[Segment], f64) = match step {
             Step::TouchDown(ramp) | Step::Lift(ramp) => (&ramp.pieces, ramp.to - ramp.from),
             Step::Seal(pieces) => (pieces, 0.0),

@@ -12,6 +12,7 @@ mod pieces;
 mod program;
 mod refusals;
 mod seal;
+mod stepper;
 mod time;
 mod trace;
 
@@ -22,5 +23,6 @@ pub use pieces::{LONGEST_MOVE, pieces, seal_pieces};
 pub use program::{Height, Program, Purpose, Ramp, SeamReport, Step};
 pub use refusals::refusals;
 pub use seal::seal_programs;
+pub use stepper::Stepper;
 pub use time::{Clock, Scope, height_of};
 pub use trace::trace_programs;

@@ -92,10 +92,7 @@ pub struct SeamReport {
 impl SeamReport {
     /// The loop's name in files.
     pub fn loop_name(&self) -> &'static str {
-        match self.side {
-            Side::Hole => "inner",
-            Side::Outside => "outer",
-        }
+        self.side.loop_name()
     }
 }
 

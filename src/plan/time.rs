@@ -4,6 +4,7 @@
 //! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
 
 use crate::geom::{Point, Segment};
+use crate::plan::lowest_feed::lowest_of;
 use crate::plan::{Height, Pace, Pacer, Program, Purpose, SeamReport, Step, move_time};
 use crate::spec::{Machine, Process, Spec};
 
@@ -79,7 +80,13 @@ impl Program {
         seams: Vec<SeamReport>,
     ) -> Self {
         let Scope { purpose, sheet, stars } = scope;
-        let pace = Pace::new(spec, machine);
+        let motion = &machine.motion;
+        let lowest = match purpose {
+            Purpose::Seal => lowest_of(motion, &steps),
+            // The feed check goes at the pace of any other program: that of the worst direction.
+            Purpose::Trace => motion.speed_range().map(|(_, most)| most),
+        };
+        let pace = Pace::new(spec, machine, lowest);
         let time = time_of(&steps, pace, machine, spec.seal.speed.0);
         Self { purpose, sheet, stars, steps, seams, pace, time }
     }

@@ -1,7 +1,7 @@
 //! The record: what a program's structured comments say of its machine and its seal.
 
 use crate::emit::Facts;
-use crate::plan::{Chop, Pace};
+use crate::plan::{Chop, Pace, Stepper};
 use crate::resume::ResumeFault;
 use crate::spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, Process, Seal};
 use crate::units::{Duration, Length, Speed, Temperature};
@@ -157,6 +157,22 @@ impl Header {
             longest: self.within("chop", "longest_mm")?,
             acceleration: self.within("chop-rest", "acceleration_mm_s2")?,
             step: self.number("chop-rest", "step_s")?,
+            rest: self.within("seal", "band_mm")? / 10.0 / self.within("seal", "speed_mm_s")?,
+            // Older programs do not say it.
+            start_delay: self.number("chop-start", "delay_s").map_or(0.0, |delay| delay.clamp(0.0, 1.0)),
+            stepper: self.stepper()?,
+        }))
+    }
+
+    fn stepper(&self) -> Result<Option<Stepper>, ResumeFault> {
+        if self.find("chop-steps").is_err() {
+            return Ok(None);
+        }
+        let steps = |axis| self.within("chop-steps", axis);
+        Ok(Some(Stepper {
+            steps_per_mm: [steps("x")?, steps("y")?, steps("z")?],
+            rate: self.within("chop-ticks", "rate_Hz")?,
+            tick: self.within("chop-ticks", "tick_s")?,
         }))
     }
 }

@@ -1,6 +1,6 @@
 //! The toolpath: a program's moves, with what the iron does in each and how long it takes.
 
-use crate::plan::{Pace, move_time};
+use crate::plan::Pace;
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
 use crate::verify::gcode::{Event, Interpreter, Move, MoveKind};
@@ -122,12 +122,14 @@ impl Toolpath {
             .filter(|b| matches!(b.phase, Phase::Contact | Phase::Up) && phase != Phase::Down)
             .map_or(0.0, |b| b.along + if b.phase == Phase::Contact { b.step.length() } else { 0.0 });
         let begins = before.map_or(0.0, |b| b.begins + b.seconds);
-        let chop = match record.pace {
-            Pace::Chopped(chop) if phase != Phase::Clear => Some(chop.acceleration),
-            _ => None,
+        let seconds = match (record.pace, step.feed) {
+            (Pace::Chopped(chop), _) if phase != Phase::Clear => {
+                let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
+                chop.seconds(from, to, step.length())
+            }
+            (_, Some(feed)) => step.length() / feed * 60.0,
+            (_, None) => step.length() / record.process.travel_speed.0,
         };
-        let speed = step.feed.map_or(record.process.travel_speed.0, |feed| feed / 60.0);
-        let seconds = move_time(step.length(), speed, chop);
         let along = if phase == Phase::Clear { 0.0 } else { along };
         self.steps.push(TimedMove { step, phase, along, begins, seconds, title });
     }

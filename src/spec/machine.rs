@@ -78,6 +78,7 @@ pub struct Script {
 
 /// A family of controllers that read the same words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum Dialect {
     /// The plain subset that every controller reads.
     Generic,

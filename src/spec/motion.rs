@@ -4,7 +4,7 @@
 //! overflows; many then step at the lowest rate they can, faster than told, without a word. Along the unit vector u
 //! the lowest speed is `f / max(S_x |u_x|, S_y |u_y|, S_z |u_z|)`, with f the lowest step rate and S the steps per mm.
 
-use crate::units::{Acceleration, Speed};
+use crate::units::{Acceleration, Duration, Speed};
 
 /// What is known of the motors.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +19,10 @@ pub struct Motion {
     pub acceleration: Option<Acceleration>,
     /// Feed of chopped moves; `None`: 1.2 times the lowest feed.
     pub chop_feed: Option<Speed>,
+    /// How long a move waits that meets an empty queue, as after each dwell.
+    pub start_delay: Duration,
+    /// The tick of a controller that steps as GRBL does; `None`: a move takes what its speed and acceleration say.
+    pub tick: Option<Duration>,
 }
 
 /// The lowest even step rate of a controller.
@@ -44,6 +48,8 @@ impl Motion {
         min_feed: Speed(0.0),
         acceleration: None,
         chop_feed: None,
+        start_delay: Duration(0.0),
+        tick: None,
     };
 
     /// The lowest speed along a move with these displacements, mm/s; `None` if unknown.

@@ -17,6 +17,7 @@ pub use judge::files::bytes::compare_bytes;
 pub use judge::files::proof::{By, FileProof, Proof, prove};
 pub use judge::path::compare::{self, Deviation, deviation};
 pub use judge::path::follow::{Following, follow};
+pub use judge::stroke::stroke_seconds;
 pub use output_files::OutputFiles;
 pub use read::drawing::Drawing;
 pub use read::dxf::read_dxf;

@@ -43,3 +43,37 @@ fn every_coupon_is_sound_in_every_dialect() {
         assert_eq!(read_rows(&Source::new("results.csv", table(&strips))), Ok(Vec::new()));
     }
 }
+
+/// Along X a controller may well hold what it does not hold at 45 degrees: a strip there needs no strokes.
+#[test]
+fn strips_that_the_controller_holds_go_steadily() {
+    let (spec, machine) = (spec(&spec_text("[machine]\nfeed_floor = \"chop\"\n")), machine(profile("grbl")));
+    let grid = Grid {
+        temperatures: vec![Temperature(200.0)],
+        speeds: vec![Speed(0.2), Speed(0.5)],
+        heights: vec![Length(-0.3)],
+        repeats: 3,
+    };
+    let set = coupons(&spec, &machine, &grid).expect("coupons");
+    let code = |name: &str| &set.iter().find(|coupon| coupon.name == name).expect(name).gcode;
+    let (slow, fast) = (code("strips-200C-200um-s"), code("strips-200C-500um-s"));
+    assert!(slow.contains("\nG4 P") && !fast.contains("\nG4 P") && fast.contains(" F30\n"));
+    // Strokes and dwells of one strip at the speed that they should have, to 0.2 %.
+    let program = read_program(slow, Dialect::for_controller(&machine.controller));
+    let contact = |z: f64| (z + 0.3).abs() < 1e-9;
+    let run: Vec<_> = program.moves.iter().filter(|m| contact(m.from.z) && contact(m.to.z)).collect();
+    let point = |at: stargrip_cam::verify::gcode::Point3| [at.x, at.y, at.z];
+    let moving = run.iter().map(|m| {
+        stargrip_cam::verify::stroke_seconds(
+            &machine.motion,
+            point(m.from),
+            point(m.to),
+            m.feed.expect("F") / 60.0,
+        )
+    });
+    // Those after a move of the run; the way down ends with one of its own.
+    let waits = program.dwells.iter().filter(|d| run.iter().any(|m| m.line + 1 == d.line));
+    let seconds = moving.sum::<f64>() + waits.map(|d| d.seconds).sum::<f64>();
+    let length: f64 = run.iter().map(|m| m.length()).sum();
+    assert!((seconds * 0.2 / length - 1.0).abs() < 0.002, "{} mm/s", length / seconds);
+}

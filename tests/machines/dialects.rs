@@ -15,9 +15,70 @@ fn every_dialect_writes_what_its_controller_reads() {
         assert_eq!(proof.findings, [], "{name}");
         let code = text(&build, "star-1-seal.gcode");
         assert_eq!(code.contains("\nG4 P"), !can, "{name}");
-        assert_eq!(code.contains("\nG3 ") || code.contains("\nG2 "), !["marlin", "klipper"].contains(&name));
+        let chords = ["generic", "marlin", "klipper"].contains(&name);
+        assert_eq!(code.contains("\nG3 ") || code.contains("\nG2 "), !chords, "{name}");
         assert!(code.contains("; progress: percent=50 remaining_s="), "{name}");
         assert_eq!(code.contains("\nM73 P50"), ["marlin", "klipper", "reprapfirmware"].contains(&name));
+    }
+}
+
+/// Some controllers read G91.1 as G91, and then every position as a displacement.
+#[test]
+fn the_plain_subset_has_no_arcs_and_nothing_that_may_be_read_as_relative() {
+    let build = built(&spec_text(""), profile("generic"));
+    for file in ["star-1-seal.gcode", "star-1-trace.gcode"] {
+        let code = text(&build, file);
+        for word in ["G2 ", "G3 ", "G91", " I", " J"] {
+            assert!(!code.lines().any(|line| line.starts_with('G') && line.contains(word)), "{file}: {word}");
+        }
+        assert!(file != "star-1-seal.gcode" || code.contains("\n; requires: M0 must stop the machine"));
+    }
+    let code = text(&build, "star-1-seal.gcode");
+    let line = code.lines().position(|line| line == "G90").expect("absolute") + 1;
+    let found = crate::findings_with(&build, "star-1-seal.gcode", &code.replacen("G90\n", "G91.1\n", 1));
+    assert!(found.iter().any(|f| (f.code, f.line) == ("unknown-word", Some(line))), "{found:?}");
+    // A profile of the user's own may say that its controller draws arcs.
+    let arcs =
+        profile("generic").replace("arcs = false", "arcs = true").replace("\"G90\"", "\"G91.1\", \"G90\"");
+    let own = built(&spec_text(""), &arcs);
+    assert_eq!(read_back(&own.output_files()).findings, []);
+    assert!(text(&own, "star-1-seal.gcode").contains("\nG3 "));
+    let tables = PROFILES.map(|name| (name, crate::machine(profile(name)).script.start));
+    for (name, start) in tables {
+        let at = |word: &str| start.iter().position(|line| line == word);
+        let family = ["linuxcnc", "grbl", "grblhal", "fluidnc"].contains(&name);
+        assert_eq!(at("G91.1").is_some(), family, "{name}");
+        assert!(at("G91.1") < at("G90"), "{name}");
+    }
+}
+
+#[test]
+fn a_reversed_arc_is_found_at_its_line() {
+    let build = built(&spec_text(""), profile("linuxcnc"));
+    let code = text(&build, "star-1-seal.gcode");
+    let line = code.lines().position(|line| line.starts_with("G3 ")).expect("an arc") + 1;
+    let found = crate::findings_with(&build, "star-1-seal.gcode", &code.replacen("\nG3 ", "\nG2 ", 1));
+    assert!(found.iter().any(|f| (f.code, f.line) == ("deviation", Some(line))), "{found:?}");
+}
+
+/// What a printer does not say itself: unhomed, or with Z 0 as its lowest, it stops or presses nothing after heating.
+#[test]
+fn printers_say_what_has_to_be_true() {
+    for (name, pause) in
+        [("marlin", "M0 must stop"), ("klipper", "PAUSE stops"), ("reprapfirmware", "M226 pauses")]
+    {
+        let rest = if can_go_slowly(name) { "" } else { CHOP };
+        let build = built(&spec_text(rest), profile(name));
+        let code = text(&build, "star-1-seal.gcode");
+        let requires: Vec<&str> = code.lines().filter_map(|line| line.strip_prefix("; requires: ")).collect();
+        for needed in ["homed", "Z 0 set on the release layer", pause] {
+            assert!(requires.iter().any(|line| line.contains(needed)), "{name}: {needed}: {requires:?}");
+        }
+        let lowest = |line: &&str| ["position_min", "M211", "M564"].iter().any(|word| line.contains(word));
+        assert!(requires.iter().any(lowest), "{name}: {requires:?}");
+        for line in crate::machine(profile(name)).script.requires {
+            assert!(requires.contains(&line.as_str()), "{name}: {line:?} is cut or changed");
+        }
     }
 }
 
@@ -65,6 +126,51 @@ fn below_the_lowest_feed_the_numbers_are_told() {
     let fine = fine.replace("x_steps_per_mm = 80", "x_steps_per_mm = 440");
     assert!(!text(&built(&spec_text(CHOP), &fine), "star-1-seal.gcode").contains("G4"));
     assert!(try_built(&spec_text("[seal]\nspeed = \"0.6 mm/s\"\n"), profile("grbl")).is_ok());
+}
+
+/// Where the controller is so nearly slow enough that a stroke has hardly time left for a dwell.
+#[test]
+fn strokes_just_below_the_floor_keep_their_mean_speed() {
+    for (name, speed) in [("grbl", 0.5), ("grbl", 0.2), ("fluidnc", 0.6), ("marlin", 0.5), ("grblhal", 0.15)]
+    {
+        let rest = format!("[seal]\nspeed = \"{speed} mm/s\"\n{CHOP}");
+        let build = built(&spec_text(&rest), profile(name));
+        assert_eq!(read_back(&build.output_files()).findings, [], "{name}");
+        let code = text(&build, "star-1-seal.gcode");
+        // One dwell longer than told.
+        let from = code.find("; seam:").expect("a seam");
+        let (at, dwell) = code[from..].match_indices("\nG4 ").nth(40).expect("dwells");
+        let line = code[..from + at].lines().count() + 1;
+        let end = from + at + 1 + code[from + at + 1..].find('\n').expect("a line end");
+        let slow = format!("{}{dwell}P9{}", &code[..from + at], &code[end..]);
+        let found = crate::findings_with(&build, "star-1-seal.gcode", &slow);
+        assert!(found.iter().any(|f| f.code == "wrong-feed" || f.code == "iron-at-rest"), "{name} {line}");
+    }
+    // Speeds at which no stroke of half a band has time for one are refused with the number.
+    let chop_feed = "acceleration = \"10 mm/s^2\"\nchop_feed = \"36 mm/min\"";
+    let own = profile("grbl").replace("acceleration = \"10 mm/s^2\"", chop_feed);
+    let fast = spec_text(&format!("[seal]\nspeed = \"0.5 mm/s\"\nband = \"0.6 mm\"\n{CHOP}"));
+    let refusals = try_built(&fast, &own).map(|_| ()).expect_err("no time for a dwell");
+    assert_eq!(refusals[0].code, "no-chop");
+    let limit =
+        refusals[0].remedy.split(' ').rev().nth(1).and_then(|x| x.parse::<f64>().ok()).expect("a speed");
+    let fine = fast.replace("0.5 mm/s", &format!("{:.3} mm/s", limit - 0.001));
+    assert_eq!(read_back(&built(&fine, &own).output_files()).findings, []);
+}
+
+/// Marlin lets a move wait that meets an empty queue, and after a dwell each does.
+#[test]
+fn the_wait_of_a_start_is_taken_off_the_dwell() {
+    let with = text(&built(&spec_text(CHOP), profile("marlin")), "star-1-seal.gcode");
+    let none = profile("marlin").replace("start_delay = \"100 ms\"", "start_delay = \"0 s\"");
+    let without = text(&built(&spec_text(CHOP), &none), "star-1-seal.gcode");
+    // The mean dwell, ms.
+    let dwell = |code: &str| {
+        let times = code.lines().filter_map(|line| line.strip_prefix("G4 P")?.parse::<f64>().ok());
+        let (sum, count) = times.fold((0.0, 0.0), |(sum, count), ms| (sum + ms, count + 1.0));
+        sum / count
+    };
+    assert!((dwell(&without) - dwell(&with) - 100.0).abs() < 0.5, "{} {}", dwell(&without), dwell(&with));
 }
 
 #[test]
@@ -140,7 +246,8 @@ fn a_clamp_in_the_way_is_refused_and_one_beside_it_is_not() {
 
 #[test]
 fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
-    use stargrip_cam::verify::gcode::{Dialect, Event, Interpreter};
+    use stargrip_cam::verify::gcode::{Dialect, Event, Interpreter, MoveKind};
+    use stargrip_cam::verify::stroke_seconds;
     for name in PROFILES {
         let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
         let spec = crate::spec(&spec_text(if chop { CHOP } else { "" }));
@@ -168,8 +275,13 @@ fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
                 Event::Dwell(dwell) => *watch.last_mut().expect("a pause first") += dwell.seconds,
                 Event::Move(step) => {
                     if let (Some(feed), Some(last)) = (step.feed, watch.last_mut()) {
-                        let a = machine.motion.acceleration.filter(|_| chop).map(|a| a.0);
-                        *last += stargrip_cam::plan::move_time(step.length(), feed / 60.0, a);
+                        let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
+                        let stroke = chop && step.kind == MoveKind::Feed;
+                        *last += if stroke {
+                            stroke_seconds(&machine.motion, from, to, feed / 60.0)
+                        } else {
+                            step.length() / feed * 60.0
+                        };
                     }
                 }
                 _ => {}

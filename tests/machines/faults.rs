@@ -74,7 +74,9 @@ fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
         0 => {
             let line = lines[cut].split(" F").next().unwrap_or_default().to_owned();
             lines[cut] = line + " F30";
-            (&["wrong-feed", "below-floor"], on(cut))
+            // One stroke may be off by a dwell's step: the schedule tells after a few, of two lines each.
+            let last = if chopped { cut + 9 } else { cut + 1 };
+            (&["wrong-feed", "below-floor"], cut + 1..=last)
         }
         // An arc reversed.
         1 => {

@@ -136,6 +136,29 @@ fn the_way_back_carries_its_feeds_where_g0_has_none_of_its_own() {
     }
 }
 
+/// A program says how its strokes are timed, so that the way back is chopped as the rest is.
+#[test]
+fn the_way_back_is_timed_as_the_rest() {
+    for name in ["grbl", "marlin"] {
+        let job = job(name);
+        let resumed = resume(&job, ResumeAt::Share(0.5), None).expect("resumed").text;
+        // In contact: on the way down the strokes are cut anew.
+        let again: Vec<&str> =
+            resumed.lines().skip_while(|line| !line.starts_with("; seam:")).take(400).collect();
+        let contact = again.windows(2).filter(|two| !two[0].contains('Z') && two[1].starts_with("G4 P"));
+        let known: std::collections::BTreeSet<&str> = job.lines().filter(|l| l.starts_with("G4 P")).collect();
+        let (count, others) = contact
+            .fold((0, 0), |(count, others), two| (count + 1, others + i32::from(!known.contains(two[1]))));
+        assert!(count > 50 && others < 5, "{name}: {others} of {count}");
+        // An older program does not say how its controller steps: it is resumed all the same.
+        let old: Vec<&str> = job.lines().filter(|line| !line.starts_with("; chop-st")).collect();
+        let (last, rest) = old.split_last().expect("lines");
+        let count = format!("; end of program, {} lines", rest.len() + 1);
+        assert!(last.starts_with("; end of program"));
+        assert!(resume(&format!("{}\n{count}\n", rest.join("\n")), ResumeAt::Share(0.5), None).is_ok());
+    }
+}
+
 #[test]
 fn by_time_and_by_place() {
     let job = job("generic");

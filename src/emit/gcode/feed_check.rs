@@ -26,6 +26,7 @@ fn write(
     let mut writer = Writer::new(out, facts);
     writer.comment("stargrip-cam feedcheck program")?;
     writer.comment("cold, at travel height: time each line with a watch")?;
+    writer.comment("each pause must stop the machine where the comment before it says")?;
     for line in &script.requires {
         writer.requirement(&format!("requires: {line}"))?;
     }
@@ -40,11 +41,11 @@ fn write(
         let mut job = Job::new(facts, program.pace, writer);
         for (i, step) in program.steps.iter().enumerate() {
             if i + 1 == program.steps.len() {
-                job.writer.line(&script.pause)?;
+                pause(&mut job.writer, machine)?;
             }
             job.step(step)?;
         }
-        job.writer.line(&script.pause)?;
+        pause(&mut job.writer, machine)?;
         writer = job.writer;
     }
     writer.height(machine.process.heights.park.0)?;
@@ -52,4 +53,11 @@ fn write(
         writer.line(line)?;
     }
     writer.sentinel()
+}
+
+/// A pause, with what the display must read there: a machine that took a position for a displacement stands elsewhere.
+fn pause(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine) -> fmt::Result {
+    let [x, y, z] = [writer.at.x, writer.at.y, machine.process.heights.travel.0].map(number);
+    writer.comment(&format!("must stop here, at X{x} Y{y} Z{z}"))?;
+    writer.line(&machine.script.pause)
 }

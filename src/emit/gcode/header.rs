@@ -5,7 +5,7 @@ use std::fmt;
 use crate::emit::gcode::facts::Facts;
 use crate::emit::gcode::writer::Writer;
 use crate::emit::number::number;
-use crate::plan::{Pace, Program, Purpose, SeamReport};
+use crate::plan::{Pace, Program, Purpose, SeamReport, Stepper};
 use crate::spec::{DwellUnit, Heating, Machine};
 
 /// Writes the header of `program`.
@@ -71,7 +71,14 @@ fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, progr
         let (feed, a) = (number(chop.speed * 60.0), number(chop.acceleration));
         let (longest, step) = (number(chop.longest), number(chop.step));
         writer.comment(&format!("chop: feed_mm_min={feed} longest_mm={longest}"))?;
+        let delay = number(chop.start_delay);
         writer.comment(&format!("chop-rest: acceleration_mm_s2={a} step_s={step}"))?;
+        writer.comment(&format!("chop-start: delay_s={delay}"))?;
+        if let Some(Stepper { steps_per_mm, rate, tick }) = chop.stepper {
+            let ([x, y, z], rate, tick) = (steps_per_mm.map(number), number(rate), number(tick));
+            writer.comment(&format!("chop-steps: x={x} y={y} z={z}"))?;
+            writer.comment(&format!("chop-ticks: rate_Hz={rate} tick_s={tick}"))?;
+        }
         writer.requirement(&format!("requires: an acceleration of {a} mm/s2 in X and Y"))?;
         if let Some([x, y, _]) = machine.motion.steps_per_mm {
             writer.requirement(&format!("requires: at least {x} and {y} steps/mm in X and Y"))?;

@@ -10,7 +10,7 @@ use crate::spec::profile::process::HEIGHT;
 use crate::spec::section::{Reader, Section};
 use crate::units::Length;
 
-/// Reads the bench, from `[work_area]` and each `[keep_out]`.
+/// Reads the bench, from `[work_area]` and each `[[keep_out]]`.
 pub(super) fn read_bench(reader: &mut Reader<'_>) -> Bench {
     Bench { work_area: read_work_area(&mut reader.section("work_area")), keep_out: read_keep_out(reader) }
 }

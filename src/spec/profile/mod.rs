@@ -49,7 +49,7 @@ fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let controller = Controller { dwell: read_dwells(&mut reader.section("dwell")), ..controller };
     let process = read_process(reader, tip);
     let bench = read_bench(reader);
-    let motion = read_motion(&mut reader.section("motion"));
+    let motion = read_motion(&mut reader.section("motion"), controller.dialect);
     let script = read_script(reader, controller.line_length);
     Machine { name, description, controller, process, bench, motion, script }
 }
@@ -95,7 +95,7 @@ mod tests {
             (machine.controller.line_length, machine.process.ramp, machine.bench.work_area),
             (70, Length(3.0), None)
         );
-        assert_eq!(machine.script.start, ["G21", "G17", "G90", "G91.1", "G94"]);
+        assert_eq!(machine.script.start, ["G21", "G17", "G90", "G94"]);
         assert_eq!((machine.script.pause.as_str(), machine.script.end), ("M0", vec!["M2".to_owned()]));
     }
 
@@ -117,6 +117,18 @@ mod tests {
         assert_eq!(codes("\"M0\"", "\"\\u0000\""), ["program-line"]);
         assert_eq!(codes("\"M0\"", "\" \""), ["program-line"]);
         assert_eq!(codes("[\"M2\"]", "[]"), [""; 0]);
+    }
+
+    #[test]
+    fn marlin_is_never_without_a_floor() {
+        let read = |name: &str, old: &str| {
+            let text = builtin_machine(name).expect("built in");
+            assert!(text.contains(old));
+            let text = text.replace(old, "min_step_rate = \"none\"");
+            read_machine(&Source::new(name, text)).map_err(|faults| faults.list()[0].code)
+        };
+        assert_eq!(read("marlin", "min_step_rate = 32").map(|_| ()), Err("conflict"));
+        assert!(read("grblhal", "min_step_rate = 9.54").is_ok());
     }
 
     #[test]

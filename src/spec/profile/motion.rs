@@ -3,18 +3,19 @@
 use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::Fault;
+use crate::spec::machine::Dialect;
 use crate::spec::motion::{Motion, StepRate};
 use crate::spec::profile::known::{known, known_number, says};
 use crate::spec::section::Section;
-use crate::units::Speed;
+use crate::units::{Duration, Speed};
 
 /// Steps per mm: from a coarse belt to a fine screw with microsteps.
 const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
 /// Lowest step rates, steps/s: from a step a quarter of an hour to what only a broken timer would have.
 const RATE: Allowed = Allowed::closed(1e-3, 1e5);
 
-/// Reads `[motion]`.
-pub(super) fn read_motion(s: &mut Section<'_, '_>) -> Motion {
+/// Reads `[motion]` of a controller of the family `dialect`.
+pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
     let axes = [
         known_number(s, "x_steps_per_mm", STEPS),
         known_number(s, "y_steps_per_mm", STEPS),
@@ -38,11 +39,25 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>) -> Motion {
     } else {
         known_number(s, "min_step_rate", RATE).map_or(StepRate::Unknown, StepRate::AtLeast)
     };
+    if dialect == Dialect::Marlin && step_rate == StepRate::NoLimit {
+        refuse_no_floor(s);
+    }
     Motion {
         steps_per_mm,
         step_rate,
         min_feed: s.quantity("min_feed", Allowed::closed(0.0, 1e3)).unwrap_or(Speed(0.0)),
         acceleration: known(s, "acceleration", Allowed::closed(0.1, 1e6)),
         chop_feed: known(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
+        start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
+        tick: known(s, "tick", Allowed::closed(1e-3, 0.1)),
     }
+}
+
+/// Marlin has a floor on every board: where its timer has none, it rounds step rates up to whole steps a second.
+fn refuse_no_floor(s: &mut Section<'_, '_>) {
+    let place = s.place_of("min_step_rate");
+    let fault = Fault::error(FaultCode::Conflict, place, "`min_step_rate` is \"none\", but Marlin has a floor on every board")
+        .label("must be a step rate, such as 32: with 32 bits Marlin rounds rates up to whole steps a second")
+        .help("at r steps/s it runs up to 1/r too fast: 3 % at 32, 17 % at 6; slower seals need `feed_floor = \"chop\"`");
+    s.report(fault);
 }

@@ -4,7 +4,7 @@ use crate::design::{PlacedStar, Side};
 use crate::geom::{Bounds, Path, Point, Segment};
 use crate::manifest::Manifest;
 use crate::verify::judge::expected::Expected;
-use crate::verify::judge::{clamp, pace};
+use crate::verify::judge::{clamp, pace, travel};
 use crate::verify::read::gcode::{Dialect, Move, MoveKind, Program, read_program};
 use crate::verify::{Finding, FindingCode, Findings, follow};
 
@@ -71,7 +71,7 @@ impl<'a> Job<'a> {
         let dialect = Dialect::for_controller(&self.expected.machine.controller);
         let program = read_program(text, dialect);
         self.area(&program, findings);
-        self.travels(&program, findings);
+        travel::check(self.expected.machine.process.travel_speed.0, &program, findings);
         let reach = if self.hot { self.expected.spec.seal.band.0 / 2.0 } else { 0.0 };
         clamp::check(&self.expected.machine.bench.keep_out, reach, &program, findings);
         let deviation = if self.hot {
@@ -122,21 +122,6 @@ impl<'a> Job<'a> {
                         bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y
                     ),
                     format!("(0, 0) to ({:.3}, {:.3})", self.area.max.x, self.area.max.y),
-                );
-            }
-        }
-    }
-
-    /// Where G0 runs at the feed in force, a travel must not crawl at the seal's with a hot iron above the fabric.
-    fn travels(&self, program: &Program, findings: &mut Findings) {
-        let allowed = self.expected.machine.process.travel_speed.0 * 60.0;
-        for step in program.moves.iter().filter(|step| step.kind == MoveKind::Rapid) {
-            if let Some(feed) = step.feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed) {
-                findings.add(
-                    FindingCode::TravelFeed,
-                    step.line,
-                    format!("a G0 at F{feed}, the feed in force"),
-                    format!("F{allowed}"),
                 );
             }
         }

@@ -6,3 +6,5 @@ pub(in crate::verify) mod files;
 mod job;
 mod pace;
 pub(in crate::verify) mod path;
+pub(in crate::verify) mod stroke;
+mod travel;

@@ -1,11 +1,13 @@
 //! The iron's speed in contact: as told, at a feed that the controller holds, or made of strokes and dwells.
 //!
-//! A **stroke** is a move that a dwell follows. Its schedule is the seal's speed: however it is chopped, a contact must
-//! never be off its schedule by more than 0.2 % and a dwell's step, nor a stroke on its own.
+//! A **stroke** is a move that a dwell follows; moves without a dwell between them are one stroke to the controller, which
+//! does not stop there. Its schedule is the seal's speed: however it is chopped, a contact must never be off its schedule
+//! by more than 0.2 % and a dwell's step, nor a stroke on its own.
 
 use crate::geom::Segment;
 use crate::spec::{FeedFloor, Motion};
 use crate::verify::judge::expected::Expected;
+use crate::verify::judge::stroke::Run;
 use crate::verify::read::gcode::{Move, MoveKind, Program};
 use crate::verify::{FindingCode, Findings};
 
@@ -15,10 +17,21 @@ const MEAN: f64 = 0.002;
 const ROUNDING: f64 = 1e-3;
 
 /// What the iron owes and has spent in one contact, s.
-#[derive(Default)]
+#[derive(Clone, Copy, Default)]
 struct Schedule {
     due: f64,
     spent: f64,
+    /// What was travelled since the last stop, and the time counted for it.
+    run: Run,
+    counted: f64,
+    /// What was due, and by how much the iron was late, at the last stop.
+    stop: (f64, f64),
+}
+
+/// The judge of one program.
+struct Judge<'a> {
+    expected: &'a Expected<'a>,
+    schedule: Schedule,
 }
 
 /// Reports every move below travel height (told by `low`) that is too fast or too slow.
@@ -28,59 +41,56 @@ pub(in crate::verify) fn check(
     low: impl Fn(&Move) -> bool,
     findings: &mut Findings,
 ) {
-    let (speed, motion) = (expected.spec.seal.speed.0, &expected.machine.motion);
-    let may_chop = expected.spec.machine.feed_floor == FeedFloor::Chop;
-    let longest = expected.spec.seal.band.0 / 10.0;
+    let mut judge = Judge { expected, schedule: Schedule::default() };
     let mut dwells = program.dwells.iter().peekable();
-    let mut schedule = Schedule::default();
     let mut steps = program.moves.iter().peekable();
     while let Some(step) = steps.next() {
         if !low(step) {
-            schedule = Schedule::default();
+            judge.schedule = Schedule::default();
             continue;
         }
         if step.kind == MoveKind::Rapid {
             // Reported with the heat: there is no feed to judge.
             continue;
         }
-        let Some(feed) = step.feed.map(|feed| feed / 60.0) else {
-            findings.add(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
-            continue;
-        };
         while dwells.next_if(|dwell| dwell.line < step.line).is_some() {}
         let next = steps.peek().map_or(usize::MAX, |next| next.line);
         let mut rest = 0.0;
         while let Some(dwell) = dwells.next_if(|dwell| dwell.line < next) {
             rest += dwell.seconds;
         }
-        let as_told = (feed - speed).abs() <= ROUNDING * speed;
-        let length = step.length();
-        let before = schedule.spent - schedule.due;
-        schedule.due += length / speed;
-        if as_told {
+        judge.step(step, rest, findings);
+    }
+}
+
+impl Judge<'_> {
+    /// One move in contact, and the wait after it.
+    fn step(&mut self, step: &Move, rest: f64, findings: &mut Findings) {
+        let speed = self.expected.spec.seal.speed.0;
+        let Some(feed) = step.feed.map(|feed| feed / 60.0) else {
+            findings.add(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
+            return;
+        };
+        self.schedule.due += step.length() / speed;
+        let stopped = if (feed - speed).abs() <= ROUNDING * speed {
             // A short wait is no fault of speed; how long it may be, the rest is judged by.
-            schedule.spent += length / feed;
-        } else if may_chop {
-            schedule.spent += move_time(length, feed, motion.acceleration.map(|a| a.0)) + rest;
-            if length > longest + 0.01 {
-                let found = format!("a stroke of {length:.3} mm");
+            self.schedule.spent += step.length() / feed;
+            true
+        } else if self.expected.spec.machine.feed_floor == FeedFloor::Chop {
+            self.stroke(step, feed, rest);
+            let longest = self.longest(feed);
+            if step.length() > longest + 0.01 {
+                let found = format!("a stroke of {:.3} mm", step.length());
                 findings.add(FindingCode::LongStroke, step.line, found, format!("at most {longest:.3} mm"));
             }
+            rest > 0.0
         } else {
             let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", speed * 60.0));
             findings.add(FindingCode::WrongFeed, step.line, found, allowed);
-            continue;
-        }
-        let off = schedule.spent - schedule.due;
-        let quantum = expected.machine.controller.dwell.step.0;
-        let allowed = MEAN * schedule.due + 0.6 * quantum + 0.01;
-        // One stroke alone may be early or late by a dwell's step.
-        let alone = MEAN * length / speed + quantum + 0.015;
-        if off.abs() > allowed || (off - before).abs() > alone {
-            let found = format!("{off:+.3} s off the schedule of {speed} mm/s");
-            findings.add(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
-            schedule = Schedule::default();
-        }
+            return;
+        };
+        self.on_time(step, stopped, findings);
+        let motion = &self.expected.machine.motion;
         let lowest = step.path.and_then(|path| lowest_speed(motion, &path, step.to.z - step.from.z));
         if let Some(lowest) = lowest.filter(|lowest| feed < lowest * (1.0 - ROUNDING)) {
             let found = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
@@ -92,15 +102,55 @@ pub(in crate::verify) fn check(
             );
         }
     }
-}
 
-/// Time from rest to rest, s: the controller speeds up, and slows down, as fast as it may.
-fn move_time(length: f64, speed: f64, acceleration: Option<f64>) -> f64 {
-    let Some(a) = acceleration else { return length / speed };
-    // Half the way is for speeding up, if the speed is not reached before.
-    let reached = speed.min((a * length).sqrt());
-    let flat = length - reached * reached / a;
-    2.0 * reached / a + flat / reached
+    /// Counts the time of a stroke: a run goes on until a wait ends it.
+    fn stroke(&mut self, step: &Move, feed: f64, rest: f64) {
+        let (motion, schedule) = (&self.expected.machine.motion, &mut self.schedule);
+        let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
+        schedule.run = schedule.run.and(motion, from, to, step.length());
+        let seconds = schedule.run.seconds(motion, feed);
+        schedule.spent += seconds - schedule.counted + rest;
+        schedule.counted = seconds;
+        if rest > 0.0 {
+            (schedule.run, schedule.counted) = (Run::default(), 0.0);
+        }
+    }
+
+    /// The longest stroke, mm: a tenth of the band, or what leaves time for the shortest dwell.
+    fn longest(&self, feed: f64) -> f64 {
+        let Expected { spec, machine, .. } = self.expected;
+        let least = self.start_and_stop(feed) + machine.controller.dwell.step.0;
+        let spared = 1.0 / spec.seal.speed.0 - 1.0 / feed;
+        let needed = if spared > 0.0 { least / spared } else { 0.0 };
+        needed.clamp(spec.seal.band.0 / 10.0, spec.seal.band.0 / 2.0)
+    }
+
+    /// Time that a run takes beside that of its length, s.
+    fn start_and_stop(&self, feed: f64) -> f64 {
+        let motion = &self.expected.machine.motion;
+        motion.start_delay.0 + motion.acceleration.map_or(0.0, |a| feed / a.0)
+    }
+
+    /// Reports a step that takes the contact off its schedule, or a run that is itself too early or too late. Until it
+    /// has `stopped`, a run may be late by what it takes to start and to stop.
+    fn on_time(&mut self, step: &Move, stopped: bool, findings: &mut Findings) {
+        let (speed, feed) = (self.expected.spec.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
+        let Schedule { due, spent, stop, .. } = self.schedule;
+        let off = spent - due;
+        let quantum = self.expected.machine.controller.dwell.step.0;
+        let allowed = MEAN * due + 0.6 * quantum + 0.01;
+        // One run alone may be early or late by a dwell's step.
+        let alone = MEAN * (due - stop.0) + quantum + 0.015;
+        let late = if stopped { 0.0 } else { self.start_and_stop(feed) };
+        let within = |off: f64, most: f64| -most <= off && off <= most + late;
+        if !(within(off, allowed) && within(off - stop.1, alone)) {
+            let found = format!("{off:+.3} s off the schedule of {speed} mm/s");
+            findings.add(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
+            self.schedule = Schedule::default();
+        } else if stopped {
+            self.schedule.stop = (due, off);
+        }
+    }
 }
 
 /// The lowest speed that the controller holds all along `path`, looked at in seventeen places of it.

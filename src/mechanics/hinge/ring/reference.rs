@@ -1,8 +1,10 @@
 //! The ring in some 30 digits, by means that share nothing with the solver: double-double numbers,
 //! tanh-sinh quadrature in phi, volume by its definition, derivatives by differencing the volume.
 
-use crate::mechanics::hinge::ring::section::LAMBDA;
+use crate::mechanics::hinge::ring::Ring;
+use crate::mechanics::hinge::ring::section::{LAMBDA, TENSION};
 use crate::mechanics::hinge::ring::solve::{Solved, solve_cone, solve_free, solve_target};
+use crate::mechanics::hinge::{HingeModel, seal_load};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -166,8 +168,14 @@ fn section(rule: &[(Wide, Wide, Wide)], r_star: f64, unknowns: [Wide; 4], cone: 
     ]
 }
 
-/// The volume at `lambda` in 30 digits: `solved` improved by Newton steps with its own Jacobian.
-fn volume(rule: &[(Wide, Wide, Wide)], r_star: f64, solved: &Solved, lambda: Wide, cone: bool) -> Wide {
+/// The unknowns at `lambda` in 30 digits: `solved` improved by Newton steps with its own Jacobian.
+fn improved(
+    rule: &[(Wide, Wide, Wide)],
+    r_star: f64,
+    solved: &Solved,
+    lambda: Wide,
+    cone: bool,
+) -> [Wide; 4] {
     let mut unknowns = solved.unknowns.map(Wide::of);
     unknowns[LAMBDA] = lambda;
     let rows = [solved.section.length, solved.section.closing, solved.section.contact];
@@ -181,7 +189,12 @@ fn volume(rule: &[(Wide, Wide, Wide)], r_star: f64, solved: &Solved, lambda: Wid
             unknowns[j] = unknowns[j] - Wide::of(step[j]);
         }
     }
-    let rest = section(rule, r_star, unknowns, cone);
+    unknowns
+}
+
+/// The volume at `lambda` in 30 digits.
+fn volume(rule: &[(Wide, Wide, Wide)], r_star: f64, solved: &Solved, lambda: Wide, cone: bool) -> Wide {
+    let rest = section(rule, r_star, improved(rule, r_star, solved, lambda, cone), cone);
     assert!(rest[..3].iter().all(|r| r.0.abs() < 1e-26), "{rest:?}");
     rest[3]
 }
@@ -255,5 +268,19 @@ fn free_sections_meet_the_table() {
         assert!(errors.iter().all(|e| e.abs() < 1e-10));
         // V'' almost vanishes here: measured against V'.
         assert!((solved.curvature - curvature).abs() < 1e-9 * slope);
+    }
+}
+
+/// k = T lambda / R*: what `forecast` judges seals by.
+#[test]
+fn seal_loads_meet_the_table() {
+    let rule = rule();
+    for r_star in [1e-6, 1e-3, 1.0 / 30.0, 0.1, 0.2, 0.5, 1.0, 10.0] {
+        let solved = solve_target(r_star).expect("solved");
+        let unknowns = improved(&rule, r_star, &solved, Wide::of(solved.unknowns[LAMBDA]), true);
+        let exact = (unknowns[TENSION] * unknowns[LAMBDA] / Wide::of(r_star)).0;
+        let load = seal_load(r_star, &Ring.target(r_star).expect("solved")).expect("finite");
+        println!("R* {r_star:8}: k {exact:.12} error {:e}", load / exact - 1.0);
+        assert!((load / exact - 1.0).abs() < 1e-10, "{r_star}: {load} {exact}");
     }
 }

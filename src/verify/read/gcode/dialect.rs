@@ -89,6 +89,10 @@ pub struct Dialect {
     pub codes: &'static [(u8, u16, Command)],
     /// What of `codes` it does not know.
     pub except: &'static [Command],
+    /// Whether it draws arcs; without, no arc is read.
+    pub draws_arcs: bool,
+    /// Whether it surely reads what follows the point of G90.1 and G91.1, which else are G90 and G91.
+    pub subcodes: bool,
     /// Commands that are words of more than a letter, alone on their line (what follows them is their own).
     pub words: &'static [(&'static str, Command)],
     /// Modes that the controller is always in: no program needs to set them.
@@ -116,6 +120,11 @@ impl Dialect {
         Self { line_length, ..self }
     }
 
+    /// The same dialect on a controller that draws no arcs.
+    pub const fn without_arcs(self) -> Self {
+        Self { draws_arcs: false, ..self }
+    }
+
     /// The same dialect with comments between parentheses.
     pub const fn with_parentheses(self) -> Self {
         Self { comments: CommentMark::Parentheses, forbidden: ";!~?", ..self }
@@ -128,7 +137,18 @@ impl Dialect {
             .find(|(l, tenths, _)| *l == letter && f64::from(*tenths) == (number * 10.0).round())
             .filter(|_| (number * 10.0).fract().abs() < 1e-9)
             .map(|(_, _, command)| *command)
-            .filter(|command| !self.except.contains(command))
+            .filter(|command| {
+                !self.except.contains(command) && (self.draws_arcs || !self.is_for_arcs(*command))
+            })
+    }
+
+    /// Whether only a controller that draws arcs can be told this.
+    fn is_for_arcs(&self, command: Command) -> bool {
+        match command {
+            Command::ArcCw | Command::ArcCcw => true,
+            Command::CentersAbsolute | Command::CentersRelative => !self.subcodes,
+            _ => false,
+        }
     }
 
     /// How long a dwell with this P word lasts, s.

@@ -84,12 +84,15 @@ impl Dialect {
     /// The plain subset that every controller reads alike: capital letters, `;` comments, arcs by I and J.
     ///
     /// Parentheses are refused (some controllers end a comment at the first `)`), and so are `!`, `~` and `?`,
-    /// which GRBL obeys even inside comments. The line length is GRBL's 80 with a reserve. G61 is left out.
+    /// which GRBL obeys even inside comments. The line length is GRBL's 80 with a reserve. G61 is left out. Arcs, and
+    /// G91.1 with them, are read only for a profile that says that its controller draws them.
     pub const GENERIC: Self = Self {
         name: "generic",
         line_length: 70,
         codes: &RS274,
         except: &[C::ExactPath],
+        draws_arcs: true,
+        subcodes: false,
         words: &[],
         fixed: &[],
         parameters: "XYZIJFP",
@@ -102,13 +105,15 @@ impl Dialect {
     };
 
     /// LinuxCNC: lines up to 255.
-    pub const LINUXCNC: Self = Self { name: "linuxcnc", line_length: 255, except: &[], ..Self::GENERIC };
+    pub const LINUXCNC: Self =
+        Self { name: "linuxcnc", line_length: 255, except: &[], subcodes: true, ..Self::GENERIC };
 
     /// GRBL 1.1: lines up to 80 (protocol.h), no G90.1, arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
     pub const GRBL: Self = Self {
         name: "grbl",
         line_length: 80,
         except: &[C::CentersAbsolute],
+        subcodes: true,
         dwell_step: 0.05,
         arcs: ArcTolerance { free: 0.005, relative: 0.001, limit: 0.5 },
         ..Self::GENERIC
@@ -126,6 +131,8 @@ impl Dialect {
         line_length: 95,
         codes: &MARLIN,
         except: &[],
+        draws_arcs: false,
+        subcodes: false,
         words: &[],
         fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
         parameters: "XYZFPSRT",
@@ -153,6 +160,7 @@ impl Dialect {
         name: "reprapfirmware",
         line_length: 255,
         codes: &REPRAPFIRMWARE,
+        draws_arcs: true,
         words: &[],
         fixed: &[C::CentersRelative],
         parameters: "XYZIJFPSR",
@@ -188,6 +196,7 @@ impl Dialect {
     /// The table for `controller`: its dialect, its comments, and its lines if they are shorter.
     pub fn for_controller(controller: &spec::Controller) -> Self {
         let dialect = Self::of(controller.dialect).with_line_length(controller.line_length);
+        let dialect = if controller.arcs { dialect } else { dialect.without_arcs() };
         match controller.comments {
             spec::Comments::Semicolon => dialect,
             spec::Comments::Parentheses => dialect.with_parentheses(),

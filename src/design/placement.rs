@@ -1,0 +1,191 @@
+//! Placement: parts side by side on as many sheets as needed, within reach of the iron.
+
+use std::f64::consts::FRAC_PI_2;
+
+use crate::design::{Refusal, RefusalCode, SheetLayout};
+use crate::geom::{Bounds, Isometry, Point};
+use crate::spec::{KeyPath, Machine, Sheet, key};
+use crate::units::{Length, Readable};
+
+/// Number of a part's sheet, and where it lies on it.
+pub(super) type Placement = (usize, Isometry);
+
+/// Places the boxes row by row, in order.
+///
+/// An extent that the spec leaves open grows with the parts: in width for as many columns as make the
+/// sheet about square, in height as far as the machine reaches. On a sheet larger than that the parts stay within reach.
+///
+/// # Errors
+/// The first part that does not fit on the sheet, or that the machine does not reach all of.
+pub(super) fn place(
+    boxes: &[Bounds],
+    sheet: &Sheet,
+    machine: &Machine,
+) -> Result<(Vec<Placement>, Vec<SheetLayout>), Refusal> {
+    let room = Room::new(sheet, machine);
+    boxes.iter().try_for_each(|bounds| room.refuse(bounds, sheet, machine))?;
+    let columns = match sheet.width {
+        Some(_) => usize::MAX,
+        None => (1..=boxes.len()).find(|c| c * c >= boxes.len()).unwrap_or(1),
+    };
+    let mut rows = Rows::new(sheet, room, columns);
+    let places = boxes.iter().map(|bounds| rows.add(bounds)).collect();
+    rows.end_sheet();
+    Ok((places, rows.done))
+}
+
+/// The largest extent that parts may take on a sheet, mm.
+#[derive(Clone, Copy)]
+struct Room {
+    width: f64,
+    height: f64,
+}
+
+/// Rows of parts, filled from the lower left.
+struct Rows<'a> {
+    sheet: &'a Sheet,
+    room: Room,
+    /// Most parts in a row.
+    columns: usize,
+    /// Where the next part would stand, without the margin.
+    next: Point,
+    row_height: f64,
+    in_row: usize,
+    /// Extent that is taken on this sheet.
+    used: Point,
+    done: Vec<SheetLayout>,
+}
+
+impl Room {
+    /// What the sheet and the machine leave between the margins.
+    fn new(sheet: &Sheet, machine: &Machine) -> Self {
+        let area = machine.bench.work_area;
+        let side = |extent: Option<Length>, area: Option<Length>| {
+            // A sheet that has no extent of its own ends, with its margin, where the machine does.
+            let margins = if extent.is_some() { 1.0 } else { 2.0 } * sheet.margin.0;
+            on_sheet(extent, sheet).min(area.map_or(f64::INFINITY, |area| area.0 - margins))
+        };
+        Self {
+            width: side(sheet.width, area.map(|(x, _)| x)),
+            height: side(sheet.height, area.map(|(_, y)| y)),
+        }
+    }
+
+    fn takes(self, bounds: &Bounds) -> bool {
+        bounds.width() <= self.width && bounds.height() <= self.height
+    }
+
+    /// Says which of sheet and machine is too small for a part, if one is.
+    fn refuse(self, part: &Bounds, sheet: &Sheet, machine: &Machine) -> Result<(), Refusal> {
+        if self.takes(part) || sheet.turn && self.takes(&turned(part)) {
+            return Ok(());
+        }
+        fits(key::sheet::WIDTH, part.width(), on_sheet(sheet.width, sheet), sheet.margin.0)?;
+        fits(key::sheet::HEIGHT, part.height(), on_sheet(sheet.height, sheet), sheet.margin.0)?;
+        let Some((x, y)) = machine.bench.work_area else { return Ok(()) };
+        let size = |width: f64, height: f64| format!("{} x {} mm", Readable(width), Readable(height));
+        let (needed, missing) = (
+            size(up(part.width()), up(part.height())),
+            (part.width() - self.width).max(part.height() - self.height),
+        );
+        Err(Refusal::new(
+            key::machine::PROFILE,
+            RefusalCode::OutOfReach,
+            format!(
+                "a part with its ramps needs {needed}; within the margins {} reaches {}",
+                machine.name,
+                size(self.width.max(0.0), self.height.max(0.0))
+            ),
+            format!(
+                "{} mm are missing: a smaller star, a smaller margin in [sheet], or a machine with more than {}",
+                Readable(up(missing)),
+                size(x.0, y.0)
+            ),
+        ))
+    }
+}
+
+impl<'a> Rows<'a> {
+    fn new(sheet: &'a Sheet, room: Room, columns: usize) -> Self {
+        let (next, used) = (Point::ORIGIN, Point::ORIGIN);
+        Self { sheet, room, columns, next, row_height: 0.0, in_row: 0, used, done: Vec::new() }
+    }
+
+    fn add(&mut self, part: &Bounds) -> Placement {
+        let turn = self.turns(part);
+        let bounds = if turn { turned(part) } else { *part };
+        let (w, h) = (bounds.width(), bounds.height());
+        if self.in_row == self.columns || self.next.x + w > self.room.width {
+            self.next = Point::new(0.0, self.next.y + self.row_height + self.sheet.gap.0);
+            (self.row_height, self.in_row) = (0.0, 0);
+        }
+        if self.next.y + h > self.room.height {
+            self.end_sheet();
+        }
+        let margin = self.sheet.margin.0;
+        let corner = Point::new(margin + self.next.x, margin + self.next.y);
+        let rotation = if turn { FRAC_PI_2 } else { 0.0 };
+        let placement = Isometry { shift: corner - bounds.min, ..Isometry::rotation(rotation) };
+        self.used = Point::new(self.used.x.max(self.next.x + w), self.used.y.max(self.next.y + h));
+        self.row_height = self.row_height.max(h);
+        self.next.x += w + self.sheet.gap.0;
+        self.in_row += 1;
+        (self.done.len() + 1, placement)
+    }
+
+    /// A part is turned where it fits no other way, or where it then still fits into the row.
+    fn turns(&self, part: &Bounds) -> bool {
+        let lying = turned(part);
+        let ends_row = self.in_row == self.columns || self.next.x + part.width() > self.room.width;
+        let fits_row = self.in_row < self.columns
+            && self.next.x + lying.width() <= self.room.width
+            && self.next.y + lying.height() <= self.room.height;
+        self.sheet.turn && self.room.takes(&lying) && (!self.room.takes(part) || ends_row && fits_row)
+    }
+
+    fn end_sheet(&mut self) {
+        // Whole tenths of a millimetre read well in a file and lose nothing.
+        let extent = |given: Option<Length>, used: f64| {
+            given.map_or_else(|| up(used + 2.0 * self.sheet.margin.0), |length| length.0)
+        };
+        let (width, height) = (extent(self.sheet.width, self.used.x), extent(self.sheet.height, self.used.y));
+        self.done.push(SheetLayout { index: self.done.len() + 1, width, height });
+        (self.next, self.used, self.row_height, self.in_row) = (Point::ORIGIN, Point::ORIGIN, 0.0, 0);
+    }
+}
+
+/// What an extent of the sheet leaves between its margins; without an extent there is no end to it.
+fn on_sheet(extent: Option<Length>, sheet: &Sheet) -> f64 {
+    extent.map_or(f64::INFINITY, |length| length.0 - 2.0 * sheet.margin.0)
+}
+
+/// The box turned by a quarter turn about the origin, counterclockwise.
+fn turned(bounds: &Bounds) -> Bounds {
+    let (min, max) = (bounds.min, bounds.max);
+    Bounds { min: Point::new(-max.y, min.x), max: Point::new(-min.y, max.x) }
+}
+
+/// Up to a tenth of a millimetre: what is needed is never said to be less.
+fn up(x: f64) -> f64 {
+    (x * 10.0).ceil() / 10.0
+}
+
+fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal> {
+    if needed <= room {
+        return Ok(());
+    }
+    Err(Refusal::new(
+        key,
+        RefusalCode::SheetTooSmall,
+        format!(
+            "a part needs {} mm where the margins leave {} mm",
+            Readable(up(needed)),
+            Readable(room.max(0.0))
+        ),
+        format!(
+            "{} mm are missing: at least {} mm",
+            Readable(up(needed - room)),
+            Readable(up(needed + 2.0 * margin))
+        ),
+    ))
+}

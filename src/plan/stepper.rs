@@ -1,0 +1,147 @@
+//! How long a controller of GRBL's family takes for a stroke from rest to rest.
+//!
+//! It makes whole steps of the axis that has most of them, in **segments**: as many whole ticks (10 ms) as it takes to get
+//! a step and a quarter farther. Within a segment the steps are even; they are those that the ideal ramp has made by its
+//! end, and what that is ahead of a whole step is left to the next one. Where the timer cannot wait as long as a step
+//! should take, the step comes earlier, so the slow ends of a ramp are faster than told. After the last step the timer runs
+//! once more, for an eighth of a step (repository gnea/grbl, stepper.c and planner.c).
+
+/// What is known of the way in which a controller steps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stepper {
+    /// Steps per mm of X, Y and Z.
+    pub steps_per_mm: [f64; 3],
+    /// The lowest step rate, steps/s.
+    pub rate: f64,
+    /// A tick: segments last whole multiples of it, s.
+    pub tick: f64,
+}
+
+/// Steps that a segment makes at least, but for the last.
+const LEAST: f64 = 1.25;
+/// The timer runs this often a step.
+const SMOOTHING: f64 = 8.0;
+/// A stroke that takes longer than this, s, is as long as told: its two ramps do not count.
+const LONG: f64 = 10.0;
+/// Rounding of a step.
+const ROUNDING: f64 = 1e-9;
+
+/// Way from rest to rest: speeding up, perhaps even, braking.
+struct Trapezoid {
+    length: f64,
+    acceleration: f64,
+    top: f64,
+    /// Time of each ramp, s.
+    ramp: f64,
+    /// Time of all of it, s.
+    total: f64,
+}
+
+impl Trapezoid {
+    fn new(length: f64, speed: f64, acceleration: f64) -> Self {
+        let top = speed.min((acceleration * length).sqrt());
+        let ramp = top / acceleration;
+        Self { length, acceleration, top, ramp, total: length / top + ramp }
+    }
+
+    /// What is travelled at the time `t`.
+    fn way(&self, t: f64) -> f64 {
+        let left = self.total - t;
+        if left <= 0.0 {
+            self.length
+        } else if t < self.ramp {
+            self.acceleration * t * t / 2.0
+        } else if left < self.ramp {
+            self.length - self.acceleration * left * left / 2.0
+        } else {
+            self.top * (t - self.ramp / 2.0)
+        }
+    }
+}
+
+impl Stepper {
+    /// Whole steps of the three axes at a position, mm.
+    pub fn at(&self, position: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| (position[i] * self.steps_per_mm[i]).round())
+    }
+
+    /// Time for so many steps of the three axes, s, from rest to rest, at `speed` mm/s with an acceleration of each of
+    /// X and Y of `acceleration` mm/s^2.
+    pub fn seconds(&self, steps: [f64; 3], speed: f64, acceleration: f64) -> f64 {
+        let way: [f64; 3] = std::array::from_fn(|i| (steps[i] / self.steps_per_mm[i]).abs());
+        let length = way.iter().map(|d| d * d).sum::<f64>().sqrt();
+        let most = steps.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
+        if most < 0.5 {
+            return 0.0;
+        }
+        // Both axes speed up at most so fast: together, at an angle, they are faster.
+        let flat = way[0].max(way[1]);
+        let along = if flat > 0.0 { acceleration * length / flat } else { acceleration };
+        let ideal = Trapezoid::new(length, speed, along);
+        if ideal.total > LONG {
+            return ideal.total;
+        }
+        self.stepped(&ideal, most)
+    }
+
+    /// The same for `most` steps of the axis that has most of them along the way `ideal`.
+    fn stepped(&self, ideal: &Trapezoid, most: f64) -> f64 {
+        let per_mm = most / ideal.length;
+        let (mut elapsed, mut step, mut owed) = (0.0, 0.0, 0.0);
+        let (mut t, mut x, mut left) = (0.0, 0.0, most);
+        while left > 0.0 {
+            let (begun, enough) = (t, (x + LEAST / per_mm).min(ideal.length));
+            while t < ideal.total && (t <= begun || x < enough) {
+                t += self.tick;
+                x = ideal.way(t);
+            }
+            t = t.min(ideal.total);
+            let ahead = if t < ideal.total { per_mm * (ideal.length - x) } else { 0.0 };
+            let after = (ahead - ROUNDING).ceil().max(0.0);
+            let told = (t - begun + owed) / (left - ahead);
+            step = told.min(1.0 / self.rate);
+            elapsed += (left - after) * step;
+            owed = (after - ahead) * told;
+            left = after;
+        }
+        elapsed + step / SMOOTHING
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// GRBL on an AVR at 80 steps/mm.
+    const GRBL: Stepper = Stepper { steps_per_mm: [80.0, 80.0, 400.0], rate: 30.52, tick: 0.01 };
+    /// 1.2 times its lowest speed, mm/s.
+    const SPEED: f64 = 0.64741;
+
+    /// Reckoned with the firmware's rules in 32-bit floats, as it does itself.
+    #[test]
+    fn strokes_take_as_long_as_on_the_controller() {
+        for (acceleration, steps, seconds) in [
+            (10.0, [16.0, 0.0, 0.0], 0.35301),
+            (10.0, [11.0, 11.0, 0.0], 0.32142),
+            (10.0, [12.0, -12.0, 0.0], 0.34979),
+            (25.0, [16.0, 0.0, 0.0], 0.33884),
+            (50.0, [0.0, 16.0, 0.0], 0.32508),
+            (50.0, [11.0, 11.0, 0.0], 0.31349),
+            (200.0, [16.0, 0.0, 0.0], 0.31476),
+            (500.0, [12.0, 12.0, 0.0], 0.33204),
+        ] {
+            let found = GRBL.seconds(steps, SPEED, acceleration);
+            assert!((found - seconds).abs() < 5e-5, "{acceleration} {steps:?}: {found}");
+        }
+    }
+
+    #[test]
+    fn fast_ramps_and_fine_steps_are_as_told() {
+        let fine = Stepper { steps_per_mm: [800.0; 3], ..GRBL };
+        let ideal = 0.2 / SPEED + SPEED / 500.0;
+        assert!((fine.seconds([160.0, 0.0, 0.0], SPEED, 500.0) - ideal).abs() < 1e-3);
+        assert_eq!(fine.seconds([0.0; 3], SPEED, 500.0), 0.0);
+        // Slow enough to be no matter of ramps, and quick to tell.
+        assert!((fine.seconds([8e6, 0.0, 0.0], 1e-3, 10.0) - 1e7).abs() < 1.0);
+    }
+}

@@ -1,0 +1,115 @@
+//! The page that a person reads, against the figures that a program reads.
+
+use crate::{close, paper, predict};
+use stargrip_cam::forecast::prediction::Prediction;
+use stargrip_cam::forecast::report::text;
+use stargrip_cam::spec::Spec;
+use stargrip_cam::units::Length;
+use std::f64::consts::FRAC_2_PI;
+
+fn page(spec: &Spec) -> (Prediction, String) {
+    let prediction = predict(spec);
+    let text = text(spec, &prediction);
+    (prediction, text)
+}
+
+/// The numbers of the line that begins with `what`.
+fn numbers(page: &str, what: &str) -> Vec<f64> {
+    let line = page.lines().find_map(|line| line.trim_start().strip_prefix(what)).expect("a line");
+    line.split([' ', ',']).filter_map(|word| word.parse().ok()).collect()
+}
+
+#[test]
+fn a_page_shows_the_predictions_figures_in_its_units() {
+    let (prediction, page) = page(&paper(5));
+    let star = &prediction.first;
+    let stated = |value: Option<f64>| value.expect("asked for");
+    let [least, most] = star.graspable_radius_mm;
+    let hinges = star.hinge_stiffness_Nm.expect("a pressure");
+    let lines: [(&str, Vec<f64>); 16] = [
+        ("arm length", vec![star.arm_length_mm]),
+        ("target coiling tip, corner", vec![star.lambda_t.tip, star.lambda_t.corner]),
+        ("tip angle at rest", vec![star.tip_equilibrium_angle_deg]),
+        ("final radius", vec![star.final_radius_mm]),
+        ("contraction", vec![100.0 * (1.0 - star.final_radius_mm / 50.0)]),
+        ("holds radii from, to", vec![least, most]),
+        ("full actuation from", vec![star.operating_pressure_kPa]),
+        ("hinge stiffness tip", vec![hinges.tip]),
+        ("hinge stiffness corner", vec![hinges.corner]),
+        ("radial stiffness", vec![stated(star.radial_stiffness_N_per_m)]),
+        ("force on the object", vec![stated(star.object_force_N)]),
+        ("burst pressure", vec![stated(star.burst_pressure_kPa)]),
+        ("error of closing, estimated", vec![100.0 * star.evidence.coiling_error]),
+        ("error of forces, estimated", vec![100.0 * stated(star.evidence.stiffness_error)]),
+        ("mass of the whole stack", vec![stated(prediction.stack_mass_g)]),
+        ("payload of the whole stack", vec![stated(prediction.first.payload_kg)]),
+    ];
+    for (what, expected) in lines {
+        let found = numbers(&page, what);
+        assert_eq!(found.len(), expected.len(), "{what}");
+        // Six digits are shown.
+        found.iter().zip(expected).for_each(|(found, expected)| close(*found, expected, 1e-5));
+    }
+    assert!(page.contains("\n3 equal stars, each:\n") && !page.contains("preload when shut"));
+}
+
+#[test]
+fn one_star_is_no_stack_and_stars_that_differ_stand_apart() {
+    let mut single = paper(5);
+    single.stars.truncate(1);
+    let (_, alone) = page(&single);
+    assert!(!alone.contains("equal stars") && !alone.contains("mass of the whole stack"), "{alone}");
+    assert!(alone.contains("payload of the whole stack"));
+    let mut pair = paper(5);
+    pair.stars.truncate(2);
+    assert!(page(&pair).1.contains("\n2 equal stars, each:\n"));
+    pair.stars[1].inner_radius = Length(52.0);
+    let (_, apart) = page(&pair);
+    assert!(apart.contains("\nstar 1:\n") && apart.contains("\nstar 2:\n") && !apart.contains("equal"));
+}
+
+#[test]
+fn a_star_that_is_pressed_shut_says_so_with_its_preload() {
+    let shut = "the arms touch before the hinges are at rest: the star is pressed shut";
+    for (points, expected) in [(5, false), (8, true)] {
+        let (prediction, page) = page(&paper(points));
+        let star = &prediction.first;
+        assert_eq!(star.tip_equilibrium_angle_deg <= 0.0, expected);
+        assert_eq!(star.preload_N.expect("a pressure") > 0.0, expected);
+        assert_eq!(page.contains("preload when shut"), expected);
+        assert_eq!(star.evidence.warnings.iter().any(|warning| warning == shut), expected);
+        // Arms do not go through each other, whatever the hinges would do.
+        close(numbers(&page, "tip angle at rest")[0], star.tip_equilibrium_angle_deg.max(0.0), 1e-5);
+    }
+}
+
+#[test]
+fn without_a_pressure_the_error_is_that_of_high_pressure() {
+    let mut spec = paper(5);
+    spec.load = None;
+    let (_, page) = page(&spec);
+    assert!(page.contains("error at high pressure") && !page.contains("error of"), "{page}");
+}
+
+/// rho = ... - W' sin(pi/n) / sin(pi/n): the corner's width W' counts once, so a wider corner closes by as much more.
+#[test]
+fn the_true_width_of_the_corner_moves_the_final_radius_by_as_much() {
+    let star = predict(&paper(5)).first;
+    let width = star.evidence.hinge_width.corner.expect("the ring knows it");
+    assert!(width > 0.0 && width < 1.0 && (width - FRAC_2_PI).abs() > 1e-3);
+    let moved = star.final_radius_mm - (width - FRAC_2_PI) * 30.0;
+    close(star.evidence.final_radius_with_hinge_width_mm.expect("the ring knows it"), moved, 1e-12);
+}
+
+/// The asymmetric hinges are warned of from the accepted error on, and what they do is said.
+#[test]
+fn own_hinges_are_warned_of_beyond_the_accepted_error() {
+    for points in 3..=8 {
+        let spec = paper(points);
+        let star = predict(&spec).first;
+        let own = star.nonlinear.expect("the ring has them").final_radius_mm;
+        let off = (own / star.final_radius_mm - 1.0).abs();
+        let warned = star.evidence.warnings.iter().any(|warning| warning.contains("asymmetric hinges"));
+        assert_eq!(warned, off > spec.accuracy.response.ratio(), "n = {points}: {off}");
+    }
+}

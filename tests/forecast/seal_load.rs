@@ -1,0 +1,145 @@
+//! The load on the seal: its two limits, and what follows from it in closed form.
+
+use crate::{case, close, design, paper};
+use stargrip_cam::forecast::case::Case;
+use stargrip_cam::forecast::seal_load::{SealLoad, burst, factor, safe_radius, seal_loads};
+use stargrip_cam::mechanics::hinge::HingeModel;
+use stargrip_cam::mechanics::hinge::ring::Ring;
+use stargrip_cam::spec::Spec;
+use stargrip_cam::units::Pressure;
+use std::f64::consts::{FRAC_1_PI, PI};
+
+/// Weak enough for the paper's star to be in need of round hinges at `pressure` Pa: 1 N/mm.
+fn weak(pressure: f64) -> Case {
+    Case { peel: Some(1e3), pressure: Some(pressure), ..case(&paper(5)) }
+}
+
+fn loads(spec: &Spec) -> Vec<SealLoad> {
+    seal_loads(&case(spec), design(spec).part(&design(spec).stars[0]))
+}
+
+fn at<'a>(loads: &'a [SealLoad], place: &str) -> &'a SealLoad {
+    loads.iter().find(|load| load.place == place).expect("listed")
+}
+
+#[test]
+fn between_a_sharp_corner_and_a_straight_tube_the_load_falls() {
+    let k = |r_star: f64| factor(&Ring, r_star).expect("in range");
+    let sizes: Vec<f64> = (-50..=40).map(|i| 10_f64.powf(f64::from(i) / 10.0)).collect();
+    assert!(sizes.windows(2).all(|pair| k(pair[0]) > k(pair[1])));
+    assert!(sizes.iter().all(|r_star| k(*r_star) > FRAC_1_PI));
+    // Round: the straight tube's 1/pi, from which it differs as 1/R*.
+    let excess = |r_star: f64| (k(r_star) - FRAC_1_PI) * r_star;
+    close(excess(1e4), excess(1e3), 1e-2);
+    // Sharp: T lambda / R* with the sharp hinge's own tension.
+    let sharp = Ring.target(0.0).expect("solved");
+    let limit = sharp.edges.expect("a ring has edges").tension * sharp.lambda;
+    close(1e-5 * k(1e-5), limit, 1e-3);
+    assert_eq!(factor(&Ring, 0.0), None, "infinite");
+}
+
+/// To the hundredth of a mm: what is printed holds, a hundredth less does not.
+#[test]
+fn the_safe_radius_is_the_least() {
+    for pressure in [12e3, 20e3, 37e3, 60e3, 90e3] {
+        let case = weak(pressure);
+        let width = case.mechanism.width;
+        let safe = safe_radius(&case).expect("round enough").0;
+        let load = |mm: f64| factor(&Ring, mm * 1e-3 / width).expect("in range") * pressure * width;
+        assert!(load(safe) <= 1e3 && load(safe - 0.01) > 1e3, "{safe} mm: {}", load(safe));
+        close((safe * 100.0).round(), safe * 100.0, 1e-12);
+    }
+}
+
+#[test]
+fn the_safe_radius_scales_with_the_star_and_depends_on_a_ratio_only() {
+    let (case, factor) = (weak(37e3), 7.0);
+    let same =
+        Case { peel: case.peel.map(|t| t * factor), pressure: case.pressure.map(|p| p * factor), ..case };
+    let mut larger = Case { peel: case.peel.map(|t| t * factor), ..case };
+    larger.mechanism.width *= factor;
+    let [own, same, larger] = [case, same, larger].map(|case| safe_radius(&case).expect("round enough").0);
+    assert_eq!(own, same);
+    // Each is rounded up to a hundredth.
+    assert!((larger - factor * own).abs() <= factor * 0.01 + 1e-9, "{own} {larger}");
+}
+
+#[test]
+fn without_pressure_or_strength_nothing_is_said_about_bursting() {
+    let case = weak(37e3);
+    assert_eq!(safe_radius(&Case { pressure: None, ..case }), None);
+    assert_eq!(safe_radius(&Case { peel: None, ..case }), None);
+    assert_eq!(burst(&Case { peel: None, ..case }, &Ring), None);
+    let mut spec = paper(5);
+    (spec.fabric.seal_strength, spec.load) = (None, None);
+    for load in loads(&spec) {
+        assert!(load.factor.is_some() && load.weakness().is_none(), "{load}");
+        assert_eq!((load.load, load.burst, load.margin, load.safe_radius), (None, None, None, None));
+    }
+}
+
+/// Arms and inlet are straight tubes: p W / pi, by hand for W = 30 mm, 37 kPa and 3 N/mm.
+#[test]
+fn a_straight_tube_pulls_with_its_radius_over_pi() {
+    let loads = loads(&paper(5));
+    let arms = at(&loads, "arms");
+    assert_eq!((arms.radius, arms.factor), (None, Some(FRAC_1_PI)));
+    close(arms.load.expect("a pressure").0, 0.037 * 30.0 / PI, 1e-12);
+    close(arms.burst.expect("a strength").0, 3000.0 * PI / 30.0, 1e-12);
+    close(arms.margin.expect("both"), 3000.0 * PI / 30.0 / 37.0, 1e-12);
+    assert_eq!(arms.to_string(), "load at the arms: 0.318 p W, 0.353 N/mm, bursts at 314.2 kPa, margin 8.49");
+    // A channel of other width bursts at another pressure, as 1/W.
+    let part = design(&paper(5)).part(&design(&paper(5)).stars[0]).clone();
+    let width = 2.0 * part.channel.expect("an inlet").half_width;
+    close(at(&loads, "inlet").burst.expect("a strength").0, 3000.0 * PI / width, 1e-12);
+    let mut shut = paper(5);
+    shut.inlet = None;
+    assert!(self::loads(&shut).iter().all(|load| load.place != "inlet"));
+}
+
+#[test]
+fn the_star_bursts_at_its_sharpest_hinge() {
+    for radii in [[2.0, 5.0], [5.0, 2.0]] {
+        let mut spec = paper(5);
+        for star in &mut spec.stars {
+            (star.tip_radius.0, star.corner_radius.0) = (radii[0], radii[1]);
+        }
+        let loads = loads(&spec);
+        let of = |place| at(&loads, place).burst.expect("a strength").0;
+        assert_eq!(of("tips") < of("corners"), radii[0] < radii[1]);
+        let whole = burst(&case(&spec), &Ring).expect("a strength") * 1e-3;
+        close(whole, of("tips").min(of("corners")), 1e-12);
+        close(at(&loads, "tips").radius.expect("curved").0, radii[0], 1e-12);
+    }
+}
+
+#[test]
+fn only_what_is_weak_is_warned_of_and_only_a_hinge_can_be_rounded() {
+    // At the pressure of the sharpest hinge its margin is 1, which holds; a millionth more does not.
+    let mut spec = paper(5);
+    let limit = burst(&case(&spec), &Ring).expect("a strength") * 1e-3;
+    let mut with = |kilopascals: f64| {
+        spec.load.as_mut().expect("given").pressure = Some(Pressure(kilopascals));
+        loads(&spec)
+    };
+    assert!(
+        with(limit * (1.0 - 1e-6)).iter().all(|load| load.weakness().is_none() && load.safe_radius.is_none())
+    );
+    let above = with(limit * (1.0 + 1e-6));
+    let tips = at(&above, "tips");
+    let safe = tips.safe_radius.expect("a round hinge holds");
+    assert_eq!(
+        tips.weakness(),
+        Some(format!("burst margin 0.99 at the tips; a radius of {safe} would hold"))
+    );
+    assert_eq!((at(&above, "arms").weakness(), at(&above, "arms").safe_radius), (None, None));
+    // Beyond the straight tube's own limit, 314 kPa, nothing helps, and no radius is named for it.
+    let beyond = with(400.0);
+    assert_eq!(
+        at(&beyond, "arms").weakness(),
+        Some("burst margin 0.78 at the arms; less pressure, a narrower tube or a stronger seal".to_owned())
+    );
+    assert!(beyond.iter().all(|load| load.safe_radius.is_none()));
+    let margin = SealLoad { margin: Some(1.0), ..tips.clone() };
+    assert_eq!(margin.weakness(), None, "a margin of 1 holds");
+}
