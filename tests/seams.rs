@@ -122,6 +122,7 @@ fn the_limit_that_is_named_will_do() {
         for (key, rest) in [
             ("[sheet]\nwidth", "300"),
             ("[sheet]\nheight", "300"),
+            ("[inlet]\nlength", "0.1"),
             ("[seal]\noverlap", "5000"),
             ("[seal]\nhole_allowance = \"8 mm\"\nband", "99"),
         ] {

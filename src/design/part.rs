@@ -53,12 +53,13 @@ impl StarDesign {
             }
         };
         let inner = Seam::new(&star, Side::Hole, None, seal).map_err(|r| refuse(r.into())).ok();
-        let outer =
-            Seam::new(&star, Side::Outside, channel.as_ref(), seal).map_err(|r| refuse(r.into())).ok();
+        // Before the outer seam: the cut lies farther out, so its limits for the inlet are the stricter ones.
         let outline =
             Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, spec.sheet.hole_diameter.0)
                 .map_err(&mut refuse)
                 .ok();
+        let outer =
+            Seam::new(&star, Side::Outside, channel.as_ref(), seal).map_err(|r| refuse(r.into())).ok();
         let mut edges = |least_radius| {
             edges(&star, channel.as_ref(), least_radius).map_err(|refusal| refuse(refusal.into())).ok()
         };
