@@ -2,10 +2,21 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::design::{Refusal, RefusalCode, SheetLayout};
+use crate::design::{Refusal, RefusalCode};
 use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{KeyPath, Machine, Sheet, key};
-use crate::units::{Length, Readable};
+use crate::units::{Least, Length, Most, Readable};
+
+/// One sheet: its frame has the origin at the lower left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SheetLayout {
+    /// Number of the sheet, from 1.
+    pub index: usize,
+    /// Extent along X.
+    pub width: f64,
+    /// Extent along Y.
+    pub height: f64,
+}
 
 /// Number of a part's sheet, and where it lies on it.
 pub(super) type Placement = (usize, Isometry);
@@ -177,15 +188,7 @@ fn fits(key: KeyPath, needed: f64, room: f64, margin: f64) -> Result<(), Refusal
     Err(Refusal::new(
         key,
         RefusalCode::SheetTooSmall,
-        format!(
-            "a part needs {} mm where the margins leave {} mm",
-            Readable(up(needed)),
-            Readable(room.max(0.0))
-        ),
-        format!(
-            "{} mm are missing: at least {} mm",
-            Readable(up(needed - room)),
-            Readable(up(needed + 2.0 * margin))
-        ),
+        format!("a part needs {} mm where the margins leave {} mm", Least(needed), Most(room.max(0.0))),
+        format!("{} mm are missing: at least {} mm", Least(needed - room), Least(needed + 2.0 * margin)),
     ))
 }
