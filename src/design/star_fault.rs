@@ -49,9 +49,12 @@ pub(super) fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
         [only] => format!("must be: {only}"),
         [first, rest @ ..] => format!("must be: {first}; or alone: {}", rest.join(", or ")),
     };
-    let round = [("a tip radius", spec.tip_radius), ("a corner radius", spec.corner_radius)];
-    let round = round.into_iter().filter(|(_, radius)| radius.0 > 0.0);
-    let round: String = round.map(|(what, radius)| format!(", {what} of {radius}")).collect();
+    let round: Vec<String> = [("a tip radius", spec.tip_radius), ("a corner radius", spec.corner_radius)]
+        .into_iter()
+        .filter(|(_, radius)| radius.0 > 0.0)
+        .map(|(what, radius)| format!(", {what} of {radius}"))
+        .collect();
+    let round = round.concat();
     let found = format!(
         "with {} points, an inner radius of {}, a tube width of {}{round} and a tip angle of {} the arms would be {:.1} mm long",
         spec.points,
