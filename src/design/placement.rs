@@ -2,10 +2,21 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::design::{Refusal, RefusalCode, SheetLayout};
+use crate::design::{Refusal, RefusalCode};
 use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{KeyPath, Machine, Sheet, key};
 use crate::units::{Length, Readable};
+
+/// One sheet: its frame has the origin at the lower left.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SheetLayout {
+    /// Number of the sheet, from 1.
+    pub index: usize,
+    /// Extent along X.
+    pub width: f64,
+    /// Extent along Y.
+    pub height: f64,
+}
 
 /// Number of a part's sheet, and where it lies on it.
 pub(super) type Placement = (usize, Isometry);

@@ -1,6 +1,6 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
-use crate::design::placement::place;
+use crate::design::placement::{SheetLayout, place};
 use crate::design::{Frame, Refusals, Stack, StarDesign, Warning};
 use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{Machine, Spec};
@@ -33,17 +33,6 @@ pub struct PlacedStar {
     pub sheet: usize,
     /// From the star's frame to the sheet's.
     pub placement: Isometry,
-}
-
-/// One sheet: its frame has the origin at the lower left.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SheetLayout {
-    /// Number of the sheet, from 1.
-    pub index: usize,
-    /// Extent along X.
-    pub width: f64,
-    /// Extent along Y.
-    pub height: f64,
 }
 
 impl Design {
