@@ -18,17 +18,6 @@ pub struct SheetLayout {
     pub height: f64,
 }
 
-/// One sheet: its frame has the origin at the lower left.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SheetLayout {
-    /// Number of the sheet, from 1.
-    pub index: usize,
-    /// Extent along X.
-    pub width: f64,
-    /// Extent along Y.
-    pub height: f64,
-}
-
 /// Number of a part's sheet, and where it lies on it.
 pub(super) type Placement = (usize, Isometry);
 
