@@ -311,7 +311,7 @@ fn windows_stay_apart_and_shrink_by_the_creep() {
 fn what_does_not_fit_is_refused_with_numbers() {
     for (more, key, number) in [
         ("[mask]\nextent = \"90 mm\"\n", "mask.extent", "at most 7"),
-        ("[mask]\ncreep = \"20 mm\"\n", "mask.creep", "at most 17.49"),
+        ("[mask]\ncreep = \"20 mm\"\n", "mask.creep", "at most 17.49 mm"),
         ("[stack]\ncount = 2\npitch = \"20 mm\"\n", "stack.pitch", "at least 24.1"),
         ("[frame]\nkerf = \"6 mm\"\n", "frame.kerf", "below 6 mm"),
         ("[frame]\nposts = 60\n", "frame.posts", "needs 21.14"),

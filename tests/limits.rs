@@ -2,8 +2,11 @@
 
 mod support;
 
-use stargrip_cam::design::{Design, Refusal, RefusalCode};
+use std::f64::consts::PI;
+
+use stargrip_cam::design::{Design, Refusal, RefusalCode, Star, shut_reach};
 use stargrip_cam::spec::{KeyPath, key};
+use stargrip_cam::units::{Angle, Length};
 
 /// One value that is wrong, and what is said about it.
 struct Limit {
@@ -122,5 +125,94 @@ fn the_limit_that_is_named_is_where_it_ends() {
         let little = (1e-5 * limit).max(0.0101) * (wrong - limit).signum();
         assert_eq!(refused(&spec(limit - little), code), [], "{code:?}: {limit}");
         assert!(!refused(&spec(limit + little), code).is_empty(), "{code:?}: {limit} is no limit");
+    }
+}
+
+/// What is missing on a machine is what makes it large enough, to the tenth that is printed.
+#[test]
+fn what_a_machine_lacks_is_said() {
+    let refused = |side: f64| {
+        let mut machine = support::machine();
+        machine.bench.work_area = Some((Length(side), Length(side)));
+        match Design::new(&support::read(support::PAPER), &machine) {
+            Ok(_) => None,
+            Err(refusals) => refusals.iter().find(|refusal| refusal.code == RefusalCode::OutOfReach).cloned(),
+        }
+    };
+    let refusal = refused(200.0).expect("too small");
+    assert_eq!(refusal.key.key(), key::machine::PROFILE.key());
+    let missing: f64 = refusal.remedy.split(' ').next().and_then(|word| word.parse().ok()).expect("a number");
+    assert_eq!(refused(200.0 + missing), None);
+    assert!(refused(200.0 + missing - 0.1001).is_some(), "{refusal}");
+}
+
+/// The figures of a refusal, by hand for the paper's star (50 mm, 30 mm, 30 deg, sharp).
+#[test]
+fn what_was_found_is_worked_out_by_hand() {
+    let found = |text: &str, code| refused(text, code).remove(0).found;
+    // 45 / 2 mm of band take 22.5 / tan(15 deg) of an arm of 69.72 mm.
+    assert_eq!(
+        found(&paper("[seal]\nband = \"45 mm\"\n"), RefusalCode::BandEatsArm),
+        "at the tips a band of 45 mm takes 83.9711 mm of arms that are 69.7207 mm long"
+    );
+    // A hose of 40 mm is pi 40 / 2 wide when flat, with half a band on either side, and the middle of the band is
+    // 31 mm round at the tip; without fillets a thinner hose is stopped where the arms begin, 2 x 31 sin(75 deg) apart.
+    assert_eq!(
+        found(&paper("[inlet]\ntube_diameter = \"40 mm\"\n"), RefusalCode::InletMeetsArm),
+        "the channel with the strips along it would be 64.8319 mm wide and meet an arm, where tip 1 leaves 62 mm"
+    );
+    assert_eq!(
+        found(
+            &paper("[inlet]\ntube_diameter = \"37.5 mm\"\nfillet = \"0 mm\"\n"),
+            RefusalCode::InletMeetsArm
+        ),
+        "the channel with the strips along it would be 60.9049 mm wide and meet an arm, where tip 1 leaves 59.8874 mm"
+    );
+    // The mouth's length and what is missing make the limit.
+    let short = refused(&paper("[inlet]\nlength = \"2 mm\"\n"), RefusalCode::ShortInlet);
+    for refusal in short {
+        let inside: Vec<f64> = refusal.found.split(' ').filter_map(|word| word.parse().ok()).collect();
+        assert!((2.0 + inside[0] - number(&refusal.remedy)).abs() < 1e-4, "{refusal}");
+    }
+}
+
+/// With h half the angle of the corner's arc, c the length of arm in the window, H and q the radii of its two sides: sectors,
+/// strips, and where q < 0 without what lies beyond the vertex.
+#[test]
+fn a_window_has_the_area_of_its_parts() {
+    for (radius, band, creep) in [(12.0, 2.0, 0.0), (12.0, 2.0, 0.5), (0.0, 2.0, 0.0), (1.0, 4.0, 0.25)] {
+        let text = paper(&format!(
+            "corner_radius = \"{radius} mm\"\n[seal]\nband = \"{band} mm\"\nhole_allowance = \"3 mm\"\n\
+             [mask]\nextent = \"45 mm\"\ncreep = \"{creep} mm\"\n"
+        ));
+        let design = Design::new(&support::read(&text), &support::machine()).expect("makeable");
+        let part = &design.distinct[0];
+        let half = (PI - part.star.phi_e) / 2.0;
+        let (hole, q) = (radius + 30.0 + band + 3.0 - creep, radius - band + creep);
+        let arm = 45.0 - (radius + 30.0) * half - creep;
+        assert!(arm > 0.0);
+        let beyond = if q > 0.0 { half } else { half.tan() };
+        let exact = half * hole * hole - beyond * q * q + 2.0 * arm * (hole - q);
+        let found = part.mask.window_area();
+        assert!((found / exact - 1.0).abs() < 1e-12, "{radius} {band} {creep}: {found} {exact}");
+    }
+}
+
+/// Shut, a star is one whose tubes are 2 W / pi wide and whose tips have no angle, with the same arms.
+#[test]
+fn a_shut_star_reaches_as_far_as_a_thin_one_without_an_angle() {
+    for (points, tip, corner) in [(5, 0.0, 0.0), (4, 2.0, 0.0), (6, 1.0, 3.0)] {
+        let mut spec = support::read(support::PAPER).stars.remove(0);
+        (spec.points, spec.tip_radius, spec.corner_radius) = (points, Length(tip), Length(corner));
+        let star = Star::new(&spec).expect("makeable");
+        let width = 2.0 * 30.0 / PI;
+        (spec.tube_width, spec.tip_angle) = (Length(width), Angle(0.01));
+        let half = (spec.tip_angle.0 / 2.0).to_radians();
+        let across = star.l * half.sin() + (width + tip + corner) * half.cos();
+        spec.inner_radius = Length(across / (PI / f64::from(points)).sin() - width - corner);
+        let thin = Star::new(&spec).expect("makeable");
+        assert!((thin.l - star.l).abs() < 1e-6 * star.l);
+        let (shut, reach) = (shut_reach(&star), thin.tip_reach());
+        assert!((shut / reach - 1.0).abs() < 1e-4, "{points}: {shut} {reach}");
     }
 }

@@ -76,4 +76,7 @@ fn limits_are_named_once_and_only_beyond_them() {
     let sharp = |r_stars| said(Level::Fit, Question { r_stars, ..QUESTION });
     assert_eq!((sharp([0.0, 0.0]).len(), sharp([0.0, 20.0]).len()), (1, 2));
     assert!(said(Level::Ring, Question { r_stars: [0.0, 20.0], ..QUESTION }).is_empty());
+    // Stiffness was published over a range, the coiling for one R* only.
+    assert_eq!(sharp([0.1, 0.3]), ["the published target coiling was not given for R* = 0.3000"]);
+    assert_eq!(sharp([0.1, 20.0]), ["the published constants were not given for R* = 20.0000"]);
 }

@@ -1,10 +1,10 @@
 //! The page that a person reads, against the figures that a program reads.
 
-use crate::{close, paper, predict};
+use crate::{close, design, paper, predict};
 use stargrip_cam::forecast::prediction::Prediction;
 use stargrip_cam::forecast::report::text;
-use stargrip_cam::spec::Spec;
-use stargrip_cam::units::Length;
+use stargrip_cam::spec::{KeyPath, Spec, key};
+use stargrip_cam::units::{Length, Percent, Pressure};
 use std::f64::consts::FRAC_2_PI;
 
 fn page(spec: &Spec) -> (Prediction, String) {
@@ -111,5 +111,47 @@ fn own_hinges_are_warned_of_beyond_the_accepted_error() {
         let off = (own / star.final_radius_mm - 1.0).abs();
         let warned = star.evidence.warnings.iter().any(|warning| warning.contains("asymmetric hinges"));
         assert_eq!(warned, off > spec.accuracy.response.ratio(), "n = {points}: {off}");
+    }
+}
+
+#[test]
+fn a_model_that_is_not_good_enough_is_warned_of() {
+    let warned = |percent: f64| {
+        let mut spec = paper(5);
+        spec.accuracy.response = Percent(percent);
+        let evidence = predict(&spec).first.evidence;
+        evidence.warnings.contains(&evidence.choice)
+    };
+    assert!(warned(0.001) && !warned(90.0));
+}
+
+#[test]
+fn closing_the_tips_of_a_proper_star_does_not_widen_it() {
+    for points in 3..=7 {
+        let warnings = predict(&paper(points)).first.evidence.warnings;
+        assert!(
+            !warnings.iter().any(|warning| warning.contains("widens the star")),
+            "{points}: {warnings:?}"
+        );
+    }
+}
+
+/// A spec that was changed after its design was made: what no model can do names the star and the value.
+#[test]
+fn a_fault_names_the_star_and_the_key() {
+    type Change = fn(&mut Spec);
+    let faults: [(Change, KeyPath); 4] = [
+        (|spec| spec.fabric.young_modulus.0 = 0.0, key::fabric::YOUNG_MODULUS),
+        (|spec| spec.fabric.poisson_ratio = 0.7, key::fabric::POISSON_RATIO),
+        (|spec| spec.fabric.thickness.0 = 0.0, key::fabric::THICKNESS),
+        (|spec| spec.load.as_mut().expect("given").pressure = Some(Pressure(-1.0)), key::load::PRESSURE),
+    ];
+    for (change, key) in faults {
+        let mut spec = paper(5);
+        let design = design(&spec);
+        change(&mut spec);
+        let fault = predict::predict(&spec, &design).expect_err("refused");
+        assert_eq!((fault.star, fault.key), (Some(1), key));
+        assert_eq!(fault.to_string(), format!("star 1: {key}: {}", fault.what));
     }
 }

@@ -1,11 +1,13 @@
 //! The machine really does what the design says: every dialect, every fault, every way of going on.
 
 mod airtight;
+mod clamps;
 mod coupons;
 mod dialects;
 mod faults;
 mod lowest_feed;
 mod resume;
+mod speed;
 
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::read_back;

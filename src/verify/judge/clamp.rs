@@ -5,11 +5,15 @@ use crate::spec::KeepOut;
 use crate::verify::read::gcode::Program;
 use crate::verify::{FindingCode, Findings};
 
+/// By how much a clamp may be touched, mm: positions in a file are rounded.
+const ROUNDING: f64 = 1e-3;
+
 /// Reports every move that comes nearer to a clamp than `reach`, below its height.
 pub(in crate::verify) fn check(zones: &[KeepOut], reach: f64, program: &Program, findings: &mut Findings) {
     for zone in zones {
-        let (a, c) =
-            (Point::new(zone.x.0, zone.y.0), Point::new(zone.x.0 + zone.width.0, zone.y.0 + zone.depth.0));
+        // The clamp without a rim of rounding: so that a way across it is found for a reach of 0 as well.
+        let a = Point::new(zone.x.0 + ROUNDING, zone.y.0 + ROUNDING);
+        let c = Point::new(zone.x.0 + zone.width.0 - ROUNDING, zone.y.0 + zone.depth.0 - ROUNDING);
         let corners = [a, Point::new(c.x, a.y), c, Point::new(a.x, c.y), a];
         let sides: Vec<Segment> = corners.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect();
         for step in &program.moves {
@@ -18,7 +22,7 @@ pub(in crate::verify) fn check(zones: &[KeepOut], reach: f64, program: &Program,
                 continue;
             };
             let inside = |p: Point| a.x <= p.x && p.x <= c.x && a.y <= p.y && p.y <= c.y;
-            let near = |side: &Segment| segment_distance(side, &path) <= reach - 1e-3;
+            let near = |side: &Segment| segment_distance(side, &path) <= reach;
             if inside(path.start()) || inside(path.end()) || sides.iter().any(near) {
                 let found = format!("a move at Z{z} through the clamp {:?}", zone.name);
                 findings.add(
@@ -29,5 +33,64 @@ pub(in crate::verify) fn check(zones: &[KeepOut], reach: f64, program: &Program,
                 );
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Length;
+    use crate::verify::read::gcode::{Dialect, read_program};
+
+    /// The lines that are found in `body`, with a clamp from (10, 20) to (18, 25).
+    fn lines(body: &str, reach: f64, height: Option<f64>) -> Vec<Option<usize>> {
+        let [x, y, width, depth] = [10.0, 20.0, 8.0, 5.0].map(Length);
+        let zone = KeepOut { name: "vice".to_owned(), x, y, width, depth, height: height.map(Length) };
+        let program = read_program(&format!("G21\nG90\nG0 X0 Y0 Z9\n{body}\n"), Dialect::GENERIC);
+        let mut findings = Findings::default();
+        check(&[zone], reach, &program, &mut findings);
+        let findings = findings.into_vec();
+        assert!(findings.iter().all(|finding| finding.code == "clamp-in-the-way"));
+        findings.iter().map(|finding| finding.line).collect()
+    }
+
+    #[test]
+    fn a_move_beside_a_clamp_keeps_its_reach_on_every_side() {
+        // Half a millimetre inside, and outside, of a reach of 2 mm.
+        for (inside, outside) in [
+            ("G0 X-9 Y18.5\nG0 X40", "G0 X-9 Y17.5\nG0 X40"),
+            ("G0 X-9 Y26.5\nG0 X40", "G0 X-9 Y27.5\nG0 X40"),
+            ("G0 X8.5 Y-9\nG0 Y60", "G0 X7.5 Y-9\nG0 Y60"),
+            ("G0 X19.5 Y-9\nG0 Y60", "G0 X20.5 Y-9\nG0 Y60"),
+        ] {
+            assert_eq!(lines(inside, 2.0, None), [Some(5)], "{inside}");
+            assert_eq!(lines(outside, 2.0, None), [], "{outside}");
+            assert_eq!(lines(inside, 0.0, None), [], "{inside}");
+        }
+    }
+
+    #[test]
+    fn within_a_clamp_there_is_no_side_to_be_near_to() {
+        assert_eq!(lines("G0 X13.9 Y22.5\nG0 X14.1", 0.1, None), [Some(4), Some(5)]);
+        // Each end, and each of its coordinates, counts.
+        assert_eq!(lines("G0 X14 Y22.5", 0.0, None), [Some(4)]);
+        assert_eq!(lines("G0 X14 Y0\nG0 Y60\nG0 X60\nG0 Y22.5", 0.0, None), [Some(5)]);
+    }
+
+    #[test]
+    fn what_passes_above_a_clamp_by_its_lower_end_is_free() {
+        let over = |from: f64, to: f64| format!("G0 X0 Y22.5\nG0 Z{from}\nG1 X60 Z{to} F600");
+        let found = |from, to| !lines(&over(from, to), 1.0, Some(4.0)).is_empty();
+        assert!(!found(4.001, 4.001) && !found(4.001, 9.0) && !found(9.0, 4.001));
+        assert!(found(4.0, 4.0) && found(4.0, 9.0) && found(9.0, 4.0));
+        assert!(!lines(&over(9.0, 9.0), 1.0, None).is_empty());
+    }
+
+    #[test]
+    fn an_arc_is_judged_by_its_bulge() {
+        // Half a circle from (4, 16) to (24, 16): its top is (14, 26), its ends are far off.
+        assert_eq!(lines("G0 X4 Y16\nG2 X24 Y16 I10 J0 F600", 0.5, None), [Some(5)]);
+        // The other half hangs below.
+        assert_eq!(lines("G0 X4 Y16\nG3 X24 Y16 I10 J0 F600", 0.5, None), []);
     }
 }

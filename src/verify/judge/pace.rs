@@ -162,3 +162,40 @@ fn lowest_speed(motion: &Motion, path: &Segment, rise: f64) -> Option<f64> {
     };
     (0..=16).map(|i| at(f64::from(i) / 16.0)).try_fold(0.0, |worst: f64, lowest| Some(worst.max(lowest?)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geom::{Line, Point};
+    use crate::spec::StepRate;
+
+    fn close(found: f64, expected: f64) {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found}, expected {expected}");
+    }
+
+    /// From rest to rest: L / v + v / a where the speed is reached, 2 sqrt(L / a) where it is not.
+    #[test]
+    fn a_stroke_takes_what_speeding_up_leaves_it() {
+        close(move_time(10.0, 4.0, None), 2.5);
+        close(move_time(10.0, 4.0, Some(8.0)), 2.5 + 0.5);
+        close(move_time(0.5, 4.0, Some(8.0)), 2.0 * (0.5_f64 / 8.0).sqrt());
+        // Just reached: both at once.
+        close(move_time(2.0, 4.0, Some(8.0)), 1.0);
+    }
+
+    /// 30.52 steps/s at the least: along a way of (4 cos 30, 4 sin 30, 3) mm Z steps most often, 400 x 3 times in 5 mm.
+    #[test]
+    fn a_climb_counts_with_its_length() {
+        let motion = Motion {
+            steps_per_mm: Some([80.0, 100.0, 400.0]),
+            step_rate: StepRate::AtLeast(30.52),
+            ..Motion::UNKNOWN
+        };
+        let line: Segment = Line::new(Point::ORIGIN, Point::polar(4.0, 30_f64.to_radians())).into();
+        let found = |rise: f64| lowest_speed(&motion, &line, rise).expect("known");
+        close(found(3.0), 30.52 * 5.0 / 1200.0);
+        close(found(-3.0), found(3.0));
+        // Level, it is X: 80 x 4 cos 30 times in 4 mm, more often than Y.
+        close(found(0.0), 30.52 / (80.0 * 30_f64.to_radians().cos()));
+    }
+}

@@ -1,0 +1,168 @@
+//! Clamps: how near the iron may come to them, over which it may pass, and that plan and verifier agree on it.
+
+use stargrip_cam::design::{Design, RefusalCode};
+use stargrip_cam::geom::{Bounds, Path, Point, Segment};
+use stargrip_cam::pipeline::read_back;
+use stargrip_cam::plan::{Program, Step, seal_programs, trace_programs};
+use stargrip_cam::verify::Finding;
+
+use crate::{built, machine, profile, spec, spec_text, try_built};
+
+/// Half the default band, mm: the iron's reach beside its path.
+const REACH: f64 = 1.0;
+
+fn sheet() -> String {
+    spec_text("[sheet]\nwidth = \"300 mm\"\nheight = \"300 mm\"\nmargin = \"30 mm\"\n")
+}
+
+fn programs() -> [Vec<Program>; 2] {
+    let (spec, machine) = (spec(&sheet()), machine(profile("generic")));
+    let design = Design::new(&spec, &machine).expect("makeable");
+    [seal_programs(&spec, &machine, &design), trace_programs(&spec, &machine, &design)]
+}
+
+/// All that the iron follows on or above the fabric, travels left out.
+fn followed(programs: &[Program]) -> Bounds {
+    let steps = programs.iter().flat_map(|program| &program.steps);
+    let pieces: Vec<Segment> = steps
+        .flat_map(|step| match step {
+            Step::TouchDown(ramp) | Step::Lift(ramp) => ramp.pieces.clone(),
+            Step::Seal(pieces) | Step::Trace(pieces) => pieces.clone(),
+            _ => Vec::new(),
+        })
+        .collect();
+    Path::open(pieces).bounds()
+}
+
+/// The generic machine with a clamp on `place`.
+fn clamped(place: Bounds, height: Option<f64>) -> String {
+    let height = height.map_or(String::new(), |mm| format!("height = \"{mm} mm\"\n"));
+    format!(
+        "{}\n[[keep_out]]\nname = \"vice\"\nx = \"{} mm\"\ny = \"{} mm\"\nwidth = \"{} mm\"\ndepth = \"{} mm\"\n{height}",
+        profile("generic"),
+        place.min.x,
+        place.min.y,
+        place.width(),
+        place.height(),
+    )
+}
+
+/// Clamps 6 mm wide along each side of `inner`, `off` from it.
+fn beside(inner: Bounds, off: f64) -> [Bounds; 4] {
+    let (a, c, wide) = (inner.min, inner.max, 6.0);
+    let clamp =
+        |x: f64, y: f64, x_to: f64, y_to: f64| Bounds { min: Point::new(x, y), max: Point::new(x_to, y_to) };
+    [
+        clamp(a.x - off - wide, a.y, a.x - off, c.y),
+        clamp(c.x + off, a.y, c.x + off + wide, c.y),
+        clamp(a.x, a.y - off - wide, c.x, a.y - off),
+        clamp(a.x, c.y + off, c.x, c.y + off + wide),
+    ]
+}
+
+/// What the plan says of a clamp; empty if it builds.
+fn refused(place: Bounds, height: Option<f64>) -> String {
+    match try_built(&sheet(), &clamped(place, height)) {
+        Ok(_) => String::new(),
+        Err(refusals) => {
+            assert!(
+                refusals.iter().all(|refusal| refusal.code == RefusalCode::ClampInTheWay),
+                "{refusals:?}"
+            );
+            refusals[0].found.clone()
+        }
+    }
+}
+
+/// What the verifier finds where the profile of a finished build gets a clamp.
+fn found(place: Bounds, height: Option<f64>) -> Vec<Finding> {
+    let build = built(&sheet(), profile("generic"));
+    let mut files = build.output_files();
+    for (name, bytes) in &mut files.files {
+        if name == "machine.toml" {
+            *bytes = clamped(place, height).into_bytes().into();
+        }
+    }
+    let findings = read_back(&files).findings;
+    findings.into_iter().filter(|finding| finding.code == "clamp-in-the-way").collect()
+}
+
+#[test]
+fn a_low_clamp_keeps_half_a_band_off_the_seal_on_every_side() {
+    let [seals, _] = programs();
+    let low = Some(0.5);
+    for (near, far) in
+        beside(followed(&seals), REACH - 1e-6).into_iter().zip(beside(followed(&seals), REACH + 1e-6))
+    {
+        assert_eq!(refused(near, low), "the seal of star 1 meets the clamp \"vice\"");
+        assert_eq!(refused(far, low), "");
+    }
+    // The verifier allows for what a file rounds.
+    for (near, far) in
+        beside(followed(&seals), REACH - 0.01).into_iter().zip(beside(followed(&seals), REACH + 0.01))
+    {
+        assert!(!found(near, low).is_empty());
+        assert_eq!(found(far, low), []);
+    }
+}
+
+#[test]
+fn the_iron_passes_above_a_clamp_that_is_lower_than_it_travels() {
+    let [seals, traces] = programs();
+    let travel = machine(profile("generic")).process.heights.travel.0;
+    // The trace follows the cut, well outside of the seal.
+    let (seal, trace) = (followed(&seals), followed(&traces));
+    assert!(trace.min.x < seal.min.x - 2.0 * REACH);
+    // On some sides a way to a seam is met first.
+    let said = "the trace of star 1 meets the clamp \"vice\"";
+    let sides = beside(trace, -1e-6).into_iter().zip(beside(trace, 1e-6));
+    let sides: Vec<_> = sides.filter(|(touching, _)| refused(*touching, None) == said).collect();
+    assert!(sides.len() >= 2, "{sides:?}");
+    for (touching, free) in sides {
+        for height in [Some(travel), Some(travel + 1.0)] {
+            assert_eq!(refused(touching, height), said);
+        }
+        assert_eq!(
+            (refused(free, None), refused(touching, Some(travel - 0.01))),
+            (String::new(), String::new())
+        );
+    }
+}
+
+#[test]
+fn the_way_between_two_seams_counts_too() {
+    let [seals, _] = programs();
+    let mut at: Option<Point> = None;
+    let mut ways = Vec::new();
+    for step in &seals[0].steps {
+        match step {
+            Step::Travel(to) => {
+                ways.extend(
+                    at.filter(|from| from.distance(*to) > 3.0 * REACH).map(|from| from.lerp(*to, 0.5)),
+                );
+                at = Some(*to);
+            }
+            Step::Lift(ramp) => at = ramp.pieces.last().map(Segment::end),
+            _ => {}
+        }
+    }
+    let middle = *ways.first().expect("from the inner loop to the outer one");
+    let half = Point::new(0.1, 0.1) - Point::ORIGIN;
+    let speck = Bounds { min: middle + half * -1.0, max: middle + half };
+    let travel = machine(profile("generic")).process.heights.travel.0;
+    assert_eq!(refused(speck, None), "the way to or from a seam of star 1 meets the clamp \"vice\"");
+    assert_eq!(refused(speck, Some(travel - 0.01)), "");
+    assert!(!found(speck, None).is_empty());
+    assert_eq!(found(speck, Some(travel - 0.01)), []);
+}
+
+/// A clamp under the whole star has no side near the seal: it is what lies inside that meets it.
+#[test]
+fn a_clamp_around_everything_is_met() {
+    let [seals, _] = programs();
+    let Bounds { min, max } = followed(&seals);
+    let by = Point::new(5.0, 5.0) - Point::ORIGIN;
+    let under = Bounds { min: min + by * -1.0, max: max + by };
+    assert_eq!(refused(under, Some(0.5)), "the seal of star 1 meets the clamp \"vice\"");
+    assert!(!found(under, Some(0.5)).is_empty());
+}
