@@ -11,6 +11,7 @@ mod block;
 mod comment;
 mod dialect;
 mod dialects;
+mod event;
 mod interpreter;
 mod lexer;
 mod machine;
@@ -19,5 +20,6 @@ mod program;
 
 pub use comment::Comment;
 pub use dialect::{ArcTolerance, Command, CommentMark, Dialect, DwellUnit};
+pub use event::{BlindMove, Dwell, Event, Heat, Move, MoveKind, Pause, Point3};
 pub use interpreter::Interpreter;
-pub use program::{Dwell, Event, Move, MoveKind, Pause, Point3, Program, read_program};
+pub use program::{Program, read_program};

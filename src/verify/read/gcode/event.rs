@@ -1,0 +1,137 @@
+//! Events: what a line of a program does.
+
+use crate::geom::{Point, Segment};
+use crate::verify::Finding;
+use crate::verify::read::gcode::Comment;
+
+/// A position of the iron's tip, mm.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Point3 {
+    /// Abscissa.
+    pub x: f64,
+    /// Ordinate.
+    pub y: f64,
+    /// Height.
+    pub z: f64,
+}
+
+impl Point3 {
+    /// The position (x, y, z).
+    pub const fn new(x: f64, y: f64, z: f64) -> Self {
+        Self { x, y, z }
+    }
+
+    /// The position seen from above.
+    pub const fn xy(self) -> Point {
+        Point::new(self.x, self.y)
+    }
+}
+
+/// Whether a move travels or works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MoveKind {
+    /// G0: as fast as the machine can, or where the dialect has it so, at the feed in force.
+    Rapid,
+    /// At the feed.
+    Feed,
+}
+
+/// One motion from a known position.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Move {
+    /// Line, from 1.
+    pub line: usize,
+    /// Rapid or at the feed.
+    pub kind: MoveKind,
+    /// Where it starts.
+    pub from: Point3,
+    /// Where it ends.
+    pub to: Point3,
+    /// Its path seen from above; `None` if it is vertical or goes nowhere.
+    pub path: Option<Segment>,
+    /// Feed in force, mm/min; `None` for a rapid that is as fast as the machine can, or if the program never gave one.
+    pub feed: Option<f64>,
+    /// Temperature of the iron in force, in degrees Celsius; `None` before the first heating.
+    pub heated: Option<f64>,
+}
+
+impl Move {
+    /// Length of the way in space, mm (an arc with a change of height is a helix).
+    pub fn length(&self) -> f64 {
+        self.path.map_or(0.0, |path| path.length()).hypot(self.to.z - self.from.z)
+    }
+
+    /// Time at the feed, s; `None` for a rapid that has none.
+    pub fn seconds(&self) -> Option<f64> {
+        self.feed.map(|feed| self.length() / feed * 60.0)
+    }
+}
+
+/// A motion from or to a place that nobody knows: the program has not told all three axes before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlindMove {
+    /// Line, from 1.
+    pub line: usize,
+    /// Rapid or at the feed.
+    pub kind: MoveKind,
+    /// Which axes the line names: X, Y, Z.
+    pub named: [bool; 3],
+    /// Where it ends, mm, as far as that is known.
+    pub to: [Option<f64>; 3],
+}
+
+/// A heater told what to do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heat {
+    /// Line, from 1.
+    pub line: usize,
+    /// Temperature, in degrees Celsius; 0 turns it off.
+    pub celsius: f64,
+    /// Whether the program goes on only when it is hot.
+    pub waits: bool,
+}
+
+/// A wait for a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Dwell {
+    /// Line, from 1.
+    pub line: usize,
+    /// How long, s.
+    pub seconds: f64,
+    /// Where the iron is; `None` while that is not known.
+    pub at: Option<Point3>,
+}
+
+/// A wait for the operator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pause {
+    /// Line, from 1.
+    pub line: usize,
+    /// Where the iron is; `None` while that is not known.
+    pub at: Option<Point3>,
+    /// The temperature that is in force from here on, if this pause sets one, in degrees Celsius.
+    pub heat: Option<f64>,
+}
+
+/// What a line does.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Event {
+    /// A motion.
+    Move(Move),
+    /// A motion before X, Y and Z are known.
+    Blind(BlindMove),
+    /// A line, by its number, that puts a mode or a setting of the controller into force.
+    Setting(usize),
+    /// A heater.
+    Heat(Heat),
+    /// A wait for a time.
+    Dwell(Dwell),
+    /// A wait for the operator.
+    Pause(Pause),
+    /// A comment.
+    Comment(Comment),
+    /// The end of the program, with its line.
+    End(usize),
+    /// A fault.
+    Finding(Finding),
+}
