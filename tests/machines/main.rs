@@ -5,6 +5,7 @@ mod coupons;
 mod dialects;
 mod faults;
 mod lowest_feed;
+mod profile_lines;
 mod resume;
 
 use stargrip_cam::design::Refusals;
