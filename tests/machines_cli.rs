@@ -109,16 +109,19 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
         1 + before.lines().position(|line| line.starts_with("G1") && line.contains("F6")).expect("a seal");
     let line = (line + 20).to_string();
     let said = done(dir.path(), &["resume", job, "--line", &line]);
-    assert!(said.contains("wrote out/star/star-1-seal-resume.gcode") && said.contains("same zero"), "{said}");
-    let resumed = read(dir.path(), "out/star/star-1-seal-resume.gcode");
+    let target = "out/star-star-1-seal-resume.gcode";
+    assert!(said.contains(&format!("wrote {target}")) && said.contains("same zero"), "{said}");
+    assert!(said.contains("the job is the one that its manifest names"), "{said}");
+    let resumed = read(dir.path(), target);
     assert!(resumed.contains("resume: from_line=") && resumed.contains("end of program, "), "{resumed}");
     assert_eq!(read(dir.path(), job), before, "the job itself stays as it is");
+    // Neither the proof nor the next build trips over it.
+    let _ = done(dir.path(), &["verify", "out/star"]);
 
     // Neither the default nor a name of one's own is written over.
-    let _ =
-        fails(dir.path(), &["resume", job, "--at", "50"], 1, &["star-1-seal-resume.gcode exists already"]);
+    let _ = fails(dir.path(), &["resume", job, "--at", "50"], 1, &["resume.gcode exists already"]);
     let _ = fails(dir.path(), &["resume", job, "--at", "50", "-o", job], 1, &["exists already"]);
-    assert_eq!(read(dir.path(), "out/star/star-1-seal-resume.gcode"), resumed);
+    assert_eq!(read(dir.path(), target), resumed);
     assert_eq!(read(dir.path(), job), before);
 
     let said = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
@@ -131,9 +134,20 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     let place = format!("{},{}", number('X'), number('Y'));
     let said = done(dir.path(), &["resume", job, "--near", &place, "-o", "near.gcode"]);
     assert!(said.contains("wrote near.gcode"), "{said}");
-    // A resumed program can be resumed.
-    let _ = done(dir.path(), &["resume", "at.gcode", "--at", "50"]);
-    assert!(dir.path().join("at-resume.gcode").exists());
+    // A resumed program can be resumed; of it no manifest says anything.
+    let said = done(dir.path(), &["resume", "at.gcode", "--at", "50"]);
+    assert!(
+        dir.path().join("at-resume.gcode").exists() && said.contains("no manifest.json beside"),
+        "{said}"
+    );
+    // A job that is not what the manifest beside it says is not resumed.
+    fs::write(dir.path().join(job), before.replacen("G1 X", "G1  X", 1)).expect("written");
+    let _ = fails(
+        dir.path(),
+        &["resume", job, "--at", "60"],
+        1,
+        &["was changed after it was built", "build again"],
+    );
 }
 
 #[test]

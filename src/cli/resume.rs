@@ -1,11 +1,12 @@
 //! `stargrip-cam resume`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
 use crate::cli::text_file::{read_text, write_new};
 use crate::geom::Point;
+use crate::manifest::{MANIFEST, Manifest, sha256};
 use crate::resume::{ResumeAt, resume};
 use crate::units::{Length, Quantity};
 
@@ -27,7 +28,8 @@ pub(super) struct Args {
     /// What to seal again before the stop, such as "5 mm"; default: as much as the closures overlap.
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     overlap: Option<f64>,
-    /// The program to write; default: the job's name with -resume. Never over a file that is there.
+    /// The program to write; default: the job's name with -resume, beside a published directory, never in it. Never over
+    /// a file that is there.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 }
@@ -65,17 +67,61 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     };
     let resumed = resume(&text, place, args.overlap)
         .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;
-    let target = args.output.clone().unwrap_or_else(|| {
-        let stem = args.job.file_stem().unwrap_or_default().to_string_lossy();
-        args.job.with_file_name(format!("{stem}-resume.gcode"))
-    });
+    let manifest = args.job.with_file_name(MANIFEST);
+    let known = manifest.exists();
+    if known {
+        is_published(&args.job, &manifest, &text)?;
+    }
+    let target = args.output.clone().unwrap_or_else(|| target(&args.job, known));
     write_new(&target, &resumed.text)?;
     say(&format!(
         "wrote {}\ngoes on in line {} of the old program, {:.1} % of its time done; seals {:.1} mm again\n\
+         {}\n\
          before you start it: same sheet, same zero, iron above the fabric\n",
         shown(&target),
         resumed.line,
         100.0 * resumed.done,
-        resumed.overlap
+        resumed.overlap,
+        if known {
+            "the job is the one that its manifest names"
+        } else {
+            "no manifest.json beside the job: that it is the one that was built, nobody knows"
+        }
     ))
+}
+
+/// Where the program goes by default: beside the job, or where that is in a published directory, beside the directory.
+fn target(job: &Path, published: bool) -> PathBuf {
+    let stem = job.file_stem().unwrap_or_default().to_string_lossy();
+    let beside = job.with_file_name(format!("{stem}-resume.gcode"));
+    if !published {
+        return beside;
+    }
+    // `job.gcode` and `./job.gcode` have a parent without a name.
+    let directory = job.parent().and_then(|parent| {
+        if parent.as_os_str().is_empty() { Path::new(".") } else { parent }.canonicalize().ok()
+    });
+    let parts =
+        directory.as_deref().and_then(|directory| Some((directory.parent()?, directory.file_name()?)));
+    let Some((_, name)) = parts else { return beside };
+    let name = format!("{}-{stem}-resume.gcode", name.to_string_lossy());
+    match job.parent().filter(|parent| parent.file_name().is_some()) {
+        Some(parent) => parent.with_file_name(name),
+        None => job.with_file_name("..").join(name),
+    }
+}
+
+/// Whether the job is, byte by byte, the file that the manifest beside it names.
+fn is_published(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> {
+    let read: Manifest = serde_json::from_str(&read_text(manifest)?)
+        .map_err(|fault| Failure::Message(format!("{} cannot be read: {fault}", shown(manifest))))?;
+    let name = job.file_name().unwrap_or_default().to_string_lossy();
+    let entry = read.files.iter().find(|file| file.path == name);
+    let fault = match entry {
+        Some(entry) if entry.sha256 == sha256(text.as_bytes()) => return Ok(()),
+        Some(_) => "was changed after it was built: its hash is not the one in manifest.json",
+        None => "is not named in the manifest.json beside it",
+    };
+    let remedy = "build again, or resume a copy elsewhere if you know what was changed";
+    Err(Failure::Message(format!("{} {fault}; {remedy}", shown(job))))
 }

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::spec::TOXIC;
+use crate::units::Temperature;
 use crate::verify::Finding;
 
 /// Why a program cannot be resumed.
@@ -11,6 +13,12 @@ pub enum ResumeFault {
     NotOurs(&'static str),
     /// It is damaged.
     Damaged(Finding),
+    /// What it does is not what it says of itself, or what it says is nothing to seal with.
+    Disagrees(Finding),
+    /// It would seal this hot, which no spec may ask for.
+    TooHot(Temperature),
+    /// The new program would break the rules of the old one.
+    Unproven(Finding),
     /// The line is not in the file, which has this many.
     NoSuchLine(usize, usize),
     /// No seam is within reach of the point: the nearest is this far away, mm.
@@ -28,6 +36,17 @@ impl fmt::Display for ResumeFault {
             ),
             Self::Damaged(finding) => {
                 write!(f, "the file is damaged, take it from the published directory again: {finding}")
+            }
+            Self::Disagrees(finding) => write!(
+                f,
+                "the file does not do what its comments say, take it from the published directory again: {finding}"
+            ),
+            Self::TooHot(t) => write!(
+                f,
+                "the file seals at {t}, and from {TOXIC} the release layer gives off toxic fumes: build it again, cooler"
+            ),
+            Self::Unproven(finding) => {
+                write!(f, "the program for the rest was not written, for it would not be right: {finding}")
             }
             Self::NoSuchLine(line, lines) => write!(f, "there is no line {line}: the file has 1 to {lines}"),
             Self::Nowhere(distance) => write!(

@@ -2,9 +2,11 @@
 //!
 //! The **record** is what the file says of its machine and its seal (structured comments); the **toolpath** is its moves
 //! with what the iron does in each; a **stop** is a place on it. The new program is the old one's beginning up to the
-//! heating, a way down along the seam that ends an overlap before the stop, and then the old lines as they were.
+//! heating, a way down along the seam that ends an overlap before the stop, and then the old lines as they were, the
+//! first with its feed. Both programs are judged by what the old one says of itself: a comment alone is believed nothing.
 
 mod fault;
+mod judge;
 mod record;
 mod resume_at;
 mod toolpath;
@@ -14,7 +16,6 @@ use crate::geom::{Path, Segment};
 use crate::plan::{Height, Ramp, Step};
 use crate::resume::record::Record;
 use crate::resume::toolpath::{Run, Toolpath};
-use crate::verify::gcode::read_program;
 
 pub use fault::ResumeFault;
 pub use resume_at::ResumeAt;
@@ -36,10 +37,12 @@ pub struct Resumed {
 /// its closures overlap).
 ///
 /// # Errors
-/// If the file is damaged or not one of ours, or if nothing is left to do.
+/// If the file is damaged, not one of ours or not what its comments say, if nothing is left to do, or if the new program
+/// would not keep the rules of the old one.
 pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resumed, ResumeFault> {
     let record = Record::read(text)?;
     let toolpath = Toolpath::read(text, &record)?;
+    judge::agrees(&record, text)?;
     let stop = place.find(&toolpath)?;
     let overlap = overlap.unwrap_or(record.seal.overlap.0);
     let lines: Vec<&str> = text.lines().collect();
@@ -59,11 +62,15 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
     let done = stop.done;
     let note =
         format!("resume: from_line={} overlap_mm={sealed_twice:.3} percent={:.1}", line + 1, 100.0 * done);
-    let new = assembled(&record, &lines[..toolpath.hot], &record.comment(&note), &out, rest);
-    // The new file is read as the controller would read it.
-    if let Some(finding) = read_program(&new, record.dialect()).findings.into_iter().next() {
-        return Err(ResumeFault::Damaged(finding));
-    }
+    let first = toolpath.with_feed(line);
+    let rest: Vec<&str> = match &first {
+        Some((at, text)) => {
+            (line..).zip(rest).map(|(i, old)| if i == *at { text.as_str() } else { *old }).collect()
+        }
+        None => rest.to_vec(),
+    };
+    let new = assembled(&record, &lines[..toolpath.hot], &record.comment(&note), &out, &rest);
+    judge::proves(&record, text, &new)?;
     Ok(Resumed { text: new, line: line + 1, overlap: sealed_twice, done })
 }
 

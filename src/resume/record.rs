@@ -3,8 +3,10 @@
 use crate::emit::Facts;
 use crate::plan::{Chop, Pace, Stepper};
 use crate::resume::ResumeFault;
-use crate::spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, Process, Seal};
-use crate::units::{Duration, Length, Speed, Temperature};
+use crate::spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights};
+use crate::spec::{Motion, Process, Seal, StepRate, TOXIC};
+use crate::units::{Acceleration, Duration, Length, Speed, Temperature};
+use crate::verify::IronRules;
 use crate::verify::gcode;
 use crate::verify::gcode::Comment;
 
@@ -16,6 +18,8 @@ pub(super) struct Record {
     pub(super) seal: Seal,
     pub(super) path: Length,
     pub(super) pace: Pace,
+    /// Whether the file says all that its strokes are timed by, as older ones do not.
+    is_timed: bool,
 }
 
 /// Most lines looked at for the header.
@@ -37,12 +41,37 @@ impl Record {
         if !positive {
             return Err(ResumeFault::NotOurs("seal"));
         }
-        Ok(Self { controller: header.controller(comments, pace)?, process, seal, path, pace })
+        if seal.temperature >= TOXIC {
+            return Err(ResumeFault::TooHot(seal.temperature));
+        }
+        let is_timed = header.find("chop").is_err() || header.find("chop-start").is_ok();
+        Ok(Self { controller: header.controller(comments, pace)?, process, seal, path, pace, is_timed })
     }
 
     /// The dialect by which the file is read.
     pub(super) fn dialect(&self) -> gcode::Dialect {
         gcode::Dialect::for_controller(&self.controller)
+    }
+
+    /// What the file says of the motors: what its strokes are timed by.
+    pub(super) fn motion(&self) -> Motion {
+        let Pace::Chopped(chop) = self.pace else { return Motion::UNKNOWN };
+        Motion {
+            steps_per_mm: chop.stepper.map(|stepper| stepper.steps_per_mm),
+            step_rate: chop.stepper.map_or(StepRate::Unknown, |stepper| StepRate::AtLeast(stepper.rate)),
+            acceleration: Some(Acceleration(chop.acceleration)),
+            chop_feed: Some(Speed(chop.speed)),
+            start_delay: Duration(chop.start_delay),
+            tick: chop.stepper.map(|stepper| Duration(stepper.tick)),
+            ..Motion::UNKNOWN
+        }
+    }
+
+    /// The rules that the file says it keeps, with what it says of the motors.
+    pub(super) fn rules<'a>(&'a self, motion: &'a Motion) -> IronRules<'a> {
+        let Self { seal, process, controller, pace, .. } = self;
+        let chops = matches!(pace, Pace::Chopped(_));
+        IronRules { seal, process, motion, dwell_step: controller.dwell.step.0, chops, timed: self.is_timed }
     }
 
     /// What the writing of further steps needs to know.

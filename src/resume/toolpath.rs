@@ -1,5 +1,6 @@
 //! The toolpath: a program's moves, with what the iron does in each and how long it takes.
 
+use crate::emit::Decimals;
 use crate::plan::Pace;
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
@@ -166,6 +167,15 @@ impl Toolpath {
             (0..first).rev().find(|k| self.steps[*k].phase == Phase::Clear && is_travel(&self.steps[*k]));
         let line = before.map_or(self.hot, |k| self.steps[k].step.line - 1);
         Some(line.max(self.hot))
+    }
+
+    /// The first feed move at or after the line of index `from`, with the feed that is in force there: its index and text;
+    /// `None` if it states its own.
+    pub(super) fn with_feed(&self, from: usize) -> Option<(usize, String)> {
+        let is_next = |step: &&TimedMove| step.step.line > from && step.step.kind == MoveKind::Feed;
+        let step = self.steps.iter().find(is_next)?.step;
+        let text = self.texts.get(step.line - 1).filter(|text| !text.contains(['F', ';', '(']))?;
+        Some((step.line - 1, format!("{text} F{}", Decimals::exactly(9).text(step.feed?))))
     }
 
     /// Index of the first line after `line` (from 1) that is no dwell.

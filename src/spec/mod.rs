@@ -51,6 +51,6 @@ pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};
 pub use profile::{builtin_machine, builtin_machines, read_machine};
 pub use raw::RawSpec;
-pub use reading::{Reading, read};
+pub use reading::{Reading, TOXIC, read};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::starter;

@@ -141,11 +141,14 @@ fn read_seal(s: &mut Section<'_, '_>) -> Seal {
     seal
 }
 
+/// From here on the PTFE release layer gives off toxic fumes: no seal is this hot.
+pub const TOXIC: Temperature = Temperature(300.0);
+
 /// Between iron and fabric lies a release layer of PTFE: above 260 C it ages, from 300 C its fumes are toxic.
 fn check_ptfe(s: &mut Section<'_, '_>, temperature: Temperature) {
     let place = s.place_of("temperature");
     let message = format!("`temperature` is {temperature}");
-    if temperature.0 >= 300.0 {
+    if temperature.0 >= TOXIC.0 {
         let fault = Fault::error(FaultCode::Ptfe, place, message)
             .label("must be less than 300 C: from there the PTFE release layer gives off toxic fumes");
         s.report(fault);

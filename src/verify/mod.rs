@@ -15,6 +15,7 @@ pub use finding::{Finding, Findings};
 pub use judge::expected::Expected;
 pub use judge::files::bytes::compare_bytes;
 pub use judge::files::proof::{By, FileProof, Proof, prove};
+pub use judge::iron::{IronRules, judge_iron};
 pub use judge::path::compare::{self, Deviation, deviation};
 pub use judge::path::follow::{Following, follow};
 pub use judge::stroke::stroke_seconds;

@@ -6,6 +6,7 @@ mod coupons;
 mod dialects;
 mod faults;
 mod lowest_feed;
+mod profile_lines;
 mod resume;
 mod speed;
 

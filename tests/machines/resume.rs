@@ -190,3 +190,86 @@ fn a_resumed_job_can_be_resumed_and_a_damaged_one_cannot() {
     let trace = text(&built(&spec_text(""), profile("generic")), "star-1-trace.gcode");
     assert!(matches!(resume(&trace, ResumeAt::Line(1), None), Err(ResumeFault::NotOurs(_))));
 }
+
+/// The job with one text of it replaced, everywhere.
+fn lied(name: &str, from: &str, to: &str) -> String {
+    let job = job(name);
+    assert!(job.contains(from), "{name}: {from}");
+    job.replace(from, to)
+}
+
+#[test]
+fn what_a_comment_says_is_not_believed() {
+    for name in ["generic", "klipper", "reprapfirmware", "grbl"] {
+        for (from, to) in [
+            ("speed_mm_s=0.1", "speed_mm_s=10"),
+            ("contact_mm=-0.3", "contact_mm=1"),
+            ("travel_mm=5", "travel_mm=7"),
+            ("park_mm=30", "park_mm=20"),
+        ] {
+            let fault = resume(&lied(name, from, to), ResumeAt::Share(0.4), None);
+            assert!(
+                matches!(&fault, Err(ResumeFault::Disagrees(f)) if f.line.is_some()),
+                "{name} {to}: {fault:?}"
+            );
+        }
+        let hot = resume(&lied(name, "temperature_C=200", "temperature_C=450"), ResumeAt::Share(0.4), None);
+        assert!(matches!(hot, Err(ResumeFault::TooHot(t)) if t.0 == 450.0), "{name}: {hot:?}");
+        let other = resume(
+            &lied(name, "seal: temperature_C=200", "seal: temperature_C=180"),
+            ResumeAt::Share(0.4),
+            None,
+        );
+        assert!(matches!(&other, Err(ResumeFault::Disagrees(f)) if f.line.is_some()), "{name}: {other:?}");
+    }
+}
+
+/// A job with a line put in before the first that begins with `before`, its last line counting right.
+fn with_line(name: &str, before: &str, line: &str) -> (String, usize) {
+    let job = job(name);
+    let mut lines: Vec<&str> = job.lines().collect();
+    let at = lines.iter().position(|text| text.starts_with(before)).expect(before);
+    lines.insert(at, line);
+    let count = format!("; end of program, {} lines", lines.len());
+    *lines.last_mut().expect("lines") = &count;
+    (lines.join("\n") + "\n", at + 1)
+}
+
+#[test]
+fn a_job_that_plunges_or_changes_settings_is_not_resumed() {
+    for (name, before, line, code) in [
+        ("generic", "G0 Z30", "G0 Z-50", "blind-move"),
+        ("klipper", "G0 Z30", "G0 Z-50 F1200", "blind-move"),
+        ("reprapfirmware", "G1 ", "M203 I600", "profile-line"),
+        ("klipper", "G1 ", "SET_IDLE_TIMEOUT TIMEOUT=1", "profile-line"),
+        ("marlin", "G1 ", "M205 T500", "profile-line"),
+        ("marlin", "M84", "M104 S200", "stray-heat"),
+    ] {
+        let (job, at) = with_line(name, before, line);
+        match resume(&job, ResumeAt::Share(0.4), None) {
+            Err(ResumeFault::Disagrees(finding)) => {
+                assert_eq!((finding.code, finding.line), (code, Some(at)), "{name} {line}");
+            }
+            other => panic!("{name} {line}: {other:?}"),
+        }
+    }
+}
+
+/// Whoever cuts the way back off has the seal's feed all the same.
+#[test]
+fn the_first_old_line_states_its_feed() {
+    for name in PROFILES {
+        let job = job(name);
+        let resumed = resume(&job, ResumeAt::Share(0.4), None).expect("resumed");
+        let old = job.lines().nth(resumed.line - 1).expect("a line");
+        let text: Vec<&str> = resumed.text.lines().collect();
+        let old_feed =
+            |line: &str| line.starts_with('G') && !line.starts_with("G0") && !line.starts_with("G4");
+        assert!(old_feed(old) || old.starts_with(';') || old.starts_with('M'), "{name}: {old}");
+        // Counted from the end, both programs have the same lines.
+        let back = job.lines().count() - resumed.line;
+        let from = text.len() - 1 - back;
+        let first = text[from..].iter().find(|line| old_feed(line)).expect("a cut");
+        assert!(first.contains(" F"), "{name}: {first}");
+    }
+}

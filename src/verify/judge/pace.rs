@@ -5,8 +5,8 @@
 //! by more than 0.2 % and a dwell's step, nor a stroke on its own.
 
 use crate::geom::Segment;
-use crate::spec::{FeedFloor, Motion};
-use crate::verify::judge::expected::Expected;
+use crate::spec::Motion;
+use crate::verify::judge::iron::{IronRules, Phase};
 use crate::verify::judge::stroke::Run;
 use crate::verify::read::gcode::{Move, MoveKind, Program};
 use crate::verify::{FindingCode, Findings};
@@ -30,22 +30,17 @@ struct Schedule {
 
 /// The judge of one program.
 struct Judge<'a> {
-    expected: &'a Expected<'a>,
+    rules: &'a IronRules<'a>,
     schedule: Schedule,
 }
 
-/// Reports every move below travel height (told by `low`) that is too fast or too slow.
-pub(in crate::verify) fn check(
-    expected: &Expected<'_>,
-    program: &Program,
-    low: impl Fn(&Move) -> bool,
-    findings: &mut Findings,
-) {
-    let mut judge = Judge { expected, schedule: Schedule::default() };
+/// Reports every move below travel height that is too fast or too slow.
+pub(in crate::verify) fn check(rules: &IronRules<'_>, program: &Program, findings: &mut Findings) {
+    let mut judge = Judge { rules, schedule: Schedule::default() };
     let mut dwells = program.dwells.iter().peekable();
     let mut steps = program.moves.iter().peekable();
     while let Some(step) = steps.next() {
-        if !low(step) {
+        if rules.phase(step) == Phase::Clear {
             judge.schedule = Schedule::default();
             continue;
         }
@@ -66,17 +61,21 @@ pub(in crate::verify) fn check(
 impl Judge<'_> {
     /// One move in contact, and the wait after it.
     fn step(&mut self, step: &Move, rest: f64, findings: &mut Findings) {
-        let speed = self.expected.spec.seal.speed.0;
+        let speed = self.rules.seal.speed.0;
         let Some(feed) = step.feed.map(|feed| feed / 60.0) else {
             findings.add(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
             return;
         };
         self.schedule.due += step.length() / speed;
         let stopped = if (feed - speed).abs() <= ROUNDING * speed {
-            // A short wait is no fault of speed; how long it may be, the rest is judged by.
-            self.schedule.spent += step.length() / feed;
+            self.schedule.spent += step.length() / feed + rest;
             true
-        } else if self.expected.spec.machine.feed_floor == FeedFloor::Chop {
+        } else if self.rules.chops {
+            let told = self.rules.motion.chop_speed().unwrap_or(feed);
+            if (feed - told).abs() > ROUNDING * told {
+                let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", told * 60.0));
+                findings.add(FindingCode::WrongFeed, step.line, found, allowed);
+            }
             self.stroke(step, feed, rest);
             let longest = self.longest(feed);
             if step.length() > longest + 0.01 {
@@ -89,8 +88,10 @@ impl Judge<'_> {
             findings.add(FindingCode::WrongFeed, step.line, found, allowed);
             return;
         };
-        self.on_time(step, stopped, findings);
-        let motion = &self.expected.machine.motion;
+        if self.rules.timed {
+            self.on_time(step, stopped, findings);
+        }
+        let motion = self.rules.motion;
         let lowest = step.path.and_then(|path| lowest_speed(motion, &path, step.to.z - step.from.z));
         if let Some(lowest) = lowest.filter(|lowest| feed < lowest * (1.0 - ROUNDING)) {
             let found = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
@@ -105,7 +106,7 @@ impl Judge<'_> {
 
     /// Counts the time of a stroke: a run goes on until a wait ends it.
     fn stroke(&mut self, step: &Move, feed: f64, rest: f64) {
-        let (motion, schedule) = (&self.expected.machine.motion, &mut self.schedule);
+        let (motion, schedule) = (self.rules.motion, &mut self.schedule);
         let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
         schedule.run = schedule.run.and(motion, from, to, step.length());
         let seconds = schedule.run.seconds(motion, feed);
@@ -118,26 +119,26 @@ impl Judge<'_> {
 
     /// The longest stroke, mm: a tenth of the band, or what leaves time for the shortest dwell.
     fn longest(&self, feed: f64) -> f64 {
-        let Expected { spec, machine, .. } = self.expected;
-        let least = self.start_and_stop(feed) + machine.controller.dwell.step.0;
-        let spared = 1.0 / spec.seal.speed.0 - 1.0 / feed;
+        let IronRules { seal, dwell_step, .. } = self.rules;
+        let least = self.start_and_stop(feed) + dwell_step;
+        let spared = 1.0 / seal.speed.0 - 1.0 / feed;
         let needed = if spared > 0.0 { least / spared } else { 0.0 };
-        needed.clamp(spec.seal.band.0 / 10.0, spec.seal.band.0 / 2.0)
+        needed.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)
     }
 
     /// Time that a run takes beside that of its length, s.
     fn start_and_stop(&self, feed: f64) -> f64 {
-        let motion = &self.expected.machine.motion;
+        let motion = self.rules.motion;
         motion.start_delay.0 + motion.acceleration.map_or(0.0, |a| feed / a.0)
     }
 
     /// Reports a step that takes the contact off its schedule, or a run that is itself too early or too late. Until it
     /// has `stopped`, a run may be late by what it takes to start and to stop.
     fn on_time(&mut self, step: &Move, stopped: bool, findings: &mut Findings) {
-        let (speed, feed) = (self.expected.spec.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
+        let (speed, feed) = (self.rules.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
         let Schedule { due, spent, stop, .. } = self.schedule;
         let off = spent - due;
-        let quantum = self.expected.machine.controller.dwell.step.0;
+        let quantum = self.rules.dwell_step;
         let allowed = MEAN * due + 0.6 * quantum + 0.01;
         // One run alone may be early or late by a dwell's step.
         let alone = MEAN * (due - stop.0) + quantum + 0.015;

@@ -183,6 +183,24 @@ impl Command {
         matches!(self, Self::HeatAndWait | Self::HeatOnly | Self::Progress | Self::Setting)
     }
 
+    /// Whether it changes how other lines are read, or how the controller moves, and does nothing itself.
+    pub(super) const fn is_setting(self) -> bool {
+        matches!(
+            self,
+            Self::PlaneXy
+                | Self::Inches
+                | Self::Millimetres
+                | Self::Absolute
+                | Self::Relative
+                | Self::CentersAbsolute
+                | Self::CentersRelative
+                | Self::InverseTime
+                | Self::PerMinute
+                | Self::ExactPath
+                | Self::Setting
+        )
+    }
+
     /// Letters that mean something with this command only.
     pub(super) const fn own_letters(self) -> &'static [u8] {
         match self {

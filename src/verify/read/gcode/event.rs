@@ -1,4 +1,4 @@
-//! What a line of a program does.
+//! Events: what a line of a program does.
 
 use crate::geom::{Point, Segment};
 use crate::verify::Finding;
@@ -67,6 +67,30 @@ impl Move {
     }
 }
 
+/// A motion from or to a place that nobody knows: the program has not told all three axes before it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BlindMove {
+    /// Line, from 1.
+    pub line: usize,
+    /// Rapid or at the feed.
+    pub kind: MoveKind,
+    /// Which axes the line names: X, Y, Z.
+    pub named: [bool; 3],
+    /// Where it ends, mm, as far as that is known.
+    pub to: [Option<f64>; 3],
+}
+
+/// A heater told what to do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Heat {
+    /// Line, from 1.
+    pub line: usize,
+    /// Temperature, in degrees Celsius; 0 turns it off.
+    pub celsius: f64,
+    /// Whether the program goes on only when it is hot.
+    pub waits: bool,
+}
+
 /// A wait for a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Dwell {
@@ -94,6 +118,12 @@ pub struct Pause {
 pub enum Event {
     /// A motion.
     Move(Move),
+    /// A motion before X, Y and Z are known.
+    Blind(BlindMove),
+    /// A line, by its number, that puts a mode or a setting of the controller into force.
+    Setting(usize),
+    /// A heater.
+    Heat(Heat),
     /// A wait for a time.
     Dwell(Dwell),
     /// A wait for the operator.

@@ -4,7 +4,7 @@ use crate::geom::{Line, Point, Segment};
 use crate::verify::read::gcode::arc::arc;
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::modes::Modes;
-use crate::verify::read::gcode::{Command, Dialect, Dwell, Event, Move, MoveKind, Point3};
+use crate::verify::read::gcode::{BlindMove, Command, Dialect, Dwell, Event, Heat, Move, MoveKind, Point3};
 use crate::verify::{Finding, FindingCode};
 
 /// A line that is executed, and where what it does is told.
@@ -55,11 +55,15 @@ impl Machine {
         let Here { block, line, .. } = *here;
         for command in &block.commands {
             self.modes.set(*command);
-            match command {
-                Command::HeatAndWait => self.heated = block.value(b'S').filter(|t| *t > 0.0),
-                Command::HeatOnly => self.heated = None,
-                _ => {}
+            let waits = *command == Command::HeatAndWait;
+            if waits || *command == Command::HeatOnly {
+                let celsius = block.value(b'S').unwrap_or(0.0);
+                self.heated = Some(celsius).filter(|t| waits && *t > 0.0);
+                here.out.push(Event::Heat(Heat { line, celsius, waits }));
             }
+        }
+        if block.commands.iter().any(|command| command.is_setting()) {
+            here.out.push(Event::Setting(line));
         }
         if block.commands.iter().any(|command| command.stands_alone()) {
             return;
@@ -106,6 +110,8 @@ impl Machine {
                 let found = "a move from a position that the program never set";
                 here.report(FindingCode::UnknownPosition, found, "rapids first: Z, then X and Y");
             }
+            let named = [b'X', b'Y', b'Z'].map(|letter| block.value(letter).is_some());
+            here.out.push(Event::Blind(BlindMove { line, kind, named, to: self.position }));
             return;
         };
         let path = if arcs {

@@ -20,6 +20,6 @@ mod program;
 
 pub use comment::Comment;
 pub use dialect::{ArcTolerance, Command, CommentMark, Dialect, DwellUnit};
-pub use event::{Dwell, Event, Move, MoveKind, Pause, Point3};
+pub use event::{BlindMove, Dwell, Event, Heat, Move, MoveKind, Pause, Point3};
 pub use interpreter::Interpreter;
 pub use program::{Program, read_program};

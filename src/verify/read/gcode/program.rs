@@ -1,6 +1,6 @@
-//! What a whole program does: the events of all its lines, by kind.
+//! A program: the list of all events of a file.
 
-use crate::verify::read::gcode::{Comment, Dialect, Dwell, Event, Interpreter, Move, Pause};
+use crate::verify::read::gcode::{BlindMove, Comment, Dialect, Dwell, Event, Heat, Interpreter, Move, Pause};
 use crate::verify::{Finding, Findings};
 
 /// All events of a file, by kind; line numbers tell their order.
@@ -8,6 +8,12 @@ use crate::verify::{Finding, Findings};
 pub struct Program {
     /// Motions.
     pub moves: Vec<Move>,
+    /// Motions before X, Y and Z are known.
+    pub blind: Vec<BlindMove>,
+    /// Lines that put modes or settings into force.
+    pub settings: Vec<usize>,
+    /// What heaters are told.
+    pub heats: Vec<Heat>,
     /// Waits for a time.
     pub dwells: Vec<Dwell>,
     /// Waits for the operator.
@@ -23,6 +29,12 @@ pub struct Program {
 }
 
 impl Program {
+    /// Lines of the first and of the last motion; `None` if nothing moves.
+    pub fn motion(&self) -> Option<(usize, usize)> {
+        let lines = || self.blind.iter().map(|step| step.line).chain(self.moves.iter().map(|step| step.line));
+        Some((lines().min()?, lines().max()?))
+    }
+
     /// The first structured comment with this key.
     pub fn comment(&self, key: &str) -> Option<&Comment> {
         self.comments.iter().find(|comment| comment.key() == Some(key))
@@ -50,6 +62,9 @@ impl Program {
         for event in events.drain(..) {
             match event {
                 Event::Move(x) => self.moves.push(x),
+                Event::Blind(x) => self.blind.push(x),
+                Event::Setting(line) => self.settings.push(line),
+                Event::Heat(x) => self.heats.push(x),
                 Event::Dwell(x) => self.dwells.push(x),
                 Event::Pause(x) => self.pauses.push(x),
                 Event::Comment(x) => self.comments.push(x),

@@ -1,0 +1,282 @@
+//! The profile's own lines and the first words: what stands in them is proven as every other line is.
+
+use stargrip_cam::spec::{Source, read_machine};
+use stargrip_cam::verify::Finding;
+
+use crate::{PROFILES, built, findings_with, profile, spec_text, text};
+
+const SEAL: &str = "star-1-seal.gcode";
+const TRACE: &str = "star-1-trace.gcode";
+
+/// Where a line is put or changed.
+#[derive(Clone, Copy, Debug)]
+enum At {
+    /// Before the first motion.
+    Head,
+    /// Before the first line that begins so, in contact.
+    Contact,
+    /// Before the last line of code.
+    Tail,
+}
+
+/// Index of a place in a program.
+fn place(lines: &[String], at: At) -> usize {
+    let code = |line: &String| !line.starts_with(';');
+    match at {
+        At::Head => lines.iter().position(|line| line.starts_with("G0 Z")),
+        At::Contact => lines.iter().rposition(|line| {
+            ["G1 ", "G2 ", "G3 "].iter().any(|word| line.starts_with(word)) && !line.contains(['Z', 'F'])
+        }),
+        At::Tail => lines.iter().rposition(code),
+    }
+    .expect("such a line")
+}
+
+/// The program with its last line counting right.
+fn counted(lines: &[String]) -> String {
+    let body = lines[..lines.len() - 1].join("\n");
+    format!("{body}\n; end of program, {} lines\n", lines.len())
+}
+
+fn chop(name: &str) -> &'static str {
+    if ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name) {
+        "[machine]\nfeed_floor = \"chop\"\n"
+    } else {
+        ""
+    }
+}
+
+/// The findings after `change` of the lines of `file`.
+fn after(name: &str, file: &str, change: impl Fn(&mut Vec<String>)) -> Vec<Finding> {
+    let build = built(&spec_text(chop(name)), profile(name));
+    let good = text(&build, file);
+    let mut lines: Vec<String> = good.lines().map(str::to_owned).collect();
+    change(&mut lines);
+    let bad = counted(&lines);
+    assert_ne!(bad, good, "{name}: nothing was changed");
+    findings_with(&build, file, &bad)
+}
+
+#[track_caller]
+fn assert_found(name: &str, findings: &[Finding], code: &str, line: usize) {
+    let found = findings.iter().any(|finding| finding.code == code && finding.line == Some(line));
+    assert!(found, "{name}: no {code} in line {line}: {:#?}", &findings[..findings.len().min(6)]);
+}
+
+/// A line put in is found in its own line.
+#[track_caller]
+fn assert_inserted(names: &[&str], file: &str, at: At, inserted: &str, code: &str) {
+    for name in names {
+        let place = std::cell::Cell::new(0);
+        let findings = after(name, file, |lines| {
+            place.set(self::place(lines, at));
+            lines.insert(place.get(), inserted.to_owned());
+        });
+        assert_found(name, &findings, code, place.get() + 1);
+    }
+}
+
+#[test]
+fn the_first_motion_goes_up_in_every_dialect() {
+    for file in [SEAL, TRACE] {
+        assert_inserted(&PROFILES, file, At::Head, "G0 Z-50", "blind-move");
+        assert_inserted(&PROFILES, file, At::Head, "G0 Z-999999", "blind-move");
+    }
+    assert_inserted(&PROFILES, SEAL, At::Head, "G0 Z4", "blind-move");
+    assert_inserted(&PROFILES, SEAL, At::Head, "G0 Z400", "blind-move");
+    assert_inserted(&PROFILES, SEAL, At::Head, "G0 X0 Y0", "blind-move");
+    assert_inserted(&PROFILES, SEAL, At::Head, "G1 Z30 F60", "blind-move");
+    for name in PROFILES {
+        let raised = std::cell::Cell::new(0);
+        let findings = after(name, SEAL, |lines| {
+            raised.set(place(lines, At::Head) + 1);
+            // Before X and Y are known: down, and far away.
+            lines.insert(raised.get(), "G0 Z-1".to_owned());
+            lines.insert(raised.get() + 1, "G0 Z30".to_owned());
+            lines.insert(raised.get() + 2, "G0 X99999".to_owned());
+        });
+        assert_found(name, &findings, "blind-move", raised.get() + 1);
+        assert_found(name, &findings, "blind-move", raised.get() + 3);
+    }
+    // Later, no motion goes above the park height.
+    assert_inserted(&["generic", "marlin"], SEAL, At::Tail, "G0 Z400", "outside-work-area");
+}
+
+#[test]
+fn settings_stand_where_the_profile_puts_them() {
+    assert_inserted(&["reprapfirmware"], SEAL, At::Contact, "M203 I600", "profile-line");
+    assert_inserted(&["marlin"], SEAL, At::Contact, "M205 S50", "profile-line");
+    assert_inserted(&["marlin"], SEAL, At::Contact, "M205 T500", "profile-line");
+    assert_inserted(
+        &["klipper"],
+        SEAL,
+        At::Contact,
+        "SET_VELOCITY_LIMIT VELOCITY=0.05 ACCEL=1",
+        "profile-line",
+    );
+    assert_inserted(&["klipper"], SEAL, At::Contact, "SET_IDLE_TIMEOUT TIMEOUT=1", "profile-line");
+    assert_inserted(&["linuxcnc"], SEAL, At::Contact, "G61", "profile-line");
+    assert_inserted(&PROFILES, SEAL, At::Contact, "G90", "profile-line");
+    assert_inserted(&PROFILES, SEAL, At::Head, "G90", "profile-line");
+    assert_inserted(&["klipper"], SEAL, At::Head, "SET_IDLE_TIMEOUT TIMEOUT=1", "profile-line");
+    // A line of the start or the end that is gone is missed where the next one stands.
+    for (name, gone) in [
+        ("reprapfirmware", "M203 I5"),
+        ("marlin", "M205 S0 T0"),
+        ("klipper", "SET_IDLE_TIMEOUT TIMEOUT=86400"),
+        ("reprapfirmware", "M104 S0"),
+        ("marlin", "M104 S0"),
+        ("klipper", "M104 S0"),
+    ] {
+        for file in [SEAL, TRACE] {
+            let findings = after(name, file, |lines| {
+                let at = lines.iter().position(|line| line == gone).expect("a line of the profile");
+                let _ = lines.remove(at);
+            });
+            let found =
+                findings.iter().any(|f| f.code == "profile-line" && f.file == file && f.line.is_some());
+            assert!(found, "{name} without {gone}: {findings:#?}");
+        }
+    }
+}
+
+#[test]
+fn a_profile_changed_after_the_build_is_found() {
+    let build = built(&spec_text(""), profile("generic"));
+    let other = profile("generic").replacen("\"G94\"]", "\"G94\", \"G61\"]", 1);
+    let findings = findings_with(&build, "machine.toml", &other);
+    for file in [SEAL, TRACE] {
+        let found = findings.iter().any(|f| f.code == "profile-line" && f.file == file && f.line.is_some());
+        assert!(found, "{file}: {findings:#?}");
+    }
+}
+
+#[test]
+fn heaters_are_told_once_and_turned_off() {
+    for name in ["marlin", "klipper", "reprapfirmware"] {
+        for file in [SEAL, TRACE] {
+            assert_inserted(&[name], file, At::Tail, "M109 S200", "stray-heat");
+            assert_inserted(&[name], file, At::Tail, "M104 S200", "stray-heat");
+            assert_inserted(&[name], file, At::Head, "M104 S450", "stray-heat");
+        }
+        // Hotter first, then as it should be.
+        let hot = std::cell::Cell::new(0);
+        let findings = after(name, SEAL, |lines| {
+            hot.set(lines.iter().position(|line| line.starts_with("M109")).expect("a heating"));
+            lines.insert(hot.get(), "M109 S450".to_owned());
+        });
+        assert_found(name, &findings, "stray-heat", hot.get() + 1);
+    }
+}
+
+#[test]
+fn waits_in_one_place_are_added_up() {
+    for name in PROFILES {
+        let wait =
+            if ["marlin", "klipper", "reprapfirmware"].contains(&name) { "G4 P1900" } else { "G4 P1.9" };
+        let at = std::cell::Cell::new(0);
+        let findings = after(name, SEAL, |lines| {
+            at.set(place(lines, At::Contact));
+            for _ in 0..50 {
+                lines.insert(at.get(), wait.to_owned());
+            }
+        });
+        assert_found(name, &findings, "iron-at-rest", at.get() + 2);
+        // Between slivers of a move as well.
+        let findings = after(name, SEAL, |lines| {
+            at.set(place(lines, At::Contact));
+            lines.insert(at.get(), wait.to_owned());
+        });
+        let first = findings.iter().find(|f| f.code == "wrong-feed" || f.code == "iron-at-rest");
+        assert!(
+            first.is_some_and(|f| f.line.is_some_and(|line| line.abs_diff(at.get() + 1) <= 4)),
+            "{name}: {findings:#?}"
+        );
+    }
+}
+
+#[test]
+fn comments_are_facts() {
+    for name in ["generic", "grbl", "klipper", "marlin"] {
+        let changes: &[(&str, &str)] = &[
+            ("speed_mm_s=0.1", "speed_mm_s=10"),
+            ("contact_mm=-0.3", "contact_mm=1"),
+            ("travel_mm=5", "travel_mm=0.5"),
+            ("ramp_mm=3", "ramp_mm=30"),
+            ("overlap_mm=5", "overlap_mm=0"),
+            ("seal: temperature_C=200", "seal: temperature_C=450"),
+            ("; machine: dialect=", "; machine: dialect=x"),
+            ("frame: origin at lower left", "frame: origin at upper left"),
+            ("total: length_mm=", "total: length_mm=1"),
+            ("; requires:", "; requires: no"),
+        ];
+        for (from, to) in changes {
+            let at = std::cell::Cell::new(0);
+            let findings = after(name, SEAL, |lines| {
+                at.set(
+                    lines
+                        .iter()
+                        .position(|line| line.contains(from))
+                        .unwrap_or_else(|| panic!("{name}: {from}")),
+                );
+                lines[at.get()] = lines[at.get()].replacen(from, to, 1);
+            });
+            assert_found(name, &findings, "other-comment", at.get() + 1);
+        }
+        assert_inserted(&[name], SEAL, At::Head, "; set the station to 450 C", "other-comment");
+        assert_inserted(&[name], SEAL, At::Contact, "; set the station to 450 C", "other-comment");
+        assert_inserted(&[name], TRACE, At::Tail, "; press harder", "other-comment");
+        let at = std::cell::Cell::new(0);
+        let findings = after(name, SEAL, |lines| {
+            at.set(lines.iter().position(|line| line.contains("progress: percent=40 ")).expect("progress"));
+            lines[at.get()] = "; progress: percent=90 remaining_s=60".to_owned();
+        });
+        assert_found(name, &findings, "other-comment", at.get() + 1);
+    }
+    // What the operator is told, who has no other source.
+    let at = std::cell::Cell::new(0);
+    let findings = after("generic", SEAL, |lines| {
+        at.set(lines.iter().position(|line| line.contains("set the iron to 200 C")).expect("a word"));
+        lines[at.get()] = lines[at.get()].replacen("200", "450", 1);
+    });
+    assert_found("generic", &findings, "other-comment", at.get() + 1);
+    let findings = after("marlin", SEAL, |lines| {
+        at.set(lines.iter().position(|line| line.starts_with("M73 P40 ")).expect("progress"));
+        lines[at.get()] = "M73 P90 R1".to_owned();
+    });
+    assert_found("marlin", &findings, "other-comment", at.get() + 1);
+}
+
+#[test]
+fn a_trace_goes_at_its_speed() {
+    for name in ["generic", "klipper"] {
+        let at = std::cell::Cell::new(0);
+        let findings = after(name, TRACE, |lines| {
+            at.set(
+                lines.iter().position(|line| line.starts_with("G1 ") && line.contains(" F")).expect("a feed"),
+            );
+            let line = lines[at.get()].split(" F").next().unwrap_or_default().to_owned();
+            lines[at.get()] = line + " F60000";
+        });
+        assert_found(name, &findings, "wrong-feed", at.get() + 1);
+    }
+}
+
+#[test]
+fn a_profile_with_a_dangerous_line_is_refused_at_its_line() {
+    for (old, new) in [
+        ("start = [\"G21\"", "start = [\"G0 Z-50\", \"G21\""),
+        ("start = [\"G21\"", "start = [\"M3 S1000\", \"G21\""),
+        ("start = [\"G21\"", "start = [\"G92 Z0\", \"G21\""),
+        ("end = [", "end = [\"M109 S300\", "),
+        ("pause = \"M0\"", "pause = \"G0 Z-5\""),
+    ] {
+        let good = profile("generic");
+        assert!(good.contains(old), "{old}");
+        let faults = read_machine(&Source::new("mine", good.replacen(old, new, 1))).expect_err(new);
+        let told = faults.to_string();
+        assert_eq!(faults.list()[0].code, "program-line", "{told}");
+        let line = 1 + good.lines().position(|line| line.contains(old)).expect("a line");
+        assert!(told.contains(&format!("mine:{line}:")) && told.contains("must not"), "{told}");
+    }
+}
