@@ -169,6 +169,8 @@ mod tests {
     use super::*;
     use crate::geom::{Line, Point};
     use crate::spec::StepRate;
+    use crate::units::Acceleration;
+    use crate::verify::judge::stroke::stroke_seconds;
 
     fn close(found: f64, expected: f64) {
         assert!((found / expected - 1.0).abs() < 1e-12, "{found}, expected {expected}");
@@ -177,11 +179,16 @@ mod tests {
     /// From rest to rest: L / v + v / a where the speed is reached, 2 sqrt(L / a) where it is not.
     #[test]
     fn a_stroke_takes_what_speeding_up_leaves_it() {
-        close(move_time(10.0, 4.0, None), 2.5);
-        close(move_time(10.0, 4.0, Some(8.0)), 2.5 + 0.5);
-        close(move_time(0.5, 4.0, Some(8.0)), 2.0 * (0.5_f64 / 8.0).sqrt());
+        let seconds = |length: f64, acceleration: Option<f64>| {
+            let acceleration = acceleration.map(Acceleration);
+            let motion = Motion { acceleration, ..Motion::UNKNOWN };
+            stroke_seconds(&motion, [0.0; 3], [length, 0.0, 0.0], 4.0)
+        };
+        close(seconds(10.0, None), 2.5);
+        close(seconds(10.0, Some(8.0)), 2.5 + 0.5);
+        close(seconds(0.5, Some(8.0)), 2.0 * (0.5_f64 / 8.0).sqrt());
         // Just reached: both at once.
-        close(move_time(2.0, 4.0, Some(8.0)), 1.0);
+        close(seconds(2.0, Some(8.0)), 1.0);
     }
 
     /// 30.52 steps/s at the least: along a way of (4 cos 30, 4 sin 30, 3) mm Z steps most often, 400 x 3 times in 5 mm.
