@@ -315,7 +315,7 @@ fn what_does_not_fit_is_refused_with_numbers() {
         ("[stack]\ncount = 2\npitch = \"20 mm\"\n", "stack.pitch", "at least 24.1"),
         ("[frame]\nkerf = \"6 mm\"\n", "frame.kerf", "below 6 mm"),
         ("[frame]\nposts = 60\n", "frame.posts", "needs 21.14"),
-        ("[sheet]\nwidth = \"300 mm\"\n", "sheet.width", "33.1"),
+        ("[sheet]\nwidth = \"300 mm\"\n", "sheet.width", "33.04"),
     ] {
         let refusals = support::build(&format!("{}\n{more}", support::PAPER)).expect_err(more);
         let said = refusals.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n");
@@ -329,7 +329,7 @@ fn a_part_is_turned_only_where_that_is_allowed() {
     let tall = narrow.replace("334 mm", "400 mm").replace("height = \"400 mm\"", "height = \"334 mm\"");
     assert!(support::build(&narrow).is_ok());
     let refusals = support::build(&tall).expect_err("336.5 mm high");
-    assert!(refusals[0].remedy.contains("2.5 mm are missing"), "{}", refusals[0]);
+    assert!(refusals[0].remedy.contains("2.43611 mm are missing"), "{}", refusals[0]);
     let turned = support::build(&format!("{tall}turn = true\n")).expect("turned it fits");
     let proof = stargrip_cam::pipeline::read_back(&turned.output_files());
     assert_eq!(proof.findings, []);
