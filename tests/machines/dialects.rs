@@ -52,6 +52,16 @@ fn the_plain_subset_has_no_arcs_and_nothing_that_may_be_read_as_relative() {
     }
 }
 
+/// The picture shows the design: chords of a machine that draws no arcs would make it four times as large.
+#[test]
+fn the_preview_does_not_grow_where_arcs_are_cut() {
+    let preview = |name| text(&built(&spec_text(""), profile(name)), "sheet-1-preview.svg");
+    let (cut, drawn) = (preview("generic"), preview("linuxcnc"));
+    assert!(cut.len().abs_diff(drawn.len()) < 100, "{} and {} bytes", cut.len(), drawn.len());
+    assert_eq!(cut.matches(" A").count(), drawn.matches(" A").count());
+    assert!(cut.matches(" A").count() > 20, "{cut}");
+}
+
 #[test]
 fn a_reversed_arc_is_found_at_its_line() {
     let build = built(&spec_text(""), profile("linuxcnc"));

@@ -32,12 +32,16 @@ fn read_commands(s: &mut Section<'_, '_>, key: &'static str, length: usize) -> V
 
 /// One line that the controller runs: it puts modes and settings into force, and neither moves nor heats.
 fn read_command(s: &mut Section<'_, '_>, key: &str, line: &str, span: Range<usize>, length: usize) -> String {
-    if let Some(danger) = danger(line) {
+    if let Some(danger) = danger(line).filter(|_| is_plain(line)) {
         let message = format!("a line of `{key}` is {}", quoted(line));
         let fault = Fault::error(FaultCode::ProgramLine, span.clone(), message);
         s.report(fault.label(format!("must not {danger}: a program is proven from its first word on")));
     }
     read_line(s, key, line, span, length)
+}
+
+fn is_plain(line: &str) -> bool {
+    line.bytes().all(|byte| (b' '..=b'~').contains(&byte))
 }
 
 /// What a line would do that only a program's own steps may; `None` for modes, settings and comments.
@@ -82,8 +86,7 @@ fn words(code: &str) -> Vec<(char, Option<f64>)> {
 
 /// One line: printable ASCII, not longer than it can read.
 fn read_line(s: &mut Section<'_, '_>, key: &str, line: &str, span: Range<usize>, length: usize) -> String {
-    let is_plain = line.bytes().all(|byte| (b' '..=b'~').contains(&byte));
-    let label = if !is_plain {
+    let label = if !is_plain(line) {
         "must be one line of printable ASCII".to_owned()
     } else if line.len() > length {
         format!("must be at most {length} characters, as `line_length` says; this line has {}", line.len())

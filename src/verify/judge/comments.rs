@@ -2,9 +2,11 @@
 //!
 //! Every comment is one that the design asks for, each in its place and once: structured or prose, a comment is a fact.
 
+use std::collections::BTreeMap;
+
 use crate::verify::finding::quote;
 use crate::verify::judge::facts::Facts;
-use crate::verify::judge::iron::{IronRules, Phase};
+use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::read::gcode::{Comment, MoveKind, Program};
 use crate::verify::{FindingCode, Findings};
 
@@ -26,6 +28,7 @@ pub(super) fn check(
     let script = &facts.expected.machine.script;
     let own: Vec<&str> = script.start.iter().chain(&script.end).map(|line| remark(line)).collect();
     let first = program.motion().map_or(usize::MAX, |(first, _)| first);
+    let displays = displays(text);
     let room = facts.expected.machine.controller.line_length;
     let (wanted, head) = facts.all();
     let mut wanted = wanted.into_iter().zip(1..);
@@ -37,7 +40,7 @@ pub(super) fn check(
             continue;
         }
         if comment.key() == Some("progress") {
-            told = clock.progress(comment, told, text, findings);
+            told = clock.progress(comment, told, &displays, findings);
             continue;
         }
         let next = wanted.next();
@@ -53,6 +56,12 @@ pub(super) fn check(
     if let Some((wanted, _)) = wanted.next() {
         findings.add(FindingCode::OtherComment, None, "nothing more said", quote(&wanted));
     }
+}
+
+/// The lines that show the progress on a display, by their number.
+fn displays(text: &str) -> BTreeMap<usize, &str> {
+    let lines = (1..).zip(text.lines());
+    lines.filter(|(_, line)| line.starts_with("M73")).collect()
 }
 
 /// The remark of a line of the profile.
@@ -139,11 +148,19 @@ impl Clock {
     }
 
     /// Judges what a comment says of the progress, and the display's line after it; the per cent that it tells.
-    fn progress(&self, comment: &Comment, before: u32, text: &str, findings: &mut Findings) -> u32 {
+    fn progress(
+        &self,
+        comment: &Comment,
+        before: u32,
+        displays: &BTreeMap<usize, &str>,
+        findings: &mut Findings,
+    ) -> u32 {
         let at = self.begins.partition_point(|(line, _)| *line < comment.line);
         let done = self.begins.get(at).map_or(self.seconds, |(_, done)| *done);
         let left = (self.seconds - done).max(0.0);
-        let (percent, remaining) = (comment.number("percent"), comment.number("remaining_s"));
+        // Seconds of a long job are more than any coordinate may be.
+        let number = |word| comment.word(word)?.parse::<f64>().ok().filter(|x| x.is_finite());
+        let (percent, remaining) = (number("percent"), number("remaining_s"));
         let slack = 2.0 + TIME * self.seconds;
         let whole = 100.0 * done / self.seconds;
         let near = |percent: f64| (percent - whole).abs() <= 1.0 + 100.0 * slack / self.seconds;
@@ -155,11 +172,11 @@ impl Clock {
             findings.add(FindingCode::OtherComment, comment.line, quote(&comment.text), allowed);
         }
         let (percent, minutes) = (percent.unwrap_or(0.0), (remaining.unwrap_or(0.0) / 60.0).ceil());
-        let shown = text.lines().nth(comment.line).unwrap_or_default();
+        let shown = displays.get(&(comment.line + 1)).copied().unwrap_or_default();
         let plain = format!("M73 P{percent}");
         // Minutes are rounded up from parts of a second that the comment does not tell.
         let timed = [minutes, minutes + 1.0].map(|minutes| format!("{plain} R{minutes}"));
-        if shown.starts_with("M73") && shown != plain && !timed.iter().any(|timed| shown == timed) {
+        if !shown.is_empty() && shown != plain && !timed.iter().any(|timed| shown == timed) {
             let allowed = format!("{}, as the comment before it says", quote(&timed[0]));
             findings.add(FindingCode::OtherComment, comment.line + 1, quote(shown), allowed);
         }

@@ -1,75 +1,10 @@
 //! The iron below travel height: hot, in motion, along the fabric and never deeper than contact.
 
 use crate::geom::Bounds;
-use crate::spec::{FeedFloor, Machine, Motion, Process, Seal, Spec};
+use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::{HEIGHT, height, pace, script, travel};
-use crate::verify::read::gcode::{Move, MoveKind, Program};
+use crate::verify::read::gcode::{MoveKind, Program};
 use crate::verify::{Finding, FindingCode, Findings};
-
-/// How the iron is to be led, whatever its path.
-#[derive(Clone, Copy, Debug)]
-pub struct IronRules<'a> {
-    /// Temperature, speed and band.
-    pub seal: &'a Seal,
-    /// Heights and travels.
-    pub process: &'a Process,
-    /// What is known of the motors.
-    pub motion: &'a Motion,
-    /// The step to which the controller rounds dwells up, s.
-    pub dwell_step: f64,
-    /// Whether the speed may be made of strokes and dwells.
-    pub chops: bool,
-    /// Whether all is known that strokes are timed by.
-    pub timed: bool,
-}
-
-/// What the iron is doing, told from its heights.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(in crate::verify) enum Phase {
-    /// Away from the fabric.
-    Clear,
-    /// On the way down or up.
-    Ramp,
-    /// In contact.
-    Contact,
-}
-
-impl<'a> IronRules<'a> {
-    /// The rules for programs of `spec` on `machine`.
-    pub fn new(spec: &'a Spec, machine: &'a Machine) -> Self {
-        Self {
-            seal: &spec.seal,
-            process: &machine.process,
-            motion: &machine.motion,
-            dwell_step: machine.controller.dwell.step.0,
-            chops: spec.machine.feed_floor == FeedFloor::Chop,
-            timed: true,
-        }
-    }
-
-    /// What the iron does in a move.
-    pub(in crate::verify) fn phase(&self, step: &Move) -> Phase {
-        let heights = &self.process.heights;
-        let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
-        if low >= heights.travel.0 - HEIGHT {
-            Phase::Clear
-        } else if high <= heights.contact.0 + HEIGHT {
-            Phase::Contact
-        } else {
-            Phase::Ramp
-        }
-    }
-
-    /// The longest time at rest, s: what a tenth of the band takes; longer leaves a scar.
-    fn longest_rest(&self) -> f64 {
-        self.seal.band.0 / 10.0 / self.seal.speed.0
-    }
-
-    /// Whether a height is below that of travels.
-    fn is_low(&self, z: f64) -> bool {
-        z < self.process.heights.travel.0 - HEIGHT
-    }
-}
 
 /// Everything in a sealing program that breaks the rules, whatever its seams: the iron stays within `area`, `hotend`
 /// tells whether the program heats it.

@@ -5,7 +5,7 @@ use crate::geom::{Bounds, Point};
 use crate::manifest::Manifest;
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::facts::Facts;
-use crate::verify::judge::iron::IronRules;
+use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::Script;
 use crate::verify::judge::seams::Seams;
 use crate::verify::judge::{clamp, comments, height, iron};

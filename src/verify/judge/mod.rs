@@ -10,6 +10,7 @@ pub(in crate::verify) mod iron;
 mod job;
 mod pace;
 pub(in crate::verify) mod path;
+pub(in crate::verify) mod rules;
 mod script;
 mod seams;
 pub(in crate::verify) mod stroke;

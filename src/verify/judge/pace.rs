@@ -6,7 +6,7 @@
 
 use crate::geom::Segment;
 use crate::spec::Motion;
-use crate::verify::judge::iron::{IronRules, Phase};
+use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::stroke::Run;
 use crate::verify::read::gcode::{Move, MoveKind, Program};
 use crate::verify::{FindingCode, Findings};

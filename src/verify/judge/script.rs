@@ -1,5 +1,7 @@
 //! The profile's own lines: the head is its start, the tail its end, and between them no mode and no setting changes.
 
+use std::cell::OnceCell;
+
 use crate::spec::{Heating, Machine};
 use crate::units::Temperature;
 use crate::verify::finding::quote;
@@ -61,7 +63,8 @@ impl Script<'_> {
     fn pauses(&self, findings: &mut Findings) {
         let operator = self.machine.controller.heating == Heating::Operator;
         let wanted = usize::from(self.heat.is_some() && operator);
-        for (pause, i) in self.program.pauses.iter().zip(0..) {
+        // One too many is enough to be told.
+        for (pause, i) in self.program.pauses.iter().zip(0..).take(wanted + 1) {
             let line = self.text.lines().nth(pause.line - 1).unwrap_or_default().trim();
             if i >= wanted || line != self.machine.script.pause {
                 let allowed = format!("{wanted} pauses, {}", quote(&self.machine.script.pause));
@@ -80,7 +83,12 @@ pub(in crate::verify) fn check_body(
     findings: &mut Findings,
 ) {
     let (first, last) = program.motion().unwrap_or((usize::MAX, usize::MAX));
-    let quoted = |line: usize| quote(text.lines().nth(line - 1).unwrap_or_default());
+    let lines = OnceCell::new();
+    let quoted = |line: usize| {
+        // Only a program with faults is cut into its lines, and only once.
+        let lines: &Vec<&str> = lines.get_or_init(|| text.lines().collect());
+        quote(lines.get(line - 1).copied().unwrap_or_default())
+    };
     for line in program.settings.iter().filter(|line| (first..=last).contains(line)) {
         let allowed = "modes and settings before the first motion only";
         findings.add(FindingCode::ProfileLine, *line, quoted(*line), allowed);

@@ -2,7 +2,7 @@
 
 use crate::design::{Design, PlacedStar, Side};
 use crate::geom::{Path, Segment};
-use crate::verify::judge::iron::{IronRules, Phase};
+use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::read::gcode::{Move, MoveKind, Program};
 use crate::verify::{FindingCode, Findings, follow};
 
