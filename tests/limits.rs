@@ -155,18 +155,18 @@ fn what_was_found_is_worked_out_by_hand() {
         found(&paper("[seal]\nband = \"45 mm\"\n"), RefusalCode::BandEatsArm),
         "at the tips a band of 45 mm takes 83.9711 mm of arms that are 69.7207 mm long"
     );
-    // A hose of 40 mm is pi 40 / 2 wide when flat, with half a band on either side, and the middle of the band is
-    // 31 mm round at the tip; without fillets a thinner hose is stopped where the arms begin, 2 x 31 sin(75 deg) apart.
+    // A hose of 40 mm is pi 40 / 2 wide when flat, with band and allowance, 10 mm, on either side, and the cut is 40 mm
+    // round at the tip; without fillets a thinner hose is stopped where the arms begin, 2 x 40 sin(75 deg) apart.
     assert_eq!(
         found(&paper("[inlet]\ntube_diameter = \"40 mm\"\n"), RefusalCode::InletMeetsArm),
-        "the channel with the strips along it would be 64.8319 mm wide and meet an arm, where tip 1 leaves 62 mm"
+        "the channel with the strips along it would be 82.8319 mm wide and meet an arm, where tip 1 leaves 80 mm"
     );
     assert_eq!(
         found(
             &paper("[inlet]\ntube_diameter = \"37.5 mm\"\nfillet = \"0 mm\"\n"),
             RefusalCode::InletMeetsArm
         ),
-        "the channel with the strips along it would be 60.9049 mm wide and meet an arm, where tip 1 leaves 59.8874 mm"
+        "the channel with the strips along it would be 78.9049 mm wide and meet an arm, where tip 1 leaves 77.2741 mm"
     );
     // The mouth's length and what is missing make the limit.
     let short = refused(&paper("[inlet]\nlength = \"2 mm\"\n"), RefusalCode::ShortInlet);
