@@ -25,20 +25,30 @@ fn paper() -> Spec {
     spec::read(&Source::new("paper", PAPER)).expect("valid").spec
 }
 
-/// Plan, G-code (seal and trace), SVG and DXF of a stack of paper stars.
+/// Plan, G-code (seal and trace), SVG and DXF of a stack of paper stars, for a controller that draws arcs.
 #[divan::bench(args = [1, 10, 100, 1000], sample_count = 20)]
 fn plan_and_emit(bencher: divan::Bencher, stars: usize) {
-    let (machine, mut spec) = (machine(), paper());
+    planned_and_emitted(bencher, &Machine::builtin("linuxcnc").expect("built in"), stars);
+}
+
+/// The same in chords, of which a star has five times as many.
+#[divan::bench(args = [1, 10, 100, 1000], sample_count = 20)]
+fn plan_and_emit_chords(bencher: divan::Bencher, stars: usize) {
+    planned_and_emitted(bencher, &machine(), stars);
+}
+
+fn planned_and_emitted(bencher: divan::Bencher, machine: &Machine, stars: usize) {
+    let mut spec = paper();
     spec.stars = vec![spec.stars[0].clone(); stars];
-    let design = Design::new(&spec, &machine).expect("a design");
+    let design = Design::new(&spec, machine).expect("a design");
     bencher.bench(|| {
         let mut bytes = 0;
-        let programs = plan::seal_programs(&spec, &machine, &design);
-        let traces = plan::trace_programs(&spec, &machine, &design);
+        let programs = plan::seal_programs(&spec, machine, &design);
+        let traces = plan::trace_programs(&spec, machine, &design);
         bytes += programs
             .iter()
             .chain(&traces)
-            .map(|program| emit::gcode(&spec, &machine, program).len())
+            .map(|program| emit::gcode(&spec, machine, program).len())
             .sum::<usize>();
         for sheet in &design.sheets {
             for drawing in [Drawing::seals(&design, sheet.index), Drawing::outlines(&design, sheet.index)] {
