@@ -303,7 +303,7 @@ fn what_was_not_asked_for_is_not_missed_and_all_else_is() {
 fn a_byte_that_no_reader_looks_at_differs() {
     let mut files = output_files();
     let preview = String::from_utf8(files.get("sheet-1-preview.svg").expect("one").to_vec()).expect("text");
-    replace(&mut files, "sheet-1-preview.svg", preview.replacen("fill=\"", "fill=\" ", 1).into_bytes());
+    replace(&mut files, "sheet-1-preview.svg", preview.replacen("#f7f7f4", "#f7f7f5", 1).into_bytes());
     reseal(&mut files);
     assert_eq!(read_back(&files).findings, []);
     assert_found(&prove_files(&files).findings, "differs", "sheet-1-preview.svg");
@@ -561,4 +561,52 @@ fn a_forged_prediction_is_found() {
     assert_eq!(prove_files(&archive_of(&spec)).findings, []);
     let without_load = forged_in(&spec, "spec.toml", |spec| spec.replace("37 kPa", "36 kPa"));
     assert_found(&without_load, "prediction", file);
+}
+
+/// Only what the design asks for is opened, and only as far as the manifest says: no pipe, no device, no link, no foreign file.
+#[cfg(unix)]
+#[test]
+fn verify_opens_nothing_but_what_the_design_names() {
+    use std::fs;
+    use std::process::Command;
+    let shop = support::program::workshop();
+    let built = support::program::run(shop.path(), &["build", "star.toml"]);
+    assert!(built.status.success(), "{}", support::program::stderr(&built));
+    let out = fs::read_dir(shop.path().join("out")).expect("out/").next().expect("one").expect("one").path();
+    let pipe = Command::new("mkfifo").arg(out.join("pipe")).status().expect("mkfifo");
+    assert!(pipe.success());
+    std::os::unix::fs::symlink("/dev/zero", out.join("zero")).expect("a link");
+    fs::remove_file(out.join(TRACE)).expect("removed");
+    std::os::unix::fs::symlink("/dev/zero", out.join(TRACE)).expect("a link");
+    // Holes that take no room, of 10 GB each: a foreign file, and one that the design names.
+    for name in ["foreign", SEAL] {
+        let file = fs::File::create(out.join(name)).expect("a file");
+        file.set_len(10_000_000_000).expect("a hole");
+    }
+    let verified = support::program::run(shop.path(), &["verify", out.to_str().expect("UTF-8"), "--json"]);
+    assert_eq!(verified.status.code(), Some(1));
+    let said: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
+    let findings = said["findings"].as_array().expect("a list");
+    for (file, code) in [
+        ("pipe", "unnamed-file"),
+        ("zero", "unnamed-file"),
+        ("foreign", "unnamed-file"),
+        (TRACE, "size"),
+        (SEAL, "size"),
+    ] {
+        assert!(findings.iter().any(|f| f["file"] == file && f["code"] == code), "{file}: {findings:#?}");
+    }
+}
+
+/// The cost of a drawing grows with its length, and not with its square.
+#[test]
+fn a_drawing_of_300_000_subpaths_is_refused_at_once() {
+    for body in ["<path d=\"{}\"/>", "<g>{}</g>"] {
+        let piece = if body.contains("d=") { "M0 0L1 1" } else { "<circle transform=\"\" r=\"1\"/>" };
+        let findings = forged("sheet-1-seal.svg", |svg| {
+            let more = body.replace("{}", &piece.repeat(300_000));
+            svg.replacen("</g>", &format!("{more}</g>"), 1)
+        });
+        assert!(!findings.is_empty());
+    }
 }

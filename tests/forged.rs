@@ -163,3 +163,179 @@ fn a_mask_of_the_other_face_is_no_mask_of_this_one() {
         assert!(findings.iter().any(|f| f.code == "deviation" && f.file == name), "{findings:#?}");
     }
 }
+
+/// Replaces the first `from` of a text.
+fn instead<'a>(from: &'a str, to: &'a str) -> impl Fn(&[u8]) -> Vec<u8> + 'a {
+    move |bytes| {
+        let text = String::from_utf8(bytes.to_vec()).expect("text");
+        assert!(text.contains(from), "no {from:?}");
+        text.replacen(from, to, 1).into_bytes()
+    }
+}
+
+/// What a reader of shapes passes over, other programs do not.
+#[test]
+fn what_hides_moves_or_widens_a_drawing_is_found() {
+    for file in ["sheet-1-outline.svg", "sheet-1-seal.svg", "star-1-mask.svg", "plate-1-frame.svg"] {
+        for (from, to, code) in [
+            ("<svg ", "<svg style=\"transform:scale(1.2)\" ", "unknown-word"),
+            ("<svg ", "<svg x=\"10\" ", "unknown-word"),
+            ("<svg ", "<svg onload=\"alert(1)\" ", "unknown-word"),
+            ("<svg ", "<svg preserveAspectRatio=\"none\" ", "unknown-word"),
+            ("<svg ", "<?xml-stylesheet href=\"a.css\"?><svg ", "unknown-word"),
+            ("<title>", "<style>path{display:none}</style><title>", "unknown-word"),
+            ("</title>", "</title><!-- note -->", "unknown-word"),
+            ("</title>", "</title>words", "unknown-word"),
+            ("<title>", "<title>not ", "wrong-title"),
+            (" id=", " display=\"none\" id=", "unknown-word"),
+            (" id=", " clip-path=\"url(#a)\" id=", "unknown-word"),
+            ("fill=\"none\"", "fill=\"black\"", "unknown-word"),
+            ("fill=\"none\" ", "", "unknown-word"),
+            ("stroke-width=\"0.01\"", "stroke-width=\"30\"", "unknown-word"),
+            ("stroke=\"#", "stroke=\"#1", "unknown-word"),
+            ("viewBox=\"", "viewBox=\"1", "wrong-size"),
+        ] {
+            assert_found(file, code, instead(from, to));
+        }
+    }
+    let holes_last = |bytes: &[u8]| {
+        let text = String::from_utf8(bytes.to_vec()).expect("text");
+        let (head, rest) = text.split_at(text.find("<g ").expect("groups"));
+        let body = rest.strip_suffix("</svg>\n").expect("an end");
+        let groups: Vec<&str> = body.split_inclusive("</g>\n").collect();
+        let turned: String = groups.iter().rev().copied().collect();
+        format!("{head}{turned}</svg>\n").into_bytes()
+    };
+    assert_found("sheet-1-outline.svg", "order", holes_last);
+}
+
+#[test]
+fn what_hides_moves_or_widens_a_plan_is_found() {
+    for file in ["sheet-1-outline.dxf", "sheet-1-seal.dxf", "star-1-mask.dxf", "plate-1-frame.dxf"] {
+        for (from, to) in [
+            ("100\nAcDbEntity\n  8\n", "100\nAcDbEntity\n 60\n1\n  8\n"),
+            ("100\nAcDbEntity\n  8\n", "100\nAcDbEntity\n 67\n1\n  8\n"),
+            ("$MEASUREMENT\n 70\n1\n", "$MEASUREMENT\n 70\n0\n"),
+            ("$EXTMAX\n 10\n", "$EXTMAX\n 10\n1"),
+            ("AcDbLayerTableRecord\n  2\n0\n 70\n0\n", "AcDbLayerTableRecord\n  2\n0\n 70\n1\n"),
+            (" 62\n", " 62\n-"),
+            ("  0\nEOF\n", "999\nnote\n  0\nEOF\n"),
+            ("  2\nENTITIES\n", "  2\nENTITIES\n  0\nTEXT\n  8\nlabel\n  1\nTHIS SIDE DOWN\n"),
+        ] {
+            assert_found(file, "unknown-word", instead(from, to));
+        }
+    }
+    for (from, to) in [
+        ("AcDbPolyline\n", "AcDbPolyline\n 38\n100\n"),
+        ("AcDbPolyline\n", "AcDbPolyline\n 43\n20\n"),
+        ("AcDbPolyline\n", "AcDbPolyline\n 39\n1\n"),
+    ] {
+        assert_found("sheet-1-seal.dxf", "unknown-word", instead(from, to));
+    }
+}
+
+#[test]
+fn what_runs_or_hides_on_paper_is_found() {
+    for (from, to, code) in [
+        ("/Pages 2 0 R\n", "/Pages 2 0 R\n/OpenAction << /S /JavaScript /JS (app.alert(1)) >>\n", "bad-pdf"),
+        ("/Type /Catalog\n  /Pages 2 0 R", "/OpenAct 2 0 R\n  /Pages 2 0 R", "unknown-word"),
+        ("/Title (star", "/Title (Star", "wrong-title"),
+        ("0.1 w", "9.9 w", "unknown-word"),
+        ("/Resources <<>>", "/Resources <</>", "bad-pdf"),
+        ("\nW\n", "\nq\n", "unknown-word"),
+        ("0000000016 00000 n", "0000000017 00000 n", "bad-pdf"),
+        ("/Info 3 0 R", "/Info 4 0 R", "bad-pdf"),
+    ] {
+        let change = |bytes: &[u8]| {
+            let at = bytes.windows(from.len()).position(|window| window == from.as_bytes()).expect(from);
+            [&bytes[..at], to.as_bytes(), &bytes[at + from.len()..]].concat()
+        };
+        assert_found(PAPER, code, change);
+    }
+    // An update at the end, by which a page gets another content.
+    let update = b"\n5 0 obj\n<<\n  /Length 0\n>>\nstream\n\nendstream\nendobj\nxref\n0 0\ntrailer\n<< /Root 1 0 R >>\nstartxref\n0\n%%EOF";
+    assert_found(PAPER, "bad-pdf", |bytes| [bytes, update.as_slice()].concat());
+}
+
+#[test]
+fn solids_with_other_normals_notes_or_corners_are_found() {
+    assert_found(SOLID, "bad-stl", facet(0, |n| n[2] = -n[2]));
+    assert_found(SOLID, "bad-stl", facet(7, |n| n[0] += 0.01));
+    let byte = |at: usize| {
+        move |bytes: &[u8]| {
+            let mut out = bytes.to_vec();
+            out[at] ^= 1;
+            out
+        }
+    };
+    assert_found(SOLID, "bad-stl", byte(3));
+    assert_found(SOLID, "bad-stl", byte(84 + 49));
+    // One corner, in all of its facets.
+    let moved = |bytes: &[u8]| {
+        let corner = bytes[84 + 12..84 + 20].to_vec();
+        let x = f32::from_le_bytes(corner[..4].try_into().expect("four")) + 0.01;
+        let mut out = bytes.to_vec();
+        for at in (84..bytes.len()).step_by(50).flat_map(|facet| [12, 24, 36].map(|k| facet + k)) {
+            if bytes[at..at + 8] == corner {
+                out[at..at + 4].copy_from_slice(&x.to_le_bytes());
+            }
+        }
+        out
+    };
+    assert_found(SOLID, "deviation", moved);
+}
+
+#[test]
+fn pictures_hold_nothing_that_runs_or_comes_from_elsewhere() {
+    let file = "sheet-1-preview.svg";
+    assert_found(file, "bad-xml", |_| b"junk".to_vec());
+    for (from, to) in [
+        ("</title>", "</title><script>alert(1)</script>"),
+        ("</title>", "</title><image href=\"http://example.org/a.png\"/>"),
+        ("<text ", "<text onclick=\"alert(1)\" "),
+        ("fill=\"#ffffff\"", "fill=\"url(http://example.org)\""),
+        ("<svg ", "<svg style=\"display:none\" "),
+    ] {
+        assert_found(file, "unknown-word", instead(from, to));
+    }
+    assert_found(file, "wrong-scale", instead("mm\"", "in\""));
+}
+
+/// Every figure and name of a manifest, one at a time; but the version of its tool, which another may have.
+#[test]
+fn no_figure_of_a_manifest_can_be_edited_unseen() {
+    use serde_json::Value;
+    fn leaves(value: &Value, at: &str, out: &mut Vec<String>) {
+        match value {
+            Value::Object(map) => {
+                map.iter().for_each(|(key, value)| leaves(value, &format!("{at}/{key}"), out));
+            }
+            Value::Array(list) => {
+                list.iter().enumerate().for_each(|(i, value)| leaves(value, &format!("{at}/{i}"), out));
+            }
+            _ => out.push(at.to_owned()),
+        }
+    }
+    let build = build();
+    let manifest = serde_json::to_value(&build.manifest).expect("plain data");
+    let mut places = Vec::new();
+    leaves(&manifest, "", &mut places);
+    for place in places.iter().filter(|place| *place != "/tool/version") {
+        let mut edited = manifest.clone();
+        let leaf = edited.pointer_mut(place).expect("a leaf");
+        *leaf = match leaf {
+            Value::Number(number) if number.is_u64() => Value::from(number.as_u64().expect("whole") + 1),
+            Value::Number(number) => Value::from(number.as_f64().expect("a number") + 0.001),
+            _ => Value::from("x"),
+        };
+        let mut files = build.output_files();
+        let last = files.files.last_mut().expect("the manifest");
+        last.1 = serde_json::to_vec(&edited).expect("JSON").into();
+        assert!(!read_back(&files).findings.is_empty(), "{place}");
+    }
+    let mut files = build.output_files();
+    let mut more = manifest.clone();
+    let _ = more.as_object_mut().expect("an object").insert("note".to_owned(), Value::from("x"));
+    files.files.last_mut().expect("the manifest").1 = serde_json::to_vec(&more).expect("JSON").into();
+    assert!(!read_back(&files).findings.is_empty());
+}

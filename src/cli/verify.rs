@@ -1,5 +1,6 @@
 //! `stargrip-cam verify`
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::fs;
 use std::io::Read;
@@ -10,6 +11,8 @@ use serde_json::json;
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
 use crate::cli::{findings, summary};
+use crate::manifest::{MANIFEST, Manifest};
+use crate::pipeline;
 use crate::pipeline::prove_files;
 use crate::verify::{By, FileProof, OutputFiles, Proof};
 
@@ -23,8 +26,14 @@ pub(super) struct Args {
     json: bool,
 }
 
-/// Largest file that is read back, bytes: far above what a build writes, far below what hurts.
-const FILE_LIMIT: u64 = 1 << 30;
+/// Largest file that is read back, bytes, whatever the manifest says: above what a build writes, below what hurts.
+const FILE_LIMIT: u64 = 1 << 28;
+
+/// What says which files there must be.
+const SOURCES: [&str; 3] = ["spec.toml", "machine.toml", MANIFEST];
+
+/// Largest of these that is read: none of a thousand stars comes near.
+const SOURCE_LIMIT: u64 = 1 << 24;
 
 /// Reads the directory and proves it.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
@@ -63,22 +72,53 @@ fn text(dir: &Path, proof: &Proof) -> String {
     text
 }
 
+/// The files of a directory, of which only those are read that its design asks for, and no more of them than their manifest
+/// says; of all others nothing but the name is known.
 fn read_directory(dir: &Path) -> Result<OutputFiles<'static>, Failure> {
-    let mut files = Vec::new();
-    let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;
-    for entry in entries {
+    let mut names = Vec::new();
+    for entry in fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))? {
         let entry = entry.map_err(|error| Failure::file("read", dir, &error))?;
-        let path = entry.path();
-        let name = entry.file_name().to_string_lossy().into_owned();
-        let mut bytes = Vec::new();
-        // An entry that cannot be read as a file is kept as an empty one: the proof will say that it is wrong.
-        if entry.file_type().is_ok_and(|kind| kind.is_file()) {
-            let _ = fs::File::open(&path)
-                .and_then(|file| file.take(FILE_LIMIT).read_to_end(&mut bytes))
-                .map_err(|error| Failure::file("read", &path, &error))?;
-        }
-        files.push((name.into(), bytes.into()));
+        // What is no file (a link, a pipe, a device) is not opened: the proof will say that it is wrong.
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        names.push((entry.file_name().to_string_lossy().into_owned(), is_file));
     }
-    files.sort();
-    Ok(OutputFiles { files })
+    names.sort();
+    let mut files = OutputFiles { files: Vec::new() };
+    for name in SOURCES {
+        if names.contains(&(name.to_owned(), true)) {
+            files.files.push((name.into(), read(&dir.join(name), SOURCE_LIMIT)?.into()));
+        }
+    }
+    let wanted: BTreeSet<String> = pipeline::wanted(&files).into_iter().collect();
+    let stated = stated_sizes(&files);
+    for (name, is_file) in names {
+        if files.get(&name).is_some() {
+            continue;
+        }
+        let most = stated.get(&name).copied().filter(|_| is_file && wanted.contains(&name));
+        let bytes = match most {
+            // One byte more than stated shows that there are more.
+            Some(most) => read(&dir.join(&name), most.saturating_add(1).min(FILE_LIMIT))?,
+            None => Vec::new(),
+        };
+        files.files.push((name.into(), bytes.into()));
+    }
+    files.files.sort();
+    Ok(files)
+}
+
+/// How long each file is, as the manifest says.
+fn stated_sizes(files: &OutputFiles<'_>) -> BTreeMap<String, u64> {
+    let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok());
+    let entries = manifest.map_or(Vec::new(), |manifest| manifest.files);
+    entries.into_iter().map(|entry| (entry.path, entry.bytes as u64)).collect()
+}
+
+/// At most the first `most` bytes of a file.
+fn read(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
+    let mut bytes = Vec::new();
+    let _ = fs::File::open(path)
+        .and_then(|file| file.take(most).read_to_end(&mut bytes))
+        .map_err(|error| Failure::file("read", path, &error))?;
+    Ok(bytes)
 }

@@ -22,7 +22,7 @@ use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
-pub use proven::{Proven, prove_files, read_back};
+pub use proven::{Proven, prove_files, read_back, wanted};
 
 /// A gripper whose geometry exists, without a way for air but the inlet.
 #[derive(Clone, Debug)]

@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use crate::artifact::Kind;
-use crate::design::Refusal;
+use crate::artifact::{Kind, Output, outputs};
+use crate::design::{Design, Refusal};
 use crate::manifest::{MANIFEST, Manifest};
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::spec;
@@ -32,7 +32,7 @@ impl Built {
 
     /// Reads every file back and compares it with the design.
     pub fn proof(&self) -> Proof {
-        verify::prove(&expected(&self.forecast), &self.output_files())
+        prove_against(&self.forecast, &self.output_files())
     }
 
     /// The same gripper, fit to be published.
@@ -73,7 +73,7 @@ pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
         Ok(forecast) => forecast,
         Err(findings) => return Proof { findings, ..Proof::default() },
     };
-    let mut proof = verify::prove(&expected(&forecast), files);
+    let mut proof = prove_against(&forecast, files);
     let written = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok());
     let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
     if let (Some(written), Some(spec), Some(machine)) = (written, text("spec.toml"), text("machine.toml")) {
@@ -88,22 +88,37 @@ pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
 /// Proves an output directory by reading alone, as [`Built::prove`] does.
 pub fn read_back(files: &OutputFiles<'_>) -> Proof {
     match forecast_of(files) {
-        Ok(forecast) => verify::prove(&expected(&forecast), files),
+        Ok(forecast) => prove_against(&forecast, files),
         Err(findings) => Proof { findings, ..Proof::default() },
     }
 }
 
-fn expected(forecast: &Forecast) -> Expected<'_> {
-    let Forecast { spec, machine, design, prediction, .. } = forecast;
-    Expected { design, spec, machine, prediction: prediction.as_ref() }
+fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
+    let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
+    let manifest = Manifest::new(spec, design, programs);
+    let (prediction, manifest) = (prediction.as_ref(), &manifest);
+    let expected = Expected { design, spec, machine, prediction, manifest };
+    verify::prove(&expected, files)
+}
+
+/// The names of all files that a directory must have, by its own spec, profile and manifest; none where these are refused.
+pub fn wanted(files: &OutputFiles<'_>) -> Vec<String> {
+    let (Ok(reading), Ok(machine)) = sources_of(files) else { return Vec::new() };
+    let Ok(design) = Design::new(&reading.spec, &machine) else { return Vec::new() };
+    let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok());
+    let only = manifest.map_or(Vec::new(), |manifest| manifest.only);
+    outputs(&reading.spec, &design, &only).iter().map(Output::name).collect()
+}
+
+/// The directory's own spec and profile.
+fn sources_of(files: &OutputFiles<'_>) -> (Result<Reading, Finding>, Result<Machine, Finding>) {
+    let read_spec = |source: &Source| spec::read(source);
+    (source_of(files, "spec.toml", read_spec), source_of(files, "machine.toml", spec::read_machine))
 }
 
 /// What the directory's own spec and profile ask for.
 fn forecast_of(files: &OutputFiles<'_>) -> Result<Forecast, Vec<Finding>> {
-    let read_spec = |source: &Source| spec::read(source);
-    let (spec, machine) =
-        (source_of(files, "spec.toml", read_spec), source_of(files, "machine.toml", spec::read_machine));
-    let (reading, machine): (Reading, Machine) = match (spec, machine) {
+    let (reading, machine) = match sources_of(files) {
         (Ok(spec), Ok(machine)) => (spec, machine),
         (spec, machine) => return Err(spec.err().into_iter().chain(machine.err()).collect()),
     };

@@ -44,6 +44,7 @@ codes! {
         NotText "not-text" "The file is not UTF-8.",
         NotWatertight "not-watertight" "The solid is not closed.",
         OpenLoop "open-loop" "A loop is not closed.",
+        Order "order" "Layers or shapes stand in another order, which a cutter may follow.",
         OtherComment "other-comment" "A comment says something else than the design, or what must be said is not.",
         OutsidePage "outside-page" "Something lies outside of its page.",
         OutsideWorkArea "outside-work-area" "The program leaves the machine's work area.",
@@ -71,6 +72,7 @@ codes! {
         WrongFeed "wrong-feed" "A feed or a dwell is not the planned one.",
         WrongScale "wrong-scale" "The drawing is not 1:1 in millimetres.",
         WrongSize "wrong-size" "The page or sheet has another size.",
+        WrongTitle "wrong-title" "The title inside the file is not that of the file.",
         WrongVolume "wrong-volume" "The solid has another volume.",
     }
 }

@@ -98,6 +98,11 @@ impl Findings {
         self.kept.is_empty()
     }
 
+    /// Whether whatever comes is only counted.
+    pub(super) fn is_full(&self) -> bool {
+        self.kept.len() >= LIMIT
+    }
+
     /// All that were kept, and one more that counts the rest, if there is one.
     pub fn into_vec(mut self) -> Vec<Finding> {
         if self.dropped > 0 {

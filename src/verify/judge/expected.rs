@@ -2,6 +2,7 @@
 
 use crate::design::Design;
 use crate::forecast::prediction::Prediction;
+use crate::manifest::Manifest;
 use crate::spec::{Machine, Spec};
 
 /// Everything that the files of a build must agree with. None of it was read from them but the spec and the profile.
@@ -15,4 +16,6 @@ pub struct Expected<'a> {
     pub machine: &'a Machine,
     /// What it will do; `None` for a spec without a load.
     pub prediction: Option<&'a Prediction>,
+    /// The figures that the manifest should give; its list of files does not matter.
+    pub manifest: &'a Manifest,
 }

@@ -2,7 +2,7 @@
 
 use crate::design::PlacedStar;
 use crate::geom::{Bounds, Point};
-use crate::manifest::Manifest;
+use crate::verify::finding::quote;
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::facts::Facts;
 use crate::verify::judge::rules::IronRules;
@@ -10,7 +10,7 @@ use crate::verify::judge::script::Script;
 use crate::verify::judge::seams::Seams;
 use crate::verify::judge::{clamp, comments, height, iron};
 use crate::verify::read::gcode::{Dialect, Program, read_program};
-use crate::verify::{Finding, FindingCode, Findings};
+use crate::verify::{FindingCode, Findings};
 
 /// What one program should do.
 pub(in crate::verify) struct Job<'a> {
@@ -53,6 +53,7 @@ impl<'a> Job<'a> {
         let program = read_program(text, Dialect::for_controller(&machine.controller));
         let heat = self.hot.then_some(spec.seal.temperature);
         Script { machine, heat, text, program: &program }.check(findings);
+        first_words(text, findings);
         self.area(&program, findings);
         let reach = if self.hot { spec.seal.band.0 / 2.0 } else { 0.0 };
         clamp::check(&machine.bench.keep_out, reach, &program, findings);
@@ -100,40 +101,10 @@ impl<'a> Job<'a> {
     }
 }
 
-/// The manifest's seam lengths and times against the design's.
-pub(in crate::verify) fn manifest_figures(expected: &Expected<'_>, manifest: &Manifest) -> Vec<Finding> {
-    let mut findings = Vec::new();
-    let wrong = |found: String, allowed: String| {
-        Finding::new(FindingCode::Manifest, None, found, allowed).in_file(crate::manifest::MANIFEST)
-    };
-    for placed in &expected.design.stars {
-        let seam_mm: f64 = expected.design.part(placed).seams.iter().map(|seam| seam.run().length()).sum();
-        match manifest.stars.iter().find(|star| star.index == placed.index) {
-            Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {
-                let clear = expected.design.part(placed).clear_radius();
-                if (star.clear_radius_mm - clear).abs() > 0.001 {
-                    let found = format!("star {}: a clear radius of {} mm", star.index, star.clear_radius_mm);
-                    findings.push(wrong(found, format!("{clear:.3} mm")));
-                }
-            }
-            Some(star) => findings.push(wrong(
-                format!("star {}: {} mm of seam on sheet {}", star.index, star.seam_mm, star.sheet),
-                format!("{seam_mm:.3} mm on sheet {}", placed.sheet),
-            )),
-            None => findings
-                .push(wrong(format!("no star {}", placed.index), "every star of the design".to_owned())),
-        }
+/// Every line says what it does: Klipper and Marlin do not go on moving by the word of the line before.
+fn first_words(text: &str, findings: &mut Findings) {
+    let silent = |(_, text): &(usize, &str)| text.trim_start().starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']);
+    if let Some((line, text)) = (1..).zip(text.lines()).find(silent) {
+        findings.add(FindingCode::UnusedWord, line, quote(text), "G0, G1, G2 or G3 first");
     }
-    let frame = &expected.design.frame;
-    let posts: usize = manifest.posts.iter().map(|posts| posts.count).sum();
-    let lengths = manifest.posts.iter().map(|posts| (posts.length_mm - frame.post_length).abs());
-    if posts != frame.posts.len() || lengths.fold(0.0, f64::max) > 0.001 {
-        let allowed = format!("{} of {:.3} mm", frame.posts.len(), frame.post_length);
-        findings.push(wrong(format!("posts {:?}", manifest.posts), allowed));
-    }
-    let plates: usize = manifest.plates.iter().map(|plates| plates.plates.len()).sum();
-    if plates != expected.design.stars.len() + 1 {
-        findings.push(wrong(format!("{plates} plates"), format!("{}", expected.design.stars.len() + 1)));
-    }
-    findings
 }

@@ -1,7 +1,7 @@
 //! The seams of a program against those of the design: all there, in order, each from its start to its end.
 
 use crate::design::{Design, PlacedStar, Side};
-use crate::geom::{Path, Segment};
+use crate::geom::{Bounds, Line, Path, Point, Segment};
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::read::gcode::{Move, MoveKind, Program};
 use crate::verify::{FindingCode, Findings, follow};
@@ -43,6 +43,20 @@ impl Seams<'_> {
             })
         });
         seams.collect()
+    }
+
+    /// The rectangle around the cut, and around everything that the iron does to the fabric.
+    fn frame(&self) -> Path {
+        let parts = self.stars.iter().map(|placed| (placed, self.design.part(placed)));
+        let bounds = parts.fold(Bounds::EMPTY, |bounds, (placed, part)| {
+            bounds.union(placed.placement.path(&part.outline.outside).bounds())
+        });
+        let band = self.stars.first().map_or(0.0, |placed| self.design.part(placed).band);
+        let seams = self.expected().into_iter().flat_map(|seam| [seam.lead_in, seam.run, seam.lead_out]);
+        let touched = seams.map(|path| path.bounds().grown(band / 2.0));
+        let Bounds { min, max } = touched.fold(bounds, Bounds::union);
+        let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
+        Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
     }
 
     /// Every seam is there, in order, from its start to its end, overlap and ramps included; the largest
@@ -149,10 +163,11 @@ impl Seams<'_> {
             .filter(|chunk| chunk[0].kind == MoveKind::Feed)
             .map(|chunk| chunk.iter().collect())
             .collect();
-        // The first is the frame, which is checked by the work area alone.
-        let runs = feeds.get(1..).unwrap_or_default();
+        let (frame, runs) =
+            feeds.split_first().map_or((&[][..], &[][..]), |(frame, runs)| (frame.as_slice(), runs));
+        let right = self.frame();
+        let mut deviation = self.follow(frame, &right, "frame", right.length(), findings);
         let expected = self.expected();
-        let mut deviation = 0.0_f64;
         for (run, seam) in runs.iter().zip(&expected) {
             deviation = deviation.max(self.follow(run, &seam.run, &seam.name, seam.once, findings));
         }

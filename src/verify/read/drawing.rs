@@ -13,6 +13,10 @@ pub(in crate::verify) const JOIN: f64 = 1e-6;
 pub struct Drawing {
     /// Width and height of the page, mm; DXF has none.
     pub page: Option<(f64, f64)>,
+    /// Where the page begins in the file's own coordinates, whose Y may run down; only SVG says so.
+    pub corner: Option<(f64, f64)>,
+    /// The layers in the order in which the file first draws on them, or opens a group for them.
+    pub order: Vec<String>,
     /// The paths of each layer, in the order of the file; layers that hold no path are present and empty.
     pub layers: BTreeMap<String, Vec<Path>>,
     /// Layer and text of each label.
@@ -25,5 +29,13 @@ impl Drawing {
     /// The paths on `layer`; none if it does not exist.
     pub fn layer(&self, layer: &str) -> &[Path] {
         self.layers.get(layer).map_or(&[], Vec::as_slice)
+    }
+
+    /// The paths on `layer`, to draw another one there.
+    pub(in crate::verify) fn layer_mut(&mut self, layer: &str) -> &mut Vec<Path> {
+        if self.order.iter().all(|known| known != layer) {
+            self.order.push(layer.to_owned());
+        }
+        self.layers.entry(layer.to_owned()).or_default()
     }
 }

@@ -172,7 +172,7 @@ impl DxfReader {
                 None
             }
         };
-        self.drawing.layers.entry(layer).or_default().extend(path);
+        self.drawing.layer_mut(&layer).extend(path);
     }
 
     /// The values of group codes that must each be there once.

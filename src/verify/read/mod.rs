@@ -2,9 +2,11 @@
 
 pub(in crate::verify) mod drawing;
 pub(in crate::verify) mod dxf;
+pub(in crate::verify) mod dxf_words;
 pub mod gcode;
-mod number;
+pub(in crate::verify) mod number;
 pub mod pdf;
 pub(in crate::verify) mod stl;
 pub(in crate::verify) mod svg;
 mod svg_path;
+pub(in crate::verify) mod svg_words;

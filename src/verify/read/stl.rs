@@ -3,13 +3,27 @@
 /// Three corners (x, y, z), mm, counterclockwise from outside.
 pub type Facet = [[f32; 3]; 3];
 
+/// What a solid says beside its corners.
+#[derive(Debug, PartialEq)]
+pub(in crate::verify) struct Beside {
+    /// The normal of each facet.
+    pub(in crate::verify) normals: Vec<[f32; 3]>,
+    /// Whether the head is blank, and so are the two bytes of every facet, which some readers take for a colour.
+    pub(in crate::verify) blank: bool,
+}
+
 /// Length of the head and the count.
 const HEAD: usize = 84;
-/// Length of a facet: its normal, which nobody needs, three corners, two bytes.
+/// Length of a facet: its normal, three corners, two bytes.
 const FACET: usize = 50;
 
 /// The facets of a binary STL; `None` if the length is not the one that the count says, or a number is not finite.
 pub fn read_stl(bytes: &[u8]) -> Option<Vec<Facet>> {
+    read_solid(bytes).map(|(facets, _)| facets)
+}
+
+/// The same, with what stands beside the corners.
+pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<Facet>, Beside)> {
     let count = usize::try_from(u32::from_le_bytes(bytes.get(80..HEAD)?.try_into().ok()?)).ok()?;
     if bytes.len() != HEAD.checked_add(FACET.checked_mul(count)?)? {
         return None;
@@ -21,7 +35,11 @@ pub fn read_stl(bytes: &[u8]) -> Option<Vec<Facet>> {
         Some([number(raw, at)?, number(raw, at + 4)?, number(raw, at + 8)?])
     };
     let facet = |raw: &[u8]| Some([corner(raw, 12)?, corner(raw, 24)?, corner(raw, 36)?]);
-    bytes[HEAD..].chunks_exact(FACET).map(facet).collect()
+    let raw = || bytes[HEAD..].chunks_exact(FACET);
+    let facets: Option<Vec<Facet>> = raw().map(facet).collect();
+    let normals: Option<Vec<[f32; 3]>> = raw().map(|raw| corner(raw, 0)).collect();
+    let blank = bytes[..80].iter().all(|byte| *byte == b' ') && raw().all(|raw| raw[48..] == [0, 0]);
+    Some((facets?, Beside { normals: normals?, blank }))
 }
 
 #[cfg(test)]

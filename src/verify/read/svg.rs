@@ -7,7 +7,7 @@ use roxmltree::{Document, Node};
 use crate::geom::{Arc, Isometry, Line, Path, Point, Vec2};
 use crate::verify::finding::quote;
 use crate::verify::read::{number, svg_path};
-use crate::verify::{Drawing, FindingCode, Findings};
+use crate::verify::{Drawing, Finding, FindingCode, Findings};
 
 /// Groups inside groups beyond this depth are refused: drawings need two or three, and the walk is recursive.
 const DEPTH: usize = 32;
@@ -26,22 +26,38 @@ pub enum SvgOrigin {
 /// One user unit must be one millimetre, and nothing may be transformed: a reader that ignores either would
 /// cut another size.
 pub fn read_svg(text: &str, origin: SvgOrigin) -> Drawing {
+    match parse(text) {
+        Ok(document) => read_document(&document, origin),
+        Err(finding) => Drawing { findings: vec![finding], ..Drawing::default() },
+    }
+}
+
+/// The XML of a file.
+pub(in crate::verify) fn parse(text: &str) -> Result<Document<'_>, Finding> {
+    Document::parse(text).map_err(|error| {
+        let line = usize::try_from(error.pos().row).ok();
+        Finding::new(FindingCode::BadXml, line, quote(&error.to_string()), "well-formed XML")
+    })
+}
+
+/// Checks that one user unit is one millimetre.
+pub(in crate::verify) fn scale(document: &Document<'_>, findings: &mut Findings) {
+    let _ = page(document.root_element(), &mut Drawing::default(), findings);
+}
+
+/// Reads what [`read_svg`] reads.
+pub(in crate::verify) fn read_document(document: &Document<'_>, origin: SvgOrigin) -> Drawing {
     let (mut drawing, mut findings) = (Drawing::default(), Findings::default());
-    match Document::parse(text) {
-        Err(error) => findings.add(FindingCode::BadXml, None, quote(&error.to_string()), "well-formed XML"),
-        Ok(document) => {
-            let root = document.root_element();
-            if root.tag_name().name() == "svg" {
-                let height = page(root, &mut drawing, &mut findings);
-                let flip = Isometry {
-                    shift: Vec2::new(0.0, if origin == SvgOrigin::LowerLeft { height } else { 0.0 }),
-                    ..Isometry::mirror()
-                };
-                SvgReader { flip, drawing: &mut drawing, findings: &mut findings }.group(root, "", 0);
-            } else {
-                findings.add(FindingCode::BadXml, None, quote(root.tag_name().name()), "a root element svg");
-            }
-        }
+    let root = document.root_element();
+    if root.tag_name().name() == "svg" {
+        let height = page(root, &mut drawing, &mut findings);
+        let flip = Isometry {
+            shift: Vec2::new(0.0, if origin == SvgOrigin::LowerLeft { height } else { 0.0 }),
+            ..Isometry::mirror()
+        };
+        SvgReader { flip, drawing: &mut drawing, findings: &mut findings }.group(root, "", 0);
+    } else {
+        findings.add(FindingCode::BadXml, None, quote(root.tag_name().name()), "a root element svg");
     }
     drawing.findings = findings.into_vec();
     drawing
@@ -54,7 +70,7 @@ fn page(root: Node<'_, '_>, drawing: &mut Drawing, findings: &mut Findings) -> f
     let view: Option<Vec<f64>> = root
         .attribute("viewBox")
         .and_then(|v| v.split([' ', ',']).filter(|x| !x.is_empty()).map(number::value).collect());
-    let (Some(width), Some(height), Some(&[_, _, w, h])) = (mm("width"), mm("height"), view.as_deref())
+    let (Some(width), Some(height), Some(&[left, top, w, h])) = (mm("width"), mm("height"), view.as_deref())
     else {
         let found = ["width", "height", "viewBox"].map(|name| quote(root.attribute(name).unwrap_or("")));
         findings.add(
@@ -70,6 +86,7 @@ fn page(root: Node<'_, '_>, drawing: &mut Drawing, findings: &mut Findings) -> f
         findings.add(FindingCode::WrongScale, line, found, "1 user unit = 1 mm, and a size > 0");
     }
     drawing.page = Some((width, height));
+    drawing.corner = Some((left, top));
     h
 }
 
@@ -91,6 +108,10 @@ impl SvgReader<'_> {
             return;
         }
         for child in node.children().filter(Node::is_element) {
+            // To tell a line takes the whole file once more.
+            if self.findings.is_full() {
+                return;
+            }
             if child.has_attribute("transform") {
                 let found = quote(child.attribute("transform").unwrap_or(""));
                 self.findings.add(
@@ -103,7 +124,7 @@ impl SvgReader<'_> {
             match child.tag_name().name() {
                 "g" => {
                     let id = child.attribute("id").unwrap_or(id);
-                    let _ = self.drawing.layers.entry(id.to_owned()).or_default();
+                    let _ = self.drawing.layer_mut(id);
                     self.group(child, id, depth + 1);
                 }
                 "text" => {
@@ -143,7 +164,7 @@ impl SvgReader<'_> {
             }
         };
         let flipped = paths.unwrap_or_default().into_iter().map(|path| self.flip.path(&path));
-        self.drawing.layers.entry(id.to_owned()).or_default().extend(flipped);
+        self.drawing.layer_mut(id).extend(flipped);
     }
 
     /// Attributes that are numbers; absent ones are 0, as SVG says.

@@ -4,25 +4,64 @@ use std::f64::consts::PI;
 
 use crate::design::{Drawing as Exact, Layer, Origin, Shape};
 use crate::geom::{Arc, Bounds, Path, Point, Segment};
+use crate::verify::judge::files::layers::{Look, in_file, look};
 use crate::verify::judge::path::measure::{Prepared, furthest};
-use crate::verify::{Drawing, Finding, FindingCode, Findings, SvgOrigin, deviation, read_dxf, read_svg};
+use crate::verify::read::dxf_words::DxfFrame;
+use crate::verify::read::{dxf_words, svg, svg_words};
+use crate::verify::{Drawing, Finding, FindingCode, Findings, SvgOrigin, deviation, read_dxf};
 
-/// Reads an SVG; its page must be the drawing's.
-pub(in crate::verify) fn read_page(text: &str, exact: &Exact, findings: &mut Findings) -> Drawing {
-    let origin = match exact.origin {
-        Origin::LowerLeft => SvgOrigin::LowerLeft,
-        Origin::Axis(_) => SvgOrigin::Axis,
+/// Reads an SVG, whose words and page must be the drawing's.
+pub(in crate::verify) fn read_page(
+    text: &str,
+    exact: &Exact,
+    title: &str,
+    tolerance: f64,
+    findings: &mut Findings,
+) -> Drawing {
+    let document = match svg::parse(text) {
+        Ok(document) => document,
+        Err(finding) => {
+            findings.push(finding);
+            return Drawing::default();
+        }
     };
-    let mut drawing = read_svg(text, origin);
+    let colour = |name: &str| layers(exact).find(|(layer, _)| *layer == name).map(|(_, look)| look.svg);
+    svg_words::check(&document, &svg_words::DRAWING, &in_file(title, 120), &colour, findings);
+    let (origin, corner) = match exact.origin {
+        Origin::LowerLeft => (SvgOrigin::LowerLeft, (0.0, 0.0)),
+        Origin::Axis(corner) => (SvgOrigin::Axis, (corner.x, -(corner.y + exact.height))),
+    };
+    let mut drawing = svg::read_document(&document, origin);
     findings.extend(std::mem::take(&mut drawing.findings));
     within_page(&drawing, exact, findings);
     // Extents are written with as many decimals as coordinates.
-    let same = |(w, h): (f64, f64)| (w - exact.width).abs() <= 1e-2 && (h - exact.height).abs() <= 1e-2;
-    if !drawing.page.is_some_and(same) {
-        let found = drawing.page.map_or("no page".to_owned(), |(w, h)| format!("{w} x {h} mm"));
-        findings.add(FindingCode::WrongSize, None, found, format!("{} x {} mm", exact.width, exact.height));
+    let near =
+        |(a, b): (f64, f64), (c, d): (f64, f64)| (a - c).abs() <= tolerance && (b - d).abs() <= tolerance;
+    let size = (exact.width, exact.height);
+    if !drawing.page.is_some_and(|page| near(page, size))
+        || !drawing.corner.is_some_and(|at| near(at, corner))
+    {
+        let shown = |((w, h), (x, y)): ((f64, f64), (f64, f64))| format!("{w} x {h} mm from ({x}, {y})");
+        let found = drawing.page.zip(drawing.corner).map_or("no page".to_owned(), shown);
+        findings.add(FindingCode::WrongSize, None, found, shown((size, corner)));
     }
     drawing
+}
+
+/// The layers of a drawing with their look.
+fn layers(exact: &Exact) -> impl Iterator<Item = (&'static str, Look)> {
+    exact.layers.iter().map(|(layer, _)| (layer.name(), look(*layer)))
+}
+
+/// A picture for people: nothing of it is compared, but it is well-formed, to scale, and holds nothing that runs or hides.
+pub(in crate::verify) fn picture(text: &str, title: &str, findings: &mut Findings) {
+    match svg::parse(text) {
+        Ok(document) => {
+            svg_words::check(&document, &svg_words::PICTURE, &in_file(title, 120), &|_| None, findings);
+            svg::scale(&document, findings);
+        }
+        Err(finding) => findings.push(finding),
+    }
 }
 
 /// Nothing lies outside the page, where a reader may cut it off.
@@ -44,8 +83,24 @@ fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
     }
 }
 
-/// Reads a DXF.
-pub(in crate::verify) fn read_plan(text: &str, findings: &mut Findings) -> Drawing {
+/// Reads a DXF, of which every tag must be one that the drawing's file has.
+pub(in crate::verify) fn read_plan(
+    text: &str,
+    exact: &Exact,
+    tolerance: f64,
+    findings: &mut Findings,
+) -> Drawing {
+    let corner = exact.corner();
+    let layers: Vec<(&str, &str)> = layers(exact).map(|(name, look)| (name, look.dxf)).collect();
+    let frame = DxfFrame {
+        layers: &layers,
+        min: (corner.x, corner.y),
+        max: (corner.x + exact.width, corner.y + exact.height),
+        tolerance,
+    };
+    if let Err(finding) = dxf_words::check(text, &frame) {
+        findings.push(finding);
+    }
     let mut drawing = read_dxf(text);
     findings.extend(std::mem::take(&mut drawing.findings));
     drawing
@@ -65,12 +120,32 @@ pub(in crate::verify) fn compare(
             findings.add(FindingCode::UnknownLayer, None, found, "only the layers of the drawing");
         }
     }
+    order(found, exact, findings);
     for (layer, shapes) in &exact.layers {
         let expected: Vec<Path> = shapes.iter().flat_map(paths_of).collect();
         let paths = found.layer(layer.name());
         largest = largest.max(compare_layer(*layer, paths, &expected, tolerance, findings));
     }
     largest
+}
+
+/// Layers stand in the drawing's order: holes are cut before what they are in comes loose.
+fn order(found: &Drawing, exact: &Exact, findings: &mut Findings) {
+    let right: Vec<&str> =
+        exact.layers.iter().filter(|(_, shapes)| !shapes.is_empty()).map(|(layer, _)| layer.name()).collect();
+    let drawn: Vec<&str> =
+        found.order.iter().map(String::as_str).filter(|name| !found.layer(name).is_empty()).collect();
+    let known = drawn.iter().all(|name| right.contains(name)) && drawn.len() == right.len();
+    if known && drawn != right {
+        findings.add(FindingCode::Order, None, drawn.join(", "), right.join(", "));
+    }
+}
+
+/// Many times the segments that a drawing has are not measured: the time would grow with their number's square.
+const MANY: usize = 20;
+
+fn segments(paths: &[Path]) -> usize {
+    paths.iter().map(|path| path.segments.len()).sum()
 }
 
 fn compare_layer(
@@ -100,8 +175,18 @@ fn compare_layer(
     if expected.is_empty() && paths.is_empty() {
         return 0.0;
     }
-    let measured =
-        one_by_one(paths, expected, tolerance).unwrap_or_else(|| deviation(paths, expected).largest());
+    let measured = match one_by_one(paths, expected, tolerance) {
+        Some(measured) => measured,
+        None if segments(paths) > MANY * (segments(expected) + 10) => f64::INFINITY,
+        None => {
+            let measured = deviation(paths, expected).largest();
+            if measured <= tolerance && paths.len() == expected.len() && paths.len() > 1 {
+                let found = format!("paths in another order on layer {name}");
+                findings.add(FindingCode::Order, None, found, "the order of the drawing");
+            }
+            measured
+        }
+    };
     if measured.is_nan() || measured > tolerance {
         findings.add(
             FindingCode::Deviation,

@@ -2,6 +2,8 @@
 
 pub(in crate::verify) mod bytes;
 pub(in crate::verify) mod drawings;
+mod figures;
+pub(in crate::verify) mod layers;
 mod names;
 mod paper;
 pub(in crate::verify) mod proof;

@@ -29,6 +29,7 @@ pub(in crate::verify) fn check<'a>(
     wanted: &[Output],
     findings: &mut Vec<Finding>,
 ) -> Entries<'a> {
+    let order: Vec<String> = wanted.iter().map(Output::name).collect();
     let wanted: BTreeMap<String, &Output> = wanted.iter().map(|output| (output.name(), output)).collect();
     let entries = manifest.map_or_else(Entries::new, |manifest| named(manifest, &wanted, findings));
     let mut blame = |file: &str, code: FindingCode, found: &str, allowed: String| {
@@ -47,6 +48,12 @@ pub(in crate::verify) fn check<'a>(
             let found = "a file that the design does not have";
             blame(name, FindingCode::UnnamedFile, found, "only files of the design".to_owned());
         }
+    }
+    let listed = manifest.map_or(&[][..], |manifest| &manifest.files).iter().map(|entry| &entry.path);
+    if manifest.is_some() && findings.is_empty() && !listed.eq(&order) {
+        let found = "files in another order";
+        findings
+            .push(Finding::new(FindingCode::Order, None, found, "the order of a build").in_file(MANIFEST));
     }
     entries
 }

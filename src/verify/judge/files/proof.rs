@@ -3,10 +3,9 @@
 use serde::Serialize;
 
 use crate::artifact::{Format, Output, Subject, outputs};
-use crate::manifest::{ManifestFile, sha256};
+use crate::manifest::{MANIFEST, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
-use crate::verify::judge::files::{drawings, names, paper, solid};
-use crate::verify::judge::job;
+use crate::verify::judge::files::{drawings, figures, names, paper, solid};
 use crate::verify::judge::job::Job;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -65,7 +64,9 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     }
     proof.findings.extend(seals.disagreements(expected.spec.accuracy.path.0));
     if let Some(manifest) = &manifest {
-        proof.findings.extend(job::manifest_figures(expected, manifest));
+        proof.findings.extend(figures::against_design(expected, manifest));
+        let text = files.get(MANIFEST).unwrap_or_default();
+        proof.findings.extend(figures::check(text, manifest, expected.manifest));
     }
     proof
 }
@@ -102,7 +103,11 @@ fn file(
         return (By::Reading, None);
     };
     match (output.kind.subject(), output.kind.format()) {
-        (Subject::Spec | Subject::Machine | Subject::Preview, _) => (By::Hash, None),
+        (Subject::Spec | Subject::Machine, _) => (By::Hash, None),
+        (Subject::Preview, _) => {
+            drawings::picture(text, &expected.spec.name, findings);
+            (By::Hash, None)
+        }
         (Subject::Prediction, _) => {
             prediction(expected, text, findings);
             (By::Reading, None)
@@ -113,11 +118,13 @@ fn file(
         }
         (subject, format) => {
             let Some(exact) = output.drawing(expected.design) else { return (By::Hash, None) };
+            let tolerance = expected.spec.accuracy.path.0;
+            let title = output.title(&expected.spec.name);
             let found = match format {
-                Format::Svg => drawings::read_page(text, &exact, findings),
-                _ => drawings::read_plan(text, findings),
+                Format::Svg => drawings::read_page(text, &exact, &title, tolerance, findings),
+                _ => drawings::read_plan(text, &exact, tolerance, findings),
             };
-            let deviation = drawings::compare(&found, &exact, expected.spec.accuracy.path.0, findings);
+            let deviation = drawings::compare(&found, &exact, tolerance, findings);
             if let (Subject::Seal, Some(sheet)) = (subject, output.sheet) {
                 seals.add(sheet, &output.name(), &found);
             }
@@ -136,7 +143,8 @@ fn solid_or_paper(
     let Some(paper) = output.paper else {
         return Some(solid::check(bytes, &drawing, expected.spec.mask.thickness.0, findings));
     };
-    Some(paper::check(bytes, &paper.pages(&drawing, &output.caption()), findings))
+    let title = output.title(&expected.spec.name);
+    Some(paper::check(bytes, &paper.pages(&drawing, &output.caption()), &title, findings))
 }
 
 /// The prediction made anew, against the one that was written.

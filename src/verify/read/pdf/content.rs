@@ -16,6 +16,10 @@ struct State {
     scale: f64,
     shift: (f64, f64),
     clip: Option<Bounds>,
+    /// Width of strokes; `None` until it is said.
+    width: Option<f64>,
+    /// How light strokes are; `None` until it is said.
+    gray: Option<f64>,
 }
 
 struct PdfPen<'a> {
@@ -39,7 +43,7 @@ pub(in crate::verify) fn read(
     findings: &mut Findings,
 ) -> PdfPage {
     let mut pen = PdfPen {
-        state: State { scale: unit, shift: (0.0, 0.0), clip: None },
+        state: State { scale: unit, shift: (0.0, 0.0), clip: None, width: None, gray: None },
         saved: Vec::new(),
         layers: Vec::new(),
         paths: Vec::new(),
@@ -50,7 +54,7 @@ pub(in crate::verify) fn read(
         page: PdfPage {
             size,
             drawing: Drawing { page: Some(size), ..Drawing::default() },
-            clips: Vec::new(),
+            ..PdfPage::default()
         },
         findings,
     };
@@ -89,6 +93,9 @@ pub(in crate::verify) fn read(
 
 impl PdfPen<'_> {
     fn operator(&mut self, word: &str, operands: &[f64], name: Option<&str>) {
+        if !matches!(word, "m" | "l" | "c" | "h") {
+            self.page.operators.push(word.to_owned());
+        }
         match (word, operands) {
             ("q", []) => self.saved.push(self.state),
             ("Q", []) => match self.saved.pop() {
@@ -110,7 +117,8 @@ impl PdfPen<'_> {
             }
             ("BMC", []) => self.layers.push(name.unwrap_or_default().to_owned()),
             ("EMC", []) => drop(self.layers.pop()),
-            ("w" | "G" | "g" | "J" | "j", [_]) => {}
+            ("w", [width]) => self.state.width = Some(*width),
+            ("G", [gray]) => self.state.gray = Some(*gray),
             ("m", [x, y]) => {
                 self.lift(false);
                 self.here = self.point(*x, *y);
@@ -122,26 +130,21 @@ impl PdfPen<'_> {
             }
             ("h", []) => self.close(),
             ("re", [x, y, w, h]) => {
-                self.operator("m", &[*x, *y], None);
-                for (x, y) in [(x + w, *y), (x + w, y + h), (*x, y + h)] {
-                    self.operator("l", &[x, y], None);
+                for (word, x, y) in [("m", *x, *y), ("l", x + w, *y), ("l", x + w, y + h), ("l", *x, y + h)] {
+                    self.operator(word, &[x, y], None);
                 }
                 self.close();
             }
             ("W", []) => self.clipping = true,
             ("n", []) => self.end(false),
             ("S", []) => self.end(true),
-            ("s", []) => {
-                self.close();
-                self.end(true);
-            }
             _ => {
                 let found = quote(&format!("{operands:?} {word}"));
                 self.findings.add(
                     FindingCode::UnknownWord,
                     None,
                     found,
-                    "q Q cm BMC EMC w G m l c h re W n S s",
+                    "q Q cm BMC EMC w G m l c h re W n S",
                 );
             }
         }
@@ -232,7 +235,8 @@ impl PdfPen<'_> {
             {
                 self.page.clips.push((layer.clone(), clip));
             }
-            self.page.drawing.layers.entry(layer).or_default().extend(paths);
+            self.page.strokes.push((layer.clone(), self.state.width, self.state.gray));
+            self.page.drawing.layer_mut(&layer).extend(paths);
         } else if paths.len() != 1 {
             self.findings.add(
                 FindingCode::UnknownWord,

@@ -7,7 +7,7 @@ mod content;
 mod object;
 mod page;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::verify::read::pdf::object::{Object, Scan};
 use crate::verify::{FindingCode, Findings};
@@ -18,43 +18,142 @@ pub use page::PdfPage;
 const POINT: f64 = 25.4 / 72.0;
 
 /// The objects of a file by number.
-type Objects<'a> = BTreeMap<u32, (Object<'a>, Option<&'a [u8]>)>;
+type Objects<'a> = BTreeMap<u32, Indirect<'a>>;
+
+/// What each kind of object may say; a key that is not here could run, hide or turn something.
+const KEYS: [(&str, &[&str]); 6] = [
+    ("Catalog", &["Type", "Pages"]),
+    ("Pages", &["Type", "Kids", "Count"]),
+    ("Page", &["Type", "MediaBox", "UserUnit", "Parent", "Contents", "Resources"]),
+    ("Info", &["Title"]),
+    ("Stream", &["Length"]),
+    ("Trailer", &["Size", "Root", "Info", "ID"]),
+];
+
+/// Per cent signs of a file without comments: `%PDF`, the line of bytes beyond ASCII, `%%EOF`.
+const SIGNS: usize = 4;
 
 /// Reads the pages of a PDF file; what is wrong with it goes to `findings`.
 pub fn read_pdf(bytes: &[u8], findings: &mut Findings) -> Vec<PdfPage> {
-    if !bytes.starts_with(b"%PDF-1.") {
-        findings.add(FindingCode::BadPdf, 1, "no %PDF-1. at the beginning", "a PDF file");
-        return Vec::new();
+    read_document(bytes, findings).0
+}
+
+/// The same, with the strings of the file: its title, and twice its identity.
+pub(in crate::verify) fn read_document<'a>(
+    bytes: &'a [u8],
+    findings: &mut Findings,
+) -> (Vec<PdfPage>, Vec<&'a [u8]>) {
+    let nothing = (Vec::new(), Vec::new());
+    if !bytes.starts_with(b"%PDF-1.7\n") {
+        findings.add(FindingCode::BadPdf, 1, "no %PDF-1.7 at the beginning", "a PDF file");
+        return nothing;
     }
-    let Some((objects, trailer)) = objects(bytes, findings) else { return Vec::new() };
-    let object = |reference: Option<&Object<'_>>| objects.get(&reference?.target()?);
-    let tree = object(trailer.get("Root")).and_then(|(catalog, _)| object(catalog.get("Pages")));
-    let Some((tree, _)) = tree else {
+    if bytes.split(|byte| *byte == b'%').count() != SIGNS + 1 || !bytes.trim_ascii_end().ends_with(b"%%EOF") {
+        findings.add(FindingCode::BadPdf, None, "comments, or no end", "no comments, and %%EOF last");
+    }
+    let Some(File { objects, trailer }) = File::read(bytes, findings) else { return nothing };
+    let mut walk = Walk { objects: &objects, seen: BTreeSet::new(), findings };
+    let root = trailer.get("Root").and_then(|root| walk.follow(root, "Catalog"));
+    let tree = root.and_then(|catalog| walk.follow(catalog.value.get("Pages")?, "Pages"));
+    let info = trailer.get("Info").and_then(|info| walk.follow(info, "Info"));
+    walk.keys(&trailer, "Trailer");
+    let Some(tree) = tree else {
         findings.add(FindingCode::BadPdf, None, "no page tree", "a catalog with pages");
-        return Vec::new();
+        return nothing;
     };
-    let mut pages = Vec::new();
-    for kid in tree.get("Kids").map_or(&[][..], Object::items) {
-        let content = object(Some(kid)).and_then(|(page, _)| {
-            let (_, stream) = object(page.get("Contents"))?;
-            Some((page, (*stream)?, extent(page)?))
+    let kids = tree.value.get("Kids").map_or(&[][..], Object::items);
+    #[expect(clippy::cast_precision_loss, reason = "pages are few")]
+    let (count, size) = (kids.len() as f64, objects.len() as f64 + 1.0);
+    let says = |object: &Object<'_>, key: &str| object.get(key).and_then(Object::number);
+    if says(&tree.value, "Count") != Some(count) || says(&trailer, "Size") != Some(size) {
+        walk.refuse("another number of pages or objects than said");
+    }
+    let pages = kids.iter().filter_map(|kid| walk.page(kid)).collect();
+    if walk.seen.len() != objects.len() {
+        walk.refuse("objects that nothing refers to");
+    }
+    let title = info.and_then(|info| info.value.get("Title"));
+    let strings = title.into_iter().chain(trailer.get("ID").map_or(&[][..], Object::items));
+    (pages, strings.filter_map(Object::text).collect())
+}
+
+/// The way from the trailer to all that it refers to.
+struct Walk<'a, 'b> {
+    objects: &'b Objects<'a>,
+    seen: BTreeSet<u32>,
+    findings: &'b mut Findings,
+}
+
+impl<'a, 'b> Walk<'a, 'b> {
+    fn refuse(&mut self, found: impl Into<String>) {
+        self.findings.add(FindingCode::BadPdf, None, found, "objects as this tool writes them");
+    }
+
+    /// The object that `reference` means, which must be of this kind, and not have been met before.
+    fn follow(&mut self, reference: &Object<'_>, kind: &str) -> Option<&'b Indirect<'a>> {
+        let number = reference.target()?;
+        let object = self.objects.get(&number)?;
+        if !self.seen.insert(number) {
+            self.refuse(format!("object {number} in two places"));
+        }
+        self.keys(&object.value, kind);
+        if object.stream.is_some() != (kind == "Stream") {
+            self.refuse(format!("object {number} with or without a stream"));
+        }
+        Some(object)
+    }
+
+    /// A dictionary has the keys of its kind, and says which kind it is.
+    fn keys(&mut self, object: &Object<'_>, kind: &str) {
+        let allowed = KEYS.iter().find(|(name, _)| *name == kind).map_or(&[][..], |(_, keys)| *keys);
+        let Object::Dict(entries) = object else {
+            self.refuse(format!("a {kind} that is no dictionary"));
+            return;
+        };
+        for key in entries.keys().filter(|key| !allowed.contains(key)) {
+            self.findings.add(
+                FindingCode::UnknownWord,
+                None,
+                format!("/{key} in a {kind}"),
+                format!("/{}", allowed.join(" /")),
+            );
+        }
+        let missing = allowed.iter().find(|key| **key != "UserUnit" && !entries.contains_key(*key));
+        if let Some(missing) = missing {
+            self.refuse(format!("a {kind} without /{missing}"));
+        }
+        if entries.get("Type").is_some_and(|name| *name != Object::Name(kind)) {
+            self.refuse(format!("another /Type than /{kind}"));
+        }
+    }
+
+    fn page(&mut self, kid: &Object<'_>) -> Option<PdfPage> {
+        let content = self.follow(kid, "Page").and_then(|page| {
+            let stream = self.follow(page.value.get("Contents")?, "Stream")?.stream?;
+            Some((&page.value, stream, extent(&page.value)?))
         });
         let Some((page, stream, size)) = content else {
-            findings.add(
+            self.findings.add(
                 FindingCode::BadPdf,
                 None,
                 "a page without size or content",
                 "a MediaBox at 0 0 and one stream",
             );
-            continue;
+            return None;
         };
-        for key in ["Rotate", "CropBox", "Annots"].into_iter().filter(|key| page.get(key).is_some()) {
-            findings.add(FindingCode::Transform, None, format!("a page with /{key}"), "a page as it is");
+        // Resources can bring in fonts and pictures, which no drawing has.
+        if page.get("Resources") != Some(&Object::Dict(BTreeMap::new())) {
+            self.refuse("a page with resources");
+        }
+        let parent = page.get("Parent").and_then(Object::target).and_then(|number| self.objects.get(&number));
+        if !parent
+            .is_some_and(|parent| parent.value.get("Kids").is_some_and(|kids| kids.items().contains(kid)))
+        {
+            self.refuse("a page whose parent does not have it");
         }
         let unit = page.get("UserUnit").and_then(Object::number).unwrap_or(1.0);
-        pages.push(content::read(stream, size, unit * POINT, findings));
+        Some(content::read(stream, size, unit * POINT, self.findings))
     }
-    pages
 }
 
 /// Width and height of a page, mm.
@@ -67,55 +166,91 @@ fn extent(page: &Object<'_>) -> Option<(f64, f64)> {
     }
 }
 
-/// All objects and the trailer's dictionary.
-fn objects<'a>(bytes: &'a [u8], findings: &mut Findings) -> Option<(Objects<'a>, Object<'a>)> {
-    let mut scan = Scan::new(bytes);
-    let mut objects = Objects::new();
-    let mut refuse = |found: String| {
-        findings.add(FindingCode::BadPdf, None, found, "objects as PDF 1.7 has them");
-        None
-    };
-    loop {
-        match scan.object() {
-            Some(Object::Number(number)) => {
-                let (generation, word) = (scan.object(), scan.object());
-                if generation != Some(Object::Number(0.0)) || word != Some(Object::Word("obj")) {
-                    return refuse(format!("no object at byte {}", scan.position()));
-                }
-                let Some(value) = scan.object() else {
-                    return refuse(format!("no value at byte {}", scan.position()));
-                };
-                let mut stream = None;
-                let mut end = scan.object();
-                if end == Some(Object::Word("stream")) {
-                    if value.get("Filter").is_some() {
-                        return refuse(format!("a compressed stream at byte {}", scan.position()));
-                    }
-                    let length = value.get("Length").and_then(Object::number).and_then(whole);
-                    stream = length.and_then(|length| scan.stream(length));
-                    if stream.is_none() || scan.object() != Some(Object::Word("endstream")) {
-                        return refuse(format!("a stream without its length at byte {}", scan.position()));
-                    }
-                    end = scan.object();
-                }
-                let number = whole(number).and_then(|number| u32::try_from(number).ok());
-                if number.and_then(|number| objects.insert(number, (value, stream))).is_some() {
-                    return refuse(format!("an object twice at byte {}", scan.position()));
-                }
-                if end != Some(Object::Word("endobj")) {
-                    return refuse(format!("no endobj at byte {}", scan.position()));
-                }
+/// An object of a file.
+struct Indirect<'a> {
+    /// Where it begins, by which other readers find it.
+    at: usize,
+    value: Object<'a>,
+    stream: Option<&'a [u8]>,
+}
+
+/// All objects, and the trailer's dictionary.
+struct File<'a> {
+    objects: Objects<'a>,
+    trailer: Object<'a>,
+}
+
+impl<'a> File<'a> {
+    fn read(bytes: &'a [u8], findings: &mut Findings) -> Option<Self> {
+        let mut scan = Scan::new(bytes);
+        match Self::parts(&mut scan) {
+            Ok(file) => Some(file),
+            Err(found) => {
+                let found = format!("{found} at byte {}", scan.position());
+                findings.add(FindingCode::BadPdf, None, found, "objects as PDF 1.7 has them");
+                None
             }
-            Some(Object::Word("xref")) => break,
-            _ => return refuse(format!("no object at byte {}", scan.position())),
         }
     }
-    while let Some(object) = scan.object() {
-        if object == Object::Word("trailer") {
-            return scan.object().map(|trailer| (objects, trailer));
+
+    fn parts(scan: &mut Scan<'a>) -> Result<Self, &'static str> {
+        let mut objects = Objects::new();
+        let table = loop {
+            let (at, word) = scan.word();
+            if word == "xref" {
+                break at;
+            }
+            let number: u32 = word.parse().map_err(|_| "no object")?;
+            let object = indirect(scan, at)?;
+            if objects.insert(number, object).is_some() {
+                return Err("an object twice");
+            }
+        };
+        offsets(scan, &objects)?;
+        let trailer = (scan.word().1 == "trailer").then(|| scan.object()).flatten().ok_or("no trailer")?;
+        let start = (scan.word().1 == "startxref").then(|| scan.word().1.parse()).ok_or("no startxref")?;
+        if start != Ok(table) {
+            return Err("a startxref that is not where xref stands");
+        }
+        if scan.is_done() { Ok(Self { objects, trailer }) } else { Err("something after the end") }
+    }
+}
+
+/// An object whose number has been read.
+fn indirect<'a>(scan: &mut Scan<'a>, at: usize) -> Result<Indirect<'a>, &'static str> {
+    if (scan.word().1, scan.word().1) != ("0", "obj") {
+        return Err("no object");
+    }
+    let value = scan.object().ok_or("no value")?;
+    let mut end = scan.word().1;
+    let mut stream = None;
+    if end == "stream" {
+        let length = value.get("Length").and_then(Object::number).and_then(whole);
+        stream = length.and_then(|length| scan.stream(length));
+        if stream.is_none() || scan.word().1 != "endstream" {
+            return Err("a stream without its length");
+        }
+        end = scan.word().1;
+    }
+    if end == "endobj" { Ok(Indirect { at, value, stream }) } else { Err("no endobj") }
+}
+
+/// The table by which other readers find the objects says where they are.
+fn offsets(scan: &mut Scan<'_>, objects: &Objects<'_>) -> Result<(), &'static str> {
+    let mut word = || scan.word().1;
+    if (word(), word().parse()) != ("0", Ok(objects.len() + 1))
+        || [word(), word(), word()] != ["0000000000", "65535", "f"]
+    {
+        return Err("another head of xref");
+    }
+    for (number, object) in (1..).zip(objects) {
+        let right =
+            *object.0 == number && word().parse() == Ok(object.1.at) && [word(), word()] == ["00000", "n"];
+        if !right {
+            return Err("an object that is not where xref says");
         }
     }
-    refuse("no trailer".to_owned())
+    Ok(())
 }
 
 fn whole(x: f64) -> Option<usize> {

@@ -14,8 +14,8 @@ pub(in crate::verify) enum Object<'a> {
     Number(f64),
     /// `/Name`.
     Name(&'a str),
-    /// A string, its content left out: nothing here depends on it.
-    Text,
+    /// A string, as it stands in the file.
+    Text(&'a [u8]),
     /// `[ ... ]`.
     Array(Vec<Object<'a>>),
     /// `<< ... >>`.
@@ -26,7 +26,7 @@ pub(in crate::verify) enum Object<'a> {
     Word(&'a str),
 }
 
-impl Object<'_> {
+impl<'a> Object<'a> {
     /// The value of `key`, if this is a dictionary that has it.
     pub(in crate::verify) fn get(&self, key: &str) -> Option<&Self> {
         match self {
@@ -47,6 +47,14 @@ impl Object<'_> {
     pub(in crate::verify) fn number(&self) -> Option<f64> {
         match self {
             Self::Number(x) => Some(*x),
+            _ => None,
+        }
+    }
+
+    /// The bytes, if this is a string.
+    pub(in crate::verify) fn text(&self) -> Option<&'a [u8]> {
+        match self {
+            Self::Text(bytes) => Some(bytes),
             _ => None,
         }
     }
@@ -74,6 +82,18 @@ impl<'a> Scan<'a> {
     /// How far it has read, in bytes.
     pub(in crate::verify) fn position(&self) -> usize {
         self.at
+    }
+
+    /// The next word, whatever it means, and where it begins.
+    pub(in crate::verify) fn word(&mut self) -> (usize, &'a str) {
+        self.skip_blanks();
+        (self.at, self.regular())
+    }
+
+    /// Whether nothing follows.
+    pub(in crate::verify) fn is_done(&mut self) -> bool {
+        self.skip_blanks();
+        self.at >= self.bytes.len()
     }
 
     fn peek(&self) -> Option<u8> {
@@ -126,14 +146,8 @@ impl<'a> Scan<'a> {
                 }
             }
             (b'(', _) => self.literal(),
-            (b'<', _) => {
-                while self.peek()? != b'>' {
-                    self.at += 1;
-                }
-                self.at += 1;
-                Some(Object::Text)
-            }
-            (b')' | b']' | b'>' | b'{' | b'}', _) => None,
+            // Strings in hexadecimal are none of this tool's.
+            (b'<' | b')' | b']' | b'>' | b'{' | b'}', _) => None,
             _ => {
                 let word = self.regular();
                 let Some(value) = number::value(word) else { return Some(Object::Word(word)) };
@@ -177,7 +191,7 @@ impl<'a> Scan<'a> {
 
     /// A string in brackets, which may hold pairs of brackets and escapes.
     fn literal(&mut self) -> Option<Object<'a>> {
-        let mut open = 0_usize;
+        let (mut open, start) = (0_usize, self.at + 1);
         loop {
             match self.peek()? {
                 b'(' => open += 1,
@@ -187,7 +201,7 @@ impl<'a> Scan<'a> {
             }
             self.at += 1;
             if open == 0 {
-                return Some(Object::Text);
+                return Some(Object::Text(self.bytes.get(start..self.at - 1)?));
             }
         }
     }

@@ -1,0 +1,84 @@
+//! The manifest's figures and names against those of the design, every one of them.
+
+use serde_json::Value;
+
+use crate::manifest::{MANIFEST, Manifest};
+use crate::verify::finding::quote;
+use crate::verify::judge::expected::Expected;
+use crate::verify::{Finding, FindingCode};
+
+/// Reports everything in the text of the manifest `written` that is not said in `right`, whose list of files is not looked at.
+pub(in crate::verify) fn check(text: &[u8], written: &Manifest, right: &Manifest) -> Vec<Finding> {
+    // Which files there are, and of which kinds, is judged by their names; another version may have written them.
+    let tool = crate::manifest::Tool { version: written.tool.version.clone(), ..right.tool.clone() };
+    let right = Manifest { tool, files: written.files.clone(), only: written.only.clone(), ..right.clone() };
+    let mut findings = Vec::new();
+    if let (Ok(found), Ok(right)) = (serde_json::from_slice::<Value>(text), serde_json::to_value(&right)) {
+        compare("", Some(&found), Some(&right), &mut findings);
+    }
+    findings
+}
+
+/// Compares two values that stand at `place`.
+fn compare(place: &str, found: Option<&Value>, right: Option<&Value>, findings: &mut Vec<Finding>) {
+    match (found, right) {
+        (Some(Value::Object(a)), Some(Value::Object(b))) => {
+            let keys = b.keys().chain(a.keys().filter(|key| !b.contains_key(*key)));
+            for key in keys {
+                let dot = if place.is_empty() { "" } else { "." };
+                compare(&format!("{place}{dot}{key}"), a.get(key), b.get(key), findings);
+            }
+        }
+        (Some(Value::Array(a)), Some(Value::Array(b))) => {
+            for i in 0..a.len().max(b.len()) {
+                compare(&format!("{place}[{i}]"), a.get(i), b.get(i), findings);
+            }
+        }
+        (Some(Value::Number(a)), Some(Value::Number(b))) if a.as_f64() == b.as_f64() => {}
+        (a, b) if a == b => {}
+        (a, b) => {
+            let said =
+                |value: Option<&Value>| value.map_or("nothing".to_owned(), |value| quote(&value.to_string()));
+            let found = format!("{place}: {}", said(a));
+            findings.push(Finding::new(FindingCode::Manifest, None, found, said(b)).in_file(MANIFEST));
+        }
+    }
+}
+
+/// Reports the figures that are not those of the exact geometry, whatever the writer of manifests makes of it.
+pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let wrong = |found: String, allowed: String| {
+        Finding::new(FindingCode::Manifest, None, found, allowed).in_file(MANIFEST)
+    };
+    for placed in &expected.design.stars {
+        let seam_mm: f64 = expected.design.part(placed).seams.iter().map(|seam| seam.run().length()).sum();
+        match manifest.stars.iter().find(|star| star.index == placed.index) {
+            Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {
+                let clear = expected.design.part(placed).clear_radius();
+                if (star.clear_radius_mm - clear).abs() > 0.001 {
+                    let found = format!("star {}: a clear radius of {} mm", star.index, star.clear_radius_mm);
+                    findings.push(wrong(found, format!("{clear:.3} mm")));
+                }
+            }
+            Some(star) => findings.push(wrong(
+                format!("star {}: {} mm of seam on sheet {}", star.index, star.seam_mm, star.sheet),
+                format!("{seam_mm:.3} mm on sheet {}", placed.sheet),
+            )),
+            None => findings
+                .push(wrong(format!("no star {}", placed.index), "every star of the design".to_owned())),
+        }
+    }
+    let frame = &expected.design.frame;
+    let posts: usize = manifest.posts.iter().map(|posts| posts.count).sum();
+    let lengths = manifest.posts.iter().map(|posts| (posts.length_mm - frame.post_length).abs());
+    if posts != frame.posts.len() || lengths.fold(0.0, f64::max) > 0.001 {
+        let allowed = format!("{} of {:.3} mm", frame.posts.len(), frame.post_length);
+        findings.push(wrong(format!("posts {:?}", manifest.posts), allowed));
+    }
+    let plates: usize = manifest.plates.iter().map(|plates| plates.plates.len()).sum();
+    if plates != expected.design.stars.len() + 1 {
+        findings.push(wrong(format!("{plates} plates"), format!("{}", expected.design.stars.len() + 1)));
+    }
+    findings
+}

@@ -1,0 +1,226 @@
+//! Which tags a DXF may hold, one by one: all that stands around the entities, and every group code of an entity.
+//!
+//! A group code that a reader of shapes passes over can hide a line, lift it, widen it or scale it. What a file of this
+//! tool says around its entities stands in `dxf_frame.txt`, a record a line, and nothing else may be said.
+
+use crate::verify::finding::quote;
+use crate::verify::read::number;
+use crate::verify::{Finding, FindingCode};
+
+/// A record a line: its name, then `; code value`. `{...}` is what the drawing decides.
+const FRAME: &str = include_str!("dxf_frame.txt");
+
+/// Handle of the first layer; from here on they are counted up, layers first.
+const FIRST_HANDLE: usize = 0x100;
+
+/// The tags of an entity up to its numbers: (name, class).
+const ENTITIES: [(&str, &str); 2] = [("LWPOLYLINE", "AcDbPolyline"), ("CIRCLE", "AcDbCircle")];
+
+/// What the drawing says about the frame of its file.
+pub(in crate::verify) struct DxfFrame<'a> {
+    /// Layers in order: (name, colour).
+    pub(in crate::verify) layers: &'a [(&'a str, &'a str)],
+    /// Lower left corner of the drawing.
+    pub(in crate::verify) min: (f64, f64),
+    /// Upper right corner.
+    pub(in crate::verify) max: (f64, f64),
+    /// How far a number may be off.
+    pub(in crate::verify) tolerance: f64,
+}
+
+/// Reports the first tag of `text` that is not the one that should stand there.
+pub(in crate::verify) fn check(text: &str, frame: &DxfFrame<'_>) -> Result<(), Finding> {
+    let mut tags = Tags { lines: text.lines(), line: 0, ahead: None };
+    let mut handles = Handles { next: FIRST_HANDLE, seed: (0, String::new()) };
+    for record in FRAME.lines() {
+        match record {
+            "{layers}" => frame.layers(&mut tags, &mut handles)?,
+            "{entities}" => entities(&mut tags, frame.layers, &mut handles)?,
+            _ => frame.record(&mut tags, record, &mut handles)?,
+        }
+    }
+    if let Some(tag) = tags.next()? {
+        return Err(wrong(&tag, "the end of the file"));
+    }
+    let (line, seed) = handles.seed;
+    if seed == format!("{:X}", handles.next) {
+        return Ok(());
+    }
+    Err(Finding::new(
+        FindingCode::UnknownWord,
+        line,
+        format!("$HANDSEED {seed}"),
+        format!("{:X}", handles.next),
+    ))
+}
+
+/// The handles given so far.
+struct Handles {
+    next: usize,
+    /// Line and text of the number said to be free.
+    seed: (usize, String),
+}
+
+struct Tag<'a> {
+    line: usize,
+    code: &'a str,
+    value: &'a str,
+}
+
+fn wrong(tag: &Tag<'_>, allowed: &str) -> Finding {
+    let found = format!("{} {}", tag.code, quote(tag.value));
+    Finding::new(FindingCode::UnknownWord, tag.line, found, allowed)
+}
+
+struct Tags<'a> {
+    lines: std::str::Lines<'a>,
+    line: usize,
+    ahead: Option<Tag<'a>>,
+}
+
+impl<'a> Tags<'a> {
+    fn next(&mut self) -> Result<Option<Tag<'a>>, Finding> {
+        if let Some(tag) = self.ahead.take() {
+            return Ok(Some(tag));
+        }
+        let Some(code) = self.lines.next() else { return Ok(None) };
+        let line = self.line + 1;
+        self.line += 2;
+        let Some(value) = self.lines.next() else {
+            return Err(Finding::new(
+                FindingCode::Truncated,
+                line,
+                "a group code without a value",
+                "pairs of lines",
+            ));
+        };
+        Ok(Some(Tag { line, code: code.trim_ascii(), value }))
+    }
+
+    /// The next tag, if it has this group code.
+    fn next_if(&mut self, code: &str) -> Result<Option<Tag<'a>>, Finding> {
+        let tag = self.next()?;
+        match tag {
+            Some(tag) if tag.code == code => Ok(Some(tag)),
+            other => {
+                self.ahead = other;
+                Ok(None)
+            }
+        }
+    }
+
+    /// The next tag, which must have this group code.
+    fn take(&mut self, code: &str, allowed: &str) -> Result<Tag<'a>, Finding> {
+        let allowed = format!("{code} {allowed}");
+        match self.next()? {
+            Some(tag) if tag.code == code => Ok(tag),
+            Some(tag) => Err(wrong(&tag, &allowed)),
+            None => Err(Finding::new(FindingCode::Truncated, self.line, "the end of the file", allowed)),
+        }
+    }
+
+    /// The next tag, which must say just this.
+    fn exactly(&mut self, code: &str, value: &str) -> Result<(), Finding> {
+        let tag = self.take(code, value)?;
+        if tag.value == value { Ok(()) } else { Err(wrong(&tag, &format!("{code} {value}"))) }
+    }
+
+    /// The tags that begin every object with a handle.
+    fn object(&mut self, handles: &mut Handles, owner: &str, class: &str) -> Result<(), Finding> {
+        self.exactly("5", &format!("{:X}", handles.next))?;
+        handles.next += 1;
+        self.exactly("330", owner)?;
+        self.exactly("100", class)
+    }
+}
+
+impl DxfFrame<'_> {
+    /// A record of the frame.
+    fn record(&self, tags: &mut Tags<'_>, record: &str, handles: &mut Handles) -> Result<(), Finding> {
+        let mut parts = record.split("; ");
+        tags.exactly("0", parts.next().unwrap_or_default())?;
+        for part in parts {
+            let (code, value) = part.split_once(' ').unwrap_or((part, ""));
+            let Some(name) = value.strip_prefix('{').and_then(|name| name.strip_suffix('}')) else {
+                tags.exactly(code, value)?;
+                continue;
+            };
+            let tag = tags.take(code, value)?;
+            if name == "handseed" {
+                handles.seed = (tag.line, tag.value.to_owned());
+                continue;
+            }
+            let right = self.number(name);
+            if !number::value(tag.value).is_some_and(|x| (x - right).abs() <= self.tolerance) {
+                return Err(wrong(&tag, &format!("{code} {right}")));
+            }
+        }
+        Ok(())
+    }
+
+    /// What the frame calls `name`.
+    fn number(&self, name: &str) -> f64 {
+        let (min, max) = (self.min, self.max);
+        match name {
+            "min_x" => min.0,
+            "min_y" => min.1,
+            "max_x" => max.0,
+            "max_y" => max.1,
+            "center_x" => min.0.midpoint(max.0),
+            "center_y" => min.1.midpoint(max.1),
+            "height" => max.1 - min.1,
+            // With layer 0, which every file has.
+            #[expect(clippy::cast_precision_loss, reason = "a dozen at most")]
+            "layer_count" => self.layers.len() as f64 + 1.0,
+            _ => f64::NAN,
+        }
+    }
+
+    fn layers(&self, tags: &mut Tags<'_>, handles: &mut Handles) -> Result<(), Finding> {
+        for (name, colour) in self.layers {
+            tags.exactly("0", "LAYER")?;
+            tags.object(handles, "2", "AcDbSymbolTableRecord")?;
+            tags.exactly("100", "AcDbLayerTableRecord")?;
+            for (code, value) in
+                [("2", *name), ("70", "0"), ("62", *colour), ("6", "Continuous"), ("390", "F")]
+            {
+                tags.exactly(code, value)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// All entities, up to the end of their section. Their numbers are read elsewhere.
+fn entities(tags: &mut Tags<'_>, layers: &[(&str, &str)], handles: &mut Handles) -> Result<(), Finding> {
+    while let Some(head) = tags.next_if("0")? {
+        let Some((_, class)) = ENTITIES.iter().find(|(name, _)| *name == head.value) else {
+            if head.value == "ENDSEC" {
+                tags.ahead = Some(head);
+                return Ok(());
+            }
+            return Err(wrong(&head, "LWPOLYLINE, CIRCLE"));
+        };
+        tags.object(handles, "1F", "AcDbEntity")?;
+        let layer = tags.take("8", "a layer")?;
+        if !layers.iter().any(|(name, _)| *name == layer.value) {
+            return Err(wrong(&layer, "a layer of the drawing"));
+        }
+        tags.exactly("100", class)?;
+        if head.value == "CIRCLE" {
+            let _ = (tags.take("10", "X")?, tags.take("20", "Y")?);
+            tags.exactly("30", "0")?;
+            let _ = tags.take("40", "a radius")?;
+            continue;
+        }
+        let _ = tags.take("90", "a number of vertices")?;
+        let flags = tags.take("70", "0 or 1")?;
+        if !matches!(flags.value, "0" | "1") {
+            return Err(wrong(&flags, "70 0 or 1"));
+        }
+        while tags.next_if("10")?.is_some() {
+            let _ = (tags.take("20", "Y")?, tags.next_if("42")?);
+        }
+    }
+    Ok(())
+}
