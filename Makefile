@@ -36,6 +36,7 @@ FILES ?= src/plan/*.rs
 SHARD ?= 0/1
 mutants:
 	@$(call needs,mutants,cargo-mutants)
+	mkdir -p target
 	PROPTEST_RNG_SEED=20 INSTA_UPDATE=no $(CARGO) mutants -f '$(FILES)' --shard $(SHARD) -o target/mutants -- --locked
 
 # Kills and errors at every system call of a publication, by strace (docs/reliability.md). Minutes.
