@@ -15,21 +15,10 @@ use stargrip_cam::pipeline::{Sources, build, prove_files, read_back};
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Machine, Source};
 use stargrip_cam::verify::OutputFiles;
+use support::dice::Dice;
 
 /// A directory as it was published: names and contents.
 type Directory = Vec<(String, Vec<u8>)>;
-
-/// A small generator of numbers, the same on every machine (xorshift).
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        usize::try_from(self.0 >> 16).unwrap_or(0) % n.max(1)
-    }
-}
 
 /// What is edited.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -14,6 +14,7 @@ use stargrip_cam::spec;
 use stargrip_cam::spec::Source;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
 use stargrip_cam::verify::{Findings, SvgOrigin, read_dxf, read_pdf, read_svg};
+use support::dice::Dice;
 
 /// Words that mean something to one of the readers.
 const WORDS: [&[u8]; 24] = [
@@ -42,24 +43,6 @@ const WORDS: [&[u8]; 24] = [
     b"[[stack.star]]\n",
     b"\xff\xfe",
 ];
-
-/// A small generator of numbers, the same on every machine (xorshift).
-struct Dice(u64);
-
-impl Dice {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        usize::try_from(self.0 >> 16).unwrap_or(0) % n.max(1)
-    }
-
-    /// A stretch of at most `most` bytes within `length`.
-    fn stretch(&mut self, length: usize, most: usize) -> std::ops::Range<usize> {
-        let from = self.below(length + 1);
-        from..(from + self.below(most)).min(length)
-    }
-}
 
 fn number(name: &str, default: u64) -> u64 {
     env::var(name).ok().and_then(|value| value.parse().ok()).unwrap_or(default)
