@@ -177,8 +177,8 @@ fn paper_star(points: u32) -> Result<Mechanism, Refusal> {
 
 fn radii() -> String {
     let mut out = String::from(
-        "| n | arm | rho_f, lambda_t = 1.28 | contraction | rho_f, exact target | contraction | rho_f, exact V(lambda) | contraction | rho_f, exact target, hinge width r(1) |\n\
-         |---|---|---|---|---|---|---|---|---|\n",
+        "| n | arm | rho_f, lambda_t = 1.28 | contraction | rho_f, exact target | contraction | rho_f, exact V(lambda) | contraction |\n\
+         |---|---|---|---|---|---|---|---|\n",
     );
     for points in 3..=9 {
         match paper_star(points) {
@@ -195,12 +195,10 @@ fn radii() -> String {
                         100.0 * (1.0 - rest.radius / 0.05)
                     );
                 }
-                let width = ring.corner().edges.map_or(0.0, |edges| edges.width);
-                let true_radius = linear.radius - (width - std::f64::consts::FRAC_2_PI) * 0.03;
-                let _ = writeln!(out, " | {:.1} mm |", true_radius * 1e3);
+                out.push_str(" |\n");
             }
             Err(fault) => {
-                let _ = writeln!(out, "| {points} | {fault} | | | | | | | |");
+                let _ = writeln!(out, "| {points} | {fault} | | | | | | |");
             }
         }
     }

@@ -306,8 +306,7 @@ proptest! {
             nulls("", &json(&prediction), &mut found);
             // What may be absent: what the fit does not know, and what the object or the seal make impossible.
             let allowed = [
-                "lambda_c", "nonlinear", "hinge_width", "final_radius_with_hinge_width_mm", "safe_radius_mm",
-                "payload_kg", "object_force_N",
+                "lambda_c", "nonlinear", "hinge_width", "safe_radius_mm", "payload_kg", "object_force_N",
             ];
             found.retain(|path| !allowed.iter().any(|key| path.contains(key)));
             prop_assert!(found.is_empty(), "{found:?}");

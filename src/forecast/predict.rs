@@ -14,7 +14,6 @@ use crate::mechanics::hinge::{HingeModel, HingeState, Level};
 use crate::mechanics::star::response::Inflated;
 use crate::spec::{KeyPath, ModelChoice, Spec, key};
 use crate::units::{Length, Pressure, Readable};
-use std::f64::consts::FRAC_2_PI;
 use std::fmt;
 use std::sync::LazyLock;
 
@@ -147,8 +146,6 @@ fn answer(asked: &Asked<'_>, model: &dyn HingeModel, choice: &Choice) -> Result<
             numerical_error: tip.effort.error.max(corner.effort.error),
             stretch: case.pressure.map(|_| question.stretch),
             hinge_width: Hinges { tip: width_of(tip), corner: width_of(corner) },
-            final_radius_with_hinge_width_mm: width_of(corner)
-                .map(|width| mm(outcome.rest.radius - (width - FRAC_2_PI) * case.mechanism.width)),
             safe_radius_mm: seal.safe.map(|radius| radius.0),
             warnings,
         },

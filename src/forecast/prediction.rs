@@ -126,8 +126,6 @@ pub struct Evidence {
     pub stretch: Option<f64>,
     /// Inflated width of the hinges over W; the arms' is 2/pi.
     pub hinge_width: Hinges<Option<f64>>,
-    /// Final radius if the corner's true inflated width is used instead of the arms', mm.
-    pub final_radius_with_hinge_width_mm: Option<f64>,
     /// Inner radius from which the seal would hold the pressure, mm, rounded up to a hundredth; `None` if it holds, no
     /// radius helps, or nothing is known.
     pub safe_radius_mm: Option<f64>,

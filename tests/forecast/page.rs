@@ -5,7 +5,6 @@ use stargrip_cam::forecast::prediction::Prediction;
 use stargrip_cam::forecast::report::text;
 use stargrip_cam::spec::{KeyPath, Spec, key};
 use stargrip_cam::units::{Length, Percent, Pressure};
-use std::f64::consts::FRAC_2_PI;
 
 fn page(spec: &Spec) -> (Prediction, String) {
     let prediction = predict(spec);
@@ -89,16 +88,6 @@ fn without_a_pressure_the_error_is_that_of_high_pressure() {
     spec.load = None;
     let (_, page) = page(&spec);
     assert!(page.contains("error at high pressure") && !page.contains("error of"), "{page}");
-}
-
-/// rho = ... - W' sin(pi/n) / sin(pi/n): the corner's width W' counts once, so a wider corner closes by as much more.
-#[test]
-fn the_true_width_of_the_corner_moves_the_final_radius_by_as_much() {
-    let star = predict(&paper(5)).first;
-    let width = star.evidence.hinge_width.corner.expect("the ring knows it");
-    assert!(width > 0.0 && width < 1.0 && (width - FRAC_2_PI).abs() > 1e-3);
-    let moved = star.final_radius_mm - (width - FRAC_2_PI) * 30.0;
-    close(star.evidence.final_radius_with_hinge_width_mm.expect("the ring knows it"), moved, 1e-12);
 }
 
 /// The asymmetric hinges are warned of from the accepted error on, and what they do is said.
