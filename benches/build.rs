@@ -53,8 +53,8 @@ fn planned_and_emitted(bencher: divan::Bencher, machine: &Machine, stars: usize)
         for sheet in &design.sheets {
             for drawing in [Drawing::seals(&design, sheet.index), Drawing::outlines(&design, sheet.index)] {
                 let drawing = drawing.expect("a sheet");
-                bytes += emit::svg("bench", &drawing, spec.accuracy.path).len();
-                bytes += emit::dxf(&drawing, spec.accuracy.path).len();
+                bytes += emit::svg("bench", &drawing, spec.accuracy.path, spec.cut.colours).len();
+                bytes += emit::dxf(&drawing, spec.accuracy.path, spec.cut.colours).len();
             }
         }
         black_box(bytes)

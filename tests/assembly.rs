@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path as FilePath;
 
 use stargrip_cam::artifact::{Format, Kind, Subject};
-use stargrip_cam::geom::{Path, Point, Vec2};
+use stargrip_cam::geom::{Isometry, Path, Point, Vec2};
 use stargrip_cam::manifest::{Manifest, ManifestFile};
 use stargrip_cam::pipeline::Built;
 use stargrip_cam::verify::{Drawing, Findings, SvgOrigin, read_dxf, read_pdf, read_svg};
@@ -307,6 +307,47 @@ fn windows_stay_apart_and_shrink_by_the_creep() {
     }
 }
 
+/// A tool that takes 0.3 mm away runs 0.15 mm inside of what it cuts out of a part, and outside of what it cuts around.
+#[test]
+fn what_is_cut_comes_out_as_it_is_drawn() {
+    let kerf = "[cut]\nkerf = \"0.3 mm\"\n";
+    let cut = support::build(&format!("{}\n{kerf}", support::PAPER)).expect("a design");
+    let plain = support::build(support::PAPER).expect("a design");
+    let (with, without) = (Box::new(&cut), Box::new(&plain));
+    for (subject, outside) in [
+        (Subject::Outline, &["cut-outside"][..]),
+        (Subject::Mask, &["mask-plate"]),
+        (Subject::Frame, &["frame-edge"]),
+    ] {
+        for ((file, drawn), (_, part)) in with.all(subject).iter().zip(without.all(subject)) {
+            for (layer, paths) in drawn.layers.iter().filter(|(layer, _)| *layer != "label") {
+                // The sheet is larger by the kerf around the part, so the part lies farther in.
+                let shift =
+                    if subject == Subject::Outline { Vec2::new(0.15, 0.15) } else { Vec2::new(0.0, 0.0) };
+                let move_back = Isometry::translation(-shift);
+                for (path, edge) in paths.iter().zip(part.layer(layer)) {
+                    for segment in &path.segments {
+                        let p = move_back.point(segment.point(0.3));
+                        near(edge.distance(p), 0.15);
+                        assert_eq!(
+                            edge.encloses(p),
+                            !outside.contains(&layer.as_str()),
+                            "{}: {layer}",
+                            file.path
+                        );
+                    }
+                }
+            }
+        }
+    }
+    // What is printed has no kerf.
+    for (a, b) in cut.artifacts.iter().zip(&plain.artifacts) {
+        if matches!(a.output.kind, Kind::MaskPdf | Kind::MaskStl) {
+            assert!(a.bytes == b.bytes, "{}", a.output.name());
+        }
+    }
+}
+
 #[test]
 fn what_does_not_fit_is_refused_with_numbers() {
     for (more, key, number) in [
@@ -314,6 +355,12 @@ fn what_does_not_fit_is_refused_with_numbers() {
         ("[mask]\ncreep = \"20 mm\"\n", "mask.creep", "at most 17.49 mm"),
         ("[stack]\ncount = 2\npitch = \"20 mm\"\n", "stack.pitch", "at least 24.1"),
         ("[frame]\nkerf = \"6 mm\"\n", "frame.kerf", "below 6 mm"),
+        ("[cut]\nkerf = \"3 mm\"\n", "cut.kerf", "a registration hole of 3 mm"),
+        (
+            "[cut]\nkerf = \"40 mm\"\n[sheet]\nhole_diameter = \"0 mm\"\n",
+            "cut.kerf",
+            "nothing of a coating window",
+        ),
         ("[frame]\nposts = 60\n", "frame.posts", "needs 21.14"),
         ("[sheet]\nwidth = \"300 mm\"\n", "sheet.width", "33.04"),
     ] {

@@ -9,6 +9,7 @@ use proptest::prelude::*;
 use stargrip_cam::design::{Drawing, Layer, Origin, Shape, Side};
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment};
 use stargrip_cam::plan::{Height, LONGEST_MOVE, Program, Purpose, SeamReport, Step, pieces};
+use stargrip_cam::spec::Colours;
 use stargrip_cam::units::Length;
 use stargrip_cam::verify::gcode::{Dialect, read_program};
 use stargrip_cam::verify::{SvgOrigin, deviation};
@@ -76,8 +77,8 @@ proptest! {
         };
         let tolerance = Length(0.001);
         let exact = [path.clone()];
-        let svg = verify::read_svg(&emit::svg("arcs", &drawing, tolerance), SvgOrigin::LowerLeft);
-        let dxf = verify::read_dxf(&emit::dxf(&drawing, tolerance));
+        let svg = verify::read_svg(&emit::svg("arcs", &drawing, tolerance, Colours::One), SvgOrigin::LowerLeft);
+        let dxf = verify::read_dxf(&emit::dxf(&drawing, tolerance, Colours::One));
         for found in [&svg, &dxf] {
             prop_assert_eq!(&found.findings, &[]);
             let off = deviation(found.layer("seal-outer"), &exact).largest();

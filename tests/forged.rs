@@ -191,7 +191,17 @@ fn what_hides_moves_or_widens_a_drawing_is_found() {
             (" id=", " clip-path=\"url(#a)\" id=", "unknown-word"),
             ("fill=\"none\"", "fill=\"black\"", "unknown-word"),
             ("fill=\"none\" ", "", "unknown-word"),
-            ("stroke-width=\"0.01\"", "stroke-width=\"30\"", "unknown-word"),
+            ("stroke-width=\"1\"", "stroke-width=\"30\"", "unknown-word"),
+            ("stroke-width=\"1\" ", "", "unknown-word"),
+            ("non-scaling-stroke;", "non-scaling-stroke;display:none;", "unknown-word"),
+            ("inkscape:groupmode=\"layer\" ", "", "unknown-word"),
+            (
+                "inkscape:groupmode=\"layer\" ",
+                "inkscape:groupmode=\"layer\" inkscape:collect=\"always\" ",
+                "unknown-word",
+            ),
+            ("inkscape:label=\"", "inkscape:label=\"not-", "unknown-word"),
+            ("/namespaces/inkscape", "/namespaces/other", "unknown-word"),
             ("stroke=\"#", "stroke=\"#1", "unknown-word"),
             ("viewBox=\"", "viewBox=\"1", "wrong-size"),
         ] {

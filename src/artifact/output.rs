@@ -1,7 +1,7 @@
 //! Outputs: which files a design has. The one table that the builder fills and the verifier asks for.
 
-use crate::artifact::kind::{Kind, Subject};
-use crate::design::{Design, Drawing, MaskPlate, Paper, PlacedStar};
+use crate::artifact::kind::{Format, Kind, Subject};
+use crate::design::{Design, Drawing, Edge, MaskPlate, Paper, PlacedStar};
 use crate::spec::{ProgramScope, Spec};
 
 /// One file of a design: what it is, and of which part. Everything else about it follows, its name too.
@@ -64,12 +64,20 @@ impl Output {
         MaskPlate::caption(self.star.unwrap_or(0), self.mirrored)
     }
 
+    /// Printed parts come out as they are drawn; what is cut loses the kerf.
+    fn edge(&self) -> Edge {
+        match self.kind.format() {
+            Format::Stl | Format::Pdf => Edge::Part,
+            _ => Edge::Tool,
+        }
+    }
+
     /// The exact geometry that it shows; `None` for what is no drawing, or shows a part that `design` does not have.
     pub fn drawing(&self, design: &Design) -> Option<Drawing> {
         match self.kind.subject() {
             Subject::Seal => Drawing::seals(design, self.sheet?),
             Subject::Outline => Drawing::outlines(design, self.sheet?),
-            Subject::Mask => Drawing::mask(design, self.star?, self.mirrored),
+            Subject::Mask => Drawing::mask(design, self.star?, self.mirrored, self.edge()),
             Subject::Frame => {
                 let plate =
                     design.frame.plates.iter().find(|plate| plate.numbers.first() == self.plate.as_ref());

@@ -151,7 +151,7 @@ fn drawing(name: &str, spec: &Spec, seams: &[Piece]) -> String {
     let layers = vec![(Layer::SealOuter, seals), (Layer::Label, labels)];
     let (width, height) = (bounds.max.x + 10.0, bounds.max.y + 10.0);
     let drawing = Drawing { origin: Origin::LowerLeft, width, height, layers };
-    emit::svg(&format!("coupon {name}"), &drawing, spec.accuracy.path)
+    emit::svg(&format!("coupon {name}"), &drawing, spec.accuracy.path, spec.cut.colours)
 }
 
 /// Straight ways down and up before and after an open path.

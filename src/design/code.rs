@@ -34,7 +34,7 @@ codes! {
         StraightCorner "straight-corner" "The reentrant corners would be straight or open outwards; narrow the tips or add points.",
         TooLarge "too-large" "The star is larger than 200 m; widen the tips or shrink it.",
         TubeBetweenPlates "tube-between-plates" "The inflated tube does not fit between its plates; make pitch larger.",
-        WideKerf "wide-kerf" "The cut is wider than a post's hole; make kerf smaller.",
+        WideKerf "wide-kerf" "The cut is wider than what it is to cut out; make kerf smaller.",
         WrongOpening "wrong-opening" "A leak: a loop is open that must be closed, or the other way round; change the `inlet` section.",
     }
 }

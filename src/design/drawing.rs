@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-use crate::design::{Design, Plate, Side, label, lettering};
+use crate::design::{Design, Plate, Side, StarDesign, label, lettering};
 use crate::geom::{Arc, Bounds, Isometry, Line, Path, Point};
 
 /// Exact geometry on a page.
@@ -26,6 +26,15 @@ pub enum Origin {
     LowerLeft,
     /// On the star's axis; the page's lower left corner lies at this point.
     Axis(Point),
+}
+
+/// Which lines a drawing of a part has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edge {
+    /// The part's own edges: for what is printed.
+    Part,
+    /// The middle of the tool that cuts them, half a kerf beside.
+    Tool,
 }
 
 /// What a shape is for. Names are part of every file.
@@ -159,20 +168,17 @@ impl Drawing {
         )
     }
 
-    /// The cuts of all stars on sheet `sheet`, holes first, so that no part moves before its holes are made.
+    /// The cut lines of all stars on sheet `sheet`, holes first, so that no part moves before its holes are made.
     pub fn outlines(design: &Design, sheet: usize) -> Option<Self> {
         let (mut labels, mut holes, mut inside, mut outside) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for placed in design.on_sheet(sheet) {
             let part = design.part(placed);
-            let outline = &part.outline;
-            labels.extend(Shape::figure(label::on_outline(part, placed)));
             let place = |path: &Path| Shape::Path(placed.placement.path(path));
-            holes.extend(
-                outline.registration.iter().map(|hole| circle(&placed.placement, hole.center, hole.diameter)),
-            );
-            inside.push(place(&outline.hole));
-            outside.push(place(&outline.outside));
+            labels.extend(Shape::figure(label::on_outline(part, placed)));
+            holes.extend(registration(part, &placed.placement, part.cut.kerf));
+            inside.push(place(&part.cut.hole));
+            outside.push(place(&part.cut.outside));
         }
         let layers = vec![
             (Layer::Label, labels),
@@ -184,18 +190,21 @@ impl Drawing {
     }
 
     /// The mask of the distinct star to which star number `star` belongs, turned over for its other face if `mirrored`.
-    pub fn mask(design: &Design, star: usize, mirrored: bool) -> Option<Self> {
+    pub fn mask(design: &Design, star: usize, mirrored: bool, edge: Edge) -> Option<Self> {
         let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
         let mask = &part.mask;
         let motion = if mirrored { Isometry::mirror() } else { Isometry::IDENTITY };
         let place = |path: &Path| Shape::Path(motion.path(path));
-        let holes = part.outline.registration.iter().map(|hole| circle(&motion, hole.center, hole.diameter));
+        let (plate, windows, kerf) = match edge {
+            Edge::Part => (&mask.plate, &mask.windows, 0.0),
+            Edge::Tool => (&part.cut.plate, &part.cut.windows, part.cut.kerf),
+        };
         let labels = Shape::figure(label::on_mask(part, mask, star, mirrored));
         Some(Self::around_axis(vec![
             (Layer::Label, labels.into_iter().collect()),
-            (Layer::Registration, holes.collect()),
-            (Layer::MaskWindow, mask.windows.iter().map(place).collect()),
-            (Layer::MaskPlate, vec![place(&mask.plate)]),
+            (Layer::Registration, registration(part, &motion, kerf).collect()),
+            (Layer::MaskWindow, windows.iter().map(place).collect()),
+            (Layer::MaskPlate, vec![place(plate)]),
         ]))
     }
 
@@ -237,8 +246,12 @@ impl Drawing {
     }
 }
 
-fn circle(placement: &Isometry, center: Point, diameter: f64) -> Shape {
-    Shape::Circle { center: placement.point(center), radius: diameter / 2.0 }
+/// The registration holes of a part, as a tool with this kerf cuts them.
+fn registration(part: &StarDesign, motion: &Isometry, kerf: f64) -> impl Iterator<Item = Shape> {
+    part.outline.registration.iter().map(move |hole| Shape::Circle {
+        center: motion.point(hole.center),
+        radius: (hole.diameter - kerf) / 2.0,
+    })
 }
 
 /// Numbers of a plate and a tick at its +X, written in the strip that carries the posts.

@@ -1,10 +1,9 @@
 //! Masks: plates that leave the corners of one star free for the coating.
 
-use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
-
+use crate::design::offset::offset;
 use crate::design::window::{Reach, Zone};
 use crate::design::{Outline, Refusal, RefusalCode, Star, Warning};
-use crate::geom::{Arc, Isometry, Line, Path, Point, Segment};
+use crate::geom::{Isometry, Path};
 use crate::spec::{Spec, StarSpec, key};
 use crate::units::Readable;
 
@@ -46,7 +45,7 @@ impl MaskPlate {
         };
         let window = zone.window(extent)?;
         let windows = (1..=star.n).map(|k| Isometry::rotation(star.corner_ray(k)).path(&window)).collect();
-        let plate = grown(&outline.outside, mask.border.0).ok_or_else(|| no_plate(mask.border.0))?;
+        let plate = offset(&outline.outside, mask.border.0).ok_or_else(|| no_plate(mask.border.0))?;
         Ok(Self { plate, windows, extent, wanted, border: mask.border.0 })
     }
 
@@ -89,35 +88,6 @@ impl MaskPlate {
         let holes: f64 = outline.registration.iter().map(super::outline::Circle::area).sum();
         self.plate.area() - self.windows.iter().map(Path::area).sum::<f64>() - holes
     }
-}
-
-/// A closed counterclockwise path grown by `border`, with round outward corners; `None` if nothing comes out.
-fn grown(path: &Path, border: f64) -> Option<Path> {
-    if border <= 0.0 {
-        return Some(path.clone());
-    }
-    let mut line: Polyline<f64> = Polyline::new_closed();
-    for segment in &path.segments {
-        // A bulge can say up to half a turn.
-        let pieces = match segment {
-            Segment::Arc(arc) if arc.sweep.abs() > 3.0 => 2,
-            _ => 1,
-        };
-        for i in 0..pieces {
-            let part = segment.part(f64::from(i) / f64::from(pieces), f64::from(i + 1) / f64::from(pieces));
-            let bulge = if let Segment::Arc(arc) = part { arc.bulge() } else { 0.0 };
-            let start = part.start();
-            line.add(start.x, start.y, bulge);
-        }
-    }
-    // To the right of a counterclockwise path is outside. Where a wedge closes up, islands come out too.
-    let loops = line.parallel_offset(-border);
-    let largest = loops.iter().max_by(|a, b| a.area().total_cmp(&b.area()))?;
-    let segments = largest.iter_segments().map(|(a, b)| {
-        let (from, to) = (Point::new(a.x, a.y), Point::new(b.x, b.y));
-        Arc::from_bulge(from, to, a.bulge).map_or_else(|| Line::new(from, to).into(), Segment::from)
-    });
-    Some(Path::closed(segments.collect())).filter(|plate| plate.area() > path.area())
 }
 
 fn too_far(wanted: f64, most: f64) -> Refusal {

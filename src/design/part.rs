@@ -1,6 +1,6 @@
 //! One distinct star with everything that is drawn of it, in the star's own frame.
 
-use crate::design::{Channel, MaskPlate, Outline, Refusal, Refusals, Seam, Side, Star};
+use crate::design::{Channel, CutLines, MaskPlate, Outline, Refusal, Refusals, Seam, Side, Star};
 use crate::geom::{Bounds, Path};
 use crate::spec::{Fabric, Spec, StarSpec};
 
@@ -23,6 +23,8 @@ pub struct StarDesign {
     pub outline: Outline,
     /// The coating mask.
     pub mask: MaskPlate,
+    /// Where the tool travels to cut both.
+    pub cut: CutLines,
 }
 
 /// The radius that the band makes of a hinge, and the cusp that it leaves.
@@ -67,12 +69,27 @@ impl StarDesign {
         let mask = outline.as_ref().and_then(|outline| {
             MaskPlate::new(spec, star_spec, &star, outline).map_err(|refusal| refuse(refusal.into())).ok()
         });
-        match (inner, outer, outline, drawn, realised, mask) {
-            (Some(inner), Some(outer), Some(outline), Some(edges), Some(realised_edges), Some(mask))
+        let cut = outline.as_ref().zip(mask.as_ref()).and_then(|(outline, mask)| {
+            CutLines::new(spec.cut.kerf.0, &star, outline, mask)
+                .map_err(|refusal| refuse(refusal.into()))
+                .ok()
+        });
+        match (inner.zip(outer), outline, drawn.zip(realised), mask, cut) {
+            (Some((inner, outer)), Some(outline), Some((edges, realised_edges)), Some(mask), Some(cut))
                 if refusals.is_empty() =>
             {
                 let seams = [inner, outer];
-                Ok(Self { star, band: seal.band.0, channel, edges, realised_edges, seams, outline, mask })
+                Ok(Self {
+                    star,
+                    band: seal.band.0,
+                    channel,
+                    edges,
+                    realised_edges,
+                    seams,
+                    outline,
+                    mask,
+                    cut,
+                })
             }
             _ => Err(refusals),
         }
@@ -105,7 +122,7 @@ impl StarDesign {
             .iter()
             .map(|seam| seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp)).bounds())
             .map(|bounds| bounds.grown(self.band / 2.0))
-            .fold(self.outline.outside.bounds(), Bounds::union)
+            .fold(self.cut.outside.bounds(), Bounds::union)
     }
 
     /// Radius of the largest circle around the axis that the hole-side flap leaves free.

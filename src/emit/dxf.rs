@@ -5,6 +5,7 @@
 use crate::design::{Drawing, Layer, Shape};
 use crate::emit::number::Decimals;
 use crate::geom::{Path, Point, Segment};
+use crate::spec::Colours;
 use crate::units::Length;
 
 const SKELETON: &str = include_str!("../../templates/drawing.dxf");
@@ -16,11 +17,11 @@ const FIRST_HANDLE: u32 = 0x100;
 const BULGE: u32 = 9;
 
 /// The drawing as a DXF document.
-pub fn dxf(drawing: &Drawing, path: Length) -> String {
+pub fn dxf(drawing: &Drawing, path: Length, colours: Colours) -> String {
     let mut writer =
         Writer { decimals: Decimals::for_tolerance(path), handle: FIRST_HANDLE, out: String::new() };
     for (layer, _) in &drawing.layers {
-        writer.layer(*layer);
+        writer.layer(*layer, color(*layer, colours));
     }
     let layers = std::mem::take(&mut writer.out);
     for (layer, shapes) in &drawing.layers {
@@ -93,13 +94,13 @@ impl Writer {
         self.tag("330", owner);
     }
 
-    fn layer(&mut self, layer: Layer) {
+    fn layer(&mut self, layer: Layer, color: &str) {
         self.begin("LAYER", "2");
         self.tag("100", "AcDbSymbolTableRecord");
         self.tag("100", "AcDbLayerTableRecord");
         self.tag("  2", layer.name());
         self.tag(" 70", "0");
-        self.tag(" 62", color(layer));
+        self.tag(" 62", color);
         self.tag("  6", "Continuous");
         self.tag("390", "F");
     }
@@ -154,15 +155,16 @@ fn halved(segment: &Segment) -> impl Iterator<Item = Segment> {
     std::iter::once(first).chain(second)
 }
 
-/// AutoCAD colour index of a layer, as near to the SVG's colour as the palette is.
-fn color(layer: Layer) -> &'static str {
-    match layer {
-        Layer::SealInner => "5",
-        Layer::SealOuter => "3",
-        Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => "1",
-        Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => "6",
-        Layer::Registration | Layer::PostHole => "7",
-        Layer::Label | Layer::PaperMark => "4",
+/// AutoCAD colour index of a layer: the SVG's colour, which is one of the palette's first six.
+fn color(layer: Layer, colours: Colours) -> &'static str {
+    match (layer, colours) {
+        (Layer::SealInner, _) => "5",
+        (Layer::SealOuter, _) => "3",
+        (Layer::Label | Layer::PaperMark, Colours::One) => "5",
+        (Layer::Label | Layer::PaperMark, Colours::Ordered) => "4",
+        (Layer::Registration | Layer::PostHole, Colours::Ordered) => "5",
+        (Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => "6",
+        _ => "1",
     }
 }
 
@@ -180,7 +182,7 @@ mod tests {
             height: 8.0,
             layers: vec![(Layer::PostHole, vec![Shape::Circle { center: Point::ORIGIN, radius: 1.0 }])],
         };
-        let text = dxf(&drawing, Length(0.001));
+        let text = dxf(&drawing, Length(0.001), Colours::One);
         let lines: Vec<&str> = text.lines().collect();
         assert!(!text.contains('@') && lines.len().is_multiple_of(2));
         for pair in lines.chunks_exact(2) {

@@ -1,4 +1,4 @@
-//! SVG drawings at 1:1 for cutters: millimetres, arcs as arcs, hairlines, a group for each layer.
+//! SVG drawings at 1:1 for cutters: millimetres, arcs as arcs, hairlines that are seen, an Inkscape layer for each layer.
 
 use svg::node::element::Element;
 use svg::{Document, Node};
@@ -7,13 +7,19 @@ use crate::design::{Drawing, Layer, Origin, Shape};
 use crate::emit::number::Decimals;
 use crate::emit::text::inert;
 use crate::geom::{Path, Point, Segment};
+use crate::spec::Colours;
 use crate::units::Length;
 
-/// Width of a hairline, mm: cutters take lines this thin as cuts instead of engraving them.
-const HAIRLINE: &str = "0.01";
+/// One pixel wide at any zoom, so that the line is seen; Inkscape knows it as its hairline, which printer drivers of lasers
+/// get as the thinnest line there is, and so as a cut. Readers of outlines pass over it. It must stand on every
+/// shape: what a group says of `vector-effect` does not reach its members.
+const HAIRLINE: [(&str, &str); 2] =
+    [("stroke-width", "1"), ("style", "vector-effect:non-scaling-stroke;-inkscape-stroke:hairline")];
+
+const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
 
 /// The drawing as an SVG document.
-pub fn svg(title: &str, drawing: &Drawing, path: Length) -> String {
+pub fn svg(title: &str, drawing: &Drawing, path: Length, colours: Colours) -> String {
     let decimals = Decimals::for_tolerance(path);
     let (page, mut document) = match drawing.origin {
         Origin::LowerLeft => {
@@ -27,29 +33,35 @@ pub fn svg(title: &str, drawing: &Drawing, path: Length) -> String {
             (SvgPage { height: 0.0, decimals }, sized.set("viewBox", format!("{x} {y} {w} {h}")))
         }
     };
+    document = document.set("xmlns:inkscape", INKSCAPE);
     for (layer, shapes) in &drawing.layers {
         let mut group = element("g");
         group.assign("id", layer.name());
+        group.assign("inkscape:groupmode", "layer");
+        group.assign("inkscape:label", layer.name());
         group.assign("fill", "none");
-        group.assign("stroke", color(*layer));
-        group.assign("stroke-width", HAIRLINE);
+        group.assign("stroke", color(*layer, colours));
         for shape in shapes {
-            group.append(page.shape(shape));
+            let mut shape = page.shape(shape);
+            HAIRLINE.iter().for_each(|(name, value)| shape.assign(*name, *value));
+            group.append(shape);
         }
         document.append(group);
     }
     format!("{document}\n")
 }
 
-/// One colour a layer; cutters order their work by colour.
-fn color(layer: Layer) -> &'static str {
-    match layer {
-        Layer::SealInner => "#0000ff",
-        Layer::SealOuter => "#008000",
-        Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => "#ff0000",
-        Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => "#ff00ff",
-        Layer::Registration | Layer::PostHole => "#000000",
-        Layer::Label | Layer::PaperMark => "#00a0a0",
+/// The colour of a layer, one of the six that are pure: laser programs tell by it what to cut, to engrave, and when. Red cuts
+/// everywhere; black never does, for it is a picture to be engraved.
+fn color(layer: Layer, colours: Colours) -> &'static str {
+    match (layer, colours) {
+        (Layer::SealInner, _) => "#0000ff",
+        (Layer::SealOuter, _) => "#00ff00",
+        (Layer::Label | Layer::PaperMark, Colours::One) => "#0000ff",
+        (Layer::Label | Layer::PaperMark, Colours::Ordered) => "#00ffff",
+        (Layer::Registration | Layer::PostHole, Colours::Ordered) => "#0000ff",
+        (Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => "#ff00ff",
+        _ => "#ff0000",
     }
 }
 

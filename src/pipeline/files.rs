@@ -59,8 +59,8 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
     let drawing = output.drawing(&forecast.design)?;
     let title = output.title(&spec.name);
     Some(match output.kind.format() {
-        Format::Svg => emit::svg(&title, &drawing, spec.accuracy.path).into_bytes(),
-        Format::Dxf => emit::dxf(&drawing, spec.accuracy.path).into_bytes(),
+        Format::Svg => emit::svg(&title, &drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
+        Format::Dxf => emit::dxf(&drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
         Format::Stl => emit::stl(&drawing, spec.mask.thickness.0),
         Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
         Format::Toml | Format::Gcode | Format::Json => return None,

@@ -97,6 +97,7 @@ keys! {
         PLATE_THICKNESS "plate_thickness", CLEARANCE "clearance", POST_DIAMETER "post_diameter", POSTS "posts",
         KERF "kerf",
     }
+    cut "cut" { KERF "kerf", COLOURS "colours" }
     sheet "sheet" {
         WIDTH "width", HEIGHT "height", MARGIN "margin", GAP "gap", TURN "turn", HOLE_DIAMETER "hole_diameter",
     }

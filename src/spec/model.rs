@@ -19,6 +19,8 @@ pub struct Spec {
     pub mask: Mask,
     /// `[frame]`
     pub frame: FrameSpec,
+    /// `[cut]`
+    pub cut: CutSpec,
     /// `[sheet]`
     pub sheet: Sheet,
     /// `[machine]`
@@ -144,8 +146,26 @@ pub struct FrameSpec {
     pub post_diameter: Length,
     /// Number of posts, 3 to 64.
     pub posts: u32,
+    /// Width of the cut; that of `[cut]` unless said otherwise.
+    pub kerf: Length,
+}
+
+/// How masks, outlines and frames are cut.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutSpec {
     /// Width of the cut.
     pub kerf: Length,
+    /// How the colours of drawings tell what is cut, and when.
+    pub colours: Colours,
+}
+
+/// Colours of cutting drawings, by which laser programs tell what to do with a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colours {
+    /// Everything that is cut in one colour; the file's order says what comes first.
+    One,
+    /// Holes, windows and outer edges each in a colour of their own, for programs that order their work by colour.
+    Ordered,
 }
 
 /// The fabric as it lies on the machine.

@@ -7,8 +7,8 @@ use crate::spec::allowed::{Allowed, EXTRA, SIZE};
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
 use crate::spec::model::{
-    Accuracy, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask, ModelChoice, ProgramScope, Seal,
-    Sheet, Spec,
+    Accuracy, Colours, CutSpec, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask, ModelChoice,
+    ProgramScope, Seal, Sheet, Spec,
 };
 use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
@@ -99,6 +99,7 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
     let name = read_name(&mut root);
     let fabric = read_fabric(&mut reader.section("fabric"));
     let (stars, inlet) = stars::read(reader);
+    let cut = read_cut(&mut reader.section("cut"));
     Spec {
         name,
         fabric,
@@ -106,7 +107,8 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
         inlet,
         seal: read_seal(&mut reader.section("seal")),
         mask: read_mask(&mut reader.section("mask")),
-        frame: read_frame(&mut reader.section("frame")),
+        frame: read_frame(&mut reader.section("frame"), cut.kerf),
+        cut,
         sheet: read_sheet(&mut reader.section("sheet")),
         machine: read_choice(&mut reader.section("machine")),
         load: read_load(&mut reader.section("load")),
@@ -170,13 +172,22 @@ fn read_mask(s: &mut Section<'_, '_>) -> Mask {
     }
 }
 
-fn read_frame(s: &mut Section<'_, '_>) -> FrameSpec {
+fn read_frame(s: &mut Section<'_, '_>, kerf: Length) -> FrameSpec {
     FrameSpec {
         plate_thickness: length(s, "plate_thickness", SIZE, 5.0),
         clearance: length(s, "clearance", EXTRA, 5.0),
         post_diameter: length(s, "post_diameter", SIZE, 6.0),
         posts: s.count("posts", 3, 64).unwrap_or(4),
+        kerf: s.quantity("kerf", EXTRA).unwrap_or(kerf),
+    }
+}
+
+fn read_cut(s: &mut Section<'_, '_>) -> CutSpec {
+    CutSpec {
         kerf: length(s, "kerf", EXTRA, 0.0),
+        colours: s
+            .choice("colours", &[("one", Colours::One), ("ordered", Colours::Ordered)])
+            .unwrap_or(Colours::One),
     }
 }
 

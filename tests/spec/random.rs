@@ -72,6 +72,7 @@ const KEYS: &[Key] = &[
     key("frame", "clearance", LENGTH, EXTRA, |s, x| s.frame.clearance = Length(x)),
     key("frame", "post_diameter", LENGTH, SIZE, |s, x| s.frame.post_diameter = Length(x)),
     key("frame", "kerf", LENGTH, EXTRA, |s, x| s.frame.kerf = Length(x)),
+    key("cut", "kerf", LENGTH, EXTRA, |s, x| s.cut.kerf = Length(x)),
     key("sheet", "width", LENGTH, SIZE, |s, x| s.sheet.width = Some(Length(x))),
     key("sheet", "height", LENGTH, SIZE, |s, x| s.sheet.height = Some(Length(x))),
     key("sheet", "margin", LENGTH, EXTRA, |s, x| s.sheet.margin = Length(x)),
@@ -187,6 +188,10 @@ proptest! {
             let (value, base) = written(key, how);
             (key.set)(&mut expected, base);
             lines.push((key.section, format!("{begin}{value}\n")));
+        }
+        // A frame is cut as all else is, unless it says otherwise.
+        if !lines.iter().any(|(section, line)| *section == "frame" && line.starts_with("kerf")) {
+            expected.frame.kerf = expected.cut.kerf;
         }
         let found = try_read(&document(&lines));
         prop_assert!(found.is_ok(), "{}", found.expect_err("checked"));

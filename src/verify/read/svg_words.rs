@@ -10,6 +10,9 @@ use crate::verify::{FindingCode, Findings};
 /// The namespace without which a browser shows nothing.
 const SVG: &str = "http://www.w3.org/2000/svg";
 
+/// The namespace of what Inkscape says of layers.
+const INKSCAPE: &str = "http://www.inkscape.org/namespaces/inkscape";
+
 /// Faults after which the rest of a file is not worth a look.
 const ENOUGH: usize = 20;
 
@@ -24,6 +27,8 @@ enum Says {
     OneOf(&'static [&'static str]),
     /// The colour of the layer whose group it stands on.
     LayerColour,
+    /// The name of that layer.
+    Layer,
     /// "none", or "#" and six digits.
     Colour,
     /// A plain number that is not below 0.
@@ -44,6 +49,17 @@ pub(in crate::verify) struct Words {
     all: bool,
 }
 
+/// How lines of a drawing look: one pixel wide at any zoom, as thin as can be for a cutter.
+macro_rules! hairline {
+    ($($more:expr),*) => {
+        &[
+            $($more,)*
+            ("stroke-width", Says::Is("1")),
+            ("style", Says::Is("vector-effect:non-scaling-stroke;-inkscape-stroke:hairline")),
+        ]
+    };
+}
+
 /// A drawing for cutters: outlines without fill, as hairlines, in the colour of their layer.
 pub(in crate::verify) const DRAWING: Words = Words {
     rows: &[
@@ -54,13 +70,14 @@ pub(in crate::verify) const DRAWING: Words = Words {
             &["svg"],
             &[
                 ("id", Says::Name),
+                ("inkscape:groupmode", Says::Is("layer")),
+                ("inkscape:label", Says::Layer),
                 ("fill", Says::Is("none")),
                 ("stroke", Says::LayerColour),
-                ("stroke-width", Says::Is("0.01")),
             ],
         ),
-        ("path", &["g"], &[("d", Says::Shape)]),
-        ("circle", &["g"], &[("cx", Says::Shape), ("cy", Says::Shape), ("r", Says::Shape)]),
+        ("path", &["g"], hairline!(("d", Says::Shape))),
+        ("circle", &["g"], hairline!(("cx", Says::Shape), ("cy", Says::Shape), ("r", Says::Shape))),
     ],
     all: true,
 };
@@ -188,14 +205,23 @@ impl Reader<'_> {
         }
         let layer = node.attribute("id").unwrap_or("");
         for attribute in node.attributes() {
-            let (known, value) = (attribute.name(), attribute.value());
-            let says = attributes.iter().find(|(name, _)| *name == known && attribute.namespace().is_none());
+            let known = match attribute.namespace() {
+                None => attribute.name().to_owned(),
+                Some(INKSCAPE) => format!("inkscape:{}", attribute.name()),
+                Some(other) => format!("{other}:{}", attribute.name()),
+            };
+            let value = attribute.value();
+            let says = attributes.iter().find(|(name, _)| *name == known);
             if !says.is_some_and(|(_, says)| self.fits(*says, value, layer)) {
                 let allowed = self.allowed(attributes, says.map(|(_, says)| *says), layer);
                 self.refuse(node, &format!("{known}={} on <{name}>", quote(value)), &allowed);
             }
         }
-        let missing = attributes.iter().find(|(name, _)| self.words.all && !node.has_attribute(*name));
+        let says = |name: &str| match name.strip_prefix("inkscape:") {
+            Some(name) => node.has_attribute((INKSCAPE, name)),
+            None => node.has_attribute(name),
+        };
+        let missing = attributes.iter().find(|(name, _)| self.words.all && !says(name));
         if let Some((missing, _)) = missing {
             self.refuse(node, &format!("<{name}> without {missing}"), &format!("{missing} said"));
         }
@@ -208,6 +234,7 @@ impl Reader<'_> {
             Says::Is(word) => value == word,
             Says::OneOf(known) => known.contains(&value),
             Says::LayerColour => (self.colour)(layer) == Some(value),
+            Says::Layer => value == layer,
             Says::Colour => {
                 let digits = value
                     .strip_prefix('#')
@@ -225,6 +252,7 @@ impl Reader<'_> {
             Some(Says::Is(word)) => word.to_owned(),
             Some(Says::OneOf(known)) => known.join(", "),
             Some(Says::LayerColour) => (self.colour)(layer).unwrap_or("a layer of the drawing").to_owned(),
+            Some(Says::Layer) => layer.to_owned(),
             Some(Says::Colour) => "none, or # and six digits".to_owned(),
             Some(Says::Size) => "a number that is not below 0".to_owned(),
             Some(Says::Numbers) => "plain numbers".to_owned(),

@@ -4,20 +4,22 @@ use std::f64::consts::PI;
 
 use crate::design::{Drawing as Exact, Layer, Origin, Shape};
 use crate::geom::{Arc, Bounds, Path, Point, Segment};
+use crate::spec::{Colours, Spec};
 use crate::verify::judge::files::layers::{Look, in_file, look};
 use crate::verify::judge::path::measure::{Prepared, furthest};
 use crate::verify::read::dxf_words::DxfFrame;
 use crate::verify::read::{dxf_words, svg, svg_words};
 use crate::verify::{Drawing, Finding, FindingCode, Findings, SvgOrigin, deviation, read_dxf};
 
-/// Reads an SVG, whose words and page must be the drawing's.
+/// Reads an SVG, whose words and page must be the drawing's, in the colours that the spec asks for.
 pub(in crate::verify) fn read_page(
     text: &str,
     exact: &Exact,
     title: &str,
-    tolerance: f64,
+    spec: &Spec,
     findings: &mut Findings,
 ) -> Drawing {
+    let tolerance = spec.accuracy.path.0;
     let document = match svg::parse(text) {
         Ok(document) => document,
         Err(finding) => {
@@ -25,7 +27,9 @@ pub(in crate::verify) fn read_page(
             return Drawing::default();
         }
     };
-    let colour = |name: &str| layers(exact).find(|(layer, _)| *layer == name).map(|(_, look)| look.svg);
+    let colour = |name: &str| {
+        layers(exact, spec.cut.colours).find(|(layer, _)| *layer == name).map(|(_, look)| look.svg)
+    };
     svg_words::check(&document, &svg_words::DRAWING, &in_file(title, 120), &colour, findings);
     let (origin, corner) = match exact.origin {
         Origin::LowerLeft => (SvgOrigin::LowerLeft, (0.0, 0.0)),
@@ -49,8 +53,8 @@ pub(in crate::verify) fn read_page(
 }
 
 /// The layers of a drawing with their look.
-fn layers(exact: &Exact) -> impl Iterator<Item = (&'static str, Look)> {
-    exact.layers.iter().map(|(layer, _)| (layer.name(), look(*layer)))
+fn layers(exact: &Exact, colours: Colours) -> impl Iterator<Item = (&'static str, Look)> {
+    exact.layers.iter().map(move |(layer, _)| (layer.name(), look(*layer, colours)))
 }
 
 /// A picture for people: nothing of it is compared, but it is well-formed, to scale, and holds nothing that runs or hides.
@@ -87,16 +91,17 @@ fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
 pub(in crate::verify) fn read_plan(
     text: &str,
     exact: &Exact,
-    tolerance: f64,
+    spec: &Spec,
     findings: &mut Findings,
 ) -> Drawing {
     let corner = exact.corner();
-    let layers: Vec<(&str, &str)> = layers(exact).map(|(name, look)| (name, look.dxf)).collect();
+    let layers: Vec<(&str, &str)> =
+        layers(exact, spec.cut.colours).map(|(name, look)| (name, look.dxf)).collect();
     let frame = DxfFrame {
         layers: &layers,
         min: (corner.x, corner.y),
         max: (corner.x + exact.width, corner.y + exact.height),
-        tolerance,
+        tolerance: spec.accuracy.path.0,
     };
     if let Err(finding) = dxf_words::check(text, &frame) {
         findings.push(finding);

@@ -1,29 +1,42 @@
 //! How each layer looks, by which people and machines tell what to do with a line.
 
 use crate::design::Layer;
+use crate::spec::Colours;
 
-/// How a layer looks in each format.
+/// How a layer looks on a screen.
 pub(in crate::verify) struct Look {
     /// Colour of the strokes in SVG.
     pub(in crate::verify) svg: &'static str,
     /// Colour in DXF, of AutoCAD's palette.
     pub(in crate::verify) dxf: &'static str,
-    /// Width, mm, and grey of the strokes on paper.
-    pub(in crate::verify) pen: (f64, f64),
 }
 
-/// The look of `layer`.
-pub(in crate::verify) fn look(layer: Layer) -> Look {
-    let (svg, dxf, pen) = match layer {
-        Layer::SealInner => ("#0000ff", "5", (0.1, 0.0)),
-        Layer::SealOuter => ("#008000", "3", (0.1, 0.0)),
-        Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => ("#ff0000", "1", (0.1, 0.0)),
-        Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => ("#ff00ff", "6", (0.1, 0.0)),
-        Layer::Registration | Layer::PostHole => ("#000000", "7", (0.1, 0.0)),
-        Layer::Label => ("#00a0a0", "4", (0.25, 0.5)),
-        Layer::PaperMark => ("#00a0a0", "4", (0.15, 0.0)),
+/// The look of `layer` where all cuts have one colour, or each its own.
+pub(in crate::verify) fn look(layer: Layer, colours: Colours) -> Look {
+    const BLUE: (&str, &str) = ("#0000ff", "5");
+    const CYAN: (&str, &str) = ("#00ffff", "4");
+    const GREEN: (&str, &str) = ("#00ff00", "3");
+    const MAGENTA: (&str, &str) = ("#ff00ff", "6");
+    const RED: (&str, &str) = ("#ff0000", "1");
+    let (one, ordered) = match layer {
+        Layer::SealInner => (BLUE, BLUE),
+        Layer::SealOuter => (GREEN, GREEN),
+        Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => (RED, RED),
+        Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => (RED, MAGENTA),
+        Layer::Registration | Layer::PostHole => (RED, BLUE),
+        Layer::Label | Layer::PaperMark => (BLUE, CYAN),
     };
-    Look { svg, dxf, pen }
+    let (svg, dxf) = if colours == Colours::One { one } else { ordered };
+    Look { svg, dxf }
+}
+
+/// Width, mm, and grey of the strokes of `layer` on paper.
+pub(in crate::verify) fn pen(layer: Layer) -> (f64, f64) {
+    match layer {
+        Layer::Label => (0.25, 0.5),
+        Layer::PaperMark => (0.15, 0.0),
+        _ => (0.1, 0.0),
+    }
 }
 
 /// A title as files hold it: 120 characters at most, and `_` for all but letters and digits of ASCII, blanks and `. , - _ + = : /`.

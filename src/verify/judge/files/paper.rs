@@ -3,7 +3,7 @@
 use crate::design::{Layer, PaperPage, Shape};
 use crate::verify::finding::quote;
 use crate::verify::judge::files::drawings;
-use crate::verify::judge::files::layers::{in_file, look};
+use crate::verify::judge::files::layers::{in_file, pen};
 use crate::verify::read::pdf::{PdfPage, read_document};
 use crate::verify::{FindingCode, Findings};
 
@@ -70,7 +70,7 @@ fn page(found: &PdfPage, exact: &PaperPage, findings: &mut Findings) -> f64 {
     }
     operators(found, exact, findings);
     for (layer, _) in drawn(exact) {
-        let pen = look(*layer).pen;
+        let pen = pen(*layer);
         let wrong = |(name, width, gray): &&(String, _, _)| {
             *name == layer.name() && (*width, *gray) != (Some(pen.0), Some(pen.1))
         };

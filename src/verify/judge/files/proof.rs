@@ -121,8 +121,8 @@ fn file(
             let tolerance = expected.spec.accuracy.path.0;
             let title = output.title(&expected.spec.name);
             let found = match format {
-                Format::Svg => drawings::read_page(text, &exact, &title, tolerance, findings),
-                _ => drawings::read_plan(text, &exact, tolerance, findings),
+                Format::Svg => drawings::read_page(text, &exact, &title, expected.spec, findings),
+                _ => drawings::read_plan(text, &exact, expected.spec, findings),
             };
             let deviation = drawings::compare(&found, &exact, tolerance, findings);
             if let (Subject::Seal, Some(sheet)) = (subject, output.sheet) {

@@ -1,0 +1,80 @@
+//! Cut lines: where the middle of a tool travels that takes away a **kerf**, so that parts come out as they are drawn.
+//!
+//! A cut takes half of its width from either side. What is cut out of a part (holes, windows) would come out larger, what
+//! is cut around (outlines, plates) smaller; so the tool travels half a kerf inside the former and outside the latter.
+
+use crate::design::offset::offset;
+use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};
+use crate::geom::{Isometry, Path};
+use crate::spec::key;
+use crate::units::Readable;
+
+/// The cut lines of one star and its mask, in the star's frame. All are closed and counterclockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CutLines {
+    /// Width of the cut, mm.
+    pub kerf: f64,
+    /// Around the star.
+    pub outside: Path,
+    /// Around the star's hole.
+    pub hole: Path,
+    /// Around the mask's plate.
+    pub plate: Path,
+    /// In the mask's windows, in their order.
+    pub windows: Vec<Path>,
+}
+
+impl CutLines {
+    /// The lines of a cut `kerf` wide for a star with this outline and this mask.
+    ///
+    /// # Errors
+    /// If the cut is wider than something that it is to cut out.
+    pub fn new(kerf: f64, star: &Star, outline: &Outline, mask: &MaskPlate) -> Result<Self, Refusal> {
+        let half = kerf / 2.0;
+        if let Some(hole) = outline.registration.iter().find(|hole| hole.diameter <= kerf) {
+            let (found, diameter) = (Readable(kerf), Readable(hole.diameter));
+            return Err(refusal(
+                format!("a cut of {found} mm leaves nothing of a registration hole of {diameter} mm"),
+                format!("kerf must be below {diameter} mm"),
+            ));
+        }
+        let inside = |path: &Path, what| offset(path, -half).ok_or_else(|| too_wide(kerf, path, -0.5, what));
+        let around = |path: &Path, what| offset(path, half).ok_or_else(|| too_wide(kerf, path, 0.5, what));
+        // All windows are the first one, turned; without a kerf they stay as they are, to the bit.
+        let windows = match mask.windows.first() {
+            Some(first) if kerf > 0.0 => {
+                let first = inside(first, "a coating window")?;
+                let turn = |k| Isometry::rotation(star.corner_ray(k) - star.corner_ray(1));
+                (1..=star.n).map(|k| turn(k).path(&first)).collect()
+            }
+            _ => mask.windows.clone(),
+        };
+        Ok(Self {
+            kerf,
+            outside: around(&outline.outside, "the outline")?,
+            hole: inside(&outline.hole, "the star's hole")?,
+            plate: around(&mask.plate, "the mask's plate")?,
+            windows,
+        })
+    }
+}
+
+/// The refusal of a kerf that leaves nothing of `path`, which `share` of it moves outwards, with the widest that does.
+fn too_wide(kerf: f64, path: &Path, share: f64, what: &str) -> Refusal {
+    // To a thousandth of a millimetre; what fits stays below what does not.
+    let (mut fits, mut fails) = (0.0, kerf);
+    while fails - fits > 1e-3 {
+        let middle = f64::midpoint(fits, fails);
+        let side = if offset(path, share * middle).is_some() { &mut fits } else { &mut fails };
+        *side = middle;
+    }
+    let most = Readable((fits * 100.0_f64).floor() / 100.0);
+    refusal(
+        format!("a cut of {} mm leaves nothing of {what}", Readable(kerf)),
+        format!("kerf must be at most {most} mm"),
+    )
+}
+
+fn refusal(found: String, remedy: String) -> Refusal {
+    Refusal::new(key::cut::KERF, RefusalCode::WideKerf, found, remedy)
+}
