@@ -68,7 +68,7 @@ impl<'a> Comments<'a> {
             coded: false,
             moved: 0,
             chopped: false,
-            clock: Clock::new(rules),
+            clock: Clock::new(rules, program.expected.spec.accuracy.path.0),
             told: Told::new(program.expected.machine),
         }
     }

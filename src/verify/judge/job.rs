@@ -57,19 +57,31 @@ impl<'a> Job<'a> {
     pub(in crate::verify) fn check(&self, text: &str, findings: &mut Findings) -> f64 {
         let Expected { spec, machine, design, .. } = *self.expected;
         let (rules, tolerance) = (IronRules::new(spec, machine), spec.accuracy.path.0);
-        let seams = Seams { design, stars: &self.stars, rules: &rules, tolerance };
-        let (mut sealed, mut traced) = (seams.sealed(), seams.traced());
-        let path: &mut dyn Judge = if self.hot { &mut sealed } else { &mut traced };
+        let seams = Seams::new(design, &self.stars, &rules, tolerance);
         let mut judges = self.judges(&rules);
-        let mut judges: Vec<&mut dyn Judge> = judges.iter_mut().map(|judge| &mut **judge as _).collect();
-        judges.push(path);
-        let dialect = Dialect::for_controller(&machine.controller);
-        findings.absorb(judged(text.split_inclusive('\n'), dialect, &mut judges));
-        drop(judges);
-        if self.hot { sealed.deviation } else { traced.deviation }
+        let heights = &machine.process.heights;
+        judges.push(Box::new(Itinerary::new(heights, seams.starts(self.hot), self.hot, tolerance)));
+        let mut judge = |path: &mut dyn Judge| {
+            let mut all: Vec<&mut dyn Judge> = Vec::new();
+            for judge in &mut judges {
+                all.push(&mut **judge);
+            }
+            all.push(path);
+            let dialect = Dialect::for_controller(&machine.controller);
+            findings.absorb(judged(text.split_inclusive('\n'), dialect, &mut all));
+        };
+        if self.hot {
+            let mut path = seams.sealed();
+            judge(&mut path);
+            path.deviation
+        } else {
+            let mut path = seams.traced();
+            judge(&mut path);
+            path.deviation
+        }
     }
 
-    /// All judges but that of the path.
+    /// All judges but those of the way.
     fn judges<'b>(&'b self, rules: &'b IronRules<'b>) -> Vec<Box<dyn Judge + 'b>> {
         let Self { expected, hot, sheet, ref stars, area } = *self;
         let Expected { spec, machine, .. } = *expected;
@@ -91,21 +103,7 @@ impl<'a> Job<'a> {
             judges.push(Box::new(Cold::new(rules)));
         }
         judges.push(Box::new(Comments::new(Subject { expected, hot, sheet, stars }, rules)));
-        judges.push(Box::new(self.itinerary(rules)));
         judges
-    }
-
-    fn itinerary(&self, rules: &IronRules<'_>) -> Itinerary {
-        let Expected { spec, machine, design, .. } = *self.expected;
-        let tolerance = spec.accuracy.path.0;
-        let seams = Seams { design, stars: &self.stars, rules, tolerance };
-        let all = seams.expected().into_iter();
-        let starts: Vec<Point> = if self.hot {
-            all.filter_map(|seam| seam.lead_in.start()).collect()
-        } else {
-            seams.frame().start().into_iter().chain(all.filter_map(|seam| seam.run.start())).collect()
-        };
-        Itinerary::new(&machine.process.heights, starts, self.hot, tolerance)
     }
 }
 

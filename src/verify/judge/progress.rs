@@ -1,5 +1,6 @@
 //! Progress: how far the job is, as its comments and the display say, against the verifier's own reckoning.
 
+use crate::geom::Segment;
 use crate::spec;
 use crate::spec::Machine;
 use crate::verify::finding::quote;
@@ -7,7 +8,7 @@ use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::read::gcode::{Comment, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 
-/// Longest way in contact between two places at which progress is said, mm: that of a move which is not chopped.
+/// Longest way, seen from above, between two places at which progress is said, mm: that of a move which is not chopped.
 const PIECE: f64 = 5.0;
 
 /// How far the job is.
@@ -18,11 +19,14 @@ pub(super) struct Clock<'a> {
     /// Contacts so far, each of which is off its schedule by a dwell's step at the most.
     contacts: u32,
     low: bool,
+    /// Largest deviation of the path, mm, and what the arcs may be longer than the straight moves made of them, mm.
+    tolerance: f64,
+    shortened: f64,
 }
 
 impl<'a> Clock<'a> {
-    pub(super) fn new(rules: &'a IronRules<'a>) -> Self {
-        Self { rules, seconds: 0.0, contacts: 0, low: false }
+    pub(super) fn new(rules: &'a IronRules<'a>, tolerance: f64) -> Self {
+        Self { rules, seconds: 0.0, contacts: 0, low: false, tolerance, shortened: 0.0 }
     }
 
     /// Contact is on its schedule, which the pace is judged by; a travel takes its length and speeds up and brakes.
@@ -32,6 +36,11 @@ impl<'a> Clock<'a> {
         let low = rules.phase(step) != Phase::Clear;
         self.contacts += u32::from(low && !self.low);
         self.low = low;
+        if low && length > 0.0 && matches!(step.path, Some(Segment::Line(_))) {
+            // A chord with a sagitta s is shorter than its arc by 8 s^2 / (3 L), a quarter of a turn by a tenth; straight is
+            // what has a quarter of the tolerance.
+            self.shortened += (self.tolerance * self.tolerance / (6.0 * length)).min(0.11 * length);
+        }
         self.seconds += match (step.kind, rules.motion.acceleration) {
             (MoveKind::Rapid, _) if length <= 0.0 => 0.0,
             // Too short to reach its speed: half the way is for speeding up.
@@ -42,9 +51,18 @@ impl<'a> Clock<'a> {
         };
     }
 
-    /// By how much the writer's time may differ, s: each contact by a dwell's step, and all of it by rounding.
+    /// Longest time between two places at which progress is said, s: on a ramp the way is longer.
+    fn piece(&self) -> f64 {
+        let process = self.rules.process;
+        let (ramp, rise) = (process.ramp.0, process.heights.travel.0 - process.heights.contact.0);
+        let climb = ramp.min(PIECE) * ramp.hypot(rise) / ramp;
+        climb.max(PIECE) / self.rules.seal.speed.0
+    }
+
+    /// By how much the writer's time may differ, s: each contact by a dwell's step, and all of it by rounding and chords.
     pub(super) fn slack(&self) -> f64 {
-        0.05 + 1e-5 * self.seconds + 2.0 * self.rules.dwell_step * f64::from(self.contacts)
+        let steps = 2.0 * self.rules.dwell_step * f64::from(self.contacts);
+        0.1 + 1e-4 * self.seconds + steps + self.shortened / self.rules.seal.speed.0
     }
 }
 
@@ -114,12 +132,13 @@ impl<'a> Told<'a> {
         }
     }
 
-    /// Judges all that was told; `clock` stands at the end.
+    /// Judges all that was told, up to the first that is wrong: of a job that takes another time all of it is. `clock` stands
+    /// at the end.
     pub(super) fn judge(&mut self, clock: &Clock<'_>, chopped: bool, findings: &mut Findings) {
         // Within a piece nothing is said, and of a chopped program nobody knows where they end.
-        let piece = if chopped { PIECE / clock.rules.seal.speed.0 } else { 0.0 };
-        let late = piece + clock.slack();
+        let late = clock.slack() + if chopped { clock.piece() } else { 0.0 };
         let mut before = 0.0;
+        let mut wrong = std::mem::take(&mut self.findings);
         let all = self.said.iter().map(|said| (said.quiet, Some(said)));
         for (quiet, said) in all.chain([(self.quiet, None)]) {
             // Up to the last move that began without a word, nothing should have been told.
@@ -127,14 +146,17 @@ impl<'a> Told<'a> {
             if missing > before {
                 let line = said.map(|said| said.comment.line);
                 let found = format!("no word of progress after {before} per cent");
-                findings.add(FindingCode::OtherComment, line, found, format!("{missing} per cent told"));
+                wrong.add(FindingCode::OtherComment, line, found, format!("{missing} per cent told"));
             }
-            if let Some(said) = said {
-                before = said.judge(before, clock, findings);
-                self.shown(said, before, findings);
+            if let Some(said) = said.filter(|_| wrong.is_empty()) {
+                before = said.judge(before, clock, &mut wrong);
+                self.shown(said, before, &mut wrong);
+            }
+            if !wrong.is_empty() {
+                break;
             }
         }
-        findings.absorb(std::mem::take(&mut self.findings));
+        findings.absorb(wrong);
     }
 
     /// Judges what the display shows of it.
@@ -145,7 +167,7 @@ impl<'a> Told<'a> {
             spec::Dialect::Klipper => vec![plain],
             // Minutes are rounded up from parts of a second that the comment does not tell.
             spec::Dialect::Marlin | spec::Dialect::RepRapFirmware => [remaining - 0.5, remaining + 0.5]
-                .map(|seconds| format!("{plain} R{}", (seconds / 60.0).ceil().max(0.0)))
+                .map(|seconds| format!("{plain} R{}", ((seconds / 60.0).ceil() + 0.0).max(0.0)))
                 .to_vec(),
             _ => Vec::new(),
         };

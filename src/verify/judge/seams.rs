@@ -9,10 +9,10 @@ use crate::verify::read::gcode::{self, Event, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 
 /// One seam as it should be travelled, in the sheet's frame.
-pub(in crate::verify) struct ExpectedSeam {
+struct ExpectedSeam {
     name: String,
-    pub(in crate::verify) lead_in: Path,
-    pub(in crate::verify) run: Path,
+    lead_in: Path,
+    run: Path,
     lead_out: Path,
     /// Length of the loop without its overlap; of an open seam all of it.
     once: f64,
@@ -20,20 +20,25 @@ pub(in crate::verify) struct ExpectedSeam {
 
 /// The seams that one program should have.
 pub(in crate::verify) struct Seams<'a> {
-    pub(in crate::verify) design: &'a Design,
-    /// The stars, in the order of sealing.
-    pub(in crate::verify) stars: &'a [&'a PlacedStar],
-    pub(in crate::verify) rules: &'a IronRules<'a>,
+    design: &'a Design,
+    stars: &'a [&'a PlacedStar],
+    rules: &'a IronRules<'a>,
     /// Largest deviation, mm.
-    pub(in crate::verify) tolerance: f64,
+    tolerance: f64,
+    expected: Vec<ExpectedSeam>,
 }
 
-impl Seams<'_> {
-    /// All seams, in order.
-    pub(in crate::verify) fn expected(&self) -> Vec<ExpectedSeam> {
-        let ramp = self.rules.process.ramp.0;
-        let seams = self.stars.iter().flat_map(|placed| {
-            self.design.part(placed).seams.iter().map(move |seam| {
+impl<'a> Seams<'a> {
+    /// The seams of `stars`, which stand in the order of sealing, to be followed within `tolerance`, mm.
+    pub(in crate::verify) fn new(
+        design: &'a Design,
+        stars: &'a [&'a PlacedStar],
+        rules: &'a IronRules<'a>,
+        tolerance: f64,
+    ) -> Self {
+        let ramp = rules.process.ramp.0;
+        let seams = stars.iter().flat_map(|placed| {
+            design.part(placed).seams.iter().map(move |seam| {
                 let place = |path: Path| placed.placement.path(&path);
                 let side = if seam.side == Side::Hole { "inner" } else { "outer" };
                 ExpectedSeam {
@@ -45,17 +50,28 @@ impl Seams<'_> {
                 }
             })
         });
-        seams.collect()
+        let expected = seams.collect();
+        Self { design, stars, rules, tolerance, expected }
+    }
+
+    /// Where the ways of a sealing program (`hot`) or of a trace begin, in order.
+    pub(in crate::verify) fn starts(&self, hot: bool) -> Vec<Point> {
+        let seams = self.expected.iter();
+        if hot {
+            seams.filter_map(|seam| seam.lead_in.start()).collect()
+        } else {
+            self.frame().start().into_iter().chain(seams.filter_map(|seam| seam.run.start())).collect()
+        }
     }
 
     /// The rectangle around the cut, and around everything that the iron does to the fabric.
-    pub(in crate::verify) fn frame(&self) -> Path {
+    fn frame(&self) -> Path {
         let parts = self.stars.iter().map(|placed| (placed, self.design.part(placed)));
         let bounds = parts.fold(Bounds::EMPTY, |bounds, (placed, part)| {
             bounds.union(placed.placement.path(&part.outline.outside).bounds())
         });
         let band = self.stars.first().map_or(0.0, |placed| self.design.part(placed).band);
-        let seams = self.expected().into_iter().flat_map(|seam| [seam.lead_in, seam.run, seam.lead_out]);
+        let seams = self.expected.iter().flat_map(|seam| [&seam.lead_in, &seam.run, &seam.lead_out]);
         let touched = seams.map(|path| path.bounds().grown(band / 2.0));
         let Bounds { min, max } = touched.fold(bounds, Bounds::union);
         let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
@@ -64,14 +80,14 @@ impl Seams<'_> {
 
     /// The judge of a sealing program.
     pub(in crate::verify) fn sealed(&self) -> Sealed<'_> {
-        let (expected, now) = (self.expected().into_iter(), None);
+        let (expected, now) = (self.expected.iter(), None);
         let findings = Findings::default();
         Sealed { rules: self.rules, tolerance: self.tolerance, expected, now, deviation: 0.0, findings }
     }
 
     /// The judge of a trace program.
     pub(in crate::verify) fn traced(&self) -> Traced {
-        let mut paths: Vec<Walk> = self.expected().into_iter().map(|seam| seam.walk()).collect();
+        let mut paths: Vec<Walk> = self.expected.iter().map(ExpectedSeam::walk).collect();
         let frame = self.frame();
         let whole = frame.length();
         paths.insert(0, Walk::new(&frame, "frame".to_owned(), whole));
@@ -100,7 +116,7 @@ pub(in crate::verify) struct Sealed<'a> {
     rules: &'a IronRules<'a>,
     tolerance: f64,
     /// The seams that are still to come.
-    expected: std::vec::IntoIter<ExpectedSeam>,
+    expected: std::slice::Iter<'a, ExpectedSeam>,
     now: Option<Contact>,
     /// The largest, mm.
     pub(in crate::verify) deviation: f64,
