@@ -93,7 +93,7 @@ impl<'a> Job<'a> {
             Box::new(Body::new(hotend.then_some(spec.seal.temperature))),
             Box::new(FirstWords::default()),
             Box::new(Height::new(&machine.process.heights, allowed)),
-            Box::new(Area { area, allowed, findings: Findings::default() }),
+            Box::new(Area { reach: area, allowed, findings: Findings::default() }),
             Box::new(Clamps::new(&machine.bench.keep_out, reach)),
         ];
         if hot {
@@ -109,7 +109,7 @@ impl<'a> Job<'a> {
 
 /// No move leaves the sheet or the machine's reach.
 struct Area {
-    area: Bounds,
+    reach: Bounds,
     /// The same with room for rounding.
     allowed: Bounds,
     findings: Findings,
@@ -123,7 +123,7 @@ impl Judge for Area {
             if !(self.allowed.contains(min) && self.allowed.contains(max)) {
                 let found =
                     format!("a move from ({:.3}, {:.3}) to ({:.3}, {:.3})", min.x, min.y, max.x, max.y);
-                let allowed = format!("(0, 0) to ({:.3}, {:.3})", self.area.max.x, self.area.max.y);
+                let allowed = format!("(0, 0) to ({:.3}, {:.3})", self.reach.max.x, self.reach.max.y);
                 self.findings.add(FindingCode::OutsideWorkArea, step.line, found, allowed);
             }
         }

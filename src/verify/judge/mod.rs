@@ -38,14 +38,18 @@ fn judged<'a>(
 ) -> Findings {
     let mut own = Findings::default();
     let _ = each_line(lines, dialect, |line| {
-        judges.iter_mut().for_each(|judge| judge.see(line));
+        for judge in judges.iter_mut() {
+            judge.see(line);
+        }
         own.extend(line.events.iter().filter_map(|event| match event {
             Event::Finding(finding) => Some(finding.clone()),
             _ => None,
         }));
     });
     let mut findings = Findings::default();
-    judges.iter_mut().for_each(|judge| findings.absorb(judge.end()));
+    for judge in judges.iter_mut() {
+        findings.absorb(judge.end());
+    }
     findings.absorb(own);
     findings
 }
