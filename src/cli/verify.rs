@@ -11,9 +11,8 @@ use serde_json::json;
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
 use crate::cli::{findings, summary};
-use crate::manifest::{MANIFEST, Manifest};
-use crate::pipeline;
-use crate::pipeline::prove_files;
+use crate::manifest::MANIFEST;
+use crate::pipeline::Claim;
 use crate::verify::{By, FileProof, OutputFiles, Proof};
 
 /// Arguments of `verify`.
@@ -37,7 +36,8 @@ const SOURCE_LIMIT: u64 = 1 << 24;
 
 /// Reads the directory and proves it.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let proof = prove_files(&read_directory(&args.dir)?);
+    let (claim, files) = read_directory(&args.dir)?;
+    let proof = claim.prove(&files);
     say(&if args.json { json(&proof) } else { text(&args.dir, &proof) })?;
     if proof.findings.is_empty() { Ok(()) } else { Err(Failure::Said) }
 }
@@ -74,7 +74,7 @@ fn text(dir: &Path, proof: &Proof) -> String {
 
 /// The files of a directory, of which only those are read that its design asks for, and no more of them than their manifest
 /// says; of all others nothing but the name is known.
-fn read_directory(dir: &Path) -> Result<OutputFiles<'static>, Failure> {
+fn read_directory(dir: &Path) -> Result<(Claim, OutputFiles<'static>), Failure> {
     let mut names = Vec::new();
     for entry in fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))? {
         let entry = entry.map_err(|error| Failure::file("read", dir, &error))?;
@@ -89,29 +89,23 @@ fn read_directory(dir: &Path) -> Result<OutputFiles<'static>, Failure> {
             files.files.push((name.into(), read(&dir.join(name), SOURCE_LIMIT)?.into()));
         }
     }
-    let wanted: BTreeSet<String> = pipeline::wanted(&files).into_iter().collect();
-    let stated = stated_sizes(&files);
+    let claim = Claim::of(&files);
+    let wanted: BTreeSet<String> = claim.wanted().into_iter().collect();
+    let stated: BTreeMap<&str, usize> = claim.stated_sizes().collect();
     for (name, is_file) in names {
         if files.get(&name).is_some() {
             continue;
         }
-        let most = stated.get(&name).copied().filter(|_| is_file && wanted.contains(&name));
+        let most = stated.get(name.as_str()).copied().filter(|_| is_file && wanted.contains(&name));
         let bytes = match most {
             // One byte more than stated shows that there are more.
-            Some(most) => read(&dir.join(&name), most.saturating_add(1).min(FILE_LIMIT))?,
+            Some(most) => read(&dir.join(&name), (most as u64).saturating_add(1).min(FILE_LIMIT))?,
             None => Vec::new(),
         };
         files.files.push((name.into(), bytes.into()));
     }
     files.files.sort();
-    Ok(files)
-}
-
-/// How long each file is, as the manifest says.
-fn stated_sizes(files: &OutputFiles<'_>) -> BTreeMap<String, u64> {
-    let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok());
-    let entries = manifest.map_or(Vec::new(), |manifest| manifest.files);
-    entries.into_iter().map(|entry| (entry.path, entry.bytes as u64)).collect()
+    Ok((claim, files))
 }
 
 /// At most the first `most` bytes of a file.

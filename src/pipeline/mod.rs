@@ -22,7 +22,7 @@ use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
-pub use proven::{Proven, prove_files, read_back, wanted};
+pub use proven::{Claim, Proven, prove_files, read_back};
 
 /// A gripper whose geometry exists, without a way for air but the inlet.
 #[derive(Clone, Debug)]

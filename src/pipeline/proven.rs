@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use crate::artifact::{Kind, Output, outputs};
-use crate::design::{Design, Refusal};
+use crate::artifact::{Kind, outputs};
+use crate::design::Refusal;
 use crate::manifest::{MANIFEST, Manifest};
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::spec;
@@ -63,34 +63,74 @@ impl Proven {
     }
 }
 
-/// Proves an output directory from its files alone, by the same steps as `build`.
-///
-/// The directory's own spec and profile say what should be there. All of it is made again, and every file that differs by
-/// a byte is named; and every file is read back and compared with the design, equal or not. A directory that another
-/// version wrote is judged by reading alone.
-pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
-    let forecast = match forecast_of(files) {
-        Ok(forecast) => forecast,
-        Err(findings) => return Proof { findings, ..Proof::default() },
-    };
-    let mut proof = prove_against(&forecast, files);
-    let written = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok());
-    let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
-    if let (Some(written), Some(spec), Some(machine)) = (written, text("spec.toml"), text("machine.toml")) {
-        let made = forecast.build(Sources { spec, machine }, &written.only);
-        if written.tool == made.manifest.tool {
-            verify::compare_bytes(&made.output_files(), files, &mut proof);
-        }
-    }
-    proof
+/// What a directory's own spec, profile and manifest ask for: what its files are held to.
+#[derive(Clone, Debug)]
+pub struct Claim {
+    forecast: Result<Forecast, Vec<Finding>>,
+    /// The manifest, if it is one.
+    written: Option<Manifest>,
 }
 
-/// Proves an output directory by reading alone, as [`Built::prove`] does.
-pub fn read_back(files: &OutputFiles<'_>) -> Proof {
-    match forecast_of(files) {
-        Ok(forecast) => prove_against(&forecast, files),
-        Err(findings) => Proof { findings, ..Proof::default() },
+impl Claim {
+    /// Reads spec, profile and manifest among `files`.
+    pub fn of(files: &OutputFiles<'_>) -> Self {
+        let written = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
+        Self { forecast: forecast_of(files), written }
     }
+
+    /// The names of all files that the directory must have; none where what was asked for is refused.
+    pub fn wanted(&self) -> Vec<String> {
+        let only = self.written.as_ref().map_or(&[][..], |manifest| &manifest.only);
+        let outputs = |forecast: &Forecast| outputs(&forecast.spec, &forecast.design, only);
+        self.forecast.iter().flat_map(outputs).map(|output| output.name()).collect()
+    }
+
+    /// How long each file is, bytes, as the manifest says.
+    pub fn stated_sizes(&self) -> impl Iterator<Item = (&str, usize)> {
+        self.written
+            .iter()
+            .flat_map(|manifest| &manifest.files)
+            .map(|entry| (entry.path.as_str(), entry.bytes))
+    }
+
+    /// Proves `files` by the same steps as `build`: all of them are made again, and every one that differs by a byte is named;
+    /// and every one is read back and compared with the design, equal or not. What another version wrote is judged by
+    /// reading alone.
+    pub fn prove(self, files: &OutputFiles<'_>) -> Proof {
+        let forecast = match self.forecast {
+            Ok(forecast) => forecast,
+            Err(findings) => return Proof { findings, ..Proof::default() },
+        };
+        let mut proof = prove_against(&forecast, files);
+        let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
+        if let (Some(written), Some(spec), Some(machine)) =
+            (self.written, text("spec.toml"), text("machine.toml"))
+        {
+            let made = forecast.build(Sources { spec, machine }, &written.only);
+            if written.tool == made.manifest.tool {
+                verify::compare_bytes(&made.output_files(), files, &mut proof);
+            }
+        }
+        proof
+    }
+
+    /// Proves `files` by reading alone, as [`Built::prove`] does.
+    pub fn read_back(&self, files: &OutputFiles<'_>) -> Proof {
+        match &self.forecast {
+            Ok(forecast) => prove_against(forecast, files),
+            Err(findings) => Proof { findings: findings.clone(), ..Proof::default() },
+        }
+    }
+}
+
+/// Proves an output directory from its files alone: see [`Claim::prove`].
+pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
+    Claim::of(files).prove(files)
+}
+
+/// Proves an output directory by reading alone: see [`Claim::read_back`].
+pub fn read_back(files: &OutputFiles<'_>) -> Proof {
+    Claim::of(files).read_back(files)
 }
 
 fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
@@ -99,15 +139,6 @@ fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
     let (prediction, manifest) = (prediction.as_ref(), &manifest);
     let expected = Expected { design, spec, machine, prediction, manifest };
     verify::prove(&expected, files)
-}
-
-/// The names of all files that a directory must have, by its own spec, profile and manifest; none where these are refused.
-pub fn wanted(files: &OutputFiles<'_>) -> Vec<String> {
-    let (Ok(reading), Ok(machine)) = sources_of(files) else { return Vec::new() };
-    let Ok(design) = Design::new(&reading.spec, &machine) else { return Vec::new() };
-    let manifest = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice::<Manifest>(bytes).ok());
-    let only = manifest.map_or(Vec::new(), |manifest| manifest.only);
-    outputs(&reading.spec, &design, &only).iter().map(Output::name).collect()
 }
 
 /// The directory's own spec and profile.

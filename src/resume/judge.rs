@@ -4,43 +4,28 @@ use crate::geom::Bounds;
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
 use crate::spec::Heating;
-use crate::verify::gcode::{Program, read_program};
 use crate::verify::{Finding, judge_iron};
 
-/// Whether the old program does what its comments say.
+/// Whether the old program, which goes no farther than `reach`, does what its comments say.
 ///
 /// # Errors
 /// The first thing that it does otherwise.
-pub(super) fn agrees(record: &Record, text: &str) -> Result<(), ResumeFault> {
-    let program = read_program(text, record.dialect());
-    match faults(record, text, &program, &reach(&program)).into_iter().next() {
-        Some(finding) => Err(ResumeFault::Disagrees(finding)),
-        None => Ok(()),
-    }
+pub(super) fn agrees(record: &Record, text: &str, reach: &Bounds) -> Result<(), ResumeFault> {
+    first_fault(record, text, reach).map_or(Ok(()), |finding| Err(ResumeFault::Disagrees(finding)))
 }
 
-/// Whether the new program is without fault, keeps the old one's rules, and stays where that one goes.
+/// Whether the new program is without fault, keeps the old one's rules, and stays within its `reach`.
 ///
 /// # Errors
 /// The first thing that is wrong.
-pub(super) fn proves(record: &Record, old: &str, new: &str) -> Result<(), ResumeFault> {
-    let area = reach(&read_program(old, record.dialect())).grown(record.path.0);
-    let program = read_program(new, record.dialect());
-    let own = program.findings.first().cloned();
-    match own.or_else(|| faults(record, new, &program, &area).into_iter().next()) {
-        Some(finding) => Err(ResumeFault::Unproven(finding)),
-        None => Ok(()),
-    }
+pub(super) fn proves(record: &Record, new: &str, reach: &Bounds) -> Result<(), ResumeFault> {
+    let reach = reach.grown(record.path.0);
+    first_fault(record, new, &reach).map_or(Ok(()), |finding| Err(ResumeFault::Unproven(finding)))
 }
 
-fn faults(record: &Record, text: &str, program: &Program, area: &Bounds) -> Vec<Finding> {
+fn first_fault(record: &Record, text: &str, reach: &Bounds) -> Option<Finding> {
     let motion = record.motion();
     let hotend = record.controller.heating == Heating::Hotend;
-    judge_iron(&record.rules(&motion), area, hotend, text, program)
-}
-
-/// Where a program goes.
-fn reach(program: &Program) -> Bounds {
-    let paths = program.moves.iter().filter_map(|step| step.path);
-    paths.map(|path| path.bounds()).fold(Bounds::EMPTY, Bounds::union)
+    let lines = text.split_inclusive('\n');
+    judge_iron(&record.rules(&motion), reach, hotend, lines, record.dialect()).into_iter().next()
 }

@@ -1,8 +1,10 @@
 //! Places at which a job can have stopped.
 
+use std::ops::ControlFlow;
+
 use crate::geom::Point;
 use crate::resume::ResumeFault;
-use crate::resume::toolpath::{Phase, Toolpath};
+use crate::resume::toolpath::{Phase, TimedMove, Toolpath};
 
 /// Farthest from a seam that a point may be told, mm: as well as one reads a position off a display or a ruler.
 const REACH: f64 = 10.0;
@@ -21,58 +23,71 @@ pub enum ResumeAt {
 /// A place on the toolpath.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stop {
-    /// Index of the step.
-    pub(super) step: usize,
+    /// Line of the move.
+    pub(super) line: usize,
+    /// What the iron did in it.
+    pub(super) phase: Phase,
     /// Way in contact since the seam's run began, mm.
     pub(super) along: f64,
     /// Part of the job's time before it, 0 to 1.
     pub(super) done: f64,
 }
 
+impl Stop {
+    /// The place at this part of a move, 0 to 1, of a job of `total` seconds.
+    fn new(at: &TimedMove, fraction: f64, total: f64) -> Self {
+        let length = if at.phase == Phase::Contact { at.step.length() } else { 0.0 };
+        let done = (at.begins + fraction * at.seconds) / total;
+        Self { line: at.step.line, phase: at.phase, along: at.along + fraction * length, done }
+    }
+}
+
 impl ResumeAt {
     /// The place on the toolpath.
-    pub(super) fn find(self, toolpath: &Toolpath) -> Result<Stop, ResumeFault> {
-        let steps = &toolpath.steps;
-        let total = toolpath.seconds();
-        let stop = |step: usize, fraction: f64| {
-            let at = &steps[step];
-            let length = if at.phase == Phase::Contact { at.step.length() } else { 0.0 };
-            Stop {
-                step,
-                along: at.along + fraction * length,
-                done: (at.begins + fraction * at.seconds) / total,
-            }
-        };
+    pub(super) fn find(self, toolpath: &Toolpath<'_>) -> Result<Stop, ResumeFault> {
         match self {
             Self::Line(line) if line == 0 || line > toolpath.lines => {
                 Err(ResumeFault::NoSuchLine(line, toolpath.lines))
             }
-            Self::Line(line) => {
-                let step = steps.partition_point(|step| step.step.line < line);
-                if step < steps.len() { Ok(stop(step, 0.0)) } else { Err(ResumeFault::NothingLeft) }
-            }
+            Self::Line(line) => first(toolpath, |step| (step.step.line >= line).then_some(0.0)),
             Self::Share(share) => {
-                let time = share * total;
-                let step = steps.partition_point(|step| step.begins + step.seconds <= time);
-                let at = steps.get(step).ok_or(ResumeFault::NothingLeft)?;
-                let fraction = if at.seconds > 0.0 { (time - at.begins) / at.seconds } else { 0.0 };
-                Ok(stop(step, fraction.clamp(0.0, 1.0)))
+                let time = share * toolpath.seconds;
+                first(toolpath, |step| {
+                    let fraction = if step.seconds > 0.0 { (time - step.begins) / step.seconds } else { 0.0 };
+                    (step.begins + step.seconds > time).then_some(fraction.clamp(0.0, 1.0))
+                })
             }
-            Self::Near(point) => {
-                let mut best = (f64::INFINITY, 0, 0.0);
-                for (i, step) in steps.iter().enumerate().filter(|(_, step)| step.phase == Phase::Contact) {
-                    let Some(path) = step.step.path else { continue };
-                    let t = path.nearest_fraction(point);
-                    let distance = path.point(t).distance(point);
-                    if distance < best.0 - 1e-6 {
-                        best = (distance, i, t);
-                    }
-                }
-                if best.0.is_infinite() {
-                    return Err(ResumeFault::NothingLeft);
-                }
-                if best.0 > REACH { Err(ResumeFault::Nowhere(best.0)) } else { Ok(stop(best.1, best.2)) }
+            Self::Near(point) => near(toolpath, point),
+        }
+    }
+}
+
+/// The first move of which `at` knows a part at which the job stopped.
+fn first(toolpath: &Toolpath<'_>, at: impl Fn(&TimedMove) -> Option<f64>) -> Result<Stop, ResumeFault> {
+    let mut stop = None;
+    toolpath.walk(|step| {
+        stop = at(step).map(|fraction| Stop::new(step, fraction, toolpath.seconds));
+        if stop.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    });
+    stop.ok_or(ResumeFault::NothingLeft)
+}
+
+/// The place in contact that is nearest to `point`.
+fn near(toolpath: &Toolpath<'_>, point: Point) -> Result<Stop, ResumeFault> {
+    let mut best: Option<(f64, Stop)> = None;
+    toolpath.walk(|step| {
+        if let Some(path) = step.step.path.filter(|_| step.phase == Phase::Contact) {
+            let t = path.nearest_fraction(point);
+            let distance = path.point(t).distance(point);
+            if best.is_none_or(|(least, _)| distance < least - 1e-6) {
+                best = Some((distance, Stop::new(step, t, toolpath.seconds)));
             }
         }
+        ControlFlow::Continue(())
+    });
+    match best {
+        None => Err(ResumeFault::NothingLeft),
+        Some((distance, _)) if distance > REACH => Err(ResumeFault::Nowhere(distance)),
+        Some((_, stop)) => Ok(stop),
     }
 }

@@ -1,10 +1,14 @@
 //! The toolpath: a program's moves, with what the iron does in each and how long it takes.
+//!
+//! It is walked along as often as something of it is asked for, and never held: a chopped job has a million moves.
 
-use crate::emit::Decimals;
+use std::ops::ControlFlow;
+
+use crate::geom::Bounds;
 use crate::plan::Pace;
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
-use crate::verify::gcode::{Event, Interpreter, Move, MoveKind};
+use crate::verify::gcode::{Event, Interpreter, Move};
 
 /// Slack on heights, mm.
 const HEIGHT: f64 = 1e-6;
@@ -23,7 +27,7 @@ pub(super) enum Phase {
 }
 
 /// One move.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct TimedMove {
     pub(super) step: Move,
     pub(super) phase: Phase,
@@ -34,82 +38,105 @@ pub(super) struct TimedMove {
     /// Its time, with the dwells after it, s.
     pub(super) seconds: f64,
     /// Index of the line that is the title of its seam.
-    title: Option<usize>,
+    pub(super) title: Option<usize>,
 }
 
-/// A program, read.
-#[derive(Debug)]
-pub(super) struct Toolpath {
-    pub(super) steps: Vec<TimedMove>,
+impl TimedMove {
+    /// Length seen from above, mm.
+    pub(super) fn flat(&self) -> f64 {
+        self.step.path.map_or(0.0, |path| path.length())
+    }
+}
+
+/// A program that is without fault.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Toolpath<'a> {
+    pub(super) text: &'a str,
+    pub(super) record: &'a Record,
     /// Number of lines in the file.
     pub(super) lines: usize,
     /// Number of lines up to and including the heating.
     pub(super) hot: usize,
-    texts: Vec<String>,
+    /// Time for all of it, s.
+    pub(super) seconds: f64,
+    /// Where it goes.
+    pub(super) reach: Bounds,
 }
 
-/// One seam's moves: down, and in contact.
-#[derive(Clone, Debug)]
-pub(super) struct Run<'a> {
-    pub(super) down: &'a [TimedMove],
-    pub(super) steps: &'a [TimedMove],
-    /// The comment that begins it.
-    pub(super) title: Option<String>,
-}
-
-impl Run<'_> {
-    /// Way in contact, mm.
-    pub(super) fn length(&self) -> f64 {
-        self.steps.iter().map(|step| step.step.length()).sum()
-    }
-}
-
-impl Toolpath {
+impl<'a> Toolpath<'a> {
     /// Reads a whole program; it must be without fault.
-    pub(super) fn read(text: &str, record: &Record) -> Result<Self, ResumeFault> {
+    pub(super) fn read(text: &'a str, record: &'a Record) -> Result<Self, ResumeFault> {
+        let (mut hot, mut heat) = (0, false);
         let mut interpreter = Interpreter::new(record.dialect());
-        let mut toolpath = Self { steps: Vec::new(), lines: 0, hot: 0, texts: Vec::new() };
-        let (mut events, mut title, mut heat) = (Vec::new(), None, false);
-        for (i, line) in text.split_inclusive('\n').enumerate() {
+        let mut events = Vec::new();
+        for line in text.split_inclusive('\n') {
             interpreter.feed(line, &mut events);
-            toolpath.texts.push(line.trim_end().to_owned());
             let mut is_comment = false;
             for event in events.drain(..) {
                 match event {
                     Event::Finding(finding) => return Err(ResumeFault::Damaged(finding)),
                     Event::Comment(comment) => {
                         is_comment = true;
-                        match comment.key() {
-                            Some("seam") => title = Some(i),
-                            Some("heat") => heat = true,
-                            _ => {}
-                        }
-                    }
-                    Event::Move(step) => toolpath.add(step, record, title),
-                    Event::Dwell(dwell) => {
-                        if let Some(last) = toolpath.steps.last_mut() {
-                            last.seconds += dwell.seconds;
-                        }
+                        heat |= comment.key() == Some("heat");
                     }
                     _ => {}
                 }
             }
-            if heat && !is_comment && toolpath.hot == 0 {
-                toolpath.hot = i + 1;
+            if heat && !is_comment && hot == 0 {
+                hot = interpreter.lines();
             }
         }
         interpreter.finish(&mut events);
         if let Some(Event::Finding(finding)) = events.into_iter().find(|e| matches!(e, Event::Finding(_))) {
             return Err(ResumeFault::Damaged(finding));
         }
-        toolpath.lines = interpreter.lines();
-        if toolpath.hot == 0 { Err(ResumeFault::NotOurs("heat")) } else { Ok(toolpath) }
+        if hot == 0 {
+            return Err(ResumeFault::NotOurs("heat"));
+        }
+        let lines = interpreter.lines();
+        let mut toolpath = Self { text, record, lines, hot, seconds: 0.0, reach: Bounds::EMPTY };
+        let (mut seconds, mut reach) = (0.0, Bounds::EMPTY);
+        toolpath.walk(|step| {
+            seconds = step.begins + step.seconds;
+            reach = step.step.path.map_or(reach, |path| reach.union(path.bounds()));
+            ControlFlow::Continue(())
+        });
+        (toolpath.seconds, toolpath.reach) = (seconds, reach);
+        Ok(toolpath)
     }
 
-    fn add(&mut self, step: Move, record: &Record, title: Option<usize>) {
-        let heights = &record.process.heights;
+    /// Shows `see` one move after the other, until it has seen enough.
+    pub(super) fn walk(&self, mut see: impl FnMut(&TimedMove) -> ControlFlow<()>) {
+        let mut interpreter = Interpreter::new(self.record.dialect());
+        let (mut events, mut title) = (Vec::new(), None);
+        // A move is shown when its dwells are known.
+        let mut last: Option<TimedMove> = None;
+        for (i, line) in self.text.split_inclusive('\n').enumerate() {
+            interpreter.feed(line, &mut events);
+            for event in events.drain(..) {
+                match event {
+                    Event::Comment(comment) if comment.key() == Some("seam") => title = Some(i),
+                    Event::Move(step) => {
+                        let next = self.timed(step, last.as_ref(), title);
+                        if last.replace(next).is_some_and(|last| see(&last).is_break()) {
+                            return;
+                        }
+                    }
+                    Event::Dwell(dwell) => {
+                        if let Some(last) = &mut last {
+                            last.seconds += dwell.seconds;
+                        }
+                    }
+                    _ => {}
+                }
+            }
+        }
+        let _ = last.map(|last| see(&last));
+    }
+
+    fn timed(&self, step: Move, before: Option<&TimedMove>, title: Option<usize>) -> TimedMove {
+        let (record, heights) = (self.record, &self.record.process.heights);
         let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
-        let before = self.steps.last();
         let phase = if low >= heights.travel.0 - HEIGHT {
             Phase::Clear
         } else if high <= heights.contact.0 + HEIGHT {
@@ -132,54 +159,17 @@ impl Toolpath {
             (_, None) => step.length() / record.process.travel_speed.0,
         };
         let along = if phase == Phase::Clear { 0.0 } else { along };
-        self.steps.push(TimedMove { step, phase, along, begins, seconds, title });
+        TimedMove { step, phase, along, begins, seconds, title }
     }
 
-    /// Time for all of it, s.
-    pub(super) fn seconds(&self) -> f64 {
-        self.steps.last().map_or(0.0, |last| last.begins + last.seconds)
-    }
-
-    /// The seam that step `i` is in contact with, or has just left; `None` if it is away from the fabric or on its way down.
-    pub(super) fn run_at(&self, i: usize) -> Option<Run<'_>> {
-        let phase = |k: usize| self.steps.get(k).map(|step| step.phase);
-        if !matches!(phase(i), Some(Phase::Contact | Phase::Up)) {
-            return None;
-        }
-        let back = |from: usize, wanted: Phase| {
-            (0..from).rev().find(|k| phase(*k) != Some(wanted)).map_or(0, |k| k + 1)
-        };
-        let end =
-            (i..self.steps.len()).find(|k| phase(*k) != Some(Phase::Contact)).unwrap_or(self.steps.len());
-        let end = if phase(i) == Some(Phase::Up) { back(i, Phase::Up) } else { end };
-        let start = back(end, Phase::Contact);
-        let down = back(start, Phase::Down);
-        let title = self.steps[i].title.and_then(|line| self.texts.get(line).cloned());
-        Some(Run { down: &self.steps[down..start], steps: &self.steps[start..end], title })
-    }
-
-    /// Index of the line of the travel to the first seam that begins at step `i` or later.
-    pub(super) fn next_travel(&self, i: usize) -> Option<usize> {
-        // On the way down the seam is this one.
-        let first = (i..self.steps.len()).find(|k| self.steps[*k].phase == Phase::Down)?;
-        let is_travel = |step: &TimedMove| step.step.kind == MoveKind::Rapid && step.step.path.is_some();
-        let before =
-            (0..first).rev().find(|k| self.steps[*k].phase == Phase::Clear && is_travel(&self.steps[*k]));
-        let line = before.map_or(self.hot, |k| self.steps[k].step.line - 1);
-        Some(line.max(self.hot))
-    }
-
-    /// The first feed move at or after the line of index `from`, with the feed that is in force there: its index and text;
-    /// `None` if it states its own.
-    pub(super) fn with_feed(&self, from: usize) -> Option<(usize, String)> {
-        let is_next = |step: &&TimedMove| step.step.line > from && step.step.kind == MoveKind::Feed;
-        let step = self.steps.iter().find(is_next)?.step;
-        let text = self.texts.get(step.line - 1).filter(|text| !text.contains(['F', ';', '(']))?;
-        Some((step.line - 1, format!("{text} F{}", Decimals::exactly(9).text(step.feed?))))
+    /// The line of this index.
+    pub(super) fn line(&self, index: usize) -> Option<&'a str> {
+        self.text.lines().nth(index)
     }
 
     /// Index of the first line after `line` (from 1) that is no dwell.
     pub(super) fn after(&self, line: usize) -> usize {
-        (line..self.texts.len()).find(|i| !self.texts[*i].starts_with("G4")).unwrap_or(self.texts.len())
+        let dwells = self.text.lines().skip(line).take_while(|text| text.starts_with("G4"));
+        line + dwells.count()
     }
 }

@@ -58,6 +58,7 @@ codes! {
         RepeatedWord "repeated-word" "A letter stands twice on one line.",
         Size "size" "The file has another size than the manifest says.",
         StrayHeat "stray-heat" "A heater is told what the design does not ask for.",
+        StrayTravel "stray-travel" "A travel goes elsewhere than planned, or one is missing.",
         TooDeep "too-deep" "The iron goes too low, or groups lie in groups without end.",
         Transform "transform" "Coordinates are transformed where they should be final.",
         TravelFeed "travel-feed" "A travel goes at another speed than planned, where G0 runs at the feed in force.",

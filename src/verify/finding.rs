@@ -93,6 +93,12 @@ impl Findings {
         findings.into_iter().for_each(|finding| self.push(finding));
     }
 
+    /// Adds all that another list has kept and counted.
+    pub(super) fn absorb(&mut self, other: Self) {
+        self.extend(other.kept);
+        self.dropped += other.dropped;
+    }
+
     /// Whether nothing was found.
     pub fn is_empty(&self) -> bool {
         self.kept.is_empty()

@@ -9,6 +9,7 @@ mod lowest_feed;
 mod profile_lines;
 mod resume;
 mod speed;
+mod told;
 
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::read_back;

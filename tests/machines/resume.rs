@@ -1,5 +1,7 @@
 //! Resume at every move of a job: the rest of it, an overlap, and nothing else.
 
+use std::env;
+
 use stargrip_cam::geom::{Path, Point, Segment};
 use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
 use stargrip_cam::verify::follow;
@@ -111,14 +113,22 @@ fn at_every_move_of_a_job() {
     }
 }
 
+/// Any line, comments and waits too: `RESUMES=500` tries so many of every dialect's job (docs/resume.md).
 #[test]
-fn at_many_moves_of_chopped_jobs_and_in_every_dialect() {
+fn at_many_lines_of_chopped_jobs_and_in_every_dialect() {
+    let count = env::var("RESUMES").ok().and_then(|count| count.parse().ok()).unwrap_or(23);
     for name in PROFILES {
         let job = job(name);
         let original = moves(name, &job);
-        for step in original.iter().step_by(original.len() / 23 + 1).chain(original.last()) {
-            check(name, &job, &original, step.line);
+        let lines = job.lines().count();
+        let mut tried: Vec<usize> = (0..count).map(|i| 1 + i * (lines - 1) / (count - 1).max(1)).collect();
+        tried.dedup();
+        for line in &tried {
+            check(name, &job, &original, *line);
         }
+        let dwells = job.lines().filter(|line| line.starts_with("G4")).count();
+        let arcs = job.lines().filter(|line| line.starts_with("G2 ") || line.starts_with("G3 ")).count();
+        println!("{name}: {} of {lines} lines, {dwells} waits, {arcs} arcs", tried.len());
     }
 }
 

@@ -2,37 +2,71 @@
 
 use crate::geom::{Line, Point, Segment, segment_distance};
 use crate::spec::KeepOut;
-use crate::verify::read::gcode::Program;
+use crate::verify::judge::Judge;
+use crate::verify::read::gcode;
+use crate::verify::read::gcode::Event;
 use crate::verify::{FindingCode, Findings};
 
 /// By how much a clamp may be touched, mm: positions in a file are rounded.
 const ROUNDING: f64 = 1e-3;
 
 /// Reports every move that comes nearer to a clamp than `reach`, below its height.
-pub(in crate::verify) fn check(zones: &[KeepOut], reach: f64, program: &Program, findings: &mut Findings) {
-    for zone in zones {
-        // The clamp without a rim of rounding: so that a way across it is found for a reach of 0 as well.
-        let a = Point::new(zone.x.0 + ROUNDING, zone.y.0 + ROUNDING);
-        let c = Point::new(zone.x.0 + zone.width.0 - ROUNDING, zone.y.0 + zone.depth.0 - ROUNDING);
-        let corners = [a, Point::new(c.x, a.y), c, Point::new(a.x, c.y), a];
-        let sides: Vec<Segment> = corners.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect();
-        for step in &program.moves {
+pub(in crate::verify) struct Clamps<'a> {
+    reach: f64,
+    zones: Vec<Zone<'a>>,
+    findings: Findings,
+}
+
+/// A clamp without a rim of rounding: so that a way across it is found for a reach of 0 as well.
+struct Zone<'a> {
+    clamp: &'a KeepOut,
+    min: Point,
+    max: Point,
+    sides: [Segment; 4],
+}
+
+impl<'a> Clamps<'a> {
+    pub(in crate::verify) fn new(clamps: &'a [KeepOut], reach: f64) -> Self {
+        Self { reach, zones: clamps.iter().map(Zone::new).collect(), findings: Findings::default() }
+    }
+}
+
+impl<'a> Zone<'a> {
+    fn new(clamp: &'a KeepOut) -> Self {
+        let min = Point::new(clamp.x.0 + ROUNDING, clamp.y.0 + ROUNDING);
+        let max = Point::new(clamp.x.0 + clamp.width.0 - ROUNDING, clamp.y.0 + clamp.depth.0 - ROUNDING);
+        let [b, d] = [Point::new(max.x, min.y), Point::new(min.x, max.y)];
+        let sides = [(min, b), (b, max), (max, d), (d, min)].map(|(from, to)| Line::new(from, to).into());
+        Self { clamp, min, max, sides }
+    }
+
+    /// Whether `path` at height `z` comes nearer than `reach`.
+    fn is_met(&self, path: &Segment, z: f64, reach: f64) -> bool {
+        let inside =
+            |p: Point| self.min.x <= p.x && p.x <= self.max.x && self.min.y <= p.y && p.y <= self.max.y;
+        self.clamp.height.is_none_or(|height| z <= height.0)
+            && (inside(path.start())
+                || inside(path.end())
+                || self.sides.iter().any(|side| segment_distance(side, path) <= reach))
+    }
+}
+
+impl Judge for Clamps<'_> {
+    fn see(&mut self, line: &gcode::Line<'_>) {
+        for event in line.events {
+            let Event::Move(step) = event else { continue };
+            let Some(path) = step.path else { continue };
             let z = step.from.z.min(step.to.z);
-            let Some(path) = step.path.filter(|_| zone.height.is_none_or(|height| z <= height.0)) else {
-                continue;
-            };
-            let inside = |p: Point| a.x <= p.x && p.x <= c.x && a.y <= p.y && p.y <= c.y;
-            let near = |side: &Segment| segment_distance(side, &path) <= reach;
-            if inside(path.start()) || inside(path.end()) || sides.iter().any(near) {
-                let found = format!("a move at Z{z} through the clamp {:?}", zone.name);
-                findings.add(
-                    FindingCode::ClampInTheWay,
-                    step.line,
-                    found,
-                    format!("{reach} mm off every clamp"),
-                );
+            for zone in self.zones.iter().filter(|zone| zone.is_met(&path, z, self.reach)) {
+                let found = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
+                let allowed = format!("{} mm off every clamp", self.reach);
+                self.findings.add(FindingCode::ClampInTheWay, step.line, found, allowed);
             }
         }
+    }
+
+    fn end(&mut self) -> Findings {
+        std::mem::take(&mut self.findings)
     }
 }
 
@@ -40,15 +74,17 @@ pub(in crate::verify) fn check(zones: &[KeepOut], reach: f64, program: &Program,
 mod tests {
     use super::*;
     use crate::units::Length;
-    use crate::verify::read::gcode::{Dialect, read_program};
+    use crate::verify::judge::judged;
+    use crate::verify::read::gcode::Dialect;
 
     /// The lines that are found in `body`, with a clamp from (10, 20) to (18, 25).
     fn lines(body: &str, reach: f64, height: Option<f64>) -> Vec<Option<usize>> {
         let [x, y, width, depth] = [10.0, 20.0, 8.0, 5.0].map(Length);
         let zone = KeepOut { name: "vice".to_owned(), x, y, width, depth, height: height.map(Length) };
-        let program = read_program(&format!("G21\nG90\nG0 X0 Y0 Z9\n{body}\n"), Dialect::GENERIC);
-        let mut findings = Findings::default();
-        check(&[zone], reach, &program, &mut findings);
+        let text = format!("G21\nG90\nG0 X0 Y0 Z9\n{body}\n");
+        let zones = [zone];
+        let findings =
+            judged(text.split_inclusive('\n'), Dialect::GENERIC, &mut [&mut Clamps::new(&zones, reach)]);
         let findings = findings.into_vec();
         assert!(findings.iter().all(|finding| finding.code == "clamp-in-the-way"));
         findings.iter().map(|finding| finding.line).collect()

@@ -2,92 +2,192 @@
 //!
 //! Every comment is one that the design asks for, each in its place and once: structured or prose, a comment is a fact.
 
-use std::collections::BTreeMap;
-
+use crate::design::PlacedStar;
 use crate::verify::finding::quote;
-use crate::verify::judge::facts::Facts;
-use crate::verify::judge::rules::{IronRules, Phase};
-use crate::verify::read::gcode::{Comment, MoveKind, Program};
+use crate::verify::judge::Judge;
+use crate::verify::judge::expected::Expected;
+use crate::verify::judge::facts::{Facts, Place};
+use crate::verify::judge::progress::{Clock, Told};
+use crate::verify::judge::rules::IronRules;
+use crate::verify::judge::script::is_code;
+use crate::verify::read::gcode::{Comment, Event, Line};
 use crate::verify::{FindingCode, Findings};
 
-/// Figures of time are made by adding up strokes and travels: this part of them may be otherwise, and a second.
-const TIME: f64 = 0.005;
 /// Figures of length are told to a thousandth, mm.
-const LENGTH: f64 = 2e-3;
-/// All others, beside their sixth digit.
-const EXACT: f64 = 1e-6;
+const LENGTH: f64 = 0.51e-3;
+/// All others, to nine digits behind the point.
+const EXACT: f64 = 0.51e-9;
 
 /// Reports every comment that the design does not ask for, and the first that is missing.
-pub(super) fn check(
-    facts: &Facts<'_>,
-    clock: &Clock,
-    text: &str,
-    program: &Program,
-    findings: &mut Findings,
-) {
-    let script = &facts.expected.machine.script;
-    let own: Vec<&str> = script.start.iter().chain(&script.end).map(|line| remark(line)).collect();
-    let first = program.motion().map_or(usize::MAX, |(first, _)| first);
-    let displays = displays(text);
-    let room = facts.expected.machine.controller.line_length;
-    let (wanted, head) = facts.all();
-    let mut wanted = wanted.into_iter().zip(1..);
-    let mut told = 0;
-    let count = program.comments.len();
-    for (comment, i) in program.comments.iter().zip(1..) {
-        // The last one counts the lines: the reader has judged it.
-        if i == count || comment.text.is_empty() || own.contains(&comment.text.as_str()) {
-            continue;
+pub(super) struct Comments<'a> {
+    program: Subject<'a>,
+    /// The comments so far but those of progress, as many of them as there may be and one more.
+    said: Vec<Said>,
+    most: usize,
+    /// Whether the last comment is among them: it counts the lines, and the reader has judged it.
+    is_last: bool,
+    coded: bool,
+    /// Line of the last motion so far; 0 before the first.
+    moved: usize,
+    chopped: bool,
+    clock: Clock<'a>,
+    told: Told<'a>,
+}
+
+/// A program that comments are about.
+#[derive(Clone, Copy)]
+pub(super) struct Subject<'a> {
+    pub(super) expected: &'a Expected<'a>,
+    pub(super) hot: bool,
+    pub(super) sheet: usize,
+    /// The stars, in the order of sealing.
+    pub(super) stars: &'a [&'a PlacedStar],
+}
+
+/// A comment, and where it stands.
+struct Said {
+    comment: Comment,
+    place: Place,
+}
+
+impl<'a> Subject<'a> {
+    fn facts(self, chopped: bool, seconds: f64) -> Facts<'a> {
+        let Self { expected, hot, sheet, stars } = self;
+        Facts { expected, hot, sheet, stars, chopped, seconds }
+    }
+}
+
+impl<'a> Comments<'a> {
+    pub(super) fn new(program: Subject<'a>, rules: &'a IronRules<'a>) -> Self {
+        let most = program.facts(true, 0.0).all().len() + 1;
+        Self {
+            program,
+            said: Vec::new(),
+            most,
+            is_last: false,
+            coded: false,
+            moved: 0,
+            chopped: false,
+            clock: Clock::new(rules, program.expected.spec.accuracy.path.0),
+            told: Told::new(program.expected.machine),
         }
-        if comment.key() == Some("progress") {
-            told = clock.progress(comment, told, &displays, findings);
-            continue;
-        }
-        let next = wanted.next();
-        let right = next.as_ref().is_some_and(|(wanted, place)| {
-            says(&comment.text, wanted, room) && (*place > head) == (comment.line > first)
-        });
-        if !right {
-            let allowed = next.map_or("no further comment".to_owned(), |(wanted, _)| quote(&wanted));
-            findings.add(FindingCode::OtherComment, comment.line, quote(&comment.text), allowed);
+    }
+
+    fn comment(&mut self, comment: &Comment) {
+        if comment.text.is_empty() {
             return;
         }
-    }
-    if let Some((wanted, _)) = wanted.next() {
-        findings.add(FindingCode::OtherComment, None, "nothing more said", quote(&wanted));
-    }
-}
-
-/// The lines that show the progress on a display, by their number.
-fn displays(text: &str) -> BTreeMap<usize, &str> {
-    let lines = (1..).zip(text.lines());
-    lines.filter(|(_, line)| line.starts_with("M73")).collect()
-}
-
-/// The remark of a line of the profile.
-fn remark(line: &str) -> &str {
-    let after = line.split_once(';').map(|(_, text)| text);
-    let within = line.strip_prefix('(').and_then(|text| text.strip_suffix(')'));
-    after.or(within).unwrap_or_default().trim()
-}
-
-/// Whether a comment says what is wanted, as far as a line has room for it.
-fn says(found: &str, wanted: &str, room: usize) -> bool {
-    if let Some(name) = wanted.strip_prefix("name: ") {
-        return found.strip_prefix("name:").is_some_and(|found| is_name(found.trim(), name.trim(), room));
-    }
-    let (mut found_words, mut wanted_words) = (found.split(' '), wanted.split(' '));
-    loop {
-        match (found_words.next(), wanted_words.next()) {
-            (None, None) => return true,
-            (Some(a), Some(b)) if a == b || is_same_figure(a, b) || is_name(a, b, room) => {}
-            // Cut at the end of the line.
-            (None, Some(_)) => return found.len() + 4 >= room,
-            (Some(a), Some(b)) => {
-                return found.len() + 4 >= room && b.starts_with(a) && found_words.next().is_none();
-            }
-            (Some(_), None) => return false,
+        self.is_last = comment.key() != Some("progress");
+        if !self.is_last {
+            self.told.comment(comment, &self.clock);
+        } else if self.said.len() <= self.most {
+            let place = match (self.moved > 0, self.coded) {
+                (true, _) => Place::Body,
+                (false, true) => Place::Start,
+                (false, false) => Place::Head,
+            };
+            self.said.push(Said { comment: comment.clone(), place });
         }
+    }
+
+    /// The comments against those of the design.
+    fn compare(&self, seconds: f64, findings: &mut Findings) {
+        let room = self.program.expected.machine.controller.line_length;
+        let mut wanted = self.program.facts(self.chopped, seconds).all().into_iter();
+        for Said { comment, place } in &self.said {
+            let next = wanted.next();
+            let is_end = self.moved > 0 && comment.line > self.moved;
+            let right = next.as_ref().is_some_and(|(wanted, wanted_place)| {
+                let there = match wanted_place {
+                    Place::Head => *place == Place::Head,
+                    // The profile's own lines may begin with a remark, or with code.
+                    Place::Start => *place != Place::Body,
+                    Place::Body => *place == Place::Body && !is_end,
+                    Place::End => is_end,
+                };
+                there && self.says(&comment.text, wanted, room)
+            });
+            if !right {
+                let allowed = next.map_or("no further comment".to_owned(), |(wanted, _)| quote(&wanted));
+                findings.add(FindingCode::OtherComment, comment.line, quote(&comment.text), allowed);
+                return;
+            }
+        }
+        if let Some((wanted, _)) = wanted.next() {
+            findings.add(FindingCode::OtherComment, None, "nothing more said", quote(&wanted));
+        }
+    }
+
+    /// Whether a comment says what is wanted, as far as a line has room for it.
+    fn says(&self, found: &str, wanted: &str, room: usize) -> bool {
+        if let Some(name) = wanted.strip_prefix("name: ") {
+            return found.strip_prefix("name:").is_some_and(|found| is_name(found.trim(), name.trim(), room));
+        }
+        let is_total = wanted.starts_with("total: ");
+        let (mut found_words, mut wanted_words) = (found.split(' '), wanted.split(' '));
+        loop {
+            match (found_words.next(), wanted_words.next()) {
+                (None, None) => return true,
+                (Some(a), Some(b))
+                    if a == b || self.is_same_figure(a, b, is_total) || is_name(a, b, room) => {}
+                // Cut at the end of the line.
+                (None, Some(_)) => return found.len() + 4 >= room,
+                (Some(a), Some(b)) => {
+                    return found.len() + 4 >= room && b.starts_with(a) && found_words.next().is_none();
+                }
+                (Some(_), None) => return false,
+            }
+        }
+    }
+
+    /// Whether both are the same word with the same number, to the tolerance of its kind.
+    fn is_same_figure(&self, found: &str, wanted: &str, is_total: bool) -> bool {
+        let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
+        let (word, found, wanted) = match (found.split_once('='), wanted.split_once('=')) {
+            (Some((a, found)), Some((b, wanted))) if a == b => (a, found, wanted),
+            (None, None) => ("", found, wanted),
+            _ => return false,
+        };
+        let (Some(found), Some(wanted)) = (number(found), number(wanted)) else { return false };
+        let allowed = match word {
+            // That of a seam is exact but for its rounding; that of the job is added up.
+            "time_s" if is_total => 0.501 + self.clock.slack(),
+            "time_s" => 0.501,
+            "length_mm" => LENGTH,
+            _ => EXACT * wanted.abs().max(1.0),
+        };
+        (found - wanted).abs() <= allowed
+    }
+}
+
+impl Judge for Comments<'_> {
+    fn see(&mut self, line: &Line<'_>) {
+        if line.is_motion() {
+            self.moved = line.number;
+        }
+        self.coded |= is_code(line.text.trim());
+        self.told.display(line);
+        for event in line.events {
+            match event {
+                Event::Move(step) => {
+                    self.told.step(step, &self.clock);
+                    self.clock.step(step);
+                }
+                Event::Dwell(_) => self.chopped = true,
+                Event::Comment(comment) => self.comment(comment),
+                _ => {}
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        if self.is_last {
+            let _ = self.said.pop();
+        }
+        let mut findings = Findings::default();
+        self.compare(self.clock.seconds, &mut findings);
+        self.told.judge(&self.clock, self.chopped, &mut findings);
+        findings
     }
 }
 
@@ -98,94 +198,4 @@ fn is_name(found: &str, wanted: &str, room: usize) -> bool {
     let alike = |f: char, w: char| f == w || (f == '_' && (!plain(w) || w == '$'));
     let same = found.chars().all(|f| wanted.next().is_some_and(|w| alike(f, w)));
     same && (wanted.all(|c| c == ' ') || found.len() + 10 >= room)
-}
-
-/// Whether both are the same word with the same number, to the tolerance of its kind.
-fn is_same_figure(found: &str, wanted: &str) -> bool {
-    let number = |text: &str| text.parse::<f64>().ok().filter(|x| x.is_finite());
-    let (word, found, wanted) = match (found.split_once('='), wanted.split_once('=')) {
-        (Some((a, found)), Some((b, wanted))) if a == b => (a, found, wanted),
-        (None, None) => ("", found, wanted),
-        _ => return false,
-    };
-    let (Some(found), Some(wanted)) = (number(found), number(wanted)) else { return false };
-    let allowed = match word {
-        "time_s" => 1.0 + TIME * wanted.abs(),
-        "length_mm" => LENGTH,
-        _ => EXACT * wanted.abs().max(1.0),
-    };
-    (found - wanted).abs() <= allowed
-}
-
-/// How far the job is at each of its lines: the verifier's own reckoning.
-pub(super) struct Clock {
-    /// Line of each move, and the time before it, s.
-    begins: Vec<(usize, f64)>,
-    /// Time for all of it, s.
-    pub(super) seconds: f64,
-}
-
-impl Clock {
-    /// Contact is on its schedule, which the pace is judged by; a travel takes its length and speeds up and brakes.
-    pub(super) fn new(rules: &IronRules<'_>, program: &Program) -> Self {
-        let speed = rules.process.travel_speed.0;
-        let ramps = rules.motion.acceleration.map_or(0.0, |a| speed / a.0);
-        let (mut begins, mut seconds) = (Vec::with_capacity(program.moves.len()), 0.0);
-        for step in &program.moves {
-            begins.push((step.line, seconds));
-            let length = step.length();
-            seconds += match step.kind {
-                MoveKind::Rapid if length > 0.0 => {
-                    // Too short to reach its speed: half the way is for speeding up.
-                    let a = rules.motion.acceleration.map_or(f64::INFINITY, |a| a.0);
-                    if length < speed * ramps { 2.0 * (length / a).sqrt() } else { length / speed + ramps }
-                }
-                _ if rules.phase(step) == Phase::Clear => step.feed.map_or(0.0, |feed| length / feed * 60.0),
-                _ => length / rules.seal.speed.0,
-            };
-        }
-        Self { begins, seconds }
-    }
-
-    /// Judges what a comment says of the progress, and the display's line after it; the per cent that it tells.
-    fn progress(
-        &self,
-        comment: &Comment,
-        before: u32,
-        displays: &BTreeMap<usize, &str>,
-        findings: &mut Findings,
-    ) -> u32 {
-        let at = self.begins.partition_point(|(line, _)| *line < comment.line);
-        let done = self.begins.get(at).map_or(self.seconds, |(_, done)| *done);
-        let left = (self.seconds - done).max(0.0);
-        // Seconds of a long job are more than any coordinate may be.
-        let number = |word| comment.word(word)?.parse::<f64>().ok().filter(|x| x.is_finite());
-        let (percent, remaining) = (number("percent"), number("remaining_s"));
-        let slack = 2.0 + TIME * self.seconds;
-        let whole = 100.0 * done / self.seconds;
-        let near = |percent: f64| (percent - whole).abs() <= 1.0 + 100.0 * slack / self.seconds;
-        let right = percent.is_some_and(|percent| near(percent) && percent > f64::from(before))
-            && remaining.is_some_and(|seconds| (seconds - left).abs() <= slack)
-            && comment.text.split_whitespace().count() == 3;
-        if !right {
-            let allowed = format!("about {whole:.0} per cent, {left:.0} s to go");
-            findings.add(FindingCode::OtherComment, comment.line, quote(&comment.text), allowed);
-        }
-        let (percent, minutes) = (percent.unwrap_or(0.0), (remaining.unwrap_or(0.0) / 60.0).ceil());
-        let shown = displays.get(&(comment.line + 1)).copied().unwrap_or_default();
-        let plain = format!("M73 P{percent}");
-        // Minutes are rounded up from parts of a second that the comment does not tell.
-        let timed = [minutes, minutes + 1.0].map(|minutes| format!("{plain} R{minutes}"));
-        if !shown.is_empty() && shown != plain && !timed.iter().any(|timed| shown == timed) {
-            let allowed = format!("{}, as the comment before it says", quote(&timed[0]));
-            findings.add(FindingCode::OtherComment, comment.line + 1, quote(shown), allowed);
-        }
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a percentage, kept in range"
-        )]
-        let percent = percent.clamp(0.0, 100.0) as u32;
-        percent
-    }
 }

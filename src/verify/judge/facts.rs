@@ -3,8 +3,21 @@
 //! A comment is compared word by word, and a number by its value: see `comments`.
 
 use crate::design::{PlacedStar, Side};
-use crate::spec::{DwellUnit, Heating, StepRate};
+use crate::spec::{Comments, DwellUnit, Heating, StepRate};
 use crate::verify::judge::expected::Expected;
+
+/// Where a comment stands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// Before the first line of code.
+    Head,
+    /// Before the first motion.
+    Start,
+    /// Between the first motion and the last.
+    Body,
+    /// Behind the last motion.
+    End,
+}
 
 /// One program, of which is told what its comments should say.
 pub(super) struct Facts<'a> {
@@ -20,11 +33,34 @@ pub(super) struct Facts<'a> {
 }
 
 impl Facts<'_> {
-    /// All comments but those of progress, in order; how many of them stand before the first line of code.
-    pub(super) fn all(&self) -> (Vec<String>, usize) {
+    /// All comments but those of progress and the last, in order.
+    pub(super) fn all(&self) -> Vec<(String, Place)> {
+        let script = &self.expected.machine.script;
+        let at = |place: Place| move |text: String| (text, place);
+        let mut all: Vec<_> = self.head().into_iter().map(at(Place::Head)).collect();
+        all.extend(self.remarks(&script.start).map(at(Place::Start)));
+        all.extend(self.body().into_iter().map(at(Place::Body)));
+        all.extend(self.remarks(&script.end).map(at(Place::End)));
+        all
+    }
+
+    /// The remarks of lines of the profile.
+    fn remarks<'l>(&self, lines: &'l [String]) -> impl Iterator<Item = String> + use<'l> {
+        let mark = self.expected.machine.controller.comments;
+        let remark = move |line: &String| match mark {
+            Comments::Semicolon => line.split_once(';').map(|(_, text)| text.trim().to_owned()),
+            Comments::Parentheses => {
+                let (_, text) = line.split_once('(')?;
+                Some(text.trim_end().trim_end_matches(')').trim().to_owned())
+            }
+        };
+        lines.iter().filter_map(remark).filter(|text| !text.is_empty())
+    }
+
+    fn head(&self) -> Vec<String> {
         let mut out = self.title();
-        let seams = if self.hot { self.seams() } else { Vec::new() };
         if self.hot {
+            let seams = self.seams();
             self.job(&mut out);
             if self.chopped {
                 self.strokes(&mut out);
@@ -35,16 +71,20 @@ impl Facts<'_> {
             let length: f64 = seams.iter().map(|(_, length)| length).sum();
             out.push(format!("total: length_mm={length} time_s={}", self.seconds));
         }
-        let head = out.len();
+        out
+    }
+
+    fn body(&self) -> Vec<String> {
+        let mut out = Vec::new();
         if self.hot {
             let t = self.expected.spec.seal.temperature.0;
             out.push(format!("heat: temperature_C={t}"));
             if self.expected.machine.controller.heating == Heating::Operator {
                 out.push(format!("set the iron to {t} C, standby off, wait until hot, press start"));
             }
-            out.extend(seams.iter().map(|(words, _)| format!("seam: {words}")));
+            out.extend(self.seams().iter().map(|(words, _)| format!("seam: {words}")));
         }
-        (out, head)
+        out
     }
 
     fn title(&self) -> Vec<String> {

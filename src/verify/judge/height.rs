@@ -2,35 +2,64 @@
 
 use crate::geom::Bounds;
 use crate::spec::Heights;
-use crate::verify::judge::HEIGHT;
-use crate::verify::read::gcode::{MoveKind, Program};
+use crate::verify::judge::{HEIGHT, Judge};
+use crate::verify::read::gcode::{BlindMove, Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 
 /// Reports every motion before X, Y and Z are known that does not go up first and then stay up and within `area`, and
 /// every motion above the park height.
-pub(in crate::verify) fn check(heights: &Heights, area: &Bounds, program: &Program, findings: &mut Findings) {
-    let (travel, park) = (heights.travel.0, heights.park.0);
-    for (step, i) in program.blind.iter().zip(0..) {
+pub(in crate::verify) struct Height<'a> {
+    heights: &'a Heights,
+    area: Bounds,
+    /// Whether nothing has moved yet.
+    is_first: bool,
+    findings: Findings,
+}
+
+impl<'a> Height<'a> {
+    pub(in crate::verify) fn new(heights: &'a Heights, area: Bounds) -> Self {
+        Self { heights, area, is_first: true, findings: Findings::default() }
+    }
+
+    fn blind(&mut self, step: &BlindMove) {
+        let (travel, park) = (self.heights.travel.0, self.heights.park.0);
+        let Bounds { min, max } = self.area;
         let [x, y, z] = step.to;
         let up = z.is_some_and(|z| (travel - HEIGHT..=park + HEIGHT).contains(&z));
         let rises = z.is_some_and(|z| (z - park).abs() <= HEIGHT) && step.named == [false, false, true];
-        let within = x.is_none_or(|x| (area.min.x..=area.max.x).contains(&x))
-            && y.is_none_or(|y| (area.min.y..=area.max.y).contains(&y));
-        let is_first = i == 0;
-        if !(up && within && step.kind == MoveKind::Rapid && (rises || !is_first)) {
+        let within =
+            x.is_none_or(|x| (min.x..=max.x).contains(&x)) && y.is_none_or(|y| (min.y..=max.y).contains(&y));
+        if !(up && within && step.kind == MoveKind::Rapid && (rises || !self.is_first)) {
             let told = |(name, value): (char, Option<f64>)| value.map(|value| format!("{name}{value}"));
             let axes: Vec<String> = "XYZ".chars().zip(step.to).filter_map(told).collect();
             let allowed = format!("first G0 Z{park}, then G0 within the sheet at Z{travel} to Z{park}");
-            findings.add(FindingCode::BlindMove, step.line, format!("a move to {}", axes.join(" ")), allowed);
+            let found = format!("a move to {}", axes.join(" "));
+            self.findings.add(FindingCode::BlindMove, step.line, found, allowed);
+        }
+        self.is_first = false;
+    }
+
+    fn known(&mut self, step: &Move) {
+        let park = self.heights.park.0;
+        if step.to.z > park + HEIGHT {
+            let allowed = format!("at most Z{park}, the park height");
+            self.findings.add(FindingCode::OutsideWorkArea, step.line, format!("Z{}", step.to.z), allowed);
         }
     }
-    for step in program.moves.iter().filter(|step| step.to.z > park + HEIGHT) {
-        let found = format!("Z{}", step.to.z);
-        findings.add(
-            FindingCode::OutsideWorkArea,
-            step.line,
-            found,
-            format!("at most Z{park}, the park height"),
-        );
+}
+
+impl Judge for Height<'_> {
+    fn see(&mut self, line: &Line<'_>) {
+        for event in line.events {
+            match event {
+                Event::Blind(step) => self.blind(step),
+                Event::Move(step) => self.known(step),
+                _ => {}
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        std::mem::take(&mut self.findings)
     }
 }

@@ -1,134 +1,190 @@
 //! The iron below travel height: hot, in motion, along the fabric and never deeper than contact.
 
 use crate::geom::Bounds;
+use crate::verify::judge::height::Height;
+use crate::verify::judge::pace::Paced;
 use crate::verify::judge::rules::{IronRules, Phase};
-use crate::verify::judge::{HEIGHT, height, pace, script, travel};
-use crate::verify::read::gcode::{MoveKind, Program};
+use crate::verify::judge::script::Body;
+use crate::verify::judge::travel::TravelFeed;
+use crate::verify::judge::{HEIGHT, Judge, judged};
+use crate::verify::read::gcode::{Dialect, Dwell, Event, Line, Move, MoveKind};
 use crate::verify::{Finding, FindingCode, Findings};
 
-/// Everything in a sealing program that breaks the rules, whatever its seams: the iron stays within `area`, `hotend`
-/// tells whether the program heats it.
-pub fn judge_iron(
+/// Everything in a sealing program, given line by line, that breaks the rules, whatever its seams: the iron stays within
+/// `area`, `hotend` tells whether the program heats it.
+pub fn judge_iron<'a>(
     rules: &IronRules<'_>,
     area: &Bounds,
     hotend: bool,
-    text: &str,
-    program: &Program,
+    lines: impl IntoIterator<Item = &'a str>,
+    dialect: Dialect,
 ) -> Vec<Finding> {
-    let mut findings = Findings::default();
-    script::check_body(Some(rules.seal.temperature).filter(|_| hotend), text, program, &mut findings);
-    height::check(&rules.process.heights, area, program, &mut findings);
-    check(rules, program, &mut findings);
-    findings.into_vec()
+    let mut body = Body::new(Some(rules.seal.temperature).filter(|_| hotend));
+    let mut height = Height::new(&rules.process.heights, *area);
+    let [mut travel, mut contact, mut pace, mut rest] = iron(rules);
+    let judges: &mut [&mut dyn Judge] =
+        &mut [&mut body, &mut height, &mut *travel, &mut *contact, &mut *pace, &mut *rest];
+    judged(lines, dialect, judges).into_vec()
 }
 
-/// Reports everything in a sealing program that breaks the rules.
-pub(in crate::verify) fn check(rules: &IronRules<'_>, program: &Program, findings: &mut Findings) {
-    travel::check(rules.process.travel_speed.0, program, findings);
-    contact(rules, program, findings);
-    pace::check(rules, program, findings);
-    rest(rules, program, findings);
-}
-
-/// Reports everything in a trace program that breaks the rules: it stays at travel height, and runs cold and through.
-pub(in crate::verify) fn check_cold(rules: &IronRules<'_>, program: &Program, findings: &mut Findings) {
-    travel::check(rules.process.travel_speed.0, program, findings);
-    for step in program.moves.iter().filter(|step| rules.phase(step) != Phase::Clear) {
-        findings.add(FindingCode::LowTrace, step.line, format!("Z{}", step.to.z), "travel height or above");
-    }
-    if let Some(pause) = program.pauses.first() {
-        let found = "a pause as for heating";
-        findings.add(FindingCode::HotTrace, pause.line, found, "a trace runs unheated and through");
-    }
-    let speed = rules.process.trace_speed.0 * 60.0;
-    for step in program.moves.iter().filter(|step| step.kind == MoveKind::Feed) {
-        if step.feed.is_none_or(|feed| (feed - speed).abs() > 1e-3 * speed) {
-            let found = step.feed.map_or("no feed".to_owned(), |feed| format!("F{feed}"));
-            findings.add(FindingCode::WrongFeed, step.line, found, format!("F{speed}"));
-        }
-    }
-    for dwell in &program.dwells {
-        findings.add(
-            FindingCode::IronAtRest,
-            dwell.line,
-            format!("{} s", dwell.seconds),
-            "no wait in a trace",
-        );
-    }
+/// The judges of a sealing program's iron.
+pub(in crate::verify) fn iron<'a>(rules: &'a IronRules<'a>) -> [Box<dyn Judge + 'a>; 4] {
+    [
+        Box::new(TravelFeed::new(rules.process.travel_speed.0)),
+        Box::new(Contact { rules, findings: Findings::default() }),
+        Box::new(Paced::new(rules)),
+        Box::new(Rest { rules, here: None, waited: 0.0, findings: Findings::default() }),
+    ]
 }
 
 /// Below travel height the iron is hot, feeds at seal speed, and moves along the fabric.
-fn contact(rules: &IronRules<'_>, program: &Program, findings: &mut Findings) {
-    let (seal, contact) = (rules.seal, rules.process.heights.contact.0);
-    for step in program.moves.iter().filter(|step| rules.phase(step) != Phase::Clear) {
+struct Contact<'a> {
+    rules: &'a IronRules<'a>,
+    findings: Findings,
+}
+
+impl Contact<'_> {
+    fn step(&mut self, step: &Move) {
+        let (seal, contact) = (self.rules.seal, self.rules.process.heights.contact.0);
+        let mut blame = |code: FindingCode, found: String, allowed: String| {
+            self.findings.add(code, step.line, found, allowed);
+        };
         match step.heated {
             Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
-            found => findings.add(
+            found => blame(
                 FindingCode::ColdSeal,
-                step.line,
                 found.map_or("an iron that nobody heated".to_owned(), |t| format!("{t} C")),
                 seal.temperature.to_string(),
             ),
         }
         if step.kind == MoveKind::Rapid {
-            findings.add(
-                FindingCode::RapidInContact,
-                step.line,
-                "G0 below travel height",
-                "G1, G2 or G3 at seal speed",
-            );
+            let (found, allowed) = ("G0 below travel height", "G1, G2 or G3 at seal speed");
+            blame(FindingCode::RapidInContact, found.to_owned(), allowed.to_owned());
         }
         if step.path.is_none() {
-            findings.add(
-                FindingCode::Plunge,
-                step.line,
-                "a vertical move below travel height",
-                "a ramp along the path",
-            );
+            let (found, allowed) = ("a vertical move below travel height", "a ramp along the path");
+            blame(FindingCode::Plunge, found.to_owned(), allowed.to_owned());
         }
         if step.from.z.min(step.to.z) < contact - HEIGHT {
-            findings.add(
-                FindingCode::TooDeep,
-                step.line,
-                format!("Z{}", step.to.z),
-                format!("Z{contact} or above"),
-            );
+            blame(FindingCode::TooDeep, format!("Z{}", step.to.z), format!("Z{contact} or above"));
         }
     }
 }
 
-/// On the fabric the iron never waits for long, and away from it never at all.
-fn rest(rules: &IronRules<'_>, program: &Program, findings: &mut Findings) {
-    let longest = rules.longest_rest();
-    let mut moves = program.moves.iter().peekable();
-    // Between two moves the iron stands in one place, however many waits it takes; the last stroke of a seam ends, and
-    // has its wait, at travel height.
-    let (mut here, mut waited) = (None, 0.0);
-    for dwell in &program.dwells {
-        while let Some(step) = moves.next_if(|step| step.line <= dwell.line) {
-            (here, waited) = (Some(step), 0.0);
+impl Judge for Contact<'_> {
+    fn see(&mut self, line: &Line<'_>) {
+        for event in line.events {
+            if let Event::Move(step) = event
+                && self.rules.phase(step) != Phase::Clear
+            {
+                self.step(step);
+            }
         }
-        waited += dwell.seconds;
-        let Some(here) = here.filter(|step| rules.phase(step) != Phase::Clear) else {
+    }
+
+    fn end(&mut self) -> Findings {
+        std::mem::take(&mut self.findings)
+    }
+}
+
+/// On the fabric the iron never waits for long, and away from it never at all.
+struct Rest<'a> {
+    rules: &'a IronRules<'a>,
+    /// Line of the last move, if that touched the fabric or left it, and the time waited since, s. However many waits it
+    /// takes, the iron stands in one place; the last stroke of a seam ends, and has its wait, at travel height.
+    here: Option<usize>,
+    waited: f64,
+    findings: Findings,
+}
+
+impl Rest<'_> {
+    fn wait(&mut self, dwell: &Dwell) {
+        self.waited += dwell.seconds;
+        let (waited, longest) = (self.waited, self.rules.longest_rest());
+        let Some(here) = self.here else {
             let found = format!("{} s away from the fabric", dwell.seconds);
-            findings.add(FindingCode::IronAtRest, dwell.line, found, "waits between strokes only");
-            continue;
+            self.findings.add(FindingCode::IronAtRest, dwell.line, found, "waits between strokes only");
+            return;
         };
         if waited > longest {
             let found = if waited > dwell.seconds {
-                format!("{waited} s since line {}", here.line)
+                format!("{waited} s since line {here}")
             } else {
                 format!("{waited} s")
             };
-            findings.add(FindingCode::IronAtRest, dwell.line, found, format!("at most {longest:.2} s"));
+            let allowed = format!("at most {longest:.2} s");
+            self.findings.add(FindingCode::IronAtRest, dwell.line, found, allowed);
         }
     }
-    for pause in program.pauses.iter().filter(|pause| pause.at.is_some_and(|at| rules.is_low(at.z))) {
-        findings.add(
-            FindingCode::IronAtRest,
-            pause.line,
-            "a pause on the fabric",
-            "pauses above travel height only",
-        );
+}
+
+impl Judge for Rest<'_> {
+    fn see(&mut self, line: &Line<'_>) {
+        for event in line.events {
+            match event {
+                Event::Move(step) => {
+                    let low = self.rules.phase(step) != Phase::Clear;
+                    (self.here, self.waited) = (low.then_some(step.line), 0.0);
+                }
+                Event::Dwell(dwell) => self.wait(dwell),
+                Event::Pause(pause) if pause.at.is_some_and(|at| self.rules.is_low(at.z)) => {
+                    let (found, allowed) = ("a pause on the fabric", "pauses above travel height only");
+                    self.findings.add(FindingCode::IronAtRest, pause.line, found, allowed);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        std::mem::take(&mut self.findings)
+    }
+}
+
+/// Reports everything in a trace program that breaks the rules: it stays at travel height, and runs cold and through.
+pub(in crate::verify) struct Cold<'a> {
+    rules: &'a IronRules<'a>,
+    findings: Findings,
+}
+
+impl<'a> Cold<'a> {
+    pub(in crate::verify) fn new(rules: &'a IronRules<'a>) -> Self {
+        Self { rules, findings: Findings::default() }
+    }
+
+    fn step(&mut self, step: &Move) {
+        if self.rules.phase(step) != Phase::Clear {
+            let found = format!("Z{}", step.to.z);
+            self.findings.add(FindingCode::LowTrace, step.line, found, "travel height or above");
+        }
+        let speed = self.rules.process.trace_speed.0 * 60.0;
+        let right = step.feed.is_some_and(|feed| (feed - speed).abs() <= 1e-3 * speed);
+        if step.kind == MoveKind::Feed && !right {
+            let found = step.feed.map_or("no feed".to_owned(), |feed| format!("F{feed}"));
+            self.findings.add(FindingCode::WrongFeed, step.line, found, format!("F{speed}"));
+        }
+    }
+}
+
+impl Judge for Cold<'_> {
+    fn see(&mut self, line: &Line<'_>) {
+        for event in line.events {
+            match event {
+                Event::Move(step) => self.step(step),
+                Event::Pause(pause) => {
+                    let (found, allowed) = ("a pause as for heating", "a trace runs unheated and through");
+                    self.findings.add(FindingCode::HotTrace, pause.line, found, allowed);
+                }
+                Event::Dwell(dwell) => {
+                    let found = format!("{} s", dwell.seconds);
+                    self.findings.add(FindingCode::IronAtRest, dwell.line, found, "no wait in a trace");
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        std::mem::take(&mut self.findings)
     }
 }

@@ -2,14 +2,20 @@
 
 use crate::design::PlacedStar;
 use crate::geom::{Bounds, Point};
+use crate::spec::Heating;
 use crate::verify::finding::quote;
+use crate::verify::judge::clamp::Clamps;
+use crate::verify::judge::comments::{Comments, Subject};
 use crate::verify::judge::expected::Expected;
-use crate::verify::judge::facts::Facts;
+use crate::verify::judge::height::Height;
+use crate::verify::judge::iron::{Cold, iron};
+use crate::verify::judge::itinerary::Itinerary;
 use crate::verify::judge::rules::IronRules;
-use crate::verify::judge::script::Script;
+use crate::verify::judge::script::{Body, Script};
 use crate::verify::judge::seams::Seams;
-use crate::verify::judge::{clamp, comments, height, iron};
-use crate::verify::read::gcode::{Dialect, Program, read_program};
+use crate::verify::judge::travel::TravelFeed;
+use crate::verify::judge::{Judge, judged};
+use crate::verify::read::gcode::{Dialect, Event, Line};
 use crate::verify::{FindingCode, Findings};
 
 /// What one program should do.
@@ -50,61 +56,98 @@ impl<'a> Job<'a> {
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
     pub(in crate::verify) fn check(&self, text: &str, findings: &mut Findings) -> f64 {
         let Expected { spec, machine, design, .. } = *self.expected;
-        let program = read_program(text, Dialect::for_controller(&machine.controller));
-        let heat = self.hot.then_some(spec.seal.temperature);
-        Script { machine, heat, text, program: &program }.check(findings);
-        first_words(text, findings);
-        self.area(&program, findings);
-        let reach = if self.hot { spec.seal.band.0 / 2.0 } else { 0.0 };
-        clamp::check(&machine.bench.keep_out, reach, &program, findings);
-        let rules = IronRules::new(spec, machine);
-        if self.hot {
-            iron::check(&rules, &program, findings);
-        } else {
-            iron::check_cold(&rules, &program, findings);
-        }
-        self.comments(&rules, text, &program, findings);
-        let seams = Seams { design, stars: &self.stars, rules, tolerance: spec.accuracy.path.0 };
-        let deviation =
-            if self.hot { seams.sealed(&program, findings) } else { seams.traced(&program, findings) };
-        findings.extend(program.findings);
-        deviation
-    }
-
-    /// Every comment is one that the design asks for.
-    fn comments(&self, rules: &IronRules<'_>, text: &str, program: &Program, findings: &mut Findings) {
-        let Self { expected, hot, sheet, ref stars, .. } = *self;
-        let clock = comments::Clock::new(rules, program);
-        let (chopped, seconds) = (!program.dwells.is_empty(), clock.seconds);
-        let facts = Facts { expected, hot, sheet, stars, chopped, seconds };
-        comments::check(&facts, &clock, text, program, findings);
-    }
-
-    /// No move leaves the sheet or the machine's reach.
-    fn area(&self, program: &Program, findings: &mut Findings) {
-        let allowed = self.area.grown(self.expected.spec.accuracy.path.0);
-        height::check(&self.expected.machine.process.heights, &allowed, program, findings);
-        for step in &program.moves {
-            let bounds = step.path.map_or(Bounds::EMPTY, |path| path.bounds());
-            if !(allowed.contains(bounds.min) && allowed.contains(bounds.max)) && step.path.is_some() {
-                findings.add(
-                    FindingCode::OutsideWorkArea,
-                    step.line,
-                    format!(
-                        "a move from ({:.3}, {:.3}) to ({:.3}, {:.3})",
-                        bounds.min.x, bounds.min.y, bounds.max.x, bounds.max.y
-                    ),
-                    format!("(0, 0) to ({:.3}, {:.3})", self.area.max.x, self.area.max.y),
-                );
+        let (rules, tolerance) = (IronRules::new(spec, machine), spec.accuracy.path.0);
+        let seams = Seams::new(design, &self.stars, &rules, tolerance);
+        let mut judges = self.judges(&rules);
+        let heights = &machine.process.heights;
+        judges.push(Box::new(Itinerary::new(heights, seams.starts(self.hot), self.hot, tolerance)));
+        let mut judge = |path: &mut dyn Judge| {
+            let mut all: Vec<&mut dyn Judge> = Vec::new();
+            for judge in &mut judges {
+                all.push(&mut **judge);
             }
+            all.push(path);
+            let dialect = Dialect::for_controller(&machine.controller);
+            findings.absorb(judged(text.split_inclusive('\n'), dialect, &mut all));
+        };
+        if self.hot {
+            let mut path = seams.sealed();
+            judge(&mut path);
+            path.deviation
+        } else {
+            let mut path = seams.traced();
+            judge(&mut path);
+            path.deviation
         }
+    }
+
+    /// All judges but those of the way.
+    fn judges<'b>(&'b self, rules: &'b IronRules<'b>) -> Vec<Box<dyn Judge + 'b>> {
+        let Self { expected, hot, sheet, ref stars, area } = *self;
+        let Expected { spec, machine, .. } = *expected;
+        let hotend = hot && machine.controller.heating == Heating::Hotend;
+        let allowed = area.grown(spec.accuracy.path.0);
+        let reach = if hot { spec.seal.band.0 / 2.0 } else { 0.0 };
+        let mut judges: Vec<Box<dyn Judge + 'b>> = vec![
+            Box::new(Script::new(machine, hot)),
+            Box::new(Body::new(hotend.then_some(spec.seal.temperature))),
+            Box::new(FirstWords::default()),
+            Box::new(Height::new(&machine.process.heights, allowed)),
+            Box::new(Area { reach: area, allowed, findings: Findings::default() }),
+            Box::new(Clamps::new(&machine.bench.keep_out, reach)),
+        ];
+        if hot {
+            judges.extend(iron(rules));
+        } else {
+            judges.push(Box::new(TravelFeed::new(machine.process.travel_speed.0)));
+            judges.push(Box::new(Cold::new(rules)));
+        }
+        judges.push(Box::new(Comments::new(Subject { expected, hot, sheet, stars }, rules)));
+        judges
     }
 }
 
-/// Every line says what it does: Klipper and Marlin do not go on moving by the word of the line before.
-fn first_words(text: &str, findings: &mut Findings) {
-    let silent = |(_, text): &(usize, &str)| text.trim_start().starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']);
-    if let Some((line, text)) = (1..).zip(text.lines()).find(silent) {
-        findings.add(FindingCode::UnusedWord, line, quote(text), "G0, G1, G2 or G3 first");
+/// No move leaves the sheet or the machine's reach.
+struct Area {
+    reach: Bounds,
+    /// The same with room for rounding.
+    allowed: Bounds,
+    findings: Findings,
+}
+
+impl Judge for Area {
+    fn see(&mut self, line: &Line<'_>) {
+        for event in line.events {
+            let Event::Move(step) = event else { continue };
+            let Some(Bounds { min, max }) = step.path.map(|path| path.bounds()) else { continue };
+            if !(self.allowed.contains(min) && self.allowed.contains(max)) {
+                let found =
+                    format!("a move from ({:.3}, {:.3}) to ({:.3}, {:.3})", min.x, min.y, max.x, max.y);
+                let allowed = format!("(0, 0) to ({:.3}, {:.3})", self.reach.max.x, self.reach.max.y);
+                self.findings.add(FindingCode::OutsideWorkArea, step.line, found, allowed);
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        std::mem::take(&mut self.findings)
+    }
+}
+
+/// Every line says what it does: Klipper and Marlin do not go on moving by the word of the line before. The first that
+/// does not is reported.
+#[derive(Default)]
+struct FirstWords(Findings);
+
+impl Judge for FirstWords {
+    fn see(&mut self, line: &Line<'_>) {
+        let text = line.text.trim();
+        if self.0.is_empty() && text.starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']) {
+            self.0.add(FindingCode::UnusedWord, line.number, quote(text), "G0, G1, G2 or G3 first");
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        std::mem::take(&mut self.0)
     }
 }

@@ -7,14 +7,52 @@ mod facts;
 pub(in crate::verify) mod files;
 mod height;
 pub(in crate::verify) mod iron;
+mod itinerary;
 mod job;
 mod pace;
 pub(in crate::verify) mod path;
+mod progress;
 pub(in crate::verify) mod rules;
 mod script;
 mod seams;
 pub(in crate::verify) mod stroke;
 mod travel;
+
+use crate::verify::Findings;
+use crate::verify::read::gcode::{Dialect, Event, Line, each_line};
+
+/// A judge of programs: it is shown one line after the other, and remembers no more of them than it needs.
+pub(in crate::verify) trait Judge {
+    /// The next line, and what it does.
+    fn see(&mut self, line: &Line<'_>);
+
+    /// After the last line: everything that is wrong.
+    fn end(&mut self) -> Findings;
+}
+
+/// What all of `judges` find in a program, one after the other, and then the reader.
+fn judged<'a>(
+    lines: impl IntoIterator<Item = &'a str>,
+    dialect: Dialect,
+    judges: &mut [&mut dyn Judge],
+) -> Findings {
+    let mut own = Findings::default();
+    let _ = each_line(lines, dialect, |line| {
+        for judge in judges.iter_mut() {
+            judge.see(line);
+        }
+        own.extend(line.events.iter().filter_map(|event| match event {
+            Event::Finding(finding) => Some(finding.clone()),
+            _ => None,
+        }));
+    });
+    let mut findings = Findings::default();
+    for judge in judges.iter_mut() {
+        findings.absorb(judge.end());
+    }
+    findings.absorb(own);
+    findings
+}
 
 /// Slack on heights, mm; they are written to at least two decimals and read as written.
 const HEIGHT: f64 = 1e-6;

@@ -6,9 +6,10 @@
 
 use crate::geom::Segment;
 use crate::spec::Motion;
+use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::stroke::Run;
-use crate::verify::read::gcode::{Move, MoveKind, Program};
+use crate::verify::read::gcode::{Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 
 /// How far the mean speed may be off.
@@ -28,42 +29,60 @@ struct Schedule {
     stop: (f64, f64),
 }
 
-/// The judge of one program.
-struct Judge<'a> {
+/// Reports every move below travel height that is too fast or too slow.
+pub(in crate::verify) struct Paced<'a> {
     rules: &'a IronRules<'a>,
     schedule: Schedule,
+    /// The move that is judged with the waits after it, and those so far, s.
+    pending: Option<(Move, f64)>,
+    findings: Findings,
 }
 
-/// Reports every move below travel height that is too fast or too slow.
-pub(in crate::verify) fn check(rules: &IronRules<'_>, program: &Program, findings: &mut Findings) {
-    let mut judge = Judge { rules, schedule: Schedule::default() };
-    let mut dwells = program.dwells.iter().peekable();
-    let mut steps = program.moves.iter().peekable();
-    while let Some(step) = steps.next() {
-        if rules.phase(step) == Phase::Clear {
-            judge.schedule = Schedule::default();
-            continue;
+impl<'a> Paced<'a> {
+    pub(in crate::verify) fn new(rules: &'a IronRules<'a>) -> Self {
+        Self { rules, schedule: Schedule::default(), pending: None, findings: Findings::default() }
+    }
+
+    fn judge_pending(&mut self) {
+        if let Some((step, rest)) = self.pending.take() {
+            self.step(&step, rest);
         }
-        if step.kind == MoveKind::Rapid {
-            // Reported with the heat: there is no feed to judge.
-            continue;
+    }
+
+    fn next(&mut self, step: &Move) {
+        self.judge_pending();
+        if self.rules.phase(step) == Phase::Clear {
+            self.schedule = Schedule::default();
+        } else if step.kind == MoveKind::Feed {
+            self.pending = Some((*step, 0.0));
         }
-        while dwells.next_if(|dwell| dwell.line < step.line).is_some() {}
-        let next = steps.peek().map_or(usize::MAX, |next| next.line);
-        let mut rest = 0.0;
-        while let Some(dwell) = dwells.next_if(|dwell| dwell.line < next) {
-            rest += dwell.seconds;
-        }
-        judge.step(step, rest, findings);
+        // A rapid there is reported with the heat: there is no feed to judge.
     }
 }
 
-impl Judge<'_> {
+impl Judge for Paced<'_> {
+    fn see(&mut self, line: &Line<'_>) {
+        for event in line.events {
+            match (event, &mut self.pending) {
+                (Event::Move(step), _) => self.next(step),
+                (Event::Dwell(dwell), Some((_, rest))) => *rest += dwell.seconds,
+                _ => {}
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        self.judge_pending();
+        std::mem::take(&mut self.findings)
+    }
+}
+
+impl Paced<'_> {
     /// One move in contact, and the wait after it.
-    fn step(&mut self, step: &Move, rest: f64, findings: &mut Findings) {
+    fn step(&mut self, step: &Move, rest: f64) {
         let speed = self.rules.seal.speed.0;
         let Some(feed) = step.feed.map(|feed| feed / 60.0) else {
-            findings.add(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
+            self.findings.add(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
             return;
         };
         self.schedule.due += step.length() / speed;
@@ -74,28 +93,33 @@ impl Judge<'_> {
             let told = self.rules.motion.chop_speed().unwrap_or(feed);
             if (feed - told).abs() > ROUNDING * told {
                 let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", told * 60.0));
-                findings.add(FindingCode::WrongFeed, step.line, found, allowed);
+                self.findings.add(FindingCode::WrongFeed, step.line, found, allowed);
             }
             self.stroke(step, feed, rest);
             let longest = self.longest(feed);
             if step.length() > longest + 0.01 {
                 let found = format!("a stroke of {:.3} mm", step.length());
-                findings.add(FindingCode::LongStroke, step.line, found, format!("at most {longest:.3} mm"));
+                self.findings.add(
+                    FindingCode::LongStroke,
+                    step.line,
+                    found,
+                    format!("at most {longest:.3} mm"),
+                );
             }
             rest > 0.0
         } else {
             let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", speed * 60.0));
-            findings.add(FindingCode::WrongFeed, step.line, found, allowed);
+            self.findings.add(FindingCode::WrongFeed, step.line, found, allowed);
             return;
         };
         if self.rules.timed {
-            self.on_time(step, stopped, findings);
+            self.on_time(step, stopped);
         }
         let motion = self.rules.motion;
         let lowest = step.path.and_then(|path| lowest_speed(motion, &path, step.to.z - step.from.z));
         if let Some(lowest) = lowest.filter(|lowest| feed < lowest * (1.0 - ROUNDING)) {
             let found = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
-            findings.add(
+            self.findings.add(
                 FindingCode::BelowFloor,
                 step.line,
                 found,
@@ -134,7 +158,7 @@ impl Judge<'_> {
 
     /// Reports a step that takes the contact off its schedule, or a run that is itself too early or too late. Until it
     /// has `stopped`, a run may be late by what it takes to start and to stop.
-    fn on_time(&mut self, step: &Move, stopped: bool, findings: &mut Findings) {
+    fn on_time(&mut self, step: &Move, stopped: bool) {
         let (speed, feed) = (self.rules.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
         let Schedule { due, spent, stop, .. } = self.schedule;
         let off = spent - due;
@@ -146,7 +170,7 @@ impl Judge<'_> {
         let within = |off: f64, most: f64| -most <= off && off <= most + late;
         if !(within(off, allowed) && within(off - stop.1, alone)) {
             let found = format!("{off:+.3} s off the schedule of {speed} mm/s");
-            findings.add(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
+            self.findings.add(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
             self.schedule = Schedule::default();
         } else if stopped {
             self.schedule.stop = (due, off);
@@ -154,14 +178,15 @@ impl Judge<'_> {
     }
 }
 
-/// The lowest speed that the controller holds all along `path`, looked at in seventeen places of it.
+/// The lowest speed that the controller holds all along `path`, on an arc looked at in seventeen places of it.
 fn lowest_speed(motion: &Motion, path: &Segment, rise: f64) -> Option<f64> {
     let length = path.length();
     let at = |t: f64| {
         let u = path.tangent(t);
         motion.lowest_speed([u.x * length, u.y * length, rise])
     };
-    (0..=16).map(|i| at(f64::from(i) / 16.0)).try_fold(0.0, |worst: f64, lowest| Some(worst.max(lowest?)))
+    let places = if matches!(path, Segment::Line(_)) { 0 } else { 16 };
+    (0..=places).map(|i| at(f64::from(i) / 16.0)).try_fold(0.0, |worst: f64, lowest| Some(worst.max(lowest?)))
 }
 
 #[cfg(test)]

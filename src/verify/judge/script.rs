@@ -1,117 +1,209 @@
 //! The profile's own lines: the head is its start, the tail its end, and between them no mode and no setting changes.
 
-use std::cell::OnceCell;
-
 use crate::spec::{Heating, Machine};
 use crate::units::Temperature;
 use crate::verify::finding::quote;
-use crate::verify::read::gcode::Program;
+use crate::verify::judge::Judge;
+use crate::verify::read::gcode::{Event, Heat, Line};
 use crate::verify::{FindingCode, Findings};
 
 /// Largest difference of temperatures that are the same, in degrees Celsius.
 const SAME: f64 = 0.5;
 
-/// A program beside the profile that it was made for.
+/// Most settings and heatings that are remembered until it is known whether they stand in the tail: no profile has as many.
+const PENDING: usize = 1000;
+
+/// Reports every line that the profile gives and that is not where it should be, and every one that it does not give.
 pub(in crate::verify) struct Script<'a> {
-    pub(in crate::verify) machine: &'a Machine,
-    /// The seal's temperature; `None` for a program that must stay cold.
-    pub(in crate::verify) heat: Option<Temperature>,
-    pub(in crate::verify) text: &'a str,
-    pub(in crate::verify) program: &'a Program,
+    machine: &'a Machine,
+    /// How many pauses there may still be: one where the operator heats.
+    pauses: usize,
+    /// Whether anything has moved.
+    moved: bool,
+    head: Wanted<'a>,
+    tail: Wanted<'a>,
+    findings: Findings,
 }
 
-impl Script<'_> {
-    /// Reports every line that the profile gives and that is not where it should be, and every one that it does not give.
-    pub(in crate::verify) fn check(&self, findings: &mut Findings) {
-        let (first, last) = self.program.motion().unwrap_or((usize::MAX, usize::MAX));
-        let Machine { script, controller, .. } = self.machine;
-        self.compare(&script.start, 1..first, findings);
-        self.compare(&script.end, last.saturating_add(1)..usize::MAX, findings);
-        self.pauses(findings);
-        let hotend = self.heat.filter(|_| controller.heating == Heating::Hotend);
-        check_body(hotend, self.text, self.program, findings);
+impl<'a> Script<'a> {
+    /// The judge of a program that seals (`hot`) or traces.
+    pub(in crate::verify) fn new(machine: &'a Machine, hot: bool) -> Self {
+        let pauses = usize::from(hot && machine.controller.heating == Heating::Operator);
+        let (head, tail) = (Wanted::new(&machine.script.start), Wanted::new(&machine.script.end));
+        Self { machine, pauses, moved: false, head, tail, findings: Findings::default() }
     }
 
-    /// The lines of code within `range` against those of the profile: the first difference.
-    fn compare(&self, wanted: &[String], range: std::ops::Range<usize>, findings: &mut Findings) {
-        let mut wanted = wanted.iter().map(|line| line.trim()).filter(|line| is_code(line));
-        let mut last = range.start;
-        for (line, number) in self.text.lines().zip(1..).filter(|(line, _)| is_code(line.trim())) {
-            if !range.contains(&number) {
-                continue;
-            }
-            last = number;
-            let wanted = wanted.next();
-            if wanted != Some(line.trim()) {
-                let allowed = wanted.map_or("no further line".to_owned(), quote);
-                findings.add(
-                    FindingCode::ProfileLine,
-                    number,
-                    quote(line),
-                    format!("{allowed}, as the profile says"),
-                );
-                return;
-            }
+    /// A pause, in the profile's words.
+    fn pause(&mut self, line: &Line<'_>) {
+        let text = line.text.trim();
+        if self.pauses == 0 || text != self.machine.script.pause {
+            let allowed = format!("{} pauses, {}", self.pauses, quote(&self.machine.script.pause));
+            self.findings.add(FindingCode::ProfileLine, line.number, quote(text), allowed);
         }
-        if let Some(wanted) = wanted.next() {
-            let allowed = format!("{}, as the profile says", quote(wanted));
-            findings.add(FindingCode::ProfileLine, last, "nothing more", allowed);
-        }
-    }
-
-    /// Where the operator heats, there is one pause, in the profile's words; else there is none.
-    fn pauses(&self, findings: &mut Findings) {
-        let operator = self.machine.controller.heating == Heating::Operator;
-        let wanted = usize::from(self.heat.is_some() && operator);
-        // One too many is enough to be told.
-        for (pause, i) in self.program.pauses.iter().zip(0..).take(wanted + 1) {
-            let line = self.text.lines().nth(pause.line - 1).unwrap_or_default().trim();
-            if i >= wanted || line != self.machine.script.pause {
-                let allowed = format!("{wanted} pauses, {}", quote(&self.machine.script.pause));
-                findings.add(FindingCode::ProfileLine, pause.line, quote(line), allowed);
-            }
-        }
+        self.pauses = self.pauses.saturating_sub(1);
     }
 }
 
-/// Between the first motion and the last, no mode and no setting changes; and a hotend is heated to `heat` there, once,
-/// and off before and after. Without one, nothing heats.
-pub(in crate::verify) fn check_body(
-    heat: Option<Temperature>,
-    text: &str,
-    program: &Program,
-    findings: &mut Findings,
-) {
-    let (first, last) = program.motion().unwrap_or((usize::MAX, usize::MAX));
-    let lines = OnceCell::new();
-    let quoted = |line: usize| {
-        // Only a program with faults is cut into its lines, and only once.
-        let lines: &Vec<&str> = lines.get_or_init(|| text.lines().collect());
-        quote(lines.get(line - 1).copied().unwrap_or_default())
-    };
-    for line in program.settings.iter().filter(|line| (first..=last).contains(line)) {
-        let allowed = "modes and settings before the first motion only";
-        findings.add(FindingCode::ProfileLine, *line, quoted(*line), allowed);
+impl Judge for Script<'_> {
+    fn see(&mut self, line: &Line<'_>) {
+        if line.is_motion() {
+            self.moved = true;
+            self.tail.again(line.number);
+        } else if is_code(line.text.trim()) {
+            if self.moved {
+                self.tail.next(line);
+            } else {
+                self.head.next(line);
+            }
+        }
+        if line.events.iter().any(|event| matches!(event, Event::Pause(_))) {
+            self.pause(line);
+        }
     }
-    let mut wanted = heat;
-    for told in &program.heats {
-        let right = if (first..=last).contains(&told.line) {
-            let wanted = wanted.take();
-            told.waits && wanted.is_some_and(|wanted| (wanted.0 - told.celsius).abs() <= SAME)
+
+    fn end(&mut self) -> Findings {
+        let mut findings = Findings::default();
+        self.head.end(&mut findings);
+        self.tail.end(&mut findings);
+        findings.absorb(std::mem::take(&mut self.findings));
+        findings
+    }
+}
+
+/// Lines that should follow each other, and the first that does not.
+struct Wanted<'a> {
+    lines: Vec<&'a str>,
+    /// How many have come.
+    come: usize,
+    /// The line that was looked at last.
+    last: usize,
+    /// The first wrong line, and what it says; its room is used again.
+    wrong: Option<usize>,
+    text: String,
+}
+
+impl<'a> Wanted<'a> {
+    fn new(lines: &'a [String]) -> Self {
+        let lines = lines.iter().map(|line| line.trim()).filter(|line| is_code(line)).collect();
+        Self { lines, come: 0, last: 1, wrong: None, text: String::new() }
+    }
+
+    /// Begins anew after `line`.
+    fn again(&mut self, line: usize) {
+        (self.come, self.last, self.wrong) = (0, line, None);
+    }
+
+    fn next(&mut self, line: &Line<'_>) {
+        if self.wrong.is_some() {
+            return;
+        }
+        self.last = line.number;
+        if self.lines.get(self.come) == Some(&line.text.trim()) {
+            self.come += 1;
         } else {
-            told.celsius == 0.0 && !told.waits
-        };
-        if !right {
-            let allowed = match heat {
-                Some(heat) => format!("one heating to {heat}, and off in the profile's lines"),
-                None => "no heating".to_owned(),
-            };
-            findings.add(FindingCode::StrayHeat, told.line, quoted(told.line), allowed);
+            self.wrong = Some(line.number);
+            self.text.clear();
+            self.text.push_str(line.text.trim_end());
         }
+    }
+
+    fn end(&self, findings: &mut Findings) {
+        let wanted = self.lines.get(self.come).map(|line| format!("{}, as the profile says", quote(line)));
+        if let Some(line) = self.wrong {
+            let allowed = wanted.unwrap_or_else(|| "no further line, as the profile says".to_owned());
+            findings.add(FindingCode::ProfileLine, line, quote(&self.text), allowed);
+        } else if let Some(wanted) = wanted {
+            findings.add(FindingCode::ProfileLine, self.last, "nothing more", wanted);
+        }
+    }
+}
+
+/// Between the first motion and the last, no mode and no setting changes; and a hotend is heated there, once, and off
+/// before and after. Without one, nothing heats.
+pub(in crate::verify) struct Body {
+    /// To what a hotend is heated.
+    heat: Option<Temperature>,
+    heated: bool,
+    moved: bool,
+    /// What came since the last motion: it is the body's if another follows.
+    pending: Vec<Told>,
+    findings: Findings,
+}
+
+/// A line that is right or wrong by its place.
+struct Told {
+    line: usize,
+    text: String,
+    /// What a heater is told; `None` for a setting.
+    heat: Option<Heat>,
+}
+
+impl Body {
+    /// The judge of a program that heats a hotend to `heat`, or none.
+    pub(in crate::verify) fn new(heat: Option<Temperature>) -> Self {
+        Self { heat, heated: false, moved: false, pending: Vec::new(), findings: Findings::default() }
+    }
+
+    fn judge(&mut self, told: &Told, within: bool) {
+        let right = match (&told.heat, within) {
+            (None, within) => !within,
+            (Some(heat), false) => heat.celsius == 0.0 && !heat.waits,
+            (Some(heat), true) => {
+                let wanted = self.heat.filter(|_| !std::mem::replace(&mut self.heated, true));
+                heat.waits && wanted.is_some_and(|wanted| (wanted.0 - heat.celsius).abs() <= SAME)
+            }
+        };
+        if right {
+            return;
+        }
+        let (code, allowed) = match (&told.heat, self.heat) {
+            (None, _) => {
+                (FindingCode::ProfileLine, "modes and settings before the first motion only".to_owned())
+            }
+            (_, Some(heat)) => {
+                (FindingCode::StrayHeat, format!("one heating to {heat}, and off in the profile's lines"))
+            }
+            (_, None) => (FindingCode::StrayHeat, "no heating".to_owned()),
+        };
+        self.findings.add(code, told.line, told.text.clone(), allowed);
+    }
+
+    fn judge_pending(&mut self, within: bool) {
+        for told in std::mem::take(&mut self.pending) {
+            self.judge(&told, within);
+        }
+    }
+}
+
+impl Judge for Body {
+    fn see(&mut self, line: &Line<'_>) {
+        let heats = line.events.iter().filter_map(|event| match event {
+            Event::Heat(heat) => Some(Some(*heat)),
+            Event::Setting(_) => Some(None),
+            _ => None,
+        });
+        let told = |heat| Told { line: line.number, text: quote(line.text.trim_end()), heat };
+        if line.is_motion() {
+            // What stood before the first motion is the head.
+            self.judge_pending(self.moved);
+            self.moved = true;
+        }
+        for heat in heats {
+            if line.is_motion() || self.pending.len() >= PENDING {
+                self.judge(&told(heat), true);
+            } else {
+                self.pending.push(told(heat));
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        self.judge_pending(false);
+        std::mem::take(&mut self.findings)
     }
 }
 
 /// Whether a line is more than a comment.
-fn is_code(line: &str) -> bool {
+pub(in crate::verify) fn is_code(line: &str) -> bool {
     !line.is_empty() && !line.starts_with([';', '('])
 }

@@ -1,10 +1,12 @@
 //! The seams of a program against those of the design: all there, in order, each from its start to its end.
 
 use crate::design::{Design, PlacedStar, Side};
-use crate::geom::{Bounds, Line, Path, Point, Segment};
+use crate::geom::{Bounds, Line, Path, Point};
+use crate::verify::judge::Judge;
+use crate::verify::judge::path::follow::Follower;
 use crate::verify::judge::rules::{IronRules, Phase};
-use crate::verify::read::gcode::{Move, MoveKind, Program};
-use crate::verify::{FindingCode, Findings, follow};
+use crate::verify::read::gcode::{self, Event, Move, MoveKind};
+use crate::verify::{FindingCode, Findings};
 
 /// One seam as it should be travelled, in the sheet's frame.
 struct ExpectedSeam {
@@ -18,19 +20,25 @@ struct ExpectedSeam {
 
 /// The seams that one program should have.
 pub(in crate::verify) struct Seams<'a> {
-    pub(in crate::verify) design: &'a Design,
-    /// The stars, in the order of sealing.
-    pub(in crate::verify) stars: &'a [&'a PlacedStar],
-    pub(in crate::verify) rules: IronRules<'a>,
+    design: &'a Design,
+    stars: &'a [&'a PlacedStar],
+    rules: &'a IronRules<'a>,
     /// Largest deviation, mm.
-    pub(in crate::verify) tolerance: f64,
+    tolerance: f64,
+    expected: Vec<ExpectedSeam>,
 }
 
-impl Seams<'_> {
-    fn expected(&self) -> Vec<ExpectedSeam> {
-        let ramp = self.rules.process.ramp.0;
-        let seams = self.stars.iter().flat_map(|placed| {
-            self.design.part(placed).seams.iter().map(move |seam| {
+impl<'a> Seams<'a> {
+    /// The seams of `stars`, which stand in the order of sealing, to be followed within `tolerance`, mm.
+    pub(in crate::verify) fn new(
+        design: &'a Design,
+        stars: &'a [&'a PlacedStar],
+        rules: &'a IronRules<'a>,
+        tolerance: f64,
+    ) -> Self {
+        let ramp = rules.process.ramp.0;
+        let seams = stars.iter().flat_map(|placed| {
+            design.part(placed).seams.iter().map(move |seam| {
                 let place = |path: Path| placed.placement.path(&path);
                 let side = if seam.side == Side::Hole { "inner" } else { "outer" };
                 ExpectedSeam {
@@ -42,7 +50,18 @@ impl Seams<'_> {
                 }
             })
         });
-        seams.collect()
+        let expected = seams.collect();
+        Self { design, stars, rules, tolerance, expected }
+    }
+
+    /// Where the ways of a sealing program (`hot`) or of a trace begin, in order.
+    pub(in crate::verify) fn starts(&self, hot: bool) -> Vec<Point> {
+        let seams = self.expected.iter();
+        if hot {
+            seams.filter_map(|seam| seam.lead_in.start()).collect()
+        } else {
+            self.frame().start().into_iter().chain(seams.filter_map(|seam| seam.run.start())).collect()
+        }
     }
 
     /// The rectangle around the cut, and around everything that the iron does to the fabric.
@@ -52,165 +71,243 @@ impl Seams<'_> {
             bounds.union(placed.placement.path(&part.outline.outside).bounds())
         });
         let band = self.stars.first().map_or(0.0, |placed| self.design.part(placed).band);
-        let seams = self.expected().into_iter().flat_map(|seam| [seam.lead_in, seam.run, seam.lead_out]);
+        let seams = self.expected.iter().flat_map(|seam| [&seam.lead_in, &seam.run, &seam.lead_out]);
         let touched = seams.map(|path| path.bounds().grown(band / 2.0));
         let Bounds { min, max } = touched.fold(bounds, Bounds::union);
         let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
         Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
     }
 
-    /// Every seam is there, in order, from its start to its end, overlap and ramps included; the largest
-    /// deviation, mm.
-    pub(in crate::verify) fn sealed(&self, program: &Program, findings: &mut Findings) -> f64 {
-        let expected = self.expected();
-        let contacts = contacts(program, |step| self.rules.phase(step));
-        let mut deviation = 0.0_f64;
-        for (contact, seam) in contacts.iter().zip(&expected) {
-            deviation = deviation.max(self.follow(&contact.run, &seam.run, &seam.name, seam.once, findings));
-            for (ramp, path, what) in
-                [(&contact.down, &seam.lead_in, "way down to"), (&contact.up, &seam.lead_out, "way up from")]
-            {
-                let name = format!("{what} the {}", seam.name);
-                deviation = deviation.max(self.follow(ramp, path, &name, path.length(), findings));
-            }
-        }
-        for seam in expected.iter().skip(contacts.len()) {
-            findings.add(
-                FindingCode::MissingSeam,
-                None,
-                format!("no {}", seam.name),
-                "every seam of the design",
-            );
-        }
-        for contact in contacts.iter().skip(expected.len()) {
-            let line = contact.run.first().map(|step| step.line);
-            findings.add(
-                FindingCode::ExtraSeam,
-                line,
-                "a contact that the design does not have",
-                "only its seams",
-            );
-        }
-        deviation
+    /// The judge of a sealing program.
+    pub(in crate::verify) fn sealed(&self) -> Sealed<'_> {
+        let (expected, now) = (self.expected.iter(), None);
+        let findings = Findings::default();
+        Sealed { rules: self.rules, tolerance: self.tolerance, expected, now, deviation: 0.0, findings }
     }
 
-    /// One chain of moves against the path it should follow.
-    fn follow(&self, steps: &[&Move], path: &Path, name: &str, once: f64, findings: &mut Findings) -> f64 {
-        let segments: Vec<Segment> = steps.iter().filter_map(|step| step.path).collect();
-        let line = |step: usize| steps.get(step).map(|step| step.line);
-        let walked = follow(&segments, path);
-        let tolerance = self.tolerance;
+    /// The judge of a trace program.
+    pub(in crate::verify) fn traced(&self) -> Traced {
+        let mut paths: Vec<Walk> = self.expected.iter().map(ExpectedSeam::walk).collect();
+        let frame = self.frame();
+        let whole = frame.length();
+        paths.insert(0, Walk::new(&frame, "frame".to_owned(), whole));
+        let wanted = paths.len() - 1;
+        let (paths, inside, now, found) = (paths.into_iter(), false, None, 0);
+        let findings = Findings::default();
+        Traced { tolerance: self.tolerance, paths, wanted, found, inside, now, deviation: 0.0, findings }
+    }
+}
+
+impl ExpectedSeam {
+    fn walk(&self) -> Walk {
+        Walk::new(&self.run, self.name.clone(), self.once)
+    }
+
+    /// The way down, the run, the way up.
+    fn walks(&self) -> [Walk; 3] {
+        let ramp =
+            |path: &Path, what: &str| Walk::new(path, format!("{what} the {}", self.name), path.length());
+        [ramp(&self.lead_in, "way down to"), self.walk(), ramp(&self.lead_out, "way up from")]
+    }
+}
+
+/// Every seam is there, in order, from its start to its end, overlap and ramps included.
+pub(in crate::verify) struct Sealed<'a> {
+    rules: &'a IronRules<'a>,
+    tolerance: f64,
+    /// The seams that are still to come.
+    expected: std::slice::Iter<'a, ExpectedSeam>,
+    now: Option<Contact>,
+    /// The largest, mm.
+    pub(in crate::verify) deviation: f64,
+    findings: Findings,
+}
+
+/// One contact with the fabric.
+enum Contact {
+    /// Of a seam: the way down, the run, the way up.
+    Seam(Box<[Walk; 3]>),
+    /// Of none; the line in which it begins.
+    Extra(Option<usize>),
+}
+
+impl Sealed<'_> {
+    fn step(&mut self, step: &Move) {
+        let phase = self.rules.phase(step);
+        if phase == Phase::Clear {
+            self.lift();
+            return;
+        }
+        let expected = &mut self.expected;
+        let now = self.now.get_or_insert_with(|| match expected.next() {
+            Some(seam) => Contact::Seam(Box::new(seam.walks())),
+            None => Contact::Extra(None),
+        });
+        match now {
+            Contact::Extra(line) if phase == Phase::Contact => *line = line.or(Some(step.line)),
+            Contact::Extra(_) => {}
+            Contact::Seam(walks) => {
+                let [down, run, up] = &mut **walks;
+                match phase {
+                    Phase::Contact => run.step(step),
+                    _ if run.first.is_none() => down.step(step),
+                    _ => up.step(step),
+                }
+            }
+        }
+    }
+
+    /// The end of a contact.
+    fn lift(&mut self) {
+        match self.now.take() {
+            Some(Contact::Seam(walks)) => {
+                let [down, run, up] = *walks;
+                for walk in [run, down, up] {
+                    self.deviation = self.deviation.max(walk.end(self.tolerance, &mut self.findings));
+                }
+            }
+            Some(Contact::Extra(line)) => {
+                let found = "a contact that the design does not have";
+                self.findings.add(FindingCode::ExtraSeam, line, found, "only its seams");
+            }
+            None => {}
+        }
+    }
+}
+
+impl Judge for Sealed<'_> {
+    fn see(&mut self, line: &gcode::Line<'_>) {
+        for event in line.events {
+            if let Event::Move(step) = event {
+                self.step(step);
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        self.lift();
+        for seam in self.expected.by_ref() {
+            let found = format!("no {}", seam.name);
+            self.findings.add(FindingCode::MissingSeam, None, found, "every seam of the design");
+        }
+        std::mem::take(&mut self.findings)
+    }
+}
+
+/// A trace shows the frame, and then every seam.
+pub(in crate::verify) struct Traced {
+    tolerance: f64,
+    paths: std::vec::IntoIter<Walk>,
+    /// How many seams there should be, and how many paths were found.
+    wanted: usize,
+    found: usize,
+    /// Whether the last move was along a path, and along which of those that should be.
+    inside: bool,
+    now: Option<Walk>,
+    /// The largest, mm.
+    pub(in crate::verify) deviation: f64,
+    findings: Findings,
+}
+
+impl Traced {
+    /// The end of a path.
+    fn leave(&mut self) {
+        self.inside = false;
+        if let Some(walk) = self.now.take() {
+            self.deviation = self.deviation.max(walk.end(self.tolerance, &mut self.findings));
+        }
+    }
+}
+
+impl Judge for Traced {
+    fn see(&mut self, line: &gcode::Line<'_>) {
+        for event in line.events {
+            let Event::Move(step) = event else { continue };
+            if step.kind == MoveKind::Rapid {
+                self.leave();
+                continue;
+            }
+            if !std::mem::replace(&mut self.inside, true) {
+                self.found += 1;
+                self.now = self.paths.next();
+            }
+            if let Some(walk) = &mut self.now {
+                walk.step(step);
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        self.leave();
+        let found = self.found.saturating_sub(1);
+        if self.found == 0 {
+            self.now = self.paths.next();
+            self.leave();
+        }
+        if found != self.wanted {
+            let (found, allowed) = (format!("{found} paths"), format!("{} paths", self.wanted));
+            self.findings.add(FindingCode::MissingSeam, None, found, allowed);
+        }
+        std::mem::take(&mut self.findings)
+    }
+}
+
+/// One chain of moves, on its way along the path that it should follow.
+struct Walk {
+    follower: Follower,
+    name: String,
+    /// Length of the path, and of the part of it that closes the loop.
+    length: f64,
+    once: f64,
+    /// Lines of its first and of its last move.
+    first: Option<usize>,
+    last: Option<usize>,
+}
+
+impl Walk {
+    fn new(path: &Path, name: String, once: f64) -> Self {
+        Self { follower: Follower::new(path), name, length: path.length(), once, first: None, last: None }
+    }
+
+    fn step(&mut self, step: &Move) {
+        self.first = self.first.or(Some(step.line));
+        self.last = Some(step.line);
+        if let Some(path) = &step.path {
+            self.follower.step(path, step.line);
+        }
+    }
+
+    /// Reports how it left its path; the largest deviation, mm.
+    fn end(self, tolerance: f64, findings: &mut Findings) -> f64 {
+        let Self { name, length, once, first, last, .. } = self;
+        let walked = self.follower.finish();
         let deviation = walked.largest();
         if deviation.is_nan() || deviation > tolerance {
-            findings.add(
-                FindingCode::Deviation,
-                line(walked.step),
-                format!("{deviation:.6} mm off the {name}"),
-                format!("{tolerance} mm"),
-            );
+            let line = first.map(|first| walked.step.max(first));
+            let found = format!("{deviation:.6} mm off the {name}");
+            findings.add(FindingCode::Deviation, line, found, format!("{tolerance} mm"));
         }
         // Along the path, rounding at both ends may add up.
         let slack = 2.0 * tolerance;
         if walked.start > slack {
-            findings.add(
-                FindingCode::LateStart,
-                line(0),
-                format!("the {name} begins {:.3} mm late", walked.start),
-                "its start",
-            );
+            let found = format!("the {name} begins {:.3} mm late", walked.start);
+            findings.add(FindingCode::LateStart, first, found, "its start");
         }
         if walked.end < once - slack {
             let found = format!("the {name} ends {:.3} mm before it is closed", once - walked.end);
-            findings.add(
-                FindingCode::OpenLoop,
-                line(steps.len().saturating_sub(1)),
-                found,
-                format!("{once:.3} mm"),
-            );
-        } else if walked.end < path.length() - slack {
+            findings.add(FindingCode::OpenLoop, last, found, format!("{once:.3} mm"));
+        } else if walked.end < length - slack {
             let found = format!("{:.3} mm of overlap on the {name}", walked.end - once);
-            findings.add(
-                FindingCode::MissingOverlap,
-                line(steps.len().saturating_sub(1)),
-                found,
-                format!("{:.3} mm", path.length() - once),
-            );
+            findings.add(FindingCode::MissingOverlap, last, found, format!("{:.3} mm", length - once));
         }
-        if let Some((back, step)) = walked.backwards.filter(|(back, _)| *back > slack) {
-            findings.add(
-                FindingCode::Backwards,
-                line(step),
-                format!("{back:.3} mm back along the {name}"),
-                "forwards only",
-            );
+        if let Some((back, line)) = walked.backwards.filter(|(back, _)| *back > slack) {
+            let found = format!("{back:.3} mm back along the {name}");
+            findings.add(FindingCode::Backwards, line, found, "forwards only");
         }
-        if let Some((gap, step)) = walked.jump.filter(|(gap, _)| *gap > tolerance) {
-            findings.add(
-                FindingCode::Jump,
-                line(step),
-                format!("a gap of {gap:.3} mm in the {name}"),
-                "an unbroken path",
-            );
+        if let Some((gap, line)) = walked.jump.filter(|(gap, _)| *gap > tolerance) {
+            let found = format!("a gap of {gap:.3} mm in the {name}");
+            findings.add(FindingCode::Jump, line, found, "an unbroken path");
         }
         deviation
     }
-
-    /// A trace shows the frame, and then every seam; the largest deviation, mm.
-    pub(in crate::verify) fn traced(&self, program: &Program, findings: &mut Findings) -> f64 {
-        let feeds: Vec<Vec<&Move>> = program
-            .moves
-            .chunk_by(|a, b| a.kind == b.kind)
-            .filter(|chunk| chunk[0].kind == MoveKind::Feed)
-            .map(|chunk| chunk.iter().collect())
-            .collect();
-        let (frame, runs) =
-            feeds.split_first().map_or((&[][..], &[][..]), |(frame, runs)| (frame.as_slice(), runs));
-        let right = self.frame();
-        let mut deviation = self.follow(frame, &right, "frame", right.length(), findings);
-        let expected = self.expected();
-        for (run, seam) in runs.iter().zip(&expected) {
-            deviation = deviation.max(self.follow(run, &seam.run, &seam.name, seam.once, findings));
-        }
-        if runs.len() != expected.len() {
-            findings.add(
-                FindingCode::MissingSeam,
-                None,
-                format!("{} paths", runs.len()),
-                format!("{} paths", expected.len()),
-            );
-        }
-        deviation
-    }
-}
-
-/// One contact with the fabric: the way down, the run, the way up.
-#[derive(Default)]
-struct Contact<'a> {
-    down: Vec<&'a Move>,
-    run: Vec<&'a Move>,
-    up: Vec<&'a Move>,
-}
-
-/// Splits a program into its contacts.
-fn contacts(program: &Program, phase: impl Fn(&Move) -> Phase) -> Vec<Contact<'_>> {
-    let mut out: Vec<Contact<'_>> = Vec::new();
-    let mut clear = true;
-    for step in &program.moves {
-        let now = phase(step);
-        if now == Phase::Clear {
-            clear = true;
-            continue;
-        }
-        if clear {
-            out.push(Contact::default());
-            clear = false;
-        }
-        let Some(contact) = out.last_mut() else { continue };
-        match now {
-            Phase::Contact => contact.run.push(step),
-            _ if contact.run.is_empty() => contact.down.push(step),
-            _ => contact.up.push(step),
-        }
-    }
-    out
 }

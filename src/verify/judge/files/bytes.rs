@@ -3,9 +3,10 @@
 //! This proves no writer (a fault that both share is in both), but it sees what no reader looks at: a comment, a colour, a
 //! label, a figure of the manifest.
 
+use crate::artifact::Subject;
 use crate::manifest::MANIFEST;
 use crate::verify::finding::quote;
-use crate::verify::judge::files::proof::{By, Proof};
+use crate::verify::judge::files::proof::{By, FileProof, Proof};
 use crate::verify::{Finding, FindingCode, OutputFiles};
 
 /// Names the first difference of every file of `found` from the one `made` anew; those that are equal are proven by it.
@@ -14,9 +15,11 @@ pub fn compare_bytes(made: &OutputFiles<'_>, found: &OutputFiles<'_>, proof: &mu
         // What is missing is a finding of its own.
         let Some(bytes) = found.get(name) else { continue };
         if bytes == right.as_ref() {
-            for file in proof.files.iter_mut().filter(|file| file.path == *name && file.by == By::Reading) {
-                file.by = By::Bytes;
-            }
+            // Spec and profile are what all else is made of: nothing makes them anew.
+            let made = |file: &&mut FileProof| {
+                file.path == *name && !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine)
+            };
+            proof.files.iter_mut().filter(made).for_each(|file| file.by = By::Bytes);
         } else if !(name == MANIFEST && proof.findings.iter().any(|finding| finding.file != MANIFEST)) {
             // The manifest's hashes differ with the files, which have been named.
             proof.findings.push(first_difference(bytes, right).in_file(name));

@@ -7,12 +7,10 @@
 
 use crate::geom::{Path, Point, Segment};
 use crate::verify::judge::path::measure::{Farthest, Prepared, furthest};
+use crate::verify::judge::path::track::{TIE, Track};
 
 /// How far a window reaches beyond one step. Larger than any rounding in a file, far smaller than a band.
 const MARGIN: f64 = 0.05;
-
-/// Two places on the exact path that differ by less in their distance are equally near: both passes of an overlap.
-const TIE: f64 = 1e-6;
 
 /// How a run followed its exact path. Positions are arc lengths along the exact path.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,140 +44,178 @@ impl Following {
     }
 }
 
-/// The exact path with the arc length at which each segment begins.
-struct Track {
-    targets: Vec<Prepared>,
-    begins: Vec<f64>,
-    length: f64,
-}
-
-impl Track {
-    fn new(path: &Path) -> Self {
-        let mut length = 0.0;
-        let mut track = Self { targets: Vec::new(), begins: Vec::new(), length };
-        for segment in &path.segments {
-            let target = Prepared::new(*segment);
-            if target.length > 0.0 {
-                track.targets.push(target);
-                track.begins.push(length);
-                length += target.length;
-            }
-        }
-        Self { length, ..track }
-    }
-
-    /// The part of `[from, to]` that exists.
-    fn within(&self, from: f64, to: f64) -> (f64, f64) {
-        (from.max(0.0), to.min(self.length))
-    }
-
-    /// Indices of the segments that share more than a point with `[from, to]`; at least one.
-    fn between(&self, from: f64, to: f64) -> std::ops::Range<usize> {
-        let first = self.begins.partition_point(|s| *s <= from).saturating_sub(1);
-        let last = self.begins.partition_point(|s| *s < to).max(first + 1);
-        first..last
-    }
-
-    /// The arc length in `[from, to]` of the point nearest to `p`; of those within `tie` the one next to `expected`.
-    fn project(&self, p: Point, (from, to): (f64, f64), expected: f64, tie: f64) -> f64 {
-        let mut best = (from, f64::INFINITY);
-        for i in self.between(from, to) {
-            let (target, begin) = (&self.targets[i], self.begins[i]);
-            if target.bounds.distance(p) >= best.1 + tie {
-                continue;
-            }
-            let s = (begin + target.segment.nearest_fraction(p) * target.length).clamp(from, to);
-            let distance = target.segment.point((s - begin) / target.length).distance(p);
-            let nearer = distance < best.1 - tie;
-            if nearer || (distance <= best.1 + tie && (s - expected).abs() < (best.0 - expected).abs()) {
-                best = (s, distance);
-            }
-        }
-        best.0
-    }
-}
-
 /// Follows `run`, the segments of one contact in order, along the open path `exact`.
 ///
 /// The run's first point is looked for at the path's start, then on the whole path; from there on
 /// only the window counts. Cost: linear in the number of segments of both.
 pub fn follow(run: &[Segment], exact: &Path) -> Following {
-    let track = Track::new(exact);
-    let steps: Vec<Prepared> = run.iter().map(|segment| Prepared::new(*segment)).collect();
-    let mut result = Following {
-        file_to_exact: 0.0,
-        exact_to_file: 0.0,
-        at: Point::ORIGIN,
-        step: 0,
-        start: 0.0,
-        end: 0.0,
-        length: steps.iter().map(|step| step.length).sum(),
-        exact_length: track.length,
-        backwards: None,
-        jump: None,
-    };
-    let (Some(first), false) = (steps.first(), track.targets.is_empty()) else {
-        if !(steps.is_empty() && track.targets.is_empty()) {
-            result.file_to_exact = f64::INFINITY;
-            result.exact_to_file = f64::INFINITY;
+    let mut follower = Follower::new(exact);
+    run.iter().zip(0..).for_each(|(step, i)| follower.step(step, i));
+    follower.finish()
+}
+
+/// Follows a run that is told step by step, and remembers three of them.
+pub(in crate::verify) struct Follower {
+    track: Track,
+    /// The step before the one that is measured, and the one that is: it waits for the one after it.
+    before: Option<Prepared>,
+    here: Option<Prepared>,
+    /// The number by which that is called.
+    number: usize,
+    /// Where the last step that was measured ends on the exact path, and how far off.
+    at: f64,
+    off: f64,
+    there: Farthest,
+    back: Farthest,
+    result: Following,
+    scratch: Vec<f64>,
+}
+
+impl Follower {
+    /// At the start of `exact`.
+    pub(in crate::verify) fn new(exact: &Path) -> Self {
+        let track = Track::new(exact);
+        let result = Following {
+            file_to_exact: 0.0,
+            exact_to_file: 0.0,
+            at: Point::ORIGIN,
+            step: 0,
+            start: 0.0,
+            end: 0.0,
+            length: 0.0,
+            exact_length: track.length,
+            backwards: None,
+            jump: None,
+        };
+        let (there, back) = (Farthest::NONE, Farthest::NONE);
+        Self {
+            track,
+            before: None,
+            here: None,
+            number: 0,
+            at: 0.0,
+            off: 0.0,
+            there,
+            back,
+            result,
+            scratch: Vec::new(),
         }
-        return result;
-    };
-    // With an overlap each place near the start comes twice, and a rounded start may lie nearer to the second pass
-    // (next to a corner): the first pass within the margin is meant, and then its nearest point.
-    let roughly = track.project(first.start, (0.0, track.length), 0.0, MARGIN);
-    let around = track.within(roughly - 4.0 * MARGIN, roughly + 4.0 * MARGIN);
-    let mut at = track.project(first.start, around, roughly, TIE);
-    result.start = at;
-    let (mut there, mut back) = (Farthest::NONE, Farthest::NONE);
-    let mut scratch = Vec::new();
-    for (i, step) in steps.iter().enumerate() {
-        let before = i.checked_sub(1).and_then(|k| steps.get(k));
-        let gap = before.map_or(0.0, |b| b.end.distance(step.start));
-        note_larger(&mut result.jump, gap, i);
-        let left = at;
+    }
+
+    /// The next step, by what number it is called in the end.
+    pub(in crate::verify) fn step(&mut self, step: &Segment, number: usize) {
+        let next = Prepared::new(*step);
+        self.result.length += next.length;
+        if self.track.targets.is_empty() {
+            // Nothing to be measured against.
+        } else if self.here.is_some() {
+            self.measure(Some(&next));
+            self.before = self.here;
+        } else {
+            (self.at, self.off) = self.start(next.start);
+            self.result.start = self.at;
+        }
+        (self.here, self.number) = (Some(next), number);
+    }
+
+    /// How the run followed its path, when all of its steps were told.
+    pub(in crate::verify) fn finish(mut self) -> Following {
+        match (self.here.is_some(), self.track.targets.is_empty()) {
+            (true, false) => self.measure(None),
+            (false, true) => {}
+            _ => {
+                return Following {
+                    file_to_exact: f64::INFINITY,
+                    exact_to_file: f64::INFINITY,
+                    ..self.result
+                };
+            }
+        }
+        Following {
+            file_to_exact: self.there.distance,
+            exact_to_file: self.back.distance,
+            at: self.there.max(self.back).at,
+            end: self.at,
+            ..self.result
+        }
+    }
+
+    /// Where a run that begins at `p` begins on the exact path, and how far off.
+    fn start(&self, p: Point) -> (f64, f64) {
+        let track = &self.track;
+        // With an overlap each place near the start comes twice, and a rounded start may lie nearer to the second pass
+        // (next to a corner): the first pass within the margin is meant, and then its nearest point.
+        let (roughly, _) = track.project(p, (0.0, track.length), 0.0, MARGIN);
+        let around = track.within(roughly - 4.0 * MARGIN, roughly + 4.0 * MARGIN);
+        track.project(p, around, roughly, TIE)
+    }
+
+    /// Measures the step that waits, of which `after` is the next.
+    fn measure(&mut self, after: Option<&Prepared>) {
+        let Some(step) = self.here else { return };
+        let before = self.off;
+        let ((low, high), gap) = self.advance(&step);
+        // Most steps cannot be farther off than one was before.
+        let least = self.there.distance.min(self.back.distance);
+        let off = self.off.max(before + gap);
+        if gap <= TIE && self.track.bound(&step, (low, high), off).is_some_and(|bound| bound <= least) {
+            return;
+        }
+        let (near_low, near_high) = self.track.within(low - MARGIN, high + MARGIN);
+        let covered = self.track.between(near_low, near_high);
+        let out = furthest(&step, &self.track.targets[covered], &mut self.scratch);
+        let home = self.way_back((low, high), after, out.distance.max(TIE));
+        if out.distance.max(home.distance) > self.there.distance.max(self.back.distance) {
+            self.result.step = self.number;
+        }
+        (self.there, self.back) = (self.there.max(out), self.back.max(home));
+    }
+
+    /// Goes on to the end of `step`; the part of the exact path that was covered on the way, and the gap before it.
+    fn advance(&mut self, step: &Prepared) -> ((f64, f64), f64) {
+        let (track, left) = (&self.track, self.at);
+        let gap = self.before.map_or(0.0, |before| before.end.distance(step.start));
+        note_larger(&mut self.result.jump, gap, self.number);
+        let mut at = left;
         if gap > TIE {
-            at = track.project(step.start, track.within(at - gap - MARGIN, at + gap + MARGIN), at, TIE);
+            (at, _) = track.project(step.start, track.within(at - gap - MARGIN, at + gap + MARGIN), at, TIE);
         }
         let reach = step.length + MARGIN;
-        let window = track.within(at - reach, at + reach);
-        let next = track.project(step.end, window, at + step.length, TIE);
-        note_larger(&mut result.backwards, at - next, i);
+        let (next, off) =
+            track.project(step.end, track.within(at - reach, at + reach), at + step.length, TIE);
+        note_larger(&mut self.result.backwards, at - next, self.number);
+        (self.at, self.off) = (next, off);
+        ((left.min(at).min(next), left.max(at).max(next)), gap)
+    }
 
-        let (low, high) = (left.min(at).min(next), left.max(at).max(next));
-        let (near_low, near_high) = track.within(low - MARGIN, high + MARGIN);
-        let covered = track.between(near_low, near_high);
-        let out = furthest(step, &track.targets[covered], &mut scratch);
-        let around = &steps[i.saturating_sub(1)..(i + 2).min(steps.len())];
+    /// The largest distance from the part of the exact path between `low` and `high` to the step that waits and its two
+    /// neighbours; what is less than `enough` need not be exact.
+    fn way_back(&mut self, (low, high): (f64, f64), after: Option<&Prepared>, enough: f64) -> Farthest {
         let mut home = Farthest::NONE;
-        for k in track.between(low, high) {
-            let (target, begin) = (&track.targets[k], track.begins[k]);
+        let Some(here) = &self.here else { return home };
+        for k in self.track.between(low, high) {
+            let (target, begin) = (&self.track.targets[k], self.track.begins[k]);
             let (a, b) = ((low - begin).max(0.0), (high - begin).min(target.length));
             if b > a {
                 let part = Prepared::new(target.segment.part(a / target.length, b / target.length));
-                let alone = furthest(&part, &steps[i..=i], &mut scratch);
                 // Measured against one step only, the distance is an upper bound; mostly that says enough.
-                let settled = alone.distance <= out.distance.max(TIE);
-                home = home.max(if settled { alone } else { furthest(&part, around, &mut scratch) });
+                let alone = furthest(&part, std::slice::from_ref(here), &mut self.scratch);
+                home = home.max(if alone.distance <= enough {
+                    alone
+                } else {
+                    let around: Vec<&Prepared> =
+                        [self.before.as_ref(), Some(here), after].into_iter().flatten().collect();
+                    furthest(&part, &around, &mut self.scratch)
+                });
             }
         }
-        if out.distance.max(home.distance) > there.distance.max(back.distance) {
-            result.step = i;
-        }
-        (there, back, at) = (there.max(out), back.max(home), next);
-    }
-    Following {
-        file_to_exact: there.distance,
-        exact_to_file: back.distance,
-        at: there.max(back).at,
-        end: at,
-        ..result
+        home
     }
 }
 
-fn note_larger(largest: &mut Option<(f64, usize)>, value: f64, index: usize) {
+fn note_larger(largest: &mut Option<(f64, usize)>, value: f64, number: usize) {
     if value > largest.map_or(0.0, |(v, _)| v) {
-        *largest = Some((value, index));
+        *largest = Some((value, number));
     }
 }
 

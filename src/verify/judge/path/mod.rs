@@ -3,3 +3,4 @@
 pub mod compare;
 pub(in crate::verify) mod follow;
 pub(in crate::verify) mod measure;
+mod track;

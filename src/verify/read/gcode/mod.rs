@@ -3,7 +3,7 @@
 //! A **dialect** is a table of what one family of controllers understands. The **lexer** cuts a line into
 //! words and a comment; a **block** is a line whose words the dialect understands; the **machine** holds the
 //! modes (units, distance, feed, ...) and the position, and executes blocks; the **interpreter** drives them line
-//! by line and reports **events**. It holds one line at a time; a
+//! by line and reports **events**. It holds one line at a time, and so do the judges; a
 //! **program** is the list of all events of a file, for those that fit into memory.
 
 mod arc;
@@ -22,4 +22,4 @@ pub use comment::Comment;
 pub use dialect::{ArcTolerance, Command, CommentMark, Dialect, DwellUnit};
 pub use event::{BlindMove, Dwell, Event, Heat, Move, MoveKind, Pause, Point3};
 pub use interpreter::Interpreter;
-pub use program::{Program, read_program};
+pub use program::{Line, Program, each_line, read_program};

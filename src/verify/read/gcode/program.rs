@@ -1,4 +1,4 @@
-//! A program: the list of all events of a file.
+//! A program, line by line with what each does, or as the list of all events of a file.
 
 use crate::verify::read::gcode::{BlindMove, Comment, Dialect, Dwell, Event, Heat, Interpreter, Move, Pause};
 use crate::verify::{Finding, Findings};
@@ -29,48 +29,71 @@ pub struct Program {
 }
 
 impl Program {
-    /// Lines of the first and of the last motion; `None` if nothing moves.
-    pub fn motion(&self) -> Option<(usize, usize)> {
-        let lines = || self.blind.iter().map(|step| step.line).chain(self.moves.iter().map(|step| step.line));
-        Some((lines().min()?, lines().max()?))
-    }
-
     /// The first structured comment with this key.
     pub fn comment(&self, key: &str) -> Option<&Comment> {
         self.comments.iter().find(|comment| comment.key() == Some(key))
     }
 }
 
-/// Reads a whole file.
-pub fn read_program(text: &str, dialect: Dialect) -> Program {
+/// A line, and what it does.
+#[derive(Clone, Copy, Debug)]
+pub struct Line<'a> {
+    /// From 1.
+    pub number: usize,
+    /// As it stands in the file, with its end.
+    pub text: &'a str,
+    /// In order; of motions one at the most.
+    pub events: &'a [Event],
+}
+
+impl Line<'_> {
+    /// Whether anything moves.
+    pub fn is_motion(&self) -> bool {
+        self.events.iter().any(|event| matches!(event, Event::Move(_) | Event::Blind(_)))
+    }
+}
+
+/// Shows `see` every one of `lines`, each with its end, and what it does; the number of lines. An empty line more, of the
+/// number of the last, has what is wrong with the whole.
+pub fn each_line<'a>(
+    lines: impl IntoIterator<Item = &'a str>,
+    dialect: Dialect,
+    mut see: impl FnMut(&Line<'_>),
+) -> usize {
     let mut interpreter = Interpreter::new(dialect);
-    let (mut program, mut findings) = (Program::default(), Findings::default());
     let mut events = Vec::new();
-    for line in text.split_inclusive('\n') {
-        interpreter.feed(line, &mut events);
-        program.take(&mut events, &mut findings);
+    for text in lines {
+        interpreter.feed(text, &mut events);
+        see(&Line { number: interpreter.lines(), text, events: &events });
+        events.clear();
     }
     interpreter.finish(&mut events);
-    program.take(&mut events, &mut findings);
-    program.lines = interpreter.lines();
+    see(&Line { number: interpreter.lines(), text: "", events: &events });
+    interpreter.lines()
+}
+
+/// Reads a whole file into memory.
+pub fn read_program(text: &str, dialect: Dialect) -> Program {
+    let (mut program, mut findings) = (Program::default(), Findings::default());
+    program.lines = each_line(text.split_inclusive('\n'), dialect, |line| {
+        line.events.iter().for_each(|event| program.take(event.clone(), &mut findings));
+    });
     program.findings = findings.into_vec();
     program
 }
 
 impl Program {
-    fn take(&mut self, events: &mut Vec<Event>, findings: &mut Findings) {
-        for event in events.drain(..) {
-            match event {
-                Event::Move(x) => self.moves.push(x),
-                Event::Blind(x) => self.blind.push(x),
-                Event::Setting(line) => self.settings.push(line),
-                Event::Heat(x) => self.heats.push(x),
-                Event::Dwell(x) => self.dwells.push(x),
-                Event::Pause(x) => self.pauses.push(x),
-                Event::Comment(x) => self.comments.push(x),
-                Event::End(line) => self.end = Some(line),
-                Event::Finding(x) => findings.push(x),
-            }
+    fn take(&mut self, event: Event, findings: &mut Findings) {
+        match event {
+            Event::Move(x) => self.moves.push(x),
+            Event::Blind(x) => self.blind.push(x),
+            Event::Setting(line) => self.settings.push(line),
+            Event::Heat(x) => self.heats.push(x),
+            Event::Dwell(x) => self.dwells.push(x),
+            Event::Pause(x) => self.pauses.push(x),
+            Event::Comment(x) => self.comments.push(x),
+            Event::End(line) => self.end = Some(line),
+            Event::Finding(x) => findings.push(x),
         }
     }
 }

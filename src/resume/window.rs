@@ -1,0 +1,137 @@
+//! The window: what of a seam lies around the place where the new program takes it up.
+
+use std::collections::VecDeque;
+use std::ops::ControlFlow;
+
+use crate::emit::Decimals;
+use crate::geom::{Path, Segment};
+use crate::resume::resume_at::Stop;
+use crate::resume::toolpath::{Phase, TimedMove, Toolpath};
+use crate::verify::gcode::MoveKind;
+
+/// How the job goes on.
+pub(super) enum Next {
+    /// In the seam that was interrupted.
+    Within(Window),
+    /// With the travel to the next seam: the index of its line.
+    Travel(usize),
+}
+
+/// The moves of one seam, on the way down and in contact, from as far before the stop as was asked for.
+pub(super) struct Window {
+    steps: VecDeque<TimedMove>,
+    /// Length of them all, seen from above, mm.
+    length: f64,
+    /// The way in contact that was done at the stop, mm.
+    pub(super) done: f64,
+    /// The comment that begins the seam.
+    pub(super) title: Option<String>,
+}
+
+impl Window {
+    /// What lies around `stop`, as far as `back` mm before it; `None` if nothing is left.
+    pub(super) fn around(toolpath: &Toolpath<'_>, stop: &Stop, back: f64) -> Option<Next> {
+        let in_contact = matches!(stop.phase, Phase::Contact | Phase::Up);
+        let mut window = Self { steps: VecDeque::new(), length: 0.0, done: stop.along, title: None };
+        let (mut travel, mut next, mut past) = (toolpath.hot, None, false);
+        toolpath.walk(|step| {
+            if step.phase == Phase::Clear && step.step.kind == MoveKind::Rapid && step.step.path.is_some() {
+                travel = step.step.line - 1;
+            }
+            if in_contact {
+                if past && step.phase != Phase::Contact {
+                    return ControlFlow::Break(());
+                }
+                window.add(*step);
+                if past {
+                    return ControlFlow::Break(());
+                }
+                // One more: of the move that is interrupted nothing may be left.
+                window.forget(back);
+                past = step.step.line >= stop.line;
+                if past {
+                    window.title = step
+                        .title
+                        .and_then(|line| toolpath.line(line))
+                        .map(|line| line.trim_end().to_owned());
+                }
+            } else if step.step.line >= stop.line && step.phase == Phase::Down {
+                // On the way down the seam is this one.
+                next = Some(travel.max(toolpath.hot));
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        });
+        if in_contact { Some(Next::Within(window)) } else { next.map(Next::Travel) }
+    }
+
+    /// The next move: a seam begins with its way down.
+    fn add(&mut self, step: TimedMove) {
+        let is_new =
+            step.phase == Phase::Down && self.steps.back().is_some_and(|last| last.phase != Phase::Down);
+        if step.phase == Phase::Clear || is_new {
+            self.steps.clear();
+            self.length = 0.0;
+        }
+        if !matches!(step.phase, Phase::Down | Phase::Contact) {
+            return;
+        }
+        self.length += step.flat();
+        self.steps.push_back(step);
+    }
+
+    /// Forgets what lies farther than `back` mm before the last move.
+    fn forget(&mut self, back: f64) {
+        let last = self.steps.back().map_or(0.0, TimedMove::flat);
+        while let Some(first) = self.steps.front()
+            && self.length - first.flat() - last > back
+        {
+            self.length -= first.flat();
+            let _ = self.steps.pop_front();
+        }
+    }
+
+    /// The way in contact at which the window begins, mm: less than 0 on the way down.
+    fn begins(&self) -> f64 {
+        let down: f64 = self.down().map(TimedMove::flat).sum();
+        self.contact().next().map_or(0.0, |first| first.along) - down
+    }
+
+    fn down(&self) -> impl Iterator<Item = &TimedMove> {
+        self.steps.iter().take_while(|step| step.phase == Phase::Down)
+    }
+
+    fn contact(&self) -> impl Iterator<Item = &TimedMove> {
+        self.steps.iter().filter(|step| step.phase == Phase::Contact)
+    }
+
+    /// The way down along the seam, as long as the ramp, that ends at `from`; then the rest of the move in which that lies, and the
+    /// line of that move.
+    pub(super) fn way_to(&self, from: f64, ramp: f64) -> Option<(Vec<Segment>, Vec<Segment>, usize)> {
+        let track = Path::open(self.steps.iter().filter_map(|step| step.step.path).collect());
+        let begins = self.begins();
+        let down = track.part((from - ramp - begins).max(0.0), from - begins).segments;
+        // A sliver left of a move is rounding: the next move is as good a beginning.
+        let within = self.contact().find(|step| step.along + step.flat() > from + 1e-6);
+        let last = within.or_else(|| self.contact().last())?;
+        let rest = within
+            .map_or(Vec::new(), |step| track.part(from - begins, step.along + step.flat() - begins).segments);
+        Some((down, rest, last.step.line))
+    }
+}
+
+/// The first feed move at or after the line of index `from`, with the feed that is in force there: its index and text;
+/// `None` if it states its own.
+pub(super) fn with_feed(toolpath: &Toolpath<'_>, from: usize) -> Option<(usize, String)> {
+    let mut found = None;
+    toolpath.walk(|step| {
+        if step.step.line <= from || step.step.kind != MoveKind::Feed {
+            return ControlFlow::Continue(());
+        }
+        found = Some(step.step);
+        ControlFlow::Break(())
+    });
+    let step = found?;
+    let text = toolpath.line(step.line - 1).filter(|text| !text.contains(['F', ';', '(']))?;
+    Some((step.line - 1, format!("{} F{}", text.trim_end(), Decimals::exactly(9).text(step.feed?))))
+}

@@ -1,0 +1,127 @@
+//! What a program tells and where it travels: each word in its place, in every dialect, steady and chopped.
+
+use crate::{PROFILES, built, findings_with, profile, spec_text, text};
+
+const FILE: &str = "star-1-seal.gcode";
+
+/// What is found by reading after `change` of the lines of a sealing program: codes and lines, but for those of the last line.
+fn found(name: &str, change: impl Fn(&mut Vec<String>)) -> Vec<(&'static str, Option<usize>)> {
+    let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+    let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
+    let build = built(&spec_text(rest), profile(name));
+    let mut lines: Vec<String> = text(&build, FILE).lines().map(str::to_owned).collect();
+    change(&mut lines);
+    let (last, count) = (lines.len() - 1, lines.len());
+    let close = if lines[last].ends_with(')') { ")" } else { "" };
+    let mark = lines[last].find("end of program").expect("a last line");
+    lines[last] = format!("{}end of program, {count} lines{close}", &lines[last][..mark]);
+    let findings = findings_with(&build, FILE, &(lines.join("\n") + "\n"));
+    assert!(findings.iter().all(|finding| finding.file == FILE), "{findings:#?}");
+    findings.iter().map(|finding| (finding.code, finding.line)).collect()
+}
+
+/// Index of the `n`-th line that holds `what`.
+fn nth(lines: &[String], what: &str, n: usize) -> usize {
+    (0..lines.len()).filter(|i| lines[*i].contains(what)).nth(n).expect(what)
+}
+
+/// Removes the `n`-th word of progress, with what the display shows of it.
+fn without_progress(lines: &mut Vec<String>, n: usize) {
+    let at = nth(lines, "progress: ", n);
+    let _ = lines.remove(at);
+    if lines[at].starts_with("M73") {
+        let _ = lines.remove(at);
+    }
+}
+
+#[test]
+fn a_progress_left_out_is_found() {
+    for name in PROFILES {
+        for n in [0, 30, 60] {
+            // The next word of progress comes too late.
+            let codes = found(name, |lines| without_progress(lines, n));
+            assert!(matches!(codes[..], [("other-comment", Some(_))]), "{name} {n}: {codes:?}");
+        }
+        let codes = found(name, |lines| {
+            while lines.iter().any(|line| line.contains("progress: ")) {
+                without_progress(lines, 0);
+            }
+        });
+        assert_eq!(codes, [("other-comment", None)], "{name}");
+    }
+}
+
+#[test]
+fn a_display_that_shows_what_no_comment_tells_is_found() {
+    for name in ["marlin", "klipper", "reprapfirmware"] {
+        let at = std::cell::Cell::new(0);
+        let codes = found(name, |lines| {
+            at.set(nth(lines, "seam: seam=2", 0));
+            lines.insert(at.get(), "M73 P50".to_owned());
+        });
+        assert_eq!(codes, [("other-comment", Some(at.get() + 1))], "{name}");
+        let codes = found(name, |lines| {
+            at.set(nth(lines, "M73", 9));
+            let _ = lines.remove(at.get());
+        });
+        assert_eq!(codes, [("other-comment", Some(at.get() + 1))], "{name}");
+    }
+}
+
+#[test]
+fn a_comment_in_another_place_is_found() {
+    for name in PROFILES {
+        // The title of a seam among its moves, and before the travel to it.
+        for way in [4_isize, -3] {
+            let codes = found(name, |lines| {
+                let at = nth(lines, "seam: seam=2", 0);
+                let title = lines.remove(at);
+                lines.insert(at.saturating_add_signed(way), title);
+            });
+            assert!(
+                codes.iter().any(|(code, line)| *code == "other-comment" && line.is_some()),
+                "{name}: {codes:?}"
+            );
+        }
+        // Behind the first line of code nobody reads on to go by it.
+        let codes = found(name, |lines| {
+            let at = nth(lines, "total: ", 0);
+            let total = lines.remove(at);
+            lines.insert(at + 1, total);
+        });
+        assert!(matches!(codes[..], [("other-comment", Some(_))]), "{name}: {codes:?}");
+        // A time that is off by three seconds of hours.
+        let codes = found(name, |lines| {
+            let at = nth(lines, "total: ", 0);
+            let (head, time) = lines[at].split_once("time_s=").expect("a time");
+            let seconds: u32 = time.trim_end_matches(')').parse().expect("seconds");
+            let close = if time.ends_with(')') { ")" } else { "" };
+            lines[at] = format!("{head}time_s={}{close}", seconds + 3);
+        });
+        assert!(matches!(codes[..], [("other-comment", Some(_))]), "{name}: {codes:?}");
+    }
+}
+
+#[test]
+fn a_travel_to_another_place_is_found() {
+    for name in PROFILES {
+        let feed = if ["marlin", "klipper", "reprapfirmware"].contains(&name) { " F1200" } else { "" };
+        // Home by a detour, and not home.
+        let at = std::cell::Cell::new(0);
+        let detour = found(name, |lines| {
+            at.set(nth(lines, "G0 X0 Y0", 0));
+            lines.insert(at.get(), format!("G0 X9 Y9{feed}"));
+        });
+        assert!(detour.contains(&("stray-travel", Some(at.get() + 1))), "{name}: {detour:?}");
+        let astray = found(name, |lines| {
+            at.set(nth(lines, "G0 X0 Y0", 0));
+            lines[at.get()] = format!("G0 X0 Y9{feed}");
+        });
+        assert!(astray.contains(&("stray-travel", Some(at.get() + 1))), "{name}: {astray:?}");
+        let low = found(name, |lines| {
+            let lift = nth(lines, "G0 Z30", 1);
+            let _ = lines.remove(lift);
+        });
+        assert!(low.iter().any(|(code, _)| *code == "stray-travel"), "{name}: {low:?}");
+    }
+}
