@@ -129,17 +129,20 @@ impl Clock {
     /// Contact is on its schedule, which the pace is judged by; a travel takes its length and speeds up and brakes.
     pub(super) fn new(rules: &IronRules<'_>, program: &Program) -> Self {
         let speed = rules.process.travel_speed.0;
-        let ramps = rules.motion.acceleration.map_or(0.0, |a| speed / a.0);
-        let (mut begins, mut seconds) = (Vec::with_capacity(program.moves.len()), 0.0);
+        let a = rules.motion.acceleration.map_or(f64::INFINITY, |a| a.0);
+        // Too short to reach its speed: half the way is for speeding up.
+        let travel = |length: f64| {
+            if length * a < speed * speed { 2.0 * (length / a).sqrt() } else { length / speed + speed / a }
+        };
+        // The first way to somewhere is from X0 Y0, where every program ends.
+        let first = program.moves.first().map_or(0.0, |step| step.from.x.hypot(step.from.y));
+        let mut begins = Vec::with_capacity(program.moves.len());
+        let mut seconds = if first > 0.0 { travel(first) } else { 0.0 };
         for step in &program.moves {
             begins.push((step.line, seconds));
             let length = step.length();
             seconds += match step.kind {
-                MoveKind::Rapid if length > 0.0 => {
-                    // Too short to reach its speed: half the way is for speeding up.
-                    let a = rules.motion.acceleration.map_or(f64::INFINITY, |a| a.0);
-                    if length < speed * ramps { 2.0 * (length / a).sqrt() } else { length / speed + ramps }
-                }
+                MoveKind::Rapid if length > 0.0 => travel(length),
                 _ if rules.phase(step) == Phase::Clear => step.feed.map_or(0.0, |feed| length / feed * 60.0),
                 _ => length / rules.seal.speed.0,
             };
