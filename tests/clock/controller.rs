@@ -17,7 +17,7 @@ const TRAVEL: f64 = 20.0;
 pub struct Motors {
     /// Of X, Y and Z, mm/s^2.
     pub acceleration: f64,
-    /// Of X and Y; Z has 400.
+    /// Of X and Y; Z has as many, or 400.
     pub steps_per_mm: f64,
 }
 
@@ -31,7 +31,7 @@ impl Motors {
     }
 
     fn steps(self) -> [f64; 3] {
-        [self.steps_per_mm, self.steps_per_mm, 400.0]
+        [self.steps_per_mm, self.steps_per_mm, self.steps_per_mm.max(400.0)]
     }
 }
 

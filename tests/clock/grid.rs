@@ -10,17 +10,17 @@ use crate::text::Text;
 const ACCELERATIONS: [f64; 6] = [10.0, 25.0, 50.0, 200.0, 500.0, 1000.0];
 const STEPS: [f64; 5] = [80.0, 160.0, 320.0, 432.0, 800.0];
 
-const DESIGNS: [&str; 10] = [
-    include_str!("../../designs/basketball-gripper.toml"),
-    include_str!("../../designs/basketball.toml"),
-    include_str!("../../designs/conical-stack.toml"),
-    include_str!("../../designs/paper-eight-points.toml"),
-    include_str!("../../designs/paper-five-points.toml"),
-    include_str!("../../designs/paper-four-points.toml"),
-    include_str!("../../designs/paper-gripper.toml"),
-    include_str!("../../designs/paper-six-points.toml"),
-    include_str!("../../designs/paper-three-points.toml"),
-    include_str!("../../designs/round-hinges.toml"),
+const DESIGNS: [(&str, &str); 10] = [
+    ("basketball-gripper", include_str!("../../designs/basketball-gripper.toml")),
+    ("basketball", include_str!("../../designs/basketball.toml")),
+    ("conical-stack", include_str!("../../designs/conical-stack.toml")),
+    ("paper-eight-points", include_str!("../../designs/paper-eight-points.toml")),
+    ("paper-five-points", include_str!("../../designs/paper-five-points.toml")),
+    ("paper-four-points", include_str!("../../designs/paper-four-points.toml")),
+    ("paper-gripper", include_str!("../../designs/paper-gripper.toml")),
+    ("paper-six-points", include_str!("../../designs/paper-six-points.toml")),
+    ("paper-three-points", include_str!("../../designs/paper-three-points.toml")),
+    ("round-hinges", include_str!("../../designs/round-hinges.toml")),
 ];
 
 /// The motors of a dialect: one number of steps stands for all where they do not count.
@@ -63,7 +63,7 @@ impl Worst {
 fn the_feed_check_is_right_on_every_machine_of_the_grid() {
     let mut worst = Worst::default();
     for dialect in DIALECTS {
-        let spec = spec(dialect, DESIGNS[4]);
+        let spec = spec(dialect, crate::FIVE);
         for motors in motors(dialect) {
             worst.take(dialect, motors, spec.seal.speed.0, &feed_check(&spec, &machine(dialect, motors)));
         }
@@ -71,15 +71,19 @@ fn the_feed_check_is_right_on_every_machine_of_the_grid() {
     assert!(worst.complaints.is_empty(), "{:#?}", worst.complaints);
 }
 
-/// Every program of every design: minutes. `cargo test --release --locked --test clock -- --ignored --nocapture`
+/// Every program of every design, or of those whose names are in the variable `CLOCK_DESIGNS`: minutes.
+/// `cargo test --release --locked --test clock -- --ignored --nocapture`
 #[test]
 #[ignore = "takes minutes; its table is in docs/machines.md"]
 fn every_program_on_every_machine_of_the_grid() {
     let mut table: BTreeMap<(&str, &str), Worst> = BTreeMap::new();
+    let chosen = std::env::var("CLOCK_DESIGNS").ok();
+    let is_chosen =
+        |name: &str| chosen.as_ref().is_none_or(|chosen| chosen.split(',').any(|one| one == name));
     for dialect in DIALECTS {
         for motors in motors(dialect) {
             let machine = machine(dialect, motors);
-            for (i, design) in DESIGNS.iter().enumerate() {
+            for (name, design) in DESIGNS.iter().filter(|(name, _)| is_chosen(name)) {
                 let spec = spec(dialect, design);
                 let mut take = |kind, program: &Named| {
                     table.entry((dialect, kind)).or_default().take(
@@ -91,7 +95,7 @@ fn every_program_on_every_machine_of_the_grid() {
                 };
                 seals(&spec, &machine).0.iter().for_each(|program| take("seal", program));
                 // These do not depend on the design.
-                if i == 4 {
+                if *name == "paper-five-points" {
                     take("feedcheck", &feed_check(&spec, &machine));
                     coupon_programs(&spec, &machine).iter().for_each(|program| take("coupon", program));
                 }

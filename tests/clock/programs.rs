@@ -30,6 +30,7 @@ pub fn machine(dialect: &str, motors: Motors) -> Machine {
             "x_steps_per_mm" | "y_steps_per_mm" if has_floor(dialect) => {
                 format!("{key} = {}", motors.steps_per_mm)
             }
+            "z_steps_per_mm" if has_floor(dialect) => format!("{key} = {}", motors.steps_per_mm.max(400.0)),
             "acceleration" => format!("{key} = \"{} mm/s^2\"", motors.acceleration),
             _ => line.to_owned(),
         }
