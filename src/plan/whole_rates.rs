@@ -72,7 +72,8 @@ mod tests {
     #[test]
     fn a_rate_is_rounded_up() {
         let stroke = WholeRates::new(80.0 / 2.0_f64.sqrt(), 0.68, 3000.0, 32.0);
-        assert!((stroke.seconds(39.0) - 1.0).abs() < 1e-12);
+        // The first step and the last have 38.
+        assert!((stroke.seconds(39.0) - 1.0).abs() < 2e-3);
         assert!((stroke.seconds(39e4) - 1e4).abs() < 1e-6);
     }
 
