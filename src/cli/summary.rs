@@ -173,6 +173,11 @@ pub(super) fn predicted(forecast: &Forecast) -> String {
 pub(super) fn conditions(forecast: &Forecast) -> String {
     let Forecast { spec, machine, programs, .. } = forecast;
     let mut out = String::new();
+    if !machine.script.requires.is_empty() {
+        let order =
+            "before you seal: time `stargrip-cam feedcheck`, run the trace, and see to what it requires:";
+        let _ = writeln!(out, "{order}");
+    }
     for line in &machine.script.requires {
         let _ = writeln!(out, "requires: {line}");
     }

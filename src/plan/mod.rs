@@ -15,6 +15,7 @@ mod seal;
 mod stepper;
 mod time;
 mod trace;
+mod whole_rates;
 
 pub use feedcheck::{CHECK_LENGTH, feed_checks};
 pub use lowest_feed::lowest_speed;

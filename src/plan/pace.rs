@@ -237,7 +237,7 @@ mod tests {
     fn strokes_without_a_dwell_between_them_are_one_run() {
         let line: Segment = Line::new(Point::ORIGIN, Point::new(10.0, 0.0)).into();
         for stepper in [GRBL.stepper, None] {
-            let chop = Chop { stepper, ..GRBL };
+            let chop = Chop { stepper, longest: 0.1, ..GRBL };
             let mut strokes = Vec::new();
             let mut pacer = Pacer::new(Pace::Chopped(chop), 0.5);
             pacer.strokes(&line, None, |stroke| strokes.push(stroke));

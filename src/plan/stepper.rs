@@ -1,10 +1,13 @@
-//! How long a controller of GRBL's family takes for a stroke from rest to rest.
+//! How long a controller that steps as GRBL or as Marlin does takes for a stroke from rest to rest.
 //!
-//! It makes whole steps of the axis that has most of them, in **segments**: as many whole ticks (10 ms) as it takes to get
+//! One of GRBL's family makes whole steps of the axis that has most of them, in **segments**: as many whole ticks (10 ms) as it takes to get
 //! a step and a quarter farther. Within a segment the steps are even; they are those that the ideal ramp has made by its
 //! end, and what that is ahead of a whole step is left to the next one. Where the timer cannot wait as long as a step
-//! should take, the step comes earlier, so the slow ends of a ramp are faster than told. After the last step the timer runs
-//! once more, for an eighth of a step (repository gnea/grbl, stepper.c and planner.c).
+//! should take, the step comes earlier, so the slow ends of a ramp are faster than told. The end of speeding up is counted
+//! from the beginning of its segment, which is too long where the segment has more ticks than one: it was written for
+//! segments of one (repository gnea/grbl, stepper.c, `st_prep_buffer`, `RAMP_ACCEL`; planner.c).
+
+use crate::plan::whole_rates::WholeRates;
 
 /// What is known of the way in which a controller steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,14 +16,12 @@ pub struct Stepper {
     pub steps_per_mm: [f64; 3],
     /// The lowest step rate, steps/s.
     pub rate: f64,
-    /// A tick: segments last whole multiples of it, s.
+    /// A tick: segments last whole multiples of it, s; 0 where every step has a rate of its own, in whole steps a second.
     pub tick: f64,
 }
 
 /// Steps that a segment makes at least, but for the last.
 const LEAST: f64 = 1.25;
-/// The timer runs this often a step.
-const SMOOTHING: f64 = 8.0;
 /// A stroke that takes longer than this, s, is as long as told: its two ramps do not count.
 const LONG: f64 = 10.0;
 /// Rounding of a step.
@@ -65,8 +66,8 @@ impl Stepper {
         std::array::from_fn(|i| (position[i] * self.steps_per_mm[i]).round())
     }
 
-    /// Time for so many steps of the three axes, s, from rest to rest, at `speed` mm/s with an acceleration of each of
-    /// X and Y of `acceleration` mm/s^2.
+    /// Time for so many steps of the three axes, s, from rest to rest, at `speed` mm/s with an acceleration of each axis
+    /// of `acceleration` mm/s^2.
     pub fn seconds(&self, steps: [f64; 3], speed: f64, acceleration: f64) -> f64 {
         let way: [f64; 3] = std::array::from_fn(|i| (steps[i] / self.steps_per_mm[i]).abs());
         let length = way.iter().map(|d| d * d).sum::<f64>().sqrt();
@@ -74,9 +75,11 @@ impl Stepper {
         if most < 0.5 {
             return 0.0;
         }
-        // Both axes speed up at most so fast: together, at an angle, they are faster.
-        let flat = way[0].max(way[1]);
-        let along = if flat > 0.0 { acceleration * length / flat } else { acceleration };
+        // Every axis speeds up at most so fast: together, at an angle, they are faster.
+        let along = acceleration * length / way.iter().fold(0.0_f64, |most, d| most.max(*d));
+        if self.tick == 0.0 {
+            return WholeRates::new(most / length, speed, along, self.rate).seconds(most);
+        }
         let ideal = Trapezoid::new(length, speed, along);
         if ideal.total > LONG {
             return ideal.total;
@@ -87,24 +90,44 @@ impl Stepper {
     /// The same for `most` steps of the axis that has most of them along the way `ideal`.
     fn stepped(&self, ideal: &Trapezoid, most: f64) -> f64 {
         let per_mm = most / ideal.length;
-        let (mut elapsed, mut step, mut owed) = (0.0, 0.0, 0.0);
-        let (mut t, mut x, mut left) = (0.0, 0.0, most);
+        let (mut elapsed, mut owed, mut t, mut left) = (0.0, 0.0, 0.0, most);
         while left > 0.0 {
-            let (begun, enough) = (t, (x + LEAST / per_mm).min(ideal.length));
-            while t < ideal.total && (t <= begun || x < enough) {
-                t += self.tick;
-                x = ideal.way(t);
-            }
-            t = t.min(ideal.total);
-            let ahead = if t < ideal.total { per_mm * (ideal.length - x) } else { 0.0 };
+            let (counted, end) = self.segment(ideal, t, LEAST / per_mm);
+            t = end;
+            let ahead = if t < ideal.total { per_mm * (ideal.length - ideal.way(t)) } else { 0.0 };
             let after = (ahead - ROUNDING).ceil().max(0.0);
-            let told = (t - begun + owed) / (left - ahead);
-            step = told.min(1.0 / self.rate);
-            elapsed += (left - after) * step;
+            let told = (counted + owed) / (left - ahead);
+            elapsed += (left - after) * told.min(1.0 / self.rate);
             owed = (after - ahead) * told;
             left = after;
         }
-        elapsed + step / SMOOTHING
+        elapsed
+    }
+
+    /// The segment that begins at the time `begun` of the way `ideal` and is at least so long: its time as the controller
+    /// counts it, and the time of the way at which it ends.
+    fn segment(&self, ideal: &Trapezoid, begun: f64, least: f64) -> (f64, f64) {
+        let start = ideal.way(begun);
+        let enough = (start + least).min(ideal.length);
+        let (mut counted, mut ticks, mut t) = (0.0, self.tick, begun);
+        loop {
+            let rest = ticks - counted;
+            if t < ideal.ramp && t + rest > ideal.ramp {
+                counted += 2.0 * (ideal.way(ideal.ramp) - start) / (ideal.acceleration * t + ideal.top);
+                t = ideal.ramp;
+            } else {
+                let end = (t + rest).min(ideal.total);
+                counted += end - t;
+                t = end;
+            }
+            if t >= ideal.total || (counted >= ticks - ROUNDING && ideal.way(t) >= enough - ROUNDING) {
+                return (counted, t);
+            }
+            // What is counted too long may be longer than a tick.
+            while counted >= ticks - ROUNDING {
+                ticks += self.tick;
+            }
+        }
     }
 }
 
@@ -117,18 +140,18 @@ mod tests {
     /// 1.2 times its lowest speed, mm/s.
     const SPEED: f64 = 0.64741;
 
-    /// Reckoned with the firmware's rules in 32-bit floats, as it does itself.
+    /// Reckoned with the firmware's rules in 32-bit floats, as it does itself, by `tests/clock`.
     #[test]
     fn strokes_take_as_long_as_on_the_controller() {
         for (acceleration, steps, seconds) in [
-            (10.0, [16.0, 0.0, 0.0], 0.35301),
-            (10.0, [11.0, 11.0, 0.0], 0.32142),
-            (10.0, [12.0, -12.0, 0.0], 0.34979),
-            (25.0, [16.0, 0.0, 0.0], 0.33884),
-            (50.0, [0.0, 16.0, 0.0], 0.32508),
-            (50.0, [11.0, 11.0, 0.0], 0.31349),
-            (200.0, [16.0, 0.0, 0.0], 0.31476),
-            (500.0, [12.0, 12.0, 0.0], 0.33204),
+            (10.0, [16.0, 0.0, 0.0], 0.34893),
+            (10.0, [11.0, 11.0, 0.0], 0.32237),
+            (10.0, [12.0, -12.0, 0.0], 0.35096),
+            (25.0, [16.0, 0.0, 0.0], 0.34224),
+            (50.0, [0.0, 16.0, 0.0], 0.32623),
+            (50.0, [11.0, 11.0, 0.0], 0.30952),
+            (200.0, [16.0, 0.0, 0.0], 0.31216),
+            (500.0, [12.0, 12.0, 0.0], 0.32858),
         ] {
             let found = GRBL.seconds(steps, SPEED, acceleration);
             assert!((found - seconds).abs() < 5e-5, "{acceleration} {steps:?}: {found}");

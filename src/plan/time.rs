@@ -12,37 +12,37 @@ use crate::spec::{Machine, Process, Spec};
 #[derive(Clone, Debug)]
 pub struct Clock<'a> {
     machine: &'a Machine,
-    at: Option<Point>,
-    height: Option<f64>,
+    at: Point,
+    height: f64,
     /// Time so far, s.
     pub elapsed: f64,
 }
 
 impl<'a> Clock<'a> {
-    /// A clock at the beginning; where the iron is then, nobody knows.
+    /// A clock at the beginning, with the iron where every program leaves it: parked above the sheet's corner.
     pub fn new(machine: &'a Machine) -> Self {
-        Self { machine, at: None, height: None, elapsed: 0.0 }
+        let height = height_of(&machine.process, Height::Park);
+        Self { machine, at: Point::ORIGIN, height, elapsed: 0.0 }
     }
 
     /// Adds a move or wait that took `seconds` and ended at `to`.
     pub fn add(&mut self, to: Point, height: Option<f64>, seconds: f64) {
-        self.at = Some(to);
-        self.height = height.or(self.height);
+        self.at = to;
+        self.height = height.unwrap_or(self.height);
         self.elapsed += seconds;
     }
 
     /// Adds a travel in the plane.
     pub fn travel(&mut self, to: Point) {
-        let length = self.at.map_or(0.0, |at| at.distance(to));
+        let length = self.at.distance(to);
         self.add(to, None, self.rapid(length));
     }
 
     /// Adds a move straight up or down.
     pub fn height(&mut self, level: Height) {
         let to = height_of(&self.machine.process, level);
-        let length = self.height.map_or(0.0, |from| (to - from).abs());
-        self.elapsed += self.rapid(length);
-        self.height = Some(to);
+        self.elapsed += self.rapid((to - self.height).abs());
+        self.height = to;
     }
 
     fn rapid(&self, length: f64) -> f64 {

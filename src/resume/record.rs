@@ -120,6 +120,13 @@ impl Header {
         if (1e-4..=1e7).contains(&x) { Ok(x) } else { Err(ResumeFault::NotOurs(key)) }
     }
 
+    /// The tick: 0, or a time that a timer may have.
+    fn tick(&self) -> Result<f64, ResumeFault> {
+        let tick = self.number("chop-ticks", "tick_s")?;
+        let fits = tick == 0.0 || (1e-4..=1.0).contains(&tick);
+        if fits { Ok(tick) } else { Err(ResumeFault::NotOurs("chop-ticks")) }
+    }
+
     fn controller(&self, comments: Comments, pace: Pace) -> Result<Controller, ResumeFault> {
         let machine = self.find("machine")?;
         let name = machine.word("dialect").unwrap_or_default();
@@ -201,7 +208,7 @@ impl Header {
         Ok(Some(Stepper {
             steps_per_mm: [steps("x")?, steps("y")?, steps("z")?],
             rate: self.within("chop-ticks", "rate_Hz")?,
-            tick: self.within("chop-ticks", "tick_s")?,
+            tick: self.tick()?,
         }))
     }
 }

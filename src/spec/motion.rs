@@ -21,7 +21,8 @@ pub struct Motion {
     pub chop_feed: Option<Speed>,
     /// How long a move waits that meets an empty queue, as after each dwell.
     pub start_delay: Duration,
-    /// The tick of a controller that steps as GRBL does; `None`: a move takes what its speed and acceleration say.
+    /// The tick of a controller that steps as GRBL does; 0: rates are whole steps a second, as Marlin's; `None`: a move
+    /// takes what its speed and acceleration say.
     pub tick: Option<Duration>,
 }
 

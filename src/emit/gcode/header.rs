@@ -79,7 +79,9 @@ fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, progr
             writer.comment(&format!("chop-steps: x={x} y={y} z={z}"))?;
             writer.comment(&format!("chop-ticks: rate_Hz={rate} tick_s={tick}"))?;
         }
-        writer.requirement(&format!("requires: an acceleration of {a} mm/s2 in X and Y"))?;
+        let axes =
+            if chop.stepper.is_some_and(|stepper| stepper.tick > 0.0) { "X, Y and Z" } else { "X and Y" };
+        writer.requirement(&format!("requires: an acceleration of {a} mm/s2 in {axes}"))?;
         if let Some([x, y, _]) = machine.motion.steps_per_mm {
             writer.requirement(&format!("requires: at least {x} and {y} steps/mm in X and Y"))?;
         }

@@ -147,7 +147,10 @@ impl Facts<'_> {
             out.push(format!("chop-steps: x={x} y={y} z={z}"));
             out.push(format!("chop-ticks: rate_Hz={rate} tick_s={}", tick.0));
         }
-        out.push(format!("requires: an acceleration of {a} mm/s2 in X and Y"));
+        // What steps in ticks is timed with the ramps of Z, too.
+        let ticks = motion.tick.is_some_and(|tick| tick.0 > 0.0);
+        let axes = if ticks { "X, Y and Z" } else { "X and Y" };
+        out.push(format!("requires: an acceleration of {a} mm/s2 in {axes}"));
         if let Some([x, y, _]) = motion.steps_per_mm {
             out.push(format!("requires: at least {x} and {y} steps/mm in X and Y"));
         }

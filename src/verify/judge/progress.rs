@@ -19,6 +19,8 @@ pub(super) struct Clock<'a> {
     /// Contacts so far, each of which is off its schedule by a dwell's step at the most.
     contacts: u32,
     low: bool,
+    /// Whether a move was seen.
+    begun: bool,
     /// Largest deviation of the path, mm, and what the arcs may be longer than the straight moves made of them, mm.
     tolerance: f64,
     shortened: f64,
@@ -26,13 +28,17 @@ pub(super) struct Clock<'a> {
 
 impl<'a> Clock<'a> {
     pub(super) fn new(rules: &'a IronRules<'a>, tolerance: f64) -> Self {
-        Self { rules, seconds: 0.0, contacts: 0, low: false, tolerance, shortened: 0.0 }
+        Self { rules, seconds: 0.0, contacts: 0, low: false, begun: false, tolerance, shortened: 0.0 }
     }
 
     /// Contact is on its schedule, which the pace is judged by; a travel takes its length and speeds up and brakes.
     pub(super) fn step(&mut self, step: &Move) {
         let rules = self.rules;
-        let (speed, length) = (rules.process.travel_speed.0, step.length());
+        let length = step.length();
+        if !std::mem::replace(&mut self.begun, true) {
+            // The first way to somewhere is from X0 Y0, where every program ends.
+            self.seconds += self.travel(step.from.x.hypot(step.from.y));
+        }
         let low = rules.phase(step) != Phase::Clear;
         self.contacts += u32::from(low && !self.low);
         self.low = low;
@@ -41,14 +47,22 @@ impl<'a> Clock<'a> {
             // what has a quarter of the tolerance.
             self.shortened += (self.tolerance * self.tolerance / (6.0 * length)).min(0.11 * length);
         }
-        self.seconds += match (step.kind, rules.motion.acceleration) {
-            (MoveKind::Rapid, _) if length <= 0.0 => 0.0,
-            // Too short to reach its speed: half the way is for speeding up.
-            (MoveKind::Rapid, Some(a)) if length < speed * speed / a.0 => 2.0 * (length / a.0).sqrt(),
-            (MoveKind::Rapid, a) => length / speed + a.map_or(0.0, |a| speed / a.0),
+        self.seconds += match step.kind {
+            MoveKind::Rapid => self.travel(length),
             _ if low => length / rules.seal.speed.0,
             _ => step.feed.map_or(0.0, |feed| length / feed * 60.0),
         };
+    }
+
+    /// Time of a travel, from rest to rest, s.
+    fn travel(&self, length: f64) -> f64 {
+        let speed = self.rules.process.travel_speed.0;
+        match self.rules.motion.acceleration {
+            _ if length <= 0.0 => 0.0,
+            // Too short to reach its speed: half the way is for speeding up.
+            Some(a) if length < speed * speed / a.0 => 2.0 * (length / a.0).sqrt(),
+            a => length / speed + a.map_or(0.0, |a| speed / a.0),
+        }
     }
 
     /// Longest time between two places at which progress is said, s: on a ramp the way is longer.

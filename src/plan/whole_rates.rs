@@ -1,0 +1,92 @@
+//! How long Marlin takes for a stroke from rest to rest.
+//!
+//! A rate is a whole number of steps a second, rounded up where it is told. A ramp begins at the rate that is reached on
+//! average within its first step, and changes at every step by the time that the ramp has taken (repository
+//! MarlinFirmware/Marlin, module/planner.cpp, `_populate_block` and `calculate_trapezoid_for_block`; module/stepper.cpp,
+//! `block_phase_isr`).
+
+/// Rates of a stroke, steps/s.
+pub(super) struct WholeRates {
+    /// Where a ramp begins and ends.
+    slow: f64,
+    even: f64,
+    /// Steps/s^2.
+    acceleration: f64,
+}
+
+/// More steps than this are as long as told: their two ramps do not count.
+const MANY: f64 = 1e4;
+
+impl WholeRates {
+    /// The rates at `per_mm` steps/mm along the way, at `speed` mm/s and `acceleration` mm/s^2, none below `least` steps/s.
+    pub(super) fn new(per_mm: f64, speed: f64, acceleration: f64, least: f64) -> Self {
+        let start = (0.5 * acceleration / per_mm).sqrt().min(speed);
+        Self {
+            slow: (start * per_mm).round().max(least),
+            even: (speed * per_mm - 1e-6).ceil().max(least),
+            acceleration: (acceleration * per_mm).floor(),
+        }
+    }
+
+    /// Time for so many steps, s.
+    pub(super) fn seconds(&self, steps: f64) -> f64 {
+        let Self { slow, even, acceleration } = *self;
+        if steps > MANY {
+            return steps / even;
+        }
+        let whole = ((even * even - slow * slow) / (2.0 * acceleration)).ceil().max(0.0);
+        // Where the even rate is not reached, half of the steps speed up.
+        let meets = 2.0 * whole > steps;
+        let up = if meets { (steps / 2.0).round() } else { whole };
+        let down = if meets { steps - up } else { whole };
+        let (mut ramp, mut rate, mut made) = (0.0, slow, 0.0);
+        while made < up {
+            rate = (slow + (acceleration * ramp).floor()).min(even);
+            ramp += 1.0 / rate;
+            made += 1.0;
+        }
+        let mut elapsed = ramp;
+        let flat = steps - up - down;
+        if flat > 0.0 {
+            elapsed += flat / even;
+            (rate, ramp) = (even, 0.5 / even);
+        } else {
+            ramp = 0.0;
+        }
+        made = 0.0;
+        while made < down {
+            let now = (rate - (acceleration * ramp).floor()).max(slow);
+            ramp += 1.0 / now;
+            elapsed += 1.0 / now;
+            made += 1.0;
+        }
+        elapsed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 80 steps/mm at 45 deg: 0.68 mm/s are 38.5 steps/s, which run as 39.
+    #[test]
+    fn a_rate_is_rounded_up() {
+        let stroke = WholeRates::new(80.0 / 2.0_f64.sqrt(), 0.68, 3000.0, 32.0);
+        // The first step and the last have 38.
+        assert!((stroke.seconds(39.0) - 1.0).abs() < 2e-3);
+        assert!((stroke.seconds(39e4) - 1e4).abs() < 1e-6);
+    }
+
+    /// Slow ramps begin at a rate that is not 0: sqrt(a / 2) of a step, and here at the lowest one.
+    #[test]
+    fn ramps_go_from_step_to_step() {
+        let slow = WholeRates::new(80.0, 0.68, 10.0, 32.0);
+        // Up: 1/32, 1/57 would be above 55; so 2 steps up, 12 even, 2 down from 55 after half a step of it.
+        let down = [55.0 - (800.0_f64 * 0.5 / 55.0).floor(), 0.0];
+        let second = (55.0 - (800.0_f64 * (0.5 / 55.0 + 1.0 / down[0])).floor()).max(32.0);
+        let expected = 1.0 / 32.0 + 1.0 / 55.0 + 12.0 / 55.0 + 1.0 / down[0] + 1.0 / second;
+        assert!((slow.seconds(16.0) - expected).abs() < 1e-12, "{}", slow.seconds(16.0));
+        // One step has no ramps at all.
+        assert!((slow.seconds(1.0) - 1.0 / 32.0).abs() < 1e-12);
+    }
+}

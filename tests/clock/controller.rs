@@ -1,0 +1,110 @@
+//! Every dialect with the controller that runs it: which words it reads how, and which clock times it.
+
+use crate::grbl::Grbl;
+use crate::judge::Slack;
+use crate::legs::{Reading, Task, tasks};
+use crate::marlin::Marlin;
+use crate::sweep::{Corner, Sweep};
+use crate::text::Text;
+use crate::timer::Timer;
+use crate::track::Track;
+
+/// Speed of travels, mm/s: that of the profiles.
+const TRAVEL: f64 = 20.0;
+
+/// The machine that a profile is of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Motors {
+    /// Of X, Y and Z, mm/s^2.
+    pub(crate) acceleration: f64,
+    /// Of X and Y; Z has as many, or 400.
+    pub(crate) steps_per_mm: f64,
+}
+
+impl Motors {
+    /// What `dialect` may do where it goes steadily: Marlin rounds step rates up to whole steps a second, and every
+    /// controller may stop at a corner.
+    pub(crate) fn slack(self, dialect: &str, speed: f64) -> Slack {
+        let rounded = 2.0_f64.sqrt() / (speed * self.steps_per_mm);
+        let fast = if dialect == "marlin" { rounded } else { 0.0 };
+        Slack { fast, stop: speed * speed / self.acceleration }
+    }
+
+    fn steps(self) -> [f64; 3] {
+        [self.steps_per_mm, self.steps_per_mm, self.steps_per_mm.max(400.0)]
+    }
+}
+
+/// What the controller of `dialect` makes of a program.
+pub(crate) fn run(dialect: &str, text: &Text, motors: Motors) -> Track {
+    let (reading, mut track) = (reading(dialect), Track::default());
+    let tasks = tasks(text, &reading);
+    match dialect {
+        "grbl" => grbl(Timer::Avr, motors).run(&tasks, &mut track),
+        "grblhal" => grbl(Timer::Esp32, motors).run(&tasks, &mut track),
+        "fluidnc" => grbl(Timer::FluidNc, motors).run(&tasks, &mut track),
+        "marlin" => marlin(motors, 32.0).run(&tasks, &mut track),
+        _ => sweep(dialect, motors).run(&tasks, &mut track),
+    }
+    track
+}
+
+/// The same on a board of Marlin's with 32 bits, whose timer has no floor.
+pub(crate) fn run_marlin_32(text: &Text, motors: Motors) -> Track {
+    let mut track = Track::default();
+    let tasks: Vec<Task> = tasks(text, &reading("marlin"));
+    marlin(motors, 1.0).run(&tasks, &mut track);
+    track
+}
+
+fn reading(dialect: &str) -> Reading {
+    let modal_travel = ["klipper", "marlin", "reprapfirmware"].contains(&dialect);
+    // RepRapFirmware: Config/Configuration.h, DefaultMinFeedrate.
+    let lowest_feed = if dialect == "reprapfirmware" { 30.0 } else { 0.0 };
+    let chords = match dialect {
+        "grbl" | "grblhal" | "fluidnc" => grbl_chords,
+        "reprapfirmware" => duet_chords,
+        _ => fine_chords,
+    };
+    Reading { modal_travel, lowest_feed, chords }
+}
+
+/// motion_control.c, mc_arc, with $12 = 0.002 mm.
+fn grbl_chords(radius: f64, angle: f64, _: f64) -> f64 {
+    (0.5 * angle.abs() * radius / (0.002 * (2.0 * radius - 0.002)).sqrt()).floor()
+}
+
+/// GCodes.cpp, DoArcMove; Config/Configuration.h, MaxArcDeviation and what follows it.
+fn duet_chords(radius: f64, angle: f64, feed: f64) -> f64 {
+    let chord = (8.0 * radius * 0.005).sqrt().min(feed / 60.0 / 200.0).clamp(0.02, 1.0);
+    (radius * angle.abs() / chord + 0.8).floor()
+}
+
+/// LinuxCNC follows an arc: chords so long that none leaves it by 1e-5 mm.
+fn fine_chords(radius: f64, angle: f64, _: f64) -> f64 {
+    (angle.abs() / (8e-5 / radius).sqrt()).ceil()
+}
+
+fn grbl(timer: Timer, motors: Motors) -> Grbl {
+    let steps_per_mm = motors.steps().map(|s| s as f32);
+    let acceleration = [motors.acceleration as f32 * 3600.0; 3];
+    Grbl { steps_per_mm, acceleration, max_rate: [TRAVEL as f32 * 60.0; 3], timer }
+}
+
+fn marlin(motors: Motors, lowest_rate: f64) -> Marlin {
+    let Motors { acceleration, .. } = motors;
+    Marlin { steps_per_mm: motors.steps(), acceleration, speed: [TRAVEL; 3], lowest_rate }
+}
+
+fn sweep(dialect: &str, motors: Motors) -> Sweep {
+    let (corner, dwell) = match dialect {
+        // toolhead.py, square_corner_velocity.
+        "klipper" => (Corner::Square(5.0), 1e-3),
+        // No one knows; as little look-ahead as that.
+        "generic" => (Corner::Square(5.0), 1.0),
+        // Config/Configuration.h: M566 of X and Y.
+        "reprapfirmware" => (Corner::Jerk(15.0), 1e-3),
+        _ => (Corner::Stop, 1.0),
+    };
+    Sweep { acceleration: motors.acceleration, speed: [TRAVEL; 3], corner, dwell }
+}

@@ -1,0 +1,65 @@
+//! What is asked of a program, and what it does.
+
+use crate::text::{Command, Text};
+use crate::track::Track;
+
+/// How far the mean speed of a stretch may be off.
+pub(crate) const MEAN: f64 = 0.002;
+/// How far the total time may be off; and in any case, s: travels that meet at a bend need not stop there.
+pub(crate) const TOTAL: f64 = 0.005;
+const TRAVELS: f64 = 5.0;
+/// How far the speed within a window may be off, steady and chopped: five strokes have five rests, or six.
+const STEADY: f64 = 0.01;
+const CHOPPED: f64 = 0.21;
+/// A window, mm; and how many strokes it has at least.
+const WINDOW: f64 = 1.0;
+const STROKES: f64 = 5.0;
+
+/// The largest deviations of a program, as parts of what is asked.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Deviations {
+    pub(crate) mean: f64,
+    pub(crate) window: f64,
+    pub(crate) total: f64,
+}
+
+/// What is allowed beside where the controller goes steadily.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Slack {
+    /// It may be too fast by this part.
+    pub(crate) fast: f64,
+    /// What one stop takes of the time of a window.
+    pub(crate) stop: f64,
+}
+
+/// Deviations of `track`, which was made of `text`, from `speed` mm/s, and every one that is more than is allowed.
+pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, slack: Slack) -> (Deviations, Vec<String>) {
+    let chopped = text.commands.iter().any(|(_, command)| matches!(command, Command::Dwell(_)));
+    let window = (STROKES * text.fact("chop.longest_mm").unwrap_or(0.0)).max(WINDOW);
+    let Slack { fast, stop } = if chopped { Slack::default() } else { slack };
+    let allowed = if chopped { CHOPPED } else { STEADY + fast + stop };
+    let mut most = Deviations::default();
+    let mut complaints = Vec::new();
+    for stretch in &track.stretches {
+        let mean = stretch.speed() / speed - 1.0;
+        let (least, highest) = stretch.windows(window);
+        let around = (least / speed - 1.0).abs().max((highest / speed - 1.0).abs());
+        let around = if least.is_finite() { around } else { 0.0 };
+        if !(-MEAN..=MEAN + fast).contains(&mean) {
+            complaints.push(format!("line {}: mean speed {:+.2} %", stretch.line, 100.0 * mean));
+        }
+        if around > allowed {
+            complaints.push(format!("line {}: {:.1} % within {window} mm", stretch.line, 100.0 * around));
+        }
+        most.mean = if mean.abs() > most.mean.abs() { mean } else { most.mean };
+        most.window = most.window.max(around);
+    }
+    if let Some(total) = text.fact("total.time_s") {
+        most.total = track.now / total - 1.0;
+        let total_slack = TOTAL.max(TRAVELS / total);
+        if !(-total_slack - fast..=total_slack).contains(&most.total) {
+            complaints.push(format!("total {:.0} s, told {total} s", track.now));
+        }
+    }
+    (most, complaints)
+}
