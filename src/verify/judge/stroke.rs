@@ -121,7 +121,8 @@ impl Ramps {
         let (mut cut, mut reached, mut kept) = (0.0_f64, 0.0_f64, 0.0_f64);
         while made < steps {
             let (now, counted) = self.stretch(cut, tick, (reached + 1.25).min(steps) / steps);
-            let over = now >= self.time;
+            // The last of the way takes long, and is nothing: a stretch that ends in it has done all.
+            let over = now >= self.time || self.done(now) > 1.0 - 1e-9;
             let here = if over { steps } else { steps * self.done(now) };
             let interval = (counted + kept) / (here - made);
             let whole = if over { steps } else { (here + 1e-9).floor() };
@@ -158,6 +159,19 @@ impl Ramps {
 mod tests {
     use super::*;
     use crate::units::{Acceleration, Duration};
+
+    /// A stretch may end where less is left than rounding tells from nothing: there is no further one.
+    #[test]
+    fn every_stroke_ends() {
+        for i in 1..20_000_u32 {
+            let length = f64::from(i) * 1e-3;
+            for (speed, a) in [(0.5, 10.0), (20.0, 10.0), (5.0, 500.0)] {
+                let steps = (length * 400.0).round().max(1.0);
+                let found = Ramps::new(length, speed, a).ticked(steps, 0.01, 1.0);
+                assert!(found.is_finite() && found > 0.0, "{length} {speed} {a}: {found}");
+            }
+        }
+    }
 
     /// Figures reckoned with the firmware's rules in 32-bit floats, by `tests/clock`.
     #[test]
