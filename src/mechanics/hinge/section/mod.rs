@@ -17,10 +17,12 @@ mod mesh;
 mod potential;
 mod profile;
 mod solve;
+mod table;
 #[cfg(test)]
 mod tests;
 
 pub use self::profile::{Meridian, MeridianPoint};
+pub use self::table::{SectionEntry, SectionTable};
 
 use self::density::{Hoop, Scales};
 use self::mesh::Mesh;
@@ -72,7 +74,12 @@ impl Section {
         // B = Y t^2 / [12 (1 - nu^2)].
         let stiffness = 12.0 * (1.0 - poisson * poisson) / (bendability * thickness * thickness);
         check("p W / Y", stiffness.recip(), 0.0..=MOST_STRETCH)?;
-        Ok(Self { scales: Scales { bendability, stiffness, poisson, hoop: Hoop::Stiff }, elements: ELEMENTS })
+        Ok(Self::unchecked(bendability, stiffness, poisson))
+    }
+
+    /// The section at 1/eps, Y / (p W) and nu, whatever they are.
+    fn unchecked(bendability: f64, stiffness: f64, poisson: f64) -> Self {
+        Self { scales: Scales { bendability, stiffness, poisson, hoop: Hoop::Stiff }, elements: ELEMENTS }
     }
 
     /// The same with hoop compression left out, as if the sheet wrinkled for nothing: the tension field, which tends to

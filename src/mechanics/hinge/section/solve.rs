@@ -18,9 +18,11 @@ use crate::mechanics::hinge::section::mesh::Mesh;
 use crate::mechanics::hinge::section::potential::{Potential, WIDTH, value};
 use crate::numerics::SymmetricBand;
 
-/// Half the opening angle (rad) and the coiling of the arc from which every case is reached: it is so shallow that its
-/// strains are small. From steeper arcs of soft sheets it takes twice the steps, from the flat sheet the first is unbounded.
-const START: (f64, f64) = (0.2, 1.02);
+/// Half the opening angles (rad) of the arcs from which a hinge is searched, one after the other, and their coiling. The
+/// first is so shallow that its strains are small, and nearly always does; from steeper arcs of soft sheets it takes twice
+/// the steps, from the flat sheet the first is unbounded. Rims sharper than a thousandth of the width may need another.
+const STARTS: [f64; 5] = [0.2, 0.6, 1.0, 0.05, 1.4];
+const START_LAMBDA: f64 = 1.02;
 /// Newton's decrement, relative to Pi, at which the last step is taken: its square is below rounding.
 const CONVERGED: f64 = 1e-13;
 /// Decrement at which a step that does not lower Pi any more is laid to rounding.
@@ -72,8 +74,8 @@ impl Search {
     /// Begins with a shallow arc.
     pub(super) fn new(scales: Scales, mesh: Mesh) -> Self {
         let zero = vec![0.0; mesh.unknowns()];
-        let (angle, lambda) = START;
-        let shape = arc(&mesh, lambda, angle);
+        let lambda = START_LAMBDA;
+        let shape = arc(&mesh, lambda, STARTS[0]);
         Self {
             scales,
             lambda,
@@ -91,9 +93,16 @@ impl Search {
         }
     }
 
-    /// Goes on to the hinge at rest.
+    /// Goes from the beginning to the hinge at rest.
     pub(super) fn rest(&mut self) -> Result<(), Lost> {
-        self.minimise(true)
+        for angle in STARTS {
+            self.lambda = START_LAMBDA;
+            self.shape = arc(&self.mesh, self.lambda, angle);
+            if self.minimise(true).is_ok() {
+                return Ok(());
+            }
+        }
+        Err(self.lost())
     }
 
     /// Follows the branch of equilibria from the last one to `lambda`.

@@ -184,3 +184,49 @@ fn what_is_out_of_range_is_refused_in_words() {
     );
     assert!(section.state(0.1, 0.2).is_err() && section.state(0.1, f64::NAN).is_err());
 }
+
+#[test]
+fn the_shipped_table_is_whole() {
+    use sha2::{Digest, Sha256};
+    let text = include_str!("table.txt");
+    assert!(text.len() < 200_000, "{}", text.len());
+    let (head, body) =
+        text.split_at(text.rfind("#").and_then(|i| text[i..].find('\n').map(|j| i + j + 1)).expect("lines"));
+    let hash: String = Sha256::digest(body).iter().map(|byte| format!("{byte:02x}")).collect();
+    assert!(head.contains(&hash), "{hash}");
+}
+
+/// Held-out hinges, half of them at even R*, half at even logarithms.
+#[test]
+fn the_table_is_the_solver_within_its_bounds() {
+    let table = SectionTable::shipped().expect("readable");
+    let mut draw = draws(5);
+    let mut held = 0;
+    while held < 60 {
+        let (bendability, thickness) = (10.0 * 1e3_f64.powf(draw()), 0.003 * 10_f64.powf(draw()));
+        let (poisson, even) = (0.49 * draw(), draw());
+        let r_star = if held % 2 == 0 { 3.0 * even } else { 1e-3 * 3e3_f64.powf(even) };
+        let Ok(section) = Section::new(bendability, thickness, poisson) else { continue };
+        held += 1;
+        let rest = section.target(r_star).expect("found");
+        let edges = rest.edges.expect("known");
+        let entry = table.at(bendability, thickness, poisson, r_star).expect("in range");
+        let place = format!("{bendability} {thickness} {poisson} {r_star}: {entry:?} {rest:?}");
+        assert!((entry.lambda - rest.lambda).abs() < SectionTable::COILING_ERROR, "{place}");
+        assert!((entry.stiffness / -rest.curvature - 1.0).abs() < SectionTable::STIFFNESS_ERROR, "{place}");
+        assert!(
+            (entry.opening / (edges.tension * rest.lambda) - 1.0).abs() < SectionTable::STIFFNESS_ERROR,
+            "{place}"
+        );
+        assert!((entry.width - edges.width).abs() < SectionTable::COILING_ERROR, "{place}");
+        // The moment that holds it open at half the way to its flat angle.
+        let lambda = 0.5 + 0.5 * rest.lambda;
+        let held_open = section.state(r_star, lambda).expect("found").slope;
+        let folds = thickness < 0.006;
+        assert!(
+            folds || (entry.slope(lambda) / held_open - 1.0).abs() < SectionTable::MOMENT_ERROR,
+            "{place}: {held_open}"
+        );
+    }
+    assert!(table.at(9.0, 0.01, 0.3, 0.1).is_err() && table.at(100.0, 0.01, 0.3, f64::NAN).is_err());
+}
