@@ -122,7 +122,7 @@ impl Search {
                     (self.lambda, self.shape) = known.clone();
                     most *= 0.5;
                     // The tangent anew.
-                    let _ = self.settle().map_err(|_| self.lost())?;
+                    self.settle()?;
                 }
             }
         }

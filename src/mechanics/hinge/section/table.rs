@@ -140,13 +140,10 @@ impl SectionTable {
         for dimension in 0..4 {
             for start in (0..total).filter(|number| indices(*number)[dimension] == 0) {
                 let stride: usize = COUNTS[dimension + 1..].iter().product();
-                for quantity in 0..QUANTITIES {
-                    let line = |i: usize| start + i * stride;
-                    let old: Vec<f64> = (0..COUNTS[dimension]).map(|i| values[line(i)][quantity]).collect();
-                    let series = Chebyshev::through(&old);
-                    for (i, c) in series.coefficients().iter().enumerate() {
-                        values[line(i)][quantity] = *c;
-                    }
+                let places = (0..COUNTS[dimension]).map(|i| start + i * stride);
+                let line: Vec<Quantities> = places.clone().map(|place| values[place]).collect();
+                for (place, coefficients) in places.zip(transformed(&line)) {
+                    values[place] = coefficients;
                 }
             }
         }
@@ -164,6 +161,15 @@ impl SectionTable {
         }
         Ok(text)
     }
+}
+
+/// Chebyshev coefficients of each quantity, whose values at the points are `line`.
+fn transformed(line: &[Quantities]) -> Vec<Quantities> {
+    let series: [Chebyshev; QUANTITIES] = std::array::from_fn(|quantity| {
+        let values: Vec<f64> = line.iter().map(|values| values[quantity]).collect();
+        Chebyshev::through(&values)
+    });
+    (0..line.len()).map(|i| std::array::from_fn(|quantity| series[quantity].coefficients()[i])).collect()
 }
 
 /// Indices of a point in the four dimensions, the last one fastest.
