@@ -8,6 +8,7 @@ use stargrip_cam::forecast::sweep::{Axis, Sweep};
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::bvp::Bvp;
 use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
+use stargrip_cam::mechanics::hinge::section::{Section, SectionTable};
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Source, Spec, read, starter};
 
@@ -40,6 +41,32 @@ fn table_entry(bencher: Bencher, r_star: f64) {
 #[divan::bench]
 fn table_new() -> RingTable {
     RingTable::new().expect("solved")
+}
+
+/// (1/eps, t/W, R*) of a soft, a working and a fully actuated hinge, and of a point.
+const SECTIONS: [(f64, f64, f64); 4] =
+    [(10.0, 0.003, 0.1), (330.0, 0.015, 0.1), (1e4, 0.003, 1.0), (330.0, 0.015, 0.0)];
+
+/// A hinge at its pressure, with its stiffness, from nothing.
+#[divan::bench(args = SECTIONS)]
+fn section_target((bendability, thickness, r_star): (f64, f64, f64)) -> f64 {
+    let section = Section::new(black_box(bendability), thickness, 0.39).expect("in range");
+    section.target(r_star).expect("found").curvature
+}
+
+/// The same with its moment at ten more angles, each followed from the one before.
+#[divan::bench]
+fn section_curve_of_ten_angles() -> f64 {
+    let section = Section::new(black_box(330.0), 0.015, 0.39).expect("in range");
+    let lambdas = [1.1, 1.12, 1.14, 1.16, 1.18, 1.2, 1.22, 1.24, 1.26, 1.28];
+    section.curve(0.1, &lambdas).expect("found")[9].slope
+}
+
+/// The same hinge from its table.
+#[divan::bench]
+fn section_table_entry(bencher: Bencher) {
+    let table = SectionTable::shipped().expect("readable");
+    bencher.bench_local(|| table.at(black_box(330.0), 0.015, 0.39, 0.1).expect("in range"));
 }
 
 /// One lambda of the penalised problem, continuation included.

@@ -279,3 +279,80 @@ fn optimize_opens_as_far_as_it_promises() {
     let range = &value["graspable_radius_mm"];
     assert!(range[0].as_f64() <= Some(30.0) && range[1].as_f64() >= Some(45.0), "{range}");
 }
+
+const ACTUATOR: [&str; 11] = [
+    "actuator",
+    "--tube-width",
+    "20 mm",
+    "--radius",
+    "2 mm",
+    "--arm-length",
+    "80 mm",
+    "--angle",
+    "60 deg",
+    "--pressure",
+    "14 kPa",
+];
+
+fn actuator(more: &[&str]) -> Output {
+    run(folder().path(), &[&ACTUATOR, more].concat())
+}
+
+#[test]
+fn an_actuator_is_answered_by_every_model_of_its_hinge() {
+    let mut before = f64::MAX;
+    for model in ["section", "fit", "ring", "bvp"] {
+        let output = actuator(&["--model", model, "--angles", "40 deg..60 deg/3", "--json"]);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let json: serde_json::Value = serde_json::from_str(&text(&output.stdout)).expect("one object");
+        assert_eq!(json["model"], model);
+        let number = |key: &str| json[key].as_f64().unwrap_or_else(|| panic!("{key}: {json}"));
+        assert!(
+            (number("bendability") / 329.0 - 1.0).abs() < 0.01 && (number("stretch") - 0.00729).abs() < 1e-4
+        );
+        assert!((number("coiling") - (180.0 - number("angle_deg")) / 120.0).abs() < 1e-12);
+        assert!(json["volume_mm3"].is_null() && json["ranges"]["angle_deg"].is_null());
+        let moments: Vec<[f64; 2]> = serde_json::from_value(json["moment"].clone()).expect("pairs");
+        assert!(moments.len() == 3 && (moments[2][0] - 60.0).abs() < 1e-9, "{moments:?}");
+        // Opened beyond its rest, it is held by a moment that opens, and that grows.
+        assert!(moments[0][0] > number("angle_deg") && moments[0][1] > 0.0 && moments[2][1] > moments[0][1]);
+        // The limits take a hinge at 14 kPa for softer than the section does.
+        assert!(number("stiffness_Nm") < 0.7 * before, "{json}");
+        before = if model == "section" { number("stiffness_Nm") } else { before };
+        assert!(!json["evidence"]["warnings"].as_array().expect("a list").is_empty());
+    }
+    let auto = actuator(&["--json"]);
+    let json: serde_json::Value = serde_json::from_str(&text(&auto.stdout)).expect("one object");
+    assert_eq!(json["model"], "section");
+    assert!(json.get("moment").is_none());
+    assert!(text(&actuator(&[]).stdout).contains("angle at rest"));
+}
+
+#[test]
+fn an_actuator_that_no_model_covers_is_refused_in_words() {
+    let soft = actuator(&["--young-modulus", "1 MPa"]);
+    assert!(
+        soft.status.code() == Some(1) && text(&soft.stderr).contains("allowed is"),
+        "{}",
+        text(&soft.stderr)
+    );
+    let shell = actuator(&["--model", "shell"]);
+    assert!(shell.status.code() == Some(2) && text(&shell.stderr).contains("section"));
+    assert_eq!(actuator(&["--angles", "40 deg..60 deg"]).status.code(), Some(2));
+}
+
+#[test]
+fn predict_takes_the_section_only_with_a_pressure() {
+    let dir = folder();
+    let output = run(dir.path(), &["predict", "spec.toml", "--model", "section", "--json"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let json: serde_json::Value = serde_json::from_str(&text(&output.stdout)).expect("one object");
+    assert_eq!(json["model"], "section");
+    let lambda = json["lambda_t"]["tip"].as_f64().expect("a number");
+    assert!(lambda > 1.1 && lambda < 1.3 && json["lambda_c"]["tip"].is_null(), "{json}");
+    let warnings = json["evidence"]["warnings"].to_string();
+    assert!(warnings.contains("without arms") && !warnings.contains("no model here"), "{warnings}");
+    fs::write(dir.path().join("spec.toml"), SPEC.split("[load]").next().expect("text")).expect("written");
+    let refused = run(dir.path(), &["predict", "spec.toml", "--model", "section"]);
+    assert!(refused.status.code() == Some(1) && text(&refused.stderr).contains("none is given"));
+}

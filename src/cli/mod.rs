@@ -3,6 +3,7 @@
 //! Exit codes: 0 done; 1 the spec, the design or the outputs are refused; 2 wrong usage. Results go to
 //! standard output, faults to standard error.
 
+mod actuator;
 mod build;
 mod calibrate;
 mod check;
@@ -52,6 +53,8 @@ enum Command {
     Check(check::Args),
     /// Say what the gripper of a spec does: closing, force, pressures, payload.
     Predict(predict::Args),
+    /// Say what one hinge between two arms does: angle, stiffness, moment against angle.
+    Actuator(actuator::Args),
     /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
     Optimize(optimize::Args),
     /// Compute many designs at once: one CSV row for every combination of values.
@@ -86,6 +89,7 @@ pub fn main() -> ExitCode {
         Command::Build(args) => build::run(&args),
         Command::Check(args) => check::run(&args),
         Command::Predict(args) => predict::run(&args),
+        Command::Actuator(args) => actuator::run(&args),
         Command::Optimize(args) => optimize::run(&args),
         Command::Sweep(args) => sweep::run(&args),
         Command::Trade(args) => trade::run(&args),

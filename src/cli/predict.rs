@@ -25,15 +25,30 @@ pub(super) struct Args {
 
 /// The models, as words of the command line.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Model {
+pub(super) enum Model {
     /// Published constants.
     Fit,
     /// Exact membrane limit.
     Ring,
     /// Penalised boundary-value problem.
     Bvp,
+    /// Bending, stretch and hoop compression at the pressure.
+    Section,
     /// The cheapest that is accurate enough.
     Auto,
+}
+
+impl Model {
+    /// The same in the words of a spec.
+    pub(super) fn choice(self) -> ModelChoice {
+        match self {
+            Self::Fit => ModelChoice::Fit,
+            Self::Ring => ModelChoice::Ring,
+            Self::Bvp => ModelChoice::Bvp,
+            Self::Section => ModelChoice::Section,
+            Self::Auto => ModelChoice::Auto,
+        }
+    }
 }
 
 /// Predicts, and prints the answer.
@@ -41,12 +56,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::new(&args.spec)?;
     let mut spec = loaded.reading.spec.clone();
     if let Some(model) = args.model {
-        spec.accuracy.model = match model {
-            Model::Fit => ModelChoice::Fit,
-            Model::Ring => ModelChoice::Ring,
-            Model::Bvp => ModelChoice::Bvp,
-            Model::Auto => ModelChoice::Auto,
-        };
+        spec.accuracy.model = model.choice();
     }
     let design = Design::new(&spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
     let prediction = predict(&spec, &design).map_err(|fault| loaded.refused(no_prediction(&fault).into()))?;

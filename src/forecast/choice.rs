@@ -1,8 +1,12 @@
 //! Which model answers: the one that was asked for, or the cheapest whose estimated error is accepted.
 
-use crate::mechanics::hinge::ring::RingTable;
-use crate::mechanics::hinge::{Level, fit};
-use crate::mechanics::strength::{FULL_ACTUATION, INEXTENSIBLE, LimitEstimate, limit_estimate};
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::hinge::bvp::Bvp;
+use crate::mechanics::hinge::fit::Fit;
+use crate::mechanics::hinge::ring::{Ring, RingTable};
+use crate::mechanics::hinge::section::Section;
+use crate::mechanics::hinge::{HingeModel, Level, fit};
+use crate::mechanics::strength::{ElasticSheet, FULL_ACTUATION, INEXTENSIBLE, LimitEstimate, limit_estimate};
 
 /// What the answer must be good for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,6 +37,10 @@ pub struct Choice {
 /// Beta of the `bvp` level; its distance from the exact ring is about ln(beta)/beta.
 pub const BVP_BETA: f64 = 1000.0;
 
+/// Of `section`, which leaves out the arms: they let a hinge coil 2 to 14 deg further and soften it by about a tenth,
+/// by shell computations of single hinges; wrinkles, from 1/eps of 1,500 on, are worth as much again.
+const WITHOUT_ARMS: LimitEstimate = LimitEstimate { coiling: 0.1, stiffness: 0.25 };
+
 /// Estimated errors of `level`: its distance from the exact ring, and the ring's from a real hinge.
 ///
 /// The last part is the finite bendability and the stretch of the fabric; stiffness counts only if there is a pressure.
@@ -40,6 +48,7 @@ pub fn estimate(level: Level, question: &Question, table: &RingTable) -> LimitEs
     let mut own = LimitEstimate { coiling: 0.0, stiffness: 0.0 };
     for r_star in question.r_stars {
         let one = match (level, table.at(r_star)) {
+            (Level::Section, _) => return WITHOUT_ARMS,
             (Level::Fit, Ok(exact)) => LimitEstimate {
                 coiling: (fit::TARGET_COILING / exact.lambda_t - 1.0).abs(),
                 stiffness: (fit::target_curvature(r_star) / exact.curvature - 1.0).abs(),
@@ -95,9 +104,38 @@ pub fn take(level: Level, question: &Question, table: &RingTable) -> Choice {
     Choice { level, error, reason: format!("{} was asked for", level.name()), good_enough }
 }
 
+/// The model of `level` for hinges of `sheet` (tube width `width`, m) at the gauge pressure `pressure` (Pa).
+///
+/// # Errors
+/// If `section` has no pressure, or does not cover it with this sheet.
+pub fn hinge_model(
+    level: Level,
+    sheet: &ElasticSheet,
+    pressure: Option<f64>,
+    width: f64,
+) -> Result<Box<dyn HingeModel>, StarFault> {
+    Ok(match level {
+        Level::Fit => Box::new(Fit),
+        Level::Ring => Box::new(Ring),
+        Level::Bvp => Box::new(Bvp::new(BVP_BETA, 1e-6)),
+        Level::Section => {
+            let bendability = sheet.bendability(pressure.ok_or(StarFault::NoPressure)?, width);
+            Box::new(Section::new(bendability, sheet.thickness / width, sheet.poisson_ratio)?)
+        }
+    })
+}
+
 /// What lies outside of the models' validity, in words.
 pub fn limits_of_validity(level: Level, question: &Question) -> Vec<String> {
     let mut warnings = Vec::new();
+    if level == Level::Section {
+        warnings.push(
+            "section knows hinges without arms, which let them coil some 2 to 14 deg further; that angle is not known \
+             here yet"
+                .to_owned(),
+        );
+        return warnings;
+    }
     if let Some(bendability) = question.bendability
         && bendability < FULL_ACTUATION
     {

@@ -9,9 +9,11 @@
 //! | [`outcome`] | an inflated star with its load, in closed forms: for all that follow |
 //! | [`choice`] | which model answers, and the error to expect of it |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
+//! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`candidate`], [`sweep`], [`optimize`] | the same answer for one design among millions |
 //! | [`trade`] | what each model costs, and how far it is off |
 
+pub mod actuator;
 pub mod candidate;
 pub mod case;
 pub mod choice;

@@ -2,13 +2,11 @@
 
 use crate::design::{Design, StarDesign};
 use crate::forecast::case::Case;
-use crate::forecast::choice::{BVP_BETA, Choice, Question, choose, limits_of_validity, take};
+use crate::forecast::choice::{Choice, Question, choose, hinge_model, limits_of_validity, take};
 use crate::forecast::outcome::{Outcome, SHORTEST_ARM};
 use crate::forecast::prediction::{Evidence, Hinges, Nonlinear, Prediction, StarPrediction};
 use crate::forecast::seal_load::{burst, factor, remedy, safe_radius};
 use crate::mechanics::fault::{HingeFault, StarFault};
-use crate::mechanics::hinge::bvp::Bvp;
-use crate::mechanics::hinge::fit::Fit;
 use crate::mechanics::hinge::ring::{Ring, RingTable};
 use crate::mechanics::hinge::{HingeModel, HingeState, Level};
 use crate::mechanics::star::response::Inflated;
@@ -85,14 +83,10 @@ fn predict_star(spec: &Spec, part: &StarDesign) -> Result<StarPrediction, StarFa
         ModelChoice::Fit => take(Level::Fit, &question, table),
         ModelChoice::Ring => take(Level::Ring, &question, table),
         ModelChoice::Bvp => take(Level::Bvp, &question, table),
+        ModelChoice::Section => take(Level::Section, &question, table),
     };
-    let bvp = Bvp::new(BVP_BETA, 1e-6);
-    let model: &dyn HingeModel = match choice.level {
-        Level::Fit => &Fit,
-        Level::Ring => &Ring,
-        Level::Bvp => &bvp,
-    };
-    answer(&Asked { spec, part, case, question }, model, &choice)
+    let model = hinge_model(choice.level, &case.sheet, case.pressure, width)?;
+    answer(&Asked { spec, part, case, question }, model.as_ref(), &choice)
 }
 
 fn answer(asked: &Asked<'_>, model: &dyn HingeModel, choice: &Choice) -> Result<StarPrediction, StarFault> {
@@ -264,6 +258,7 @@ fn located(star: usize, fault: &StarFault) -> PredictFault {
             "nu" => key::fabric::POISSON_RATIO,
             _ => key::fabric::THICKNESS,
         },
+        StarFault::NoPressure => key::load::PRESSURE,
         StarFault::Radius { .. } => key::load::OBJECT_RADIUS,
         StarFault::Hinge(_) | StarFault::Root(_) => key::star::TIP_RADIUS,
     };

@@ -28,7 +28,7 @@ pub struct Prediction {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct StarPrediction {
-    /// The model that answered: fit, ring or bvp.
+    /// The model that answered: fit, ring, bvp or section.
     pub model: &'static str,
     /// Target coiling factor lambda_t.
     pub lambda_t: Hinges<f64>,

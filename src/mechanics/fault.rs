@@ -23,6 +23,17 @@ pub enum HingeFault {
         /// The model's largest lambda.
         most: f64,
     },
+    /// A ratio of fabric, tube and pressure is outside of the model's range.
+    Scale {
+        /// Which.
+        symbol: &'static str,
+        /// What was given.
+        found: f64,
+        /// The model's least.
+        least: f64,
+        /// The model's largest.
+        most: f64,
+    },
     /// The model's equations could not be solved.
     Unsolved {
         /// R*.
@@ -43,6 +54,10 @@ impl fmt::Display for HingeFault {
             Self::Coiling { found, least, most } => {
                 let (least, most) = (Readable(least), Readable(most));
                 write!(f, "the coiling factor is {}, allowed is {least} to {most}", Readable(found))
+            }
+            Self::Scale { symbol, found, least, most } => {
+                let (least, most) = (Readable(least), Readable(most));
+                write!(f, "{symbol} is {}, allowed is {least} to {most}", Readable(found))
             }
             Self::Unsolved { r_star, lambda, residual } => {
                 let (r_star, lambda) = (Readable(r_star), Readable(lambda));
@@ -78,6 +93,8 @@ pub enum StarFault {
         /// Inner radius at its largest, m.
         most: f64,
     },
+    /// The model is one of a hinge at a pressure, and there is none.
+    NoPressure,
     /// A hinge's model refused.
     Hinge(HingeFault),
     /// No equilibrium or radius in the range of angles searched.
@@ -94,6 +111,9 @@ impl fmt::Display for StarFault {
                 let [found, least, most] = [found, least, most].map(|m| Length::from_metres(m).to_string());
                 write!(f, "the radius is {found}, and the inflated star goes from {least} to {most} only")
             }
+            Self::NoPressure => f.write_str(
+                "the section is a hinge at its pressure, and none is given: give one, or take ring",
+            ),
             Self::Hinge(fault) => fault.fmt(f),
             Self::Root(RootFault::NoSignChange { low, high }) => {
                 let (low, high) = (Readable(low), Readable(high));

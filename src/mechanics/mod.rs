@@ -10,9 +10,10 @@
 //! | [`star::response`] | an inflated star: where it rests, with which preload and stiffness, force against radius |
 //! | [`strength`] | fabric, seal and friction: bendability, operating and burst pressure, payload |
 //!
-//! Three models of the hinge share one trait, [`hinge::HingeModel`]: [`hinge::fit::Fit`], the published constants;
+//! Four models of the hinge share one trait, [`hinge::HingeModel`]: [`hinge::fit::Fit`], the published constants;
 //! [`hinge::ring::Ring`], the exact limit of a membrane that may wrinkle but not stretch; [`hinge::bvp::Bvp`], the
-//! paper's penalised boundary-value problem. All give finite numbers or an error that names what was found and what
+//! paper's penalised boundary-value problem; [`hinge::section::Section`], a hinge at its pressure, with bending, stretch
+//! and hoop compression. All give finite numbers or an error that names what was found and what
 //! is allowed.
 //!
 //! ```

@@ -30,6 +30,11 @@ impl Chebyshev {
         PI * (i as f64 + 0.5) / count as f64
     }
 
+    /// The coefficients of T_0, T_1, ..., in 2 x - 1.
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coefficients
+    }
+
     /// The value at `x` in [0, 1].
     pub fn at(&self, x: f64) -> f64 {
         let twice = 2.0 * (2.0 * x - 1.0);

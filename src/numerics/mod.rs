@@ -1,9 +1,11 @@
-//! Numerical tools: forward derivatives, quadrature, Newton and bracketing roots, Chebyshev series, collocation.
+//! Numerical tools: forward derivatives, quadrature, Newton and bracketing roots, banded factors, Chebyshev series,
+//! collocation.
 //!
 //! This module knows no sheets and no grippers. What it returns is finite, or it is an error.
 
 pub mod band;
 pub mod chebyshev;
+pub mod cholesky;
 pub mod collocation;
 pub mod dual;
 pub mod gauss;
@@ -11,6 +13,7 @@ pub mod newton;
 pub mod root;
 
 pub use chebyshev::Chebyshev;
+pub use cholesky::SymmetricBand;
 pub use dual::Dual;
 pub use newton::{NewtonFault, NewtonReport, newton};
 pub use root::{RootFault, bracketed_root};

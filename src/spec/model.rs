@@ -246,6 +246,8 @@ pub enum ModelChoice {
     Ring,
     /// Penalised boundary-value problem.
     Bvp,
+    /// Bending, stretch and hoop compression at the pressure.
+    Section,
     /// The cheapest that is accurate enough.
     Auto,
 }

@@ -236,6 +236,7 @@ fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {
         ("fit", ModelChoice::Fit),
         ("ring", ModelChoice::Ring),
         ("bvp", ModelChoice::Bvp),
+        ("section", ModelChoice::Section),
         ("auto", ModelChoice::Auto),
     ];
     Accuracy {

@@ -9,9 +9,10 @@ pub mod bvp;
 mod contract;
 pub mod fit;
 pub mod ring;
+pub mod section;
 
 use crate::mechanics::fault::HingeFault;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_4, PI};
 
 /// The models, from the fastest to the most faithful.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -22,6 +23,8 @@ pub enum Level {
     Ring,
     /// Penalised boundary-value problem at finite beta.
     Bvp,
+    /// Bending, stretch and hoop compression at a pressure.
+    Section,
 }
 
 impl Level {
@@ -31,6 +34,7 @@ impl Level {
             Self::Fit => "fit",
             Self::Ring => "ring",
             Self::Bvp => "bvp",
+            Self::Section => "section",
         }
     }
 }
@@ -60,6 +64,12 @@ pub trait HingeModel: Sync {
     /// # Errors
     /// As for [`HingeModel::state`].
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault>;
+
+    /// The **arms' angle** delta, rad: a hinge between arms coils to `lambda alpha_0 + delta tanh(alpha_0 / 45 deg)`,
+    /// because hoop compression is let out into them at both ends. `None` if the model does not know it.
+    fn arms_angle(&self, _r_star: f64) -> Option<f64> {
+        None
+    }
 }
 
 /// A hinge at one coiling factor. Everything is dimensionless and finite.
@@ -138,6 +148,24 @@ impl Hinge {
     /// Angle phi (rad) at the coiling factor `lambda`; below 0 if the arms would cross.
     pub fn angle(&self, lambda: f64) -> f64 {
         PI - lambda * self.arc()
+    }
+
+    /// By how much (rad) the arms let it coil further than `model`'s lambda says; 0 where that is not known.
+    pub fn let_out(&self, model: &dyn HingeModel) -> f64 {
+        model.arms_angle(self.r_star).map_or(0.0, |delta| delta * (self.arc() / FRAC_PI_4).tanh())
+    }
+
+    /// The angle phi (rad) at which `model`'s state `state` is, arms included.
+    pub fn angle_of(&self, model: &dyn HingeModel, state: &HingeState) -> f64 {
+        self.angle(state.lambda) - self.let_out(model)
+    }
+
+    /// `model`'s state at the angle `phi` (rad), arms included.
+    ///
+    /// # Errors
+    /// As for [`HingeModel::state`].
+    pub fn state_at(&self, model: &dyn HingeModel, phi: f64) -> Result<HingeState, HingeFault> {
+        model.state(self.r_star, self.coiling(phi + self.let_out(model)))
     }
 
     /// Moment `M = p dV/dphi = -p W^3 V_bar'` that drives phi, N m, at the gauge pressure `p` (Pa).

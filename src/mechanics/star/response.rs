@@ -93,7 +93,8 @@ impl<'a> Inflated<'a> {
 
     /// Target angles phi_it and phi_et of tip and corner, rad.
     pub fn target_angles(&self) -> (f64, f64) {
-        (self.star.tip().angle(self.tip.lambda), self.star.corner().angle(self.corner.lambda))
+        let angle = |hinge: Hinge, state: &HingeState| hinge.angle_of(self.model, state);
+        (angle(self.star.tip(), &self.tip), angle(self.star.corner(), &self.corner))
     }
 
     /// Equilibrium of linear hinges: `(C_i phi_it + C_e (phi_et - 2 pi / n)) / (C_i + C_e)`, rad.
@@ -172,7 +173,7 @@ impl<'a> Inflated<'a> {
     fn scaled_torque(&self, phi: f64) -> Result<(f64, f64), StarFault> {
         let points = f64::from(self.star.points);
         let (tip, corner) = (self.star.tip(), self.star.corner());
-        let at = |hinge: Hinge, phi: f64| self.model.state(hinge.r_star, hinge.coiling(phi));
+        let at = |hinge: Hinge, phi: f64| hinge.state_at(self.model, phi);
         let (of_tip, of_corner) = (at(tip, phi)?, at(corner, phi + self.star.turn())?);
         let spring = -of_tip.curvature / tip.arc() - of_corner.curvature / corner.arc();
         Ok((points * (of_tip.slope + of_corner.slope), points * spring))
@@ -181,7 +182,7 @@ impl<'a> Inflated<'a> {
     /// Whether at the tip angle `phi` (rad) the inner rim of a hinge would have to push.
     pub fn rim_pushes(&self, phi: f64) -> bool {
         let pushes = |hinge: Hinge, phi: f64| {
-            let state = self.model.state(hinge.r_star, hinge.coiling(phi)).ok();
+            let state = hinge.state_at(self.model, phi).ok();
             state.and_then(|state| state.edges).is_some_and(|edges| edges.rim_force < 0.0)
         };
         pushes(self.star.tip(), phi) || pushes(self.star.corner(), phi + self.star.turn())

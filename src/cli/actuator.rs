@@ -1,0 +1,104 @@
+//! `stargrip-cam actuator`
+
+use crate::cli::failure::{Failure, say};
+use crate::cli::predict::Model;
+use crate::cli::quantity::{EXTRA, SIZE, number, quantity, range};
+use crate::forecast::actuator::{Actuator, actuate};
+use crate::mechanics::strength::ElasticSheet;
+use crate::spec::Allowed;
+use crate::units::{Angle, Length, Pressure};
+
+/// Angles between arms.
+const BETWEEN: Allowed = Allowed::between(0.0, 180.0);
+/// Most angles of one curve.
+const MOST_ANGLES: u32 = 10_000;
+
+/// Arguments of `actuator`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// Flat width of the tube.
+    #[arg(long, value_parser = quantity::<Length>(SIZE))]
+    tube_width: Length,
+    /// Inner radius of the flat hinge.
+    #[arg(long, value_parser = quantity::<Length>(EXTRA))]
+    radius: Length,
+    /// Straight length from the hinge's end to the sealed end.
+    #[arg(long, value_parser = quantity::<Length>(SIZE))]
+    arm_length: Length,
+    /// Flat angle between the arms.
+    #[arg(long, value_parser = quantity::<Angle>(BETWEEN))]
+    angle: Angle,
+    /// Gauge pressure.
+    #[arg(long, value_parser = quantity::<Pressure>(Allowed::above(0.0, 1e5)))]
+    pressure: Pressure,
+    /// Thickness of the fabric.
+    #[arg(long, default_value = "0.3 mm", value_parser = quantity::<Length>(SIZE))]
+    thickness: Length,
+    /// Young's modulus of the fabric.
+    #[arg(long, default_value = "128 MPa", value_parser = quantity::<Pressure>(Allowed::closed(1e-3, 1e9)))]
+    young_modulus: Pressure,
+    /// Poisson ratio of the fabric.
+    #[arg(long, default_value_t = 0.39, value_parser = number(Allowed::above(-1.0, 0.5)))]
+    poisson_ratio: f64,
+    /// The model to use; auto is section.
+    #[arg(long, value_name = "MODEL", default_value = "auto")]
+    model: Model,
+    /// Also the moment that holds it at each of these angles: "30 deg..90 deg/7".
+    #[arg(long, value_name = "FROM..TO/COUNT", value_parser = angles)]
+    angles: Option<Angles>,
+    /// Print one JSON object and nothing else.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Evenly spaced angles, rad.
+#[derive(Clone, Debug, PartialEq)]
+struct Angles(Vec<f64>);
+
+/// Predicts, and prints the answer.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let message = |fault: crate::mechanics::fault::StarFault| Failure::Message(fault.to_string());
+    let young_modulus = args.young_modulus.pascals();
+    let sheet = ElasticSheet::new(args.thickness.metres(), young_modulus, args.poisson_ratio);
+    let actuator = Actuator {
+        width: args.tube_width.metres(),
+        radius: args.radius.metres(),
+        arm: args.arm_length.metres(),
+        angle: args.angle.rad(),
+        pressure: args.pressure.pascals(),
+        sheet: sheet.map_err(message)?,
+    };
+    let angles = args.angles.as_ref().map_or(&[][..], |angles| &angles.0);
+    let prediction = actuate(&actuator, args.model.choice(), angles).map_err(message)?;
+    say(&if args.json { prediction.to_json() } else { prediction.to_text() })
+}
+
+/// Reads "FROM..TO/COUNT", or one angle.
+fn angles(text: &str) -> Result<Angles, String> {
+    let (ends, count) = text.split_once('/').unwrap_or((text, "1"));
+    let (from, to) = range::<Angle>(BETWEEN)(ends)?;
+    let count = count.trim().parse::<u32>().ok().filter(|count| (1..=MOST_ANGLES).contains(count));
+    let count = count.ok_or_else(|| format!("the count after \"/\" must be 1 to {MOST_ANGLES}"))?;
+    if count == 1 && from != to {
+        return Err(format!("say how many angles: write \"{ends}/COUNT\", with a COUNT of 2 or more"));
+    }
+    let part = |i: u32| f64::from(i) / f64::from((count - 1).max(1));
+    Ok(Angles((0..count).map(|i| from.rad() + part(i) * (to.rad() - from.rad())).collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_are_evenly_spaced_from_end_to_end() {
+        let read = angles("30 deg..90 deg/3").expect("valid").0;
+        for (got, want) in read.iter().zip([30.0_f64, 60.0, 90.0]) {
+            assert!((got - want.to_radians()).abs() < 1e-15);
+        }
+        assert_eq!(angles("30 deg").expect("valid").0.len(), 1);
+        for bad in ["30 deg..90 deg", "30 deg..90 deg/0", "30 deg..90 deg/x", "90 deg..30 deg/3", "30/3"] {
+            assert!(angles(bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The paper's **V-actuator**: one hinge between two arms with sealed ends, which shows what a hinge does.
+//!
+//! All models that know a hinge answer here through [`HingeModel`]; they know no arms, so the volume of the whole
+//! actuator is `None`.
+
+use crate::forecast::choice::hinge_model;
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::hinge::{Hinge, HingeModel, Level};
+use crate::mechanics::strength::ElasticSheet;
+use crate::spec::ModelChoice;
+use serde::Serialize;
+
+/// One V-actuator under pressure; SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Actuator {
+    /// Flat tube width W, m.
+    pub width: f64,
+    /// Inner radius of curvature R of the hinge, m.
+    pub radius: f64,
+    /// Straight length l from the hinge's end to the sealed end, m.
+    pub arm: f64,
+    /// Flat angle phi_0 between the arms, rad, in (0, pi).
+    pub angle: f64,
+    /// Gauge pressure, Pa, above 0.
+    pub pressure: f64,
+    /// The fabric.
+    pub sheet: ElasticSheet,
+}
+
+/// What it does. `None` where the model does not know.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct ActuatorPrediction {
+    /// The model that answered.
+    pub model: &'static str,
+    /// 1/eps = p W^3 / B.
+    pub bendability: f64,
+    /// p W / Y.
+    pub stretch: f64,
+    /// Angle between the arms at rest under pressure.
+    pub angle_deg: f64,
+    /// (pi - phi) / (pi - phi_0) at rest.
+    pub coiling: f64,
+    /// Volume of the whole actuator.
+    pub volume_mm3: Option<f64>,
+    /// d2U/dphi2 at rest, whole tube, N m per rad.
+    pub stiffness_Nm: f64,
+    /// Angles (deg) and the moments dU/dphi (N m) that hold them; a positive one opens.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<Vec<[f64; 2]>>,
+    /// In which interval the truth lies.
+    pub ranges: Ranges,
+    /// How good all this is.
+    pub evidence: ActuatorEvidence,
+}
+
+/// Intervals in which the truth lies in at least 95 % of cases; `None` where nothing is known, which is everywhere yet.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct Ranges {
+    /// Of the angle.
+    pub angle_deg: Option<[f64; 2]>,
+    /// Of the coiling.
+    pub coiling: Option<[f64; 2]>,
+    /// Of the volume.
+    pub volume_mm3: Option<[f64; 2]>,
+    /// Of the stiffness.
+    pub stiffness_Nm: Option<[f64; 2]>,
+    /// Of the moments.
+    pub moment: Option<[f64; 2]>,
+}
+
+/// The evidence for an answer.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ActuatorEvidence {
+    /// Residual of the model's equations at rest.
+    pub residual: f64,
+    /// Newton steps or factorisations.
+    pub iterations: u32,
+    /// Estimated relative error against the exact solution of the model's own equations.
+    pub numerical_error: f64,
+    /// What a person should know.
+    pub warnings: Vec<String>,
+}
+
+impl ActuatorPrediction {
+    /// The answer as one JSON object and a line end.
+    ///
+    /// # Panics
+    /// Never: every field can be written as JSON.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).expect("plain data") + "\n"
+    }
+
+    /// The answer as a person reads it.
+    pub fn to_text(&self) -> String {
+        let mut lines = vec![
+            format!("model                 {}", self.model),
+            format!("bendability           {:.0}", self.bendability),
+            format!("stretch p W / Y       {:.4}", self.stretch),
+            format!("angle at rest         {:.2} deg", self.angle_deg),
+            format!("coiling               {:.4}", self.coiling),
+            format!("stiffness             {:.4} N m/rad", self.stiffness_Nm),
+        ];
+        for [angle, moment] in self.moment.iter().flatten() {
+            lines.push(format!("held at {angle:7.2} deg    {moment:.5} N m"));
+        }
+        lines.extend(self.evidence.warnings.iter().map(|warning| format!("warning               {warning}")));
+        lines.join("\n") + "\n"
+    }
+}
+
+/// What `actuator` does by `model`; `auto` is the section. With the moments at `angles` (rad), if there are any.
+///
+/// # Errors
+/// If the model does not cover the fabric at this pressure, the hinge, or one of the angles.
+pub fn actuate(
+    actuator: &Actuator,
+    model: ModelChoice,
+    angles: &[f64],
+) -> Result<ActuatorPrediction, StarFault> {
+    let level = match model {
+        ModelChoice::Fit => Level::Fit,
+        ModelChoice::Ring => Level::Ring,
+        ModelChoice::Bvp => Level::Bvp,
+        ModelChoice::Section | ModelChoice::Auto => Level::Section,
+    };
+    let Actuator { width, pressure, sheet, .. } = *actuator;
+    if !(pressure > 0.0 && pressure.is_finite()) {
+        return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "above 0" });
+    }
+    let model = hinge_model(level, &sheet, Some(pressure), width)?;
+    of_a_hinge(actuator, model.as_ref(), angles)
+}
+
+/// What a model says that knows the hinge only.
+fn of_a_hinge(
+    actuator: &Actuator,
+    model: &dyn HingeModel,
+    angles: &[f64],
+) -> Result<ActuatorPrediction, StarFault> {
+    let Actuator { width, radius, pressure, sheet, .. } = *actuator;
+    let hinge = Hinge { r_star: radius / width, width, rest_angle: actuator.angle };
+    let rest = model.target(hinge.r_star)?;
+    let angle = hinge.angle_of(model, &rest);
+    let held = angles.iter().map(|phi| {
+        let state = hinge.state_at(model, *phi)?;
+        Ok([phi.to_degrees(), -hinge.moment(pressure, &state)])
+    });
+    let held = held.collect::<Result<Vec<_>, StarFault>>()?;
+    Ok(ActuatorPrediction {
+        model: model.level().name(),
+        bendability: sheet.bendability(pressure, width),
+        stretch: sheet.stretch(pressure, width),
+        angle_deg: angle.to_degrees(),
+        coiling: hinge.coiling(angle),
+        volume_mm3: None,
+        stiffness_Nm: hinge.stiffness(pressure, &rest),
+        moment: (!angles.is_empty()).then_some(held),
+        ranges: Ranges::default(),
+        evidence: ActuatorEvidence {
+            residual: rest.effort.residual,
+            iterations: rest.effort.iterations,
+            numerical_error: rest.effort.error,
+            warnings: warnings(actuator, model, angle),
+        },
+    })
+}
+
+fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<String> {
+    let limit = model.level() != Level::Section;
+    let r_star = actuator.radius / actuator.width;
+    let known = [
+        (
+            limit,
+            "the model is the limit of a membrane that neither bends nor stretches: a hinge at this pressure is stiffer",
+        ),
+        (
+            !limit && model.arms_angle(r_star).is_none(),
+            "the hinge is computed without arms, which let it coil some 2 to 14 deg further; that angle is not known here \
+             yet",
+        ),
+        (angle < 0.0, "the arms touch before the hinge is at rest"),
+        (
+            actuator.arm < actuator.width,
+            "the arms are shorter than the tube is wide: the hinge feels their ends",
+        ),
+    ];
+    known.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned()).collect()
+}

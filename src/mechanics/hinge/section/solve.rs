@@ -1,0 +1,288 @@
+//! The shape in which the potential is least, by Newton's method with the exact Hessian.
+//!
+//! A hinge at rest is a minimum in shape *and* coiling, so lambda is one more unknown, and no search for the vanishing
+//! moment is needed. The Hessian is banded but for lambda's row, which costs one more solution:
+//!
+//! ```text
+//! [ H     g_l  ] [ dx      ]     [ g    ]       H v = -g_l,    S = Pi_ll + g_l v
+//! [ g_l^T Pi_ll] [ dlambda ] = - [ Pi_l ]       dlambda = -(Pi_l + g_l u) / S,    H u = -g,    dx = u + v dlambda
+//! ```
+//!
+//! The Schur complement S is the second derivative of Pi along the branch of equilibria, which is the hinge's stiffness,
+//! and v the branch's tangent dx/dlambda. Where H is not positive definite the indefinite terms are left out, and then the
+//! diagonal shifted; steps are halved until Pi falls enough (Armijo). What is found is an answer only where the exact,
+//! unshifted H is positive definite. The buffers are made once.
+
+use crate::mechanics::hinge::section::density::Scales;
+use crate::mechanics::hinge::section::mesh::Mesh;
+use crate::mechanics::hinge::section::potential::{Potential, WIDTH, value};
+use crate::numerics::SymmetricBand;
+
+/// Half the opening angles (rad) of the arcs from which a hinge is searched, one after the other, and their coiling. The
+/// first is so shallow that its strains are small, and nearly always does; from steeper arcs of soft sheets it takes twice
+/// the steps, from the flat sheet the first is unbounded. Rims sharper than a thousandth of the width may need another.
+const STARTS: [f64; 5] = [0.2, 0.6, 1.0, 0.05, 1.4];
+const START_LAMBDA: f64 = 1.02;
+/// Newton's decrement, relative to Pi, at which the last step is taken: its square is below rounding.
+const CONVERGED: f64 = 1e-13;
+/// Decrement at which a step that does not lower Pi any more is laid to rounding.
+const ROUNDING: f64 = 1e-9;
+/// Most steps; the random cases of the tests take 40 at most.
+const MOST_STEPS: u32 = 200;
+/// Armijo's share of the fall that the slope promises.
+const ARMIJO: f64 = 1e-4;
+/// Largest change of lambda in one step: the membrane's law is linear in lambda, the pressure's not.
+const MOST_TURN: f64 = 0.1;
+/// Shift beyond which there is no use in going on.
+const MOST_SHIFT: f64 = 1e12;
+
+/// The search for shapes of one section, with the shape found last.
+#[derive(Clone, Debug)]
+pub(super) struct Search {
+    pub(super) scales: Scales,
+    pub(super) mesh: Mesh,
+    /// Coiling factor.
+    pub(super) lambda: f64,
+    /// Q, Q', z, z' at each node.
+    pub(super) shape: Vec<f64>,
+    /// Derivatives at the shape.
+    pub(super) potential: Potential,
+    /// S.
+    pub(super) stiffness: f64,
+    /// Newton's decrement, relative to Pi, before the last step.
+    pub(super) decrement: f64,
+    /// Factorisations so far.
+    pub(super) factorisations: u32,
+    factors: SymmetricBand<WIDTH>,
+    lumped: Vec<f64>,
+    /// v.
+    tangent: Vec<f64>,
+    step: Vec<f64>,
+    trial: Vec<f64>,
+}
+
+/// No shape was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Lost {
+    /// The coiling factor reached.
+    pub(super) lambda: f64,
+    /// Newton's decrement there, relative to Pi.
+    pub(super) decrement: f64,
+}
+
+impl Search {
+    /// Begins with a shallow arc.
+    pub(super) fn new(scales: Scales, mesh: Mesh) -> Self {
+        let zero = vec![0.0; mesh.unknowns()];
+        let lambda = START_LAMBDA;
+        let shape = arc(&mesh, lambda, STARTS[0]);
+        Self {
+            scales,
+            lambda,
+            shape,
+            potential: Potential::new(zero.len()),
+            stiffness: 0.0,
+            decrement: f64::MAX,
+            factorisations: 0,
+            factors: SymmetricBand::zero(zero.len()),
+            lumped: lumped(&mesh),
+            tangent: zero.clone(),
+            step: zero.clone(),
+            trial: zero,
+            mesh,
+        }
+    }
+
+    /// Goes from the beginning to the hinge at rest.
+    pub(super) fn rest(&mut self) -> Result<(), Lost> {
+        for angle in STARTS {
+            self.lambda = START_LAMBDA;
+            self.shape = arc(&self.mesh, self.lambda, angle);
+            if self.minimise(true).is_ok() {
+                return Ok(());
+            }
+        }
+        Err(self.lost())
+    }
+
+    /// Follows the branch of equilibria from the last one to `lambda`.
+    pub(super) fn hold(&mut self, lambda: f64) -> Result<(), Lost> {
+        let mut most = MOST_TURN;
+        let mut known = (self.lambda, self.shape.clone());
+        while self.lambda != lambda {
+            let turn = (lambda - self.lambda).clamp(-most, most);
+            for (x, v) in self.shape.iter_mut().zip(&self.tangent) {
+                *x += turn * v;
+            }
+            self.lambda = if turn.abs() < most { lambda } else { self.lambda + turn };
+            match self.minimise(false) {
+                Ok(()) => known = (self.lambda, self.shape.clone()),
+                Err(lost) if most < 0.02 * MOST_TURN => return Err(lost),
+                Err(_) => {
+                    (self.lambda, self.shape) = known.clone();
+                    most *= 0.5;
+                    // The tangent anew.
+                    self.settle()?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn lost(&self) -> Lost {
+        Lost { lambda: self.lambda, decrement: self.decrement }
+    }
+
+    fn value(&self, lambda: f64, shape: &[f64]) -> Option<f64> {
+        value(&self.scales, &self.mesh, lambda, shape)
+    }
+
+    /// The least Pi from here, at a fixed lambda or a `free` one.
+    fn minimise(&mut self, free: bool) -> Result<(), Lost> {
+        let mut shift = 0.0;
+        let mut value = self.value(self.lambda, &self.shape).ok_or_else(|| self.lost())?;
+        for _ in 0..MOST_STEPS {
+            let exact = self.factor(&mut shift).ok_or_else(|| self.lost())?;
+            let turn = self.direction(free);
+            let fall = -(dot(&self.potential.gradient, &self.step) + turn * self.potential.slope);
+            self.decrement = fall.abs() / value.abs();
+            let stable = exact && (!free || self.stiffness > 0.0);
+            if stable && self.decrement < CONVERGED {
+                self.advance(1.0, turn);
+                return self.settle();
+            }
+            match self.descend(value, fall, turn) {
+                Some((next, part)) => {
+                    value = next;
+                    // A full step means that the shift was not needed; 1e-3 is nothing against the pressure's stiffness.
+                    shift = if part < 1.0 {
+                        shift
+                    } else if shift < 1e-3 {
+                        0.0
+                    } else {
+                        shift / 6.0
+                    };
+                }
+                None if stable && self.decrement < ROUNDING => return self.settle(),
+                None => shift = 10.0 * f64::max(shift, 0.1),
+            }
+            if shift > MOST_SHIFT {
+                break;
+            }
+        }
+        Err(self.lost())
+    }
+
+    /// Derivatives at the shape found, with S and its tangent; an error if it is not stable against other shapes.
+    fn settle(&mut self) -> Result<(), Lost> {
+        let exact = self.factor(&mut 0.0).ok_or_else(|| self.lost())?;
+        let _ = self.direction(false);
+        if exact { Ok(()) } else { Err(self.lost()) }
+    }
+
+    /// Factors H, whether exact and unshifted; `None` if no shift makes it positive definite.
+    fn factor(&mut self, shift: &mut f64) -> Option<bool> {
+        for exact in [true, false] {
+            self.potential.assemble(&self.scales, &self.mesh, self.lambda, &self.shape, exact);
+            self.factorisations += 1;
+            if self.factors.factor(&self.potential.hessian, *shift, &self.lumped) {
+                return Some(exact && *shift == 0.0);
+            }
+        }
+        while *shift < MOST_SHIFT {
+            *shift = f64::max(4.0 * *shift, 1.0);
+            self.factorisations += 1;
+            if self.factors.factor(&self.potential.hessian, *shift, &self.lumped) {
+                return Some(false);
+            }
+        }
+        None
+    }
+
+    /// Newton's step and tangent, and S; gives the change of lambda, 0 unless it is `free`.
+    fn direction(&mut self, free: bool) -> f64 {
+        let negative = |to: &mut Vec<f64>, of: &[f64]| to.iter_mut().zip(of).for_each(|(to, of)| *to = -of);
+        negative(&mut self.step, &self.potential.gradient);
+        negative(&mut self.tangent, &self.potential.mixed);
+        self.factors.solve(&mut self.step);
+        self.factors.solve(&mut self.tangent);
+        self.stiffness = self.potential.curvature + dot(&self.potential.mixed, &self.tangent);
+        if !free {
+            return 0.0;
+        }
+        // Uphill the sign of S would lead to a maximum.
+        let stiffness = if self.stiffness > 0.0 { self.stiffness } else { 0.1 - self.stiffness };
+        let moment = self.potential.slope + dot(&self.potential.mixed, &self.step);
+        let turn = (-moment / stiffness).clamp(-MOST_TURN, MOST_TURN);
+        self.step.iter_mut().zip(&self.tangent).for_each(|(u, v)| *u += turn * v);
+        turn
+    }
+
+    /// Goes the largest part of the step, halved as often as needed, that lowers Pi enough; gives Pi and the part.
+    fn descend(&mut self, value: f64, fall: f64, turn: f64) -> Option<(f64, f64)> {
+        let mut part = 1.0;
+        while part > 1e-9 {
+            for ((trial, x), step) in self.trial.iter_mut().zip(&self.shape).zip(&self.step) {
+                *trial = x + part * step;
+            }
+            let next = self.value(self.lambda + part * turn, &self.trial);
+            if let Some(next) = next
+                && next <= value - ARMIJO * part * fall + 1e-15 * value.abs()
+            {
+                self.advance(part, turn);
+                return Some((next, part));
+            }
+            part *= 0.5;
+        }
+        None
+    }
+
+    fn advance(&mut self, part: f64, turn: f64) {
+        self.shape.iter_mut().zip(&self.step).for_each(|(x, step)| *x += part * step);
+        self.lambda += part * turn;
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// Lumped weights of the unknowns, which the shift multiplies. The radius is raised a little, or the nodes at a point on
+/// the axis had none.
+fn lumped(mesh: &Mesh) -> Vec<f64> {
+    let mut lumped = vec![0.0; mesh.unknowns()];
+    for (number, ends) in mesh.nodes.windows(2).enumerate() {
+        let h = ends[1] - ends[0];
+        let weight = 0.5 * h * (mesh.r_star + 0.5 * (ends[0] + ends[1]) + 0.05);
+        for (k, entry) in lumped[4 * number..4 * number + WIDTH].iter_mut().enumerate() {
+            // Hermite's mass of a slope is some h^2 / 50 of that of a value.
+            *entry += if k % 2 == 0 { weight } else { 0.02 * h * h * weight };
+        }
+    }
+    lumped
+}
+
+/// An arc of length 1 that opens by `angle` (rad) to both sides; at a point on the axis it begins flat.
+fn arc(mesh: &Mesh, lambda: f64, angle: f64) -> Vec<f64> {
+    let phi = |s: f64| {
+        let flat = if mesh.r_star == 0.0 { s / (s + 0.02) } else { 1.0 };
+        angle * (1.0 - 2.0 * s) * flat
+    };
+    let mut shape = Vec::with_capacity(mesh.unknowns());
+    let (mut q, mut z, mut before) = (mesh.r_star / lambda, 0.0, 0.0);
+    for &s in &mesh.nodes {
+        let (sin, cos) = phi(0.5 * (s + before)).sin_cos();
+        q += (s - before) * cos;
+        z += (s - before) * sin;
+        before = s;
+        let (slope, along) = phi(s).sin_cos();
+        shape.extend([q, along, z, slope]);
+    }
+    // Back to z = 0 at the outer rim.
+    for (node, s) in shape.chunks_exact_mut(4).zip(&mesh.nodes) {
+        node[2] -= z * s;
+        node[3] -= z;
+    }
+    mesh.pinned().for_each(|pinned| shape[pinned] = 0.0);
+    shape
+}
