@@ -86,8 +86,9 @@ mod tests {
         let findings =
             judged(text.split_inclusive('\n'), Dialect::GENERIC, &mut [&mut Clamps::new(&zones, reach)]);
         let findings = findings.into_vec();
-        assert!(findings.iter().all(|finding| finding.code == "clamp-in-the-way"));
-        findings.iter().map(|finding| finding.line).collect()
+        // The text has no end, which its reader finds too.
+        let ours = findings.iter().filter(|finding| finding.code == "clamp-in-the-way");
+        ours.map(|finding| finding.line).collect()
     }
 
     #[test]

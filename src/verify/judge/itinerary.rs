@@ -95,8 +95,11 @@ impl Itinerary {
         self.findings.add(code, line, told(found), format!("{allowed} next"));
     }
 
+    /// Where it comes later; the way up from the last path fits too much to tell.
     fn later(&self, found: &Station) -> Option<usize> {
-        (self.passed..self.stations.len()).find(|i| self.is(found, &self.stations[*i]))
+        let vague = |station: &Station| matches!(station, Station::Rapid([None, ..]));
+        let fits = |station: &Station| !vague(station) && self.is(found, station);
+        (self.passed..self.stations.len()).find(|i| fits(&self.stations[*i]))
     }
 }
 
