@@ -140,6 +140,14 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
         dir.path().join("at-resume.gcode").exists() && said.contains("no manifest.json beside"),
         "{said}"
     );
+    // A pipe is no manifest, and is not waited for.
+    #[cfg(unix)]
+    {
+        let made = std::process::Command::new("mkfifo").arg(dir.path().join("manifest.json")).status();
+        assert!(made.expect("mkfifo").success());
+        let said = done(dir.path(), &["resume", "at.gcode", "--at", "60", "-o", "piped.gcode"]);
+        assert!(said.contains("no manifest.json beside"), "{said}");
+    }
     // A job that is not what the manifest beside it says is not resumed.
     fs::write(dir.path().join(job), before.replacen("G1 X", "G1  X", 1)).expect("written");
     let _ = fails(
