@@ -19,7 +19,7 @@ pub(super) fn directory(bytes: &[u8]) {
     let edits = 1 + usize::from(choices.byte() % 3);
     for _ in 0..edits {
         let at = choices.below(files.len());
-        let covered = choices.byte() % 4 != 0;
+        let covered = !choices.byte().is_multiple_of(4);
         if choices.byte() % 32 == 31 {
             structural(&mut files, at, &mut choices);
             continue;
@@ -27,7 +27,7 @@ pub(super) fn directory(bytes: &[u8]) {
         let name = files[at].0.clone();
         let mut new = edited(&files[at].1, &mut choices);
         if covered
-            && name.ends_with(".gcode")
+            && names_a_program(&name)
             && let Ok(text) = std::str::from_utf8(&new)
         {
             new = counted(text).into_bytes();
@@ -47,6 +47,10 @@ pub(super) fn directory(bytes: &[u8]) {
     }
 }
 
+fn names_a_program(name: &str) -> bool {
+    name.rsplit_once('.').is_some_and(|(_, ending)| ending == "gcode")
+}
+
 /// A file away, twice, or under another's name.
 fn structural(files: &mut Directory, at: usize, choices: &mut Choices<'_>) {
     let file = files[at].clone();
@@ -55,7 +59,8 @@ fn structural(files: &mut Directory, at: usize, choices: &mut Choices<'_>) {
         1 => files.push((format!("copy of {}", file.0), file.1)),
         2 => {
             let other = choices.below(files.len());
-            files[at].1 = files[other].1.clone();
+            let content = files[other].1.clone();
+            files[at].1 = content;
         }
         _ => files[at].0 = String::from_utf8_lossy(choices.piece()).into_owned(),
     }

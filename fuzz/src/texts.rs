@@ -51,7 +51,7 @@ pub(super) fn table(bytes: &[u8]) {
     let Some((kind, bytes)) = bytes.split_first() else { return };
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     let source = Source::new("table.csv", text);
-    if kind % 2 == 0 { peel(&source) } else { cone(&source) }
+    if kind.is_multiple_of(2) { peel(&source) } else { cone(&source) }
 }
 
 fn peel(source: &Source) {
