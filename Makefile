@@ -1,9 +1,9 @@
 # Everything a person or CI does here. Only cargo is needed, except for `strangers`, which installs its own readers, and
-# for `deny`, `audit` and `mutants`, which say what to install.
+# for `deny`, `audit`, `mutants` and `fuzz`, which say what to install.
 
 CARGO ?= cargo
 
-.PHONY: demo test check deny audit strangers mutants faults bench
+.PHONY: demo test check deny audit strangers mutants fuzz faults bench
 
 # Build the paper's star and say what was written, and where.
 demo:
@@ -12,12 +12,14 @@ demo:
 test:
 	$(CARGO) test --locked
 
-# What CI runs first: format, dependencies, lints, the tests in debug, the golden files in release, the documentation.
+# What CI runs first: format, dependencies, lints, the tests in debug, the fuzz targets' lock file, the golden files in release, the
+# documentation.
 check:
 	$(CARGO) fmt --check
 	$(MAKE) deny
 	$(CARGO) clippy --locked --all-targets -- -D warnings
 	$(MAKE) test
+	$(CARGO) tree --manifest-path fuzz/Cargo.toml --locked >/dev/null
 	$(CARGO) test --locked --release --test golden
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items
 
@@ -38,6 +40,13 @@ mutants:
 	@$(call needs,mutants,cargo-mutants)
 	mkdir -p target
 	PROPTEST_RNG_SEED=20 INSTA_UPDATE=no $(CARGO) mutants -f '$(FILES)' --shard $(SHARD) -o target/mutants -- --locked
+
+# Every fuzz target for TIME seconds in turn, and what was run in all (docs/reliability.md): `make fuzz TIME=600 TARGETS='resume gcode'`.
+TIME ?= 60
+TARGETS ?=
+fuzz:
+	@$(call needs,fuzz,cargo-fuzz)
+	fuzz/run $(TIME) $(TARGETS)
 
 # Kills and errors at every system call of a publication, by strace (docs/reliability.md). Minutes.
 faults:

@@ -140,6 +140,14 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
         dir.path().join("at-resume.gcode").exists() && said.contains("no manifest.json beside"),
         "{said}"
     );
+    // A pipe is no manifest, and is not waited for.
+    #[cfg(unix)]
+    {
+        let made = std::process::Command::new("mkfifo").arg(dir.path().join("manifest.json")).status();
+        assert!(made.expect("mkfifo").success());
+        let said = done(dir.path(), &["resume", "at.gcode", "--at", "60", "-o", "piped.gcode"]);
+        assert!(said.contains("no manifest.json beside"), "{said}");
+    }
     // A job that is not what the manifest beside it says is not resumed.
     fs::write(dir.path().join(job), before.replacen("G1 X", "G1  X", 1)).expect("written");
     let _ = fails(
@@ -204,6 +212,8 @@ fn resume_refuses_what_is_not_ours_or_is_damaged() {
     let _ = fails(dir.path(), &["resume", "out", "--at", "20"], 1, &["cannot read out"]);
     fs::File::create(dir.path().join("huge.gcode")).and_then(|file| file.set_len(300 << 20)).expect("a hole");
     let _ = fails(dir.path(), &["resume", "huge.gcode", "--at", "20"], 1, &["at most 256 MiB"]);
+    let _ = fails(dir.path(), &["calibrate", "huge.gcode", "--needed", "1 N/mm"], 1, &["at most 16 MiB"]);
+    let _ = fails(dir.path(), &["cone", "huge.gcode", "--contact-radius", "50 mm"], 1, &["at most 16 MiB"]);
     assert!(!names(dir.path()).iter().any(|name| name.ends_with("-resume.gcode")));
 }
 

@@ -7,7 +7,7 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{number, quantity};
-use crate::cli::text_file::read_text;
+use crate::cli::text_file::read_table;
 use crate::coupon::{calibrate, listing, read_rows, settings, steady};
 use crate::design::Design;
 use crate::forecast::case::Case;
@@ -47,7 +47,7 @@ pub(super) struct Args {
 
 /// Says what the spec should say.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let source = Source::new(args.results.display().to_string(), read_text(&args.results)?);
+    let source = Source::new(args.results.display().to_string(), read_table(&args.results)?);
     let settings = settings(&read_rows(&source)?);
     // What the V-actuator tells does not hang on the strips.
     say(&lambda(args)?)?;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, number, quantity};
-use crate::cli::text_file::read_text;
+use crate::cli::text_file::read_table;
 use crate::coupon::cone::{Balance, Cone, Overlay, read_test, reduce};
 use crate::design::Star;
 use crate::forecast::case::mechanism;
@@ -45,7 +45,7 @@ enum BalanceArg {
 /// Reduces the data, and prints CSV.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let message = |text: String| Failure::Message(text);
-    let source = Source::new(args.data.display().to_string(), read_text(&args.data)?);
+    let source = Source::new(args.data.display().to_string(), read_table(&args.data)?);
     let test = read_test(&source)?;
     let cone = Cone::new(args.half_angle.rad(), args.friction).map_err(|fault| message(fault.to_string()))?;
     let balance = match args.balance {

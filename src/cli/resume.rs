@@ -68,7 +68,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let resumed = resume(&text, place, args.overlap)
         .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;
     let manifest = args.job.with_file_name(MANIFEST);
-    let known = manifest.exists();
+    // A pipe or a device of this name would be waited for, and is nobody's manifest.
+    let known = manifest.is_file();
     if known {
         is_published(&args.job, &manifest, &text)?;
     }

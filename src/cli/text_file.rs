@@ -8,17 +8,30 @@ use std::path::Path;
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 
-/// Most bytes of a program or a table: many times what the largest design needs.
-const TEXT_LIMIT: u64 = 1 << 28;
+/// Most bytes of a program: many times what the largest design needs.
+const PROGRAM: u64 = 1 << 28;
 
-/// Reads a program or a table that a command is given.
+/// Most bytes of a table: hours of a test at a thousand rows a minute, and few enough that all rows are held in memory at ease.
+const TABLE: u64 = 1 << 24;
+
+/// Reads a program that a command is given.
 pub(super) fn read_text(path: &Path) -> Result<String, Failure> {
+    read_within(path, PROGRAM)
+}
+
+/// Reads a table that a command is given.
+pub(super) fn read_table(path: &Path) -> Result<String, Failure> {
+    read_within(path, TABLE)
+}
+
+fn read_within(path: &Path, most: u64) -> Result<String, Failure> {
     let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(TEXT_LIMIT + 1).read_to_end(&mut bytes));
+    let read = File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes));
     let length = read.map_err(|error| Failure::file("read", path, &error))?;
-    if u64::try_from(length).unwrap_or(u64::MAX) > TEXT_LIMIT {
-        let most = "a program or a table has at most 256 MiB; name another file";
-        return Err(Failure::Message(format!("{} is too large: {most}", shown(path))));
+    if u64::try_from(length).unwrap_or(u64::MAX) > most {
+        let most = most >> 20;
+        let allowed = format!("at most {most} MiB are read; name another file");
+        return Err(Failure::Message(format!("{} is too large: {allowed}", shown(path))));
     }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();

@@ -14,6 +14,8 @@ use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
 
 /// Most faults collected: a wrong file has one a line.
 const FAULTS: usize = 100;
+/// Longest line, bytes: above any row of numbers. A file without lines is no table, and would be held in memory many times.
+const LONGEST_LINE: usize = 1 << 16;
 /// What a spreadsheet puts before UTF-8.
 const MARK: char = '\u{feff}';
 
@@ -87,6 +89,12 @@ impl<'a> Table<'a> {
             self.faults.push(fault.label("must be LF or CRLF").help("save the table as CSV once more"));
             return Vec::new();
         }
+        if let Some((at, length)) = self.long_line() {
+            let fault = Fault::error(FaultCode::TooLarge, at..at, format!("a line of {length} bytes"));
+            let label = format!("must have at most {LONGEST_LINE}");
+            self.faults.push(fault.label(label).help("is this the right file?"));
+            return Vec::new();
+        }
         let start = if self.text.starts_with(MARK) { MARK.len_utf8() } else { 0 };
         let mut reader = ReaderBuilder::new()
             .has_headers(false)
@@ -116,6 +124,16 @@ impl<'a> Table<'a> {
             self.faults.push(fault.label(format!("needs {}", headers(columns))));
         }
         rows
+    }
+
+    /// Where the first line begins that no table has, and its length.
+    fn long_line(&self) -> Option<(usize, usize)> {
+        let mut end = 0;
+        let mut lines = self.text.split_inclusive('\n').map(|line| {
+            end += line.len();
+            (end - line.len(), line.len())
+        });
+        lines.find(|(_, length)| *length > LONGEST_LINE)
     }
 
     /// The line of the record that begins at or after `at`: past ends of lines and comments.
@@ -326,6 +344,7 @@ mod tests {
             ),
             (&format!("{head}1,2\n3,\"4\n5,6\n7,8\n"), vec![("open-quote", 3)]),
             ("travel_mm,speed_mm_s\r1,2\r", vec![("line-end", 1)]),
+            (&format!("{head}1,2\n{}\n", "\0".repeat(1 << 20)), vec![("too-large", 3)]),
         ] {
             assert_eq!(faults(text), expected, "{text:?}");
         }

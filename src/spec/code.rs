@@ -81,7 +81,7 @@ codes! {
         Ptfe "ptfe" "The temperature harms the PTFE release layer: a warning above 260 C, refused from 300 C; lower it.",
         Schema "schema" "The spec is of a version that this program does not know; write the one shown.",
         Syntax "syntax" "The text is not TOML; mend the line shown.",
-        TooLarge "too-large" "The file is larger than any spec; see whether it is the right one.",
+        TooLarge "too-large" "The file is larger than any spec, or a line longer than any of a table; see whether it is the right one.",
         TwoColumns "two-columns" "A table has two columns of one name; delete or rename one.",
         Unit "unit" "A column of a table is in another unit than needed; convert it.",
         UnknownChoice "unknown-choice" "The word is none of the choices shown; take one of them.",

@@ -59,7 +59,7 @@ impl fmt::Display for Faults {
 impl std::error::Error for Faults {}
 
 /// The last place at or before `at` where a character of `text` begins or the text ends.
-fn boundary(text: &str, at: usize) -> usize {
+pub(super) fn boundary(text: &str, at: usize) -> usize {
     let at = at.min(text.len());
     (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
 }

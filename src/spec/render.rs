@@ -3,11 +3,15 @@
 use annotate_snippets::{AnnotationKind, Level as Tone, Renderer, Snippet};
 
 use crate::spec::fault::{Fault, Severity};
+use crate::spec::faults::boundary;
 use crate::spec::name::misleads;
 use crate::spec::source::Source;
 
 /// Most faults shown; a wrong file has thousands, and nobody reads them.
 const SHOWN: usize = 30;
+
+/// How much of a line is shown behind the place of its fault, bytes: more than a terminal is wide.
+const ROOM: usize = 500;
 
 /// All of `faults`, which `source` has, without colour.
 pub(super) fn plain(source: &Source, faults: &[Fault]) -> String {
@@ -38,16 +42,21 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer) -> String {
     let start = text[..fault.span.start].rfind('\n').map_or(0, |at| at + 1);
     let end = text[fault.span.start..].find('\n').map_or(text.len(), |n| fault.span.start + n);
     let line = text[start..end].trim_end_matches('\r');
+    // Of a line without end not all is worth its memory, of which the renderer needs many times its length.
+    let line = &line[..boundary(line, (fault.span.start - start).saturating_add(ROOM))];
     let local = |at: usize| at.min(end).saturating_sub(start).min(line.len());
-    let span = local(fault.span.start)..local(fault.span.end);
+    let (start_here, end_here) = (local(fault.span.start), local(fault.span.end));
+    let before = visible(&line[..start_here]);
+    let marked = before.len() + visible(&line[start_here..end_here]).len();
+    let shown = visible(line);
     let tone = match fault.level {
         Severity::Error => Tone::ERROR,
         Severity::Warning => Tone::WARNING,
     };
-    let snippet = Snippet::source(line)
+    let snippet = Snippet::source(shown)
         .line_start(1 + text[..start].matches('\n').count())
         .path(shown_name(source))
-        .annotation(AnnotationKind::Primary.span(span).label(fault.label.as_str()));
+        .annotation(AnnotationKind::Primary.span(before.len()..marked).label(fault.label.as_str()));
     let mut group = tone.primary_title(fault.message.as_str()).id(fault.code).element(snippet);
     if let Some(help) = &fault.help {
         group = group.element(Tone::HELP.message(help.as_str()));
@@ -69,7 +78,33 @@ fn summary(source: &Source, faults: &[Fault]) -> String {
     format!("{}: {parts}{cut}", shown_name(source))
 }
 
+/// `text` with a mark in place of what would command a terminal or turn the text around and is not ASCII; the renderer has
+/// pictures for what is, but lets the other control characters through.
+fn visible(text: &str) -> String {
+    let mark = |c: char| if misleads(c) && !c.is_ascii() { char::REPLACEMENT_CHARACTER } else { c };
+    text.chars().map(mark).collect()
+}
+
 /// The source's name without what would command a terminal.
 fn shown_name(source: &Source) -> String {
     source.name.chars().map(|c| if misleads(c) { '?' } else { c }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::FaultCode;
+
+    #[test]
+    fn a_line_cannot_command_a_terminal() {
+        let all: String = (0..=0x2100).filter_map(char::from_u32).filter(|c| misleads(*c)).collect();
+        for c in all.chars().filter(|c| *c != '\n') {
+            let source = Source::new("a", format!("{c}é = {c}1\n"));
+            let at = source.text.find('1').expect("a digit");
+            let faults = [Fault::error(FaultCode::Name, at..at + 1, "m").label("here")];
+            let text = plain(&source, &faults);
+            assert!(!text.contains(|c| misleads(c) && c != '\n'), "{text:?}");
+            assert!(c.is_ascii() || text.contains("1 | \u{fffd}é = \u{fffd}1\n  |       ^ here"), "{text}");
+        }
+    }
 }

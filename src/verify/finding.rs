@@ -1,16 +1,20 @@
 //! What the verifier has to say about a file.
 
-use crate::spec::Code;
-use crate::verify::FindingCode;
 use std::fmt;
 
 use serde::Serialize;
+
+use crate::spec::{Code, misleads};
+use crate::verify::FindingCode;
 
 /// Most findings kept for one file; the rest is only counted, so that junk of any size stays readable.
 const LIMIT: usize = 100;
 
 /// Longest quotation from a file, in characters.
 const QUOTATION: usize = 60;
+
+/// Longest text of what was found or is allowed, in characters: whatever a file calls its elements, the message stays readable.
+const LONGEST: usize = 1000;
 
 /// One fault of one file: what was found and what is allowed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -39,8 +43,8 @@ impl Finding {
             file: String::new(),
             line: line.into(),
             code: code.as_str(),
-            found: found.into(),
-            allowed: allowed.into(),
+            found: fit(found.into()),
+            allowed: fit(allowed.into()),
         }
     }
 
@@ -119,6 +123,19 @@ impl Findings {
     }
 }
 
+/// `text` on one line of bounded length, with what would command a terminal spelt out: not every reader quotes what it names.
+fn fit(text: String) -> String {
+    let long = text.len() > LONGEST && text.chars().count() > LONGEST;
+    if !long && !text.contains(misleads) {
+        return text;
+    }
+    let mut out = String::new();
+    for c in text.chars().take(LONGEST) {
+        if misleads(c) { out.extend(c.escape_default()) } else { out.push(c) }
+    }
+    out + if long { "..." } else { "" }
+}
+
 /// A piece of a file, fit to be shown: short, on one line, quoted.
 pub(super) fn quote(text: &str) -> String {
     let mut shown: String = text.chars().take(QUOTATION).collect();
@@ -141,6 +158,14 @@ mod tests {
             json,
             r#"{"file":"star-1.gcode","line":7,"code":"wrong-feed","found":"F12","allowed":"F6"}"#
         );
+    }
+
+    #[test]
+    fn no_finding_commands_a_terminal_or_fills_it() {
+        let finding = Finding::new(FindingCode::UnknownWord, 1, "/Ro\u{7f}t\u{9b}\n", "x".repeat(5000));
+        assert_eq!(finding.found, "/Ro\\u{7f}t\\u{9b}\\n");
+        assert_eq!(finding.allowed.len(), LONGEST + 3);
+        assert_eq!(Finding::new(FindingCode::UnknownWord, 1, "µ 星", "").found, "µ 星");
     }
 
     #[test]

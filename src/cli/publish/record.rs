@@ -14,6 +14,9 @@ use crate::manifest::{MANIFEST, sha256};
 /// Largest manifest that is read, bytes; one of sixty-four stars has a tenth of it.
 const LARGEST: u64 = 1 << 24;
 
+/// Largest file that can be one of ours, bytes: `verify` reads no more of any.
+const LARGEST_FILE: u64 = 1 << 28;
+
 /// The part of a manifest that publishing needs. Every version of the program has written it alike.
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct Record {
@@ -62,7 +65,11 @@ impl Record {
     /// Whether `entry` is a file that the record names and still has the recorded bytes.
     pub(super) fn holds(&self, entry: &Path) -> bool {
         let Some(file) = self.find(entry).filter(|_| disk::is_plain(entry)) else { return false };
-        // The length first, so that nothing is read which cannot be ours.
+        // The length first, so that nothing is read which cannot be ours, whatever length the manifest says.
+        let is_as_long = fs::metadata(entry).is_ok_and(|found| found.len() == file.bytes);
+        if !is_as_long || file.bytes > LARGEST_FILE {
+            return false;
+        }
         let mut bytes = Vec::new();
         let read = File::open(entry).and_then(|open| open.take(file.bytes + 1).read_to_end(&mut bytes));
         read.is_ok_and(|length| u64::try_from(length) == Ok(file.bytes)) && sha256(&bytes) == file.sha256
@@ -107,4 +114,25 @@ fn writable(directory: &Path) -> bool {
         return false;
     }
     fs::metadata(directory).is_ok_and(|found| !found.permissions().readonly())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_held_by_its_bytes_whatever_length_the_manifest_says() {
+        let dir = tempfile::tempdir().expect("a directory");
+        let entry = dir.path().join("a");
+        fs::write(&entry, "a").expect("written");
+        let hash = sha256(b"a");
+        for (bytes, held) in [(1, true), (0, false), (2, false), (u64::MAX, false)] {
+            let text = format!(
+                r#"{{"name": "n", "files": [{{"path": "a", "bytes": {bytes}, "sha256": "{hash}"}}]}}"#
+            );
+            assert_eq!(Record::parse(text.as_bytes()).expect("a record").holds(&entry), held, "{bytes}");
+        }
+        let record = Record::parse(br#"{"name": "n", "files": [{"path": "a", "bytes": 1, "sha256": "0"}]}"#);
+        assert!(!record.expect("a record").holds(&entry));
+    }
 }
