@@ -1,0 +1,4 @@
+//! The inflated sheet as a thin **shell**: membrane and bending, finite pressure, contact; the level that knows
+//! arms, ends and stars.
+
+pub mod mesh;
