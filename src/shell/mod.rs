@@ -1,4 +1,6 @@
 //! The inflated sheet as a thin **shell**: membrane and bending, finite pressure, contact; the level that knows
 //! arms, ends and stars.
 
+pub mod assembly;
+pub mod element;
 pub mod mesh;
