@@ -4,3 +4,4 @@
 pub mod assembly;
 pub mod element;
 pub mod mesh;
+pub mod solver;

@@ -7,6 +7,8 @@ mod local;
 mod numbering;
 mod sheet;
 mod supports;
+#[cfg(test)]
+mod tests;
 
 pub use sheet::{Sheet, State};
 pub use supports::{Plane, Supports};
@@ -209,6 +211,17 @@ impl Assembly {
             }
         }
         energy
+    }
+
+    /// For each unknown the flat area that its point stands for; 0 for a director.
+    pub fn lumped_areas(&self) -> Vec<f64> {
+        let mut areas = vec![0.0; self.numbering.count];
+        for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
+            for number in numbers.iter().filter(|number| **number != NONE) {
+                areas[*number as usize] = *area;
+            }
+        }
+        areas
     }
 
     /// The gradient of the last shape differentiated.
