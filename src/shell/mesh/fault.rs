@@ -63,12 +63,10 @@ pub enum MeshFault {
         /// What is allowed, in words.
         allowed: &'static str,
     },
-    /// The region would need more triangles than allowed at the sizes asked for.
+    /// The region would need more points than allowed at the sizes asked for.
     TooMany {
-        /// About how many.
-        triangles: f64,
         /// How many are allowed.
-        most: f64,
+        most: usize,
     },
     /// An edge of the border is missing among the triangles: the border meets or crosses itself.
     BorderLost {
@@ -104,11 +102,8 @@ impl fmt::Display for MeshFault {
                 write!(f, "{borders} border edges end at point {point}, and 2 must: part the sheet there")
             }
             Self::Dimension { name, found, allowed } => write!(f, "{name} is {found}, allowed is {allowed}"),
-            Self::TooMany { triangles, most } => {
-                write!(
-                    f,
-                    "the mesh would have about {triangles:.0} triangles, at most {most:.0}: ask for larger ones"
-                )
+            Self::TooMany { most } => {
+                write!(f, "the mesh would have more than {most} points: ask for larger triangles")
             }
             Self::BorderLost { ends: [a, b] } => {
                 write!(f, "the border between its points {a} and {b} is crossed: the region overlaps itself")

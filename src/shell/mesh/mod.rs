@@ -4,12 +4,22 @@
 //! **sizing** asks at each place, and **refined** by cutting every triangle into four, new border points on the exact curves.
 //! All lengths of one mesh have the same unit, whatever it is; border numbers are those of [`rim`] and [`plane`].
 
+mod cases;
 mod connect;
+mod delaunay;
 mod fault;
 mod grid;
+mod region;
+mod sizing;
+mod strip;
+#[cfg(test)]
+mod tests;
 
+pub use cases::{Cell, HalfActuator, HalfSector};
 pub use fault::MeshFault;
 pub use grid::{Diagonal, rectangle};
+pub use region::{Meshed, Piece, Region};
+pub use sizing::Sizes;
 
 /// Numbers of the rims, for [`Border::Rim`].
 pub mod rim {
