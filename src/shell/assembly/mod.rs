@@ -5,6 +5,7 @@
 
 mod local;
 mod numbering;
+mod prolong;
 mod sheet;
 mod supports;
 #[cfg(test)]
@@ -15,7 +16,7 @@ pub use supports::{Plane, Supports};
 
 use crate::shell::element::fold::{Facet, fold, mirror_fold};
 use crate::shell::element::membrane::Membrane;
-use crate::shell::element::vector::{dot, minus};
+use crate::shell::element::vector::{along, dot, minus};
 use crate::shell::element::{LAST, NEXT, volume};
 use local::{Loads, Local};
 use numbering::{LOCAL, NONE, Numbering, Pattern};
@@ -77,7 +78,7 @@ impl Assembly {
                 Beyond::Neighbour { corner, .. } => Some(corner),
                 _ => None,
             });
-            piece.corners.iter().chain(far).any(|&corner| supports.holds[corner].turned)
+            piece.corners.iter().chain(far).any(|&corner| supports.holds[corner].plane.is_some())
         };
         let (pieces, points) = (sheet.pieces.len(), sheet.points.len());
         Self {
@@ -232,6 +233,19 @@ impl Assembly {
     /// The lower triangle of the last Hessian, by columns: where each begins, rows, values.
     pub fn hessian(&self) -> (&[u32], &[u32], &[f64]) {
         (&self.pattern.starts, &self.pattern.rows, &self.values[..self.pattern.rows.len()])
+    }
+
+    /// Puts the points of `state` back to where the supports keep them: on rims and in mirror planes.
+    pub fn hold(&self, state: &mut State) {
+        for (point, hold) in state.points.iter_mut().zip(&self.supports.holds) {
+            if hold.fixed[2] {
+                point[2] = 0.0;
+            }
+            if let Some(plane) = hold.plane {
+                let plane = self.supports.planes[plane];
+                *point = along(*point, plane.distance(*point), plane.upright());
+            }
+        }
     }
 
     /// Moves `state` by `fraction` of a step of the unknowns.

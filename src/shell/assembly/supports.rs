@@ -31,8 +31,8 @@ pub(crate) struct Hold {
     pub(crate) axes: [Vector; 3],
     /// Which of them it may not move along.
     pub(crate) fixed: [bool; 3],
-    /// Whether the axes are not those of space.
-    pub(crate) turned: bool,
+    /// The mirror plane that it lies in; the axes are then along it, across it and up.
+    pub(crate) plane: Option<usize>,
 }
 
 const SPACE: [Vector; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
@@ -49,7 +49,7 @@ impl Supports {
     ///
     /// A border on a plane that `planes` does not have is not held.
     pub fn new(mesh: &Mesh, planes: Vec<Plane>) -> Self {
-        let free = Hold { axes: SPACE, fixed: [false; 3], turned: false };
+        let free = Hold { axes: SPACE, fixed: [false; 3], plane: None };
         let mut supports = Self { planes, holds: vec![free; mesh.points.len()] };
         for edge in &mesh.edges {
             for point in edge.ends {
@@ -68,8 +68,8 @@ impl Supports {
         self.holds[point].fixed[axis] = true;
     }
 
-    fn keep_in(&mut self, point: usize, plane: usize) {
-        let Some(plane) = self.planes.get(plane) else { return };
+    fn keep_in(&mut self, point: usize, number: usize) {
+        let Some(plane) = self.planes.get(number) else { return };
         let across = plane.upright();
         let hold = &mut self.holds[point];
         if hold.fixed[1] && hold.axes[1] != across {
@@ -77,7 +77,7 @@ impl Supports {
         } else {
             hold.axes = [[-across[1], across[0], 0.0], across, SPACE[2]];
             hold.fixed[1] = true;
-            hold.turned = true;
+            hold.plane = Some(number);
         }
     }
 }
