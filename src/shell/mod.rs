@@ -2,6 +2,8 @@
 //! arms, ends and stars.
 
 pub mod assembly;
+pub mod cases;
+pub mod contact;
 pub mod element;
 pub mod mesh;
 pub mod solver;

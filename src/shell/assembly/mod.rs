@@ -16,7 +16,7 @@ pub use supports::{Plane, Supports};
 
 use crate::shell::element::fold::{Facet, fold, mirror_fold};
 use crate::shell::element::membrane::Membrane;
-use crate::shell::element::vector::{along, dot, minus};
+use crate::shell::element::vector::{Vector, along, dot, minus};
 use crate::shell::element::{LAST, NEXT, volume};
 use local::{Loads, Local};
 use numbering::{LOCAL, NONE, Numbering, Pattern};
@@ -31,12 +31,14 @@ pub struct Energy {
     pub bending: f64,
     /// Below the sheet, down to z = 0.
     pub volume: f64,
+    /// Of contact, in the augmented Lagrangian.
+    pub contact: f64,
 }
 
 impl Energy {
-    /// U_membrane + U_bending - p V.
+    /// U_membrane + U_bending - p V + what contact adds.
     pub fn total(&self, pressure: f64) -> f64 {
-        self.membrane + self.bending - pressure * self.volume
+        self.membrane + self.bending - pressure * self.volume + self.contact
     }
 }
 
@@ -223,6 +225,44 @@ impl Assembly {
             }
         }
         areas
+    }
+
+    /// Flat area of each point, 0 for those that are held in the plane `wall`.
+    pub(crate) fn contact_areas(&self, wall: Option<Plane>) -> Vec<f64> {
+        let is_held = |point: usize| {
+            let plane = self.supports.holds[point].plane.map(|plane| self.supports.planes[plane]);
+            plane.is_some() && plane == wall
+        };
+        let areas = self.sheet.areas.iter().enumerate();
+        areas.map(|(point, area)| if is_held(point) { 0.0 } else { *area }).collect()
+    }
+
+    /// Adds to the last gradient and Hessian what one point brings: a force, and a symmetric matrix as it acts on a vector.
+    pub(crate) fn add_at_point(&mut self, point: usize, slope: Vector, matrix: impl Fn(Vector) -> Vector) {
+        let axes = self.supports.holds[point].axes;
+        let numbers = self.numbering.points[point];
+        let mut places = self.pattern.point_places[point].iter();
+        for i in 0..3 {
+            if numbers[i] != NONE {
+                self.gradient[numbers[i] as usize] += dot(axes[i], slope);
+            }
+            let answer = matrix(axes[i]);
+            for (axis, place) in axes[..=i].iter().zip(&mut places) {
+                self.values[*place as usize] += dot(*axis, answer);
+            }
+        }
+    }
+
+    /// The derivatives by the unknowns of a sum of products of points with vectors.
+    pub fn project(&self, parts: &[(usize, [f64; 3])]) -> Vec<f64> {
+        let mut row = vec![0.0; self.numbering.count];
+        for (point, vector) in parts {
+            let axes = &self.supports.holds[*point].axes;
+            for (number, axis) in self.numbering.points[*point].iter().zip(axes).filter(|(k, _)| **k != NONE) {
+                row[*number as usize] += dot(*axis, *vector);
+            }
+        }
+        row
     }
 
     /// The gradient of the last shape differentiated.

@@ -63,7 +63,7 @@ impl Sheet {
 }
 
 /// A shape of the sheet.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct State {
     /// Where each point of the mesh is.
     pub points: Vec<[f64; 3]>,

@@ -61,7 +61,7 @@ impl Ladder {
         let mut step = STEP;
         let mut next = self.first.min(self.last);
         loop {
-            match solver.settle(&mut state, self.aim(next)) {
+            match solver.rest(&mut state, self.aim(next)) {
                 Ok(rest) => {
                     let rung = Rung { pressure: next, state: state.clone(), rest };
                     on_rung(&rung);
@@ -70,6 +70,9 @@ impl Ladder {
                     }
                     below = Some(rung);
                     step = (2.0 * step).min(STEP);
+                }
+                Err(Stop::Cancelled) => {
+                    return Err(Broken { pressure: next, why: Stop::Cancelled, last: below.map(Box::new) });
                 }
                 Err(why) => {
                     step /= 2.0;
