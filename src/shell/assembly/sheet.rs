@@ -55,6 +55,16 @@ impl Sheet {
         Self { fabric, pieces, points: mesh.points.clone(), areas, edge_count: mesh.edges.len() }
     }
 
+    /// Its fabric.
+    pub fn fabric(&self) -> Fabric {
+        self.fabric
+    }
+
+    /// One of its triangles.
+    pub fn flat_triangle(&self, triangle: usize) -> &Flat {
+        &self.pieces[triangle].flat
+    }
+
     /// The flat sheet at rest.
     pub fn flat(&self) -> State {
         let points = self.points.iter().map(|p| [p[0], p[1], 0.0]).collect();

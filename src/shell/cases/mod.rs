@@ -9,13 +9,17 @@
 
 mod actuator;
 mod arm_line;
+mod extremes;
 mod family;
 mod fault;
+mod star;
 mod tube;
 mod value;
 
 pub use actuator::{Actuator, Fineness, VActuator, actuator};
+pub use extremes::Extremes;
 pub use family::{Evidence, Watch};
 pub use fault::ShellFault;
+pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, star};
 pub use tube::Tube;
 pub use value::Value;

@@ -2,7 +2,7 @@
 
 use super::fault::ShellFault;
 use crate::shell::element::Fabric;
-use crate::shell::solver::Ladder;
+use crate::shell::solver::{Ladder, Stop};
 
 /// A tube of fabric under pressure, SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,6 +68,12 @@ impl Tube {
     /// From 1/eps = 1 to its pressure.
     pub(crate) fn ladder(&self) -> Ladder {
         Ladder { first: self.scaled().bending, last: self.stretch(), scale: 1.0, floor: FLOOR }
+    }
+
+    /// Why there is no equilibrium at its pressure where there was one before something else changed.
+    pub(crate) fn stopped(&self, why: Stop, triangles: usize) -> ShellFault {
+        let at = self.bendability();
+        if why == Stop::Cancelled { ShellFault::Cancelled } else { ShellFault::Stopped { why, at, last: at, triangles } }
     }
 
     /// One unit of energy, J; of moment and of stiffness against an angle too.

@@ -112,6 +112,15 @@ impl Membrane {
         }
     }
 
+    /// The force a unit of flat length across a line with this flat unit normal.
+    pub fn traction(&self, normal: [f64; 2]) -> f64 {
+        let [s11, s22, s12] = self.stress;
+        let first = s11 * normal[0] + s12 * normal[1];
+        let second = s12 * normal[0] + s22 * normal[1];
+        let force: Vector = std::array::from_fn(|c| first * self.columns[0][c] + second * self.columns[1][c]);
+        dot(force, force).sqrt()
+    }
+
     /// True tension (force a unit of deformed length) along its two principal directions, larger first, and the
     /// stretches along them.
     pub fn principal(&self) -> [[f64; 2]; 2] {
