@@ -77,7 +77,9 @@ fn check_triangles(points: &[[f64; 2]], triangles: &[[usize; 3]]) -> Result<(), 
         if area <= 0.0 {
             return Err(MeshFault::NotCounterclockwise { triangle, area });
         }
-        corners.iter().for_each(|&point| used[point] = true);
+        for &point in corners {
+            used[point] = true;
+        }
     }
     used.iter().position(|used| !used).map_or(Ok(()), |point| Err(MeshFault::Unused { point }))
 }

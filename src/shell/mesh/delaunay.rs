@@ -5,7 +5,8 @@
 
 use std::collections::BTreeMap;
 
-use spade::{ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation};
+use spade::handles::VertexHandle;
+use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation};
 
 use crate::geom::{Point, Segment};
 use crate::shell::mesh::sizing::Sizing;
@@ -13,8 +14,8 @@ use crate::shell::mesh::{MeshFault, Meshed, Region, signed_area};
 
 type Triangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// More seeds than this are no mesh to begin with: 600,000 unknowns before the first refinement.
-const MOST: usize = 100_000;
+/// More seeds or border points than this are no mesh to begin with: 200,000 unknowns before the first refinement.
+const MOST: usize = 30_000;
 
 /// Circumradius at which a triangle gets a point in its middle, by the size asked for; at 0.7 the mean area is that of
 /// equilateral triangles of the size.
@@ -29,6 +30,9 @@ const ROUNDS: usize = 20;
 /// Triangles of `region` as small as `sizing` asks for.
 pub(super) fn fill(region: &Region, sizing: &Sizing) -> Result<Meshed, MeshFault> {
     let border = BorderPoints::new(region, sizing);
+    if border.points.len() > MOST {
+        return Err(MeshFault::TooMany { most: MOST });
+    }
     let mut seeds = border.seeds(sizing)?;
     for _ in 0..ROUNDS {
         border.even_out(&mut seeds, sizing)?;
@@ -204,7 +208,7 @@ fn point_of(at: usize, border: &[Point], seeds: &[Point]) -> Point {
 
 /// Whether the corners of the triangle in which `p` lies are at least `clear` away from it.
 fn clear_of_points(found: &Triangles, p: Point, clear: f64) -> bool {
-    let far = |vertex: spade::handles::VertexHandle<'_, Point2<f64>, (), spade::CdtEdge<()>>| {
+    let far = |vertex: VertexHandle<'_, Point2<f64>, (), CdtEdge<()>>| {
         let q = vertex.position();
         Point::new(q.x, q.y).distance(p) >= clear
     };

@@ -9,17 +9,21 @@ mod connect;
 mod delaunay;
 mod fault;
 mod grid;
+mod order;
 mod region;
 mod sizing;
 mod strip;
 #[cfg(test)]
 mod tests;
+mod unfold;
+mod vtu;
 
 pub use cases::{Cell, HalfActuator, HalfSector};
 pub use fault::MeshFault;
 pub use grid::{Diagonal, rectangle};
 pub use region::{Meshed, Piece, Region};
 pub use sizing::Sizes;
+pub use vtu::{Field, FieldFault, vtu};
 
 /// Numbers of the rims, for [`Border::Rim`].
 pub mod rim {

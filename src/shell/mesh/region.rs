@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::geom::{Path, Point, Segment};
-use crate::shell::mesh::{Border, Mesh, MeshFault};
+use crate::shell::mesh::{Border, Edge, Mesh, MeshFault};
 
 /// A piece of a region's border.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -56,7 +56,7 @@ impl Meshed {
         on: &BTreeMap<[usize; 2], usize>,
     ) -> Result<Self, MeshFault> {
         let mesh = Mesh::from_triangles(points, triangles, |ends| Some(pieces[*on.get(&ends)?].border))?;
-        let piece = |edge: &crate::shell::mesh::Edge| edge.border.and_then(|_| on.get(&edge.ends).copied());
+        let piece = |edge: &Edge| edge.border.and_then(|_| on.get(&edge.ends).copied());
         let piece_of = mesh.edges.iter().map(piece).collect();
         Ok(Self { mesh, pieces, piece_of })
     }

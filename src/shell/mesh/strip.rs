@@ -7,6 +7,8 @@ use crate::shell::mesh::{Border, Piece, Region, plane, rim};
 /// A tube under construction: it begins on the x axis, which is a plane of symmetry, and first runs along +y.
 pub(super) struct Strip {
     width: f64,
+    /// Where it began, on the left and on the right.
+    began: [Point; 2],
     /// Where its rims have got to: the left one and the right one.
     left_end: Point,
     right_end: Point,
@@ -29,7 +31,16 @@ impl Strip {
     pub(super) fn new(x: f64, width: f64) -> Self {
         let [left_end, right_end] = [Point::new(x, 0.0), Point::new(x + width, 0.0)];
         let across = Vec2::new(-1.0, 0.0);
-        Self { width, left_end, right_end, across, left: Vec::new(), right: Vec::new(), hinges: Vec::new() }
+        Self {
+            width,
+            began: [left_end, right_end],
+            left_end,
+            right_end,
+            across,
+            left: Vec::new(),
+            right: Vec::new(),
+            hinges: Vec::new(),
+        }
     }
 
     /// Turns by `arc` (rad, positive) around a centre at the distance `radius` from the nearer rim.
@@ -79,8 +90,8 @@ impl Strip {
         pieces.push(piece(last)(Line::new(self.right_end, self.left_end).into()));
         let back = self.left.iter().rev().map(Segment::reversed);
         pieces.extend(back.map(piece(Border::Rim(rim::INNER))));
-        let start = |side: &[Segment], end: Point| side.first().map_or(end, Segment::start);
-        let first = Line::new(start(&self.left, self.left_end), start(&self.right, self.right_end));
+        let [left, right] = self.began;
+        let first = Line::new(left, right);
         pieces.push(piece(Border::Mirror(plane::FIRST))(first.into()));
         (Region { pieces }, self.hinges)
     }
