@@ -68,6 +68,15 @@ impl Supports {
         self.holds[point].fixed[axis] = true;
     }
 
+    /// Turns a plane and the axes of the points in it; where they are is the caller's to change.
+    pub(crate) fn turn_plane(&mut self, number: usize, plane: Plane) {
+        let across = plane.upright();
+        self.planes[number] = plane;
+        for hold in self.holds.iter_mut().filter(|hold| hold.plane == Some(number)) {
+            hold.axes = [[-across[1], across[0], 0.0], across, SPACE[2]];
+        }
+    }
+
     fn keep_in(&mut self, point: usize, number: usize) {
         let Some(plane) = self.planes.get(number) else { return };
         let across = plane.upright();

@@ -102,3 +102,111 @@ fn the_hessian_is_that_of_the_gradient() -> Result<(), MeshFault> {
     }
     Ok(())
 }
+
+/// Points within the sheet, none of whose unknowns is held and no triangle of which touches the border.
+fn inner_unknowns(mesh: &Mesh, assembly: &Assembly) -> Vec<usize> {
+    let mut on_border = vec![false; mesh.points.len()];
+    for edge in mesh.edges.iter().filter(|edge| edge.border.is_some()) {
+        edge.ends.iter().for_each(|end| on_border[*end] = true);
+    }
+    let inner = (0..mesh.points.len()).filter(|point| !on_border[*point]);
+    inner.flat_map(|point| assembly.numbering.points[point]).map(|number| number as usize).collect()
+}
+
+/// An irregular mesh of free borders: the grid's inner points moved.
+fn irregular(diagonal: Diagonal, turn: f64) -> Result<Mesh, MeshFault> {
+    let mut mesh = rectangle([1.5, 1.0], [5, 4], diagonal, turn, [Border::Free; 4])?;
+    let on_border: Vec<usize> =
+        mesh.edges.iter().filter(|edge| edge.border.is_some()).flat_map(|edge| edge.ends).collect();
+    for (k, point) in mesh.points.iter_mut().enumerate().filter(|(k, _)| !on_border.contains(k)) {
+        *point = [point[0] + 0.05 * noise(3 * k), point[1] + 0.05 * noise(3 * k + 1)];
+    }
+    Ok(mesh)
+}
+
+#[test]
+fn a_constant_stretch_is_exact_on_every_mesh() -> Result<(), MeshFault> {
+    for (diagonal, turn) in CUTS {
+        let mesh = irregular(diagonal, turn)?;
+        let mut assembly = Assembly::new(Sheet::new(&mesh, FABRIC), Supports::new(&mesh, Vec::new()), None);
+        let mut state = assembly.sheet.flat();
+        // A plane sheet in space, stretched and sheared.
+        for x in &mut state.points {
+            *x = [1.1 * x[0] + 0.07 * x[1], 0.2 * x[0] + 0.93 * x[1], 0.3 * x[0] - 0.4 * x[1]];
+        }
+        let energy = assembly.differentiate(&state, 0.0);
+        let [e11, e22, e12] =
+            [(1.1 * 1.1 + 0.04 + 0.09 - 1.0) / 2.0, (0.07 * 0.07 + 0.93 * 0.93 + 0.16 - 1.0) / 2.0, 0.077 + 0.186 - 0.12];
+        let Fabric { stretch, poisson: nu, .. } = FABRIC;
+        let density = stretch / (1.0 - nu * nu)
+            * (e11 * e11 + e22 * e22 + 2.0 * nu * e11 * e22 + (1.0 - nu) * e12 * e12 / 2.0)
+            / 2.0;
+        assert!((energy.membrane / (1.5 * density) - 1.0).abs() < 1e-12, "{diagonal:?}");
+        assert!(energy.bending < 1e-25, "{diagonal:?} {:e}", energy.bending);
+        for unknown in inner_unknowns(&mesh, &assembly) {
+            assert!(assembly.gradient()[unknown].abs() < 1e-10 * FABRIC.stretch, "{diagonal:?} {unknown}");
+        }
+    }
+    Ok(())
+}
+
+/// xi of every edge where the sheet's slope in the middle of it is that of the field: that of the height given at its corners.
+fn leans(mesh: &Mesh, heights: &[f64], slope: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<f64> {
+    let outward = |t: usize, e: usize| {
+        // alpha of triangle t on edge e: how much steeper the field is there than the triangle, outwards.
+        let corners = mesh.triangles[t];
+        let flat = crate::shell::element::membrane::Flat::new(corners.map(|corner| mesh.points[corner]));
+        let own = [0, 1].map(|c| (0..3).map(|k| flat.slopes[k][c] * heights[corners[k]]).sum::<f64>());
+        let [a, b] = mesh.edges[e].ends.map(|end| mesh.points[end]);
+        let there = slope([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])]);
+        let i = mesh.triangle_edges[t].iter().position(|edge| *edge == e).unwrap_or(0);
+        let [x, y] = flat.slopes[i];
+        -((there[0] - own[0]) * x + (there[1] - own[1]) * y) / x.hypot(y)
+    };
+    let lean = |(e, edge): (usize, &crate::shell::mesh::Edge)| match edge.sides {
+        [Some(left), Some(right)] => (outward(left, e) - outward(right, e)) / 2.0,
+        [Some(left), None] => outward(left, e),
+        [None, Some(right)] => -outward(right, e),
+        [None, None] => 0.0,
+    };
+    mesh.edges.iter().enumerate().map(lean).collect()
+}
+
+#[test]
+fn a_constant_curvature_is_exact_on_every_mesh() -> Result<(), MeshFault> {
+    // So soft in its plane that only bending counts.
+    let fabric = Fabric { stretch: 1e-6, bending: 1.0, poisson: 0.3 };
+    let [xx, yy, xy] = [0.8, -0.5, 0.3];
+    for (diagonal, turn) in CUTS {
+        let mesh = irregular(diagonal, turn)?;
+        let mut assembly = Assembly::new(Sheet::new(&mesh, fabric), Supports::new(&mesh, Vec::new()), None);
+        let mut bent = |height: f64| {
+            let field = |[x, y]: [f64; 2]| height * (xx * x * x / 2.0 + yy * y * y / 2.0 + xy * x * y);
+            let slope = |[x, y]: [f64; 2]| [height * (xx * x + xy * y), height * (yy * y + xy * x)];
+            let heights: Vec<f64> = mesh.points.iter().copied().map(field).collect();
+            let mut state = assembly.sheet.flat();
+            state.leans = leans(&mesh, &heights, slope);
+            for (x, z) in state.points.iter_mut().zip(&heights) {
+                x[2] = *z;
+            }
+            let energy = assembly.differentiate(&state, 0.0);
+            (energy.bending, assembly.gradient().to_vec())
+        };
+        // The linear plate: what is of higher order in the height goes out between two heights.
+        let height = 1e-3;
+        let ((once, first), (twice, second)) = (bent(height), bent(2.0 * height));
+        let density = (0.7 * (xx * xx + yy * yy + 2.0 * xy * xy) + 0.3 * (xx + yy) * (xx + yy)) / 2.0;
+        let energy = (16.0 * once - twice) / 12.0 / (height * height);
+        assert!((energy / (1.5 * density) - 1.0).abs() < 1e-10, "{diagonal:?} {energy}");
+        let force = |unknown: usize| (8.0 * first[unknown] - second[unknown]) / 6.0 / height;
+        // Upwards: forces in the plane are of second order.
+        for unknown in inner_unknowns(&mesh, &assembly).into_iter().filter(|unknown| unknown % 3 == 2) {
+            assert!(force(unknown).abs() < 1e-10, "{diagonal:?} {unknown} {:e}", force(unknown));
+        }
+        let inner = (0..mesh.edges.len()).filter(|edge| mesh.edges[*edge].border.is_none());
+        for number in inner.map(|edge| assembly.numbering.edges[edge] as usize) {
+            assert!(force(number).abs() < 1e-10, "{diagonal:?} {number} {:e}", force(number));
+        }
+    }
+    Ok(())
+}

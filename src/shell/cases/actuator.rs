@@ -1,11 +1,12 @@
 //! The paper's V-actuator: two arms, one hinge, sealed ends.
 
 use super::arm_line::ArmLine;
+use super::bend::{Bend, angle_of};
 use super::family::{Evidence, Family, Watch};
 use super::fault::ShellFault;
 use super::tube::Tube;
 use super::value::Value;
-use crate::shell::assembly::{Plane, State, Supports};
+use crate::shell::assembly::{Plane, Supports};
 use crate::shell::mesh::{HalfActuator, Mesh, Sizes, plane};
 use crate::shell::solver::{Rung, Solver};
 use std::f64::consts::PI;
@@ -34,9 +35,17 @@ pub struct Actuator {
     pub volume: Value,
     /// d2U/dphi2 at rest, N m per rad, whole tube.
     pub stiffness: Value,
+    /// Angles that were asked for, rad, and the applied moment dU/dphi that holds each, N m; positive opens.
+    pub moments: Vec<(f64, Value)>,
     /// How it was come by.
     pub evidence: Evidence,
 }
+
+/// Angles of one call: more are asked for in another.
+pub const MOST_ANGLES: usize = 24;
+
+/// Numbers that each mesh gives, without moments.
+const NUMBERS: usize = 3;
 
 /// How fine the meshes of a case are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,25 +82,40 @@ impl VActuator {
     }
 }
 
-/// Inflates a V-actuator from flat.
+/// Inflates a V-actuator from flat, then holds it at each of `angles` (rad) in turn.
 ///
 /// # Errors
 /// If it is out of range or has no stable equilibrium at its pressure: where it stopped, and why.
-pub fn actuator(case: &VActuator, fineness: Fineness, watch: &Watch) -> Result<Actuator, ShellFault> {
+pub fn actuator(case: &VActuator, angles: &[f64], fineness: Fineness, watch: &Watch) -> Result<Actuator, ShellFault> {
     let half = case.half()?;
+    if angles.len() > MOST_ANGLES {
+        let (found, most) = (angles.len() as f64, MOST_ANGLES as f64);
+        return Err(ShellFault::Range { name: "the number of angles", found, least: 0.0, most });
+    }
     let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
     let family =
         Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &supports, obstacles: &[] };
-    let ([angle, volume, stiffness], evidence) = family.run(watch, |solver, meshed, rung| {
+    let (values, evidence) = family.run(watch, |solver, meshed, rung| {
         let line = arm_line(&half, &meshed.mesh);
-        Ok([angle_of(&line, &rung.state), 4.0 * rung.rest.energy.volume, stiffness(solver, &line, rung)])
+        let mut numbers = [0.0; NUMBERS + MOST_ANGLES];
+        numbers[0] = angle_of(&line, &rung.state);
+        numbers[1] = 4.0 * rung.rest.energy.volume;
+        numbers[2] = stiffness(solver, &line, rung);
+        let bend = Bend { line: &line, aim: case.tube.ladder().aim(rung.pressure) };
+        let moments = bend.moments(solver, &rung.state, angles);
+        let moments = moments.map_err(|why| case.tube.stopped(why, solver.triangles()))?;
+        numbers[NUMBERS..][..moments.len()].copy_from_slice(&moments);
+        Ok(numbers)
     })?;
+    let [angle, volume, stiffness] = [values[0], values[1], values[2]];
+    let unit = case.tube.energy();
     let arc = PI - case.angle;
     Ok(Actuator {
         angle,
         coiling: angle.shifted(-PI).scaled(-1.0 / arc),
         volume: volume.scaled(case.tube.width.powi(3)),
-        stiffness: stiffness.scaled(case.tube.energy()),
+        stiffness: stiffness.scaled(unit),
+        moments: angles.iter().zip(&values[NUMBERS..]).map(|(angle, m)| (*angle, m.scaled(unit))).collect(),
         evidence,
     })
 }
@@ -111,12 +135,6 @@ fn supports(mesh: &Mesh) -> Supports {
 fn arm_line(half: &HalfActuator, mesh: &Mesh) -> ArmLine {
     let (sine, cosine) = ((PI - half.phi_0) / 2.0).sin_cos();
     ArmLine::new(mesh, [-sine, cosine], [1.0, half.l - 1.0])
-}
-
-/// phi: the arm leaves the plane of symmetry, which holds the x axis, on the side of negative x.
-fn angle_of(line: &ArmLine, state: &State) -> f64 {
-    let [x, y] = line.direction(state);
-    2.0 * (PI - y.atan2(x))
 }
 
 /// d2U/dphi2 of the whole, by one solve with the last factor: the angle gives way by g.H^-1 g to a moment of one.

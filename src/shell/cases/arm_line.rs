@@ -43,6 +43,11 @@ impl ArmLine {
         [sum(0), sum(1)]
     }
 
+    /// A point near its end.
+    pub(crate) fn last(&self) -> usize {
+        self.weights.iter().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(point, _)| *point)
+    }
+
     /// The parts of the derivative of `vector` times the direction.
     pub(crate) fn times(&self, vector: [f64; 2]) -> Vec<(usize, [f64; 3])> {
         let part = |(point, weight): &(usize, f64)| (*point, [weight * vector[0], weight * vector[1], 0.0]);

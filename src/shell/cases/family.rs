@@ -75,13 +75,13 @@ impl Family<'_> {
             evidence.unknowns.push(solver.assembly.unknowns());
             evidence.efforts.push(solver.effort);
             evidence.residual = rung.rest.residual / ladder.last;
-            found.push(measure(&mut solver, &meshed, &rung)?);
+            if cut + 3 > self.cuts {
+                found.push(measure(&mut solver, &meshed, &rung)?);
+            }
             watch.tell(0.25_f64.powf((self.cuts - cut) as f64), &format!("mesh {} of {}", cut + 1, self.cuts + 1));
         }
-        let last = &found[found.len().saturating_sub(3)..];
-        let values = std::array::from_fn(|k| {
-            Value::new(std::array::from_fn(|mesh| last[mesh.min(last.len() - 1)][k]))
-        });
+        let values =
+            std::array::from_fn(|k| Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][k])));
         Ok((values, evidence))
     }
 

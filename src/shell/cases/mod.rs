@@ -9,6 +9,8 @@
 
 mod actuator;
 mod arm_line;
+mod bend;
+mod cell;
 mod extremes;
 mod family;
 mod fault;
@@ -16,7 +18,8 @@ mod star;
 mod tube;
 mod value;
 
-pub use actuator::{Actuator, Fineness, VActuator, actuator};
+pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
+pub use cell::{Cell, InflatedCell, cell};
 pub use extremes::Extremes;
 pub use family::{Evidence, Watch};
 pub use fault::ShellFault;

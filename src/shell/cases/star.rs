@@ -57,6 +57,9 @@ const NUMBERS: usize = 8;
 /// Objects of one call: more are asked for in another.
 pub const MOST_OBJECTS: usize = 8;
 
+/// Largest growth of an object in one solve, by W.
+const OPENING: f64 = 0.05;
+
 impl FlatStar {
     fn sector(&self) -> Result<HalfSector, ShellFault> {
         self.tube.check()?;
@@ -168,14 +171,18 @@ fn tip_angle(sector: &HalfSector, mesh: &Mesh, state: &State) -> f64 {
 /// Opens the star by each object in turn, and writes the force of one sheet of half a sector on it.
 fn press(case: &FlatStar, objects: &[f64], solver: &mut Solver, rung: &Rung, forces: &mut [f64]) -> Result<(), ShellFault> {
     let mut state = rung.state.clone();
+    let nearest = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
+    let mut radius = nearest;
+    let aim = case.tube.ladder().aim(rung.pressure);
     for (object, force) in objects.iter().zip(forces) {
-        let radius = object / case.tube.width;
-        let post = Obstacle::Post { radius };
-        if let Some(contact) = &mut solver.contact {
-            contact.replace(2, post);
+        let last = (object / case.tube.width).max(nearest);
+        while radius < last {
+            radius = (radius + OPENING).min(last);
+            if let Some(contact) = &mut solver.contact {
+                contact.replace(2, Obstacle::Post { radius });
+            }
+            let _ = solver.rest(&mut state, aim).map_err(|why| case.tube.stopped(why, solver.triangles()))?;
         }
-        let aim = case.tube.ladder().aim(rung.pressure);
-        let _ = solver.rest(&mut state, aim).map_err(|why| case.tube.stopped(why, solver.triangles()))?;
         *force = solver.contact.as_ref().map_or(0.0, |contact| contact.force(2));
     }
     Ok(())

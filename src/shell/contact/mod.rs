@@ -60,6 +60,8 @@ pub struct Misfit {
     pub penetration: f64,
     /// Largest change of a contact pressure in the last round.
     pub change: f64,
+    /// Largest contact pressure.
+    pub largest: f64,
 }
 
 impl Contact {
@@ -119,6 +121,7 @@ impl Contact {
             let (gap, _) = self.obstacles[index].gap(state.points[point]);
             misfit.penetration = misfit.penetration.max(-gap);
             misfit.change = misfit.change.max((push - before).abs());
+            misfit.largest = misfit.largest.max(push);
             kept.push((index, point, push));
         });
         for (index, point, push) in kept {

@@ -1,6 +1,7 @@
 //! One equilibrium: Newton's method on the energy, with the full Hessian.
 
 use super::factor::{self, Factor};
+use super::lever::{Held, Lever, inner};
 use crate::shell::assembly::{Assembly, Energy, Sheet, State, Supports};
 use crate::shell::contact::Contact;
 use std::sync::Arc;
@@ -67,8 +68,10 @@ const CONTACT: f64 = 100.0;
 const MOST_ROUNDS: u32 = 20;
 /// Penetration left, by W.
 const PENETRATION: f64 = 1e-4;
-/// Change of contact pressures left, by p.
+/// Change of contact pressures left, by the largest of them.
 const CHANGE: f64 = 1e-2;
+/// k where rounds converge slowly, by p/W: few points that carry all of a force.
+const STIFFEST: f64 = 1e5;
 
 /// Finds equilibria of one sheet.
 pub struct Solver {
@@ -76,6 +79,11 @@ pub struct Solver {
     pub assembly: Assembly,
     /// What it may touch.
     pub contact: Option<Contact>,
+    /// What holds it besides its supports.
+    pub lever: Option<Lever>,
+    held: Held,
+    /// The lever's multiplier at the last equilibrium: forces + multiplier c = 0.
+    pub multiplier: f64,
     factor: Factor,
     step: Vec<f64>,
     /// What a shift adds to each unknown's diagonal: a spring a unit of area, none for the directors.
@@ -106,6 +114,9 @@ impl Solver {
             cancel: Arc::default(),
             factor,
             contact: None,
+            lever: None,
+            held: Held::default(),
+            multiplier: 0.0,
             assembly,
         })
     }
@@ -120,7 +131,7 @@ impl Solver {
             if self.cancel.load(Ordering::Relaxed) {
                 return Err(Stop::Cancelled);
             }
-            let residual = norm(self.assembly.gradient());
+            let residual = self.residual();
             if residual <= aim.tolerance && self.shift == 0.0 {
                 let stable = self.compute(0.0);
                 return if stable { Ok(Rest { energy, residual }) } else { Err(Stop::Unstable) };
@@ -128,9 +139,6 @@ impl Solver {
             self.find_step(aim)?;
             energy = self.take_step(state, energy, aim)?;
             self.effort.iterations += 1;
-            if std::env::var("SHELL_TRACE").is_ok() {
-                eprintln!("   E {:.12e} res {:.3e} shift {:.2e}", energy.total(aim.pressure), norm(self.assembly.gradient()), self.shift);
-            }
         }
         Err(Stop::Iterations)
     }
@@ -142,12 +150,18 @@ impl Solver {
     pub fn rest(&mut self, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
         let Some(contact) = &mut self.contact else { return self.settle(state, aim) };
         contact.stiffness = CONTACT * aim.pressure;
+        let mut before = f64::INFINITY;
         for _ in 0..MOST_ROUNDS {
             let rest = self.settle(state, aim)?;
-            let misfit = self.contact.as_mut().map(|contact| contact.keep(state)).unwrap_or_default();
-            if misfit.penetration <= PENETRATION && misfit.change <= CHANGE * aim.pressure {
+            let Some(contact) = &mut self.contact else { return Ok(rest) };
+            let misfit = contact.keep(state);
+            if misfit.penetration <= PENETRATION && misfit.change <= CHANGE * misfit.largest {
                 return Ok(rest);
             }
+            if misfit.penetration > PENETRATION.max(before / 4.0) && contact.stiffness < STIFFEST * aim.pressure {
+                contact.stiffness *= 4.0;
+            }
+            before = misfit.penetration;
         }
         Err(Stop::Contact)
     }
@@ -157,6 +171,9 @@ impl Solver {
         if let Some(contact) = &self.contact {
             contact.add(state, &mut self.assembly);
             energy.contact = contact.energy(state);
+        }
+        if let Some(lever) = &self.lever {
+            lever.add(&mut self.assembly);
         }
         energy
     }
@@ -175,9 +192,37 @@ impl Solver {
         energy
     }
 
+    /// Factors the Hessian; false if it is not positive definite where the lever holds.
     fn compute(&mut self, shift: f64) -> bool {
         self.effort.factors += 1;
-        self.factor.compute(self.assembly.hessian(), shift, &self.lumps)
+        if !self.factor.compute(self.assembly.hessian(), shift, &self.lumps) {
+            return false;
+        }
+        let Some(lever) = &self.lever else { return true };
+        match lever.hold(&self.assembly, &mut self.factor) {
+            Some(held) => self.held = held,
+            None => return false,
+        }
+        true
+    }
+
+    /// The norm of the forces, without what the lever takes, whose multiplier it keeps.
+    fn residual(&mut self) -> f64 {
+        let gradient = self.assembly.gradient();
+        let Some(lever) = &self.lever else { return inner(gradient, gradient).sqrt() };
+        self.multiplier = -inner(&lever.row, gradient) / inner(&lever.row, &lever.row);
+        let left = lever.row.iter().zip(gradient).map(|(c, g)| g + self.multiplier * c);
+        left.map(|x| x * x).sum::<f64>().sqrt()
+    }
+
+    /// Moves an equilibrium to where the lever's function is `by` larger, as the sheet gives way.
+    pub fn pull(&mut self, state: &mut State, aim: Aim, by: f64) -> bool {
+        let _ = self.linearise(state, aim.pressure);
+        let is_stable = self.compute(0.0);
+        if is_stable && self.lever.is_some() {
+            self.assembly.advance(state, &self.held.answer, by / self.held.gives);
+        }
+        is_stable
     }
 
     /// Leaves a direction of descent in `step`, and in `shift` what it took.
@@ -197,12 +242,15 @@ impl Solver {
             *step = -slope;
         }
         self.factor.solve(&mut self.step);
+        if let Some(lever) = &self.lever {
+            let _ = lever.constrain(&self.assembly, &self.held, &mut self.step);
+        }
         Ok(())
     }
 
     /// Goes as far along `step` as the energy falls.
     fn take_step(&mut self, state: &mut State, before: Energy, aim: Aim) -> Result<Energy, Stop> {
-        let slope: f64 = self.step.iter().zip(self.assembly.gradient()).map(|(s, g)| s * g).sum();
+        let slope = inner(&self.step, self.assembly.gradient());
         let noise = ROUNDING * (before.membrane + before.bending + (aim.pressure * before.volume).abs());
         let start = before.total(aim.pressure);
         let mut fraction = 1.0;
@@ -236,12 +284,13 @@ impl Solver {
         self.assembly.sheet.pieces.len()
     }
 
+    #[cfg(test)]
+    pub(crate) fn factor_is_supernodal(&self) -> bool {
+        self.factor.is_supernodal()
+    }
+
     /// Numbers that the Cholesky factor keeps.
     pub fn factor_size(&self) -> usize {
         self.factor.size()
     }
-}
-
-fn norm(vector: &[f64]) -> f64 {
-    vector.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
