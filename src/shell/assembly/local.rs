@@ -29,10 +29,9 @@ impl Slopes {
                 Beyond::Neighbour { .. } => 0.5,
             };
             let weights = facet.weights(i);
-            for k in 0..3 {
-                for c in 0..3 {
-                    slopes.own[i][3 * k + c] = part * facet.lift[i] * weights[k] * facet.normal[c];
-                }
+            for (k, weight) in weights.into_iter().enumerate() {
+                let slope = times(part * facet.lift[i] * weight, facet.normal);
+                slopes.own[i][3 * k..3 * k + 3].copy_from_slice(&slope);
             }
             if let Beyond::Neighbour { triangle, edge, .. } = piece.beyond[i] {
                 let other = &facets[triangle];
@@ -53,10 +52,8 @@ impl Slopes {
         for i in 0..3 {
             for k in 0..3 {
                 let slope = [0, 1, 2].map(|c| self.own[i][3 * k + c]);
-                let axes = &supports.holds[piece.corners[k]].axes;
-                for c in 0..3 {
-                    self.own[i][3 * k + c] = dot(axes[c], slope);
-                }
+                let turned = supports.holds[piece.corners[k]].axes.map(|axis| dot(axis, slope));
+                self.own[i][3 * k..3 * k + 3].copy_from_slice(&turned);
             }
             if let Beyond::Neighbour { corner, .. } = piece.beyond[i] {
                 self.far[i] = supports.holds[corner].axes.map(|axis| dot(axis, self.far[i]));
@@ -72,7 +69,8 @@ fn own(sheet: &Sheet, piece: &Piece, x: [Vector; 3], facet: &Facet, loads: Loads
     let (strain, stress) = membrane.rows(sheet.fabric, &piece.flat);
     for a in 0..9 {
         for b in 0..9 {
-            hessian[a][b] = strain[0][a] * stress[0][b] + strain[1][a] * stress[1][b] + strain[2][a] * stress[2][b];
+            hessian[a][b] =
+                strain[0][a] * stress[0][b] + strain[1][a] * stress[1][b] + strain[2][a] * stress[2][b];
         }
     }
     membrane.add_geometric(&piece.flat, &mut hessian);
@@ -160,12 +158,10 @@ fn turn(hessian: &mut Square, piece: &Piece, supports: &Supports) {
             }
         }
     }
-    for b in 0..9 {
-        for k in 0..3 {
-            let part = [hessian[3 * k][b], hessian[3 * k + 1][b], hessian[3 * k + 2][b]];
-            for c in 0..3 {
-                hessian[3 * k + c][b] = dot(axes[k][c], part);
-            }
+    for (rows, axes) in hessian.chunks_exact_mut(3).zip(axes) {
+        for b in 0..9 {
+            let part = [rows[0][b], rows[1][b], rows[2][b]];
+            rows.iter_mut().zip(axes).for_each(|(row, axis)| row[b] = dot(axis, part));
         }
     }
 }

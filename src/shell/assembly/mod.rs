@@ -67,13 +67,9 @@ pub struct Assembly {
 }
 
 impl Assembly {
-    /// Prepares the sums; `order` says for each unknown, numbered as they come, which one it shall be.
-    pub fn new(sheet: Sheet, supports: Supports, order: Option<&[usize]>) -> Self {
+    /// Prepares the sums.
+    pub fn new(sheet: Sheet, supports: Supports) -> Self {
         let numbering = Numbering::new(&sheet, &supports);
-        let numbering = match order {
-            Some(order) => numbering.reordered(order),
-            None => numbering,
-        };
         let pattern = Pattern::new(&sheet, &numbering);
         let is_turned = |piece: &Piece| {
             let far = piece.beyond.iter().filter_map(|beyond| match beyond {
@@ -124,8 +120,7 @@ impl Assembly {
                 part * self.turning[piece.edges[i]] + piece.lean[i] * state.leans[piece.edges[i]]
             });
             let k = &piece.stiffness;
-            *moments =
-                std::array::from_fn(|i| k[i][0] * alpha[0] + k[i][1] * alpha[1] + k[i][2] * alpha[2]);
+            *moments = std::array::from_fn(|i| k[i][0] * alpha[0] + k[i][1] * alpha[1] + k[i][2] * alpha[2]);
             energy.membrane += Membrane::new(self.sheet.fabric, &piece.flat, x).energy(&piece.flat);
             energy.bending += dot(alpha, *moments) / 2.0;
             energy.volume += volume::volume(x);
@@ -137,7 +132,8 @@ impl Assembly {
     fn fold(&mut self, state: &State) {
         for (t, piece) in self.sheet.pieces.iter().enumerate() {
             for i in 0..3 {
-                let side = || minus(state.points[piece.corners[LAST[i]]], state.points[piece.corners[NEXT[i]]]);
+                let side =
+                    || minus(state.points[piece.corners[LAST[i]]], state.points[piece.corners[NEXT[i]]]);
                 let normal = self.facets[t].normal;
                 match piece.beyond[i] {
                     Beyond::Neighbour { triangle, .. } if triangle > t => {
@@ -159,9 +155,9 @@ impl Assembly {
         self.turning.fill(0.0);
         self.leaning.fill(0.0);
         for (piece, moments) in self.sheet.pieces.iter().zip(&self.moments) {
-            for i in 0..3 {
-                self.turning[piece.edges[i]] += part_of_fold(piece.beyond[i]) * moments[i];
-                self.leaning[piece.edges[i]] += piece.lean[i] * moments[i];
+            for (i, moment) in moments.iter().enumerate() {
+                self.turning[piece.edges[i]] += part_of_fold(piece.beyond[i]) * moment;
+                self.leaning[piece.edges[i]] += piece.lean[i] * moment;
             }
         }
         self.forces.fill([0.0; 3]);
@@ -263,7 +259,8 @@ impl Assembly {
         let mut row = vec![0.0; self.numbering.count];
         for (point, vector) in parts {
             let axes = &self.supports.holds[*point].axes;
-            for (number, axis) in self.numbering.points[*point].iter().zip(axes).filter(|(k, _)| **k != NONE) {
+            for (number, axis) in self.numbering.points[*point].iter().zip(axes).filter(|(k, _)| **k != NONE)
+            {
                 row[*number as usize] += dot(*axis, *vector);
             }
         }
@@ -298,9 +295,7 @@ impl Assembly {
         for (point, numbers) in self.numbering.points.iter().enumerate() {
             let axes = &self.supports.holds[point].axes;
             for (number, axis) in numbers.iter().zip(axes).filter(|(number, _)| **number != NONE) {
-                for c in 0..3 {
-                    state.points[point][c] += fraction * step[*number as usize] * axis[c];
-                }
+                state.points[point] = along(state.points[point], fraction * step[*number as usize], *axis);
             }
         }
         for (lean, number) in state.leans.iter_mut().zip(&self.numbering.edges) {

@@ -22,34 +22,36 @@ pub(crate) struct Numbering {
 }
 
 impl Numbering {
-    /// Numbers the unknowns as they come: all points, then all edges.
+    /// Numbers the unknowns in the sheet's order of elimination.
     pub(crate) fn new(sheet: &Sheet, supports: &Supports) -> Self {
-        let mut next = 0;
-        let mut number = |is_fixed: bool| {
-            if is_fixed {
-                return NONE;
-            }
-            next += 1;
-            next - 1
-        };
-        let points = supports.holds.iter().map(|hold| hold.fixed.map(&mut number)).collect();
         let mut leaning = vec![false; sheet.edge_count];
         for piece in &sheet.pieces {
             for (edge, lean) in piece.edges.iter().zip(piece.lean) {
                 leaning[*edge] |= lean != 0.0;
             }
         }
-        let edges = leaning.into_iter().map(|leans| number(!leans)).collect();
-        Self { points, edges, count: next as usize }
-    }
-
-    /// The same unknowns in another order: number `k` becomes `position[k]`.
-    pub(crate) fn reordered(mut self, position: &[usize]) -> Self {
-        let all = self.points.iter_mut().flatten().chain(&mut self.edges);
-        for number in all.filter(|number| **number != NONE) {
-            *number = u32::try_from(position[*number as usize]).unwrap_or(NONE);
+        let mut numbering = Self {
+            points: vec![[NONE; 3]; supports.holds.len()],
+            edges: vec![NONE; sheet.edge_count],
+            count: 0,
+        };
+        let mut next = 0;
+        for node in &sheet.order {
+            let point = supports.holds.get(*node).map(|hold| &hold.fixed);
+            let edge = node.wrapping_sub(supports.holds.len());
+            let numbers: &mut [u32] = match point {
+                Some(_) => &mut numbering.points[*node],
+                None => std::slice::from_mut(&mut numbering.edges[edge]),
+            };
+            let fixed =
+                point.map_or([!leaning.get(edge).is_some_and(|leans| *leans), true, true], |fixed| *fixed);
+            for (number, _) in numbers.iter_mut().zip(fixed).filter(|(_, is_fixed)| !is_fixed) {
+                *number = next;
+                next += 1;
+            }
         }
-        self
+        numbering.count = next as usize;
+        numbering
     }
 
     /// The unknowns of triangle `t` in their local order: corners, far corners, edges.

@@ -40,7 +40,7 @@ impl Assembly {
                     + 2.0 * kappa[2] * run[0] * run[1])
                     / 8.0;
                 let middle = first + piece.edges[i];
-                let aside = [0, 1].map(|c| finer.points[middle][c] - (flat_a[c] + flat_b[c]) / 2.0);
+                let aside = [0, 1].map(|c| finer.points[middle][c] - f64::midpoint(flat_a[c], flat_b[c]));
                 let chord = times(0.5, minus(state.points[b], state.points[a]));
                 let mut at = along(along(state.points[a], 1.0, chord), -bow, facet.normal);
                 at = along(at, 1.0, [aside[0], aside[1], 0.0]);

@@ -40,6 +40,8 @@ pub struct Sheet {
     /// A third of the flat area of the triangles around each point.
     pub(crate) areas: Vec<f64>,
     pub(crate) edge_count: usize,
+    /// Points, then edges, in an order in which little fills in as they are eliminated.
+    pub(crate) order: Vec<usize>,
 }
 
 impl Sheet {
@@ -52,7 +54,14 @@ impl Sheet {
                 areas[corner] += piece.flat.area / 3.0;
             }
         }
-        Self { fabric, pieces, points: mesh.points.clone(), areas, edge_count: mesh.edges.len() }
+        Self {
+            fabric,
+            pieces,
+            points: mesh.points.clone(),
+            areas,
+            edge_count: mesh.edges.len(),
+            order: mesh.elimination_order(),
+        }
     }
 
     /// Its fabric.
@@ -102,7 +111,8 @@ fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
             _ => -1.0,
         };
     }
-    let far = beyond.map(|beyond| if let Beyond::Neighbour { corner, .. } = beyond { Some(corner) } else { None });
+    let far =
+        beyond.map(|beyond| if let Beyond::Neighbour { corner, .. } = beyond { Some(corner) } else { None });
     let twins = std::array::from_fn(|i| far[NEXT[i]].is_some() && far[NEXT[i]] == far[LAST[i]]);
     Piece { corners, edges, beyond, lean, flat, stiffness: bending::stiffness(fabric, &flat), twins }
 }

@@ -86,15 +86,18 @@ impl VActuator {
 ///
 /// # Errors
 /// If it is out of range or has no stable equilibrium at its pressure: where it stopped, and why.
-pub fn actuator(case: &VActuator, angles: &[f64], fineness: Fineness, watch: &Watch) -> Result<Actuator, ShellFault> {
+pub fn actuator(
+    case: &VActuator,
+    angles: &[f64],
+    fineness: Fineness,
+    watch: &Watch,
+) -> Result<Actuator, ShellFault> {
     let half = case.half()?;
     if angles.len() > MOST_ANGLES {
-        let (found, most) = (angles.len() as f64, MOST_ANGLES as f64);
-        return Err(ShellFault::Range { name: "the number of angles", found, least: 0.0, most });
+        return Err(ShellFault::TooMany { name: "angles", found: angles.len(), most: MOST_ANGLES });
     }
     let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
-    let family =
-        Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &supports, obstacles: &[] };
+    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &supports, obstacles: &[] };
     let (values, evidence) = family.run(watch, |solver, meshed, rung| {
         let line = arm_line(&half, &meshed.mesh);
         let mut numbers = [0.0; NUMBERS + MOST_ANGLES];

@@ -39,7 +39,8 @@ impl ArmLine {
 
     /// Its direction in `state`; of length 1 where the arm is neither bent nor stretched.
     pub(crate) fn direction(&self, state: &State) -> [f64; 2] {
-        let sum = |c: usize| self.weights.iter().map(|(point, weight)| weight * state.points[*point][c]).sum();
+        let sum =
+            |c: usize| self.weights.iter().map(|(point, weight)| weight * state.points[*point][c]).sum();
         [sum(0), sum(1)]
     }
 

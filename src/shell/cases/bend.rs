@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// Largest change of the angle in one solve, rad: 3 deg.
 const STEP: f64 = 0.052;
 /// Halvings of it.
-const MOST_HALVINGS: u32 = 6;
+const MOST_HALVINGS: i32 = 6;
 /// The brace's stiffness by p W: enough that no arm snaps, little enough to lose no digits.
 const BRACE: f64 = 1000.0;
 
@@ -31,7 +31,12 @@ pub(crate) struct Bend<'a> {
 impl Bend<'_> {
     /// The moments of the whole actuator, in units of energy, that hold it at `angles`, each reached from the shape at rest
     /// or from the angle before, whichever is nearer.
-    pub(crate) fn moments(&self, solver: &mut Solver, rest: &State, angles: &[f64]) -> Result<Vec<f64>, Stop> {
+    pub(crate) fn moments(
+        &self,
+        solver: &mut Solver,
+        rest: &State,
+        angles: &[f64],
+    ) -> Result<Vec<f64>, Stop> {
         let mut order: Vec<usize> = (0..angles.len()).collect();
         let free = angle_of(self.line, rest);
         order.sort_by(|a, b| (angles[*a] - free).abs().total_cmp(&(angles[*b] - free).abs()));
@@ -58,7 +63,7 @@ impl Bend<'_> {
                     return Ok(moment);
                 }
                 Ok(_) => (*state, at) = (trial, next),
-                Err(why) if why == Stop::Cancelled || step < STEP * 0.5_f64.powi(MOST_HALVINGS as i32) => {
+                Err(why) if why == Stop::Cancelled || step < STEP * 0.5_f64.powi(MOST_HALVINGS) => {
                     return Err(why);
                 }
                 Err(_) => step /= 2.0,

@@ -54,7 +54,8 @@ pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCe
     let hold = |mesh: &Mesh| Supports::new(mesh, vec![first(), second(case.arc)]);
     let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
     let ([lambda, stiffness], evidence) = family.run(watch, |solver, meshed, rung| {
-        let turning = Turning { arc: case.arc, aim: case.tube.ladder().aim(rung.pressure), mesh: &meshed.mesh };
+        let turning =
+            Turning { arc: case.arc, aim: case.tube.ladder().aim(rung.pressure), mesh: &meshed.mesh };
         turning.rest(solver, &rung.state).map_err(|why| case.tube.stopped(why, solver.triangles()))
     })?;
     Ok(InflatedCell { lambda, stiffness: stiffness.scaled(case.tube.energy()), evidence })
@@ -79,8 +80,10 @@ impl Turning<'_> {
     /// lambda at rest, and C alpha_0 in units of energy.
     fn rest(&self, solver: &mut Solver, flat: &State) -> Result<[f64; 2], Stop> {
         let mut state = flat.clone();
-        for (k, x) in state.points.iter_mut().enumerate() {
-            let noise = NOISE * x[2] * (12.9898 * k as f64).sin();
+        let mut phase = 0.0_f64;
+        for x in &mut state.points {
+            phase += 12.9898; // no two neighbours alike
+            let noise = NOISE * x[2] * phase.sin();
             *x = [x[0] - noise * x[1], x[1] + noise * x[0], x[2]];
         }
         solver.assembly.hold(&mut state);

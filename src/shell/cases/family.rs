@@ -10,11 +10,14 @@ use crate::shell::solver::{Broken, Effort, Rung, Solver, Stop};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+/// Told the part that is done, 0 to 1, and what is being done.
+pub type Progress<'a> = &'a dyn Fn(f64, &str);
+
 /// What looks on while a shell is computed, and may end it.
 #[derive(Clone, Default)]
 pub struct Watch<'a> {
-    /// Told the part that is done, 0 to 1, and what is being done.
-    pub progress: Option<&'a dyn Fn(f64, &str)>,
+    /// Told how far it is.
+    pub progress: Option<Progress<'a>>,
     /// Raised by another thread to end at the next Newton step.
     pub cancel: Arc<AtomicBool>,
 }
@@ -78,10 +81,11 @@ impl Family<'_> {
             if cut + 3 > self.cuts {
                 found.push(measure(&mut solver, &meshed, &rung)?);
             }
-            watch.tell(0.25_f64.powf((self.cuts - cut) as f64), &format!("mesh {} of {}", cut + 1, self.cuts + 1));
+            watch.tell(part(self.cuts - cut), &format!("mesh {} of {}", cut + 1, self.cuts + 1));
         }
-        let values =
-            std::array::from_fn(|k| Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][k])));
+        let values = std::array::from_fn(|k| {
+            Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][k]))
+        });
         Ok((values, evidence))
     }
 
@@ -101,8 +105,7 @@ impl Family<'_> {
         let ladder = self.tube.ladder();
         let all = (ladder.last / ladder.first).ln().max(1e-9);
         let told = |rung: &Rung| {
-            let part = 0.25_f64.powf(self.cuts as f64) * (rung.pressure / ladder.first).ln() / all;
-            watch.tell(part, "from flat");
+            watch.tell(part(self.cuts) * (rung.pressure / ladder.first).ln() / all, "from flat");
         };
         ladder.climb(solver, told).map_err(|Broken { pressure, why, last }| {
             if why == Stop::Cancelled {
@@ -125,4 +128,9 @@ impl Family<'_> {
         let rest = fine.rest(&mut state, ladder.aim(ladder.last))?;
         Ok(Rung { pressure: ladder.last, state, rest })
     }
+}
+
+/// The part of the work that is done when `left` finer meshes are left: each costs about four times the one before.
+fn part(left: usize) -> f64 {
+    (0..left).fold(1.0, |part, _| part / 4.0)
 }

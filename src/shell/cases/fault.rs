@@ -18,6 +18,15 @@ pub enum ShellFault {
         /// The largest that is allowed.
         most: f64,
     },
+    /// More of something than one call takes.
+    TooMany {
+        /// What it is.
+        name: &'static str,
+        /// How many were given.
+        found: usize,
+        /// How many are allowed.
+        most: usize,
+    },
     /// There is no mesh of the case.
     Mesh(MeshFault),
     /// The mesh is too large for this machine.
@@ -52,9 +61,18 @@ impl fmt::Display for ShellFault {
             Self::Range { name, found, least, most } => {
                 write!(f, "{name} is {found:.4e}, the shell is made for {least} to {most}")
             }
+            Self::TooMany { name, found, most } => {
+                write!(
+                    f,
+                    "{found} {name} are asked for, one call takes {most}: ask for the others in another"
+                )
+            }
             Self::Mesh(fault) => fault.fmt(f),
             Self::TooLarge { triangles } => {
-                write!(f, "a mesh of {triangles} triangles is too large for this machine; ask for fewer levels")
+                write!(
+                    f,
+                    "a mesh of {triangles} triangles is too large for this machine; ask for fewer levels"
+                )
             }
             Self::Stopped { why, at, last, triangles } => {
                 let reason = match why {

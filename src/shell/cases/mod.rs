@@ -15,13 +15,15 @@ mod extremes;
 mod family;
 mod fault;
 mod star;
+#[cfg(test)]
+mod tests;
 mod tube;
 mod value;
 
 pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
 pub use cell::{Cell, InflatedCell, cell};
 pub use extremes::Extremes;
-pub use family::{Evidence, Watch};
+pub use family::{Evidence, Progress, Watch};
 pub use fault::ShellFault;
 pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, star};
 pub use tube::Tube;

@@ -79,11 +79,15 @@ impl FlatStar {
 ///
 /// # Errors
 /// If it is out of range or has no stable equilibrium: where it stopped, and why.
-pub fn star(case: &FlatStar, objects: &[f64], fineness: Fineness, watch: &Watch) -> Result<InflatedStar, ShellFault> {
+pub fn star(
+    case: &FlatStar,
+    objects: &[f64],
+    fineness: Fineness,
+    watch: &Watch,
+) -> Result<InflatedStar, ShellFault> {
     let sector = case.sector()?;
     if objects.len() > MOST_OBJECTS {
-        let (found, most) = (objects.len() as f64, MOST_OBJECTS as f64);
-        return Err(ShellFault::Range { name: "the number of objects", found, least: 0.0, most });
+        return Err(ShellFault::TooMany { name: "objects", found: objects.len(), most: MOST_OBJECTS });
     }
     let coarsest = sector.mesh(&Sizes::across(1.0, fineness.cells))?;
     let planes = planes(&sector);
@@ -118,10 +122,7 @@ pub fn star(case: &FlatStar, objects: &[f64], fineness: Fineness, watch: &Watch)
 /// The planes through the corner and the tip.
 fn planes(sector: &HalfSector) -> [Plane; 2] {
     let (sine, cosine) = sector.half_angle().sin_cos();
-    [
-        Plane { point: [0.0, 0.0], normal: [0.0, -1.0] },
-        Plane { point: [0.0, 0.0], normal: [-sine, cosine] },
-    ]
+    [Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }, Plane { point: [0.0, 0.0], normal: [-sine, cosine] }]
 }
 
 /// Points of the corner's section, in its plane of symmetry, with the flat length that each stands for.
@@ -135,11 +136,15 @@ fn section(mesh: &Mesh) -> Vec<(usize, f64)> {
 fn measure(sector: &HalfSector, solver: &mut Solver, meshed: &Meshed, rung: &Rung) -> [f64; NUMBERS] {
     let mesh = &meshed.mesh;
     let section = section(mesh);
-    let apex = section.iter().map(|(point, _)| *point).min_by(|a, b| mesh.points[*a][0].total_cmp(&mesh.points[*b][0]));
+    let apex = section
+        .iter()
+        .map(|(point, _)| *point)
+        .min_by(|a, b| mesh.points[*a][0].total_cmp(&mesh.points[*b][0]));
     let radius = apex.map_or(0.0, |apex| rung.state.points[apex][0]);
     let contact = solver.contact.as_ref();
     let (force, area) = contact.map_or((0.0, 0.0), |contact| (contact.force(1), contact.patch(1)));
-    let parts: Vec<(usize, [f64; 3])> = section.iter().map(|(point, length)| (*point, [*length, 0.0, 0.0])).collect();
+    let parts: Vec<(usize, [f64; 3])> =
+        section.iter().map(|(point, length)| (*point, [*length, 0.0, 0.0])).collect();
     let push = solver.assembly.project(&parts);
     let mut answer = push.clone();
     solver.solve(&mut answer);
@@ -164,12 +169,19 @@ fn tip_angle(sector: &HalfSector, mesh: &Mesh, state: &State) -> f64 {
     let start = (sector.rho_0 + sector.w + sector.r_e) * cosine;
     let l = sector.l();
     let left_out = (l / 3.0).min(1.0);
-    let [x, y] = ArmLine::new(mesh, [cosine, sine], [start + left_out, start + l - left_out]).direction(state);
+    let [x, y] =
+        ArmLine::new(mesh, [cosine, sine], [start + left_out, start + l - left_out]).direction(state);
     2.0 * (y.atan2(x) - sector.half_angle())
 }
 
 /// Opens the star by each object in turn, and writes the force of one sheet of half a sector on it.
-fn press(case: &FlatStar, objects: &[f64], solver: &mut Solver, rung: &Rung, forces: &mut [f64]) -> Result<(), ShellFault> {
+fn press(
+    case: &FlatStar,
+    objects: &[f64],
+    solver: &mut Solver,
+    rung: &Rung,
+    forces: &mut [f64],
+) -> Result<(), ShellFault> {
     let mut state = rung.state.clone();
     let nearest = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
     let mut radius = nearest;

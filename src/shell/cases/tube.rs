@@ -73,7 +73,11 @@ impl Tube {
     /// Why there is no equilibrium at its pressure where there was one before something else changed.
     pub(crate) fn stopped(&self, why: Stop, triangles: usize) -> ShellFault {
         let at = self.bendability();
-        if why == Stop::Cancelled { ShellFault::Cancelled } else { ShellFault::Stopped { why, at, last: at, triangles } }
+        if why == Stop::Cancelled {
+            ShellFault::Cancelled
+        } else {
+            ShellFault::Stopped { why, at, last: at, triangles }
+        }
     }
 
     /// One unit of energy, J; of moment and of stiffness against an angle too.

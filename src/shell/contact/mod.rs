@@ -137,7 +137,8 @@ impl Contact {
 
     /// Flat area of the points that touch an obstacle.
     pub fn patch(&self, index: usize) -> f64 {
-        let touching = self.pressures[index].iter().zip(&self.areas[index]).filter(|(pressure, _)| **pressure > 0.0);
+        let touching =
+            self.pressures[index].iter().zip(&self.areas[index]).filter(|(pressure, _)| **pressure > 0.0);
         touching.map(|(_, area)| area).sum()
     }
 }

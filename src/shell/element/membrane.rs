@@ -50,11 +50,8 @@ impl Membrane {
         ];
         let [plane, shear] = moduli(fabric);
         let nu = fabric.poisson;
-        let stress = [
-            plane * (strain[0] + nu * strain[1]),
-            plane * (strain[1] + nu * strain[0]),
-            shear * strain[2],
-        ];
+        let stress =
+            [plane * (strain[0] + nu * strain[1]), plane * (strain[1] + nu * strain[0]), shear * strain[2]];
         Self { columns, strain, stress }
     }
 
@@ -131,9 +128,10 @@ impl Membrane {
             let [e11, e22, e12] = self.strain;
             (1.0 + 2.0 * (x * x * e11 + y * y * e22 + x * y * e12)).max(0.0).sqrt()
         };
-        let (mean, half) = ((s11 + s22) / 2.0, ((s11 - s22) / 2.0).hypot(s12));
+        let (mean, half) = (f64::midpoint(s11, s22), ((s11 - s22) / 2.0).hypot(s12));
         let stretches = [stretch(cosine, sine), stretch(-sine, cosine)];
-        let tension = [(mean + half) * stretches[0] / stretches[1], (mean - half) * stretches[1] / stretches[0]];
+        let tension =
+            [(mean + half) * stretches[0] / stretches[1], (mean - half) * stretches[1] / stretches[0]];
         [tension, stretches]
     }
 }

@@ -3,17 +3,17 @@
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
 use faer::sparse::linalg::SupernodalThreshold;
-use faer::sparse::linalg::amd;
 use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering,
-    factorize_symbolic_cholesky,
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
 };
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMat, SymbolicSparseColMatRef};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
 use faer::{Conj, MatMut, Par, Side};
 
 /// The factor of a symmetric matrix given by the lower triangle of its columns.
 pub(crate) struct Factor {
     symbolic: SymbolicCholesky<u32>,
+    /// The matrix' lower triangle.
+    pattern: SymbolicSparseColMat<u32>,
     values: Vec<f64>,
     memory: MemBuffer,
     /// Place of each column's diagonal among the matrix' values.
@@ -21,20 +21,10 @@ pub(crate) struct Factor {
     shifted: Vec<f64>,
 }
 
-/// An order of the unknowns in which little fills in: number `k` becomes `position[k]`. Approximate minimum degree.
-pub(crate) fn order(starts: &[u32], rows: &[u32]) -> Option<Vec<usize>> {
-    let upper = upper(starts, rows);
-    let count = starts.len() - 1;
-    let (mut forward, mut position) = (vec![0_u32; count], vec![0_u32; count]);
-    let mut memory = MemBuffer::new(amd::order_scratch::<u32>(count, rows.len()));
-    let stack = MemStack::new(&mut memory);
-    let _ = amd::order(&mut forward, &mut position, upper.as_ref(), amd::Control::default(), stack).ok()?;
-    Some(position.into_iter().map(|place| place as usize).collect())
-}
-
 impl Factor {
     /// Analyses the pattern; `None` if it is too large for this machine.
     pub(crate) fn new(starts: &[u32], rows: &[u32]) -> Option<Self> {
+        let count = starts.len() - 1;
         // With the order kept, the analysis reads the upper triangle whatever side it is told.
         let upper = upper(starts, rows);
         // Always by supernodes: column by column is 20 times slower at 30,000 unknowns.
@@ -43,13 +33,15 @@ impl Factor {
             ..CholeskySymbolicParams::default()
         };
         let symbolic =
-            factorize_symbolic_cholesky(upper.as_ref(), Side::Upper, SymmetricOrdering::Identity, params).ok()?;
+            factorize_symbolic_cholesky(upper.as_ref(), Side::Upper, SymmetricOrdering::Identity, params)
+                .ok()?;
         let numeric = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, faer::Spec::default());
         let memory = numeric.or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
         Some(Self {
             values: vec![0.0; symbolic.len_val()],
             memory: MemBuffer::try_new(memory).ok()?,
             symbolic,
+            pattern: SymbolicSparseColMat::new_checked(count, count, starts.to_vec(), None, rows.to_vec()),
             diagonal: starts[..starts.len() - 1].iter().map(|start| *start as usize).collect(),
             shifted: vec![0.0; rows.len()],
         })
@@ -61,8 +53,7 @@ impl Factor {
     }
 
     /// Factors the matrix with `shift[k]` times `factor` added to its diagonal; false if that is not positive definite.
-    pub(crate) fn compute(&mut self, (starts, rows, values): (&[u32], &[u32], &[f64]), factor: f64, shift: &[f64]) -> bool {
-        let count = self.diagonal.len();
+    pub(crate) fn compute(&mut self, values: &[f64], factor: f64, shift: &[f64]) -> bool {
         let values = if factor == 0.0 {
             values
         } else {
@@ -72,8 +63,7 @@ impl Factor {
             }
             &self.shifted
         };
-        let pattern = SymbolicSparseColMatRef::new_checked(count, count, starts, None, rows);
-        let matrix = SparseColMatRef::new(pattern, values);
+        let matrix = SparseColMatRef::new(self.pattern.as_ref(), values);
         self.symbolic
             .factorize_numeric_llt(
                 &mut self.values,

@@ -41,7 +41,7 @@ pub struct Broken {
 /// log10 of the factor from rung to rung.
 const STEP: f64 = 0.25;
 /// Halvings of it where a rung is not reached.
-const MOST_HALVINGS: u32 = 5;
+const MOST_HALVINGS: i32 = 5;
 /// Residual relative to p W^2 that is asked for.
 const RESIDUAL: f64 = 1e-8;
 
@@ -76,7 +76,8 @@ impl Ladder {
                 }
                 Err(why) => {
                     step /= 2.0;
-                    let Some(rung) = below.as_ref().filter(|_| step > STEP * 0.5_f64.powi(MOST_HALVINGS as i32 + 1)) else {
+                    let may_halve = step > STEP * 0.5_f64.powi(MOST_HALVINGS + 1);
+                    let Some(rung) = below.as_ref().filter(|_| may_halve) else {
                         return Err(Broken { pressure: next, why, last: below.map(Box::new) });
                     };
                     state.clone_from(&rung.state);

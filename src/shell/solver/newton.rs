@@ -1,6 +1,6 @@
 //! One equilibrium: Newton's method on the energy, with the full Hessian.
 
-use super::factor::{self, Factor};
+use super::factor::Factor;
 use super::lever::{Held, Lever, inner};
 use crate::shell::assembly::{Assembly, Energy, Sheet, State, Supports};
 use crate::shell::contact::Contact;
@@ -99,10 +99,7 @@ pub struct Solver {
 impl Solver {
     /// Prepares a sheet; `None` if it is too large for this machine.
     pub fn new(sheet: Sheet, supports: Supports) -> Option<Self> {
-        let natural = Assembly::new(sheet.clone(), supports.clone(), None);
-        let (starts, rows, _) = natural.hessian();
-        let order = factor::order(starts, rows)?;
-        let assembly = Assembly::new(sheet, supports, Some(&order));
+        let assembly = Assembly::new(sheet, supports);
         let (starts, rows, _) = assembly.hessian();
         let factor = Factor::new(starts, rows)?;
         Some(Self {
@@ -158,7 +155,9 @@ impl Solver {
             if misfit.penetration <= PENETRATION && misfit.change <= CHANGE * misfit.largest {
                 return Ok(rest);
             }
-            if misfit.penetration > PENETRATION.max(before / 4.0) && contact.stiffness < STIFFEST * aim.pressure {
+            if misfit.penetration > PENETRATION.max(before / 4.0)
+                && contact.stiffness < STIFFEST * aim.pressure
+            {
                 contact.stiffness *= 4.0;
             }
             before = misfit.penetration;
@@ -195,7 +194,7 @@ impl Solver {
     /// Factors the Hessian; false if it is not positive definite where the lever holds.
     fn compute(&mut self, shift: f64) -> bool {
         self.effort.factors += 1;
-        if !self.factor.compute(self.assembly.hessian(), shift, &self.lumps) {
+        if !self.factor.compute(self.assembly.hessian().2, shift, &self.lumps) {
             return false;
         }
         let Some(lever) = &self.lever else { return true };
@@ -257,11 +256,8 @@ impl Solver {
         for halving in 0..MOST_HALVINGS {
             self.trial.clone_from(state);
             self.assembly.advance(&mut self.trial, &self.step, fraction);
-            let mut energy = if halving == 0 {
-                self.linearise_trial(aim.pressure)
-            } else {
-                self.energy_of_trial()
-            };
+            let mut energy =
+                if halving == 0 { self.linearise_trial(aim.pressure) } else { self.energy_of_trial() };
             if energy.total(aim.pressure) <= start + ARMIJO * fraction * slope + noise {
                 if halving > 0 {
                     energy = self.linearise_trial(aim.pressure);
@@ -272,6 +268,11 @@ impl Solver {
             fraction /= 2.0;
         }
         Err(Stop::Stalled)
+    }
+
+    /// Factors the Hessian assembled last, for measurements; whether it is positive definite.
+    pub fn factor_once(&mut self) -> bool {
+        self.factor.compute(self.assembly.hessian().2, 0.0, &self.lumps)
     }
 
     /// Solves with the unshifted Hessian of the last equilibrium.
