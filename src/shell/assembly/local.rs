@@ -1,8 +1,8 @@
 //! The Hessian of one triangle's energy by the 21 unknowns that it couples.
 
-use super::numbering::LOCAL;
-use super::sheet::{Beyond, Piece, Sheet};
-use super::supports::Supports;
+use crate::shell::assembly::numbering::LOCAL;
+use crate::shell::assembly::sheet::{Beyond, Piece, Sheet};
+use crate::shell::assembly::supports::Supports;
 use crate::shell::element::fold::Facet;
 use crate::shell::element::membrane::Membrane;
 use crate::shell::element::vector::{Vector, dot, times};

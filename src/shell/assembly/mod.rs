@@ -10,17 +10,18 @@ mod sheet;
 mod supports;
 #[cfg(test)]
 mod tests;
+mod unknowns;
 
 pub use sheet::{Sheet, State};
 pub use supports::{Plane, Supports};
 
+use crate::shell::assembly::local::{Loads, Local};
+use crate::shell::assembly::numbering::{LOCAL, NONE, Numbering, Pattern};
+use crate::shell::assembly::sheet::{Beyond, Piece};
 use crate::shell::element::fold::{Facet, fold, mirror_fold};
 use crate::shell::element::membrane::Membrane;
-use crate::shell::element::vector::{Vector, along, dot, minus};
+use crate::shell::element::vector::{dot, minus};
 use crate::shell::element::{LAST, NEXT, volume};
-use local::{Loads, Local};
-use numbering::{LOCAL, NONE, Numbering, Pattern};
-use sheet::{Beyond, Piece};
 
 /// The parts of a shape's energy.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -217,56 +218,6 @@ impl Assembly {
         energy
     }
 
-    /// For each unknown the flat area that its point stands for; 0 for a director.
-    pub fn lumped_areas(&self) -> Vec<f64> {
-        let mut areas = vec![0.0; self.numbering.count];
-        for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
-            for number in numbers.iter().filter(|number| **number != NONE) {
-                areas[*number as usize] = *area;
-            }
-        }
-        areas
-    }
-
-    /// Flat area of each point, 0 for those that are held in the plane `wall`.
-    pub(crate) fn contact_areas(&self, wall: Option<Plane>) -> Vec<f64> {
-        let is_held = |point: usize| {
-            let plane = self.supports.holds[point].plane.map(|plane| self.supports.planes[plane]);
-            plane.is_some() && plane == wall
-        };
-        let areas = self.sheet.areas.iter().enumerate();
-        areas.map(|(point, area)| if is_held(point) { 0.0 } else { *area }).collect()
-    }
-
-    /// Adds to the last gradient and Hessian what one point brings: a force, and a symmetric matrix as it acts on a vector.
-    pub(crate) fn add_at_point(&mut self, point: usize, slope: Vector, matrix: impl Fn(Vector) -> Vector) {
-        let axes = self.supports.holds[point].axes;
-        let numbers = self.numbering.points[point];
-        let mut places = self.pattern.point_places[point].iter();
-        for i in 0..3 {
-            if numbers[i] != NONE {
-                self.gradient[numbers[i] as usize] += dot(axes[i], slope);
-            }
-            let answer = matrix(axes[i]);
-            for (axis, place) in axes[..=i].iter().zip(&mut places) {
-                self.values[*place as usize] += dot(*axis, answer);
-            }
-        }
-    }
-
-    /// The derivatives by the unknowns of a sum of products of points with vectors.
-    pub fn project(&self, parts: &[(usize, [f64; 3])]) -> Vec<f64> {
-        let mut row = vec![0.0; self.numbering.count];
-        for (point, vector) in parts {
-            let axes = &self.supports.holds[*point].axes;
-            for (number, axis) in self.numbering.points[*point].iter().zip(axes).filter(|(k, _)| **k != NONE)
-            {
-                row[*number as usize] += dot(*axis, *vector);
-            }
-        }
-        row
-    }
-
     /// The gradient of the last shape differentiated.
     pub fn gradient(&self) -> &[f64] {
         &self.gradient
@@ -275,34 +226,6 @@ impl Assembly {
     /// The lower triangle of the last Hessian, by columns: where each begins, rows, values.
     pub fn hessian(&self) -> (&[u32], &[u32], &[f64]) {
         (&self.pattern.starts, &self.pattern.rows, &self.values[..self.pattern.rows.len()])
-    }
-
-    /// Puts the points of `state` back to where the supports keep them: on rims and in mirror planes.
-    pub fn hold(&self, state: &mut State) {
-        for (point, hold) in state.points.iter_mut().zip(&self.supports.holds) {
-            if hold.fixed[2] {
-                point[2] = 0.0;
-            }
-            if let Some(plane) = hold.plane {
-                let plane = self.supports.planes[plane];
-                *point = along(*point, plane.distance(*point), plane.upright());
-            }
-        }
-    }
-
-    /// Moves `state` by `fraction` of a step of the unknowns.
-    pub fn advance(&self, state: &mut State, step: &[f64], fraction: f64) {
-        for (point, numbers) in self.numbering.points.iter().enumerate() {
-            let axes = &self.supports.holds[point].axes;
-            for (number, axis) in numbers.iter().zip(axes).filter(|(number, _)| **number != NONE) {
-                state.points[point] = along(state.points[point], fraction * step[*number as usize], *axis);
-            }
-        }
-        for (lean, number) in state.leans.iter_mut().zip(&self.numbering.edges) {
-            if *number != NONE {
-                *lean += fraction * step[*number as usize];
-            }
-        }
     }
 }
 

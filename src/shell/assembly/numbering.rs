@@ -1,7 +1,7 @@
 //! Which unknown is which row of the system, and where each product of two unknowns lies in its matrix.
 
-use super::sheet::{Beyond, Sheet};
-use super::supports::Supports;
+use crate::shell::assembly::sheet::{Beyond, Sheet};
+use crate::shell::assembly::supports::Supports;
 
 /// What is not an unknown.
 pub(crate) const NONE: u32 = u32::MAX;

@@ -1,7 +1,7 @@
 //! A shape carried to the mesh whose every triangle is cut into four: a start for Newton's method there.
 
-use super::sheet::{Beyond, Sheet, State};
-use super::{Assembly, part_of_fold};
+use crate::shell::assembly::sheet::{Beyond, Sheet, State};
+use crate::shell::assembly::{Assembly, part_of_fold};
 use crate::shell::element::bending;
 use crate::shell::element::vector::{along, minus, times};
 use crate::shell::element::{LAST, NEXT};

@@ -1,12 +1,12 @@
 //! The paper's V-actuator: two arms, one hinge, sealed ends.
 
-use super::arm_line::ArmLine;
-use super::bend::{Bend, angle_of};
-use super::family::{Evidence, Family, Watch};
-use super::fault::ShellFault;
-use super::tube::Tube;
-use super::value::Value;
 use crate::shell::assembly::{Plane, Supports};
+use crate::shell::cases::arm_line::ArmLine;
+use crate::shell::cases::bend::{Bend, angle_of};
+use crate::shell::cases::family::{Evidence, Family, Watch};
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
 use crate::shell::mesh::{HalfActuator, Mesh, Sizes, plane};
 use crate::shell::solver::{Rung, Solver};
 use std::f64::consts::PI;

@@ -4,8 +4,8 @@
 //! n.d = 0 with n = (-sin psi, cos psi). With the multiplier mu of that, dU/dphi = mu |d|/2 of what is modelled, a quarter
 //! of the whole. Force control would snap near |M| = 0.08 p W^3; held, the sheet is stable beyond.
 
-use super::arm_line::ArmLine;
 use crate::shell::assembly::State;
+use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::solver::{Aim, Lever, Solver, Stop};
 use std::f64::consts::PI;
 

@@ -3,12 +3,12 @@
 //! At the turning angle a = lambda arc the sheet's energy is Pi(a), and by the envelope dPi/da is its change with every
 //! point held but those of the turned plane. At rest it vanishes; C alpha_0 = 2 arc d2Pi/da2 for both sheets, whatever arc is.
 
-use super::actuator::Fineness;
-use super::family::{Evidence, Family, Watch};
-use super::fault::ShellFault;
-use super::tube::Tube;
-use super::value::Value;
 use crate::shell::assembly::{Plane, State, Supports};
+use crate::shell::cases::actuator::Fineness;
+use crate::shell::cases::family::{Evidence, Family, Watch};
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
 use crate::shell::mesh::{self, Mesh, Sizes};
 use crate::shell::solver::{Aim, Solver, Stop};
 

@@ -1,7 +1,7 @@
 //! Where a sheet is loaded hardest.
 
-use super::value::Value;
 use crate::shell::assembly::{Sheet, State};
+use crate::shell::cases::value::Value;
 use crate::shell::element::membrane::Membrane;
 use crate::shell::mesh::{Border, Mesh};
 

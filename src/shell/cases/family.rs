@@ -1,9 +1,9 @@
 //! One case on a family of meshes: the coarsest climbed from flat, each finer one begun from the shape before.
 
-use super::fault::ShellFault;
-use super::tube::Tube;
-use super::value::Value;
 use crate::shell::assembly::{Assembly, Sheet, State, Supports};
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
 use crate::shell::contact::{Contact, Obstacle};
 use crate::shell::mesh::{Mesh, Meshed};
 use crate::shell::solver::{Broken, Effort, Rung, Solver, Stop};

@@ -1,13 +1,13 @@
 //! The star: half a sector of it between a reentrant corner's plane of symmetry and a tip's.
 
-use super::actuator::Fineness;
-use super::arm_line::ArmLine;
-use super::extremes::{self, Extremes};
-use super::family::{Evidence, Family, Watch};
-use super::fault::ShellFault;
-use super::tube::Tube;
-use super::value::Value;
 use crate::shell::assembly::{Plane, State, Supports};
+use crate::shell::cases::actuator::Fineness;
+use crate::shell::cases::arm_line::ArmLine;
+use crate::shell::cases::extremes::{self, Extremes};
+use crate::shell::cases::family::{Evidence, Family, Watch};
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
 use crate::shell::contact::Obstacle;
 use crate::shell::mesh::{Border, HalfSector, Mesh, Meshed, Sizes, plane};
 use crate::shell::solver::{Rung, Solver};

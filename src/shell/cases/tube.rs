@@ -1,6 +1,6 @@
 //! The tube that every case is made of, its pressure, and the scales by which the shell computes.
 
-use super::fault::ShellFault;
+use crate::shell::cases::fault::ShellFault;
 use crate::shell::element::Fabric;
 use crate::shell::solver::{Ladder, Stop};
 

@@ -6,8 +6,8 @@
 //! unknown an edge that lets the director lean to either side. Grinspun, Gingold, Reisman and Zorin, "Computing discrete
 //! shape operators on general meshes" (2006).
 
-use super::Fabric;
-use super::membrane::Flat;
+use crate::shell::element::Fabric;
+use crate::shell::element::membrane::Flat;
 
 /// K of a triangle: its bending energy is alpha^T K alpha / 2 = A (B/2) [(1 - nu) tr kappa^2 + nu (tr kappa)^2].
 pub fn stiffness(fabric: Fabric, flat: &Flat) -> [[f64; 3]; 3] {

@@ -11,8 +11,8 @@
 //! Derived by differentiating n |e| / |n|^2 in the triangle's own frame. The gradient is that of Bridson, Marino and
 //! Fedkiw, "Simulation of clothing with folds and wrinkles" (2003).
 
-use super::vector::{Vector, along, cross, dot, minus, times};
-use super::{LAST, NEXT, Square};
+use crate::shell::element::vector::{Vector, along, cross, dot, minus, times};
+use crate::shell::element::{LAST, NEXT, Square};
 
 /// A triangle in space, seen from its three edges.
 #[derive(Clone, Copy, Debug, Default)]

@@ -3,8 +3,8 @@
 //! With the deformation gradient F = (f1, f2) and the strain E = (F^T F - I)/2 the energy is
 //! A Y/(1 - nu^2) [E11^2 + E22^2 + 2 nu E11 E22 + 2 (1 - nu) E12^2]/2.
 
-use super::vector::{Vector, dot, minus};
-use super::{Fabric, Square};
+use crate::shell::element::vector::{Vector, dot, minus};
+use crate::shell::element::{Fabric, Square};
 
 /// The flat triangle: how a field given at its corners grows across it.
 #[derive(Clone, Copy, Debug, PartialEq)]

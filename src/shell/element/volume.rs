@@ -1,7 +1,7 @@
 //! The volume between a triangle and the plane z = 0, signed: mean height times projected area.
 
-use super::vector::Vector;
-use super::{LAST, NEXT, Square};
+use crate::shell::element::vector::Vector;
+use crate::shell::element::{LAST, NEXT, Square};
 
 /// Twice the projected area.
 fn projected(x: [Vector; 3]) -> f64 {

@@ -1,7 +1,7 @@
 //! From the flat sheet to a pressure, rung by rung.
 
-use super::newton::{Aim, Rest, Solver, Stop};
 use crate::shell::assembly::State;
+use crate::shell::solver::newton::{Aim, Rest, Solver, Stop};
 
 /// How the pressure is raised.
 #[derive(Clone, Copy, Debug, PartialEq)]

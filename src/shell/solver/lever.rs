@@ -5,9 +5,9 @@
 //! H^-1 v = A^-1 v + s (e.A^-1 v)/(1 - s e.A^-1 e) A^-1 e. H has as many negative eigenvalues as 1 - s e.A^-1 e, none or
 //! one, and is positive definite where the lever c holds if c.H^-1 c has the sign of that.
 
-use super::factor::Factor;
 use crate::shell::assembly::Assembly;
 use crate::shell::element::vector::{Vector, dot, times};
+use crate::shell::solver::factor::Factor;
 
 /// What holds a linear function of the unknowns.
 #[derive(Clone, Debug)]

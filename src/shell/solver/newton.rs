@@ -1,9 +1,9 @@
 //! One equilibrium: Newton's method on the energy, with the full Hessian.
 
-use super::factor::Factor;
-use super::lever::{Held, Lever, inner};
 use crate::shell::assembly::{Assembly, Energy, Sheet, State, Supports};
 use crate::shell::contact::Contact;
+use crate::shell::solver::factor::Factor;
+use crate::shell::solver::lever::{Held, Lever, inner};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
