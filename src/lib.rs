@@ -43,6 +43,8 @@ pub mod design;
 
 pub mod mechanics;
 
+pub mod shell;
+
 pub mod forecast;
 
 pub mod airtight;

@@ -8,13 +8,14 @@ use std::fs;
 use std::path::Path;
 
 /// (room, the rooms it may use). A room is a directory or file directly in src/.
-const MAY_USE: [(&str, &[&str]); 18] = [
+const MAY_USE: [(&str, &[&str]); 19] = [
     ("units", &[]),
     ("geom", &[]),
     ("numerics", &[]),
     ("spec", &["units"]),
     ("design", &["geom", "spec", "units"]),
     ("mechanics", &["numerics", "units"]),
+    ("shell", &["geom", "numerics"]),
     ("forecast", &["design", "mechanics", "numerics", "spec", "units"]),
     ("airtight", &["design", "forecast", "geom", "spec", "units"]),
     ("plan", &["design", "geom", "spec", "units"]),

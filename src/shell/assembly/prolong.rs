@@ -1,0 +1,53 @@
+//! A shape carried to the mesh whose every triangle is cut into four: a start for Newton's method there.
+
+use crate::shell::assembly::sheet::{Beyond, Sheet, State};
+use crate::shell::assembly::{Assembly, part_of_fold};
+use crate::shell::element::bending;
+use crate::shell::element::vector::{along, minus, times};
+use crate::shell::element::{LAST, NEXT};
+
+impl Assembly {
+    /// `state` on the sheet `finer`, whose points are this sheet's and then the middle of each of its edges, in their order.
+    ///
+    /// Middles lie off the edge by its bending, l^2 kappa/8; directors begin unleaned.
+    pub fn prolong(&mut self, state: &State, finer: &Sheet) -> State {
+        let _ = self.energy(state);
+        let mut fine = finer.flat();
+        let first = state.points.len();
+        fine.points[..first].copy_from_slice(&state.points);
+        let mut sides = vec![0.0; self.sheet.edge_count];
+        for piece in &self.sheet.pieces {
+            for edge in piece.edges {
+                sides[edge] += 1.0;
+            }
+        }
+        for middle in &mut fine.points[first..] {
+            *middle = [0.0; 3];
+        }
+        for (piece, facet) in self.sheet.pieces.iter().zip(&self.facets) {
+            let alpha = std::array::from_fn(|i| {
+                let edge = piece.edges[i];
+                let fold = if piece.beyond[i] == Beyond::Nothing { 0.0 } else { self.turning[edge] };
+                part_of_fold(piece.beyond[i]) * fold + piece.lean[i] * state.leans[edge]
+            });
+            let kappa = bending::curvature(&piece.flat, alpha);
+            for i in 0..3 {
+                let (a, b) = (piece.corners[NEXT[i]], piece.corners[LAST[i]]);
+                let (flat_a, flat_b) = (self.sheet.points[a], self.sheet.points[b]);
+                let run = [flat_b[0] - flat_a[0], flat_b[1] - flat_a[1]];
+                let bow = (kappa[0] * run[0] * run[0]
+                    + kappa[1] * run[1] * run[1]
+                    + 2.0 * kappa[2] * run[0] * run[1])
+                    / 8.0;
+                let middle = first + piece.edges[i];
+                let aside = [0, 1].map(|c| finer.points[middle][c] - f64::midpoint(flat_a[c], flat_b[c]));
+                let chord = times(0.5, minus(state.points[b], state.points[a]));
+                let mut at = along(along(state.points[a], 1.0, chord), -bow, facet.normal);
+                at = along(at, 1.0, [aside[0], aside[1], 0.0]);
+                let part = 1.0 / sides[piece.edges[i]];
+                fine.points[middle] = along(fine.points[middle], part, at);
+            }
+        }
+        fine
+    }
+}

@@ -1,0 +1,124 @@
+//! A mesh as the sums over its triangles see it: everything that no solve changes.
+
+use crate::shell::element::bending;
+use crate::shell::element::membrane::Flat;
+use crate::shell::element::{Fabric, LAST, NEXT};
+use crate::shell::mesh::{Border, Mesh};
+
+/// What lies beyond an edge of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Beyond {
+    /// The neighbour, which of its edges it is, and the neighbour's far corner.
+    Neighbour { triangle: usize, edge: usize, corner: usize },
+    /// The triangle's own image in this plane.
+    Image(usize),
+    /// Nothing: the director there is free.
+    Nothing,
+}
+
+/// A triangle of the sheet.
+#[derive(Clone, Debug)]
+pub(crate) struct Piece {
+    pub(crate) corners: [usize; 3],
+    pub(crate) edges: [usize; 3],
+    pub(crate) beyond: [Beyond; 3],
+    /// With which sign xi of each edge enters alpha; 0 in a mirror plane.
+    pub(crate) lean: [f64; 3],
+    pub(crate) flat: Flat,
+    pub(crate) stiffness: [[f64; 3]; 3],
+    /// Pairs of edges across which the same corner lies: around a point with only three triangles.
+    pub(crate) twins: [bool; 3],
+}
+
+/// A flat sheet of fabric, ready to be inflated.
+#[derive(Clone, Debug)]
+pub struct Sheet {
+    pub(crate) fabric: Fabric,
+    pub(crate) pieces: Vec<Piece>,
+    /// Flat positions.
+    pub(crate) points: Vec<[f64; 2]>,
+    /// A third of the flat area of the triangles around each point.
+    pub(crate) areas: Vec<f64>,
+    pub(crate) edge_count: usize,
+    /// Points, then edges, in an order in which little fills in as they are eliminated.
+    pub(crate) order: Vec<usize>,
+}
+
+impl Sheet {
+    /// Takes a mesh and its fabric.
+    pub fn new(mesh: &Mesh, fabric: Fabric) -> Self {
+        let pieces: Vec<Piece> = (0..mesh.triangles.len()).map(|t| piece(mesh, fabric, t)).collect();
+        let mut areas = vec![0.0; mesh.points.len()];
+        for piece in &pieces {
+            for corner in piece.corners {
+                areas[corner] += piece.flat.area / 3.0;
+            }
+        }
+        Self {
+            fabric,
+            pieces,
+            points: mesh.points.clone(),
+            areas,
+            edge_count: mesh.edges.len(),
+            order: mesh.elimination_order(),
+        }
+    }
+
+    /// Its fabric.
+    pub fn fabric(&self) -> Fabric {
+        self.fabric
+    }
+
+    /// One of its triangles.
+    pub fn flat_triangle(&self, triangle: usize) -> &Flat {
+        &self.pieces[triangle].flat
+    }
+
+    /// The flat sheet at rest.
+    pub fn flat(&self) -> State {
+        let points = self.points.iter().map(|p| [p[0], p[1], 0.0]).collect();
+        State { points, leans: vec![0.0; self.edge_count] }
+    }
+}
+
+/// A shape of the sheet.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct State {
+    /// Where each point of the mesh is.
+    pub points: Vec<[f64; 3]>,
+    /// xi of each edge, rad.
+    pub leans: Vec<f64>,
+}
+
+fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
+    let corners = mesh.triangles[t];
+    let edges = mesh.triangle_edges[t];
+    let flat = Flat::new(corners.map(|corner| mesh.points[corner]));
+    let mut beyond = [Beyond::Nothing; 3];
+    let mut lean = [1.0; 3];
+    for i in 0..3 {
+        let edge = &mesh.edges[edges[i]];
+        debug_assert!(edge.ends.contains(&corners[NEXT[i]]) && edge.ends.contains(&corners[LAST[i]]));
+        let left = edge.sides[0] == Some(t);
+        beyond[i] = match (edge.sides[usize::from(left)], edge.border) {
+            (Some(other), _) => neighbour(mesh, other, edges[i]),
+            (None, Some(Border::Mirror(plane))) => Beyond::Image(usize::from(plane)),
+            (None, _) => Beyond::Nothing,
+        };
+        lean[i] = match beyond[i] {
+            Beyond::Image(_) => 0.0,
+            _ if left => 1.0,
+            _ => -1.0,
+        };
+    }
+    let far =
+        beyond.map(|beyond| if let Beyond::Neighbour { corner, .. } = beyond { Some(corner) } else { None });
+    let twins = std::array::from_fn(|i| far[NEXT[i]].is_some() && far[NEXT[i]] == far[LAST[i]]);
+    Piece { corners, edges, beyond, lean, flat, stiffness: bending::stiffness(fabric, &flat), twins }
+}
+
+fn neighbour(mesh: &Mesh, triangle: usize, edge: usize) -> Beyond {
+    let own = mesh.triangle_edges[triangle].iter().position(|&other| other == edge);
+    let edge = own.unwrap_or_default();
+    Beyond::Neighbour { triangle, edge, corner: mesh.triangles[triangle][edge] }
+}

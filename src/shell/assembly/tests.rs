@@ -1,0 +1,227 @@
+//! Gradients and Hessians against finite differences; states that the elements must reproduce exactly.
+
+use super::*;
+use crate::shell::element::Fabric;
+use crate::shell::mesh::{Border, Diagonal, Mesh, MeshFault, rectangle};
+
+const FABRIC: Fabric = Fabric { stretch: 1.3, bending: 0.07, poisson: 0.39 };
+const PRESSURE: f64 = 0.4;
+
+/// A number from -1 to 1 that looks like chance.
+fn noise(seed: usize) -> f64 {
+    let x = (f64::from(u32::try_from(seed).unwrap_or(0)) * 12.9898 + 4.1).sin() * 43758.5453;
+    2.0 * (x - x.floor()) - 1.0
+}
+
+fn mesh(diagonal: Diagonal, turn: f64) -> Result<Mesh, MeshFault> {
+    let borders = [Border::Rim(0), Border::Mirror(1), Border::Free, Border::Mirror(0)];
+    rectangle([1.5, 1.0], [3, 2], diagonal, turn, borders)
+}
+
+/// The rectangle between two planes, turned; its supports; and a crumpled state that they allow.
+fn crumpled(diagonal: Diagonal, turn: f64) -> Result<(Assembly, State), MeshFault> {
+    let mesh = mesh(diagonal, turn)?;
+    let (sine, cosine) = turn.sin_cos();
+    let planes = vec![
+        Plane { point: [0.0, 0.0], normal: [-cosine, -sine] },
+        Plane { point: [1.5 * cosine, 1.5 * sine], normal: [cosine, sine] },
+    ];
+    let supports = Supports::new(&mesh, planes);
+    let assembly = Assembly::new(Sheet::new(&mesh, FABRIC), supports);
+    let mut state = assembly.sheet.flat();
+    let step: Vec<f64> = (0..assembly.unknowns()).map(|k| 0.12 * noise(k)).collect();
+    assembly.advance(&mut state, &step, 1.0);
+    Ok((assembly, state))
+}
+
+fn moved(assembly: &Assembly, state: &State, unknown: usize, by: f64) -> State {
+    let mut moved = state.clone();
+    let mut step = vec![0.0; assembly.unknowns()];
+    step[unknown] = by;
+    assembly.advance(&mut moved, &step, 1.0);
+    moved
+}
+
+const CUTS: [(Diagonal, f64); 4] = [
+    (Diagonal::Rising, 0.0),
+    (Diagonal::Falling, 0.7),
+    (Diagonal::Alternating, 2.9),
+    (Diagonal::Crossed, -1.1),
+];
+
+#[test]
+fn the_gradient_is_that_of_the_energy() -> Result<(), MeshFault> {
+    for (diagonal, turn) in CUTS {
+        let (mut assembly, state) = crumpled(diagonal, turn)?;
+        let _ = assembly.differentiate(&state, PRESSURE);
+        let gradient = assembly.gradient().to_vec();
+        let largest = gradient.iter().fold(0.0_f64, |most, g| most.max(g.abs()));
+        for (unknown, slope) in gradient.iter().enumerate() {
+            let mut at = |by: f64| {
+                let moved = moved(&assembly, &state, unknown, by);
+                assembly.energy(&moved).total(PRESSURE)
+            };
+            let step = 1e-3;
+            // Of sixth order.
+            let found = (45.0 * (at(step) - at(-step)) - 9.0 * (at(2.0 * step) - at(-2.0 * step))
+                + (at(3.0 * step) - at(-3.0 * step)))
+                / (60.0 * step);
+            let error = (found - slope).abs() / largest;
+            assert!(error < 1e-7, "{diagonal:?} {turn} {unknown}: {found} {slope} {error:e}");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn the_hessian_is_that_of_the_gradient() -> Result<(), MeshFault> {
+    for (diagonal, turn) in CUTS {
+        let (mut assembly, state) = crumpled(diagonal, turn)?;
+        let _ = assembly.linearise(&state, PRESSURE);
+        let count = assembly.unknowns();
+        let mut hessian = vec![vec![0.0; count]; count];
+        let (starts, rows, values) = assembly.hessian();
+        for column in 0..count {
+            for place in starts[column] as usize..starts[column + 1] as usize {
+                hessian[rows[place] as usize][column] = values[place];
+                hessian[column][rows[place] as usize] = values[place];
+            }
+        }
+        let largest = hessian.iter().flatten().fold(0.0_f64, |most, h| most.max(h.abs()));
+        for (unknown, row) in hessian.iter().enumerate() {
+            let mut at = |by: f64| {
+                let moved = moved(&assembly, &state, unknown, by);
+                let _ = assembly.differentiate(&moved, PRESSURE);
+                assembly.gradient().to_vec()
+            };
+            let step = 1e-3;
+            let sides =
+                [at(step), at(-step), at(2.0 * step), at(-2.0 * step), at(3.0 * step), at(-3.0 * step)];
+            for (other, entry) in row.iter().enumerate() {
+                let pair = |k: usize| sides[k][other] - sides[k + 1][other];
+                let found = (45.0 * pair(0) - 9.0 * pair(2) + pair(4)) / (60.0 * step);
+                let error = (found - entry).abs() / largest;
+                assert!(error < 1e-6, "{diagonal:?} {turn} {unknown} {other}: {found} {error:e}");
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Unknowns of the points within the sheet around which no triangle has an edge on the border.
+fn inner_unknowns(mesh: &Mesh, assembly: &Assembly) -> Vec<[u32; 3]> {
+    let mut on_border = vec![false; mesh.points.len()];
+    for (corners, edges) in mesh.triangles.iter().zip(&mesh.triangle_edges) {
+        if edges.iter().any(|edge| mesh.edges[*edge].border.is_some()) {
+            for corner in corners {
+                on_border[*corner] = true;
+            }
+        }
+    }
+    let inner = (0..mesh.points.len()).filter(|point| !on_border[*point]);
+    inner.map(|point| assembly.numbering.points[point]).collect()
+}
+
+/// An irregular mesh of free borders: the grid's inner points moved.
+fn irregular(diagonal: Diagonal, turn: f64) -> Result<Mesh, MeshFault> {
+    let mut mesh = rectangle([1.5, 1.0], [5, 4], diagonal, turn, [Border::Free; 4])?;
+    let on_border: Vec<usize> =
+        mesh.edges.iter().filter(|edge| edge.border.is_some()).flat_map(|edge| edge.ends).collect();
+    for (k, point) in mesh.points.iter_mut().enumerate().filter(|(k, _)| !on_border.contains(k)) {
+        *point = [point[0] + 0.05 * noise(3 * k), point[1] + 0.05 * noise(3 * k + 1)];
+    }
+    Ok(mesh)
+}
+
+#[test]
+fn a_constant_stretch_is_exact_on_every_mesh() -> Result<(), MeshFault> {
+    for (diagonal, turn) in CUTS {
+        let mesh = irregular(diagonal, turn)?;
+        let mut assembly = Assembly::new(Sheet::new(&mesh, FABRIC), Supports::new(&mesh, Vec::new()));
+        let mut state = assembly.sheet.flat();
+        // A plane sheet in space, stretched and sheared.
+        for x in &mut state.points {
+            *x = [1.1 * x[0] + 0.07 * x[1], 0.2 * x[0] + 0.93 * x[1], 0.3 * x[0] - 0.4 * x[1]];
+        }
+        let energy = assembly.differentiate(&state, 0.0);
+        let [e11, e22, e12] = [
+            (1.1 * 1.1 + 0.04 + 0.09 - 1.0) / 2.0,
+            (0.07 * 0.07 + 0.93 * 0.93 + 0.16 - 1.0) / 2.0,
+            0.077 + 0.186 - 0.12,
+        ];
+        let Fabric { stretch, poisson: nu, .. } = FABRIC;
+        let density = stretch / (1.0 - nu * nu)
+            * (e11 * e11 + e22 * e22 + 2.0 * nu * e11 * e22 + (1.0 - nu) * e12 * e12 / 2.0)
+            / 2.0;
+        assert!((energy.membrane / (1.5 * density) - 1.0).abs() < 1e-12, "{diagonal:?}");
+        assert!(energy.bending < 1e-25, "{diagonal:?} {:e}", energy.bending);
+        for unknown in inner_unknowns(&mesh, &assembly).into_iter().flatten() {
+            assert!(
+                assembly.gradient()[unknown as usize].abs() < 1e-10 * FABRIC.stretch,
+                "{diagonal:?} {unknown}"
+            );
+        }
+    }
+    Ok(())
+}
+
+/// xi of every edge where the sheet's slope in the middle of it is that of the field: that of the height given at its corners.
+fn leans(mesh: &Mesh, heights: &[f64], slope: impl Fn([f64; 2]) -> [f64; 2]) -> Vec<f64> {
+    let outward = |t: usize, e: usize| {
+        // alpha of triangle t on edge e: how much steeper the field is there than the triangle, outwards.
+        let corners = mesh.triangles[t];
+        let flat = crate::shell::element::membrane::Flat::new(corners.map(|corner| mesh.points[corner]));
+        let own = [0, 1].map(|c| (0..3).map(|k| flat.slopes[k][c] * heights[corners[k]]).sum::<f64>());
+        let [a, b] = mesh.edges[e].ends.map(|end| mesh.points[end]);
+        let there = slope([f64::midpoint(a[0], b[0]), f64::midpoint(a[1], b[1])]);
+        let i = mesh.triangle_edges[t].iter().position(|edge| *edge == e).unwrap_or(0);
+        let [x, y] = flat.slopes[i];
+        -((there[0] - own[0]) * x + (there[1] - own[1]) * y) / x.hypot(y)
+    };
+    let lean = |(e, edge): (usize, &crate::shell::mesh::Edge)| match edge.sides {
+        [Some(left), Some(right)] => (outward(left, e) - outward(right, e)) / 2.0,
+        [Some(left), None] => outward(left, e),
+        [None, Some(right)] => -outward(right, e),
+        [None, None] => 0.0,
+    };
+    mesh.edges.iter().enumerate().map(lean).collect()
+}
+
+#[test]
+fn a_constant_curvature_is_exact_on_every_mesh() -> Result<(), MeshFault> {
+    // So soft in its plane that only bending counts.
+    let fabric = Fabric { stretch: 1e-6, bending: 1.0, poisson: 0.3 };
+    let [xx, yy, xy] = [0.8, -0.5, 0.3];
+    for (diagonal, turn) in CUTS {
+        let mesh = irregular(diagonal, turn)?;
+        let mut assembly = Assembly::new(Sheet::new(&mesh, fabric), Supports::new(&mesh, Vec::new()));
+        let mut bent = |height: f64| {
+            let field = |[x, y]: [f64; 2]| height * (xx * x * x / 2.0 + yy * y * y / 2.0 + xy * x * y);
+            let slope = |[x, y]: [f64; 2]| [height * (xx * x + xy * y), height * (yy * y + xy * x)];
+            let heights: Vec<f64> = mesh.points.iter().copied().map(field).collect();
+            let mut state = assembly.sheet.flat();
+            state.leans = leans(&mesh, &heights, slope);
+            for (x, z) in state.points.iter_mut().zip(&heights) {
+                x[2] = *z;
+            }
+            let energy = assembly.differentiate(&state, 0.0);
+            (energy.bending, assembly.gradient().to_vec())
+        };
+        // The linear plate: what is of higher order in the height goes out between two heights.
+        let height = 1e-3;
+        let ((once, first), (twice, second)) = (bent(height), bent(2.0 * height));
+        let density = (0.7 * (xx * xx + yy * yy + 2.0 * xy * xy) + 0.3 * (xx + yy).powi(2)) * 0.5;
+        let energy = (16.0 * once - twice) / (12.0 * height * height);
+        assert!((energy / (1.5 * density) - 1.0).abs() < 1e-10, "{diagonal:?} {energy}");
+        let force = |unknown: usize| (8.0 * first[unknown] - second[unknown]) / 6.0 / height;
+        // Upwards: forces in the plane are of second order.
+        for unknown in inner_unknowns(&mesh, &assembly).into_iter().map(|numbers| numbers[2] as usize) {
+            assert!(force(unknown).abs() < 1e-10, "{diagonal:?} {unknown} {:e}", force(unknown));
+        }
+        let inner = (0..mesh.edges.len()).filter(|edge| mesh.edges[*edge].border.is_none());
+        for number in inner.map(|edge| assembly.numbering.edges[edge] as usize) {
+            assert!(force(number).abs() < 1e-10, "{diagonal:?} {number} {:e}", force(number));
+        }
+    }
+    Ok(())
+}

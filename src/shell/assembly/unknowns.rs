@@ -1,0 +1,85 @@
+//! Between unknowns and points: steps, forces, what single points bring.
+
+use crate::shell::assembly::numbering::NONE;
+use crate::shell::assembly::{Assembly, Plane, State};
+use crate::shell::element::vector::{Vector, along, dot};
+
+impl Assembly {
+    /// Puts the points of `state` back to where the supports keep them: on rims and in mirror planes.
+    pub fn hold(&self, state: &mut State) {
+        for (point, hold) in state.points.iter_mut().zip(&self.supports.holds) {
+            if hold.fixed[2] {
+                point[2] = 0.0;
+            }
+            if let Some(plane) = hold.plane {
+                let plane = self.supports.planes[plane];
+                *point = along(*point, plane.distance(*point), plane.upright());
+            }
+        }
+    }
+
+    /// Moves `state` by `fraction` of a step of the unknowns.
+    pub fn advance(&self, state: &mut State, step: &[f64], fraction: f64) {
+        for (point, numbers) in self.numbering.points.iter().enumerate() {
+            let axes = &self.supports.holds[point].axes;
+            for (number, axis) in numbers.iter().zip(axes).filter(|(number, _)| **number != NONE) {
+                state.points[point] = along(state.points[point], fraction * step[*number as usize], *axis);
+            }
+        }
+        for (lean, number) in state.leans.iter_mut().zip(&self.numbering.edges) {
+            if *number != NONE {
+                *lean += fraction * step[*number as usize];
+            }
+        }
+    }
+
+    /// The derivatives by the unknowns of a sum of products of points with vectors.
+    pub fn project(&self, parts: &[(usize, [f64; 3])]) -> Vec<f64> {
+        let mut row = vec![0.0; self.numbering.count];
+        for (point, vector) in parts {
+            let axes = &self.supports.holds[*point].axes;
+            for (number, axis) in self.numbering.points[*point].iter().zip(axes).filter(|(k, _)| **k != NONE)
+            {
+                row[*number as usize] += dot(*axis, *vector);
+            }
+        }
+        row
+    }
+
+    /// For each unknown the flat area that its point stands for; 0 for a director.
+    pub fn lumped_areas(&self) -> Vec<f64> {
+        let mut areas = vec![0.0; self.numbering.count];
+        for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
+            for number in numbers.iter().filter(|number| **number != NONE) {
+                areas[*number as usize] = *area;
+            }
+        }
+        areas
+    }
+
+    /// Flat area of each point, 0 for those that are held in the plane `wall`.
+    pub(crate) fn contact_areas(&self, wall: Option<Plane>) -> Vec<f64> {
+        let is_held = |point: usize| {
+            let plane = self.supports.holds[point].plane.map(|plane| self.supports.planes[plane]);
+            plane.is_some() && plane == wall
+        };
+        let areas = self.sheet.areas.iter().enumerate();
+        areas.map(|(point, area)| if is_held(point) { 0.0 } else { *area }).collect()
+    }
+
+    /// Adds to the last gradient and Hessian what one point brings: a force, and a symmetric matrix as it acts on a vector.
+    pub(crate) fn add_at_point(&mut self, point: usize, slope: Vector, matrix: impl Fn(Vector) -> Vector) {
+        let axes = self.supports.holds[point].axes;
+        let numbers = self.numbering.points[point];
+        let mut places = self.pattern.point_places[point].iter();
+        for i in 0..3 {
+            if numbers[i] != NONE {
+                self.gradient[numbers[i] as usize] += dot(axes[i], slope);
+            }
+            let answer = matrix(axes[i]);
+            for (axis, place) in axes[..=i].iter().zip(&mut places) {
+                self.values[*place as usize] += dot(*axis, answer);
+            }
+        }
+    }
+}

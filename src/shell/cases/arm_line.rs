@@ -1,0 +1,57 @@
+//! The straight line of an arm: fitted by least squares to both its rims, each point of which counts with its flat place.
+
+use crate::shell::assembly::State;
+use crate::shell::mesh::{Border, Mesh, rim};
+
+/// The direction of an arm as a sum over the points of its rims.
+///
+/// On each rim, the line a + b s that is nearest to the rim's points x(s) in the mean of squares over the flat length s has
+/// the direction b = int (s - mean) x ds / int (s - mean)^2 ds; the arm's is the mean of both. It is linear in the points.
+pub(crate) struct ArmLine {
+    /// Points and their weights.
+    weights: Vec<(usize, f64)>,
+}
+
+impl ArmLine {
+    /// The arm whose flat rims run along `along` (a unit vector); s counts from the origin, and those points count for which it
+    /// lies in `reach`.
+    pub(crate) fn new(mesh: &Mesh, along: [f64; 2], reach: [f64; 2]) -> Self {
+        let place = |point: usize| mesh.points[point][0] * along[0] + mesh.points[point][1] * along[1];
+        let length = reach[1] - reach[0];
+        let middle = f64::midpoint(reach[0], reach[1]);
+        let mut weights = Vec::new();
+        for edge in &mesh.edges {
+            let on_rim = matches!(edge.border, Some(Border::Rim(rim::INNER | rim::OUTER)));
+            let [a, b] = edge.ends;
+            let (sa, sb) = (place(a), place(b));
+            let (from, to) = (sa.min(sb).max(reach[0]), sa.max(sb).min(reach[1]));
+            if !on_rim || from >= to {
+                continue;
+            }
+            for (end, here, there) in [(a, sa, sb), (b, sb, sa)] {
+                let integrand = |s: f64| (s - middle) * (s - there) / (here - there);
+                let simpson = integrand(from) + 4.0 * integrand(f64::midpoint(from, to)) + integrand(to);
+                weights.push((end, (to - from) / 6.0 * simpson * 12.0 / length.powi(3) / 2.0));
+            }
+        }
+        Self { weights }
+    }
+
+    /// Its direction in `state`; of length 1 where the arm is neither bent nor stretched.
+    pub(crate) fn direction(&self, state: &State) -> [f64; 2] {
+        let sum =
+            |c: usize| self.weights.iter().map(|(point, weight)| weight * state.points[*point][c]).sum();
+        [sum(0), sum(1)]
+    }
+
+    /// A point near its end.
+    pub(crate) fn last(&self) -> usize {
+        self.weights.iter().max_by(|a, b| a.1.total_cmp(&b.1)).map_or(0, |(point, _)| *point)
+    }
+
+    /// The parts of the derivative of `vector` times the direction.
+    pub(crate) fn times(&self, vector: [f64; 2]) -> Vec<(usize, [f64; 3])> {
+        let part = |(point, weight): &(usize, f64)| (*point, [weight * vector[0], weight * vector[1], 0.0]);
+        self.weights.iter().map(part).collect()
+    }
+}

@@ -1,0 +1,62 @@
+//! Where a sheet is loaded hardest.
+
+use crate::shell::assembly::{Sheet, State};
+use crate::shell::cases::value::Value;
+use crate::shell::element::membrane::Membrane;
+use crate::shell::mesh::{Border, Mesh};
+
+/// The hardest loaded places of a sheet.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Extremes {
+    /// Largest pull across a rim, N a metre of flat rim.
+    pub seal_tension: f64,
+    /// Its mesh error; a rim that turns on a point has no largest pull, and this says so by being as large.
+    pub seal_tension_error: f64,
+    /// Where on the flat sheet, m.
+    pub seal_at: [f64; 2],
+    /// Largest principal stretch.
+    pub stretch: f64,
+    /// Its mesh error.
+    pub stretch_error: f64,
+    /// Where on the flat sheet, m.
+    pub stretch_at: [f64; 2],
+}
+
+impl Extremes {
+    /// In SI units, with the extrapolated values of tension and stretch.
+    pub(crate) fn scaled(self, tension: f64, length: f64, [seal, stretch]: [Value; 2]) -> Self {
+        Self {
+            seal_tension: tension * seal.value,
+            seal_tension_error: tension * seal.error,
+            seal_at: self.seal_at.map(|x| x * length),
+            stretch: stretch.value,
+            stretch_error: stretch.error,
+            stretch_at: self.stretch_at.map(|x| x * length),
+        }
+    }
+}
+
+/// The extremes of `state`, each taken in the middle of a triangle.
+pub(crate) fn extremes(sheet: &Sheet, mesh: &Mesh, state: &State) -> Extremes {
+    let mut worst = Extremes::default();
+    for (triangle, corners) in mesh.triangles.iter().enumerate() {
+        let flat = sheet.flat_triangle(triangle);
+        let membrane = Membrane::new(sheet.fabric(), flat, corners.map(|corner| state.points[corner]));
+        let middle = [0, 1].map(|c| corners.iter().map(|corner| mesh.points[*corner][c]).sum::<f64>() / 3.0);
+        let stretch = membrane.principal()[1][0];
+        if stretch > worst.stretch {
+            (worst.stretch, worst.stretch_at) = (stretch, middle);
+        }
+        for (i, edge) in mesh.triangle_edges[triangle].iter().enumerate() {
+            if matches!(mesh.edges[*edge].border, Some(Border::Rim(_))) {
+                let [x, y] = flat.slopes[i];
+                let length = x.hypot(y);
+                let pull = membrane.traction([-x / length, -y / length]);
+                if pull > worst.seal_tension {
+                    (worst.seal_tension, worst.seal_at) = (pull, middle);
+                }
+            }
+        }
+    }
+    worst
+}

@@ -1,0 +1,136 @@
+//! One case on a family of meshes: the coarsest climbed from flat, each finer one begun from the shape before.
+
+use crate::shell::assembly::{Assembly, Sheet, State, Supports};
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
+use crate::shell::contact::{Contact, Obstacle};
+use crate::shell::mesh::{Mesh, Meshed};
+use crate::shell::solver::{Broken, Effort, Rung, Solver, Stop};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// Told the part that is done, 0 to 1, and what is being done.
+pub type Progress<'a> = &'a dyn Fn(f64, &str);
+
+/// What looks on while a shell is computed, and may end it.
+#[derive(Clone, Default)]
+pub struct Watch<'a> {
+    /// Told how far it is.
+    pub progress: Option<Progress<'a>>,
+    /// Raised by another thread to end at the next Newton step.
+    pub cancel: Arc<AtomicBool>,
+}
+
+impl Watch<'_> {
+    fn tell(&self, part: f64, what: &str) {
+        if let Some(progress) = self.progress {
+            progress(part, what);
+        }
+    }
+}
+
+/// How the numbers were come by.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Evidence {
+    /// Unknowns of each mesh, coarse to fine.
+    pub unknowns: Vec<usize>,
+    /// What each mesh took.
+    pub efforts: Vec<Effort>,
+    /// The finest mesh's residual by p W^2.
+    pub residual: f64,
+}
+
+/// A case to be run.
+pub(crate) struct Family<'a> {
+    pub(crate) tube: Tube,
+    pub(crate) coarsest: Meshed,
+    /// How often its triangles are cut into four; at least 2.
+    pub(crate) cuts: usize,
+    pub(crate) hold: &'a dyn Fn(&Mesh) -> Supports,
+    pub(crate) obstacles: &'a [Obstacle],
+}
+
+impl Family<'_> {
+    /// Runs the case; `measure` takes its numbers from each mesh's equilibrium.
+    pub(crate) fn run<const N: usize>(
+        self,
+        watch: &Watch,
+        mut measure: impl FnMut(&mut Solver, &Meshed, &Rung) -> Result<[f64; N], ShellFault>,
+    ) -> Result<([Value; N], Evidence), ShellFault> {
+        let ladder = self.tube.ladder();
+        let mut evidence = Evidence::default();
+        let mut found = Vec::new();
+        let mut meshed = self.coarsest.clone();
+        let mut solver = self.solver(&meshed, watch)?;
+        let mut rung = self.climb(&mut solver, watch)?;
+        for cut in 0..=self.cuts {
+            if cut > 0 {
+                meshed = meshed.refined()?;
+                let mut finer = self.solver(&meshed, watch)?;
+                rung = match self.carry(&mut solver, &mut finer, &rung.state) {
+                    Ok(rung) => rung,
+                    Err(Stop::Cancelled) => return Err(ShellFault::Cancelled),
+                    Err(_) => self.climb(&mut finer, watch)?,
+                };
+                solver = finer;
+            }
+            evidence.unknowns.push(solver.assembly.unknowns());
+            evidence.efforts.push(solver.effort);
+            evidence.residual = rung.rest.residual / ladder.last;
+            if cut + 3 > self.cuts {
+                found.push(measure(&mut solver, &meshed, &rung)?);
+            }
+            watch.tell(part(self.cuts - cut), &format!("mesh {} of {}", cut + 1, self.cuts + 1));
+        }
+        let values = std::array::from_fn(|k| {
+            Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][k]))
+        });
+        Ok((values, evidence))
+    }
+
+    fn solver(&self, meshed: &Meshed, watch: &Watch) -> Result<Solver, ShellFault> {
+        let mesh = &meshed.mesh;
+        let sheet = Sheet::new(mesh, self.tube.scaled());
+        let mut solver = Solver::new(sheet, (self.hold)(mesh))
+            .ok_or(ShellFault::TooLarge { triangles: mesh.triangles.len() })?;
+        if !self.obstacles.is_empty() {
+            solver.contact = Some(Contact::new(&solver.assembly, self.obstacles.to_vec()));
+        }
+        solver.cancel = Arc::clone(&watch.cancel);
+        Ok(solver)
+    }
+
+    fn climb(&self, solver: &mut Solver, watch: &Watch) -> Result<Rung, ShellFault> {
+        let ladder = self.tube.ladder();
+        let all = (ladder.last / ladder.first).ln().max(1e-9);
+        let told = |rung: &Rung| {
+            watch.tell(part(self.cuts) * (rung.pressure / ladder.first).ln() / all, "from flat");
+        };
+        ladder.climb(solver, told).map_err(|Broken { pressure, why, last }| {
+            if why == Stop::Cancelled {
+                return ShellFault::Cancelled;
+            }
+            ShellFault::Stopped {
+                why,
+                at: pressure / ladder.first,
+                last: last.map_or(0.0, |rung| rung.pressure / ladder.first),
+                triangles: solver.triangles(),
+            }
+        })
+    }
+
+    fn carry(&self, coarse: &mut Solver, fine: &mut Solver, state: &State) -> Result<Rung, Stop> {
+        let ladder = self.tube.ladder();
+        let finer: &Assembly = &fine.assembly;
+        let mut state = coarse.assembly.prolong(state, &finer.sheet);
+        finer.hold(&mut state);
+        let rest = fine.rest(&mut state, ladder.aim(ladder.last))?;
+        Ok(Rung { pressure: ladder.last, state, rest })
+    }
+}
+
+/// The part of the work that is done when `left` finer meshes are left: each costs about four times the one before.
+fn part(left: usize) -> f64 {
+    (0..left).fold(1.0, |part, _| part / 4.0)
+}

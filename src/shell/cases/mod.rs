@@ -1,0 +1,30 @@
+//! Shells that have names: the hinge without arms, the V-actuator, the star.
+//!
+//! Cases speak SI units and radians. Inside, lengths are divided by W and forces a unit of length by Y, so that Y = 1,
+//! B = (t/W)^2 / (12 (1 - nu^2)) and p = p W/Y; energies are in Y W^2. One sheet is modelled; results are those of the whole
+//! tube, both sheets.
+//!
+//! Each case runs on a **family** of meshes: a coarse one climbed from flat, then the same cut finer again and again, each
+//! starting from the shape before. A number's **mesh error** comes from the last three.
+
+mod actuator;
+mod arm_line;
+mod bend;
+mod cell;
+mod extremes;
+mod family;
+mod fault;
+mod star;
+#[cfg(test)]
+mod tests;
+mod tube;
+mod value;
+
+pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
+pub use cell::{Cell, InflatedCell, cell};
+pub use extremes::Extremes;
+pub use family::{Evidence, Progress, Watch};
+pub use fault::ShellFault;
+pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, star};
+pub use tube::Tube;
+pub use value::Value;

@@ -1,0 +1,155 @@
+//! Cases on coarse meshes: laws that hold on every mesh, and numbers that are known.
+
+use super::arm_line::ArmLine;
+use super::bend::{Bend, angle_of};
+use super::*;
+use crate::shell::assembly::{Plane, Sheet, Supports};
+use crate::shell::contact::{Contact, Obstacle};
+use crate::shell::element::Fabric;
+use crate::shell::mesh::{HalfActuator, HalfSector, Sizes};
+use crate::shell::solver::{Aim, Solver};
+use std::f64::consts::PI;
+
+/// The paper's fabric: t = 0.3 mm, E = 128 MPa, nu = 0.39.
+fn tube(width: f64, pressure: f64) -> Tube {
+    let (t, e, nu) = (0.3e-3_f64, 128e6, 0.39);
+    let fabric = Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu };
+    Tube { width, fabric, pressure }
+}
+
+fn v_actuator() -> VActuator {
+    VActuator { tube: tube(0.02, 14e3), radius: 0.002, arm_length: 0.06, angle: PI / 3.0 }
+}
+
+#[test]
+fn the_moment_is_the_energy_s_slope() {
+    let case = v_actuator();
+    let half = HalfActuator { r: 0.1, w: 1.0, l: 3.0, phi_0: case.angle };
+    let mesh = half.mesh(&Sizes::across(1.0, 4.0)).expect("a mesh").mesh;
+    let mut supports = Supports::new(&mesh, vec![Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }]);
+    let inner = (0..mesh.points.len()).filter(|k| mesh.points[*k][1] == 0.0);
+    supports.fix(inner.min_by(|a, b| mesh.points[*a][0].total_cmp(&mesh.points[*b][0])).expect("a point"), 0);
+    let mut solver = Solver::new(Sheet::new(&mesh, case.tube.scaled()), supports).expect("small");
+    let ladder = case.tube.ladder();
+    let rung = ladder.climb(&mut solver, |_| {}).expect("an equilibrium");
+    let (sine, cosine) = (PI / 3.0).sin_cos();
+    let line = ArmLine::new(&mesh, [-sine, cosine], [1.0, 2.0]);
+    let free = angle_of(&line, &rung.state);
+    let bend = Bend { line: &line, aim: Aim { pressure: ladder.last, tolerance: 1e-13 } };
+    for opening in [-0.02, 0.03, 0.06] {
+        let mut state = rung.state.clone();
+        let moment = bend.hold(&mut solver, &mut state, free + opening).expect("held");
+        assert!((angle_of(&line, &state) - free - opening).abs() < 1e-9);
+        let mut energy = |by: f64| {
+            let mut state = state.clone();
+            let _ = bend.hold(&mut solver, &mut state, free + opening + by).expect("held");
+            solver.assembly.energy(&state).total(ladder.last)
+        };
+        let step = 1e-3;
+        let slope = (8.0 * (energy(step) - energy(-step)) - (energy(2.0 * step) - energy(-2.0 * step)))
+            / (12.0 * step);
+        assert!((4.0 * slope / moment - 1.0).abs() < 1e-6, "{opening}: {slope} {moment}");
+    }
+}
+
+#[test]
+fn an_actuator_coils_and_its_stiffness_is_the_moment_s_slope() {
+    let case = v_actuator();
+    let fineness = Fineness { cells: 3.0, cuts: 2 };
+    let found = actuator(&case, &[], fineness, &Watch::default()).expect("an equilibrium");
+    assert!((1.05..1.4).contains(&found.coiling.value), "{found:?}");
+    assert!(found.volume.error < 0.03 * found.volume.value, "{:?}", found.volume);
+    assert_eq!(found.evidence.unknowns.len(), 3);
+    assert!(found.evidence.residual < 2e-8, "{}", found.evidence.residual);
+    // The finest mesh's stiffness against the moments on both sides of its angle.
+    let free = found.angle.meshes[2];
+    let (less, more) = (free - 0.002, free + 0.002);
+    let held = actuator(&case, &[less, more], fineness, &Watch::default()).expect("an equilibrium");
+    let slope = (held.moments[1].1.meshes[2] - held.moments[0].1.meshes[2]) / 0.004;
+    assert!((slope / found.stiffness.meshes[2] - 1.0).abs() < 1e-3, "{slope} {:?}", found.stiffness);
+}
+
+#[test]
+fn a_hinge_without_arms_is_what_the_section_says() {
+    // W = 20 mm, R* = 0.1, 1/eps = 330: one dimension (a section of revolution with full hoop stiffness, t/W = 0.015,
+    // nu = 0.39) gives lambda = 1.1536 and C alpha_0 = 1.6533 p W^3.
+    let width = 0.02_f64;
+    let mut tube = tube(width, 0.0);
+    tube.pressure = 330.0 * tube.fabric.bending / width.powi(3);
+    let case = Cell { tube, radius: 0.002, arc: PI / 12.0 };
+    let found = cell(&case, Fineness { cells: 12.0, cuts: 2 }, &Watch::default()).expect("an equilibrium");
+    assert!((found.lambda.value - 1.1536).abs() < 0.003, "{:?}", found.lambda);
+    let stiffness = found.stiffness.scaled(1.0 / (tube.pressure * width.powi(3)));
+    assert!((stiffness.value / 1.6533 - 1.0).abs() < 0.06, "{stiffness:?}");
+}
+
+#[test]
+fn size_does_not_matter_at_the_same_ratios() {
+    // Lengths by 3, t with them: the same pressure, the same angle.
+    let case = v_actuator();
+    let Fabric { stretch, bending, poisson } = case.tube.fabric;
+    let large = VActuator {
+        tube: Tube {
+            width: 0.06,
+            fabric: Fabric { stretch: 3.0 * stretch, bending: 27.0 * bending, poisson },
+            pressure: 14e3,
+        },
+        radius: 0.006,
+        arm_length: 0.18,
+        angle: case.angle,
+    };
+    let fineness = Fineness { cells: 3.0, cuts: 2 };
+    let run = |case| actuator(case, &[], fineness, &Watch::default()).expect("an equilibrium");
+    let (small, large) = (run(&case), run(&large));
+    assert!((small.angle.meshes[0] / large.angle.meshes[0] - 1.0).abs() < 1e-6);
+    assert!((27.0 * small.volume.meshes[0] / large.volume.meshes[0] - 1.0).abs() < 1e-6);
+    assert!((27.0 * small.stiffness.meshes[0] / large.stiffness.meshes[0] - 1.0).abs() < 1e-4);
+}
+
+#[test]
+fn arms_that_meet_press_and_do_not_pass() {
+    let pressure = 37e3;
+    let tube = tube(0.03, pressure);
+    let sector = HalfSector { n: 6, rho_0: 5.0 / 3.0, w: 1.0, phi_i: PI / 6.0, r_i: 0.0, r_e: 0.0 };
+    let mesh = sector.mesh(&Sizes::across(1.0, 4.0)).expect("a mesh").mesh;
+    let (sine, cosine) = (PI / 6.0).sin_cos();
+    let tip = Plane { point: [0.0, 0.0], normal: [-sine, cosine] };
+    let supports = Supports::new(&mesh, vec![Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }, tip]);
+    let mut solver = Solver::new(Sheet::new(&mesh, tube.scaled()), supports).expect("small");
+    let contact = Contact::new(&solver.assembly, vec![Obstacle::Wall(tip), Obstacle::Post { radius: 0.0 }]);
+    solver.contact = Some(contact);
+    let rung = tube.ladder().climb(&mut solver, |_| {}).expect("an equilibrium");
+    let force = |solver: &Solver, k| solver.contact.as_ref().map_or(0.0, |contact| contact.force(k));
+    assert!(force(&solver, 0) > 0.0, "the arms do not touch");
+    let deepest = rung.state.points.iter().map(|x| tip.distance(*x)).fold(f64::INFINITY, f64::min);
+    assert!(deepest > -1e-3, "{deepest}");
+    // An object that the corners close on is pressed; a larger one more.
+    let nearest = rung.state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
+    let (mut state, mut before) = (rung.state.clone(), 0.0);
+    for opening in [0.03, 0.06] {
+        let radius = nearest + opening;
+        if let Some(contact) = &mut solver.contact {
+            contact.replace(1, Obstacle::Post { radius });
+        }
+        let _ = solver.rest(&mut state, tube.ladder().aim(rung.pressure)).expect("an equilibrium");
+        let inside = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
+        assert!(inside > radius - 1e-3, "{inside} {radius}");
+        assert!(force(&solver, 1) > before, "{opening}");
+        before = force(&solver, 1);
+    }
+}
+
+#[test]
+fn what_no_shell_describes_is_refused_in_words() {
+    let run = |case: &VActuator| actuator(case, &[], Fineness { cells: 3.0, cuts: 2 }, &Watch::default());
+    let mut case = v_actuator();
+    case.tube.pressure = 1e6;
+    let fault = run(&case).expect_err("too much pressure");
+    assert!(matches!(fault, ShellFault::Range { name: "1/eps = p W^3/B", .. }), "{fault}");
+    assert!(fault.to_string().contains("the shell is made for 1 to 5000"), "{fault}");
+    case = v_actuator();
+    case.arm_length = 0.02;
+    assert!(matches!(run(&case), Err(ShellFault::Range { name: "the arms' length by W", .. })));
+    case.tube.width = f64::NAN;
+    assert!(matches!(run(&case), Err(ShellFault::Range { name: "the width, m", .. })));
+}

@@ -1,0 +1,36 @@
+//! A triangle's bending by directors at the middles of its edges (a triangle of Morley's kind).
+//!
+//! The shape operator is kappa = sum (l_i/A) alpha_i nu_i (x) nu_i over its edges, with the flat length l_i, the flat
+//! area A and the unit normal nu_i of the edge in the flat plane: the divergence theorem for the sheet's normal, which
+//! turns by alpha_i from the triangle to the director on edge `i`. alpha_i = theta_i/2 +- xi_i: half the fold, and one
+//! unknown an edge that lets the director lean to either side. Grinspun, Gingold, Reisman and Zorin, "Computing discrete
+//! shape operators on general meshes" (2006).
+
+use crate::shell::element::Fabric;
+use crate::shell::element::membrane::Flat;
+
+/// K of a triangle: its bending energy is alpha^T K alpha / 2 = A (B/2) [(1 - nu) tr kappa^2 + nu (tr kappa)^2].
+pub fn stiffness(fabric: Fabric, flat: &Flat) -> [[f64; 3]; 3] {
+    // The slope of corner i's linear function is -nu_i l_i / (2 A).
+    let slopes = flat.slopes;
+    let nu = fabric.poisson;
+    let entry = |i: usize, j: usize| {
+        let product = slopes[i][0] * slopes[j][0] + slopes[i][1] * slopes[j][1];
+        let lengths = slopes[i][0].hypot(slopes[i][1]) * slopes[j][0].hypot(slopes[j][1]);
+        let cosine = product / lengths;
+        fabric.bending * flat.area * 4.0 * lengths * ((1.0 - nu) * cosine * cosine + nu)
+    };
+    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+}
+
+/// The shape operator's components kappa_11, kappa_22, kappa_12 in the axes of the flat sheet.
+pub fn curvature(flat: &Flat, alpha: [f64; 3]) -> [f64; 3] {
+    let mut kappa = [0.0; 3];
+    for (slope, alpha) in flat.slopes.iter().zip(alpha) {
+        let factor = 2.0 * alpha / slope[0].hypot(slope[1]);
+        kappa[0] += factor * slope[0] * slope[0];
+        kappa[1] += factor * slope[1] * slope[1];
+        kappa[2] += factor * slope[0] * slope[1];
+    }
+    kappa
+}

@@ -1,0 +1,227 @@
+//! A region filled with triangles: border points as dense as the sizing asks for, **seeds** within by Delaunay insertion of
+//! circumcentres, evened out by moving each to the middle of its triangles.
+//!
+//! Everything goes by fixed order and exact predicates, so the same region gives the same bits.
+
+use std::collections::BTreeMap;
+
+use spade::handles::VertexHandle;
+use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation};
+
+use crate::geom::{Point, Segment};
+use crate::shell::mesh::sizing::Sizing;
+use crate::shell::mesh::{MeshFault, Meshed, Region, signed_area};
+
+type Triangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
+
+/// More seeds or border points than this are no mesh to begin with: 200,000 unknowns before the first refinement.
+const MOST: usize = 30_000;
+
+/// Circumradius at which a triangle gets a point in its middle, by the size asked for; at 0.7 the mean area is that of
+/// equilateral triangles of the size.
+const LARGE: f64 = 0.7;
+
+/// Distance of seeds from the border, by the size asked for: nearer, triangles at the border get flat.
+const CLEAR: f64 = 0.5;
+
+/// Rounds of evening out; after 20 the smallest angle changes no more.
+const ROUNDS: usize = 20;
+
+/// Triangles of `region` as small as `sizing` asks for.
+pub(super) fn fill(region: &Region, sizing: &Sizing) -> Result<Meshed, MeshFault> {
+    let border = BorderPoints::new(region, sizing);
+    if border.points.len() > MOST {
+        return Err(MeshFault::TooMany { most: MOST });
+    }
+    let mut seeds = border.seeds(sizing)?;
+    for _ in 0..ROUNDS {
+        border.even_out(&mut seeds, sizing)?;
+    }
+    let (points, triangles) = (border.with(&seeds), border.triangles(&seeds)?);
+    Meshed::new(points, triangles, region.pieces.clone(), &border.pieces())
+}
+
+/// The points of a border, counterclockwise, and the piece that runs from each to the next.
+struct BorderPoints {
+    points: Vec<Point>,
+    piece: Vec<usize>,
+}
+
+impl BorderPoints {
+    fn new(region: &Region, sizing: &Sizing) -> Self {
+        let (mut points, mut piece) = (Vec::new(), Vec::new());
+        let before = region.pieces.iter().cycle().skip(region.pieces.len().saturating_sub(1));
+        for (index, (this, before)) in region.pieces.iter().zip(before).enumerate() {
+            let mut run = sizing.along(&this.curve);
+            // A line's ends are given, those of an arc are computed.
+            if let (Segment::Line(line), Some(first)) = (before.curve, run.first_mut()) {
+                *first = line.end;
+            }
+            piece.extend(run.iter().map(|_| index));
+            points.extend(run);
+        }
+        Self { points, piece }
+    }
+
+    fn next(&self, at: usize) -> usize {
+        (at + 1) % self.points.len()
+    }
+
+    fn pieces(&self) -> BTreeMap<[usize; 2], usize> {
+        let ends = |at: usize| [at.min(self.next(at)), at.max(self.next(at))];
+        self.piece.iter().enumerate().map(|(at, &piece)| (ends(at), piece)).collect()
+    }
+
+    /// Border points first, then seeds.
+    fn with(&self, seeds: &[Point]) -> Vec<[f64; 2]> {
+        self.points.iter().chain(seeds).map(|p| [p.x, p.y]).collect()
+    }
+
+    /// The Delaunay triangulation of border and seeds, vertex `i` at point `i`, with the border's edges in it.
+    fn triangulation(&self, seeds: &[Point]) -> Result<Triangles, MeshFault> {
+        let mut found = Triangles::new();
+        for (at, p) in self.points.iter().chain(seeds).enumerate() {
+            let vertex = found.insert(Point2::new(p.x, p.y));
+            if vertex.ok().is_none_or(|vertex| vertex.index() != at) {
+                return Err(MeshFault::BorderLost { ends: [at, at] });
+            }
+        }
+        let vertices: Vec<_> = found.fixed_vertices().collect();
+        for at in 0..self.points.len() {
+            let ends = [at, self.next(at)];
+            let [a, b] = ends.map(|end| vertices[end]);
+            if found.can_add_constraint(a, b) {
+                let _ = found.add_constraint(a, b);
+            }
+            if !found.exists_constraint(a, b) {
+                return Err(MeshFault::BorderLost { ends });
+            }
+        }
+        Ok(found)
+    }
+
+    /// The triangles within the border, in a fixed order.
+    fn triangles(&self, seeds: &[Point]) -> Result<Vec<[usize; 3]>, MeshFault> {
+        let found = self.triangulation(seeds)?;
+        Ok(self.inner(&found))
+    }
+
+    /// The triangles to the left of the border, and all that are reached from them without crossing it. (To ask whether a
+    /// triangle's middle lies within would fail for flat ones between points of one line.)
+    fn inner(&self, found: &Triangles) -> Vec<[usize; 3]> {
+        let vertices: Vec<_> = found.fixed_vertices().collect();
+        let mut within = vec![false; found.num_all_faces()];
+        let mut open: Vec<_> = (0..self.points.len())
+            .filter_map(|at| found.get_edge_from_neighbors(vertices[at], vertices[self.next(at)]))
+            .filter_map(|edge| edge.face().as_inner())
+            .collect();
+        while let Some(face) = open.pop() {
+            if !std::mem::replace(&mut within[face.index()], true) {
+                let beyond = face.adjacent_edges().into_iter().filter(|edge| !edge.is_constraint_edge());
+                open.extend(beyond.filter_map(|edge| edge.rev().face().as_inner()));
+            }
+        }
+        let inner = found.inner_faces().filter(|face| within[face.index()]);
+        inner.map(|face| face.vertices().map(|vertex| vertex.fix().index())).collect()
+    }
+
+    fn encloses(&self, p: Point) -> bool {
+        let crosses = |at: usize| {
+            let (a, b) = (self.points[at], self.points[self.next(at)]);
+            let rises = (a.y <= p.y) != (b.y <= p.y);
+            rises && ((b - a).cross(p - a) > 0.0) == (b.y > a.y)
+        };
+        (0..self.points.len()).filter(|&at| crosses(at)).count() % 2 == 1
+    }
+
+    /// Whether `p` lies within the border, at least `clear` away from it.
+    fn has_room(&self, p: Point, clear: f64) -> bool {
+        let near = |at: usize| {
+            let (a, b) = (self.points[at], self.points[self.next(at)]);
+            let along = b - a;
+            let t = ((p - a).dot(along) / along.dot(along)).clamp(0.0, 1.0);
+            (a + along * t).distance(p) < clear
+        };
+        self.encloses(p) && !(0..self.points.len()).any(near)
+    }
+
+    /// Seeds until no triangle is too large: the circumcentre of the largest first, pass by pass.
+    fn seeds(&self, sizing: &Sizing) -> Result<Vec<Point>, MeshFault> {
+        let mut seeds = Vec::new();
+        let mut found = self.triangulation(&seeds)?;
+        loop {
+            let mut large: Vec<(f64, Point)> = Vec::new();
+            for corners in self.inner(&found) {
+                let [a, b, c] = corners.map(|at| point_of(at, &self.points, &seeds));
+                let center = circumcenter(a, b, c);
+                let excess = center.distance(a) / sizing.at(center);
+                if excess > LARGE {
+                    large.push((excess, center));
+                }
+            }
+            large
+                .sort_by(|(a, p), (b, q)| b.total_cmp(a).then(p.x.total_cmp(&q.x)).then(p.y.total_cmp(&q.y)));
+            let before = seeds.len();
+            for (_, p) in large {
+                let size = sizing.at(p);
+                if clear_of_points(&found, p, LARGE * size) && self.has_room(p, CLEAR * size) {
+                    let vertex = found.insert(Point2::new(p.x, p.y));
+                    if vertex.is_ok() {
+                        seeds.push(p);
+                    }
+                }
+            }
+            if seeds.len() == before {
+                return Ok(seeds);
+            }
+            if seeds.len() > MOST {
+                return Err(MeshFault::TooMany { most: MOST });
+            }
+        }
+    }
+
+    /// Moves each seed to the mean of its triangles' centres, weighed so that small triangles stay where they are asked for.
+    fn even_out(&self, seeds: &mut [Point], sizing: &Sizing) -> Result<(), MeshFault> {
+        let border = self.points.len();
+        let mut sums = vec![[0.0; 3]; seeds.len()];
+        for corners in self.triangles(seeds)? {
+            let [a, b, c] = corners.map(|at| point_of(at, &self.points, seeds));
+            let middle = Point::new((a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0);
+            let weight = signed_area([a, b, c].map(|p| [p.x, p.y])) / sizing.at(middle).powi(3);
+            for seed in corners.into_iter().filter_map(|corner| corner.checked_sub(border)) {
+                let [sum, x, y] = sums[seed];
+                sums[seed] = [sum + weight, x + weight * middle.x, y + weight * middle.y];
+            }
+        }
+        for (seed, [sum, x, y]) in seeds.iter_mut().zip(sums) {
+            if sum > 0.0 {
+                *seed = Point::new(x / sum, y / sum);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn point_of(at: usize, border: &[Point], seeds: &[Point]) -> Point {
+    at.checked_sub(border.len()).map_or_else(|| border[at], |seed| seeds[seed])
+}
+
+/// Whether the corners of the triangle in which `p` lies are at least `clear` away from it.
+fn clear_of_points(found: &Triangles, p: Point, clear: f64) -> bool {
+    let far = |vertex: VertexHandle<'_, Point2<f64>, (), CdtEdge<()>>| {
+        let q = vertex.position();
+        Point::new(q.x, q.y).distance(p) >= clear
+    };
+    match found.locate(Point2::new(p.x, p.y)) {
+        PositionInTriangulation::OnFace(face) => found.face(face).vertices().into_iter().all(far),
+        PositionInTriangulation::OnEdge(edge) => found.directed_edge(edge).vertices().into_iter().all(far),
+        _ => false,
+    }
+}
+
+fn circumcenter(a: Point, b: Point, c: Point) -> Point {
+    let (u, v) = (b - a, c - a);
+    let (uu, vv) = (u.dot(u), v.dot(v));
+    let scale = 0.5 / u.cross(v);
+    a + (-(u * vv).perp() + (v * uu).perp()) * -scale
+}

@@ -1,0 +1,115 @@
+//! Why triangles are no mesh.
+
+use std::fmt;
+
+/// What is wrong with points and triangles that should be a mesh.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MeshFault {
+    /// There is no triangle.
+    Empty,
+    /// A coordinate is infinite or no number.
+    NotFinite {
+        /// The point.
+        point: usize,
+    },
+    /// A triangle names a point that does not exist.
+    NoSuchPoint {
+        /// The triangle.
+        triangle: usize,
+        /// What it names.
+        found: usize,
+        /// How many points there are.
+        points: usize,
+    },
+    /// No triangle uses a point: nothing would hold it.
+    Unused {
+        /// The point.
+        point: usize,
+    },
+    /// A triangle runs clockwise, or is flat.
+    NotCounterclockwise {
+        /// The triangle.
+        triangle: usize,
+        /// Its signed area.
+        area: f64,
+    },
+    /// Two triangles lie on the same side of one edge, so they overlap.
+    Overlap {
+        /// The edge's points.
+        ends: [usize; 2],
+        /// The triangles.
+        triangles: [usize; 2],
+    },
+    /// An edge has one triangle only, and no border of the region is there: a hanging point or a hole.
+    Unnamed {
+        /// The edge's points.
+        ends: [usize; 2],
+        /// Its triangle.
+        triangle: usize,
+    },
+    /// The border meets itself at a point: the sheet hangs together by that point only.
+    Pinched {
+        /// The point.
+        point: usize,
+        /// How many border edges end there.
+        borders: usize,
+    },
+    /// A length that must be positive and finite is not, or one that may be 0 is negative.
+    Dimension {
+        /// Which.
+        name: &'static str,
+        /// What was given.
+        found: f64,
+        /// What is allowed, in words.
+        allowed: &'static str,
+    },
+    /// The region would need more points than allowed at the sizes asked for.
+    TooMany {
+        /// How many are allowed.
+        most: usize,
+    },
+    /// An edge of the border is missing among the triangles: the border meets or crosses itself.
+    BorderLost {
+        /// The border points between which it should lie.
+        ends: [usize; 2],
+    },
+}
+
+impl fmt::Display for MeshFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Empty => write!(f, "a mesh needs at least one triangle"),
+            Self::NotFinite { point } => write!(f, "point {point} has a coordinate that is not finite"),
+            Self::NoSuchPoint { triangle, found, points } => {
+                write!(f, "triangle {triangle} names point {found}, and there are {points} points, from 0")
+            }
+            Self::Unused { point } => write!(f, "no triangle uses point {point}: leave it out"),
+            Self::NotCounterclockwise { triangle, area } => {
+                write!(
+                    f,
+                    "triangle {triangle} has the signed area {area:e}, and must have a positive one: exchange two of its points"
+                )
+            }
+            Self::Overlap { ends: [a, b], triangles: [s, t] } => {
+                write!(f, "triangles {s} and {t} lie on the same side of the edge between points {a} and {b}")
+            }
+            Self::Unnamed { ends: [a, b], triangle } => write!(
+                f,
+                "triangle {triangle} has no neighbour at the edge between points {a} and {b}, which is no border: \
+                 join a hanging point, or name the border"
+            ),
+            Self::Pinched { point, borders } => {
+                write!(f, "{borders} border edges end at point {point}, and 2 must: part the sheet there")
+            }
+            Self::Dimension { name, found, allowed } => write!(f, "{name} is {found}, allowed is {allowed}"),
+            Self::TooMany { most } => {
+                write!(f, "the mesh would have more than {most} points: ask for larger triangles")
+            }
+            Self::BorderLost { ends: [a, b] } => {
+                write!(f, "the border between its points {a} and {b} is crossed: the region overlaps itself")
+            }
+        }
+    }
+}
+
+impl std::error::Error for MeshFault {}

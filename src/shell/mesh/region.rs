@@ -1,0 +1,97 @@
+//! What lies within a closed border of lines and arcs, and a mesh of it that can be refined.
+
+use std::collections::BTreeMap;
+
+use crate::geom::{Path, Point, Segment};
+use crate::shell::mesh::{Border, Edge, Mesh, MeshFault};
+
+/// A piece of a region's border.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Piece {
+    /// Where it runs, exactly.
+    pub curve: Segment,
+    /// What it is.
+    pub border: Border,
+}
+
+/// What lies within a closed border.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// The border, counterclockwise, each piece beginning where the one before ends.
+    pub pieces: Vec<Piece>,
+}
+
+impl Region {
+    /// The exact area.
+    pub fn area(&self) -> f64 {
+        Path::closed(self.pieces.iter().map(|piece| piece.curve).collect()).area()
+    }
+
+    /// The exact length of the pieces of one border.
+    pub fn border_length(&self, border: Border) -> f64 {
+        self.pieces.iter().filter(|piece| piece.border == border).map(|piece| piece.curve.length()).sum()
+    }
+}
+
+/// A mesh whose border edges know the curves they stand for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meshed {
+    /// The triangles.
+    pub mesh: Mesh,
+    /// The pieces of the border, of all its loops.
+    pub pieces: Vec<Piece>,
+    /// The piece that each edge of the mesh lies on; none within the sheet.
+    pub piece_of: Vec<Option<usize>>,
+}
+
+impl Meshed {
+    /// The mesh of `triangles` whose border edges, by their ends with the smaller index first, lie on pieces as `on` says.
+    ///
+    /// # Errors
+    /// As [`Mesh::from_triangles`].
+    pub(super) fn new(
+        points: Vec<[f64; 2]>,
+        triangles: Vec<[usize; 3]>,
+        pieces: Vec<Piece>,
+        on: &BTreeMap<[usize; 2], usize>,
+    ) -> Result<Self, MeshFault> {
+        let mesh = Mesh::from_triangles(points, triangles, |ends| Some(pieces[*on.get(&ends)?].border))?;
+        let piece = |edge: &Edge| edge.border.and_then(|_| on.get(&edge.ends).copied());
+        let piece_of = mesh.edges.iter().map(piece).collect();
+        Ok(Self { mesh, pieces, piece_of })
+    }
+
+    /// Every triangle cut into four. New border points lie on the exact curves, old points keep their numbers, and the point
+    /// in the middle of edge `e` becomes number `points + e`.
+    ///
+    /// # Errors
+    /// If an arc is so coarsely cut that a new point turns a triangle around.
+    pub fn refined(&self) -> Result<Self, MeshFault> {
+        let old = &self.mesh;
+        let first = old.points.len();
+        let mut points = old.points.clone();
+        points.extend((0..old.edges.len()).map(|edge| self.middle(edge)));
+        let mut triangles = Vec::with_capacity(4 * old.triangles.len());
+        for (&[a, b, c], edges) in old.triangles.iter().zip(&old.triangle_edges) {
+            let [at_a, at_b, at_c] = edges.map(|edge| first + edge);
+            triangles.extend([[a, at_c, at_b], [at_c, b, at_a], [at_b, at_a, c], [at_a, at_b, at_c]]);
+        }
+        let mut on = BTreeMap::new();
+        for (edge, piece) in self.piece_of.iter().enumerate() {
+            if let Some(piece) = *piece {
+                // A new point has a larger number than any old one.
+                on.extend(old.edges[edge].ends.map(|end| ([end, first + edge], piece)));
+            }
+        }
+        Self::new(points, triangles, self.pieces.clone(), &on)
+    }
+
+    fn middle(&self, edge: usize) -> [f64; 2] {
+        let [a, b] = self.mesh.edges[edge].ends.map(|end| self.mesh.points[end]);
+        let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+        let Some(piece) = self.piece_of[edge] else { return middle };
+        let curve = &self.pieces[piece].curve;
+        let on = curve.point(curve.nearest_fraction(Point::new(middle[0], middle[1])));
+        [on.x, on.y]
+    }
+}

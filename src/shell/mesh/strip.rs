@@ -1,0 +1,98 @@
+//! A tube of constant width that turns and runs straight: the region of every case.
+
+use crate::geom::{Arc, Line, Point, Segment, Vec2};
+use crate::shell::mesh::sizing::HingePlace;
+use crate::shell::mesh::{Border, Piece, Region, plane, rim};
+
+/// A tube under construction: it begins on the x axis, which is a plane of symmetry, and first runs along +y.
+pub(super) struct Strip {
+    width: f64,
+    /// Where it began, on the left and on the right.
+    began: [Point; 2],
+    /// Where its rims have got to: the left one and the right one.
+    left_end: Point,
+    right_end: Point,
+    /// Direction from the right rim to the left one.
+    across: Vec2,
+    left: Vec<Segment>,
+    right: Vec<Segment>,
+    hinges: Vec<HingePlace>,
+}
+
+/// To which side a tube turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    Left,
+    Right,
+}
+
+impl Strip {
+    /// The tube whose left rim begins at (`x`, 0).
+    pub(super) fn new(x: f64, width: f64) -> Self {
+        let [left_end, right_end] = [Point::new(x, 0.0), Point::new(x + width, 0.0)];
+        let across = Vec2::new(-1.0, 0.0);
+        Self {
+            width,
+            began: [left_end, right_end],
+            left_end,
+            right_end,
+            across,
+            left: Vec::new(),
+            right: Vec::new(),
+            hinges: Vec::new(),
+        }
+    }
+
+    /// Turns by `arc` (rad, positive) around a centre at the distance `radius` from the nearer rim.
+    pub(super) fn turn(mut self, side: Side, radius: f64, arc: f64) -> Self {
+        let (center, toward, sweep) = match side {
+            Side::Left => (self.left_end + self.across * radius, -self.across, arc),
+            Side::Right => (self.right_end - self.across * radius, self.across, -arc),
+        };
+        let outer = radius + self.width;
+        let bow = |radius| Arc::new(center, radius, toward.angle(), sweep);
+        let far = bow(outer);
+        // With a radius of 0 the rim turns on a point.
+        let near = (radius > 0.0).then(|| bow(radius));
+        let (near_end, far_end) = (near.map_or(center, |arc| arc.end()), far.end());
+        let (left, right) = match side {
+            Side::Left => (near, Some(far)),
+            Side::Right => (Some(far), near),
+        };
+        (self.left_end, self.right_end) = match side {
+            Side::Left => (near_end, far_end),
+            Side::Right => (far_end, near_end),
+        };
+        self.left.extend(left.map(Segment::from));
+        self.right.extend(right.map(Segment::from));
+        let (sin, cos) = sweep.sin_cos();
+        let Vec2 { x, y } = self.across;
+        self.across = Vec2::new(cos * x - sin * y, sin * x + cos * y);
+        self.hinges.push(HingePlace { center, radii: [radius, outer] });
+        self
+    }
+
+    /// Runs straight.
+    pub(super) fn straight(mut self, length: f64) -> Self {
+        let along = -self.across.perp() * length;
+        for (end, rim) in [(&mut self.left_end, &mut self.left), (&mut self.right_end, &mut self.right)] {
+            let next = *end + along;
+            rim.push(Line::new(*end, next).into());
+            *end = next;
+        }
+        self
+    }
+
+    /// Ends across, at the border `last`.
+    pub(super) fn end(self, last: Border) -> (Region, Vec<HingePlace>) {
+        let piece = |border| move |curve| Piece { curve, border };
+        let mut pieces: Vec<Piece> = self.right.iter().copied().map(piece(Border::Rim(rim::OUTER))).collect();
+        pieces.push(piece(last)(Line::new(self.right_end, self.left_end).into()));
+        let back = self.left.iter().rev().map(Segment::reversed);
+        pieces.extend(back.map(piece(Border::Rim(rim::INNER))));
+        let [left, right] = self.began;
+        let first = Line::new(left, right);
+        pieces.push(piece(Border::Mirror(plane::FIRST))(first.into()));
+        (Region { pieces }, self.hinges)
+    }
+}

@@ -1,0 +1,93 @@
+//! From the flat sheet to a pressure, rung by rung.
+
+use crate::shell::assembly::State;
+use crate::shell::solver::newton::{Aim, Rest, Solver, Stop};
+
+/// How the pressure is raised.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ladder {
+    /// The first pressure above the flat sheet: 1/eps = 1, where a plate hardly bends.
+    pub first: f64,
+    /// The last one.
+    pub last: f64,
+    /// p W^2 at unit pressure: what residuals are measured by.
+    pub scale: f64,
+    /// Least norm of a residual that rounding lets one ask for.
+    pub floor: f64,
+}
+
+/// An equilibrium on the way.
+#[derive(Clone, Debug)]
+pub struct Rung {
+    /// Its pressure.
+    pub pressure: f64,
+    /// Its shape.
+    pub state: State,
+    /// Its energy, and what remains of its forces.
+    pub rest: Rest,
+}
+
+/// Where a ladder ended too early.
+#[derive(Clone, Debug)]
+pub struct Broken {
+    /// The pressure at which no equilibrium was found.
+    pub pressure: f64,
+    /// Why.
+    pub why: Stop,
+    /// The last equilibrium.
+    pub last: Option<Box<Rung>>,
+}
+
+/// log10 of the factor from rung to rung.
+const STEP: f64 = 0.25;
+/// Halvings of it where a rung is not reached.
+const MOST_HALVINGS: i32 = 5;
+/// Residual relative to p W^2 that is asked for.
+const RESIDUAL: f64 = 1e-8;
+
+impl Ladder {
+    /// What is asked of an equilibrium at `pressure`.
+    pub fn aim(&self, pressure: f64) -> Aim {
+        Aim { pressure, tolerance: (RESIDUAL * pressure * self.scale).max(self.floor) }
+    }
+
+    /// Climbs from the flat sheet. `on_rung` sees every equilibrium.
+    ///
+    /// # Errors
+    /// Where it ended, and the last equilibrium.
+    pub fn climb(&self, solver: &mut Solver, mut on_rung: impl FnMut(&Rung)) -> Result<Rung, Broken> {
+        let mut state = solver.assembly.sheet.flat();
+        let mut below: Option<Rung> = None;
+        let mut step = STEP;
+        let mut next = self.first.min(self.last);
+        loop {
+            match solver.rest(&mut state, self.aim(next)) {
+                Ok(rest) => {
+                    let rung = Rung { pressure: next, state: state.clone(), rest };
+                    on_rung(&rung);
+                    if next >= self.last {
+                        return Ok(rung);
+                    }
+                    below = Some(rung);
+                    step = (2.0 * step).min(STEP);
+                }
+                Err(Stop::Cancelled) => {
+                    return Err(Broken { pressure: next, why: Stop::Cancelled, last: below.map(Box::new) });
+                }
+                Err(why) => {
+                    step /= 2.0;
+                    let may_halve = step > STEP * 0.5_f64.powi(MOST_HALVINGS + 1);
+                    let Some(rung) = below.as_ref().filter(|_| may_halve) else {
+                        return Err(Broken { pressure: next, why, last: below.map(Box::new) });
+                    };
+                    state.clone_from(&rung.state);
+                }
+            }
+            let from = below.as_ref().map_or(self.first, |rung| rung.pressure);
+            next = from * 10_f64.powf(step);
+            if next > self.last * 0.9999 {
+                next = self.last;
+            }
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! One equilibrium: Newton's method on the energy, with the full Hessian.
+
+use crate::shell::assembly::{Assembly, Energy, Sheet, State, Supports};
+use crate::shell::contact::Contact;
+use crate::shell::solver::factor::Factor;
+use crate::shell::solver::lever::{Held, Lever, inner};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// What is loaded on the sheet, and what is asked of an equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aim {
+    /// Pressure below the sheet.
+    pub pressure: f64,
+    /// Largest norm of the residual.
+    pub tolerance: f64,
+}
+
+/// Why an equilibrium was not found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stop {
+    /// The iterations were used up.
+    Iterations,
+    /// No fraction of a step brings the energy down.
+    Stalled,
+    /// No shift makes the Hessian positive definite.
+    Shift,
+    /// Contact pressures do not come to rest.
+    Contact,
+    /// It was told to stop.
+    Cancelled,
+    /// The forces vanish, but the shape is not stable: its Hessian is not positive definite.
+    Unstable,
+}
+
+/// What it took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Effort {
+    /// Newton steps.
+    pub iterations: u32,
+    /// Cholesky factors computed.
+    pub factors: u32,
+    /// Shapes whose energy alone was computed.
+    pub energies: u32,
+}
+
+/// An equilibrium.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest {
+    /// The parts of its energy.
+    pub energy: Energy,
+    /// Norm of what remains of the forces.
+    pub residual: f64,
+}
+
+/// Newton steps allowed for one equilibrium.
+const MOST_ITERATIONS: u32 = 80;
+/// Halvings of a step.
+const MOST_HALVINGS: u32 = 12;
+/// Part of the energy's promised fall that must come.
+const ARMIJO: f64 = 1e-4;
+/// Rounding of a sum of energies, relative to its largest part.
+const ROUNDING: f64 = 1e-14;
+
+/// k of contact by p/W: at 100 two to four rounds reach the tolerance; at 1e4 Newton's method meets kinks.
+const CONTACT: f64 = 100.0;
+/// Rounds of contact.
+const MOST_ROUNDS: u32 = 20;
+/// Penetration left, by W.
+const PENETRATION: f64 = 1e-4;
+/// Change of contact pressures left, by the largest of them.
+const CHANGE: f64 = 1e-2;
+/// k where rounds converge slowly, by p/W: few points that carry all of a force.
+const STIFFEST: f64 = 1e5;
+
+/// Finds equilibria of one sheet.
+pub struct Solver {
+    /// Sums over its triangles.
+    pub assembly: Assembly,
+    /// What it may touch.
+    pub contact: Option<Contact>,
+    /// What holds it besides its supports.
+    pub lever: Option<Lever>,
+    held: Held,
+    /// The lever's multiplier at the last equilibrium: forces + multiplier c = 0.
+    pub multiplier: f64,
+    factor: Factor,
+    step: Vec<f64>,
+    /// What a shift adds to each unknown's diagonal: a spring a unit of area, none for the directors.
+    lumps: Vec<f64>,
+    shift: f64,
+    trial: State,
+    /// What all solves took together.
+    pub effort: Effort,
+    /// Raised by another thread to stop at the next step.
+    pub cancel: Arc<AtomicBool>,
+}
+
+impl Solver {
+    /// Prepares a sheet; `None` if it is too large for this machine.
+    pub fn new(sheet: Sheet, supports: Supports) -> Option<Self> {
+        let assembly = Assembly::new(sheet, supports);
+        let (starts, rows, _) = assembly.hessian();
+        let factor = Factor::new(starts, rows)?;
+        Some(Self {
+            step: vec![0.0; assembly.unknowns()],
+            lumps: assembly.lumped_areas(),
+            trial: assembly.sheet.flat(),
+            shift: 0.0,
+            effort: Effort::default(),
+            cancel: Arc::default(),
+            factor,
+            contact: None,
+            lever: None,
+            held: Held::default(),
+            multiplier: 0.0,
+            assembly,
+        })
+    }
+
+    /// Moves `state` to an equilibrium near by.
+    ///
+    /// # Errors
+    /// Where it stopped, which `state` then is.
+    pub fn settle(&mut self, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
+        let mut energy = self.linearise(state, aim.pressure);
+        for _ in 0..MOST_ITERATIONS {
+            if self.cancel.load(Ordering::Relaxed) {
+                return Err(Stop::Cancelled);
+            }
+            let residual = self.residual();
+            if residual <= aim.tolerance && self.shift == 0.0 {
+                let stable = self.compute(0.0);
+                return if stable { Ok(Rest { energy, residual }) } else { Err(Stop::Unstable) };
+            }
+            self.find_step(aim)?;
+            energy = self.take_step(state, energy, aim)?;
+            self.effort.iterations += 1;
+        }
+        Err(Stop::Iterations)
+    }
+
+    /// As [`Solver::settle`], with what the sheet touches: rounds of contact until nothing penetrates.
+    ///
+    /// # Errors
+    /// Where it stopped, which `state` then is.
+    pub fn rest(&mut self, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
+        let Some(contact) = &mut self.contact else { return self.settle(state, aim) };
+        contact.stiffness = CONTACT * aim.pressure;
+        let mut before = f64::INFINITY;
+        for _ in 0..MOST_ROUNDS {
+            let rest = self.settle(state, aim)?;
+            let Some(contact) = &mut self.contact else { return Ok(rest) };
+            let misfit = contact.keep(state);
+            if misfit.penetration <= PENETRATION && misfit.change <= CHANGE * misfit.largest {
+                return Ok(rest);
+            }
+            if misfit.penetration > PENETRATION.max(before / 4.0)
+                && contact.stiffness < STIFFEST * aim.pressure
+            {
+                contact.stiffness *= 4.0;
+            }
+            before = misfit.penetration;
+        }
+        Err(Stop::Contact)
+    }
+
+    fn linearise(&mut self, state: &State, pressure: f64) -> Energy {
+        let mut energy = self.assembly.linearise(state, pressure);
+        if let Some(contact) = &self.contact {
+            contact.add(state, &mut self.assembly);
+            energy.contact = contact.energy(state);
+        }
+        if let Some(lever) = &self.lever {
+            lever.add(&mut self.assembly);
+        }
+        energy
+    }
+
+    fn linearise_trial(&mut self, pressure: f64) -> Energy {
+        let trial = std::mem::take(&mut self.trial);
+        let energy = self.linearise(&trial, pressure);
+        self.trial = trial;
+        energy
+    }
+
+    fn energy_of_trial(&mut self) -> Energy {
+        self.effort.energies += 1;
+        let mut energy = self.assembly.energy(&self.trial);
+        energy.contact = self.contact.as_ref().map_or(0.0, |contact| contact.energy(&self.trial));
+        energy
+    }
+
+    /// Factors the Hessian; false if it is not positive definite where the lever holds.
+    fn compute(&mut self, shift: f64) -> bool {
+        self.effort.factors += 1;
+        if !self.factor.compute(self.assembly.hessian().2, shift, &self.lumps) {
+            return false;
+        }
+        let Some(lever) = &self.lever else { return true };
+        match lever.hold(&self.assembly, &mut self.factor) {
+            Some(held) => self.held = held,
+            None => return false,
+        }
+        true
+    }
+
+    /// The norm of the forces, without what the lever takes, whose multiplier it keeps.
+    fn residual(&mut self) -> f64 {
+        let gradient = self.assembly.gradient();
+        let Some(lever) = &self.lever else { return inner(gradient, gradient).sqrt() };
+        self.multiplier = -inner(&lever.row, gradient) / inner(&lever.row, &lever.row);
+        let left = lever.row.iter().zip(gradient).map(|(c, g)| g + self.multiplier * c);
+        left.map(|x| x * x).sum::<f64>().sqrt()
+    }
+
+    /// Moves an equilibrium to where the lever's function is `by` larger, as the sheet gives way.
+    pub fn pull(&mut self, state: &mut State, aim: Aim, by: f64) -> bool {
+        let _ = self.linearise(state, aim.pressure);
+        let is_stable = self.compute(0.0);
+        if is_stable && self.lever.is_some() {
+            self.assembly.advance(state, &self.held.answer, by / self.held.gives);
+        }
+        is_stable
+    }
+
+    /// Leaves a direction of descent in `step`, and in `shift` what it took.
+    fn find_step(&mut self, aim: Aim) -> Result<(), Stop> {
+        let least = 0.01 * aim.pressure;
+        self.shift /= 6.0;
+        if self.shift < least {
+            self.shift = 0.0;
+        }
+        while !self.compute(self.shift) {
+            self.shift = (4.0 * self.shift).max(least);
+            if self.shift > 1e9 * least {
+                return Err(Stop::Shift);
+            }
+        }
+        for (step, slope) in self.step.iter_mut().zip(self.assembly.gradient()) {
+            *step = -slope;
+        }
+        self.factor.solve(&mut self.step);
+        if let Some(lever) = &self.lever {
+            let _ = lever.constrain(&self.assembly, &self.held, &mut self.step);
+        }
+        Ok(())
+    }
+
+    /// Goes as far along `step` as the energy falls.
+    fn take_step(&mut self, state: &mut State, before: Energy, aim: Aim) -> Result<Energy, Stop> {
+        let slope = inner(&self.step, self.assembly.gradient());
+        let noise = ROUNDING * (before.membrane + before.bending + (aim.pressure * before.volume).abs());
+        let start = before.total(aim.pressure);
+        let mut fraction = 1.0;
+        for halving in 0..MOST_HALVINGS {
+            self.trial.clone_from(state);
+            self.assembly.advance(&mut self.trial, &self.step, fraction);
+            let mut energy =
+                if halving == 0 { self.linearise_trial(aim.pressure) } else { self.energy_of_trial() };
+            if energy.total(aim.pressure) <= start + ARMIJO * fraction * slope + noise {
+                if halving > 0 {
+                    energy = self.linearise_trial(aim.pressure);
+                }
+                std::mem::swap(state, &mut self.trial);
+                return Ok(energy);
+            }
+            fraction /= 2.0;
+        }
+        Err(Stop::Stalled)
+    }
+
+    /// Factors the Hessian assembled last, for measurements; whether it is positive definite.
+    pub fn factor_once(&mut self) -> bool {
+        self.factor.compute(self.assembly.hessian().2, 0.0, &self.lumps)
+    }
+
+    /// Solves with the unshifted Hessian of the last equilibrium.
+    pub fn solve(&mut self, rhs: &mut [f64]) {
+        self.factor.solve(rhs);
+    }
+
+    /// Triangles of its mesh.
+    pub fn triangles(&self) -> usize {
+        self.assembly.sheet.pieces.len()
+    }
+
+    #[cfg(test)]
+    pub(crate) fn factor_is_supernodal(&self) -> bool {
+        self.factor.is_supernodal()
+    }
+
+    /// Numbers that the Cholesky factor keeps.
+    pub fn factor_size(&self) -> usize {
+        self.factor.size()
+    }
+}
