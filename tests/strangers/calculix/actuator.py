@@ -159,6 +159,12 @@ def solve(across, folder, asked):
     return {**found, "code": code, "ladder": ladder}
 
 
+def extrapolated(coarse, fine, key):
+    """The value at elements of no size, if the error falls as their square; the last step is the error to quote."""
+    a, b = (found["ladder"][-1][key] for found in (coarse, fine))
+    return b + (b - a) / ((fine["across"] / coarse["across"]) ** 2 - 1.0)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--across", type=int, nargs="+", default=[6], help="elements across the tube, a mesh each")
@@ -169,11 +175,16 @@ def main():
     parser.add_argument("--residual", type=float, default=0.005, help="largest residual, by the mean force")
     parser.add_argument("--ccx", default="ccx")
     asked = parser.parse_args()
+    before = None
     for across in asked.across:
         folder = asked.out / f"{asked.face}-{across}"
         found = solve(across, folder, asked)
         (folder / "found.json").write_text(json.dumps(found, indent=1))
         print(json.dumps({**found, "ladder": found["ladder"][-1:]}), flush=True)
+        if before:
+            keys = ("angle_deg", "volume_mm3")
+            print(json.dumps({"extrapolated": {key: extrapolated(before, found, key) for key in keys}}), flush=True)
+        before = found
 
 
 if __name__ == "__main__":
