@@ -8,7 +8,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use crate::shell::mesh::Mesh;
 use crate::shell::mesh::separator::{Couplings, Separators};
 
-/// Fewer nodes than this are not divided further: a separator of some 10 nodes would be a large part of them.
+/// Fewer nodes than this are not divided further. With 150, ordered by degree, 54,000 unknowns had 0.2 % fewer multiplications.
 const LEAF: usize = 40;
 
 /// Unknowns of a point: its place.
@@ -90,7 +90,8 @@ impl Dissection {
     }
 
     /// The cut with the fewest unknowns in its separator: across the nodes' longest direction in the middle or a little off
-    /// it, or in the middle at 45 or 90 deg to that. (Only the first of these: a fifth more multiplications.)
+    /// it, or in the middle at 45 or 90 deg to that. (With the first of these alone
+    /// an eighth more multiplications for an actuator of 54,000 unknowns, a sixth more for half a sector of 64,000.)
     fn best_cut(&mut self, longest: [f64; 2], nodes: &mut [usize]) -> Cut {
         let [x, y] = longest.map(|component| component * FRAC_1_SQRT_2);
         let others = [[x - y, x + y], [x + y, y - x], [-longest[1], longest[0]]];
