@@ -83,7 +83,8 @@ impl HalfActuator {
 }
 
 impl HalfSector {
-    /// Arm length l (MODEL.md).
+    /// Arm length l, of `(rho_0 + W + R_e) sin(pi/n) = l sin(phi_i0/2) + (W + R_i + R_e) cos(phi_i0/2)`: the paper's, with
+    /// corner radii.
     pub fn l(&self) -> f64 {
         let (sin, cos) = (0.5 * self.phi_i).sin_cos();
         let outer = self.w + self.r_e;

@@ -11,6 +11,7 @@ mod fault;
 mod grid;
 mod order;
 mod region;
+mod separator;
 mod sizing;
 mod strip;
 #[cfg(test)]

@@ -1,10 +1,14 @@
 //! Meshes of the cases.
 
+use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use crate::shell::mesh::*;
+use crate::geom::{Isometry, Point};
+use crate::shell::mesh::{
+    Border, Cell, Edge, HalfActuator, HalfSector, Mesh, MeshFault, Meshed, Piece, Region, Sizes, plane, rim,
+};
 
 const PAPER: HalfSector = HalfSector { n: 5, rho_0: 50.0, w: 30.0, phi_i: PI / 6.0, r_i: 0.0, r_e: 0.0 };
 
@@ -29,8 +33,7 @@ fn star() -> impl Strategy<Value = (HalfSector, f64)> {
 /// It is a mesh by its triangles alone, its border lies on its pieces and is as long as they are, nearly, no triangle is
 /// thin, and the exact area follows from it and the finer one.
 fn check(meshed: &Meshed, thinnest: f64) -> Result<(), TestCaseError> {
-    let fail = |fault: MeshFault| TestCaseError::fail(fault.to_string());
-    let fine = meshed.refined().map_err(fail)?;
+    let fine = made(meshed.refined())?;
     for meshed in [meshed, &fine] {
         let mesh = &meshed.mesh;
         let named = |ends| mesh.edges[mesh.edges.binary_search_by_key(&ends, |edge| edge.ends).ok()?].border;
@@ -44,7 +47,11 @@ fn check(meshed: &Meshed, thinnest: f64) -> Result<(), TestCaseError> {
     let (coarse, fine, exact) = (meshed.mesh.total_area(), fine.mesh.total_area(), region.area());
     let extrapolated = fine + (fine - coarse) / 3.0;
     prop_assert!((extrapolated - exact).abs() < 1e-4 * exact, "{extrapolated} for {exact}");
-    prop_assert!((fine - exact).abs() <= 0.26 * (coarse - exact).abs() + 1e-12 * exact);
+    // Inner and outer arcs err in opposite directions; where they nearly cancel, the next order is left.
+    prop_assert!(
+        (fine - exact).abs() <= 0.26 * (coarse - exact).abs() + 3e-5 * exact,
+        "{coarse}, {fine} for {exact}"
+    );
     Ok(())
 }
 
@@ -60,7 +67,7 @@ fn on_curves(meshed: &Meshed) -> Result<(), TestCaseError> {
         prop_assert_eq!(mesh.edges[edge].border, Some(border));
         lengths[piece] += mesh.length(edge);
         for [x, y] in mesh.edges[edge].ends.map(|end| mesh.points[end]) {
-            let off = curve.distance(crate::geom::Point::new(x, y));
+            let off = curve.distance(Point::new(x, y));
             prop_assert!(off <= 1e-12 * (x.abs() + y.abs()).max(1.0), "{off} off its curve");
         }
     }
@@ -203,20 +210,18 @@ fn a_whole_star_is_its_half_sector_2n_times() -> Result<(), MeshFault> {
         !star.mesh.edges.iter().any(|edge| matches!(edge.border, Some(Border::Mirror(_) | Border::Free)))
     );
     // A turn by a fifth is a symmetry: the same points, to rounding.
-    let turn = crate::geom::Isometry::rotation(0.4 * PI);
+    let turn = Isometry::rotation(0.4 * PI);
     for &[x, y] in &star.mesh.points {
-        let p = turn.point(crate::geom::Point::new(x, y));
+        let p = turn.point(Point::new(x, y));
         assert!(star.mesh.points.iter().any(|&[x, y]| (x - p.x).hypot(y - p.y) < 1e-11));
     }
     assert!(half.unfolded(5, 11).is_err());
-    // Unfolded at an angle that its planes do not have, the copies do not meet: their triangles overlap or part.
     assert!(half.unfolded(5, 0).is_err());
     Ok(())
 }
 
 /// Nonzeros of the Cholesky factor of a graph's matrix in an order of elimination, and the multiplications for it.
 fn fill(mesh: &Mesh, order: &[usize]) -> (usize, usize) {
-    use std::collections::BTreeSet;
     let count = mesh.points.len() + mesh.edges.len();
     let mut at = vec![0; count];
     order.iter().zip(0..).for_each(|(&node, place)| at[node] = place);
@@ -244,6 +249,14 @@ fn fill(mesh: &Mesh, order: &[usize]) -> (usize, usize) {
 }
 
 #[test]
+fn any_order_will_not_do() -> Result<(), MeshFault> {
+    let mesh = PAPER.mesh(&Sizes::across(30.0, 6.0))?.mesh;
+    let as_numbered: Vec<usize> = (0..mesh.points.len() + mesh.edges.len()).collect();
+    assert!(fill(&mesh, &as_numbered).1 > 3 * fill(&mesh, &mesh.elimination_order()).1);
+    Ok(())
+}
+
+#[test]
 fn dissection_keeps_the_factor_sparse() -> Result<(), MeshFault> {
     let actuator =
         HalfActuator { r: 2.0, w: 20.0, l: 80.0, phi_0: PI / 3.0 }.mesh(&Sizes::across(20.0, 12.0))?;
@@ -253,13 +266,12 @@ fn dissection_keeps_the_factor_sparse() -> Result<(), MeshFault> {
         let mut sorted = order.clone();
         sorted.sort_unstable();
         assert!(sorted.into_iter().eq(0..mesh.points.len() + mesh.edges.len()));
+        // Measured: 162 and 170 nonzeros and 41,000 and 45,000 multiplications an unknown.
         let unknowns = 3 * mesh.points.len() + mesh.edges.len();
         let (nonzeros, work) = fill(mesh, &order);
-        let natural: Vec<usize> = (0..order.len()).collect();
-        println!(
-            "{unknowns} unknowns: {nonzeros} nonzeros, {work} multiplications; natural {:?}",
-            if unknowns < 5000 { Some(fill(mesh, &natural)) } else { None }
-        );
+        assert!((12_000..18_000).contains(&unknowns), "{unknowns}");
+        assert!(nonzeros < 180 * unknowns, "{nonzeros} nonzeros for {unknowns} unknowns");
+        assert!(work < 49_000 * unknowns, "{work} multiplications for {unknowns} unknowns");
     }
     Ok(())
 }
