@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::spec::fault::{Fault, Severity};
 use crate::spec::render;
-use crate::spec::source::Source;
+use crate::spec::source::{Source, boundary};
 
 /// All faults of one source, in the order of their places. It prints without colour.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,12 +57,6 @@ impl fmt::Display for Faults {
 }
 
 impl std::error::Error for Faults {}
-
-/// The last place at or before `at` where a character of `text` begins or the text ends.
-pub(super) fn boundary(text: &str, at: usize) -> usize {
-    let at = at.min(text.len());
-    (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
-}
 
 #[cfg(test)]
 mod tests {

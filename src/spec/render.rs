@@ -3,9 +3,8 @@
 use annotate_snippets::{AnnotationKind, Level as Tone, Renderer, Snippet};
 
 use crate::spec::fault::{Fault, Severity};
-use crate::spec::faults::boundary;
 use crate::spec::name::misleads;
-use crate::spec::source::Source;
+use crate::spec::source::{Source, boundary};
 
 /// Most faults shown; a wrong file has thousands, and nobody reads them.
 const SHOWN: usize = 30;

@@ -18,3 +18,9 @@ impl Source {
         Self { name: name.into(), text: text.into() }
     }
 }
+
+/// The last place at or before `at` where a character of `text` begins or the text ends.
+pub(super) fn boundary(text: &str, at: usize) -> usize {
+    let at = at.min(text.len());
+    (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
+}
