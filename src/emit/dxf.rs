@@ -158,11 +158,11 @@ fn halved(segment: &Segment) -> impl Iterator<Item = Segment> {
 /// AutoCAD colour index of a layer: the SVG's colour, which is one of the palette's first six.
 fn color(layer: Layer, colours: Colours) -> &'static str {
     match (layer, colours) {
-        (Layer::SealInner, _) => "5",
+        (Layer::SealInner, _)
+        | (Layer::Label | Layer::PaperMark, Colours::One)
+        | (Layer::Registration | Layer::PostHole, Colours::Ordered) => "5",
         (Layer::SealOuter, _) => "3",
-        (Layer::Label | Layer::PaperMark, Colours::One) => "5",
         (Layer::Label | Layer::PaperMark, Colours::Ordered) => "4",
-        (Layer::Registration | Layer::PostHole, Colours::Ordered) => "5",
         (Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => "6",
         _ => "1",
     }

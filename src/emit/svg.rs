@@ -43,7 +43,9 @@ pub fn svg(title: &str, drawing: &Drawing, path: Length, colours: Colours) -> St
         group.assign("stroke", color(*layer, colours));
         for shape in shapes {
             let mut shape = page.shape(shape);
-            HAIRLINE.iter().for_each(|(name, value)| shape.assign(*name, *value));
+            for (name, value) in HAIRLINE {
+                shape.assign(name, value);
+            }
             group.append(shape);
         }
         document.append(group);
@@ -55,11 +57,11 @@ pub fn svg(title: &str, drawing: &Drawing, path: Length, colours: Colours) -> St
 /// everywhere; black never does, for it is a picture to be engraved.
 fn color(layer: Layer, colours: Colours) -> &'static str {
     match (layer, colours) {
-        (Layer::SealInner, _) => "#0000ff",
+        (Layer::SealInner, _)
+        | (Layer::Label | Layer::PaperMark, Colours::One)
+        | (Layer::Registration | Layer::PostHole, Colours::Ordered) => "#0000ff",
         (Layer::SealOuter, _) => "#00ff00",
-        (Layer::Label | Layer::PaperMark, Colours::One) => "#0000ff",
         (Layer::Label | Layer::PaperMark, Colours::Ordered) => "#00ffff",
-        (Layer::Registration | Layer::PostHole, Colours::Ordered) => "#0000ff",
         (Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => "#ff00ff",
         _ => "#ff0000",
     }

@@ -97,7 +97,9 @@ fn every_program_on_every_machine_of_the_grid() {
                 // These do not depend on the design.
                 if *name == "paper-five-points" {
                     take("feedcheck", &feed_check(&spec, &machine));
-                    coupon_programs(&spec, &machine).iter().for_each(|program| take("coupon", program));
+                    for program in &coupon_programs(&spec, &machine) {
+                        take("coupon", program);
+                    }
                 }
             }
         }

@@ -95,7 +95,7 @@ impl Marlin {
         let acceleration = (most * steps_per_mm).floor() / steps_per_mm;
         let least = (0.5 * acceleration / steps_per_mm).min(nominal * nominal);
         let entry = before.map_or(least, |before| {
-            let bend = self.bend(before.unit, unit, acceleration);
+            let bend = Self::bend(before.unit, unit, acceleration);
             bend.min(nominal.min(before.nominal).powi(2)).max(least)
         });
         Some(Block {
@@ -113,7 +113,7 @@ impl Marlin {
     }
 
     /// The square of the highest speed at a bend (HAS_JUNCTION_DEVIATION).
-    fn bend(&self, before: [f64; 3], unit: [f64; 3], acceleration: f64) -> f64 {
+    fn bend(before: [f64; 3], unit: [f64; 3], acceleration: f64) -> f64 {
         let cos = -(0..3).map(|i| before[i] * unit[i]).sum::<f64>();
         if cos > 0.999_999 {
             return 0.0;

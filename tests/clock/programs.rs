@@ -42,7 +42,7 @@ pub(crate) fn machine(dialect: &str, motors: Motors) -> Machine {
 /// The spec `text`, chopped where the controller needs it.
 pub(crate) fn spec(dialect: &str, text: &str) -> Spec {
     let chop = if has_floor(dialect) { "\n[machine]\nfeed_floor = \"chop\"\n" } else { "" };
-    read(&Source::new("spec", &format!("{text}{chop}"))).unwrap_or_else(|faults| panic!("{faults}")).spec
+    read(&Source::new("spec", format!("{text}{chop}"))).unwrap_or_else(|faults| panic!("{faults}")).spec
 }
 
 /// The sealing programs, and the traces.

@@ -50,7 +50,7 @@ impl<'a> Clock<'a> {
         self.seconds += match step.kind {
             MoveKind::Rapid => self.travel(length),
             _ if low => length / rules.seal.speed.0,
-            _ => step.feed.map_or(0.0, |feed| length / feed * 60.0),
+            MoveKind::Feed => step.feed.map_or(0.0, |feed| length / feed * 60.0),
         };
     }
 
