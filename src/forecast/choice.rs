@@ -146,8 +146,9 @@ pub fn limits_of_validity(level: Level, question: &Question) -> Vec<String> {
     }
     if question.stretch > INEXTENSIBLE {
         warnings.push(format!(
-            "p W / Y is {:.3}: the fabric stretches, which no model here takes into account",
-            question.stretch
+            "p W / Y is {:.3}: the fabric stretches, which {} does not take into account; section does",
+            question.stretch,
+            level.name()
         ));
     }
     if level == Level::Fit {
