@@ -74,8 +74,7 @@ impl Judge for Clamps<'_> {
 mod tests {
     use super::*;
     use crate::units::Length;
-    use crate::verify::judge::judged;
-    use crate::verify::read::gcode::Dialect;
+    use crate::verify::read::gcode::{Dialect, each_line};
 
     /// The lines that are found in `body`, with a clamp from (10, 20) to (18, 25).
     fn lines(body: &str, reach: f64, height: Option<f64>) -> Vec<Option<usize>> {
@@ -83,12 +82,11 @@ mod tests {
         let zone = KeepOut { name: "vice".to_owned(), x, y, width, depth, height: height.map(Length) };
         let text = format!("G21\nG90\nG0 X0 Y0 Z9\n{body}\n");
         let zones = [zone];
-        let findings =
-            judged(text.split_inclusive('\n'), Dialect::GENERIC, &mut [&mut Clamps::new(&zones, reach)]);
-        let findings = findings.into_vec();
-        // The text has no end, which its reader finds too.
-        let ours = findings.iter().filter(|finding| finding.code == "clamp-in-the-way");
-        ours.map(|finding| finding.line).collect()
+        let mut judge = Clamps::new(&zones, reach);
+        let _ = each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line));
+        let findings = judge.end().into_vec();
+        assert!(findings.iter().all(|finding| finding.code == "clamp-in-the-way"));
+        findings.iter().map(|finding| finding.line).collect()
     }
 
     #[test]
