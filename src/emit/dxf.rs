@@ -4,6 +4,7 @@
 
 use crate::design::{Drawing, Layer, Shape};
 use crate::emit::number::Decimals;
+use crate::emit::palette::ink;
 use crate::geom::{Path, Point, Segment};
 use crate::spec::Colours;
 use crate::units::Length;
@@ -21,7 +22,7 @@ pub fn dxf(drawing: &Drawing, path: Length, colours: Colours) -> String {
     let mut writer =
         Writer { decimals: Decimals::for_tolerance(path), handle: FIRST_HANDLE, out: String::new() };
     for (layer, _) in &drawing.layers {
-        writer.layer(*layer, color(*layer, colours));
+        writer.layer(*layer, ink(*layer, colours).dxf);
     }
     let layers = std::mem::take(&mut writer.out);
     for (layer, shapes) in &drawing.layers {
@@ -153,19 +154,6 @@ fn halved(segment: &Segment) -> impl Iterator<Item = Segment> {
         _ => (*segment, None),
     };
     std::iter::once(first).chain(second)
-}
-
-/// AutoCAD colour index of a layer: the SVG's colour, which is one of the palette's first six.
-fn color(layer: Layer, colours: Colours) -> &'static str {
-    match (layer, colours) {
-        (Layer::SealInner, _)
-        | (Layer::Label | Layer::PaperMark, Colours::One)
-        | (Layer::Registration | Layer::PostHole, Colours::Ordered) => "5",
-        (Layer::SealOuter, _) => "3",
-        (Layer::Label | Layer::PaperMark, Colours::Ordered) => "4",
-        (Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => "6",
-        _ => "1",
-    }
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 mod dxf;
 mod gcode;
 mod number;
+mod palette;
 mod pdf;
 mod preview;
 mod stack_view;

@@ -3,8 +3,9 @@
 use svg::node::element::Element;
 use svg::{Document, Node};
 
-use crate::design::{Drawing, Layer, Origin, Shape};
+use crate::design::{Drawing, Origin, Shape};
 use crate::emit::number::Decimals;
+use crate::emit::palette::ink;
 use crate::emit::text::inert;
 use crate::geom::{Path, Point, Segment};
 use crate::spec::Colours;
@@ -40,7 +41,7 @@ pub fn svg(title: &str, drawing: &Drawing, path: Length, colours: Colours) -> St
         group.assign("inkscape:groupmode", "layer");
         group.assign("inkscape:label", layer.name());
         group.assign("fill", "none");
-        group.assign("stroke", color(*layer, colours));
+        group.assign("stroke", ink(*layer, colours).svg);
         for shape in shapes {
             let mut shape = page.shape(shape);
             for (name, value) in HAIRLINE {
@@ -51,20 +52,6 @@ pub fn svg(title: &str, drawing: &Drawing, path: Length, colours: Colours) -> St
         document.append(group);
     }
     format!("{document}\n")
-}
-
-/// The colour of a layer, one of the six that are pure: laser programs tell by it what to cut, to engrave, and when. Red cuts
-/// everywhere; black never does, for it is a picture to be engraved.
-fn color(layer: Layer, colours: Colours) -> &'static str {
-    match (layer, colours) {
-        (Layer::SealInner, _)
-        | (Layer::Label | Layer::PaperMark, Colours::One)
-        | (Layer::Registration | Layer::PostHole, Colours::Ordered) => "#0000ff",
-        (Layer::SealOuter, _) => "#00ff00",
-        (Layer::Label | Layer::PaperMark, Colours::Ordered) => "#00ffff",
-        (Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => "#ff00ff",
-        _ => "#ff0000",
-    }
 }
 
 /// An element without attributes.
