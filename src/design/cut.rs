@@ -30,7 +30,6 @@ impl CutLines {
     /// # Errors
     /// If the cut is wider than something that it is to cut out.
     pub fn new(kerf: f64, star: &Star, outline: &Outline, mask: &MaskPlate) -> Result<Self, Refusal> {
-        let half = kerf / 2.0;
         if let Some(hole) = outline.registration.iter().find(|hole| hole.diameter <= kerf) {
             let (found, diameter) = (Readable(kerf), Readable(hole.diameter));
             return Err(refusal(
@@ -38,8 +37,11 @@ impl CutLines {
                 format!("kerf must be below {diameter} mm"),
             ));
         }
-        let inside = |path: &Path, what| offset(path, -half).ok_or_else(|| too_wide(kerf, path, -0.5, what));
-        let around = |path: &Path, what| offset(path, half).ok_or_else(|| too_wide(kerf, path, 0.5, what));
+        let moved = |path: &Path, share: f64, what| {
+            offset(path, share * kerf).ok_or_else(|| too_wide(kerf, path, share, what))
+        };
+        let inside = |path: &Path, what| moved(path, -0.5, what);
+        let around = |path: &Path, what| moved(path, 0.5, what);
         // All windows are the first one, turned; without a kerf they stay as they are, to the bit.
         let windows = match mask.windows.first() {
             Some(first) if kerf > 0.0 => {

@@ -3,7 +3,7 @@
 //! All models that know a hinge answer here through [`HingeModel`]; they know no arms, so the volume of the whole
 //! actuator is `None`.
 
-use crate::forecast::choice::hinge_model;
+use crate::forecast::choice::{ARMS_LET_OUT, hinge_model};
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::{Hinge, HingeModel, Level};
 use crate::mechanics::strength::ElasticSheet;
@@ -170,16 +170,13 @@ fn of_a_hinge(
 fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<String> {
     let limit = model.level() != Level::Section;
     let r_star = actuator.radius / actuator.width;
+    let without_arms = format!("the hinge is computed without arms, which let it coil {ARMS_LET_OUT}");
     let known = [
         (
             limit,
             "the model is the limit of a membrane that neither bends nor stretches: a hinge at this pressure is stiffer",
         ),
-        (
-            !limit && model.arms_angle(r_star).is_none(),
-            "the hinge is computed without arms, which let it coil some 2 to 14 deg further; that angle is not known here \
-             yet",
-        ),
+        (!limit && model.arms_angle(r_star).is_none(), without_arms.as_str()),
         (angle < 0.0, "the arms touch before the hinge is at rest"),
         (
             actuator.arm < actuator.width,

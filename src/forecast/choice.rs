@@ -37,6 +37,9 @@ pub struct Choice {
 /// Beta of the `bvp` level; its distance from the exact ring is about ln(beta)/beta.
 pub const BVP_BETA: f64 = 1000.0;
 
+/// What is known of the angle by which a hinge between arms coils further than `section` says.
+pub(super) const ARMS_LET_OUT: &str = "some 2 to 14 deg further; that angle is not known here yet";
+
 /// Of `section`, which leaves out the arms: they let a hinge coil 2 to 14 deg further and soften it by about a tenth,
 /// by shell computations of single hinges; wrinkles, from 1/eps of 1,500 on, are worth as much again.
 const WITHOUT_ARMS: LimitEstimate = LimitEstimate { coiling: 0.1, stiffness: 0.25 };
@@ -129,11 +132,7 @@ pub fn hinge_model(
 pub fn limits_of_validity(level: Level, question: &Question) -> Vec<String> {
     let mut warnings = Vec::new();
     if level == Level::Section {
-        warnings.push(
-            "section knows hinges without arms, which let them coil some 2 to 14 deg further; that angle is not known \
-             here yet"
-                .to_owned(),
-        );
+        warnings.push(format!("section knows hinges without arms, which let them coil {ARMS_LET_OUT}"));
         return warnings;
     }
     if let Some(bendability) = question.bendability
