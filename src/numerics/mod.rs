@@ -11,9 +11,11 @@ pub mod dual;
 pub mod gauss;
 pub mod newton;
 pub mod root;
+mod vector;
 
 pub use chebyshev::Chebyshev;
 pub use cholesky::SymmetricBand;
 pub use dual::Dual;
 pub use newton::{NewtonFault, NewtonReport, newton};
 pub use root::{RootFault, bracketed_root};
+pub use vector::dot;

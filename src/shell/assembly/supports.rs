@@ -13,6 +13,16 @@ pub struct Plane {
 }
 
 impl Plane {
+    /// The plane through the origin that begins a sheet there: it holds the x axis.
+    pub fn first() -> Self {
+        Self { point: [0.0, 0.0], normal: [0.0, -1.0] }
+    }
+
+    /// The plane through the origin that ends a sheet there, at the angle `angle` (rad) to the first.
+    pub fn second(angle: f64) -> Self {
+        Self { point: [0.0, 0.0], normal: [-angle.sin(), angle.cos()] }
+    }
+
     /// The normal in space.
     pub(crate) fn upright(&self) -> Vector {
         [self.normal[0], self.normal[1], 0.0]

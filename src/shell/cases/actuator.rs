@@ -7,7 +7,7 @@ use crate::shell::cases::family::{Evidence, Family, Watch};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
-use crate::shell::mesh::{HalfActuator, Mesh, Sizes, plane};
+use crate::shell::mesh::{Border, HalfActuator, Mesh, Sizes, plane};
 use crate::shell::solver::{Rung, Solver};
 use std::f64::consts::PI;
 
@@ -125,11 +125,8 @@ pub fn actuator(
 
 /// The plane of symmetry through the hinge, and what keeps the whole from sliding along it.
 fn supports(mesh: &Mesh) -> Supports {
-    let first = Plane { point: [0.0, 0.0], normal: [0.0, -1.0] };
-    let mut supports = Supports::new(mesh, vec![first]);
-    let border = Some(crate::shell::mesh::Border::Mirror(plane::FIRST));
-    let ends = mesh.edges.iter().filter(|edge| edge.border == border).flat_map(|edge| edge.ends);
-    if let Some(inner) = ends.min_by(|a, b| mesh.points[*a][0].total_cmp(&mesh.points[*b][0])) {
+    let mut supports = Supports::new(mesh, vec![Plane::first()]);
+    if let Some(inner) = mesh.innermost(Border::Mirror(plane::FIRST)) {
         supports.fix(inner, 0);
     }
     supports
@@ -144,8 +141,5 @@ fn arm_line(half: &HalfActuator, mesh: &Mesh) -> ArmLine {
 fn stiffness(solver: &mut Solver, line: &ArmLine, rung: &Rung) -> f64 {
     let [x, y] = line.direction(&rung.state);
     let square = x * x + y * y;
-    let slope = solver.assembly.project(&line.times([2.0 * y / square, -2.0 * x / square]));
-    let mut answer = slope.clone();
-    solver.solve(&mut answer);
-    4.0 / slope.iter().zip(&answer).map(|(a, b)| a * b).sum::<f64>()
+    4.0 / solver.compliance(&line.times([2.0 * y / square, -2.0 * x / square]))
 }

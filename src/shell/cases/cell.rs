@@ -9,7 +9,7 @@ use crate::shell::cases::family::{Evidence, Family, Watch};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
-use crate::shell::mesh::{self, Mesh, Sizes};
+use crate::shell::mesh::{self, Border, Mesh, Sizes, plane};
 use crate::shell::solver::{Aim, Solver, Stop};
 
 /// A hinge without arms.
@@ -51,7 +51,7 @@ pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCe
     case.tube.check()?;
     let region = mesh::Cell { r: case.radius / case.tube.width, w: 1.0, arc: case.arc };
     let coarsest = region.mesh(&Sizes::across(1.0, fineness.cells))?;
-    let hold = |mesh: &Mesh| Supports::new(mesh, vec![first(), second(case.arc)]);
+    let hold = |mesh: &Mesh| Supports::new(mesh, vec![Plane::first(), Plane::second(case.arc)]);
     let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
     let ([lambda, stiffness], evidence) = family.run(watch, |solver, meshed, rung| {
         let turning =
@@ -59,14 +59,6 @@ pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCe
         turning.rest(solver, &rung.state).map_err(|why| case.tube.stopped(why, solver.triangles()))
     })?;
     Ok(InflatedCell { lambda, stiffness: stiffness.scaled(case.tube.energy()), evidence })
-}
-
-fn first() -> Plane {
-    Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }
-}
-
-fn second(angle: f64) -> Plane {
-    Plane { point: [0.0, 0.0], normal: [-angle.sin(), angle.cos()] }
 }
 
 /// A cell that is being turned.
@@ -121,29 +113,28 @@ impl Turning<'_> {
             let further = x[1].atan2(x[0]) * (to / from - 1.0);
             *x = turned(*x, further);
         }
-        solver.assembly.turn_plane(1, second(to * self.arc));
+        solver.assembly.turn_plane(1, Plane::second(to * self.arc));
         let _ = solver.rest(state, self.aim)?;
         Ok(self.moment(solver, state, to * self.arc))
     }
 
     /// dPi/da by differences of fourth order, every point held but those of the second plane.
     fn moment(&self, solver: &mut Solver, state: &State, angle: f64) -> f64 {
-        let border = Some(mesh::Border::Mirror(mesh::plane::SECOND));
         let mut is_turned = vec![false; self.mesh.points.len()];
-        for edge in self.mesh.edges.iter().filter(|edge| edge.border == border) {
-            edge.ends.iter().for_each(|end| is_turned[*end] = true);
+        for edge in self.mesh.along(Border::Mirror(plane::SECOND)) {
+            self.mesh.edges[edge].ends.iter().for_each(|end| is_turned[*end] = true);
         }
         let mut at = |by: f64| {
             let mut aside = state.clone();
             for (x, _) in aside.points.iter_mut().zip(&is_turned).filter(|(_, is_turned)| **is_turned) {
                 *x = turned(*x, by);
             }
-            solver.assembly.turn_plane(1, second(angle + by));
+            solver.assembly.turn_plane(1, Plane::second(angle + by));
             solver.assembly.energy(&aside).total(self.aim.pressure)
         };
         let step = 1e-3;
         let slope = (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
-        solver.assembly.turn_plane(1, second(angle));
+        solver.assembly.turn_plane(1, Plane::second(angle));
         slope
     }
 }

@@ -9,7 +9,7 @@ use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::contact::Obstacle;
-use crate::shell::mesh::{Border, HalfSector, Mesh, Meshed, Sizes, plane};
+use crate::shell::mesh::{Border, HalfSector, Mesh, Sizes, plane};
 use crate::shell::solver::{Rung, Solver};
 
 /// A flat star, SI units and radians.
@@ -52,8 +52,11 @@ pub struct InflatedStar {
     pub evidence: Evidence,
 }
 
-/// Numbers that each mesh gives, without those of the objects.
-const NUMBERS: usize = 8;
+/// Numbers that each mesh gives of the whole star, and with those of its hardest loaded places.
+const WHOLE: usize = 6;
+const NUMBERS: usize = WHOLE + 2;
+/// The corner's plane of symmetry.
+const CORNER: Border = Border::Mirror(plane::FIRST);
 /// Objects of one call: more are asked for in another.
 pub const MOST_OBJECTS: usize = 8;
 
@@ -90,7 +93,7 @@ pub fn star(
         return Err(ShellFault::TooMany { name: "objects", found: objects.len(), most: MOST_OBJECTS });
     }
     let coarsest = sector.mesh(&Sizes::across(1.0, fineness.cells))?;
-    let planes = planes(&sector);
+    let planes = [Plane::first(), Plane::second(sector.half_angle())];
     let obstacles = [Obstacle::Wall(planes[0]), Obstacle::Wall(planes[1]), Obstacle::Post { radius: 0.0 }];
     let hold = |mesh: &Mesh| Supports::new(mesh, planes.to_vec());
     let family =
@@ -99,7 +102,9 @@ pub fn star(
     let (values, evidence) = family.run(watch, |solver, meshed, rung| {
         let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];
         worst = extremes::extremes(&solver.assembly.sheet, &meshed.mesh, &rung.state);
-        numbers[..NUMBERS].copy_from_slice(&measure(&sector, solver, meshed, rung));
+        let whole = measure(&sector, solver, &meshed.mesh, rung);
+        numbers[..WHOLE].copy_from_slice(&whole);
+        numbers[WHOLE..NUMBERS].copy_from_slice(&[worst.seal_tension, worst.stretch]);
         press(case, objects, solver, rung, &mut numbers[NUMBERS..])?;
         Ok(numbers)
     })?;
@@ -119,46 +124,26 @@ pub fn star(
     })
 }
 
-/// The planes through the corner and the tip.
-fn planes(sector: &HalfSector) -> [Plane; 2] {
-    let (sine, cosine) = sector.half_angle().sin_cos();
-    [Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }, Plane { point: [0.0, 0.0], normal: [-sine, cosine] }]
-}
-
 /// Points of the corner's section, in its plane of symmetry, with the flat length that each stands for.
 fn section(mesh: &Mesh) -> Vec<(usize, f64)> {
-    let border = Some(Border::Mirror(plane::FIRST));
-    let on = (0..mesh.edges.len()).filter(|edge| mesh.edges[*edge].border == border);
+    let on = mesh.along(CORNER);
     on.flat_map(|edge| mesh.edges[edge].ends.map(|end| (end, mesh.length(edge) / 2.0))).collect()
 }
 
-/// Radius, tip angle, volume, force and area of contact, stiffness, seal tension, stretch.
-fn measure(sector: &HalfSector, solver: &mut Solver, meshed: &Meshed, rung: &Rung) -> [f64; NUMBERS] {
-    let mesh = &meshed.mesh;
-    let section = section(mesh);
-    let apex = section
-        .iter()
-        .map(|(point, _)| *point)
-        .min_by(|a, b| mesh.points[*a][0].total_cmp(&mesh.points[*b][0]));
-    let radius = apex.map_or(0.0, |apex| rung.state.points[apex][0]);
+/// Radius, tip angle, volume, force and area of contact, stiffness.
+fn measure(sector: &HalfSector, solver: &mut Solver, mesh: &Mesh, rung: &Rung) -> [f64; WHOLE] {
+    let radius = mesh.innermost(CORNER).map_or(0.0, |apex| rung.state.points[apex][0]);
     let contact = solver.contact.as_ref();
     let (force, area) = contact.map_or((0.0, 0.0), |contact| (contact.force(1), contact.patch(1)));
     let parts: Vec<(usize, [f64; 3])> =
-        section.iter().map(|(point, length)| (*point, [*length, 0.0, 0.0])).collect();
-    let push = solver.assembly.project(&parts);
-    let mut answer = push.clone();
-    solver.solve(&mut answer);
-    let gives: f64 = push.iter().zip(&answer).map(|(a, b)| a * b).sum();
-    let worst = extremes::extremes(&solver.assembly.sheet, mesh, &rung.state);
+        section(mesh).into_iter().map(|(point, length)| (point, [length, 0.0, 0.0])).collect();
     [
         radius,
         tip_angle(sector, mesh, &rung.state),
         rung.rest.energy.volume,
         force,
         area,
-        1.0 / gives,
-        worst.seal_tension,
-        worst.stretch,
+        1.0 / solver.compliance(&parts),
     ]
 }
 

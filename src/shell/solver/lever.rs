@@ -5,6 +5,7 @@
 //! H^-1 v = A^-1 v + s (e.A^-1 v)/(1 - s e.A^-1 e) A^-1 e. H has as many negative eigenvalues as 1 - s e.A^-1 e, none or
 //! one, and is positive definite where the lever c holds if c.H^-1 c has the sign of that.
 
+use crate::numerics;
 use crate::shell::assembly::Assembly;
 use crate::shell::element::vector::{Vector, dot, times};
 use crate::shell::solver::factor::Factor;
@@ -47,25 +48,21 @@ impl Lever {
         let mut held = Held { braced: brace.clone(), answer: self.row.clone(), ..Held::default() };
         factor.solve(&mut held.braced);
         factor.solve(&mut held.answer);
-        let left = 1.0 - self.brace * inner(&brace, &held.braced);
+        let left = 1.0 - self.brace * numerics::dot(&brace, &held.braced);
         held.taken_back = self.brace / left;
-        let back = held.taken_back * inner(&brace, &held.answer);
+        let back = held.taken_back * numerics::dot(&brace, &held.answer);
         held.answer.iter_mut().zip(&held.braced).for_each(|(answer, braced)| *answer += back * braced);
-        held.gives = inner(&self.row, &held.answer);
+        held.gives = numerics::dot(&self.row, &held.answer);
         (held.gives * left > 0.0).then_some(held)
     }
 
     /// Turns A^-1 v, in `vector`, into H^-1 v without what the lever does not let through; the multiplier that takes it away.
     pub(crate) fn constrain(&self, assembly: &Assembly, held: &Held, vector: &mut [f64]) -> f64 {
         let brace = assembly.project(&[(self.point, self.direction)]);
-        let back = held.taken_back * inner(&brace, vector);
+        let back = held.taken_back * numerics::dot(&brace, vector);
         vector.iter_mut().zip(&held.braced).for_each(|(x, braced)| *x += back * braced);
-        let multiplier = inner(&self.row, vector) / held.gives;
+        let multiplier = numerics::dot(&self.row, vector) / held.gives;
         vector.iter_mut().zip(&held.answer).for_each(|(x, answer)| *x -= multiplier * answer);
         multiplier
     }
-}
-
-pub(crate) fn inner(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

@@ -1,9 +1,10 @@
 //! One equilibrium: Newton's method on the energy, with the full Hessian.
 
+use crate::numerics::dot;
 use crate::shell::assembly::{Assembly, Energy, Sheet, State, Supports};
 use crate::shell::contact::Contact;
 use crate::shell::solver::factor::Factor;
-use crate::shell::solver::lever::{Held, Lever, inner};
+use crate::shell::solver::lever::{Held, Lever};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -208,8 +209,8 @@ impl Solver {
     /// The norm of the forces, without what the lever takes, whose multiplier it keeps.
     fn residual(&mut self) -> f64 {
         let gradient = self.assembly.gradient();
-        let Some(lever) = &self.lever else { return inner(gradient, gradient).sqrt() };
-        self.multiplier = -inner(&lever.row, gradient) / inner(&lever.row, &lever.row);
+        let Some(lever) = &self.lever else { return dot(gradient, gradient).sqrt() };
+        self.multiplier = -dot(&lever.row, gradient) / dot(&lever.row, &lever.row);
         let left = lever.row.iter().zip(gradient).map(|(c, g)| g + self.multiplier * c);
         left.map(|x| x * x).sum::<f64>().sqrt()
     }
@@ -249,7 +250,7 @@ impl Solver {
 
     /// Goes as far along `step` as the energy falls.
     fn take_step(&mut self, state: &mut State, before: Energy, aim: Aim) -> Result<Energy, Stop> {
-        let slope = inner(&self.step, self.assembly.gradient());
+        let slope = dot(&self.step, self.assembly.gradient());
         let noise = ROUNDING * (before.membrane + before.bending + (aim.pressure * before.volume).abs());
         let start = before.total(aim.pressure);
         let mut fraction = 1.0;
@@ -270,14 +271,18 @@ impl Solver {
         Err(Stop::Stalled)
     }
 
-    /// Factors the Hessian assembled last, for measurements; whether it is positive definite.
-    pub fn factor_once(&mut self) -> bool {
-        self.factor.compute(self.assembly.hessian().2, 0.0, &self.lumps)
-    }
-
     /// Solves with the unshifted Hessian of the last equilibrium.
     pub fn solve(&mut self, rhs: &mut [f64]) {
         self.factor.solve(rhs);
+    }
+
+    /// How far the last equilibrium gives way to a load of one on the sum of products of points with `parts`: g.H^-1 g,
+    /// along the same sum.
+    pub fn compliance(&mut self, parts: &[(usize, [f64; 3])]) -> f64 {
+        let load = self.assembly.project(parts);
+        let mut answer = load.clone();
+        self.factor.solve(&mut answer);
+        dot(&load, &answer)
     }
 
     /// Triangles of its mesh.

@@ -16,7 +16,7 @@
 use crate::mechanics::hinge::section::density::Scales;
 use crate::mechanics::hinge::section::mesh::Mesh;
 use crate::mechanics::hinge::section::potential::{Potential, WIDTH, value};
-use crate::numerics::SymmetricBand;
+use crate::numerics::{SymmetricBand, dot};
 
 /// Half the opening angles (rad) of the arcs from which a hinge is searched, one after the other, and their coiling. The
 /// first is so shallow that its strains are small, and nearly always does; from steeper arcs of soft sheets it takes twice
@@ -241,10 +241,6 @@ impl Search {
         self.shape.iter_mut().zip(&self.step).for_each(|(x, step)| *x += part * step);
         self.lambda += part * turn;
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 /// Lumped weights of the unknowns, which the shift multiplies. The radius is raised a little, or the nodes at a point on
