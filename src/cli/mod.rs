@@ -24,6 +24,7 @@ mod quantity;
 mod resume;
 mod summary;
 mod sweep;
+mod table;
 mod text_file;
 mod trade;
 mod verify;
@@ -59,6 +60,8 @@ enum Command {
     Optimize(optimize::Args),
     /// Compute many designs at once: one CSV row for every combination of values.
     Sweep(sweep::Args),
+    /// Compute the shipped table of what arms add to a hinge anew, or a part of it.
+    Table(table::Args),
     /// Measure time and error of every model on this machine.
     Trade(trade::Args),
     /// Reduce a cone test to radial force against radius.
@@ -92,6 +95,7 @@ pub fn main() -> ExitCode {
         Command::Actuator(args) => actuator::run(&args),
         Command::Optimize(args) => optimize::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Table(args) => table::run(&args),
         Command::Trade(args) => trade::run(&args),
         Command::Cone(args) => cone::run(&args),
         Command::Verify(args) => verify::run(&args),

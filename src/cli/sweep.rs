@@ -6,6 +6,7 @@ use std::path::PathBuf;
 
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
+use crate::cli::quantity::part;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::sweep::{Axis, Sweep};
 
@@ -29,13 +30,6 @@ pub(super) struct Args {
     /// Threads; default: all.
     #[arg(long)]
     threads: Option<usize>,
-}
-
-fn part(text: &str) -> Result<(usize, usize), String> {
-    let fault = || format!("`{text}` is not k/N with k from 1 to N");
-    let (k, n) = text.split_once('/').ok_or_else(fault)?;
-    let (k, n): (usize, usize) = (k.parse().map_err(|_| fault())?, n.parse().map_err(|_| fault())?);
-    if (1..=n).contains(&k) && n <= 1_000_000 { Ok((k, n)) } else { Err(fault()) }
 }
 
 /// Computes the rows and writes them in order.

@@ -10,10 +10,12 @@
 //! | [`choice`] | which model answers, and the error to expect of it |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
+//! | [`arms`] | what arms add to a hinge: ladders of shells, and the table made of them |
 //! | [`candidate`], [`sweep`], [`optimize`] | the same answer for one design among millions |
 //! | [`trade`] | what each model costs, and how far it is off |
 
 pub mod actuator;
+pub mod arms;
 pub mod candidate;
 pub mod case;
 pub mod choice;

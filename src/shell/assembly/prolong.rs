@@ -1,12 +1,28 @@
-//! A shape carried to the mesh whose every triangle is cut into four: a start for Newton's method there.
+//! How triangles of a shape are bent, and the shape carried to the mesh whose every triangle is cut into four: a start for Newton's method there.
 
-use crate::shell::assembly::sheet::{Beyond, Sheet, State};
+use crate::shell::assembly::sheet::{Beyond, Piece, Sheet, State};
 use crate::shell::assembly::{Assembly, part_of_fold};
 use crate::shell::element::bending;
 use crate::shell::element::vector::{along, minus, times};
 use crate::shell::element::{LAST, NEXT};
 
 impl Assembly {
+    /// The shape operator of each triangle of `state`: kappa_11, kappa_22, kappa_12 in the axes of the flat sheet.
+    pub fn curvatures(&mut self, state: &State) -> Vec<[f64; 3]> {
+        let _ = self.energy(state);
+        self.sheet.pieces.iter().map(|piece| self.curvature(piece, state)).collect()
+    }
+
+    /// The shape operator of one triangle of the shape whose energy was computed last.
+    fn curvature(&self, piece: &Piece, state: &State) -> [f64; 3] {
+        let alpha = std::array::from_fn(|i| {
+            let edge = piece.edges[i];
+            let fold = if piece.beyond[i] == Beyond::Nothing { 0.0 } else { self.turning[edge] };
+            part_of_fold(piece.beyond[i]) * fold + piece.lean[i] * state.leans[edge]
+        });
+        bending::curvature(&piece.flat, alpha)
+    }
+
     /// `state` on the sheet `finer`, whose points are this sheet's and then the middle of each of its edges, in their order.
     ///
     /// Middles lie off the edge by its bending, l^2 kappa/8; directors begin unleaned.
@@ -25,12 +41,7 @@ impl Assembly {
             *middle = [0.0; 3];
         }
         for (piece, facet) in self.sheet.pieces.iter().zip(&self.facets) {
-            let alpha = std::array::from_fn(|i| {
-                let edge = piece.edges[i];
-                let fold = if piece.beyond[i] == Beyond::Nothing { 0.0 } else { self.turning[edge] };
-                part_of_fold(piece.beyond[i]) * fold + piece.lean[i] * state.leans[edge]
-            });
-            let kappa = bending::curvature(&piece.flat, alpha);
+            let kappa = self.curvature(piece, state);
             for i in 0..3 {
                 let (a, b) = (piece.corners[NEXT[i]], piece.corners[LAST[i]]);
                 let (flat_a, flat_b) = (self.sheet.points[a], self.sheet.points[b]);

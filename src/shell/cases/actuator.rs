@@ -5,6 +5,7 @@ use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::bend::{Bend, angle_of};
 use crate::shell::cases::family::{Evidence, Family, Watch};
 use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::shape::Shape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::mesh::{Border, HalfActuator, Mesh, Sizes, plane};
@@ -37,6 +38,8 @@ pub struct Actuator {
     pub stiffness: Value,
     /// Angles that were asked for, rad, and the applied moment dU/dphi that holds each, N m; positive opens.
     pub moments: Vec<(f64, Value)>,
+    /// Its modelled sheet at rest.
+    pub shape: Shape,
     /// How it was come by.
     pub evidence: Evidence,
 }
@@ -72,6 +75,11 @@ impl VActuator {
     /// Its flat half by the scales of the shell.
     fn half(&self) -> Result<HalfActuator, ShellFault> {
         self.tube.check()?;
+        self.flat()
+    }
+
+    /// The same of any tube.
+    pub(super) fn flat(&self) -> Result<HalfActuator, ShellFault> {
         let w = self.tube.width;
         let l = self.arm_length / w;
         if !(SHORTEST_ARM..=LONGEST_ARM).contains(&l) {
@@ -98,6 +106,7 @@ pub fn actuator(
     }
     let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
     let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &supports, obstacles: &[] };
+    let mut shape = Shape::default();
     let (values, evidence) = family.run(watch, |solver, meshed, rung| {
         let line = arm_line(&half, &meshed.mesh);
         let mut numbers = [0.0; NUMBERS + MOST_ANGLES];
@@ -108,6 +117,7 @@ pub fn actuator(
         let moments = bend.moments(solver, &rung.state, angles);
         let moments = moments.map_err(|why| case.tube.stopped(why, solver.triangles()))?;
         numbers[NUMBERS..][..moments.len()].copy_from_slice(&moments);
+        shape = Shape::new(&case.tube, solver, &meshed.mesh, &rung.state);
         Ok(numbers)
     })?;
     let [angle, volume, stiffness] = [values[0], values[1], values[2]];
@@ -119,12 +129,13 @@ pub fn actuator(
         volume: volume.scaled(case.tube.width.powi(3)),
         stiffness: stiffness.scaled(unit),
         moments: angles.iter().zip(&values[NUMBERS..]).map(|(angle, m)| (*angle, m.scaled(unit))).collect(),
+        shape,
         evidence,
     })
 }
 
 /// The plane of symmetry through the hinge, and what keeps the whole from sliding along it.
-fn supports(mesh: &Mesh) -> Supports {
+pub(super) fn supports(mesh: &Mesh) -> Supports {
     let mut supports = Supports::new(mesh, vec![Plane::first()]);
     if let Some(inner) = mesh.innermost(Border::Mirror(plane::FIRST)) {
         supports.fix(inner, 0);
@@ -132,13 +143,13 @@ fn supports(mesh: &Mesh) -> Supports {
     supports
 }
 
-fn arm_line(half: &HalfActuator, mesh: &Mesh) -> ArmLine {
+pub(super) fn arm_line(half: &HalfActuator, mesh: &Mesh) -> ArmLine {
     let (sine, cosine) = ((PI - half.phi_0) / 2.0).sin_cos();
     ArmLine::new(mesh, [-sine, cosine], [1.0, half.l - 1.0])
 }
 
 /// d2U/dphi2 of the whole, by one solve with the last factor: the angle gives way by g.H^-1 g to a moment of one.
-fn stiffness(solver: &mut Solver, line: &ArmLine, rung: &Rung) -> f64 {
+pub(super) fn stiffness(solver: &mut Solver, line: &ArmLine, rung: &Rung) -> f64 {
     let [x, y] = line.direction(&rung.state);
     let square = x * x + y * y;
     4.0 / solver.compliance(&line.times([2.0 * y / square, -2.0 * x / square]))

@@ -23,7 +23,7 @@ pub struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    fn tell(&self, part: f64, what: &str) {
+    pub(crate) fn tell(&self, part: f64, what: &str) {
         if let Some(progress) = self.progress {
             progress(part, what);
         }

@@ -14,6 +14,8 @@ mod cell;
 mod extremes;
 mod family;
 mod fault;
+mod pressures;
+mod shape;
 mod star;
 #[cfg(test)]
 mod tests;
@@ -25,6 +27,8 @@ pub use cell::{Cell, InflatedCell, cell};
 pub use extremes::Extremes;
 pub use family::{Evidence, Progress, Watch};
 pub use fault::ShellFault;
+pub use pressures::{Inflation, inflations};
+pub use shape::Shape;
 pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, star};
 pub use tube::Tube;
 pub use value::Value;

@@ -12,6 +12,7 @@
 //! What a section does not know: arms (hoop compression is let out into them, and the hinge coils further), and wrinkles,
 //! which come above 1/eps of some 1,500 with t/W below 0.01.
 
+pub mod arms;
 mod density;
 mod mesh;
 mod potential;
@@ -75,6 +76,11 @@ impl Section {
         let stiffness = 12.0 * (1.0 - poisson * poisson) / (bendability * thickness * thickness);
         check("p W / Y", stiffness.recip(), 0.0..=MOST_STRETCH)?;
         Ok(Self::unchecked(bendability, stiffness, poisson))
+    }
+
+    /// The section at 1/eps, tau = t / [W sqrt(12 (1 - nu^2))] and nu, unchecked: for tables that end a little beyond its range.
+    pub(crate) fn by_ratios(bendability: f64, tau: f64, poisson: f64) -> Self {
+        Self::unchecked(bendability, (bendability * tau * tau).recip(), poisson)
     }
 
     /// The section at 1/eps, Y / (p W) and nu, whatever they are.

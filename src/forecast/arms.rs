@@ -1,0 +1,217 @@
+//! What arms add to a hinge, computed: **ladders** of V-actuators at rising pressures, as shells, and the table made of them.
+//!
+//! A ladder is one tau, R* and nu at all pressures of the table's grid; its answer is a text that stands alone, with a
+//! checksum of its own in its last line. All texts together are joined into the table, `section` subtracted.
+
+use crate::mechanics::fault::HingeFault;
+use crate::mechanics::hinge::HingeModel;
+use crate::mechanics::hinge::section::{Section, arms};
+use crate::shell::cases::{Fineness, Inflation, ShellFault, Tube, VActuator, Value, Watch, inflations};
+use crate::shell::element::Fabric;
+use sha2::{Digest, Sha256};
+use std::f64::consts::{FRAC_PI_4, PI};
+use std::fmt;
+use std::fmt::Write;
+
+/// phi_0 of all ladders, deg.
+const ANGLE: f64 = 60.0;
+/// Length of their arms by W.
+const ARM: f64 = 4.0;
+/// Their width, m. Ratios alone matter.
+const WIDTH: f64 = 0.02;
+/// Their Y, N/m.
+const STRETCH: f64 = 1e4;
+/// Meshes of some 3,000, 12,000 and 48,000 unknowns, begun on one of 800.
+pub const FINENESS: Fineness = Fineness { cells: 5.0, cuts: 3 };
+/// Poisson's ratios besides the table's, and where they are tried.
+const OTHER_POISSONS: [f64; 2] = [0.2, 0.49];
+const OTHERS: [(usize, usize); 3] = [(1, 2), (3, 0), (4, 3)];
+
+/// One ladder.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ladder {
+    /// Its number, from 1.
+    pub number: usize,
+    /// t / [W sqrt(12 (1 - nu^2))].
+    pub tau: f64,
+    /// R*.
+    pub r_star: f64,
+    /// nu.
+    pub poisson: f64,
+}
+
+/// Ladders of the table, tau by tau; those after them say what nu does besides.
+pub fn ladders() -> Vec<Ladder> {
+    let mut all = Vec::new();
+    let mut push = |tau, r_star, poisson| all.push(Ladder { number: all.len() + 1, tau, r_star, poisson });
+    for tau in arms::TAUS {
+        for r_star in arms::R_STARS {
+            push(tau, r_star, arms::POISSON);
+        }
+    }
+    for poisson in OTHER_POISSONS {
+        for (tau, r_star) in OTHERS {
+            push(arms::TAUS[tau], arms::R_STARS[r_star], poisson);
+        }
+    }
+    all
+}
+
+impl Ladder {
+    /// Whether it is one of the table's own.
+    pub fn is_in_table(&self) -> bool {
+        self.poisson == arms::POISSON
+    }
+
+    /// Computes it: its text, and what it found.
+    ///
+    /// # Errors
+    /// If the shell refuses, or was told to stop.
+    pub fn climb(&self, fineness: Fineness, watch: &Watch<'_>) -> Result<String, ShellFault> {
+        let bendabilities = arms::bendabilities(self.tau);
+        let bending = STRETCH * (self.tau * WIDTH).powi(2);
+        let fabric = Fabric { stretch: STRETCH, bending, poisson: self.poisson };
+        let pressures = bendabilities.map(|b| b * bending / WIDTH.powi(3));
+        let case = VActuator {
+            tube: Tube { width: WIDTH, fabric, pressure: pressures[0] },
+            radius: self.r_star * WIDTH,
+            arm_length: ARM * WIDTH,
+            angle: ANGLE.to_radians(),
+        };
+        let found = inflations(&case, &pressures, fineness, watch)?;
+        let mut text = String::from(
+            "# A V-actuator of 60 deg with arms of 4 W as a shell; `stargrip-cam table`.\n# 1/eps; alpha, deg, its mesh error, on \
+             three meshes; C alpha_0 / (p W^3), its mesh error, on three meshes.\n",
+        );
+        let Self { number, tau, r_star, poisson } = self;
+        let Fineness { cells, cuts } = fineness;
+        let _ = writeln!(text, "ladder {number} tau {tau} R* {r_star} nu {poisson} cells {cells} cuts {cuts}");
+        for ((b, pressure), found) in bendabilities.iter().zip(pressures).zip(found) {
+            let Some(Inflation { angle, stiffness, .. }) = found else { break };
+            let alpha = angle.shifted(-PI).scaled(-1.0_f64.to_degrees());
+            let unit = pressure * WIDTH.powi(3) / (PI - ANGLE.to_radians());
+            let _ = writeln!(text, "{b:.3} {} {}", value(alpha, 4), value(stiffness.scaled(unit.recip()), 5));
+        }
+        let hash = hash(&text);
+        let _ = writeln!(text, "{hash}");
+        Ok(text)
+    }
+}
+
+fn value(value: Value, decimals: usize) -> String {
+    let Value { value, error, meshes: [a, b, c] } = value;
+    format!("{value:.decimals$} {error:.decimals$} {a:.decimals$} {b:.decimals$} {c:.decimals$}")
+}
+
+fn hash(text: &str) -> String {
+    Sha256::digest(text).iter().fold(String::new(), |mut hash, byte| {
+        let _ = write!(hash, "{byte:02x}");
+        hash
+    })
+}
+
+/// A ladder's text as it is read back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Climbed {
+    /// Which one it is.
+    pub ladder: Ladder,
+    /// 1/eps; alpha, deg, and its mesh error; C alpha_0 / (p W^3) and its mesh error.
+    pub points: Vec<[f64; 5]>,
+}
+
+impl Climbed {
+    /// Reads a text; `None` if it is torn, or not one of the ladders.
+    pub fn read(text: &str) -> Option<Self> {
+        let (body, last) = text.trim_end().rsplit_once('\n')?;
+        if hash(&format!("{body}\n")) != last {
+            return None;
+        }
+        let mut lines = body.lines().filter(|line| !line.starts_with('#'));
+        let words: Vec<&str> = lines.next()?.split(' ').collect();
+        let ["ladder", number, "tau", tau, "R*", r_star, "nu", poisson, ..] = words[..] else { return None };
+        let number = number.parse().ok()?;
+        let ladder = *ladders().get(usize::checked_sub(number, 1)?)?;
+        let said = Ladder {
+            number,
+            tau: tau.parse().ok()?,
+            r_star: r_star.parse().ok()?,
+            poisson: poisson.parse().ok()?,
+        };
+        let point = |line: &str| {
+            let numbers: Option<Vec<f64>> = line.split(' ').map(|word| word.parse().ok()).collect();
+            let [b, alpha, alpha_error, _, _, _, c, c_error, _, _, _] = numbers?[..] else { return None };
+            Some([b, alpha, alpha_error, c, c_error])
+        };
+        let points: Option<Vec<[f64; 5]>> = lines.map(point).collect();
+        (said == ladder).then_some(Self { ladder, points: points? })
+    }
+
+    /// For each pressure 1/eps, delta and its error, deg, and the part of C alpha_0 with its error.
+    ///
+    /// # Errors
+    /// If the section has no such hinge.
+    pub fn arms(&self) -> Result<Vec<[f64; 5]>, HingeFault> {
+        let arc = PI - ANGLE.to_radians();
+        let Ladder { tau, r_star, poisson, .. } = self.ladder;
+        let each = |[b, alpha, alpha_error, c, c_error]: [f64; 5]| {
+            let section = Section::by_ratios(b, tau, poisson).target(r_star)?;
+            let tanh = (arc / FRAC_PI_4).tanh();
+            let delta = (alpha - section.lambda * arc.to_degrees()) / tanh;
+            let stiffness = -section.curvature;
+            Ok([b, delta, alpha_error / tanh, c / stiffness, c_error / stiffness])
+        };
+        self.points.iter().copied().map(each).collect()
+    }
+}
+
+/// Why ladders make no table.
+#[derive(Clone, Debug, PartialEq)]
+pub enum JoinFault {
+    /// A ladder is missing.
+    Missing(usize),
+    /// A ladder ends before its last pressure.
+    Short(usize),
+    /// The section refuses.
+    Hinge(HingeFault),
+}
+
+impl fmt::Display for JoinFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Missing(number) => write!(f, "ladder {number} is missing: compute it first"),
+            Self::Short(number) => write!(f, "ladder {number} ends before its last pressure"),
+            Self::Hinge(fault) => fault.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for JoinFault {}
+
+/// The table of all its ladders, as the text that is shipped.
+///
+/// # Errors
+/// If one of them is missing or incomplete.
+pub fn join(climbed: &[Climbed]) -> Result<String, JoinFault> {
+    let mut body = String::new();
+    for ladder in ladders().into_iter().filter(Ladder::is_in_table) {
+        let number = ladder.number;
+        let own = climbed.iter().find(|climbed| climbed.ladder.number == number);
+        let points = own.ok_or(JoinFault::Missing(number))?.arms().map_err(JoinFault::Hinge)?;
+        if points.len() != arms::PRESSURES {
+            return Err(JoinFault::Short(number));
+        }
+        for [b, angle, angle_error, part, part_error] in points {
+            let Ladder { tau, r_star, .. } = ladder;
+            let _ = writeln!(
+                body,
+                "{tau} {r_star} {b:.3} {angle:.4} {angle_error:.4} {part:.5} {part_error:.5}"
+            );
+        }
+    }
+    let hash = hash(&body);
+    Ok(format!(
+        "# What arms add to a hinge; read by src/mechanics/hinge/section/arms.rs.\n\
+         # Made by `stargrip-cam table DIR` and `stargrip-cam table DIR --join`. SHA-256 of the lines below: {hash}\n\
+         # tau, R*, 1/eps; delta and its mesh error, deg; the part of C alpha_0 that is left, and its mesh error.\n{body}"
+    ))
+}

@@ -1,0 +1,109 @@
+//! What arms add to a hinge: the angle by which it coils further, and the part of its stiffness that is left.
+//!
+//! At the two mouths of a hinge hoop compression is let out into the arms, so between arms it coils to `alpha = lambda
+//! alpha_0 + delta tanh(alpha_0 / 45 deg)`, with delta the **arms' angle**. No formula for delta is known: it was taken from
+//! V-actuators of phi_0 = 60 deg with arms of 4 W, computed as shells, and so was the **arms' part** of C alpha_0.
+//!
+//! Both depend on 1/eps, on `tau = t / [W sqrt(12 (1 - nu^2))]`, so that `p W / Y = tau^2 / eps`, and on R*. The grid is regular in
+//! ln tau, in `ln(R* + 0.03)` and, from [`LEAST_BENDABILITY`] to where p W / Y is 0.1 or 1/eps 10,000, in ln(1/eps).
+
+use std::sync::LazyLock;
+
+/// tau of the grid: from t/W = 0.003 at nu = 0 to 0.03 at nu = 0.49. From 3.16e-3 on stretch ends the pressures, below 1/eps does.
+pub const TAUS: [f64; 6] = [8.66e-4, 1.334e-3, 2.054e-3, 3.162e-3, 5.604e-3, 9.935e-3];
+/// R* of the grid.
+pub const R_STARS: [f64; 6] = [0.0, 0.02, 0.06, 0.15, 0.4, 1.0];
+/// Pressures of the grid.
+pub const PRESSURES: usize = 6;
+/// Least 1/eps.
+pub const LEAST_BENDABILITY: f64 = 100.0;
+/// Largest 1/eps.
+const MOST_BENDABILITY: f64 = 1e4;
+/// Largest p W / Y.
+const MOST_STRETCH: f64 = 0.1;
+/// What is added to R* before its logarithm is taken.
+const SHARP: f64 = 0.03;
+/// nu of the grid; others enter by tau and by lambda.
+pub const POISSON: f64 = 0.39;
+
+/// The grid's values, as they are shipped.
+const SHIPPED: &str = include_str!("arms.txt");
+
+/// What arms do to a hinge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arms {
+    /// delta, rad.
+    pub angle: f64,
+    /// Its mesh error, rad.
+    pub angle_error: f64,
+    /// C alpha_0 between arms by that of the section.
+    pub part: f64,
+    /// Its mesh error.
+    pub part_error: f64,
+}
+
+/// 1/eps of the grid at one tau: regular in its logarithm.
+pub fn bendabilities(tau: f64) -> [f64; PRESSURES] {
+    let most = most_bendability(tau);
+    #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
+    std::array::from_fn(|k| {
+        LEAST_BENDABILITY * (most / LEAST_BENDABILITY).powf(k as f64 / (PRESSURES - 1) as f64)
+    })
+}
+
+fn most_bendability(tau: f64) -> f64 {
+    (MOST_STRETCH / (tau * tau)).min(MOST_BENDABILITY)
+}
+
+/// The arms of a hinge at 1/eps = `bendability`, tau and R*; `None` outside of the table.
+pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<Arms> {
+    static TABLE: LazyLock<Vec<[f64; 4]>> = LazyLock::new(|| read(SHIPPED).unwrap_or_default());
+    if TABLE.len() != TAUS.len() * R_STARS.len() * PRESSURES {
+        return None;
+    }
+    let along_tau = weights(&TAUS.map(f64::ln), tau.ln())?;
+    let along_r = weights(&R_STARS.map(|r| (r + SHARP).ln()), (r_star + SHARP).ln())?;
+    let up = (bendability / LEAST_BENDABILITY).ln() / (most_bendability(tau) / LEAST_BENDABILITY).ln();
+    #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
+    let places: [f64; PRESSURES] = std::array::from_fn(|k| k as f64 / (PRESSURES - 1) as f64);
+    let along_b = weights(&places, up)?;
+    let mut sum = [0.0; 4];
+    for (i, a) in along_tau.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+        for (j, b) in along_r.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
+            for (k, c) in along_b.iter().enumerate() {
+                let point = &TABLE[(i * R_STARS.len() + j) * PRESSURES + k];
+                sum.iter_mut().zip(point).for_each(|(sum, value)| *sum += a * b * c * value);
+            }
+        }
+    }
+    let [angle, angle_error, part, part_error] = sum;
+    Some(Arms { angle, angle_error, part, part_error })
+}
+
+/// The lines of a table: tau, R*, 1/eps, delta and its error in deg, part and its error; what is read are the last four.
+fn read(text: &str) -> Option<Vec<[f64; 4]>> {
+    let lines = text.lines().filter(|line| !line.starts_with('#'));
+    let numbers = lines.map(|line| {
+        let words: Option<Vec<f64>> = line.split_whitespace().map(|word| word.parse().ok()).collect();
+        let [_, _, _, angle, angle_error, part, part_error] = words?[..] else { return None };
+        Some([angle.to_radians(), angle_error.to_radians(), part, part_error])
+    });
+    numbers.collect()
+}
+
+/// The weights of the six places in the cubic through the four around `x`; `None` outside of all.
+fn weights(places: &[f64; 6], x: f64) -> Option<[f64; 6]> {
+    // What lies on an end but for rounding is inside.
+    let slack = 1e-9 * (places[5] - places[0]);
+    if !(places[0] - slack..=places[5] + slack).contains(&x) {
+        return None;
+    }
+    let first = places.iter().filter(|place| **place <= x).count().saturating_sub(2).min(2);
+    let chosen = first..first + 4;
+    let factor = |i: usize| {
+        let others = chosen.clone().filter(move |j| *j != i);
+        others.map(|j| (x - places[j]) / (places[i] - places[j])).product::<f64>()
+    };
+    let weight = |i: usize| if chosen.contains(&i) { factor(i) } else { 0.0 };
+    Some(std::array::from_fn(weight))
+}

@@ -1,0 +1,86 @@
+//! An inflated sheet to be looked at.
+
+use crate::shell::assembly::State;
+use crate::shell::cases::tube::Tube;
+use crate::shell::element::membrane::Membrane;
+use crate::shell::mesh::{Field, FieldFault, Mesh, vtu};
+use crate::shell::solver::Solver;
+
+/// The sheet that was modelled, on its finest mesh: the rest of the tube is its mirror images. SI units.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Shape {
+    /// Where the points are, m.
+    pub points: Vec<[f64; 3]>,
+    /// Where they were on the flat sheet, m.
+    pub flat: Vec<[f64; 2]>,
+    /// The points of each triangle.
+    pub triangles: Vec<[usize; 3]>,
+    /// Principal tensions of each triangle, N/m; the larger first. Below 0 it is compressed.
+    pub tension: Vec<[f64; 2]>,
+    /// Stretches along them.
+    pub stretch: Vec<[f64; 2]>,
+    /// Principal curvatures of each triangle, 1/m; the larger in size first.
+    pub curvature: Vec<[f64; 2]>,
+}
+
+impl Shape {
+    /// `state`, as `solver` knows it.
+    pub(crate) fn new(tube: &Tube, solver: &mut Solver, mesh: &Mesh, state: &State) -> Self {
+        let w = tube.width;
+        let kappa = solver.assembly.curvatures(state);
+        let sheet = &solver.assembly.sheet;
+        let principal: Vec<[[f64; 2]; 2]> = (mesh.triangles.iter().enumerate())
+            .map(|(triangle, corners)| {
+                let corners = corners.map(|corner| state.points[corner]);
+                Membrane::new(sheet.fabric(), sheet.flat_triangle(triangle), corners).principal()
+            })
+            .collect();
+        Self {
+            points: state.points.iter().map(|x| x.map(|x| x * w)).collect(),
+            flat: mesh.points.iter().map(|x| x.map(|x| x * w)).collect(),
+            triangles: mesh.triangles.clone(),
+            tension: principal.iter().map(|[tension, _]| tension.map(|t| t * tube.fabric.stretch)).collect(),
+            stretch: principal.iter().map(|[_, stretch]| *stretch).collect(),
+            curvature: kappa.into_iter().map(|kappa| curvatures(kappa).map(|k| k / w)).collect(),
+        }
+    }
+
+    /// The text of a VTU file: lengths in mm, tensions in N/m, curvatures in 1/m.
+    ///
+    /// # Errors
+    /// If its parts do not fit each other.
+    pub fn vtu(&self) -> Result<String, FieldFault> {
+        let mm = |x: &f64| 1e3 * x;
+        let points: Vec<[f64; 3]> = self.points.iter().map(|x| x.each_ref().map(mm)).collect();
+        let flat: Vec<f64> = self.flat.iter().flat_map(|x| [mm(&x[0]), mm(&x[1]), 0.0]).collect();
+        let part = |of: &[[f64; 2]], i: usize| -> Vec<f64> { of.iter().map(|pair| pair[i]).collect() };
+        let fields = [
+            ("stretch", part(&self.stretch, 0)),
+            ("least stretch", part(&self.stretch, 1)),
+            ("tension, N/m", part(&self.tension, 0)),
+            ("least tension, N/m", part(&self.tension, 1)),
+            ("curvature, 1/m", part(&self.curvature, 0)),
+            ("other curvature, 1/m", part(&self.curvature, 1)),
+        ];
+        let fields = fields.each_ref().map(|(name, values)| Field { name, components: 1, values });
+        vtu(&points, &self.triangles, &[Field { name: "flat, mm", components: 3, values: &flat }], &fields)
+    }
+}
+
+/// The eigenvalues of a shape operator, the larger in size first.
+fn curvatures([k11, k22, k12]: [f64; 3]) -> [f64; 2] {
+    let (mean, half) = (f64::midpoint(k11, k22), ((k11 - k22) / 2.0).hypot(k12));
+    if mean < 0.0 { [mean - half, mean + half] } else { [mean + half, mean - half] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curvatures_are_those_of_a_turned_cylinder() {
+        let (sine, cosine) = 0.3_f64.sin_cos();
+        let [bent, straight] = curvatures([-2.0 * cosine * cosine, -2.0 * sine * sine, -2.0 * sine * cosine]);
+        assert!((bent + 2.0).abs() < 1e-14 && straight.abs() < 1e-14, "{bent} {straight}");
+    }
+}
