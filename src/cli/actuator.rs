@@ -3,7 +3,10 @@
 use crate::cli::failure::{Failure, say};
 use crate::cli::predict::Model;
 use crate::cli::quantity::{EXTRA, SIZE, number, quantity, range};
+use crate::cli::shell::{ShellArgs, Shown, refused};
 use crate::forecast::actuator::{Actuator, actuate};
+use crate::forecast::by_shell;
+use crate::mechanics::hinge::Level;
 use crate::mechanics::strength::ElasticSheet;
 use crate::spec::Allowed;
 use crate::units::{Angle, Length, Pressure};
@@ -46,6 +49,8 @@ pub(super) struct Args {
     /// Also the moment that holds it at each of these angles: "30 deg..90 deg/7".
     #[arg(long, value_name = "FROM..TO/COUNT", value_parser = angles)]
     angles: Option<Angles>,
+    #[command(flatten)]
+    shell: ShellArgs,
     /// Print one JSON object and nothing else.
     #[arg(long)]
     json: bool,
@@ -69,8 +74,28 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         sheet: sheet.map_err(message)?,
     };
     let angles = args.angles.as_ref().map_or(&[][..], |angles| &angles.0);
-    let prediction = actuate(&actuator, args.model.choice(), angles).map_err(message)?;
+    let level = match args.model {
+        Model::Fit => Level::Fit,
+        Model::Ring => Level::Ring,
+        Model::Bvp => Level::Bvp,
+        Model::Section | Model::Auto => Level::Section,
+        Model::Shell => return run_shell(args, &actuator, angles),
+    };
+    args.shell.not_by_others()?;
+    let prediction = actuate(&actuator, level, angles).map_err(message)?;
     say(&if args.json { prediction.to_json() } else { prediction.to_text() })
+}
+
+/// The same by the shell.
+fn run_shell(args: &Args, actuator: &Actuator, angles: &[f64]) -> Result<(), Failure> {
+    let question = format!("actuator {actuator:?} {angles:?}");
+    args.shell.show(&question, args.json, |watch| {
+        let (prediction, shape) = by_shell::actuate(actuator, angles, args.shell.detail(), watch)
+            .map_err(|fault| refused(&fault))?;
+        let vtu = args.shell.wants_vtu().then(|| shape.vtu()).transpose();
+        let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;
+        Ok(Shown { json: prediction.to_json(), text: prediction.to_text(), vtu })
+    })
 }
 
 /// Reads "FROM..TO/COUNT", or one angle.

@@ -21,6 +21,10 @@ pub(super) enum Failure {
     Publish(PublishFault),
     /// Anything else, in one sentence.
     Message(String),
+    /// Arguments that do not go together.
+    Usage(String),
+    /// Ctrl-C.
+    Interrupted,
     /// It has been said already, on standard output.
     Said,
     /// The reader of our standard output has gone; there is nobody left to tell.
@@ -46,6 +50,14 @@ impl Failure {
             }
             Self::Publish(error) => format!("error: {error}"),
             Self::Message(text) => format!("error: {text}"),
+            Self::Usage(text) => {
+                tell(&format!("error: {text}"));
+                return ExitCode::from(2);
+            }
+            Self::Interrupted => {
+                tell("stopped; nothing was written");
+                return ExitCode::from(130);
+            }
             Self::Said => return ExitCode::FAILURE,
             Self::Pipe => return ExitCode::SUCCESS,
         };

@@ -5,6 +5,7 @@
 
 mod actuator;
 mod build;
+mod cache;
 mod calibrate;
 mod check;
 mod clock;
@@ -22,6 +23,7 @@ mod predict;
 mod publish;
 mod quantity;
 mod resume;
+mod shell;
 mod summary;
 mod sweep;
 mod table;

@@ -34,7 +34,9 @@ pub(super) enum Model {
     Bvp,
     /// Bending, stretch and hoop compression at the pressure.
     Section,
-    /// The cheapest that is accurate enough.
+    /// The whole sheet in triangles, with arms and contact: seconds to minutes.
+    Shell,
+    /// The cheapest that is accurate enough; never the shell.
     Auto,
 }
 
@@ -46,6 +48,7 @@ impl Model {
             Self::Ring => ModelChoice::Ring,
             Self::Bvp => ModelChoice::Bvp,
             Self::Section => ModelChoice::Section,
+            Self::Shell => ModelChoice::Shell,
             Self::Auto => ModelChoice::Auto,
         }
     }

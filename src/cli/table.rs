@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::quantity::part;
-use crate::cli::text_file::read_table;
+use crate::cli::shell::{refused, watched};
+use crate::cli::text_file::{read_table, replace};
 use crate::forecast::arms::{Climbed, FINENESS, Ladder, join, ladders};
-use crate::shell::cases::{Fineness, Watch};
+use crate::shell::cases::Fineness;
 
 /// Arguments of `table`.
 #[derive(clap::Args, Debug)]
@@ -42,11 +43,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             continue;
         }
         let fineness = Fineness { cells: args.cells, ..FINENESS };
-        let text = ladder.climb(fineness, &Watch::default());
-        let text = text.map_err(|fault| Failure::Message(format!("ladder {}: {fault}", ladder.number)))?;
-        let partial = path.with_extension("part");
-        let kept = fs::write(&partial, text).and_then(|()| fs::rename(&partial, &path));
-        kept.map_err(|error| Failure::file("write", &path, &error))?;
+        let text = watched(|watch| ladder.climb(fineness, watch).map_err(|fault| refused(&fault)))?;
+        replace(&path, &text)?;
         tell(&format!("ladder {} of {}", ladder.number, ladders().len()));
     }
     Ok(())

@@ -50,3 +50,14 @@ pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
         }
     })
 }
+
+/// Writes a file, or another one in its place: whole, or not at all.
+pub(super) fn replace(path: &Path, text: &str) -> Result<(), Failure> {
+    let mut partial = path.as_os_str().to_owned();
+    partial.push(format!(".{}", std::process::id()));
+    let written = std::fs::write(&partial, text).and_then(|()| std::fs::rename(&partial, path));
+    written.map_err(|error| {
+        let _ = std::fs::remove_file(&partial);
+        Failure::file("write", path, &error)
+    })
+}

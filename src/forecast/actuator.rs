@@ -7,7 +7,6 @@ use crate::forecast::choice::{ARMS_LET_OUT, hinge_model};
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::{Hinge, HingeModel, Level};
 use crate::mechanics::strength::ElasticSheet;
-use crate::spec::ModelChoice;
 use serde::Serialize;
 
 /// One V-actuator under pressure; SI units.
@@ -79,8 +78,32 @@ pub struct ActuatorEvidence {
     pub iterations: u32,
     /// Estimated relative error against the exact solution of the model's own equations.
     pub numerical_error: f64,
+    /// How far the meshes leave each number open; the shell's only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh_errors: Option<MeshErrors>,
+    /// Unknowns of each mesh, coarse to fine; the shell's only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unknowns: Option<Vec<usize>>,
     /// What a person should know.
     pub warnings: Vec<String>,
+}
+
+/// Mesh errors of a shell's numbers, in their units: the difference of the last two meshes, or what the extrapolation adds if
+/// that is more.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct MeshErrors {
+    /// Of the angle.
+    pub angle_deg: f64,
+    /// Of the coiling.
+    pub coiling: f64,
+    /// Of the volume.
+    pub volume_mm3: f64,
+    /// Of the stiffness.
+    pub stiffness_Nm: f64,
+    /// Of each moment.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub moment_Nm: Vec<f64>,
 }
 
 impl ActuatorPrediction {
@@ -98,33 +121,48 @@ impl ActuatorPrediction {
             format!("model                 {}", self.model),
             format!("bendability           {:.0}", self.bendability),
             format!("stretch p W / Y       {:.4}", self.stretch),
-            format!("angle at rest         {:.2} deg", self.angle_deg),
-            format!("coiling               {:.4}", self.coiling),
-            format!("stiffness             {:.4} N m/rad", self.stiffness_Nm),
         ];
-        for [angle, moment] in self.moment.iter().flatten() {
-            lines.push(format!("held at {angle:7.2} deg    {moment:.5} N m"));
+        let mesh = self.evidence.mesh_errors.as_ref();
+        let open = |error: Option<f64>, decimals: usize| {
+            error.map_or(String::new(), |error| format!(", mesh error {error:.decimals$}"))
+        };
+        let error = |of: fn(&MeshErrors) -> f64, decimals| open(mesh.map(of), decimals);
+        lines.push(format!(
+            "angle at rest         {:.2} deg{}",
+            self.angle_deg,
+            error(|mesh| mesh.angle_deg, 2)
+        ));
+        lines.push(format!("coiling               {:.4}{}", self.coiling, error(|mesh| mesh.coiling, 4)));
+        if let Some(volume) = self.volume_mm3 {
+            lines.push(format!("volume                {volume:.0} mm^3{}", error(|mesh| mesh.volume_mm3, 0)));
+        }
+        lines.push(format!(
+            "stiffness             {:.4} N m/rad{}",
+            self.stiffness_Nm,
+            error(|mesh| mesh.stiffness_Nm, 4)
+        ));
+        for (k, [angle, moment]) in self.moment.iter().flatten().enumerate() {
+            let error = mesh.and_then(|mesh| mesh.moment_Nm.get(k).copied());
+            lines.push(format!("held at {angle:7.2} deg    {moment:.5} N m{}", open(error, 5)));
+        }
+        if let Some(unknowns) = &self.evidence.unknowns {
+            let unknowns: Vec<String> = unknowns.iter().map(ToString::to_string).collect();
+            lines.push(format!("unknowns of meshes    {}", unknowns.join(", ")));
         }
         lines.extend(self.evidence.warnings.iter().map(|warning| format!("warning               {warning}")));
         lines.join("\n") + "\n"
     }
 }
 
-/// What `actuator` does by `model`; `auto` is the section. With the moments at `angles` (rad), if there are any.
+/// What `actuator` does by a hinge's model. With the moments at `angles` (rad), if there are any.
 ///
 /// # Errors
 /// If the model does not cover the fabric at this pressure, the hinge, or one of the angles.
 pub fn actuate(
     actuator: &Actuator,
-    model: ModelChoice,
+    level: Level,
     angles: &[f64],
 ) -> Result<ActuatorPrediction, StarFault> {
-    let level = match model {
-        ModelChoice::Fit => Level::Fit,
-        ModelChoice::Ring => Level::Ring,
-        ModelChoice::Bvp => Level::Bvp,
-        ModelChoice::Section | ModelChoice::Auto => Level::Section,
-    };
     let Actuator { width, pressure, sheet, .. } = *actuator;
     if !(pressure > 0.0 && pressure.is_finite()) {
         return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "above 0" });
@@ -141,7 +179,7 @@ fn of_a_hinge(
 ) -> Result<ActuatorPrediction, StarFault> {
     let Actuator { width, radius, pressure, sheet, .. } = *actuator;
     let hinge = Hinge { r_star: radius / width, width, rest_angle: actuator.angle };
-    let rest = model.target(hinge.r_star)?;
+    let rest = hinge.rest(model)?;
     let angle = hinge.angle_of(model, &rest);
     let held = angles.iter().map(|phi| {
         let state = hinge.state_at(model, *phi)?;
@@ -162,9 +200,17 @@ fn of_a_hinge(
             residual: rest.effort.residual,
             iterations: rest.effort.iterations,
             numerical_error: rest.effort.error,
+            mesh_errors: None,
+            unknowns: None,
             warnings: warnings(actuator, model, angle),
         },
     })
+}
+
+/// What is to be said of arms that are no straight tubes.
+pub(super) fn short_arms(actuator: &Actuator) -> Option<String> {
+    let short = "the arms are shorter than the tube is wide: the hinge feels their ends";
+    (actuator.arm < actuator.width).then(|| short.to_owned())
 }
 
 fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<String> {
@@ -178,10 +224,7 @@ fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<Stri
         ),
         (!limit && model.arms_angle(r_star).is_none(), without_arms.as_str()),
         (angle < 0.0, "the arms touch before the hinge is at rest"),
-        (
-            actuator.arm < actuator.width,
-            "the arms are shorter than the tube is wide: the hinge feels their ends",
-        ),
     ];
-    known.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned()).collect()
+    let known = known.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned());
+    known.chain(short_arms(actuator)).collect()
 }

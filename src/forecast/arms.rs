@@ -25,7 +25,7 @@ const STRETCH: f64 = 1e4;
 pub const FINENESS: Fineness = Fineness { cells: 5.0, cuts: 3 };
 /// Poisson's ratios besides the table's, and where they are tried.
 const OTHER_POISSONS: [f64; 2] = [0.2, 0.49];
-const OTHERS: [(usize, usize); 3] = [(1, 2), (3, 0), (4, 3)];
+const OTHERS: [(usize, usize); 3] = [(1, 3), (2, 0), (3, 4)];
 
 /// One ladder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -146,7 +146,7 @@ impl Climbed {
         (said == ladder).then_some(Self { ladder, points: points? })
     }
 
-    /// For each pressure 1/eps, delta and its error, deg, and the part of C alpha_0 with its error.
+    /// For each pressure 1/eps, delta and its error, the arms' give and its error, deg.
     ///
     /// # Errors
     /// If the section has no such hinge.
@@ -157,8 +157,8 @@ impl Climbed {
             let section = Section::by_ratios(b, tau, poisson).target(r_star)?;
             let tanh = (arc / FRAC_PI_4).tanh();
             let delta = (alpha - section.lambda * arc.to_degrees()) / tanh;
-            let stiffness = -section.curvature;
-            Ok([b, delta, alpha_error / tanh, c / stiffness, c_error / stiffness])
+            let softened = -section.curvature / c * arc.to_degrees();
+            Ok([b, delta, alpha_error / tanh, softened - arc.to_degrees(), softened * c_error / c])
         };
         self.points.iter().copied().map(each).collect()
     }
@@ -200,11 +200,11 @@ pub fn join(climbed: &[Climbed]) -> Result<String, JoinFault> {
         if points.len() != arms::PRESSURES {
             return Err(JoinFault::Short(number));
         }
-        for [b, angle, angle_error, part, part_error] in points {
+        for [b, angle, angle_error, give, give_error] in points {
             let Ladder { tau, r_star, .. } = ladder;
             let _ = writeln!(
                 body,
-                "{tau} {r_star} {b:.3} {angle:.4} {angle_error:.4} {part:.5} {part_error:.5}"
+                "{tau} {r_star} {b:.3} {angle:.4} {angle_error:.4} {give:.3} {give_error:.3}"
             );
         }
     }
@@ -212,6 +212,6 @@ pub fn join(climbed: &[Climbed]) -> Result<String, JoinFault> {
     Ok(format!(
         "# What arms add to a hinge; read by src/mechanics/hinge/section/arms.rs.\n\
          # Made by `stargrip-cam table DIR` and `stargrip-cam table DIR --join`. SHA-256 of the lines below: {hash}\n\
-         # tau, R*, 1/eps; delta and its mesh error, deg; the part of C alpha_0 that is left, and its mesh error.\n{body}"
+         # tau, R*, 1/eps; delta and its mesh error, the arms' give and its mesh error, deg.\n{body}"
     ))
 }

@@ -4,7 +4,7 @@ use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::bvp::Bvp;
 use crate::mechanics::hinge::fit::Fit;
 use crate::mechanics::hinge::ring::{Ring, RingTable};
-use crate::mechanics::hinge::section::Section;
+use crate::mechanics::hinge::section::{Section, arms};
 use crate::mechanics::hinge::{HingeModel, Level, fit};
 use crate::mechanics::strength::{ElasticSheet, FULL_ACTUATION, INEXTENSIBLE, LimitEstimate, limit_estimate};
 
@@ -37,12 +37,16 @@ pub struct Choice {
 /// Beta of the `bvp` level; its distance from the exact ring is about ln(beta)/beta.
 pub const BVP_BETA: f64 = 1000.0;
 
-/// What is known of the angle by which a hinge between arms coils further than `section` says.
-pub(super) const ARMS_LET_OUT: &str = "some 2 to 14 deg further; that angle is not known here yet";
+/// What is known of the arms where their table ends.
+pub(super) const ARMS_LET_OUT: &str =
+    "some 2 to 14 deg further and soften; the table of their effect ends before this hinge";
 
-/// Of `section`, which leaves out the arms: they let a hinge coil 2 to 14 deg further and soften it by about a tenth,
-/// by shell computations of single hinges; wrinkles, from 1/eps of 1,500 on, are worth as much again.
+/// Of `section` where its table of arms ends: arms let a hinge coil 2 to 14 deg further and soften it by a tenth and more, by
+/// shell computations of single hinges.
 const WITHOUT_ARMS: LimitEstimate = LimitEstimate { coiling: 0.1, stiffness: 0.25 };
+
+/// Of `section` with its arms, against shells of single hinges that the table does not hold (docs/models.md).
+const WITH_ARMS: LimitEstimate = LimitEstimate { coiling: 0.02, stiffness: 0.1 };
 
 /// Estimated errors of `level`: its distance from the exact ring, and the ring's from a real hinge.
 ///
@@ -51,7 +55,7 @@ pub fn estimate(level: Level, question: &Question, table: &RingTable) -> LimitEs
     let mut own = LimitEstimate { coiling: 0.0, stiffness: 0.0 };
     for r_star in question.r_stars {
         let one = match (level, table.at(r_star)) {
-            (Level::Section, _) => return WITHOUT_ARMS,
+            (Level::Section, _) => return of_section(question),
             (Level::Fit, Ok(exact)) => LimitEstimate {
                 coiling: (fit::TARGET_COILING / exact.lambda_t - 1.0).abs(),
                 stiffness: (fit::target_curvature(r_star) / exact.curvature - 1.0).abs(),
@@ -72,6 +76,13 @@ pub fn estimate(level: Level, question: &Question, table: &RingTable) -> LimitEs
         coiling: own.coiling + limit.coiling + question.stretch,
         stiffness: own.stiffness + limit.stiffness + question.stretch,
     }
+}
+
+fn of_section(question: &Question) -> LimitEstimate {
+    let Some(bendability) = question.bendability else { return WITHOUT_ARMS };
+    let tau = (question.stretch / bendability).sqrt();
+    let known = question.r_stars.iter().all(|r_star| arms::arms(bendability, tau, *r_star).is_some());
+    if known { WITH_ARMS } else { WITHOUT_ARMS }
 }
 
 /// The cheapest level whose errors are accepted; the exact ring if none is.
@@ -132,7 +143,9 @@ pub fn hinge_model(
 pub fn limits_of_validity(level: Level, question: &Question) -> Vec<String> {
     let mut warnings = Vec::new();
     if level == Level::Section {
-        warnings.push(format!("section knows hinges without arms, which let them coil {ARMS_LET_OUT}"));
+        if of_section(question) == WITHOUT_ARMS {
+            warnings.push(format!("section computes these hinges without arms, which let them coil {ARMS_LET_OUT}"));
+        }
         return warnings;
     }
     if let Some(bendability) = question.bendability

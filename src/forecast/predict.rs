@@ -79,7 +79,8 @@ fn predict_star(spec: &Spec, part: &StarDesign) -> Result<StarPrediction, StarFa
     };
     let table = TABLE.as_ref().map_err(|fault| *fault)?;
     let choice = match spec.accuracy.model {
-        ModelChoice::Auto => choose(&question, table),
+        // A build's files are the same on every machine, and shells are not.
+        ModelChoice::Auto | ModelChoice::Shell => choose(&question, table),
         ModelChoice::Fit => take(Level::Fit, &question, table),
         ModelChoice::Ring => take(Level::Ring, &question, table),
         ModelChoice::Bvp => take(Level::Bvp, &question, table),
@@ -204,10 +205,11 @@ fn nonlinear(
     let (own_radius, linear_radius) = (own.rest.radius, linear.rest.radius);
     if (own_radius - linear_radius).abs() > asked.question.accepted * linear_radius {
         warnings.push(format!(
-            "with the membrane's own, asymmetric hinges it would close to {:.2} mm instead of {:.2} mm: the corner's \
-             hinge is coiled far beyond its target, where it is much softer",
+            "with {} it would close to {:.2} mm instead of {:.2} mm: {}",
+            whose(inflated.level()).0,
             mm(own_radius),
-            mm(linear_radius)
+            mm(linear_radius),
+            whose(inflated.level()).1
         ));
     }
     Some(Nonlinear {
@@ -218,6 +220,20 @@ fn nonlinear(
         preload_N: own.preload,
         object_force_N: own.object_force(),
     })
+}
+
+/// What a model's hinges are called, and why they are not linear.
+fn whose(level: Level) -> (&'static str, &'static str) {
+    match level {
+        Level::Section => (
+            "the section's own moments in place of linear ones",
+            "tip and corner hold each other away from their rests, where a hinge is stiffer or softer",
+        ),
+        Level::Fit | Level::Ring | Level::Bvp => (
+            "the membrane's own, asymmetric hinges",
+            "the corner's hinge is coiled far beyond its target, where it is much softer",
+        ),
+    }
 }
 
 /// What the seal bears at the radii that the band makes of the hinges; by the exact ring, whatever the model.

@@ -248,6 +248,8 @@ pub enum ModelChoice {
     Bvp,
     /// Bending, stretch and hoop compression at the pressure.
     Section,
+    /// The whole sheet in triangles, with arms and contact.
+    Shell,
     /// The cheapest that is accurate enough.
     Auto,
 }

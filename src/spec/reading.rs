@@ -237,6 +237,7 @@ fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {
         ("ring", ModelChoice::Ring),
         ("bvp", ModelChoice::Bvp),
         ("section", ModelChoice::Section),
+        ("shell", ModelChoice::Shell),
         ("auto", ModelChoice::Auto),
     ];
     Accuracy {

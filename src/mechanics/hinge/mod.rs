@@ -70,6 +70,12 @@ pub trait HingeModel: Sync {
     fn arms_angle(&self, _r_star: f64) -> Option<f64> {
         None
     }
+
+    /// The **arms' give** g, rad: arms are as soft as that much more of hinge would be, so a hinge between arms has `C = p W^3
+    /// |V_bar''| / (alpha_0 + g)`. `None` if the model does not know it.
+    fn arms_give(&self, _r_star: f64) -> Option<f64> {
+        None
+    }
 }
 
 /// A hinge at one coiling factor. Everything is dimensionless and finite.
@@ -165,7 +171,22 @@ impl Hinge {
     /// # Errors
     /// As for [`HingeModel::state`].
     pub fn state_at(&self, model: &dyn HingeModel, phi: f64) -> Result<HingeState, HingeFault> {
-        model.state(self.r_star, self.coiling(phi + self.let_out(model)))
+        let alone = model.state(self.r_star, self.coiling(phi + self.let_out(model)))?;
+        Ok(self.between_arms(model, alone))
+    }
+
+    /// `model`'s state at rest, arms included.
+    ///
+    /// # Errors
+    /// As for [`HingeModel::target`].
+    pub fn rest(&self, model: &dyn HingeModel) -> Result<HingeState, HingeFault> {
+        Ok(self.between_arms(model, model.target(self.r_star)?))
+    }
+
+    /// The hinge made softer by its arms, in the same part at all angles: the shell is up to a tenth off that on either side.
+    fn between_arms(&self, model: &dyn HingeModel, alone: HingeState) -> HingeState {
+        let part = model.arms_give(self.r_star).map_or(1.0, |give| self.arc() / (self.arc() + give));
+        HingeState { slope: part * alone.slope, curvature: part * alone.curvature, ..alone }
     }
 
     /// Moment `M = p dV/dphi = -p W^3 V_bar'` that drives phi, N m, at the gauge pressure `p` (Pa).

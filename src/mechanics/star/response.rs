@@ -52,7 +52,7 @@ impl<'a> Inflated<'a> {
     /// # Errors
     /// If the model refuses one of the hinges.
     pub fn new(star: &'a Mechanism, model: &'a dyn HingeModel, pressure: f64) -> Result<Self, StarFault> {
-        let (tip, corner) = (model.target(star.tip().r_star)?, model.target(star.corner().r_star)?);
+        let (tip, corner) = (star.tip().rest(model)?, star.corner().rest(model)?);
         if !(pressure >= 0.0 && pressure.is_finite()) {
             return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "0 or more" });
         }

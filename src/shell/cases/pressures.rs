@@ -27,6 +27,8 @@ pub struct Inflation {
 
 /// Parts into which the way between two pressures is cut where it cannot be gone at once.
 const MOST_PARTS: u32 = 4;
+/// How often Newton's method may go on where its iterations are used up: thin sheets wrinkle, and wrinkles are slow to settle.
+const MOST_ROUNDS: u32 = 6;
 /// Meshes that count.
 const MESHES: usize = 3;
 
@@ -112,7 +114,7 @@ impl Climb {
     fn to(&mut self, pressure: f64, start: Option<State>) -> Result<Rung, Stop> {
         if let Some(mut state) = start {
             self.solver.assembly.hold(&mut state);
-            match self.solver.rest(&mut state, self.ladder.aim(pressure)) {
+            match self.settle(&mut state, pressure) {
                 Ok(rest) => return Ok(self.keep(pressure, state, rest)),
                 Err(Stop::Cancelled) => return Err(Stop::Cancelled),
                 Err(_) => {}
@@ -138,10 +140,21 @@ impl Climb {
         let mut at = from.pressure;
         for _ in 1..parts {
             at *= ratio;
-            let _ = self.solver.rest(&mut state, self.ladder.aim(at))?;
+            let _ = self.settle(&mut state, at)?;
         }
-        let rest = self.solver.rest(&mut state, self.ladder.aim(pressure))?;
+        let rest = self.settle(&mut state, pressure)?;
         Ok(self.keep(pressure, state, rest))
+    }
+
+    fn settle(&mut self, state: &mut State, pressure: f64) -> Result<Rest, Stop> {
+        let mut found = Err(Stop::Iterations);
+        for _ in 0..MOST_ROUNDS {
+            found = self.solver.rest(state, self.ladder.aim(pressure));
+            if found != Err(Stop::Iterations) {
+                break;
+            }
+        }
+        found
     }
 
     fn keep(&mut self, pressure: f64, state: State, rest: Rest) -> Rung {

@@ -1,16 +1,17 @@
-//! What arms add to a hinge: the angle by which it coils further, and the part of its stiffness that is left.
+//! What arms add to a hinge: the angle by which it coils further, and how much softer it is.
 //!
 //! At the two mouths of a hinge hoop compression is let out into the arms, so between arms it coils to `alpha = lambda
-//! alpha_0 + delta tanh(alpha_0 / 45 deg)`, with delta the **arms' angle**. No formula for delta is known: it was taken from
-//! V-actuators of phi_0 = 60 deg with arms of 4 W, computed as shells, and so was the **arms' part** of C alpha_0.
+//! alpha_0 + delta tanh(alpha_0 / 45 deg)`, with delta the **arms' angle**; and they give way as the **arms' give** g more of
+//! hinge would, `C = p W^3 |V_bar''| / (alpha_0 + g)`. No formulas are known for delta and g: they were taken from V-actuators
+//! of phi_0 = 60 deg with arms of 4 W, computed as shells (longer arms give way more, and coil no further).
 //!
 //! Both depend on 1/eps, on `tau = t / [W sqrt(12 (1 - nu^2))]`, so that `p W / Y = tau^2 / eps`, and on R*. The grid is regular in
 //! ln tau, in `ln(R* + 0.03)` and, from [`LEAST_BENDABILITY`] to where p W / Y is 0.1 or 1/eps 10,000, in ln(1/eps).
 
 use std::sync::LazyLock;
 
-/// tau of the grid: from t/W = 0.003 at nu = 0 to 0.03 at nu = 0.49. From 3.16e-3 on stretch ends the pressures, below 1/eps does.
-pub const TAUS: [f64; 6] = [8.66e-4, 1.334e-3, 2.054e-3, 3.162e-3, 5.604e-3, 9.935e-3];
+/// tau of the grid, up to t/W = 0.03 at nu = 0.49. From 3.16e-3 on stretch ends the pressures, below 1/eps does.
+pub const TAUS: [f64; 5] = [1.25e-3, 1.98e-3, 3.162e-3, 5.604e-3, 9.935e-3];
 /// R* of the grid.
 pub const R_STARS: [f64; 6] = [0.0, 0.02, 0.06, 0.15, 0.4, 1.0];
 /// Pressures of the grid.
@@ -36,10 +37,10 @@ pub struct Arms {
     pub angle: f64,
     /// Its mesh error, rad.
     pub angle_error: f64,
-    /// C alpha_0 between arms by that of the section.
-    pub part: f64,
-    /// Its mesh error.
-    pub part_error: f64,
+    /// g, rad: a hinge between arms is as soft as the section's with that much more of arc.
+    pub give: f64,
+    /// Its mesh error, rad.
+    pub give_error: f64,
 }
 
 /// 1/eps of the grid at one tau: regular in its logarithm.
@@ -76,29 +77,29 @@ pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<Arms> {
             }
         }
     }
-    let [angle, angle_error, part, part_error] = sum;
-    Some(Arms { angle, angle_error, part, part_error })
+    let [angle, angle_error, give, give_error] = sum;
+    Some(Arms { angle, angle_error, give, give_error })
 }
 
-/// The lines of a table: tau, R*, 1/eps, delta and its error in deg, part and its error; what is read are the last four.
+/// The lines of a table: tau, R*, 1/eps, delta, g and their mesh errors in deg; what is read are the last four.
 fn read(text: &str) -> Option<Vec<[f64; 4]>> {
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     let numbers = lines.map(|line| {
         let words: Option<Vec<f64>> = line.split_whitespace().map(|word| word.parse().ok()).collect();
-        let [_, _, _, angle, angle_error, part, part_error] = words?[..] else { return None };
-        Some([angle.to_radians(), angle_error.to_radians(), part, part_error])
+        let [_, _, _, values @ ..] = &words?[..] else { return None };
+        <[f64; 4]>::try_from(values).ok().map(|values| values.map(f64::to_radians))
     });
     numbers.collect()
 }
 
-/// The weights of the six places in the cubic through the four around `x`; `None` outside of all.
-fn weights(places: &[f64; 6], x: f64) -> Option<[f64; 6]> {
+/// The weights of the places in the cubic through the four around `x`; `None` outside of all.
+fn weights<const N: usize>(places: &[f64; N], x: f64) -> Option<[f64; N]> {
     // What lies on an end but for rounding is inside.
-    let slack = 1e-9 * (places[5] - places[0]);
-    if !(places[0] - slack..=places[5] + slack).contains(&x) {
+    let slack = 1e-9 * (places[N - 1] - places[0]);
+    if !(places[0] - slack..=places[N - 1] + slack).contains(&x) {
         return None;
     }
-    let first = places.iter().filter(|place| **place <= x).count().saturating_sub(2).min(2);
+    let first = places.iter().filter(|place| **place <= x).count().saturating_sub(2).min(N - 4);
     let chosen = first..first + 4;
     let factor = |i: usize| {
         let others = chosen.clone().filter(move |j| *j != i);

@@ -22,6 +22,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 
+pub use self::arms::Arms;
 pub use self::profile::{Meridian, MeridianPoint};
 pub use self::table::{SectionEntry, SectionTable};
 
@@ -122,6 +123,12 @@ impl Section {
         lambdas.iter().map(at).collect()
     }
 
+    /// What arms add to the hinge; `None` outside of their table.
+    pub fn arms(&self, r_star: f64) -> Option<Arms> {
+        let Scales { bendability, stiffness, .. } = self.scales;
+        arms::arms(bendability, (stiffness * bendability).sqrt().recip(), r_star)
+    }
+
     fn rest(&self, r_star: f64) -> Result<Search, HingeFault> {
         check_r_star(r_star, MOST_R_STAR)?;
         let mut search = Search::new(self.scales, Mesh::new(r_star, self.elements));
@@ -149,6 +156,14 @@ impl HingeModel for Section {
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
         // Hoop tension is there from the start.
         check_r_star(r_star, MOST_R_STAR).map(|()| None)
+    }
+
+    fn arms_angle(&self, r_star: f64) -> Option<f64> {
+        self.arms(r_star).map(|arms| arms.angle)
+    }
+
+    fn arms_give(&self, r_star: f64) -> Option<f64> {
+        self.arms(r_star).map(|arms| arms.give)
     }
 }
 

@@ -1,0 +1,91 @@
+//! Answers that took long, kept by what they depend on: the question, word for word, and the program that answers.
+//!
+//! The folder is `$XDG_CACHE_HOME/stargrip-cam`, or `~/.cache/stargrip-cam`. It may be deleted at any time and is never needed: what
+//! cannot be read, or is torn, counts as not there, and what cannot be written is not kept.
+
+use std::env;
+use std::fs;
+use std::path::PathBuf;
+use std::process;
+
+use sha2::{Digest, Sha256};
+
+/// Where answers are kept; nowhere if there is no such place, or none is wanted.
+pub(super) struct Cache {
+    dir: Option<PathBuf>,
+}
+
+impl Cache {
+    /// The user's cache, or none.
+    pub(super) fn new(unwanted: bool) -> Self {
+        let absolute = |name: &str| env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+        let base = absolute("XDG_CACHE_HOME").or_else(|| absolute("HOME").map(|home| home.join(".cache")));
+        Self { dir: base.filter(|_| !unwanted).map(|base| base.join(env!("CARGO_PKG_NAME"))) }
+    }
+
+    /// The key of a question. Another version, and another build of the same version, has other keys.
+    pub(super) fn key(&self, question: &[&str]) -> String {
+        let mut hash = Sha256::new();
+        if self.dir.is_some() {
+            hash.update(env::current_exe().and_then(fs::read).unwrap_or_default());
+        }
+        for part in [env!("CARGO_PKG_VERSION")].iter().chain(question) {
+            hash.update(part.len().to_le_bytes());
+            hash.update(part);
+        }
+        hex(&hash.finalize())
+    }
+
+    /// The parts of the answer that is kept, if it is whole.
+    pub(super) fn get(&self, key: &str) -> Option<Vec<String>> {
+        let text = fs::read_to_string(self.dir.as_ref()?.join(key)).ok()?;
+        let (sum, parts) = text.split_once('\n')?;
+        if sum != hex(&Sha256::digest(parts)) {
+            return None;
+        }
+        serde_json::from_str(parts).ok()
+    }
+
+    /// Keeps an answer, whole or not at all.
+    pub(super) fn put(&self, key: &str, parts: &[&str]) {
+        let Some(dir) = &self.dir else { return };
+        let Ok(parts) = serde_json::to_string(parts) else { return };
+        let partial = dir.join(format!("{key}.{}", process::id()));
+        let text = format!("{}\n{parts}", hex(&Sha256::digest(&parts)));
+        let kept = fs::create_dir_all(dir)
+            .and_then(|()| fs::write(&partial, text))
+            .and_then(|()| fs::rename(&partial, dir.join(key)));
+        if kept.is_err() {
+            let _ = fs::remove_file(&partial);
+        }
+    }
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_torn_or_of_another_question_is_not_there() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let cache = Cache { dir: Some(dir.path().join("new")) };
+        let key = cache.key(&["ab", "c"]);
+        assert_ne!(key, cache.key(&["a", "bc"]));
+        assert_eq!(cache.get(&key), None);
+        cache.put(&key, &["x\n", "\"y\""]);
+        assert_eq!(cache.get(&key), Some(vec!["x\n".to_owned(), "\"y\"".to_owned()]));
+        let path = dir.path().join("new").join(&key);
+        let whole = fs::read(&path).expect("kept");
+        for torn in [0, 10, 64, 65, whole.len() - 1] {
+            fs::write(&path, &whole[..torn]).expect("written");
+            assert_eq!(cache.get(&key), None, "{torn}");
+        }
+        let left: Vec<_> = fs::read_dir(dir.path().join("new")).expect("a folder").collect();
+        assert_eq!(left.len(), 1);
+        Cache { dir: None }.put(&key, &["x"]);
+    }
+}

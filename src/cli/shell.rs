@@ -1,0 +1,163 @@
+//! What commands have in common that ask the shell: how fine, how far it is, how it is stopped, what is kept.
+
+use std::cell::Cell;
+use std::io::{IsTerminal, Write, stderr};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
+use signal_hook::consts::SIGINT;
+
+use crate::cli::cache::Cache;
+use crate::cli::failure::{Failure, say};
+use crate::cli::text_file::replace;
+use crate::forecast::by_shell::Detail;
+use crate::shell::cases::{ShellFault, Watch};
+
+/// Arguments that only the shell heeds.
+#[derive(clap::Args, Debug)]
+pub(super) struct ShellArgs {
+    /// Of the shell: how fine its meshes are. Errors of the mesh are said beside every number.
+    #[arg(long, value_name = "HOW", default_value = "medium")]
+    fineness: Fineness,
+    /// Of the shell: write the inflated sheet as a VTU file, which ParaView reads.
+    #[arg(long, value_name = "FILE")]
+    vtu: Option<PathBuf>,
+    /// Of the shell: compute anew, and keep no answer.
+    #[arg(long)]
+    no_cache: bool,
+}
+
+/// How fine meshes are, as words of the command line.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Fineness {
+    /// A first look: seconds.
+    Coarse,
+    /// For most ends.
+    Medium,
+    /// Where mesh errors matter.
+    Fine,
+}
+
+/// An answer, ready to be shown.
+pub(super) struct Shown {
+    /// For programs.
+    pub(super) json: String,
+    /// For people.
+    pub(super) text: String,
+    /// The sheet as a VTU file, if it was asked for.
+    pub(super) vtu: Option<String>,
+}
+
+impl ShellArgs {
+    /// How fine meshes shall be.
+    pub(super) fn detail(&self) -> Detail {
+        match self.fineness {
+            Fineness::Coarse => Detail::Coarse,
+            Fineness::Medium => Detail::Medium,
+            Fineness::Fine => Detail::Fine,
+        }
+    }
+
+    /// Whether the sheet is asked for.
+    pub(super) fn wants_vtu(&self) -> bool {
+        self.vtu.is_some()
+    }
+
+    /// Refuses what only the shell gives.
+    pub(super) fn not_by_others(&self) -> Result<(), Failure> {
+        let text = "--vtu is the shell's: add --model shell, or leave it out";
+        if self.wants_vtu() { Err(Failure::Usage(text.to_owned())) } else { Ok(()) }
+    }
+
+    /// Shows the answer to `question`, in which everything stands that it depends on: the one that was kept, or what `compute`
+    /// gives.
+    pub(super) fn show(
+        &self,
+        question: &str,
+        json: bool,
+        compute: impl FnOnce(&Watch<'_>) -> Result<Shown, Failure>,
+    ) -> Result<(), Failure> {
+        let cache = Cache::new(self.no_cache);
+        let key = cache.key(&[question, &format!("{:?} {}", self.fineness, self.wants_vtu())]);
+        let shown = match cache.get(&key).and_then(Shown::from_parts) {
+            Some(shown) => shown,
+            None => {
+                let shown = watched(compute)?;
+                cache.put(&key, &shown.parts());
+                shown
+            }
+        };
+        if let (Some(path), Some(vtu)) = (&self.vtu, &shown.vtu) {
+            replace(path, vtu)?;
+        }
+        say(if json { &shown.json } else { &shown.text })
+    }
+}
+
+impl Shown {
+    fn parts(&self) -> Vec<&str> {
+        [Some(&self.json), Some(&self.text), self.vtu.as_ref()].into_iter().flatten().map(String::as_str).collect()
+    }
+
+    fn from_parts(parts: Vec<String>) -> Option<Self> {
+        let mut parts = parts.into_iter();
+        Some(Self { json: parts.next()?, text: parts.next()?, vtu: parts.next() })
+    }
+}
+
+/// What the shell's fault means to a person.
+pub(super) fn refused(fault: &ShellFault) -> Failure {
+    match fault {
+        ShellFault::Cancelled => Failure::Interrupted,
+        fault => Failure::Message(fault.to_string()),
+    }
+}
+
+/// Computes while Ctrl-C is heard, the first time as a wish and the second time as an order, and a terminal is told how far it is.
+pub(super) fn watched<T>(compute: impl FnOnce(&Watch<'_>) -> Result<T, Failure>) -> Result<T, Failure> {
+    let cancel = Arc::new(AtomicBool::new(false));
+    // In this order: the second Ctrl-C finds the flag raised by the first.
+    let second = signal_hook::flag::register_conditional_shutdown(SIGINT, 130, Arc::clone(&cancel));
+    let first = signal_hook::flag::register(SIGINT, Arc::clone(&cancel));
+    let progress = Progress::new();
+    let tell = |part: f64, what: &str| progress.tell(part, what);
+    let found = compute(&Watch { progress: stderr().is_terminal().then_some(&tell), cancel });
+    progress.clear();
+    for registered in [second, first].into_iter().flatten() {
+        let _ = signal_hook::low_level::unregister(registered);
+    }
+    found
+}
+
+/// A line on a terminal that says how far it is.
+struct Progress {
+    began: Instant,
+    told: Cell<Option<Instant>>,
+}
+
+/// Between two lines.
+const PAUSE: Duration = Duration::from_millis(200);
+
+impl Progress {
+    fn new() -> Self {
+        Self { began: Instant::now(), told: Cell::new(None) }
+    }
+
+    fn tell(&self, part: f64, what: &str) {
+        if self.told.get().is_some_and(|told| told.elapsed() < PAUSE) || part <= 0.0 {
+            return;
+        }
+        let left = self.began.elapsed().as_secs_f64() * (1.0 - part) / part;
+        let line = format!("\r\x1b[Kshell: {:.0} %, {what}, about {left:.0} s left", 100.0 * part);
+        let _ = stderr().write_all(line.as_bytes());
+        self.told.set(Some(Instant::now()));
+    }
+
+    fn clear(&self) {
+        if self.told.get().is_some() {
+            let _ = stderr().write_all(b"\r\x1b[K");
+        }
+    }
+}
