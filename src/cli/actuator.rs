@@ -2,7 +2,7 @@
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::predict::Model;
-use crate::cli::quantity::{EXTRA, SIZE, number, quantity, range};
+use crate::cli::quantity::{EXTRA, SIZE, evenly, number, quantity, range};
 use crate::cli::shell::{ShellArgs, Shown, refused};
 use crate::forecast::actuator::{Actuator, actuate};
 use crate::forecast::by_shell;
@@ -100,15 +100,8 @@ fn run_shell(args: &Args, actuator: &Actuator, angles: &[f64]) -> Result<(), Fai
 
 /// Reads "FROM..TO/COUNT", or one angle.
 fn angles(text: &str) -> Result<Angles, String> {
-    let (ends, count) = text.split_once('/').unwrap_or((text, "1"));
-    let (from, to) = range::<Angle>(BETWEEN)(ends)?;
-    let count = count.trim().parse::<u32>().ok().filter(|count| (1..=MOST_ANGLES).contains(count));
-    let count = count.ok_or_else(|| format!("the count after \"/\" must be 1 to {MOST_ANGLES}"))?;
-    if count == 1 && from != to {
-        return Err(format!("say how many angles: write \"{ends}/COUNT\", with a COUNT of 2 or more"));
-    }
-    let part = |i: u32| f64::from(i) / f64::from((count - 1).max(1));
-    Ok(Angles((0..count).map(|i| from.rad() + part(i) * (to.rad() - from.rad())).collect()))
+    let ends = |ends: &str| range::<Angle>(BETWEEN)(ends).map(|(from, to)| [from.rad(), to.rad()]);
+    evenly(text, MOST_ANGLES, ends).map(Angles)
 }
 
 #[cfg(test)]

@@ -4,11 +4,19 @@ use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
+use crate::cli::quantity::{SIZE, evenly, range};
+use crate::cli::shell::{ShellArgs, Shown};
 use crate::design::Design;
 use crate::forecast::predict::predict;
 use crate::forecast::report;
+use crate::forecast::star_by_shell;
+use crate::forecast::star_by_shell::Refusal;
 use crate::pipeline::no_prediction;
-use crate::spec::ModelChoice;
+use crate::spec::{ModelChoice, Spec};
+use crate::units::Length;
+
+/// Most radii of one curve: each is opened to in steps.
+const MOST_RADII: u32 = 7;
 
 /// Arguments of `predict`.
 #[derive(clap::Args, Debug)]
@@ -18,6 +26,11 @@ pub(super) struct Args {
     /// The model to use instead of the spec's.
     #[arg(long, value_name = "MODEL")]
     model: Option<Model>,
+    /// Of the shell: also the force on round objects of these radii: "20 mm..40 mm/5".
+    #[arg(long, value_name = "FROM..TO/COUNT", value_parser = radii)]
+    radii: Option<Radii>,
+    #[command(flatten)]
+    shell: ShellArgs,
     /// Print one JSON object and nothing else.
     #[arg(long)]
     json: bool,
@@ -62,9 +75,43 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         spec.accuracy.model = model.choice();
     }
     let design = Design::new(&spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
+    if spec.accuracy.model == ModelChoice::Shell {
+        return run_shell(args, &loaded, &spec, &design);
+    }
+    args.shell.not_by_others()?;
+    if args.radii.is_some() {
+        let text = "--radii is the shell's: add --model shell, or leave it out";
+        return Err(Failure::Usage(text.to_owned()));
+    }
     let prediction = predict(&spec, &design).map_err(|fault| loaded.refused(no_prediction(&fault).into()))?;
     if args.json {
         return say(&prediction.to_json());
     }
     say(&report::text(&spec, &prediction))
+}
+
+/// The same by the shell.
+fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Result<(), Failure> {
+    let radii = args.radii.as_ref().map_or(&[][..], |radii| &radii.0);
+    let question = format!("predict {spec:?} {radii:?}");
+    args.shell.show(&question, args.json, |watch| {
+        let found = star_by_shell::predict((spec, design), radii, args.shell.detail(), watch);
+        let (prediction, shape) = found.map_err(|refusal| match refusal {
+            Refusal::Cancelled => Failure::Interrupted,
+            Refusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
+        })?;
+        let vtu = args.shell.wants_vtu().then(|| shape.vtu()).transpose();
+        let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;
+        Ok(Shown { json: prediction.to_json(), text: prediction.to_text(spec), vtu })
+    })
+}
+
+/// Radii of round objects, m.
+#[derive(Clone, Debug, PartialEq)]
+struct Radii(Vec<f64>);
+
+/// Reads "FROM..TO/COUNT", or one radius.
+fn radii(text: &str) -> Result<Radii, String> {
+    evenly(text, MOST_RADII, |ends| range::<Length>(SIZE)(ends).map(|(from, to)| [from.metres(), to.metres()]))
+        .map(Radii)
 }

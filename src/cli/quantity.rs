@@ -63,6 +63,23 @@ fn remedy(text: &str, otherwise: &str) -> String {
     }
 }
 
+/// Reads "FROM..TO/COUNT", or one value: evenly spaced ones, at most `most`; `ends` reads the first part.
+pub(super) fn evenly(
+    text: &str,
+    most: u32,
+    ends: impl Fn(&str) -> Result<[f64; 2], String>,
+) -> Result<Vec<f64>, String> {
+    let (both, count) = text.split_once('/').unwrap_or((text, "1"));
+    let [from, to] = ends(both)?;
+    let count = count.trim().parse::<u32>().ok().filter(|count| (1..=most).contains(count));
+    let count = count.ok_or_else(|| format!("the count after \"/\" must be 1 to {most}"))?;
+    if count == 1 && from != to {
+        return Err(format!("say how many there are: write \"{both}/COUNT\", with a COUNT of 2 or more"));
+    }
+    let part = |i: u32| f64::from(i) / f64::from((count - 1).max(1));
+    Ok((0..count).map(|i| from + part(i) * (to - from)).collect())
+}
+
 /// Reads "k/N": part k of N.
 pub(super) fn part(text: &str) -> Result<(usize, usize), String> {
     let fault = || format!("`{text}` is not k/N with k from 1 to N");

@@ -33,7 +33,7 @@ impl Detail {
 }
 
 /// The fabric of `sheet` as the shell takes it.
-fn fabric(sheet: &ElasticSheet) -> Fabric {
+pub(super) fn fabric(sheet: &ElasticSheet) -> Fabric {
     Fabric {
         stretch: sheet.stretching_modulus(),
         bending: sheet.bending_modulus(),

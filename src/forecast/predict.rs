@@ -96,6 +96,13 @@ fn answer(asked: &Asked<'_>, model: &dyn HingeModel, choice: &Choice) -> Result<
     let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
     let outcome = Outcome::linear(case, &inflated);
     let mut warnings = limits_of_validity(choice.level, question);
+    if spec.accuracy.model == ModelChoice::Shell {
+        warnings.push(format!(
+            "shells are left to `predict --model shell`: files are the same on every machine, and a shell's last digits are not; \
+             {} answers here",
+            choice.level.name()
+        ));
+    }
     if !choice.good_enough {
         warnings.push(choice.reason.clone());
     }

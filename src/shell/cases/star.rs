@@ -6,6 +6,7 @@ use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::family::{Evidence, Family, Watch};
 use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::shape::Shape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::contact::Obstacle;
@@ -48,6 +49,8 @@ pub struct InflatedStar {
     pub forces: Vec<(f64, Value)>,
     /// The hardest loaded places; on the finest mesh.
     pub extremes: Extremes,
+    /// Its modelled sheet at rest.
+    pub shape: Shape,
     /// How it was come by.
     pub evidence: Evidence,
 }
@@ -98,13 +101,14 @@ pub fn star(
     let hold = |mesh: &Mesh| Supports::new(mesh, planes.to_vec());
     let family =
         Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &obstacles };
-    let mut worst = Extremes::default();
+    let (mut worst, mut shape) = (Extremes::default(), Shape::default());
     let (values, evidence) = family.run(watch, |solver, meshed, rung| {
         let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];
         worst = extremes::extremes(&solver.assembly.sheet, &meshed.mesh, &rung.state);
         let whole = measure(&sector, solver, &meshed.mesh, rung);
         numbers[..WHOLE].copy_from_slice(&whole);
         numbers[WHOLE..NUMBERS].copy_from_slice(&[worst.seal_tension, worst.stretch]);
+        shape = Shape::new(&case.tube, solver, &meshed.mesh, &rung.state);
         press(case, objects, solver, rung, &mut numbers[NUMBERS..])?;
         Ok(numbers)
     })?;
@@ -120,6 +124,7 @@ pub fn star(
         radial_stiffness: values[5].scaled(sheets * force / w),
         forces: objects.iter().zip(&values[NUMBERS..]).map(|(r, f)| (*r, f.scaled(sheets * force))).collect(),
         extremes: worst.scaled(case.tube.fabric.stretch, w, [values[6], values[7]]),
+        shape,
         evidence,
     })
 }
