@@ -317,12 +317,14 @@ fn an_actuator_is_answered_by_every_model_of_its_hinge() {
         // Opened beyond its rest, it is held by a moment that opens. That of the membrane is nearly constant below the
         // onset, that of the section grows.
         assert!(moments[0][0] > number("angle_deg") && moments[0][1] > 0.0, "{moments:?}");
-        let growth = if model == "section" { 2.0 } else { 0.99 };
+        let growth = if model == "section" { 1.5 } else { 0.99 };
         assert!(moments.is_sorted_by(|a, b| b[1] > growth * a[1]), "{moments:?}");
         // The limits take a hinge at 14 kPa for softer than the section does.
         assert!(number("stiffness_Nm") < 0.7 * before, "{json}");
         before = if model == "section" { number("stiffness_Nm") } else { before };
-        assert!(!json["evidence"]["warnings"].as_array().expect("a list").is_empty());
+        // The section knows arms here, and the limits are limits.
+        let warnings = json["evidence"]["warnings"].as_array().expect("a list");
+        assert_eq!(warnings.is_empty(), model == "section", "{warnings:?}");
     }
     let auto = actuator(&["--json"]);
     let json: serde_json::Value = serde_json::from_str(&text(&auto.stdout)).expect("one object");
@@ -339,8 +341,8 @@ fn an_actuator_that_no_model_covers_is_refused_in_words() {
         "{}",
         text(&soft.stderr)
     );
-    let shell = actuator(&["--model", "shell"]);
-    assert!(shell.status.code() == Some(2) && text(&shell.stderr).contains("section"));
+    let unknown = actuator(&["--model", "shells"]);
+    assert!(unknown.status.code() == Some(2) && text(&unknown.stderr).contains("section"));
     assert_eq!(actuator(&["--angles", "40 deg..60 deg"]).status.code(), Some(2));
 }
 
@@ -354,7 +356,14 @@ fn predict_takes_the_section_only_with_a_pressure() {
     let lambda = json["lambda_t"]["tip"].as_f64().expect("a number");
     assert!(lambda > 1.1 && lambda < 1.3 && json["lambda_c"]["tip"].is_null(), "{json}");
     let warnings = json["evidence"]["warnings"].to_string();
-    assert!(warnings.contains("without arms") && !warnings.contains("no model here"), "{warnings}");
+    assert!(!warnings.contains("without arms") && !warnings.contains("membrane"), "{warnings}");
+    // 150 deg of arc coil by lambda, and by what the arms add: a few degrees.
+    let added = 180.0 - json["tip_target_angle_deg"].as_f64().expect("a number") - 150.0 * lambda;
+    assert!((2.0..14.0).contains(&added), "{added}");
+    let thin = SPEC.replace("[fabric]", "[fabric]\nthickness = \"0.1 mm\"").replace("37 kPa", "5 kPa");
+    fs::write(dir.path().join("thin.toml"), thin).expect("written");
+    let thin = run(dir.path(), &["predict", "thin.toml", "--model", "section"]);
+    assert!(text(&thin.stdout).contains("without arms"), "{}", text(&thin.stdout));
     fs::write(dir.path().join("spec.toml"), SPEC.split("[load]").next().expect("text")).expect("written");
     let refused = run(dir.path(), &["predict", "spec.toml", "--model", "section"]);
     assert!(refused.status.code() == Some(1) && text(&refused.stderr).contains("none is given"));

@@ -215,3 +215,42 @@ pub fn join(climbed: &[Climbed]) -> Result<String, JoinFault> {
          # tau, R*, 1/eps; delta and its mesh error, the arms' give and its mesh error, deg.\n{body}"
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A coarse ladder of the table's own, which takes seconds.
+    fn coarse(number: usize) -> Climbed {
+        let ladder = ladders()[number - 1];
+        let text = ladder.climb(Fineness { cells: 3.0, cuts: 2 }, &Watch::default()).expect("an equilibrium");
+        for torn in [text.len() / 2, text.len() - 2] {
+            assert_eq!(Climbed::read(&text[..torn]), None);
+        }
+        assert_eq!(Climbed::read(&text.replacen("alpha", "beta", 1)), None);
+        Climbed::read(&text).expect("whole")
+    }
+
+    #[test]
+    fn the_shipped_table_is_what_shells_say() {
+        // Thick sheets converge on coarse meshes. R* = 0.15.
+        let climbed = coarse(22);
+        let Ladder { tau, r_star, .. } = climbed.ladder;
+        let found = climbed.arms().expect("sections");
+        assert_eq!(found.len(), arms::PRESSURES);
+        for [b, angle, angle_error, give, give_error] in found {
+            let shipped = arms::arms(b, tau, r_star).expect("on the grid");
+            let (delta, g) = (shipped.angle.to_degrees(), shipped.give.to_degrees());
+            assert!((angle - delta).abs() < angle_error.min(0.7), "{b}: {angle} +- {angle_error}, {delta}");
+            assert!((give - g).abs() < give_error.max(2.0), "{b}: {give} +- {give_error}, {g}");
+        }
+        assert_eq!(join(&[climbed]), Err(JoinFault::Missing(1)));
+    }
+
+    #[test]
+    fn every_ladder_is_one_of_the_grid_or_tries_another_poisson_ratio() {
+        let all = ladders();
+        assert_eq!(all.iter().filter(|ladder| ladder.is_in_table()).count(), arms::TAUS.len() * arms::R_STARS.len());
+        assert!(all.iter().zip(1..).all(|(ladder, number)| ladder.number == number));
+    }
+}

@@ -292,7 +292,9 @@ impl Answered<'_> {
         let area = found.contact_area.scaled(1e6);
         let volume = found.volume.scaled(1e9);
         let contraction = found.final_radius.shifted(-case.inner_radius).scaled(-1.0 / case.inner_radius);
-        let force = |radius: f64| found.forces.iter().find(|(at, _)| *at == radius).map(|(_, force)| *force);
+        // Coarse meshes close further, so that an object which only they reach would pull by extrapolation.
+        let pressing = |force: &Value| Value { value: force.value.max(0.0), ..*force };
+        let force = |radius: f64| found.forces.iter().find(|(at, _)| *at == radius).map(|(_, f)| pressing(f));
         let on_object = object.and_then(force);
         let curve: Vec<(f64, Value)> =
             radii.iter().filter_map(|radius| Some((mm(*radius), force(*radius)?))).collect();

@@ -10,8 +10,8 @@
 
 use std::sync::LazyLock;
 
-/// tau of the grid, up to t/W = 0.03 at nu = 0.49. From 3.16e-3 on stretch ends the pressures, below 1/eps does.
-pub const TAUS: [f64; 5] = [1.25e-3, 1.98e-3, 3.162e-3, 5.604e-3, 9.935e-3];
+/// tau of the grid: from t/W = 0.0063 at nu = 0.39 to 0.03 at nu = 0.49. Thinner sheets take meshes that are finer. From 3.16e-3 on stretch ends the pressures, below 1/eps does.
+pub const TAUS: [f64; 4] = [1.98e-3, 3.162e-3, 5.604e-3, 9.935e-3];
 /// R* of the grid.
 pub const R_STARS: [f64; 6] = [0.0, 0.02, 0.06, 0.15, 0.4, 1.0];
 /// Pressures of the grid.
@@ -107,4 +107,64 @@ fn weights<const N: usize>(places: &[f64; N], x: f64) -> Option<[f64; N]> {
     };
     let weight = |i: usize| if chosen.contains(&i) { factor(i) } else { 0.0 };
     Some(std::array::from_fn(weight))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use sha2::{Digest, Sha256};
+
+    #[test]
+    fn the_shipped_table_is_whole_and_on_its_grid() {
+        let body: String =
+            SHIPPED.lines().filter(|line| !line.starts_with('#')).flat_map(|line| [line, "\n"]).collect();
+        let hash = Sha256::digest(&body).iter().map(|byte| format!("{byte:02x}")).collect::<String>();
+        assert!(SHIPPED.contains(&hash), "{hash}");
+        let mut lines = body.lines();
+        for tau in TAUS {
+            for r_star in R_STARS {
+                for b in bendabilities(tau) {
+                    let words: Vec<f64> = (lines.next().expect("a line").split(' '))
+                        .map(|word| word.parse().expect("a number"))
+                        .collect();
+                    assert_eq!((words[0], words[1]), (tau, r_star));
+                    assert!((words[2] / b - 1.0).abs() < 1e-5);
+                    let arms = arms(b, tau, r_star).expect("on the grid");
+                    assert!((arms.angle.to_degrees() - words[3]).abs() < 1e-3, "{arms:?} {words:?}");
+                    assert!((arms.give.to_degrees() - words[5]).abs() < 1e-2, "{arms:?} {words:?}");
+                }
+            }
+        }
+        assert_eq!(lines.next(), None);
+    }
+
+    #[test]
+    fn it_ends_where_it_ends() {
+        let tau = 4e-3;
+        assert!(arms(100.0, tau, 0.0).is_some() && arms(6250.0, tau, 1.0).is_some());
+        for (b, tau, r_star) in
+            [(99.0, tau, 0.1), (6260.0, tau, 0.1), (500.0, 1.9e-3, 0.1), (500.0, 0.01, 0.1), (500.0, tau, 1.01)]
+        {
+            assert_eq!(arms(b, tau, r_star), None, "{b} {tau} {r_star}");
+        }
+        assert_eq!(arms(f64::NAN, tau, 0.1), None);
+        assert_eq!(arms(500.0, f64::NAN, 0.1), None);
+    }
+
+    #[test]
+    fn it_leads_on_from_place_to_place() {
+        // Between the grid's places nothing jumps, and arms always let a hinge coil further and give way.
+        let mut before: Option<Arms> = None;
+        for step in 0..=400 {
+            let part = f64::from(step) / 400.0;
+            let tau = TAUS[0] * (TAUS[3] / TAUS[0]).powf(part);
+            let arms = arms(300.0 + 600.0 * part, tau, part * part).expect("inside");
+            assert!(arms.angle > 0.0 && arms.give > 0.0, "{part}: {arms:?}");
+            if let Some(before) = before {
+                assert!((arms.angle - before.angle).abs() < 0.005, "{part}: {before:?} {arms:?}");
+                assert!((arms.give - before.give).abs() < 0.03, "{part}: {before:?} {arms:?}");
+            }
+            before = Some(arms);
+        }
+    }
 }
