@@ -7,13 +7,13 @@ use std::fmt::Write;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::artifact::{Artifact, Asked, Kind, Output};
+use crate::artifact::{Artifact, Asked, Format, Kind, Output};
 use crate::design::{Design, Paper};
 use crate::manifest::bill::thousandths;
 use crate::plan::Program;
 use crate::spec::Spec;
 
-pub use bill::{ManifestMask, ManifestPlates, ManifestPosts};
+pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
 
 /// The manifest's file name in an output directory.
 pub const MANIFEST: &str = "manifest.json";
@@ -80,6 +80,9 @@ pub struct ManifestFile {
     /// The lowest plate of the frame that it is for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plate: Option<usize>,
+    /// The piece of a printed mask that it is, from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub piece: Option<usize>,
     /// The paper that it is laid out for; absent for one page as large as the drawing needs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub paper: Option<Paper>,
@@ -202,7 +205,7 @@ impl Manifest {
 impl ManifestFile {
     /// The entry of one artifact.
     pub fn of(artifact: &Artifact) -> Self {
-        let Output { kind, sheet, star, plate, paper, mirrored } = artifact.output;
+        let Output { kind, sheet, star, plate, piece, paper, mirrored } = artifact.output;
         Self {
             path: artifact.name.clone(),
             kind,
@@ -211,6 +214,7 @@ impl ManifestFile {
             sheet,
             star,
             plate,
+            piece,
             paper: paper.filter(|paper| paper.name().is_some()),
             mirrored,
         }
@@ -218,9 +222,9 @@ impl ManifestFile {
 
     /// What the entry says that the file is.
     pub fn output(&self) -> Output {
-        let Self { kind, sheet, star, plate, paper, mirrored, .. } = *self;
-        let paper = if kind == Kind::MaskPdf { paper.or(Some(Paper::Large)) } else { paper };
-        Output { kind, sheet, star, plate, paper, mirrored }
+        let Self { kind, sheet, star, plate, piece, paper, mirrored, .. } = *self;
+        let paper = if kind.format() == Format::Pdf { paper.or(Some(Paper::Large)) } else { paper };
+        Output { kind, sheet, star, plate, piece, paper, mirrored }
     }
 }
 

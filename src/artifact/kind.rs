@@ -19,6 +19,8 @@ pub enum Subject {
     Outline,
     /// A coating mask.
     Mask,
+    /// How the pieces of a printed mask belong together.
+    Pieces,
     /// A plate of the frame.
     Frame,
     /// A picture for people.
@@ -58,6 +60,7 @@ impl Subject {
             Self::Trace => "trace",
             Self::Outline => "outline",
             Self::Mask => "mask",
+            Self::Pieces => "pieces",
             Self::Frame => "frame",
             Self::Preview => "preview",
             Self::Prediction => "prediction",
@@ -136,6 +139,8 @@ kinds! {
     OutlineSvg: "outline-svg", Outline as Svg;
     /// The cut.
     OutlineDxf: "outline-dxf", Outline as Dxf;
+    /// The cut on paper, at 1:1.
+    OutlinePdf: "outline-pdf", Outline as Pdf;
     /// A coating mask.
     MaskSvg: "mask-svg", Mask as Svg;
     /// A coating mask.
@@ -144,10 +149,16 @@ kinds! {
     MaskPdf: "mask-pdf", Mask as Pdf;
     /// A coating mask as a solid.
     MaskStl: "mask-stl", Mask as Stl;
+    /// How the pieces of a printed mask belong together.
+    PiecesSvg: "pieces-svg", Pieces as Svg;
     /// A plate of the frame.
     FrameSvg: "frame-svg", Frame as Svg;
     /// A plate of the frame.
     FrameDxf: "frame-dxf", Frame as Dxf;
+    /// A plate of the frame on paper, at 1:1.
+    FramePdf: "frame-pdf", Frame as Pdf;
+    /// A plate of the frame as a solid.
+    FrameStl: "frame-stl", Frame as Stl;
     /// A picture for people.
     PreviewSvg: "preview-svg", Preview as Svg;
     /// The same in pixels.
@@ -169,7 +180,7 @@ impl Kind {
 
     /// Whether it comes only where it is named.
     pub fn is_extra(self) -> bool {
-        matches!(self, Self::PreviewPng)
+        matches!(self, Self::PreviewPng | Self::OutlinePdf | Self::FramePdf | Self::FrameStl)
     }
 }
 

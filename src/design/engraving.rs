@@ -10,7 +10,7 @@ use crate::design::lettering;
 use crate::geom::{Line, Path, Point, Vec2};
 
 /// How deep engravings go, mm: two layers of a common print.
-pub const ENGRAVED: f64 = 0.4;
+const ENGRAVED: f64 = 0.4;
 
 /// How deep a plate of `thickness` is engraved: at most a quarter of it.
 pub fn engraved_depth(thickness: f64) -> f64 {

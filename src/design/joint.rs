@@ -13,7 +13,10 @@ use crate::geom::{Arc, Bounds, Isometry, Line, Path, Point, Segment, Vec2, inter
 const BRIDGE: f64 = 4.0;
 
 /// Least plate around knobs, holes and texts, mm.
-pub(super) const WALL: f64 = 3.0;
+pub(super) const WALL: f64 = 2.5;
+
+/// From the end of a joint to the notch between two tips, mm: at the notch a corner would be left.
+const NOTCH: f64 = 1.5;
 
 /// Between a knob and its socket, mm: what a printer with a 0.4 mm nozzle needs for parts to go together by hand.
 const PLAY: f64 = 0.1;
@@ -122,7 +125,7 @@ impl Around {
         let Chord { low: (low, _), high: (high, _) } = chord(&self.plate, at)?;
         let in_sector = |y: f64| {
             let end = Point::new(at, y);
-            end.angle().abs() + (WALL / end.distance(Point::ORIGIN)) < half_sector
+            end.angle().abs() + NOTCH / end.distance(Point::ORIGIN) < half_sector
         };
         let hits = |(hole, radius): &(Point, f64)| {
             (low..high).contains(&hole.y) && (hole.x - at).abs() < radius + WALL

@@ -1,6 +1,7 @@
 //! From what is known of a gripper to its files: one arm for every subject and format.
 
 use crate::artifact::{Artifact, Asked, Format, Output, Subject, outputs};
+use crate::design::engraved_depth;
 use crate::emit;
 use crate::manifest::Manifest;
 use crate::pipeline::{Built, Forecast, Sources};
@@ -40,7 +41,7 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Seal if output.kind.format() == Format::Gcode => {
             program(forecast, &forecast.programs, output)?
         }
-        Subject::Seal | Subject::Outline | Subject::Mask | Subject::Frame => {
+        Subject::Seal | Subject::Outline | Subject::Mask | Subject::Pieces | Subject::Frame => {
             return drawing(forecast, output);
         }
     };
@@ -64,7 +65,10 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
     Some(match output.kind.format() {
         Format::Svg => emit::svg(&title, &drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
         Format::Dxf => emit::dxf(&drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
-        Format::Stl => emit::stl(&drawing, spec.mask.thickness.0),
+        Format::Stl => {
+            let thickness = output.thickness(spec);
+            emit::stl(&output.solid_name(&spec.name), &drawing, thickness, engraved_depth(thickness))
+        }
         Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
         Format::Toml | Format::Gcode | Format::Json | Format::Png => return None,
     })

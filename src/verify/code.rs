@@ -72,6 +72,7 @@ codes! {
         UnusedWord "unused-word" "A word stands where nothing reads it.",
         WrongClip "wrong-clip" "A page is clipped elsewhere.",
         WrongFeed "wrong-feed" "A feed or a dwell is not the planned one.",
+        WrongJoint "wrong-joint" "The pieces of a printed mask are not its plate when they are put together.",
         WrongScale "wrong-scale" "The drawing is not 1:1 in millimetres.",
         WrongSize "wrong-size" "The page or sheet has another size.",
         WrongTitle "wrong-title" "The title inside the file is not that of the file.",

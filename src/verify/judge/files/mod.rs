@@ -1,5 +1,6 @@
 //! Whole files and whole directories against the design.
 
+mod assembly;
 pub(in crate::verify) mod bytes;
 pub(in crate::verify) mod drawings;
 mod figures;
