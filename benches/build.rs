@@ -2,7 +2,8 @@
 
 use std::hint::black_box;
 
-use stargrip_cam::design::{Design, Drawing};
+use stargrip_cam::artifact::Asked;
+use stargrip_cam::design::{Design, Drawing, Edge};
 use stargrip_cam::pipeline::Sources;
 use stargrip_cam::spec::{Machine, Source, Spec};
 use stargrip_cam::{emit, pipeline, plan, spec};
@@ -51,7 +52,9 @@ fn planned_and_emitted(bencher: divan::Bencher, machine: &Machine, stars: usize)
             .map(|program| emit::gcode(&spec, machine, program).len())
             .sum::<usize>();
         for sheet in &design.sheets {
-            for drawing in [Drawing::seals(&design, sheet.index), Drawing::outlines(&design, sheet.index)] {
+            for drawing in
+                [Drawing::seals(&design, sheet.index), Drawing::outlines(&design, sheet.index, Edge::Tool)]
+            {
                 let drawing = drawing.expect("a sheet");
                 bytes += emit::svg("bench", &drawing, spec.accuracy.path, spec.cut.colours).len();
                 bytes += emit::dxf(&drawing, spec.accuracy.path, spec.cut.colours).len();
@@ -79,7 +82,8 @@ fn design(bencher: divan::Bencher) {
 fn build(bencher: divan::Bencher) {
     let (spec, machine) = (paper(), machine());
     let sources = Sources { spec: PAPER, machine: generic() };
-    bencher.bench(|| pipeline::build(black_box(&spec), &machine, sources, &[]).expect("a design"));
+    bencher
+        .bench(|| pipeline::build(black_box(&spec), &machine, sources, &Asked::default()).expect("a design"));
 }
 
 /// Reading every file back and comparing it with the exact geometry.
@@ -87,6 +91,6 @@ fn build(bencher: divan::Bencher) {
 fn prove(bencher: divan::Bencher) {
     let (spec, machine) = (paper(), machine());
     let sources = Sources { spec: PAPER, machine: generic() };
-    let build = pipeline::build(&spec, &machine, sources, &[]).expect("a design");
+    let build = pipeline::build(&spec, &machine, sources, &Asked::default()).expect("a design");
     bencher.bench(|| build.proof());
 }

@@ -7,13 +7,13 @@ use std::fmt::Write;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::artifact::{Artifact, Kind, Output};
+use crate::artifact::{Artifact, Asked, Format, Kind, Output};
 use crate::design::{Design, Paper};
 use crate::manifest::bill::thousandths;
 use crate::plan::Program;
 use crate::spec::Spec;
 
-pub use bill::{ManifestMask, ManifestPlates, ManifestPosts};
+pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
 
 /// The manifest's file name in an output directory.
 pub const MANIFEST: &str = "manifest.json";
@@ -46,6 +46,9 @@ pub struct Manifest {
     /// The kinds that were asked for; absent if all were.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub only: Vec<Kind>,
+    /// The kinds that were asked for beside these; absent if none was.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub with: Vec<Kind>,
 }
 
 /// The program that wrote a manifest.
@@ -77,6 +80,9 @@ pub struct ManifestFile {
     /// The lowest plate of the frame that it is for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plate: Option<usize>,
+    /// The piece of a printed mask that it is, from 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub piece: Option<usize>,
     /// The paper that it is laid out for; absent for one page as large as the drawing needs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub paper: Option<Paper>,
@@ -169,13 +175,20 @@ impl Manifest {
             mass_g: stars.iter().map(|star| star.mass_g).sum::<Option<f64>>().map(thousandths),
             stars,
             only: Vec::new(),
+            with: Vec::new(),
         }
     }
 
-    /// The same manifest naming `artifacts`, the files of the kinds `only`.
+    /// The same manifest naming `artifacts`, the files that were `asked` for.
     #[must_use]
-    pub fn with_files(self, artifacts: &[Artifact], only: &[Kind]) -> Self {
-        Self { files: artifacts.iter().map(ManifestFile::of).collect(), only: only.to_vec(), ..self }
+    pub fn with_files(self, artifacts: &[Artifact], asked: &Asked) -> Self {
+        let Asked { only, with } = asked.clone();
+        Self { files: artifacts.iter().map(ManifestFile::of).collect(), only, with, ..self }
+    }
+
+    /// What was asked for.
+    pub fn asked(&self) -> Asked {
+        Asked { only: self.only.clone(), with: self.with.clone() }
     }
 
     /// The manifest as the bytes of `manifest.json`.
@@ -192,7 +205,7 @@ impl Manifest {
 impl ManifestFile {
     /// The entry of one artifact.
     pub fn of(artifact: &Artifact) -> Self {
-        let Output { kind, sheet, star, plate, paper, mirrored } = artifact.output;
+        let Output { kind, sheet, star, plate, piece, paper, mirrored } = artifact.output;
         Self {
             path: artifact.name.clone(),
             kind,
@@ -201,6 +214,7 @@ impl ManifestFile {
             sheet,
             star,
             plate,
+            piece,
             paper: paper.filter(|paper| paper.name().is_some()),
             mirrored,
         }
@@ -208,9 +222,9 @@ impl ManifestFile {
 
     /// What the entry says that the file is.
     pub fn output(&self) -> Output {
-        let Self { kind, sheet, star, plate, paper, mirrored, .. } = *self;
-        let paper = if kind == Kind::MaskPdf { paper.or(Some(Paper::Large)) } else { paper };
-        Output { kind, sheet, star, plate, paper, mirrored }
+        let Self { kind, sheet, star, plate, piece, paper, mirrored, .. } = *self;
+        let paper = if kind.format() == Format::Pdf { paper.or(Some(Paper::Large)) } else { paper };
+        Output { kind, sheet, star, plate, piece, paper, mirrored }
     }
 }
 

@@ -13,7 +13,10 @@ fn build() -> Built {
 
 /// What is found if the content of `file` is changed and the manifest agrees.
 fn forged(file: &str, change: impl Fn(&[u8]) -> Vec<u8>) -> Vec<Finding> {
-    let mut build = build();
+    forged_in(build(), file, change)
+}
+
+fn forged_in(mut build: Built, file: &str, change: impl Fn(&[u8]) -> Vec<u8>) -> Vec<Finding> {
     let artifact: &mut Artifact =
         build.artifacts.iter_mut().find(|artifact| artifact.name == file).expect("a file");
     let bytes = change(&artifact.bytes);
@@ -49,11 +52,11 @@ const PAPER: &str = "star-1-mask-a4.pdf";
 
 #[test]
 fn paper_of_another_scale_or_size_is_found() {
-    assert_found(PAPER, "deviation", swap("stream", "2.8346457", "2.8346999"));
+    assert_found(PAPER, "deviation", swap("7 0 obj", "2.8346457", "2.8346999"));
     assert_found(PAPER, "deviation", swap("stream", "2.8346457", "2.8000000"));
     assert_found(PAPER, "wrong-size", swap("/MediaBox", "595.2756 841.8898", "612.0000 792.0000"));
     assert_found(PAPER, "transform", swap("stream", "2.8346457 0 0", "2.8346457 1 0"));
-    assert_found(PAPER, "wrong-clip", swap("stream", "10 38 190 249 re", "10 38 190 239 re"));
+    assert_found(PAPER, "wrong-clip", swap("stream", "16.7 40.7 176.6 239.6 re", "16.7 40.7 176.6 229.6 re"));
 }
 
 #[test]
@@ -113,6 +116,54 @@ fn solids_with_holes_turned_or_moved_facets_are_found() {
     };
     assert_found(SOLID, "wrong-volume", moved(1.01, 0.0));
     assert_found(SOLID, "deviation", moved(1.0, 0.1));
+}
+
+/// The bytes with every corner and normal changed alike.
+fn every_corner(bytes: &[u8], change: impl Fn(&mut [f32])) -> Vec<u8> {
+    let count = (bytes.len() - 84) / 50;
+    (0..count)
+        .fold(bytes.to_vec(), |out, i| facet(i, |n| n.chunks_exact_mut(3).skip(1).for_each(&change))(&out))
+}
+
+/// A label that is sunk deeper or not at all, and one of another plate.
+#[test]
+fn solids_with_another_mark_are_found() {
+    let sunk_to = |z: f32| {
+        move |bytes: &[u8]| {
+            every_corner(bytes, |p| {
+                if (p[2] - 1.6).abs() < 1e-3 {
+                    p[2] = z;
+                }
+            })
+        }
+    };
+    assert_found(SOLID, "deviation", sunk_to(1.59));
+    assert_found(SOLID, "deviation", sunk_to(1.0));
+    let other =
+        support::build(&support::PAPER.replace("[star]", "[mask]\nmirror = true\n[star]")).expect("a design");
+    let file = "star-1-mask-mirrored.stl";
+    let mirrored =
+        other.artifacts.iter().find(|artifact| artifact.name == file).expect("a file").bytes.clone();
+    assert_found(SOLID, "deviation", |_| mirrored.clone());
+    assert_found(SOLID, "wrong-title", |_| mirrored.clone());
+}
+
+const BED: &str = "[mask]\nbed = \"220 mm x 220 mm\"\n[star]";
+
+/// Pieces as the design has them, one of which is not where it belongs: what each file alone cannot tell.
+#[test]
+fn pieces_that_do_not_go_together_are_found() {
+    let build = || support::build(&support::PAPER.replace("[star]", BED)).expect("a design");
+    assert_eq!(read_back(&build().output_files()).findings, []);
+    let file = "star-1-mask-piece-2.stl";
+    let moved = |by: f32| move |bytes: &[u8]| every_corner(bytes, |p| p[0] += by);
+    let joints = |findings: &[Finding]| findings.iter().any(|finding| finding.code == "wrong-joint");
+    assert!(joints(&forged_in(build(), file, moved(0.3))));
+    assert!(!joints(&forged_in(build(), file, moved(0.001))));
+    let whole = build();
+    let mut files = whole.output_files();
+    files.files.retain(|(name, _)| name != file);
+    assert!(joints(&read_back(&files).findings));
 }
 
 #[test]
@@ -249,6 +300,7 @@ fn what_runs_or_hides_on_paper_is_found() {
     for (from, to, code) in [
         ("/Pages 2 0 R\n", "/Pages 2 0 R\n/OpenAction << /S /JavaScript /JS (app.alert(1)) >>\n", "bad-pdf"),
         ("/Type /Catalog\n  /Pages 2 0 R", "/OpenAct 2 0 R\n  /Pages 2 0 R", "unknown-word"),
+        ("/PrintScaling /None", "/PrintScaling /Nine", "bad-pdf"),
         ("/Title (star", "/Title (Star", "wrong-title"),
         ("0.1 w", "9.9 w", "unknown-word"),
         ("/Resources <<>>", "/Resources <</>", "bad-pdf"),
@@ -278,7 +330,7 @@ fn solids_with_other_normals_notes_or_corners_are_found() {
             out
         }
     };
-    assert_found(SOLID, "bad-stl", byte(3));
+    assert_found(SOLID, "wrong-title", byte(3));
     assert_found(SOLID, "bad-stl", byte(84 + 49));
     // One corner, in all of its facets.
     let moved = |bytes: &[u8]| {

@@ -19,6 +19,8 @@ pub enum Subject {
     Outline,
     /// A coating mask.
     Mask,
+    /// How the pieces of a printed mask belong together.
+    Pieces,
     /// A plate of the frame.
     Frame,
     /// A picture for people.
@@ -44,6 +46,8 @@ pub enum Format {
     Stl,
     /// Figures.
     Json,
+    /// A picture of pixels.
+    Png,
 }
 
 impl Subject {
@@ -56,6 +60,7 @@ impl Subject {
             Self::Trace => "trace",
             Self::Outline => "outline",
             Self::Mask => "mask",
+            Self::Pieces => "pieces",
             Self::Frame => "frame",
             Self::Preview => "preview",
             Self::Prediction => "prediction",
@@ -74,6 +79,7 @@ impl Format {
             Self::Pdf => "pdf",
             Self::Stl => "stl",
             Self::Json => "json",
+            Self::Png => "png",
         }
     }
 }
@@ -133,6 +139,8 @@ kinds! {
     OutlineSvg: "outline-svg", Outline as Svg;
     /// The cut.
     OutlineDxf: "outline-dxf", Outline as Dxf;
+    /// The cut on paper, at 1:1.
+    OutlinePdf: "outline-pdf", Outline as Pdf;
     /// A coating mask.
     MaskSvg: "mask-svg", Mask as Svg;
     /// A coating mask.
@@ -141,12 +149,20 @@ kinds! {
     MaskPdf: "mask-pdf", Mask as Pdf;
     /// A coating mask as a solid.
     MaskStl: "mask-stl", Mask as Stl;
+    /// How the pieces of a printed mask belong together.
+    PiecesSvg: "pieces-svg", Pieces as Svg;
     /// A plate of the frame.
     FrameSvg: "frame-svg", Frame as Svg;
     /// A plate of the frame.
     FrameDxf: "frame-dxf", Frame as Dxf;
+    /// A plate of the frame on paper, at 1:1.
+    FramePdf: "frame-pdf", Frame as Pdf;
+    /// A plate of the frame as a solid.
+    FrameStl: "frame-stl", Frame as Stl;
     /// A picture for people.
     PreviewSvg: "preview-svg", Preview as Svg;
+    /// The same in pixels.
+    PreviewPng: "preview-png", Preview as Png;
     /// What the gripper will do; only for a spec with a load.
     Prediction: "prediction", Prediction as Json;
 }
@@ -160,6 +176,11 @@ impl Kind {
     /// Whether it comes even where only other kinds are asked for: a directory is proven from its own spec and profile.
     pub fn is_source(self) -> bool {
         self.format() == Format::Toml
+    }
+
+    /// Whether it comes only where it is named.
+    pub fn is_extra(self) -> bool {
+        matches!(self, Self::PreviewPng | Self::OutlinePdf | Self::FramePdf | Self::FrameStl)
     }
 }
 

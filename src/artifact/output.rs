@@ -1,5 +1,6 @@
 //! Outputs: which files a design has. The one table that the builder fills and the verifier asks for.
 
+use crate::artifact::asked::Asked;
 use crate::artifact::kind::{Format, Kind, Subject};
 use crate::design::{Design, Drawing, Edge, MaskPlate, Paper, PlacedStar};
 use crate::spec::{ProgramScope, Spec};
@@ -15,6 +16,8 @@ pub struct Output {
     pub star: Option<usize>,
     /// The lowest plate of the frame that it is for.
     pub plate: Option<usize>,
+    /// The piece of a printed mask that it is, from 1; `None` for the whole.
+    pub piece: Option<usize>,
     /// The paper that it is laid out for; `None` for what is not printed.
     pub paper: Option<Paper>,
     /// Whether it is for the face that the iron does not touch.
@@ -24,7 +27,7 @@ pub struct Output {
 impl Output {
     /// The file of this kind for the whole gripper.
     pub fn of(kind: Kind) -> Self {
-        Self { kind, sheet: None, star: None, plate: None, paper: None, mirrored: false }
+        Self { kind, sheet: None, star: None, plate: None, piece: None, paper: None, mirrored: false }
     }
 
     /// What it is a file of, in its name; "" for the whole gripper.
@@ -40,7 +43,8 @@ impl Output {
     /// Its name without paper and ending.
     fn stem(&self) -> String {
         let face = if self.mirrored { "-mirrored" } else { "" };
-        format!("{}{}{face}", self.part(), self.kind.subject().name())
+        let piece = self.piece.map_or(String::new(), |piece| format!("-piece-{piece}"));
+        format!("{}{}{face}{piece}", self.part(), self.kind.subject().name())
     }
 
     /// Its name in the output directory: letters, digits, `-` and `.` only.
@@ -59,9 +63,34 @@ impl Output {
         }
     }
 
-    /// What stands on every page of it, where it is printed.
+    /// What stands on every page of it, where it is printed on paper.
     pub fn caption(&self) -> String {
-        MaskPlate::caption(self.star.unwrap_or(0), self.mirrored)
+        let number = |number: Option<usize>| number.unwrap_or(0);
+        match self.kind.subject() {
+            Subject::Outline => format!("OUTLINE SHEET {}", number(self.sheet)),
+            Subject::Frame => format!("FRAME PLATE {}", number(self.plate)),
+            _ => MaskPlate::caption(number(self.star), self.mirrored),
+        }
+    }
+
+    /// What a solid is called in its head, for a design called `name`.
+    pub fn solid_name(&self, name: &str) -> String {
+        let piece = self.piece.map_or(String::new(), |piece| format!(", piece {piece}"));
+        match (self.star, self.plate) {
+            (Some(star), _) => {
+                let side = if self.mirrored { "other side" } else { "this side up" };
+                format!("mask of star {star}, {side}{piece}: {name}")
+            }
+            (_, plate) => format!("frame plate {}: {name}", plate.unwrap_or(0)),
+        }
+    }
+
+    /// How thick the plate is that a solid shows, mm.
+    pub fn thickness(&self, spec: &Spec) -> f64 {
+        match self.kind.subject() {
+            Subject::Frame => spec.frame.plate_thickness.0,
+            _ => spec.mask.thickness.0,
+        }
     }
 
     /// Printed parts come out as they are drawn; what is cut loses the kerf.
@@ -74,23 +103,41 @@ impl Output {
 
     /// The exact geometry that it shows; `None` for what is no drawing, or shows a part that `design` does not have.
     pub fn drawing(&self, design: &Design) -> Option<Drawing> {
+        let is_solid = self.kind.format() == Format::Stl;
         match self.kind.subject() {
             Subject::Seal => Drawing::seals(design, self.sheet?),
-            Subject::Outline => Drawing::outlines(design, self.sheet?),
+            Subject::Outline => Drawing::outlines(design, self.sheet?, self.edge()),
+            Subject::Mask if is_solid => Drawing::printed_mask(
+                design,
+                self.star?,
+                self.mirrored,
+                self.piece.map_or(0, |piece| piece - 1),
+            ),
             Subject::Mask => Drawing::mask(design, self.star?, self.mirrored, self.edge()),
+            Subject::Pieces => Drawing::pieces(design, self.star?, self.mirrored),
             Subject::Frame => {
                 let plate =
-                    design.frame.plates.iter().find(|plate| plate.numbers.first() == self.plate.as_ref());
-                plate.map(|plate| Drawing::plate(design, plate))
+                    design.frame.plates.iter().find(|plate| plate.numbers.first() == self.plate.as_ref())?;
+                Some(if is_solid {
+                    Drawing::printed_plate(design, plate)
+                } else {
+                    Drawing::plate(design, plate, self.edge())
+                })
             }
             _ => None,
         }
     }
+
+    /// The same on every paper that takes it.
+    fn on_paper(self, design: &Design) -> impl Iterator<Item = Self> {
+        let drawing = self.drawing(design);
+        let takes = move |paper: &Paper| drawing.as_ref().is_some_and(|drawing| paper.takes(drawing));
+        Paper::ALL.into_iter().filter(takes).map(move |paper| Self { paper: Some(paper), ..self })
+    }
 }
 
-/// Every file of `design`, which `spec` describes, in the order of the manifest. Empty `only` means all kinds; the sources
-/// come always.
-pub fn outputs(spec: &Spec, design: &Design, only: &[Kind]) -> Vec<Output> {
+/// Every file of `design`, which `spec` describes, of the kinds that are `asked` for, in the order of the manifest.
+pub fn outputs(spec: &Spec, design: &Design, asked: &Asked) -> Vec<Output> {
     let mut out = vec![Output::of(Kind::Spec), Output::of(Kind::Machine)];
     for kind in [Kind::SealGcode, Kind::TraceGcode] {
         out.extend(programs(spec, design).map(|(sheet, star)| Output {
@@ -99,21 +146,36 @@ pub fn outputs(spec: &Spec, design: &Design, only: &[Kind]) -> Vec<Output> {
             ..Output::of(kind)
         }));
     }
-    let of_sheet = [Kind::SealSvg, Kind::SealDxf, Kind::OutlineSvg, Kind::OutlineDxf, Kind::PreviewSvg];
+    let of_sheet = [
+        Kind::SealSvg,
+        Kind::SealDxf,
+        Kind::OutlineSvg,
+        Kind::OutlineDxf,
+        Kind::PreviewSvg,
+        Kind::PreviewPng,
+    ];
     for sheet in &design.sheets {
-        out.extend(of_sheet.map(|kind| Output { sheet: Some(sheet.index), ..Output::of(kind) }));
+        let of_sheet = of_sheet.map(|kind| Output { sheet: Some(sheet.index), ..Output::of(kind) });
+        out.extend(of_sheet);
+        out.extend(papers(
+            Output { sheet: Some(sheet.index), ..Output::of(Kind::OutlinePdf) },
+            design,
+            asked,
+        ));
     }
     for placed in design.firsts() {
-        masks(spec, design, placed, &mut out);
+        masks(spec, design, placed, asked, &mut out);
     }
     for plate in &design.frame.plates {
         let plate = plate.numbers.first().copied();
-        out.extend([Kind::FrameSvg, Kind::FrameDxf].map(|kind| Output { plate, ..Output::of(kind) }));
+        let of_plate = |kind| Output { plate, ..Output::of(kind) };
+        out.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl].map(of_plate));
+        out.extend(papers(of_plate(Kind::FramePdf), design, asked));
     }
     if spec.load.is_some() {
         out.push(Output::of(Kind::Prediction));
     }
-    out.retain(|output| only.is_empty() || output.kind.is_source() || only.contains(&output.kind));
+    out.retain(|output| asked.takes(output.kind));
     out
 }
 
@@ -124,14 +186,25 @@ fn programs(spec: &Spec, design: &Design) -> impl Iterator<Item = (usize, Option
     stars.chain(design.sheets.iter().filter(move |_| !by_star).map(|sheet| (sheet.index, None)))
 }
 
+/// A file on every paper that takes it; nothing if it was not asked for.
+fn papers(output: Output, design: &Design, asked: &Asked) -> impl Iterator<Item = Output> {
+    let wanted = Some(output).filter(|output| asked.takes(output.kind));
+    wanted.into_iter().flat_map(|output| output.on_paper(design))
+}
+
 /// The masks of a distinct star, for its other face too if the spec says so.
-fn masks(spec: &Spec, design: &Design, placed: &PlacedStar, out: &mut Vec<Output>) {
+fn masks(spec: &Spec, design: &Design, placed: &PlacedStar, asked: &Asked, out: &mut Vec<Output>) {
+    let pieces = &design.part(placed).pieces;
     for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
         let of_mask = |kind| Output { star: Some(placed.index), mirrored, ..Output::of(kind) };
-        out.extend([Kind::MaskSvg, Kind::MaskDxf, Kind::MaskStl].map(of_mask));
-        let paged = of_mask(Kind::MaskPdf);
-        let Some(drawing) = paged.drawing(design) else { continue };
-        let papers = Paper::ALL.into_iter().filter(|paper| paper.takes(&drawing));
-        out.extend(papers.map(|paper| Output { paper: Some(paper), ..paged }));
+        out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
+        if pieces.are_several() {
+            let piece = |number| Output { piece: Some(number), ..of_mask(Kind::MaskStl) };
+            out.extend((1..=pieces.list.len()).map(piece));
+            out.push(of_mask(Kind::PiecesSvg));
+        } else {
+            out.push(of_mask(Kind::MaskStl));
+        }
+        out.extend(papers(of_mask(Kind::MaskPdf), design, asked));
     }
 }

@@ -3,9 +3,9 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use crate::artifact::Format;
+use crate::artifact::{Format, Output};
 use crate::cli::harmless::shown;
-use crate::design::{COATING_ASSUMES, Design, Plate};
+use crate::design::{COATING_ASSUMES, Design, Plate, StarDesign};
 use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};
 use crate::plan::Pace;
@@ -81,6 +81,7 @@ fn materials(spec: &Spec, design: &Design) -> String {
             part.mask.area(&part.outline) * spec.mask.thickness.0 / 1000.0,
             spec.mask.thickness,
         );
+        out += &printed(spec, part);
         let _ = writeln!(out, "  coating about {thin:.0} to {thick:.0} um thick");
     }
     let _ = writeln!(out, "  the coating's thickness assumes {COATING_ASSUMES}");
@@ -122,6 +123,28 @@ fn materials(spec: &Spec, design: &Design) -> String {
     out
 }
 
+/// A common bed of a 3-D printer, mm on both sides.
+const COMMON_BED: f64 = 220.0;
+
+/// How a mask goes on a printer's bed.
+fn printed(spec: &Spec, part: &StarDesign) -> String {
+    let pieces = &part.pieces.list;
+    let sizes: Vec<String> =
+        pieces.iter().map(|piece| piece.size.map(|mm| format!("{mm:.0}")).join(" x ")).collect();
+    match (spec.mask.bed, &sizes[..]) {
+        (Some(bed), [one]) => format!("  printed: {one} mm, fits the bed of {} x {}\n", bed.width, bed.depth),
+        (Some(_), all) => format!("  printed in {} pieces: {} mm\n", all.len(), all.join(", ")),
+        (None, _) if pieces.iter().any(|piece| piece.size.iter().any(|mm| *mm > COMMON_BED)) => {
+            let all = sizes.join(", ");
+            format!(
+                "  note: printed, the plate takes {all} mm, and many beds have {COMMON_BED} x {COMMON_BED} mm; \
+                 `bed = \"220 mm x 220 mm\"` in [mask] prints it in pieces\n"
+            )
+        }
+        (None, all) => format!("  printed: {} mm\n", all.join(", ")),
+    }
+}
+
 /// The design, and what was written of it where.
 pub(super) fn built(proven: &Proven, target: &Path) -> String {
     let built = proven.built();
@@ -133,9 +156,19 @@ pub(super) fn built(proven: &Proven, target: &Path) -> String {
     out.push_str(&predicted(&built.forecast));
     let _ = writeln!(out, "wrote to {}:", shown(target));
     for (name, bytes) in built.files() {
-        let _ = writeln!(out, "  {name} ({} bytes)", bytes.len());
+        let output = built.artifacts.iter().find(|artifact| artifact.name == name).map(|file| &file.output);
+        let pages = output.and_then(|output| pages(output, &built.forecast.design)).unwrap_or_default();
+        let _ = writeln!(out, "  {name} ({} bytes{pages})", bytes.len());
     }
     out
+}
+
+/// How many pages a file for a printer has.
+fn pages(output: &Output, design: &Design) -> Option<String> {
+    match output.paper?.pages(&output.drawing(design)?, "").len() {
+        1 => Some(", 1 page".to_owned()),
+        all => Some(format!(", an overview and {} pages to tape", all - 1)),
+    }
 }
 
 /// What was compared with what, and how near it is.

@@ -30,6 +30,7 @@ codes! {
         SheetTooSmall "sheet-too-small" "A part does not fit on the sheet; make the sheet larger, or allow parts to turn.",
         ShortInlet "short-inlet" "The inlet's mouth would lie inside the flap; make its length larger.",
         ShortWindow "short-window" "A warning: the default coating windows had to be cut; write extent to accept it, or make room.",
+        SmallBed "small-bed" "A piece of a printed mask is larger than the bed; name a larger bed, or none.",
         StarsOverlap "stars-overlap" "A leak: the bands of two stars on one sheet overlap; make gap larger.",
         StraightCorner "straight-corner" "The reentrant corners would be straight or open outwards; narrow the tips or add points.",
         TooLarge "too-large" "The star is larger than 200 m; widen the tips or shrink it.",

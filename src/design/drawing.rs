@@ -56,6 +56,8 @@ pub enum Layer {
     MaskWindow,
     /// The edge of a mask.
     MaskPlate,
+    /// Where two pieces of a printed mask meet.
+    MaskJoint,
     /// The holes for the frame's posts.
     PostHole,
     /// The opening of a frame's plate.
@@ -78,6 +80,7 @@ impl Layer {
             Self::Label => "label",
             Self::MaskWindow => "mask-window",
             Self::MaskPlate => "mask-plate",
+            Self::MaskJoint => "mask-joint",
             Self::PostHole => "post-hole",
             Self::FrameOpening => "frame-opening",
             Self::FrameEdge => "frame-edge",
@@ -168,17 +171,21 @@ impl Drawing {
         )
     }
 
-    /// The cut lines of all stars on sheet `sheet`, holes first, so that no part moves before its holes are made.
-    pub fn outlines(design: &Design, sheet: usize) -> Option<Self> {
+    /// The outlines of all stars on sheet `sheet`, holes first, so that no part moves before its holes are made.
+    pub fn outlines(design: &Design, sheet: usize, edge: Edge) -> Option<Self> {
         let (mut labels, mut holes, mut inside, mut outside) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for placed in design.on_sheet(sheet) {
             let part = design.part(placed);
             let place = |path: &Path| Shape::Path(placed.placement.path(path));
             labels.extend(Shape::figure(label::on_outline(part, placed)));
-            holes.extend(registration(part, &placed.placement, part.cut.kerf));
-            inside.push(place(&part.cut.hole));
-            outside.push(place(&part.cut.outside));
+            let (hole, around, kerf) = match edge {
+                Edge::Part => (&part.outline.hole, &part.outline.outside, 0.0),
+                Edge::Tool => (&part.cut.hole, &part.cut.outside, part.cut.kerf),
+            };
+            holes.extend(registration(part, &placed.placement, kerf));
+            inside.push(place(hole));
+            outside.push(place(around));
         }
         let layers = vec![
             (Layer::Label, labels),
@@ -208,10 +215,10 @@ impl Drawing {
         ]))
     }
 
-    /// A distinct plate of the frame, as the tool must travel so that the cut comes out at the right size.
-    pub fn plate(design: &Design, plate: &Plate) -> Self {
+    /// A distinct plate of the frame.
+    pub fn plate(design: &Design, plate: &Plate, edge: Edge) -> Self {
         let frame = &design.frame;
-        let half_kerf = frame.kerf / 2.0;
+        let half_kerf = if edge == Edge::Tool { frame.kerf / 2.0 } else { 0.0 };
         let hole = |center: Point, radius: f64| Shape::Circle { center, radius };
         let posts = frame.posts.iter().map(|post| hole(*post, frame.post_diameter / 2.0 - half_kerf));
         Self::around_axis(vec![
@@ -223,7 +230,7 @@ impl Drawing {
     }
 
     /// A drawing around the axis, as large as what is on it.
-    fn around_axis(layers: Vec<(Layer, Vec<Shape>)>) -> Self {
+    pub(super) fn around_axis(layers: Vec<(Layer, Vec<Shape>)>) -> Self {
         let shapes = layers.iter().flat_map(|(_, shapes)| shapes);
         let bounds = shapes.map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union);
         // Whole millimetres read well in a file and lose nothing.

@@ -5,9 +5,9 @@
 use crate::geom::{Line, Path, Point, Vec2};
 
 /// Height of a capital on the grid.
-const CAPITAL: f64 = 6.0;
+pub(super) const CAPITAL: f64 = 6.0;
 /// From one glyph to the next on the grid.
-const ADVANCE: f64 = 6.0;
+pub(super) const ADVANCE: f64 = 6.0;
 
 /// The strokes of every glyph: as few as can be, and no line twice, as a laser burns what it passes twice. What is not
 /// here is drawn as a blank.
@@ -66,6 +66,19 @@ pub(super) struct GlyphPlace {
     pub(super) height: f64,
 }
 
+/// The strokes of `c` as points of the grid; none for what is drawn as a blank.
+pub(super) fn strokes(c: char) -> Vec<Vec<[u8; 2]>> {
+    let Some((_, strokes)) = GLYPHS.iter().find(|(known, _)| *known == c) else { return Vec::new() };
+    let point = |xy: &[u8]| [xy[0] - b'0', xy[1] - b'0'];
+    strokes.split(' ').map(|stroke| stroke.as_bytes().chunks_exact(2).map(point).collect()).collect()
+}
+
+/// Every character that is drawn.
+#[cfg(test)]
+pub(super) fn known() -> impl Iterator<Item = char> {
+    GLYPHS.iter().map(|(c, _)| *c)
+}
+
 /// Width of a text, mm.
 pub(super) fn width(text: &str, height: f64) -> f64 {
     let glyphs = text.chars().map(|_| ADVANCE).sum::<f64>();
@@ -102,14 +115,10 @@ pub(super) fn around(text: &str, center: Point, radius: f64, middle: f64, height
 
 /// Appends the strokes of `c`.
 fn glyph(c: char, place: GlyphPlace, out: &mut Vec<Path>) {
-    let Some((_, strokes)) = GLYPHS.iter().find(|(known, _)| *known == c) else { return };
     let (right, up) = (place.along * (place.height / CAPITAL), place.along.perp() * (place.height / CAPITAL));
-    let at = |xy: &[u8]| {
-        let digit = |byte: u8| f64::from(byte - b'0');
-        place.origin + right * digit(xy[0]) + up * digit(xy[1])
-    };
-    for stroke in strokes.split(' ') {
-        let mut points = stroke.as_bytes().chunks_exact(2).map(at);
+    let at = |[x, y]: [u8; 2]| place.origin + right * f64::from(x) + up * f64::from(y);
+    for stroke in strokes(c) {
+        let mut points = stroke.into_iter().map(at);
         let Some(mut from) = points.next() else { continue };
         let mut line = |to: Point| Line::new(std::mem::replace(&mut from, to), to).into();
         out.push(Path::open(points.map(&mut line).collect()));

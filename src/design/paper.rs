@@ -2,21 +2,25 @@
 //!
 //! On tiles neighbouring pages show a strip of the same drawing, the **overlap**; in its middle both carry the same
 //! **registration crosses**. Cut one page along its crop marks, lay cross on cross, tape. Every page has its name
-//! (row, column), a ruler of 100 mm and a check square of 20 mm to be measured before anything is cut.
+//! (row, column; the top row is A), its paper, a ruler of 100 mm and a check square of 20 mm to be measured before anything is
+//! cut. The first page is an overview of all others; tiles on which nothing of the part lies are left out.
 
 use serde::{Deserialize, Serialize};
 
 use crate::design::{Drawing, Layer, Origin, Shape, lettering};
-use crate::geom::{Bounds, Isometry, Line, Path, Point, Vec2};
+use crate::geom::{Bounds, Isometry, Line, Path, Point, Vec2, path_intersections};
 
-/// Strip along the border that printers leave white, mm; 5 mm is common, some need 8.
-const WHITE: f64 = 10.0;
+/// Strip along the border that printers leave white, mm: 3 to 6 mm are common, some inkjets need half an inch at the bottom,
+/// and a page may go in either way up.
+const WHITE: f64 = 12.7;
+/// From the white strip to the window, mm: room for crop marks.
+const MARKS: f64 = 4.0;
 /// Height of the strip with ruler, square and name, mm.
 const FOOT: f64 = 28.0;
 /// What neighbouring tiles share, mm: room for tape and for the crosses.
 const OVERLAP: f64 = 10.0;
 /// Least width of a large page: ruler, square and name stand side by side.
-const LEAST_WIDTH: f64 = 200.0;
+const LEAST_WIDTH: f64 = 215.0;
 /// Most tiles that are written: nobody tapes more than a hundred pages.
 const MOST_TILES: f64 = 100.0;
 
@@ -38,7 +42,7 @@ pub enum Paper {
 /// One page at 1:1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Page {
-    /// "A1" for row A, column 1; rows count from the bottom.
+    /// "A1" for row A, column 1; rows count from the top. "OVERVIEW" for the first of several.
     pub name: String,
     /// The part of the page on which the drawing shows; marks may stand outside.
     pub window: Bounds,
@@ -65,7 +69,8 @@ impl Paper {
         cut.columns * cut.rows <= MOST_TILES && cut.width.max(cut.height) <= LARGEST
     }
 
-    /// The pages on which `drawing` is printed, row by row from the lower left; `caption` names it on every page.
+    /// The pages on which `drawing` is printed, row by row from the upper left; `caption` names it on every page. Where they are
+    /// several, an overview comes first.
     ///
     /// None if it cannot be printed, see [`Paper::takes`].
     pub fn pages(self, drawing: &Drawing, caption: &str) -> Vec<Page> {
@@ -73,18 +78,12 @@ impl Paper {
             return Vec::new();
         }
         let grid = TileGrid { caption, ..self.cut(drawing) };
-        let TileGrid { columns, rows, .. } = grid;
+        let tiles = grid.tiles(drawing);
         let mut pages = Vec::new();
-        let (mut row, mut letter) = (0.0, 'A');
-        while row < rows {
-            let mut column = 0.0;
-            while column < columns {
-                pages.push(grid.page(drawing, row, column, &format!("{letter}{}", column + 1.0)));
-                column += 1.0;
-            }
-            row += 1.0;
-            letter = char::from_u32(u32::from(letter) + 1).unwrap_or('Z');
+        if tiles.len() > 1 {
+            pages.push(grid.overview(drawing, &tiles));
         }
+        pages.extend(tiles.iter().map(|tile| grid.page(drawing, tile)));
         pages
     }
 
@@ -92,40 +91,75 @@ impl Paper {
     fn cut(self, drawing: &Drawing) -> TileGrid<'static> {
         let (width, height) = match self {
             Self::Large => {
-                let width = (drawing.width + 2.0 * WHITE).max(LEAST_WIDTH);
-                (width, drawing.height + 2.0 * WHITE + FOOT)
+                let beside = 2.0 * (WHITE + MARKS);
+                ((drawing.width + beside).max(LEAST_WIDTH), drawing.height + beside - MARKS + FOOT)
             }
             Self::A4 => (210.0, 297.0),
             Self::Letter => (215.9, 279.4),
         };
-        let corner = Point::new(WHITE, WHITE + FOOT);
-        let window = Bounds { min: corner, max: Point::new(width - WHITE, height - WHITE) };
+        let beside = WHITE + MARKS;
+        let corner = Point::new(beside, WHITE + FOOT);
+        let window = Bounds { min: corner, max: Point::new(width - beside, height - beside) };
         let steps = Vec2::new(window.width() - OVERLAP, window.height() - OVERLAP);
         let count = |extent: f64, step: f64| ((extent - OVERLAP) / step - 1e-9).ceil().max(1.0);
         let (columns, rows) = match self {
             Self::Large => (1.0, 1.0),
             _ => (count(drawing.width, steps.x), count(drawing.height, steps.y)),
         };
-        TileGrid { width, height, window, steps, columns, rows, caption: "" }
+        TileGrid { paper: self, width, height, window, steps, columns, rows, caption: "" }
     }
 }
 
 /// How a drawing is cut into pages.
-struct TileGrid<'a> {
-    width: f64,
-    height: f64,
-    window: Bounds,
+pub(super) struct TileGrid<'a> {
+    paper: Paper,
+    pub(super) width: f64,
+    pub(super) height: f64,
+    pub(super) window: Bounds,
     steps: Vec2,
     columns: f64,
     rows: f64,
-    caption: &'a str,
+    pub(super) caption: &'a str,
+}
+
+/// One page of a grid.
+pub(super) struct Tile {
+    /// "A1"
+    pub(super) name: String,
+    /// The part of the drawing that it shows.
+    pub(super) shown: Bounds,
+    /// The part that only it shows, to the middle of every overlap.
+    pub(super) own: Bounds,
 }
 
 impl TileGrid<'_> {
-    fn page(&self, drawing: &Drawing, row: f64, column: f64, name: &str) -> Page {
-        let shown = Vec2::new(column * self.steps.x, row * self.steps.y);
-        let shift = (self.window.min - drawing.corner()) - shown;
-        let motion = Isometry::translation(shift);
+    /// The tiles on which something of the part lies, top row first.
+    fn tiles(&self, drawing: &Drawing) -> Vec<Tile> {
+        let mut tiles = Vec::new();
+        let (mut row, mut letter) = (self.rows - 1.0, 'A');
+        while row >= 0.0 {
+            let mut column = 0.0;
+            while column < self.columns {
+                let shift = Vec2::new(column * self.steps.x, row * self.steps.y);
+                let min = drawing.corner() + shift;
+                let shown = Bounds { min, max: min + (self.window.max - self.window.min) };
+                let inner = |is: bool| if is { OVERLAP / 2.0 } else { 0.0 };
+                let low = Vec2::new(inner(column > 0.0), inner(row > 0.0));
+                let high = Vec2::new(inner(column + 1.0 < self.columns), inner(row + 1.0 < self.rows));
+                let own = Bounds { min: shown.min + low, max: shown.max - high };
+                if holds(drawing, &own) {
+                    tiles.push(Tile { name: format!("{letter}{}", column + 1.0), shown, own });
+                }
+                column += 1.0;
+            }
+            row -= 1.0;
+            letter = char::from_u32(u32::from(letter) + 1).unwrap_or('Z');
+        }
+        tiles
+    }
+
+    fn page(&self, drawing: &Drawing, tile: &Tile) -> Page {
+        let motion = Isometry::translation(self.window.min - tile.shown.min);
         let mut layers: Vec<(Layer, Vec<Shape>)> = drawing
             .layers
             .iter()
@@ -134,13 +168,23 @@ impl TileGrid<'_> {
                 (*layer, moved.filter_map(|shape| shape.shown(&self.window)).collect())
             })
             .collect();
-        layers.push((Layer::PaperMark, vec![Shape::Figure(self.marks(name))]));
+        layers.push((Layer::PaperMark, vec![Shape::Figure(self.marks(&tile.name))]));
+        self.with(&tile.name, layers)
+    }
+
+    /// A page of this paper.
+    pub(super) fn with(&self, name: &str, layers: Vec<(Layer, Vec<Shape>)>) -> Page {
         let (width, height) = (self.width, self.height);
         Page {
             name: name.to_owned(),
             window: self.window,
             drawing: Drawing { origin: Origin::LowerLeft, width, height, layers },
         }
+    }
+
+    /// What the paper is called on its pages.
+    pub(super) fn paper_name(&self) -> String {
+        self.paper.name().map_or("ONE LARGE PAGE".to_owned(), str::to_uppercase)
     }
 
     fn marks(&self, name: &str) -> Vec<Path> {
@@ -153,10 +197,10 @@ impl TileGrid<'_> {
             (Point::new(w.min.x, w.max.y), Vec2::new(1.0, -1.0)),
         ];
         for (corner, inwards) in corners {
-            // Crop marks stand in the white strip, a millimetre clear of the window.
+            // A millimetre clear of the window.
             let (x, y) = (Vec2::new(inwards.x, 0.0), Vec2::new(0.0, inwards.y));
-            out.push(stroke(&[corner - x * 1.0, corner - x * 5.0]));
-            out.push(stroke(&[corner - y * 1.0, corner - y * 5.0]));
+            out.push(stroke(&[corner - x * 1.0, corner - x * MARKS]));
+            out.push(stroke(&[corner - y * 1.0, corner - y * MARKS]));
             if self.columns * self.rows > 1.0 {
                 let middle = corner + inwards * (OVERLAP / 2.0);
                 for arm in [Vec2::new(3.0, 0.0), Vec2::new(0.0, 3.0)] {
@@ -170,7 +214,7 @@ impl TileGrid<'_> {
 
     /// Ruler, check square and name.
     fn foot(&self, name: &str, out: &mut Vec<Path>) {
-        let at = |x: f64, y: f64| Point::new(WHITE + x, WHITE + y);
+        let at = |x: f64, y: f64| self.at(x, y);
         out.push(stroke(&[at(0.0, 2.0), at(100.0, 2.0)]));
         for centimetre in 0_u32..=10 {
             let x = 10.0 * f64::from(centimetre);
@@ -178,16 +222,45 @@ impl TileGrid<'_> {
             out.push(stroke(&[at(x, 2.0), at(x, 2.0 + tall)]));
         }
         out.extend(lettering::lettered("100 MM", at(76.0, 6.0), 2.5));
-        let (a, b) = (at(110.0, 0.0), at(130.0, 20.0));
-        let corners = [a, Point::new(b.x, a.y), b, Point::new(a.x, b.y), a];
-        out.push(Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect()));
+        out.push(rectangle(&Bounds { min: at(110.0, 0.0), max: at(130.0, 20.0) }));
         out.extend(lettering::lettered("20 MM", at(112.5, 9.0), 2.5));
-        let (columns, rows) = (self.columns, self.rows);
-        let page = format!("PAGE {name} OF {columns} X {rows}");
-        out.extend(lettering::lettered(&page, at(0.0, 14.0), 3.0));
-        out.extend(lettering::lettered(self.caption, at(0.0, 20.0), 3.0));
-        out.extend(lettering::lettered("PRINT AT 100 PER CENT", at(134.0, 9.0), 2.0));
+        let (columns, rows, paper) = (self.columns, self.rows, self.paper_name());
+        let page = match self.paper {
+            Paper::Large => paper,
+            _ => format!("PAGE {name} OF {rows} X {columns} ON {paper}"),
+        };
+        out.extend(lettering::lettered(&page, self.at(0.0, 14.0), 3.0));
+        out.extend(lettering::lettered(self.caption, self.at(0.0, 20.0), 3.0));
+        out.extend(lettering::lettered("PRINT AT 100 PER CENT", self.at(134.0, 9.0), 2.0));
     }
+
+    /// A point of the foot, from the lower left corner of what every printer prints.
+    pub(super) fn at(&self, x: f64, y: f64) -> Point {
+        Point::new(WHITE + x, WHITE + y)
+    }
+}
+
+/// Whether a line of the part crosses `cell`, or the part fills it. Every closed path but those of labels is an edge of it.
+fn holds(drawing: &Drawing, cell: &Bounds) -> bool {
+    let frame = rectangle(cell);
+    let mut around = 0;
+    for (_, shapes) in drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label) {
+        for path in shapes.iter().flat_map(|shape| shape.paths().into_owned()) {
+            let starts_inside = path.start().is_some_and(|start| cell.contains(start));
+            if starts_inside || !path_intersections(&path, &frame).is_empty() {
+                return true;
+            }
+            around += usize::from(path.closed && path.encloses(cell.center()));
+        }
+    }
+    !around.is_multiple_of(2)
+}
+
+/// The edge of a box, counterclockwise.
+pub(super) fn rectangle(bounds: &Bounds) -> Path {
+    let Bounds { min, max } = *bounds;
+    let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
+    Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
 }
 
 fn stroke(points: &[Point]) -> Path {

@@ -1,6 +1,6 @@
 //! One distinct star with everything that is drawn of it, in the star's own frame.
 
-use crate::design::{Channel, CutLines, MaskPlate, Outline, Refusal, Refusals, Seam, Side, Star};
+use crate::design::{Channel, CutLines, MaskPlate, Outline, Pieces, Refusal, Refusals, Seam, Side, Star};
 use crate::geom::{Bounds, Path};
 use crate::spec::{Fabric, Spec, StarSpec};
 
@@ -25,6 +25,8 @@ pub struct StarDesign {
     pub mask: MaskPlate,
     /// Where the tool travels to cut both.
     pub cut: CutLines,
+    /// In which pieces the mask is printed.
+    pub pieces: Pieces,
 }
 
 /// The radius that the band makes of a hinge, and the cusp that it leaves.
@@ -74,10 +76,17 @@ impl StarDesign {
                 .map_err(|refusal| refuse(refusal.into()))
                 .ok()
         });
-        match (inner.zip(outer), outline, drawn.zip(realised), mask, cut) {
-            (Some((inner, outer)), Some(outline), Some((edges, realised_edges)), Some(mask), Some(cut))
-                if refusals.is_empty() =>
-            {
+        let pieces = outline.as_ref().zip(mask.as_ref()).and_then(|(outline, mask)| {
+            Pieces::new(&star, outline, mask, spec.mask.bed).map_err(|refusal| refuse(refusal.into())).ok()
+        });
+        match (inner.zip(outer), outline, drawn.zip(realised), mask, cut.zip(pieces)) {
+            (
+                Some((inner, outer)),
+                Some(outline),
+                Some((edges, realised_edges)),
+                Some(mask),
+                Some((cut, pieces)),
+            ) if refusals.is_empty() => {
                 let seams = [inner, outer];
                 Ok(Self {
                     star,
@@ -89,6 +98,7 @@ impl StarDesign {
                     outline,
                     mask,
                     cut,
+                    pieces,
                 })
             }
             _ => Err(refusals),

@@ -26,7 +26,7 @@ pub(super) fn ink(layer: Layer, colours: Colours) -> Ink {
         (Layer::SealInner, _)
         | (Layer::Label | Layer::PaperMark, Colours::One)
         | (Layer::Registration | Layer::PostHole, Colours::Ordered) => BLUE,
-        (Layer::SealOuter, _) => GREEN,
+        (Layer::SealOuter | Layer::MaskJoint, _) => GREEN,
         (Layer::Label | Layer::PaperMark, Colours::Ordered) => CYAN,
         (Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening, Colours::Ordered) => MAGENTA,
         _ => RED,

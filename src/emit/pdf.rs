@@ -29,7 +29,11 @@ pub fn pdf(title: &str, pages: &[PaperPage]) -> Vec<u8> {
     };
     let (catalog, tree, info) = (fresh(), fresh(), fresh());
     let ids: Vec<(Ref, Ref)> = pages.iter().map(|_| (fresh(), fresh())).collect();
-    pdf.catalog(catalog).pages(tree).finish();
+    let mut root = pdf.catalog(catalog);
+    let _ = root.pages(tree);
+    // Programs that print would otherwise offer to fit the page to the paper.
+    root.viewer_preferences().pair(Name(b"PrintScaling"), Name(b"None")).finish();
+    root.finish();
     let count = i32::try_from(pages.len()).unwrap_or(i32::MAX);
     pdf.pages(tree).kids(ids.iter().map(|(page, _)| *page)).count(count).finish();
     pdf.document_info(info).title(TextStr(&inert(title, 120))).finish();

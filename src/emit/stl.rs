@@ -1,14 +1,17 @@
-//! STL: a drawing's outermost path extruded, with every other closed path as a hole through it.
+//! STL: a drawing's closed paths extruded, the outermost as the edge, the others as holes through it; labels are sunk in.
 //!
-//! Binary, in millimetres, the lower face at Z 0. Top and bottom are one triangulation; the walls stand on the
-//! edges that it uses once, so the solid is closed whatever the triangulation did with points in line.
+//! Binary, in millimetres, the lower face at Z 0. All faces come from one triangulation in which every edge of the drawing is an
+//! edge (by `spade`, with exact predicates): a triangle is void, solid or sunk by the edges between it and the outside, and a
+//! wall stands wherever two neighbours differ. So the solid is closed.
 
 use std::collections::BTreeMap;
 
-use earcut::Earcut;
+use spade::handles::FixedVertexHandle;
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use crate::design::{Drawing, Layer};
 use crate::emit::number::Decimals;
+use crate::emit::text::inert;
 use crate::geom::{Path, Point, Segment};
 
 /// How far a chord may leave its arc, mm: a fifth of what a fine printer resolves.
@@ -17,39 +20,91 @@ const CHORD: f64 = 0.02;
 /// Decimals of a coordinate; single precision tells them apart up to several metres.
 const DECIMALS: u32 = 3;
 
-/// The plate of a mask's `drawing`, `thickness` high.
-pub fn stl(drawing: &Drawing, thickness: f64) -> Vec<u8> {
-    let on = |layer: Layer| drawing.layers.iter().filter(move |(l, _)| *l == layer).flat_map(|(_, s)| s);
-    let plate = on(Layer::MaskPlate);
-    let holes = on(Layer::MaskWindow).chain(on(Layer::Registration));
-    let mut points: Vec<[f64; 2]> = Vec::new();
-    let mut starts: Vec<u32> = Vec::new();
-    for path in plate.chain(holes).flat_map(|shape| shape.paths().into_owned()) {
-        starts.push(index(points.len()));
-        points.extend(corners(&path));
+/// Length of the head, which names the solid.
+const HEAD: usize = 80;
+
+type Triangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
+
+/// Of an undirected edge: whether plate ends there, whether sunk and plain meet there.
+type Changes = BTreeMap<[usize; 2], [bool; 2]>;
+
+/// The plate of `drawing`, `thickness` high, with its labels sunk `depth` deep; `name` stands in its head.
+pub fn stl(name: &str, drawing: &Drawing, thickness: f64, depth: f64) -> Vec<u8> {
+    let mut triangles = Triangles::new();
+    let mut changes = Changes::new();
+    for (layer, shapes) in &drawing.layers {
+        for path in shapes.iter().flat_map(|shape| shape.paths().into_owned()) {
+            insert(&path, usize::from(*layer == Layer::Label), &mut triangles, &mut changes);
+        }
     }
-    let mut triangles: Vec<u32> = Vec::new();
-    Earcut::new().earcut(points.iter().copied(), starts.get(1..).unwrap_or_default(), &mut triangles);
-    let faces: Vec<[u32; 3]> =
-        triangles.chunks_exact(3).map(|t| upwards(&points, [t[0], t[1], t[2]])).collect();
-    let mut writer = Writer { points: &points, out: Vec::new(), count: 0 };
-    writer.out.extend([b' '; 80]);
-    writer.out.extend([0; 4]);
-    for [a, b, c] in &faces {
-        writer.facet([(*a, thickness), (*b, thickness), (*c, thickness)], [0.0, 0.0, 1.0]);
-        writer.facet([(*a, 0.0), (*c, 0.0), (*b, 0.0)], [0.0, 0.0, -1.0]);
+    let tops = tops(&triangles, &changes, thickness, depth);
+    let mut writer = Writer { out: head(name), count: 0 };
+    for face in triangles.inner_faces() {
+        let Some(top) = tops[face.fix().index()] else { continue };
+        let [a, b, c] = face.positions().map(|p| [p.x, p.y]);
+        writer.facet([(a, top), (b, top), (c, top)], [0.0, 0.0, 1.0]);
+        writer.facet([(a, 0.0), (c, 0.0), (b, 0.0)], [0.0, 0.0, -1.0]);
     }
-    for (a, b) in border(&faces) {
-        writer.wall(a, b, thickness);
+    for edge in triangles.directed_edges().filter(|edge| edge.is_constraint_edge()) {
+        let [left, right] = [edge.face(), edge.rev().face()].map(|face| tops[face.fix().index()]);
+        if let Some(top) = left.filter(|top| right.is_none_or(|right| right < *top)) {
+            let [a, b] = edge.positions().map(|p| [p.x, p.y]);
+            writer.wall(a, b, [right.unwrap_or(0.0), top]);
+        }
     }
     let count = writer.count.to_le_bytes();
     let mut out = writer.out;
-    out[80..84].copy_from_slice(&count);
+    out[HEAD..HEAD + 4].copy_from_slice(&count);
     out
 }
 
-fn index(n: usize) -> u32 {
-    u32::try_from(n).unwrap_or(u32::MAX)
+/// The head, with room for the number of facets.
+fn head(name: &str) -> Vec<u8> {
+    let mut out = inert(name, HEAD).into_bytes();
+    out.resize(HEAD, b' ');
+    out.extend([0; 4]);
+    out
+}
+
+/// Puts the corners of a closed path and the edges between them into the triangulation.
+fn insert(path: &Path, change: usize, triangles: &mut Triangles, changes: &mut Changes) {
+    let corners = corners(path);
+    let vertices: Vec<FixedVertexHandle> =
+        corners.iter().filter_map(|[x, y]| triangles.insert(Point2::new(*x, *y)).ok()).collect();
+    for (a, b) in vertices.iter().zip(vertices.iter().cycle().skip(1)) {
+        // The design lets no paths meet; where they did, an edge would be missing and the verifier would say so.
+        if a != b && triangles.can_add_constraint(*a, *b) {
+            let _ = triangles.add_constraint(*a, *b);
+            let ends = [a.index().min(b.index()), a.index().max(b.index())];
+            let known = changes.entry(ends).or_default();
+            known[change] = !known[change];
+        }
+    }
+}
+
+/// How high each face reaches, by its index; `None` for void.
+fn tops(triangles: &Triangles, changes: &Changes, thickness: f64, depth: f64) -> Vec<Option<f64>> {
+    // Of each face: is it plate, is it sunk. The outer one is neither.
+    let mut states: Vec<Option<[bool; 2]>> = vec![None; triangles.num_all_faces()];
+    let outer = triangles.outer_face().fix().index();
+    states[outer] = Some([false; 2]);
+    let hull = triangles.convex_hull().flat_map(|edge| [edge, edge.rev()]);
+    let mut open: Vec<_> = hull.filter(|edge| edge.face().fix().index() == outer).collect();
+    while let Some(edge) = open.pop() {
+        let (here, there) = (edge.face().fix().index(), edge.rev().face());
+        let (Some([plate, sunk]), None) = (states[here], states[there.fix().index()]) else { continue };
+        let [a, b] = edge.vertices().map(|vertex| vertex.fix().index());
+        let [ends, label] = changes.get(&[a.min(b), a.max(b)]).copied().unwrap_or_default();
+        states[there.fix().index()] = Some([plate != ends, sunk != label]);
+        if let Some(face) = there.as_inner() {
+            open.extend(face.adjacent_edges());
+        }
+    }
+    let top = |state: Option<[bool; 2]>| match state {
+        Some([true, sunk]) => Some(if sunk { thickness - depth } else { thickness }),
+        _ => None,
+    };
+    states.into_iter().map(top).collect()
 }
 
 /// The corners of a path as a polygon, rounded; no two neighbours are the same.
@@ -79,50 +134,29 @@ fn pieces(segment: &Segment) -> f64 {
     (arc.sweep.abs() / widest).ceil().max(1.0)
 }
 
-/// The triangle counterclockwise from above.
-fn upwards(points: &[[f64; 2]], [a, b, c]: [u32; 3]) -> [u32; 3] {
-    let at = |i: u32| points[i as usize];
-    let ([ax, ay], [bx, by], [cx, cy]) = (at(a), at(b), at(c));
-    if (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) < 0.0 { [a, c, b] } else { [a, b, c] }
-}
-
-/// The directed edges that no other triangle has the other way round, sorted.
-fn border(faces: &[[u32; 3]]) -> Vec<(u32, u32)> {
-    let mut uses: BTreeMap<(u32, u32), i32> = BTreeMap::new();
-    for [a, b, c] in faces {
-        for (from, to) in [(*a, *b), (*b, *c), (*c, *a)] {
-            *uses.entry((from.min(to), from.max(to))).or_default() += if from < to { 1 } else { -1 };
-        }
-    }
-    let edges = uses.into_iter().filter(|(_, uses)| *uses != 0);
-    edges.map(|((low, high), uses)| if uses > 0 { (low, high) } else { (high, low) }).collect()
-}
-
-struct Writer<'a> {
-    points: &'a [[f64; 2]],
+struct Writer {
     out: Vec<u8>,
     count: u32,
 }
 
-impl Writer<'_> {
-    /// Two triangles below the edge from `a` to `b`, whose left side is solid.
-    fn wall(&mut self, a: u32, b: u32, top: f64) {
-        let ([ax, ay], [bx, by]) = (self.points[a as usize], self.points[b as usize]);
+impl Writer {
+    /// Two triangles below the edge from `a` to `b`, whose left side is solid, between two heights.
+    fn wall(&mut self, a: [f64; 2], b: [f64; 2], [bottom, top]: [f64; 2]) {
+        let ([ax, ay], [bx, by]) = (a, b);
         let length = (bx - ax).hypot(by - ay);
         let normal = [(by - ay) / length, (ax - bx) / length, 0.0];
-        self.facet([(a, top), (a, 0.0), (b, 0.0)], normal);
-        self.facet([(a, top), (b, 0.0), (b, top)], normal);
+        self.facet([(a, top), (a, bottom), (b, bottom)], normal);
+        self.facet([(a, top), (b, bottom), (b, top)], normal);
     }
 
-    fn facet(&mut self, corners: [(u32, f64); 3], normal: [f64; 3]) {
+    fn facet(&mut self, corners: [([f64; 2], f64); 3], normal: [f64; 3]) {
         let mut number = |x: f64| {
             #[expect(clippy::cast_possible_truncation, reason = "STL is single precision, see DECIMALS")]
             let single = x as f32;
             self.out.extend(single.to_le_bytes());
         };
         normal.into_iter().for_each(&mut number);
-        for (i, z) in corners {
-            let [x, y] = self.points[i as usize];
+        for ([x, y], z) in corners {
             [x, y, z].into_iter().for_each(&mut number);
         }
         self.out.extend([0, 0]);

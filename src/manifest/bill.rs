@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::design::{COATING_ASSUMES, Design};
+use crate::design::{COATING_ASSUMES, Design, Pieces};
 use crate::spec::Spec;
 
 /// Posts of one length.
@@ -50,6 +50,23 @@ pub struct ManifestMask {
     pub coating_um: [f64; 2],
     /// What the estimate assumes.
     pub coating_assumes: String,
+    /// How it is printed on the bed that the spec names; absent if it names none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pieces: Vec<ManifestPiece>,
+}
+
+/// One piece of a printed mask.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestPiece {
+    /// Its number, from 1.
+    pub piece: usize,
+    /// The tip that was cut off; absent for the middle and for a mask in one piece.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tip: Option<u32>,
+    /// How far it is turned about the star's axis, counterclockwise; in a mirrored mask clockwise.
+    pub turn_deg: f64,
+    /// What it takes of the bed, along X and Y.
+    pub size_mm: [f64; 2],
 }
 
 /// The posts of the frame.
@@ -87,9 +104,20 @@ pub(super) fn masks(spec: &Spec, design: &Design) -> Vec<ManifestMask> {
             volume_mm3: thousandths(area * spec.mask.thickness.0),
             coating_um: part.mask.coating_um().map(f64::round),
             coating_assumes: COATING_ASSUMES.to_owned(),
+            pieces: if spec.mask.bed.is_some() { pieces(&part.pieces) } else { Vec::new() },
         }
     });
     first.collect()
+}
+
+fn pieces(pieces: &Pieces) -> Vec<ManifestPiece> {
+    let numbered = (1..).zip(&pieces.list).map(|(piece, this)| ManifestPiece {
+        piece,
+        tip: this.tip,
+        turn_deg: thousandths(this.turn.to_degrees()),
+        size_mm: this.size.map(thousandths),
+    });
+    numbered.collect()
 }
 
 /// A figure for people, to a thousandth: the last bits of a sum are not worth a changed file.

@@ -92,6 +92,7 @@ keys! {
     }
     mask "mask" {
         EXTENT "extent", CREEP "creep", BORDER "border", MIRROR "mirror", THICKNESS "thickness",
+        BED "bed",
     }
     frame "frame" {
         PLATE_THICKNESS "plate_thickness", CLEARANCE "clearance", POST_DIAMETER "post_diameter", POSTS "posts",

@@ -44,8 +44,8 @@ pub use machine::{
     Script,
 };
 pub use model::{
-    Accuracy, Colours, CutSpec, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask, ModelChoice,
-    ProgramScope, Seal, Sheet, Spec, StarSpec,
+    Accuracy, Bed, Colours, CutSpec, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
+    ModelChoice, ProgramScope, Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};

@@ -133,6 +133,17 @@ pub struct Mask {
     pub mirror: bool,
     /// Thickness of the 3-D printed mask.
     pub thickness: Length,
+    /// What the 3-D printer can print on; `None`: masks are printed whole.
+    pub bed: Option<Bed>,
+}
+
+/// The bed of a 3-D printer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bed {
+    /// Its extent along X.
+    pub width: Length,
+    /// Its extent along Y.
+    pub depth: Length,
 }
 
 /// The frame that keeps the arms in their planes.

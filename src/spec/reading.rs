@@ -7,7 +7,7 @@ use crate::spec::allowed::{Allowed, EXTRA, SIZE};
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
 use crate::spec::model::{
-    Accuracy, Colours, CutSpec, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask, ModelChoice,
+    Accuracy, Bed, Colours, CutSpec, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask, ModelChoice,
     ProgramScope, Seal, Sheet, Spec,
 };
 use crate::spec::name::{check_name, misleads};
@@ -169,6 +169,7 @@ fn read_mask(s: &mut Section<'_, '_>) -> Mask {
         border: length(s, "border", EXTRA, 10.0),
         mirror: s.truth("mirror").unwrap_or(false),
         thickness: length(s, "thickness", SIZE, 2.0),
+        bed: s.area("bed", SIZE).map(|[width, depth]| Bed { width, depth }),
     }
 }
 

@@ -12,7 +12,7 @@ use crate::spec::message::{article, header, malformed, out_of_range};
 use crate::spec::raw::RawSpec;
 use crate::spec::unknown::{self, Known};
 use crate::spec::value::{RawKind, RawTable, RawValue};
-use crate::units::Quantity;
+use crate::units::{Length, Quantity, QuantityFault};
 
 /// Reads one document and collects its faults.
 pub(super) struct Reader<'r> {
@@ -190,6 +190,42 @@ impl<'r> Section<'_, 'r> {
         };
         self.report(fault);
         None
+    }
+
+    /// Two lengths within `allowed` with an x between, the unit after each or after both: "220 mm x 220 mm"; `None` if
+    /// it is absent or faulty.
+    pub(super) fn area(&mut self, key: &'static str, allowed: Allowed) -> Option<[Length; 2]> {
+        let (text, span) = self.text(key)?;
+        let told = |message: String| {
+            let label = "must be two lengths with an x between: \"220 mm x 220 mm\"";
+            Fault::error(FaultCode::WrongType, span.clone(), message).label(label)
+        };
+        let Some((width, depth)) = text.split_once('x') else {
+            self.report(told(format!("`{key}` is {}", quoted(text))));
+            return None;
+        };
+        let unit = depth.trim_start_matches(|c: char| c.is_ascii_digit() || " .+-".contains(c));
+        let width = match Length::parse(width) {
+            Err(QuantityFault::NoUnit) => format!("{} {unit}", width.trim()),
+            _ => width.trim().to_owned(),
+        };
+        let both = [width.as_str(), depth.trim()].map(|text| match Length::parse(text) {
+            Ok(found) if allowed.holds(found.base()) => Ok(found),
+            Ok(_) => {
+                let message = format!("`{key}` is {}", quoted(text));
+                let fault = Fault::error(FaultCode::OutOfRange, span.clone(), message);
+                Err(fault.label(allowed.in_words(Length::UNITS[0].0)))
+            }
+            Err(reason) => Err(malformed::<Length>(key, text, &reason, span.clone())),
+        });
+        match both {
+            [Ok(width), Ok(depth)] => Some([width, depth]),
+            // One fault is enough: both are of one key.
+            [Err(fault), _] | [_, Err(fault)] => {
+                self.report(fault);
+                None
+            }
+        }
     }
 
     /// A plain number within `allowed`; `None` if it is absent or faulty.

@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
+use stargrip_cam::artifact::{Asked, Kind};
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::{Built, Sources};
 use stargrip_cam::spec::{Machine, Source, Spec};
@@ -72,7 +73,14 @@ pub fn machine() -> Machine {
 
 /// Builds a spec that must be valid; the design may be refused.
 pub fn build(text: &str) -> Result<Built, Refusals> {
-    pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &[])
+    pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &Asked::default())
+}
+
+/// Builds a spec that must have a design, with these kinds beside those that come by default.
+pub fn build_with(text: &str, with: &[Kind]) -> Built {
+    let asked = Asked { with: with.to_vec(), ..Asked::default() };
+    pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &asked)
+        .expect("a design")
 }
 
 /// The paper's five-point star.

@@ -8,8 +8,10 @@ pub type Facet = [[f32; 3]; 3];
 pub(in crate::verify) struct Beside {
     /// The normal of each facet.
     pub(in crate::verify) normals: Vec<[f32; 3]>,
-    /// Whether the head is blank, and so are the two bytes of every facet, which some readers take for a colour.
-    pub(in crate::verify) blank: bool,
+    /// The head, where programs show what stands there as a name.
+    pub(in crate::verify) head: Vec<u8>,
+    /// Whether the two bytes of every facet are zeros: some readers take them for a colour.
+    pub(in crate::verify) plain: bool,
 }
 
 /// Length of the head and the count.
@@ -38,8 +40,8 @@ pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<Facet>, Beside)
     let raw = || bytes[HEAD..].chunks_exact(FACET);
     let facets: Option<Vec<Facet>> = raw().map(facet).collect();
     let normals: Option<Vec<[f32; 3]>> = raw().map(|raw| corner(raw, 0)).collect();
-    let blank = bytes[..80].iter().all(|byte| *byte == b' ') && raw().all(|raw| raw[48..] == [0, 0]);
-    Some((facets?, Beside { normals: normals?, blank }))
+    let plain = raw().all(|raw| raw[48..] == [0, 0]);
+    Some((facets?, Beside { normals: normals?, head: bytes[..80].to_vec(), plain }))
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ pub(in crate::verify) fn look(layer: Layer, colours: Colours) -> Look {
     const RED: (&str, &str) = ("#ff0000", "1");
     let (one, ordered) = match layer {
         Layer::SealInner => (BLUE, BLUE),
-        Layer::SealOuter => (GREEN, GREEN),
+        Layer::SealOuter | Layer::MaskJoint => (GREEN, GREEN),
         Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => (RED, RED),
         Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => (RED, MAGENTA),
         Layer::Registration | Layer::PostHole => (RED, BLUE),

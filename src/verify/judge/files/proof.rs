@@ -2,10 +2,13 @@
 
 use serde::Serialize;
 
-use crate::artifact::{Format, Output, Subject, outputs};
-use crate::manifest::{MANIFEST, ManifestFile, sha256};
+use crate::artifact::{Asked, Format, Output, Subject, outputs};
+use crate::design::engraved_depth;
+use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
-use crate::verify::judge::files::{drawings, figures, names, paper, solid};
+use crate::verify::judge::files::assembly::Assemblies;
+use crate::verify::judge::files::solid::Solid;
+use crate::verify::judge::files::{drawings, figures, names, paper, pixels, solid};
 use crate::verify::judge::job::Job;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -16,6 +19,13 @@ pub struct Proof {
     pub findings: Vec<Finding>,
     /// Every file that the design must have and that is there.
     pub files: Vec<FileProof>,
+}
+
+/// What several files say of one thing.
+#[derive(Default)]
+struct Across {
+    seals: drawings::Seals,
+    pieces: Assemblies,
 }
 
 /// What was looked at in one file.
@@ -47,10 +57,10 @@ pub enum By {
 pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
     let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
-    let only = manifest.as_ref().map_or(&[][..], |manifest| &manifest.only);
-    let wanted = outputs(expected.spec, expected.design, only);
+    let asked = manifest.as_ref().map_or(Asked::default(), Manifest::asked);
+    let wanted = outputs(expected.spec, expected.design, &asked);
     let entries = names::check(files, manifest.as_ref(), &wanted, &mut proof.findings);
-    let mut seals = drawings::Seals::default();
+    let mut across = Across::default();
     for output in wanted {
         let path = output.name();
         let Some(bytes) = files.get(&path) else { continue };
@@ -58,11 +68,12 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
         if let Some(entry) = entries.get(path.as_str()) {
             check_hash(entry, bytes, &mut findings);
         }
-        let (by, deviation) = file(expected, &output, bytes, &mut seals, &mut findings);
+        let (by, deviation) = file(expected, &output, bytes, &mut across, &mut findings);
         proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&path)));
         proof.files.push(FileProof { path, output, by, deviation });
     }
-    proof.findings.extend(seals.disagreements(expected.spec.accuracy.path.0));
+    proof.findings.extend(across.seals.disagreements(expected.spec.accuracy.path.0));
+    proof.findings.extend(across.pieces.disagreements(expected.design));
     if let Some(manifest) = &manifest {
         proof.findings.extend(figures::against_design(expected, manifest));
         let text = files.get(MANIFEST).unwrap_or_default();
@@ -91,11 +102,24 @@ fn file(
     expected: &Expected<'_>,
     output: &Output,
     bytes: &[u8],
-    seals: &mut drawings::Seals,
+    across: &mut Across,
     findings: &mut Findings,
 ) -> (By, Option<f64>) {
     match output.kind.format() {
-        Format::Pdf | Format::Stl => return (By::Reading, solid_or_paper(expected, output, bytes, findings)),
+        Format::Pdf => return (By::Reading, on_paper(expected, output, bytes, findings)),
+        Format::Stl => {
+            let Some(drawing) = output.drawing(expected.design) else { return (By::Hash, None) };
+            let thickness = output.thickness(expected.spec);
+            let name = output.solid_name(&expected.spec.name);
+            let solid = Solid { name, drawing: &drawing, thickness, depth: engraved_depth(thickness) };
+            let (facets, deviation) = solid::check(bytes, &solid, findings);
+            across.pieces.add(output, facets);
+            return (By::Reading, Some(deviation));
+        }
+        Format::Png => {
+            pixels::check(bytes, findings);
+            return (By::Reading, None);
+        }
         _ => {}
     }
     let Ok(text) = std::str::from_utf8(bytes) else {
@@ -126,23 +150,16 @@ fn file(
             };
             let deviation = drawings::compare(&found, &exact, tolerance, findings);
             if let (Subject::Seal, Some(sheet)) = (subject, output.sheet) {
-                seals.add(sheet, &output.name(), &found);
+                across.seals.add(sheet, &output.name(), &found);
             }
             (By::Reading, Some(deviation))
         }
     }
 }
 
-fn solid_or_paper(
-    expected: &Expected<'_>,
-    output: &Output,
-    bytes: &[u8],
-    findings: &mut Findings,
-) -> Option<f64> {
+fn on_paper(expected: &Expected<'_>, output: &Output, bytes: &[u8], findings: &mut Findings) -> Option<f64> {
     let drawing = output.drawing(expected.design)?;
-    let Some(paper) = output.paper else {
-        return Some(solid::check(bytes, &drawing, expected.spec.mask.thickness.0, findings));
-    };
+    let paper = output.paper?;
     let title = output.title(&expected.spec.name);
     Some(paper::check(bytes, &paper.pages(&drawing, &output.caption()), &title, findings))
 }

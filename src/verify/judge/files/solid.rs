@@ -1,16 +1,19 @@
-//! STL files against the plates they should be: closed, of the right volume, with their edges where they belong.
+//! STL files against the plates they should be: closed, of the right volume, with their edges where they belong, and sunk in
+//! where a label is.
 
 use std::collections::HashSet;
 
 use crate::design::{Drawing, Layer};
 use crate::geom::{Path, Point};
+use crate::verify::finding::quote;
 use crate::verify::judge::files::drawings::paths_of;
+use crate::verify::judge::files::layers::in_file;
 use crate::verify::judge::path::measure::Prepared;
-use crate::verify::read::stl::read_solid;
+use crate::verify::read::stl::{Beside, read_solid};
 use crate::verify::{Facet, FindingCode, Findings};
 
 /// How far a chord may leave its arc, mm, with what single precision takes away.
-const CHORD: f64 = 0.022;
+pub(in crate::verify) const CHORD: f64 = 0.022;
 
 /// How far a corner may lie from its path or its face, mm: it is rounded to a thousandth, and to single precision.
 const CORNER: f64 = 0.002;
@@ -18,51 +21,79 @@ const CORNER: f64 = 0.002;
 /// How far a normal may be off, beside what the corners' rounding turns it by: slicers go by either.
 const NORMAL: f64 = 0.002;
 
-/// Reads a binary STL and checks it as the plate of `drawing`, `thickness` high; the largest deviation of its edges, mm.
+/// What a solid should be.
+pub(in crate::verify) struct Solid<'a> {
+    /// What its head says.
+    pub(in crate::verify) name: String,
+    /// Its edges, holes, and the outlines of what is sunk.
+    pub(in crate::verify) drawing: &'a Drawing,
+    /// How high it is, mm.
+    pub(in crate::verify) thickness: f64,
+    /// How deep labels are sunk, mm.
+    pub(in crate::verify) depth: f64,
+}
+
+/// Paths at which walls stand, from one height to another.
+struct Walls {
+    what: &'static str,
+    targets: Vec<Prepared>,
+    length: f64,
+    bottom: f64,
+}
+
+/// Reads a binary STL and checks that it is `solid`; its facets, and the largest deviation of its edges, mm.
 pub(in crate::verify) fn check(
     bytes: &[u8],
-    drawing: &Drawing,
-    thickness: f64,
+    solid: &Solid<'_>,
     findings: &mut Findings,
-) -> f64 {
+) -> (Vec<Facet>, f64) {
     let Some((facets, beside)) = read_solid(bytes) else {
         let found = format!("{} bytes that are no binary STL", bytes.len());
-        findings.add(
-            FindingCode::BadStl,
-            None,
-            found,
-            "a head of 84 bytes and 50 a facet, all numbers finite",
-        );
-        return f64::INFINITY;
+        let allowed = "a head of 84 bytes and 50 a facet, all numbers finite";
+        findings.add(FindingCode::BadStl, None, found, allowed);
+        return (Vec::new(), f64::INFINITY);
     };
-    if !beside.blank {
-        findings.add(
-            FindingCode::BadStl,
-            None,
-            "a head or facet with notes",
-            "80 blanks, and two zeros a facet",
-        );
-    }
-    normals(&facets, &beside.normals, thickness, findings);
+    named(&beside, solid, findings);
+    normals(&facets, &beside.normals, solid.thickness, findings);
     closed(&facets, findings);
-    let exact: Vec<(Layer, Path)> = drawing
-        .layers
-        .iter()
-        .filter(|(layer, _)| *layer != Layer::Label)
-        .flat_map(|(layer, shapes)| shapes.iter().flat_map(paths_of).map(|path| (*layer, path)))
-        .collect();
-    let area = |(layer, path): &(Layer, Path)| {
-        if *layer == Layer::MaskPlate { path.area().abs() } else { -path.area().abs() }
+    let paths = |label: bool| -> Vec<Path> {
+        let layers = solid.drawing.layers.iter().filter(|(layer, _)| (*layer == Layer::Label) == label);
+        layers.flat_map(|(_, shapes)| shapes.iter().flat_map(paths_of)).collect()
     };
-    let length: f64 = exact.iter().map(|(_, path)| path.length()).sum();
-    let right = exact.iter().map(area).sum::<f64>() * thickness;
+    let (plate, labels) = (paths(false), paths(true));
+    let is_edge = |layer: Layer| matches!(layer, Layer::MaskPlate | Layer::FrameEdge);
+    let area = |(layer, path): (Layer, Path)| {
+        if is_edge(layer) { path.area().abs() } else { -path.area().abs() }
+    };
+    let layers = solid.drawing.layers.iter().filter(|(layer, _)| *layer != Layer::Label);
+    let shapes =
+        layers.flat_map(|(layer, shapes)| shapes.iter().flat_map(paths_of).map(|path| (*layer, path)));
+    let sunk: f64 = labels.iter().map(Path::area).sum();
+    let right = shapes.map(area).sum::<f64>() * solid.thickness - sunk * solid.depth;
     let volume: f64 = facets.iter().map(sixfold).sum::<f64>() / 6.0;
+    let walls = [
+        Walls::new("edge", &plate, 0.0),
+        Walls::new("edge of what is sunk", &labels, solid.thickness - solid.depth),
+    ];
     // Chords cut off less than the tolerance along all edges.
-    if (volume - right).abs() > length * CHORD * thickness {
+    let slack = walls[0].length * CHORD * solid.thickness + walls[1].length * CORNER * solid.depth;
+    if (volume - right).abs() > slack {
         findings.add(FindingCode::WrongVolume, None, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
     }
-    let paths: Vec<Path> = exact.into_iter().map(|(_, path)| path).collect();
-    edges(&facets, &paths, length, thickness, findings)
+    let deviation = edges(&facets, &walls, solid.thickness, findings);
+    (facets, deviation)
+}
+
+/// The head says which solid it is; nothing stands beside the facets.
+fn named(beside: &Beside, solid: &Solid<'_>, findings: &mut Findings) {
+    if !beside.plain {
+        findings.add(FindingCode::BadStl, None, "a facet with notes", "two zeros a facet");
+    }
+    let right = format!("{:80}", in_file(&solid.name, 80));
+    if beside.head != right.as_bytes() {
+        let found = quote(&String::from_utf8_lossy(&beside.head));
+        findings.add(FindingCode::WrongTitle, None, found, quote(&right));
+    }
 }
 
 /// Six times the signed volume of the tetrahedron over the origin.
@@ -140,44 +171,70 @@ fn bits(x: f32) -> u32 {
     (x + 0.0).to_bits()
 }
 
-/// The walls stand on the exact paths, all along them, from Z 0 to the thickness.
-fn edges(facets: &[Facet], paths: &[Path], right: f64, thickness: f64, findings: &mut Findings) -> f64 {
-    let targets: Vec<Prepared> =
-        paths.iter().flat_map(|path| &path.segments).map(|segment| Prepared::new(*segment)).collect();
-    // Edges come along the paths: where the last one lay, the next one lies, mostly.
-    let mut last = 0;
-    let mut near = |x: f64, y: f64| {
+impl Walls {
+    fn new(what: &'static str, paths: &[Path], bottom: f64) -> Self {
+        let segments = paths.iter().flat_map(|path| &path.segments);
+        let length = paths.iter().map(Path::length).sum();
+        Self { what, targets: segments.map(|segment| Prepared::new(*segment)).collect(), length, bottom }
+    }
+}
+
+/// The targets of a search, and the one that was found last: edges come along the paths, so mostly the next one is near it.
+struct Search<'a> {
+    targets: &'a [Prepared],
+    last: usize,
+}
+
+impl Search<'_> {
+    fn distance(&mut self, x: f64, y: f64) -> f64 {
         let p = Point::new(x, y);
-        let mut best = targets.get(last).map_or(f64::INFINITY, |target| target.distance(p));
-        for (i, target) in targets.iter().enumerate() {
+        let mut best = self.targets.get(self.last).map_or(f64::INFINITY, |target| target.distance(p));
+        for (i, target) in self.targets.iter().enumerate() {
             if target.bounds.distance(p) < best {
                 let distance = target.distance(p);
                 if distance < best {
-                    (best, last) = (distance, i);
+                    (best, self.last) = (distance, i);
                 }
             }
         }
         best
-    };
-    let (mut largest, mut worst, mut length) = (0.0_f64, 0.0_f64, 0.0);
+    }
+}
+
+/// The lower edge of the wall that a facet is part of, if it is and has one: from, to, height.
+pub(in crate::verify) fn foot(facet: &Facet) -> Option<[[f64; 3]; 2]> {
+    let corners = facet.map(|v| v.map(f64::from));
+    let pairs = [(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|(a, b, c)| (corners[a], corners[b], corners[c]));
+    pairs.into_iter().find(|(a, b, c)| a[2] == b[2] && c[2] > a[2]).map(|(a, b, _)| [a, b])
+}
+
+/// The walls stand on the exact paths, all along them, from their bottom to the thickness.
+fn edges(facets: &[Facet], walls: &[Walls; 2], thickness: f64, findings: &mut Findings) -> f64 {
+    let mut near = [0, 1].map(|i| Search { targets: &walls[i].targets, last: 0 });
+    let (mut largest, mut worst, mut lengths) = (0.0_f64, 0.0_f64, [0.0; 2]);
     let mut seen: HashSet<[u32; 2]> = HashSet::new();
+    let heights = [walls[0].bottom, walls[1].bottom, thickness];
     for facet in facets {
-        let corners = facet.map(|v| v.map(f64::from));
-        for (corner, [x, y, z]) in facet.iter().zip(corners) {
-            worst = worst.max(z.abs().min((z - thickness).abs()));
+        let off = |z: f64| {
+            // Without a label there is no third height.
+            let known = heights.iter().enumerate().filter(|(i, _)| *i != 1 || !walls[1].targets.is_empty());
+            known.map(|(_, height)| (z - height).abs()).fold(f64::INFINITY, f64::min)
+        };
+        for corner in facet {
+            let [x, y, z] = corner.map(f64::from);
+            worst = worst.max(off(z));
             // Every corner of a face is a corner of walls too, and of several facets.
             if seen.insert([bits(corner[0]), bits(corner[1])]) {
-                worst = worst.max(near(x, y));
+                let [plate, label] = &mut near;
+                let first = plate.distance(x, y);
+                worst = worst.max(if first > CORNER { first.min(label.distance(x, y)) } else { first });
             }
         }
-        // A wall has corners on both faces; its horizontal edge is a chord of the paths.
-        for (a, b) in [(0, 1), (1, 2), (2, 0)] {
-            let ([ax, ay, az], [bx, by, bz]) = (corners[a], corners[b]);
-            let other = corners[3 - a - b];
-            if az == bz && other[2] != az && az < thickness / 2.0 {
-                length += (bx - ax).hypot(by - ay);
-                largest = largest.max(near(0.5 * (ax + bx), 0.5 * (ay + by)));
-            }
+        // A wall has corners on two heights; its lower edge is a chord of the paths.
+        if let Some([a, b]) = foot(facet) {
+            let which = usize::from(a[2] > thickness / 2.0);
+            lengths[which] += (b[0] - a[0]).hypot(b[1] - a[1]);
+            largest = largest.max(near[which].distance(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])));
         }
     }
     let coarse = single(facets);
@@ -187,14 +244,12 @@ fn edges(facets: &[Facet], paths: &[Path], right: f64, thickness: f64, findings:
             findings.add(FindingCode::Deviation, None, found, format!("{allowed} mm"));
         }
     }
-    // A chord within the tolerance of its arc is shorter than it by far less than a hundredth.
-    if (length - right).abs() > 0.01 * right {
-        findings.add(
-            FindingCode::PathLength,
-            None,
-            format!("{length:.1} mm of edges"),
-            format!("{right:.1} mm"),
-        );
+    for (walls, length) in walls.iter().zip(lengths) {
+        // A chord within the tolerance of its arc is shorter than it by far less than a hundredth.
+        if (length - walls.length).abs() > 0.01 * walls.length {
+            let found = format!("{length:.1} mm of {}", walls.what);
+            findings.add(FindingCode::PathLength, None, found, format!("{:.1} mm", walls.length));
+        }
     }
     largest.max(worst)
 }

@@ -22,7 +22,7 @@ type Objects<'a> = BTreeMap<u32, Indirect<'a>>;
 
 /// What each kind of object may say; a key that is not here could run, hide or turn something.
 const KEYS: [(&str, &[&str]); 6] = [
-    ("Catalog", &["Type", "Pages"]),
+    ("Catalog", &["Type", "ViewerPreferences", "Pages"]),
     ("Pages", &["Type", "Kids", "Count"]),
     ("Page", &["Type", "MediaBox", "UserUnit", "Parent", "Contents", "Resources"]),
     ("Info", &["Title"]),
@@ -54,6 +54,10 @@ pub(in crate::verify) fn read_document<'a>(
     let Some(File { objects, trailer }) = File::read(bytes, findings) else { return nothing };
     let mut walk = Walk { objects: &objects, seen: BTreeSet::new(), findings };
     let root = trailer.get("Root").and_then(|root| walk.follow(root, "Catalog"));
+    let scaling = root.and_then(|catalog| catalog.value.get("ViewerPreferences"));
+    if root.is_some() && scaling != Some(&Object::Dict([("PrintScaling", Object::Name("None"))].into())) {
+        walk.refuse("no /PrintScaling /None, without which pages are printed smaller");
+    }
     let tree = root.and_then(|catalog| walk.follow(catalog.value.get("Pages")?, "Pages"));
     let info = trailer.get("Info").and_then(|info| walk.follow(info, "Info"));
     walk.keys(&trailer, "Trailer");
