@@ -25,6 +25,8 @@ pub enum Subject {
     Preview,
     /// What the gripper will do; only for a spec with a load.
     Prediction,
+    /// All of it in three dimensions, for people.
+    Scene,
 }
 
 /// How a file says it.
@@ -46,6 +48,8 @@ pub enum Format {
     Json,
     /// A picture of pixels.
     Png,
+    /// Triangles to be looked at.
+    Glb,
 }
 
 impl Subject {
@@ -61,6 +65,7 @@ impl Subject {
             Self::Frame => "frame",
             Self::Preview => "preview",
             Self::Prediction => "prediction",
+            Self::Scene => "scene",
         }
     }
 }
@@ -77,6 +82,7 @@ impl Format {
             Self::Stl => "stl",
             Self::Json => "json",
             Self::Png => "png",
+            Self::Glb => "glb",
         }
     }
 }
@@ -154,6 +160,8 @@ kinds! {
     PreviewPng: "preview-png", Preview as Png;
     /// What the gripper will do; only for a spec with a load.
     Prediction: "prediction", Prediction as Json;
+    /// All of it in three dimensions, for people.
+    SceneGlb: "scene-glb", Scene as Glb;
 }
 
 impl Kind {
@@ -169,7 +177,7 @@ impl Kind {
 
     /// Whether it comes only where it is named.
     pub fn is_extra(self) -> bool {
-        matches!(self, Self::PreviewPng)
+        matches!(self, Self::PreviewPng | Self::SceneGlb)
     }
 }
 

@@ -30,6 +30,9 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Spec => sources.spec.to_owned(),
         Subject::Machine => sources.machine.to_owned(),
         Subject::Prediction => forecast.prediction.as_ref()?.to_json(),
+        Subject::Scene => {
+            return emit::scene(&forecast.spec, &forecast.design, forecast.prediction.as_ref());
+        }
         Subject::Preview if output.kind.format() == Format::Png => {
             return emit::preview_png(&forecast.design, output.sheet?);
         }
@@ -66,6 +69,6 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
         Format::Dxf => emit::dxf(&drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
         Format::Stl => emit::stl(&drawing, spec.mask.thickness.0),
         Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
-        Format::Toml | Format::Gcode | Format::Json | Format::Png => return None,
+        Format::Toml | Format::Gcode | Format::Json | Format::Png | Format::Glb => return None,
     })
 }

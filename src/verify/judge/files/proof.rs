@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::artifact::{Asked, Format, Output, Subject, outputs};
 use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
-use crate::verify::judge::files::{drawings, figures, names, paper, pixels, solid};
+use crate::verify::judge::files::{drawings, figures, names, paper, pixels, scene, solid};
 use crate::verify::judge::job::Job;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -98,6 +98,10 @@ fn file(
         Format::Pdf | Format::Stl => return (By::Reading, solid_or_paper(expected, output, bytes, findings)),
         Format::Png => {
             pixels::check(bytes, findings);
+            return (By::Reading, None);
+        }
+        Format::Glb => {
+            scene::check(expected, bytes, findings);
             return (By::Reading, None);
         }
         _ => {}
