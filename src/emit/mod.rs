@@ -21,6 +21,6 @@ pub use number::Decimals;
 pub use pdf::pdf;
 pub use preview::preview;
 pub use preview_png::preview_png;
-pub use scene::scene;
+pub use scene::{Inflated, scene};
 pub use stl::stl;
 pub use svg::svg;

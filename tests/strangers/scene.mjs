@@ -1,8 +1,9 @@
 // Khronos' own validator on GLB files: neither errors nor warnings. Usage: node scene.mjs FILE..., with NODE_PATH at its package.
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { resolve } from "node:path";
 
-const validator = createRequire(process.env.NODE_PATH + "/")("gltf-validator");
+const validator = createRequire(resolve(process.env.NODE_PATH) + "/")("gltf-validator");
 let failed = false;
 for (const file of process.argv.slice(2)) {
     const { issues, info } = await validator.validateBytes(new Uint8Array(readFileSync(file)), { maxIssues: 20 });

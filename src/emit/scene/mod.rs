@@ -7,6 +7,8 @@ mod glb;
 mod mesh;
 mod pose;
 
+pub use pose::Inflated;
+
 use std::f64::consts::TAU;
 
 use crate::design::{Design, Drawing, Edge, Layer, Side, StarDesign};
@@ -14,7 +16,6 @@ use crate::emit::palette;
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::Mesh;
 use crate::emit::scene::pose::{Motion, Pose, tube};
-use crate::forecast::prediction::Prediction;
 use crate::geom::{Arc, Bounds, Line, Path, Point};
 use crate::spec::Spec;
 use serde_json::{Value, json};
@@ -39,12 +40,11 @@ enum Surface {
     Post,
 }
 
-/// Everything of `design`, inflated as `prediction` says where it says anything; `None` where lyon has no triangles for it.
-pub fn scene(spec: &Spec, design: &Design, prediction: Option<&Prediction>) -> Option<Vec<u8>> {
+/// Everything of `design`, its stars `inflated` as these say, bottom to top, or not if there are none; `None` where lyon has no
+/// triangles for it.
+pub fn scene(spec: &Spec, design: &Design, inflated: &[Inflated]) -> Option<Vec<u8>> {
     let mut glb = Glb::default();
-    // Without a pressure nothing inflates.
-    let prediction = prediction.filter(|_| spec.load.as_ref().is_some_and(|load| load.pressure.is_some()));
-    let stack = stack(&mut glb, design, prediction)?;
+    let stack = stack(&mut glb, design, inflated)?;
     let sheets = sheets(&mut glb, design)?;
     let masks = masks(&mut glb, spec, design)?;
     let groups = [("stack", stack.len()), ("sheets", sheets.len()), ("masks", masks.len())];
@@ -54,16 +54,17 @@ pub fn scene(spec: &Spec, design: &Design, prediction: Option<&Prediction>) -> O
 }
 
 fn material(surface: &palette::Surface) -> Value {
-    let color = palette::linear(surface.color);
+    let color = palette::linear(surface);
     json!({
         "name": surface.name,
+        "alphaMode": if surface.cover < 1.0 { "BLEND" } else { "OPAQUE" },
         "doubleSided": true,
         "pbrMetallicRoughness": { "baseColorFactor": color, "metallicFactor": 0.0, "roughnessFactor": 0.9 },
     })
 }
 
 /// Plates, posts and stars, where they stand.
-fn stack(glb: &mut Glb, design: &Design, prediction: Option<&Prediction>) -> Option<Vec<Node>> {
+fn stack(glb: &mut Glb, design: &Design, inflated: &[Inflated]) -> Option<Vec<Node>> {
     let (frame, stack) = (&design.frame, &design.stack);
     let mut nodes = Vec::new();
     let mut stand = |name: String, mesh: usize, [x, y, z]: [f64; 3], turn: f64| {
@@ -89,10 +90,8 @@ fn stack(glb: &mut Glb, design: &Design, prediction: Option<&Prediction>) -> Opt
     }
     let mut meshes = Vec::new();
     for first in design.firsts() {
-        let tips = prediction
-            .and_then(|all| all.stars.get(first.index - 1))
-            .map(|star| star.tip_equilibrium_angle_deg);
-        meshes.push(star(glb, design.part(first), tips)?);
+        let to = inflated.get(first.index - 1).copied();
+        meshes.push(star(glb, design.part(first), to)?);
     }
     for ((placed, z), turn) in design.stars.iter().zip(&stack.stars).zip(&stack.turns) {
         stand(format!("star {}", placed.index), *meshes.get(placed.distinct)?, [0.0, 0.0, *z], *turn);
@@ -100,10 +99,10 @@ fn stack(glb: &mut Glb, design: &Design, prediction: Option<&Prediction>) -> Opt
     Some(nodes)
 }
 
-/// A star of the stack: tube, flaps, bands, and where they go if its tips come to rest at `tips` (deg; below 0 they touch).
-fn star(glb: &mut Glb, part: &StarDesign, tips: Option<f64>) -> Option<usize> {
+/// A star of the stack: tube, flaps, bands, and where they go if it inflates.
+fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<Inflated>) -> Option<usize> {
     let flat = Pose::flat(&part.star);
-    let full = tips.map(|angle| Pose::inflated(&part.star, angle.to_radians().max(0.0)));
+    let full = inflated.map(|to| Pose::inflated(&part.star, to));
     let carried = |mesh: Mesh| match full {
         Some(to) => mesh.inflating(|p| Motion { from: flat, to }.carried(p)),
         None => mesh,

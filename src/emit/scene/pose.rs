@@ -1,22 +1,29 @@
 //! Poses: where a star's parts lie, flat or inflated, and how the one becomes the other for display.
 //!
-//! An inflated star is drawn as its mechanism has it ([`crate::mechanics::star`]): straight arms of the same length, tubes
-//! that are circles of diameter 2 W / pi, hinges that turned about their centres until the tips have the predicted angle,
-//! their inner rims as long as before. Flaps and bands go along with the tube's edge beside them, and end where they would
-//! run into themselves. It is a picture of these kinematics and no prediction of a surface: no wrinkle of a hinge is in it.
+//! An inflated star is drawn as the mechanism of the forecast has it: straight arms of the same length, tubes that are circles
+//! of diameter 2 W / pi, hinges that turned about their centres until the tips have the predicted angle, their inner rims as
+//! long as before. Flaps and bands go along with the tube's edge beside them, and end where they would run into themselves.
+//! It is a picture of these kinematics and no prediction of a surface: no wrinkle of a hinge is in it.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_2_PI, PI};
 
 use crate::design::Star;
 use crate::emit::scene::mesh::{Mesh, index};
-use crate::forecast::case::mechanism;
 use crate::geom::{Point, Vec2};
-use crate::units::Length;
 
 /// Facets across one of a tube's two sheets.
 const ACROSS: u32 = 8;
 /// Facets along a hinge.
 const ALONG: u32 = 10;
+
+/// Where an inflated star comes to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inflated {
+    /// Angle between the arms of a tip, rad, 0 or more.
+    pub tip_angle: f64,
+    /// Distance of the corners from the axis, mm.
+    pub inner_radius: f64,
+}
 
 /// A star in one of its states. Lengths in mm, angles in rad; in the star's frame, seen from corner 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,16 +61,14 @@ impl Pose {
         Self::new(star, star.rho_0, star.w, 0.0, star.phi_i, [star.r_e, star.r_i])
     }
 
-    /// The star inflated, its tips at the angle `phi` (rad).
-    pub(super) fn inflated(star: &Star, phi: f64) -> Self {
-        let turned = phi - star.phi_i;
+    /// The star inflated.
+    pub(super) fn inflated(star: &Star, to: Inflated) -> Self {
+        let turned = to.tip_angle - star.phi_i;
         // A coiled hinge keeps the length of its inner rim.
         let coiled = |radius: f64, rest: f64| radius * (PI - rest) / (PI - rest - turned);
         let radii = [coiled(star.r_e, star.phi_e), coiled(star.r_i, star.phi_i)];
-        let mechanism = mechanism(star);
-        let width = Length::from_metres(mechanism.inflated_width()).0;
-        let radius = Length::from_metres(mechanism.radius(phi).value).0;
-        Self::new(star, radius, width, width / 2.0, phi, radii)
+        let width = FRAC_2_PI * star.w;
+        Self::new(star, to.inner_radius, width, width / 2.0, to.tip_angle, radii)
     }
 
     fn new(star: &Star, rho: f64, width: f64, rise: f64, phi: f64, radii: [f64; 2]) -> Self {
@@ -262,6 +267,16 @@ mod tests {
         vec![star(paper), star(&round)]
     }
 
+    /// The mechanism's inner radius, from the sector's triangle of corner, tip and axis.
+    fn closed(star: &Star, phi: f64) -> Pose {
+        let (w, turned) = (FRAC_2_PI * star.w, phi - star.phi_i);
+        let [r_e, r_i] = [(star.r_e, star.phi_e), (star.r_i, star.phi_i)]
+            .map(|(r, at)| r * (PI - at) / (PI - at - turned));
+        let across = star.l * (phi / 2.0).sin() + (w + r_i + r_e) * (phi / 2.0).cos();
+        let inner_radius = across / star.half_sector().sin() - w - r_e;
+        Pose::inflated(star, Inflated { tip_angle: phi, inner_radius })
+    }
+
     #[test]
     fn a_motion_to_where_it_is_moves_nothing() {
         for star in stars() {
@@ -285,7 +300,7 @@ mod tests {
     fn edges_are_carried_to_edges() {
         for star in stars() {
             for phi in [0.0, 0.2, 0.4] {
-                let to = Pose::inflated(&star, phi);
+                let to = closed(&star, phi);
                 let motion = Motion { from: Pose::flat(&star), to };
                 for (side, beyond) in [(Side::Outside, 0.0), (Side::Hole, -to.width)] {
                     let path = star.contour(side, 0.0, 0.0).expect("a contour").path();
