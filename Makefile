@@ -1,9 +1,9 @@
-# Everything a person or CI does here. Only cargo is needed, except for `strangers`, which installs its own readers, and
+# Everything a person or CI does here. Only cargo is needed, except for `strangers` and `strangers-more`, which install their own readers, and
 # for `deny`, `audit`, `mutants` and `fuzz`, which say what to install.
 
 CARGO ?= cargo
 
-.PHONY: demo test check deny audit strangers mutants fuzz faults bench
+.PHONY: demo test check deny audit strangers strangers-more mutants fuzz faults bench
 
 # Build the paper's star and say what was written, and where.
 demo:
@@ -60,6 +60,11 @@ needs = $(CARGO) $(1) --version >/dev/null 2>&1 || { echo "$(2) is missing: run 
 strangers:
 	$(CARGO) build --release --locked
 	tests/strangers/run
+
+# Larger programs on some designs, before a release: FreeCAD, PrusaSlicer, OctoPrint's analysis, a CUPS filter (docs/testing.md).
+strangers-more:
+	$(CARGO) build --release --locked
+	tests/strangers/more
 
 bench:
 	$(CARGO) bench --locked

@@ -27,6 +27,8 @@ pub enum Subject {
     Preview,
     /// What the gripper will do; only for a spec with a load.
     Prediction,
+    /// All of it in three dimensions, for people.
+    Scene,
 }
 
 /// How a file says it.
@@ -48,6 +50,8 @@ pub enum Format {
     Json,
     /// A picture of pixels.
     Png,
+    /// Triangles to be looked at.
+    Glb,
 }
 
 impl Subject {
@@ -64,6 +68,7 @@ impl Subject {
             Self::Frame => "frame",
             Self::Preview => "preview",
             Self::Prediction => "prediction",
+            Self::Scene => "scene",
         }
     }
 }
@@ -80,6 +85,7 @@ impl Format {
             Self::Stl => "stl",
             Self::Json => "json",
             Self::Png => "png",
+            Self::Glb => "glb",
         }
     }
 }
@@ -165,6 +171,8 @@ kinds! {
     PreviewPng: "preview-png", Preview as Png;
     /// What the gripper will do; only for a spec with a load.
     Prediction: "prediction", Prediction as Json;
+    /// All of it in three dimensions, for people.
+    SceneGlb: "scene-glb", Scene as Glb;
 }
 
 impl Kind {
@@ -180,7 +188,10 @@ impl Kind {
 
     /// Whether it comes only where it is named.
     pub fn is_extra(self) -> bool {
-        matches!(self, Self::PreviewPng | Self::OutlinePdf | Self::FramePdf | Self::FrameStl)
+        matches!(
+            self,
+            Self::PreviewPng | Self::SceneGlb | Self::OutlinePdf | Self::FramePdf | Self::FrameStl
+        )
     }
 }
 

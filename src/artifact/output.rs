@@ -175,6 +175,7 @@ pub fn outputs(spec: &Spec, design: &Design, asked: &Asked) -> Vec<Output> {
     if spec.load.is_some() {
         out.push(Output::of(Kind::Prediction));
     }
+    out.push(Output::of(Kind::SceneGlb));
     out.retain(|output| asked.takes(output.kind));
     out
 }

@@ -1,5 +1,6 @@
 //! From design and plan to text. Emitters round and spell; they decide nothing.
 
+mod chords;
 mod dxf;
 mod gcode;
 mod number;
@@ -7,6 +8,7 @@ mod palette;
 mod pdf;
 mod preview;
 mod preview_png;
+mod scene;
 mod stack_view;
 mod stl;
 mod svg;
@@ -19,5 +21,6 @@ pub use number::Decimals;
 pub use pdf::pdf;
 pub use preview::preview;
 pub use preview_png::preview_png;
+pub use scene::{Inflated, scene};
 pub use stl::stl;
 pub use svg::svg;

@@ -3,6 +3,8 @@
 use crate::artifact::{Artifact, Asked, Format, Output, Subject, outputs};
 use crate::design::engraved_depth;
 use crate::emit;
+use crate::emit::Inflated;
+use crate::forecast::prediction::StarPrediction;
 use crate::manifest::Manifest;
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
@@ -31,6 +33,9 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Spec => sources.spec.to_owned(),
         Subject::Machine => sources.machine.to_owned(),
         Subject::Prediction => forecast.prediction.as_ref()?.to_json(),
+        Subject::Scene => {
+            return emit::scene(&forecast.spec, &forecast.design, &inflated(forecast));
+        }
         Subject::Preview if output.kind.format() == Format::Png => {
             return emit::preview_png(&forecast.design, output.sheet?);
         }
@@ -46,6 +51,18 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         }
     };
     Some(text.into_bytes())
+}
+
+/// Where each star comes to rest, bottom to top; nothing inflates without a pressure.
+fn inflated(forecast: &Forecast) -> Vec<Inflated> {
+    let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
+    let prediction = forecast.prediction.as_ref().filter(|_| pressure.is_some());
+    let rest = |star: &StarPrediction| Inflated {
+        // Below 0 the arms touch.
+        tip_angle: star.tip_equilibrium_angle_deg.to_radians().max(0.0),
+        inner_radius: star.final_radius_mm,
+    };
+    prediction.map_or_else(Vec::new, |prediction| prediction.stars.iter().map(rest).collect())
 }
 
 /// The one of `programs` that is for the output's star, or its sheet.
@@ -70,6 +87,6 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
             emit::stl(&output.solid_name(&spec.name), &drawing, thickness, engraved_depth(thickness))
         }
         Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
-        Format::Toml | Format::Gcode | Format::Json | Format::Png => return None,
+        Format::Toml | Format::Gcode | Format::Json | Format::Png | Format::Glb => return None,
     })
 }

@@ -12,6 +12,7 @@ codes! {
         BadComment "bad-comment" "A comment is not closed, or does not say what it should.",
         BadDxf "bad-dxf" "The file is not a DXF as the standard has it.",
         BadFeed "bad-feed" "A move has no feed, or one that is not above 0.",
+        BadGlb "bad-glb" "The file is not a GLB as the standard has it, or shows something else than the design.",
         BadNumber "bad-number" "A number cannot be read, or is beyond its range.",
         BadPath "bad-path" "A path's data cannot be read.",
         BadPdf "bad-pdf" "The file is not a PDF as the standard has it.",

@@ -24,6 +24,7 @@ pub use output_files::OutputFiles;
 pub use read::drawing::Drawing;
 pub use read::dxf::read_dxf;
 pub use read::gcode;
+pub use read::glb::{GlbNode, GlbPart, read_glb};
 pub use read::pdf::{self, PdfPage, read_pdf};
 pub use read::png::{Raster, read_png};
 pub use read::stl::{Facet, read_stl};

@@ -9,4 +9,5 @@ mod names;
 mod paper;
 mod pixels;
 pub(in crate::verify) mod proof;
+mod scene;
 mod solid;

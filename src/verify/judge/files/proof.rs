@@ -8,7 +8,7 @@ use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::assembly::Assemblies;
 use crate::verify::judge::files::solid::Solid;
-use crate::verify::judge::files::{drawings, figures, names, paper, pixels, solid};
+use crate::verify::judge::files::{drawings, figures, names, paper, pixels, scene, solid};
 use crate::verify::judge::job::Job;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -118,6 +118,10 @@ fn file(
         }
         Format::Png => {
             pixels::check(bytes, findings);
+            return (By::Reading, None);
+        }
+        Format::Glb => {
+            scene::check(expected, bytes, findings);
             return (By::Reading, None);
         }
         _ => {}

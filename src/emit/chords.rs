@@ -1,0 +1,29 @@
+//! Chords: a path of lines and arcs as a polygon, for formats that know no arcs.
+
+use crate::geom::{Path, Point, Segment};
+
+/// The corners of `path` as a polygon that leaves it by `within` (mm) at most; no two neighbours are the same. The end of an open
+/// path is its last corner.
+pub(super) fn chords(path: &Path, within: f64) -> Vec<Point> {
+    let mut corners: Vec<Point> = Vec::new();
+    for segment in &path.segments {
+        let count = pieces(segment, within);
+        let mut i = 0.0;
+        while i < count {
+            corners.push(segment.point(i / count));
+            i += 1.0;
+        }
+    }
+    if !path.closed {
+        corners.extend(path.end());
+    }
+    corners.dedup_by(|a, b| a.distance(*b) < 1e-9);
+    corners
+}
+
+/// Number of chords that stay within `within` of an arc: r (1 - cos(sweep / 2)) each.
+fn pieces(segment: &Segment, within: f64) -> f64 {
+    let Segment::Arc(arc) = segment else { return 1.0 };
+    let widest = 2.0 * (1.0 - (within / arc.radius).min(1.0)).acos();
+    (arc.sweep.abs() / widest).ceil().max(1.0)
+}

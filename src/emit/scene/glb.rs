@@ -1,0 +1,209 @@
+//! GLB: glTF 2.0 in one binary file, a chunk of JSON and a chunk of numbers.
+//!
+//! Positions are written in metres with +Y up, as glTF demands: a point (x, y, z) in mm becomes (x, z, -y) / 1000. They are
+//! rounded to a thousandth of a millimetre, so the bytes do not hang on the last bits of a sine.
+
+use serde_json::{Value, json};
+
+use crate::emit::number::Decimals;
+use crate::emit::scene::mesh::Mesh;
+
+/// Decimals of a coordinate in mm, and of what turns a node.
+const DECIMALS: [u32; 2] = [3, 9];
+/// When the animation begins, is at full pressure, and ends, s.
+const TIMES: [f32; 3] = [0.0, 2.0, 3.0];
+/// How far it has come at these times.
+const WEIGHTS: [f32; 3] = [0.0, 1.0, 1.0];
+
+// glTF's own numbers: types of components, and what a view is for.
+const UNSIGNED_INT: u32 = 5125;
+const FLOAT: u32 = 5126;
+const VERTICES: u32 = 34962;
+const INDICES: u32 = 34963;
+
+/// A node that shows a mesh.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    pub(super) name: String,
+    /// Which of the meshes.
+    pub(super) mesh: usize,
+    /// Where its origin lies, mm.
+    pub(super) at: [f64; 3],
+    /// How far it is turned about +Z, rad.
+    pub(super) turn: f64,
+}
+
+/// What will be one file.
+#[derive(Debug, Default)]
+pub(super) struct Glb {
+    numbers: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+    meshes: Vec<Value>,
+    moving: Vec<bool>,
+}
+
+impl Glb {
+    /// Adds a mesh of parts, each with the number of its material; all of them move, or none. Its number.
+    pub(super) fn mesh(&mut self, name: &str, parts: &[(usize, Mesh)]) -> usize {
+        let moving = parts.iter().any(|(_, mesh)| !mesh.inflated.is_empty());
+        let primitives: Vec<Value> =
+            parts.iter().map(|(material, mesh)| self.primitive(*material, mesh)).collect();
+        let mut value = json!({ "name": name, "primitives": primitives });
+        if moving {
+            value["weights"] = json!([0.0]);
+            value["extras"] = json!({ "targetNames": ["inflated"] });
+        }
+        self.meshes.push(value);
+        self.moving.push(moving);
+        self.meshes.len() - 1
+    }
+
+    /// The file of `nodes` in `groups`, each a name and how many of the nodes; `materials` as glTF has them.
+    pub(super) fn finish(
+        mut self,
+        name: &str,
+        nodes: &[Node],
+        groups: &[(&str, usize)],
+        materials: &[Value],
+    ) -> Vec<u8> {
+        let moving: Vec<usize> = (0..nodes.len()).filter(|i| self.moving[nodes[*i].mesh]).collect();
+        let mut all: Vec<Value> = nodes.iter().map(node).collect();
+        let mut first = 0;
+        let mut roots = Vec::new();
+        for (group, count) in groups {
+            let children: Vec<usize> = (first..first + count).collect();
+            first += count;
+            if !children.is_empty() {
+                roots.push(all.len());
+                all.push(json!({ "name": group, "children": children }));
+            }
+        }
+        let mut document = json!({
+            "asset": { "version": "2.0", "generator": env!("CARGO_PKG_NAME") },
+            "scene": 0,
+            "scenes": [{ "name": name, "nodes": roots }],
+            "nodes": all,
+            "meshes": self.meshes,
+            "materials": materials,
+        });
+        if !moving.is_empty() {
+            document["animations"] = json!([self.animation(&moving)]);
+        }
+        document["accessors"] = self.accessors.into();
+        document["bufferViews"] = self.views.into();
+        document["buffers"] = json!([{ "byteLength": self.numbers.len() }]);
+        container(document.to_string().into_bytes(), self.numbers)
+    }
+
+    fn primitive(&mut self, material: usize, mesh: &Mesh) -> Value {
+        let at: Vec<[f64; 3]> = mesh.points.iter().map(|p| rounded(*p)).collect();
+        let indices: Vec<u8> = mesh.triangles.iter().flatten().flat_map(|i| i.to_le_bytes()).collect();
+        let indices = self.accessor(
+            &indices,
+            INDICES,
+            json!({
+                "componentType": UNSIGNED_INT, "count": 3 * mesh.triangles.len(), "type": "SCALAR",
+            }),
+        );
+        let mut value = json!({
+            "attributes": { "POSITION": self.vectors(&at) }, "indices": indices, "material": material,
+        });
+        if !mesh.inflated.is_empty() {
+            let by = |(from, to): (&[f64; 3], &[f64; 3])| {
+                let to = rounded(*to);
+                [to[0] - from[0], to[1] - from[1], to[2] - from[2]]
+            };
+            let by: Vec<[f64; 3]> = at.iter().zip(&mesh.inflated).map(by).collect();
+            value["targets"] = json!([{ "POSITION": self.vectors(&by) }]);
+        }
+        value
+    }
+
+    /// Vectors in mm, +Z up, with their box.
+    fn vectors(&mut self, vectors: &[[f64; 3]]) -> usize {
+        let vectors: Vec<[f32; 3]> = vectors.iter().map(|v| y_up(*v).map(single)).collect();
+        let fold = |pick: fn(f32, f32) -> f32| {
+            let least = vectors.iter().copied().reduce(|a, b| [0, 1, 2].map(|k| pick(a[k], b[k])));
+            least.unwrap_or_default().map(f64::from)
+        };
+        let description = json!({
+            "componentType": FLOAT, "count": vectors.len(), "type": "VEC3", "min": fold(f32::min), "max": fold(f32::max),
+        });
+        let bytes: Vec<u8> = vectors.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+        self.accessor(&bytes, VERTICES, description)
+    }
+
+    /// All nodes that move do so at once.
+    fn animation(&mut self, nodes: &[usize]) -> Value {
+        let mut scalars = |values: &[f32]| {
+            let bytes: Vec<u8> = values.iter().flat_map(|x| x.to_le_bytes()).collect();
+            let ends = [values.first(), values.last()].map(|x| [f64::from(x.copied().unwrap_or_default())]);
+            self.accessor(&bytes, 0, json!({
+                "componentType": FLOAT, "count": values.len(), "type": "SCALAR", "min": ends[0], "max": ends[1],
+            }))
+        };
+        let sampler =
+            json!({ "input": scalars(&TIMES), "output": scalars(&WEIGHTS), "interpolation": "LINEAR" });
+        let channel = |node: &usize| json!({ "sampler": 0, "target": { "node": node, "path": "weights" } });
+        json!({ "name": "inflate", "samplers": [sampler], "channels": nodes.iter().map(channel).collect::<Vec<_>>() })
+    }
+
+    /// Adds numbers with what they are, all of 4 bytes; 0 for a view of no special use.
+    fn accessor(&mut self, bytes: &[u8], target: u32, mut description: Value) -> usize {
+        let mut view = json!({ "buffer": 0, "byteOffset": self.numbers.len(), "byteLength": bytes.len() });
+        if target != 0 {
+            view["target"] = target.into();
+        }
+        self.numbers.extend(bytes);
+        self.views.push(view);
+        description["bufferView"] = (self.views.len() - 1).into();
+        self.accessors.push(description);
+        self.accessors.len() - 1
+    }
+}
+
+fn node(node: &Node) -> Value {
+    let mut value = json!({ "name": node.name, "mesh": node.mesh });
+    let at = y_up(rounded(node.at));
+    if at != [0.0; 3] {
+        value["translation"] = json!(at);
+    }
+    if node.turn != 0.0 {
+        let round = |x: f64| Decimals::exactly(DECIMALS[1]).round(x);
+        let (sin, cos) = (node.turn / 2.0).sin_cos();
+        value["rotation"] = json!([0.0, round(sin), 0.0, round(cos)]);
+    }
+    value
+}
+
+fn rounded(point: [f64; 3]) -> [f64; 3] {
+    point.map(|x| Decimals::exactly(DECIMALS[0]).round(x))
+}
+
+/// From mm with +Z up to metres with +Y up; no -0.
+fn y_up([x, y, z]: [f64; 3]) -> [f64; 3] {
+    [x, z, -y].map(|x| x / 1000.0 + 0.0)
+}
+
+fn single(x: f64) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "glTF is single precision: 1e-4 mm at 1 m")]
+    let single = x as f32;
+    single
+}
+
+/// Header and chunks, each filled up to whole fours: JSON with blanks, numbers with zeros.
+fn container(mut text: Vec<u8>, mut numbers: Vec<u8>) -> Vec<u8> {
+    text.resize(text.len().next_multiple_of(4), b' ');
+    numbers.resize(numbers.len().next_multiple_of(4), 0);
+    let length = |bytes: &[u8]| u32::try_from(bytes.len()).unwrap_or(u32::MAX);
+    let whole = length(&text).saturating_add(length(&numbers)).saturating_add(28);
+    let head = [u32::from_le_bytes(*b"glTF"), 2, whole];
+    let mut out: Vec<u8> = head.iter().flat_map(|x| x.to_le_bytes()).collect();
+    for (name, bytes) in [(b"JSON", text), (b"BIN\0", numbers)] {
+        out.extend(length(&bytes).to_le_bytes());
+        out.extend(name);
+        out.extend(bytes);
+    }
+    out
+}

@@ -1,0 +1,135 @@
+//! Display meshes: triangles to be looked at, by lyon's tessellators. What is printed has a path of its own, exact and
+//! closed ([`crate::emit::stl`]).
+
+use lyon_tessellation::geometry_builder::{BuffersBuilder, Positions};
+use lyon_tessellation::math::point;
+use lyon_tessellation::path::Path as Outline;
+use lyon_tessellation::{
+    FillOptions, FillTessellator, LineJoin, StrokeOptions, StrokeTessellator, VertexBuffers,
+};
+
+use crate::emit::chords::chords;
+use crate::geom::{Path, Point};
+
+/// How far a chord may leave its arc, mm: a tenth of a pixel where a star fills a screen.
+const CHORD: f64 = 0.05;
+
+/// Triangles in mm, +Z up, counterclockwise seen from outside, or from above where there is only one side.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Mesh {
+    /// Its corners.
+    pub(super) points: Vec<[f64; 3]>,
+    /// Where the same corners lie when the star is inflated; empty for what does not move.
+    pub(super) inflated: Vec<[f64; 3]>,
+    /// Three corners each.
+    pub(super) triangles: Vec<[u32; 3]>,
+}
+
+type Buffers = VertexBuffers<lyon_tessellation::math::Point, u32>;
+
+impl Mesh {
+    /// What lies inside an odd number of `paths`, at height `z`; `None` where the tessellator has no answer.
+    pub(super) fn fill(paths: &[Path], z: f64) -> Option<Self> {
+        let mut buffers = Buffers::new();
+        let options = FillOptions::even_odd();
+        FillTessellator::new()
+            .tessellate_path(&outline(paths), &options, &mut BuffersBuilder::new(&mut buffers, Positions))
+            .ok()?;
+        Some(Self::flat(&buffers, z))
+    }
+
+    /// A ribbon of `width` along `path`, round at corners, at height `z`; `None` where the tessellator has no answer.
+    pub(super) fn ribbon(path: &Path, width: f64, z: f64) -> Option<Self> {
+        let mut buffers = Buffers::new();
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "lyon is single precision, and a display needs no more"
+        )]
+        let (width, within) = (width as f32, CHORD as f32);
+        let options = StrokeOptions::tolerance(within).with_line_width(width).with_line_join(LineJoin::Round);
+        let paths = std::slice::from_ref(path);
+        StrokeTessellator::new()
+            .tessellate_path(&outline(paths), &options, &mut BuffersBuilder::new(&mut buffers, Positions))
+            .ok()?;
+        Some(Self::flat(&buffers, z))
+    }
+
+    /// The solid between two heights inside the first of `paths` and outside the others, which lie in it.
+    pub(super) fn extruded(paths: &[Path], [low, high]: [f64; 2]) -> Option<Self> {
+        let mut out = Self::fill(paths, high)?;
+        let below = Self::fill(paths, low)?;
+        out.append(Self {
+            triangles: below.triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect(),
+            ..below
+        });
+        for (path, is_hole) in paths.iter().zip(std::iter::once(false).chain(std::iter::repeat(true))) {
+            out.append(wall(&chords(path, CHORD), is_hole, [low, high]));
+        }
+        Some(out)
+    }
+
+    /// Takes the triangles of `other`, too.
+    pub(super) fn append(&mut self, other: Self) {
+        let before = index(self.points.len());
+        self.points.extend(other.points);
+        self.inflated.extend(other.inflated);
+        self.triangles.extend(other.triangles.into_iter().map(|corners| corners.map(|i| i + before)));
+    }
+
+    /// The same mesh, whose corners `inflate` carries elsewhere.
+    pub(super) fn inflating(self, inflate: impl Fn([f64; 3]) -> [f64; 3]) -> Self {
+        let inflated = self.points.iter().map(|p| inflate(*p)).collect();
+        Self { inflated, ..self }
+    }
+
+    fn flat(buffers: &Buffers, z: f64) -> Self {
+        let points: Vec<[f64; 3]> =
+            buffers.vertices.iter().map(|p| [f64::from(p.x), f64::from(p.y), z]).collect();
+        let upwards = |[a, b, c]: [u32; 3]| {
+            let [[ax, ay, _], [bx, by, _], [cx, cy, _]] = [a, b, c].map(|i| points[i as usize]);
+            if (bx - ax) * (cy - ay) - (by - ay) * (cx - ax) < 0.0 { [a, c, b] } else { [a, b, c] }
+        };
+        let triangles = buffers.indices.chunks_exact(3).map(|t| upwards([t[0], t[1], t[2]])).collect();
+        Self { points, inflated: Vec::new(), triangles }
+    }
+}
+
+/// A number of corners; no mesh here has as many as would not fit.
+pub(super) fn index(n: usize) -> u32 {
+    u32::try_from(n).unwrap_or(u32::MAX)
+}
+
+/// The paths for lyon. Their arcs are chords already, cut in double precision.
+fn outline(paths: &[Path]) -> Outline {
+    let mut builder = Outline::builder();
+    for path in paths {
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "lyon is single precision, and a display needs no more"
+        )]
+        let single = |p: Point| point(p.x as f32, p.y as f32);
+        let mut corners = chords(path, CHORD).into_iter();
+        let Some(first) = corners.next() else { continue };
+        let _ = builder.begin(single(first));
+        for corner in corners {
+            let _ = builder.line_to(single(corner));
+        }
+        builder.end(path.closed);
+    }
+    builder.build()
+}
+
+/// The wall on a closed polygon, its outside where the solid is not.
+fn wall(corners: &[Point], is_hole: bool, [low, high]: [f64; 2]) -> Mesh {
+    let next = |i: usize| corners[(i + 1) % corners.len()];
+    let doubled: f64 = corners.iter().enumerate().map(|(i, p)| p.x * next(i).y - p.y * next(i).x).sum();
+    // The solid has to lie on the left: counterclockwise around it, clockwise around a hole.
+    let turned = (doubled < 0.0) != is_hole;
+    let mut out = Mesh::default();
+    for (i, p) in corners.iter().enumerate() {
+        let (from, to) = if turned { (next(i), *p) } else { (*p, next(i)) };
+        let quad = [[from.x, from.y, low], [to.x, to.y, low], [to.x, to.y, high], [from.x, from.y, high]];
+        out.append(Mesh { points: quad.into(), inflated: Vec::new(), triangles: vec![[0, 1, 2], [0, 2, 3]] });
+    }
+    out
+}

@@ -1,0 +1,199 @@
+//! The scene: everything that is made, in three dimensions and to scale, as one GLB file.
+//!
+//! The stack stands on the origin, with plates, posts and stars; where the spec has a pressure the stars inflate. Sheets lie beside it
+//! on one side, masks on the other. It is for the eye: meshes are those of [`mesh`], and nothing is cut, sealed or printed from them.
+
+mod glb;
+mod mesh;
+mod pose;
+
+pub use pose::Inflated;
+
+use std::f64::consts::TAU;
+
+use crate::design::{Design, Drawing, Edge, Layer, Side, StarDesign};
+use crate::emit::palette;
+use crate::emit::scene::glb::{Glb, Node};
+use crate::emit::scene::mesh::Mesh;
+use crate::emit::scene::pose::{Motion, Pose, tube};
+use crate::geom::{Arc, Bounds, Line, Path, Point};
+use crate::spec::Spec;
+use serde_json::{Value, json};
+
+/// How far ribbons hover over the fabric that they lie on, mm, so that they are seen.
+const ABOVE: f64 = 0.3;
+/// Width of a cut's line, mm.
+const CUT: f64 = 1.0;
+/// Between the stack, sheets and masks, mm.
+const GAP: f64 = 60.0;
+
+/// The surfaces of a scene, in the order of [`palette::SURFACES`].
+#[derive(Clone, Copy)]
+enum Surface {
+    Fabric,
+    Tube,
+    InnerBand,
+    OuterBand,
+    Cut,
+    Mask,
+    Plate,
+    Post,
+}
+
+/// Everything of `design`, its stars `inflated` as these say, bottom to top, or not if there are none; `None` where lyon has no
+/// triangles for it.
+pub fn scene(spec: &Spec, design: &Design, inflated: &[Inflated]) -> Option<Vec<u8>> {
+    let mut glb = Glb::default();
+    let stack = stack(&mut glb, design, inflated)?;
+    let sheets = sheets(&mut glb, design)?;
+    let masks = masks(&mut glb, spec, design)?;
+    let groups = [("stack", stack.len()), ("sheets", sheets.len()), ("masks", masks.len())];
+    let nodes: Vec<Node> = [stack, sheets, masks].concat();
+    let materials: Vec<Value> = palette::SURFACES.iter().map(material).collect();
+    Some(glb.finish(&spec.name, &nodes, &groups, &materials))
+}
+
+fn material(surface: &palette::Surface) -> Value {
+    let color = palette::linear(surface);
+    json!({
+        "name": surface.name,
+        "alphaMode": if surface.cover < 1.0 { "BLEND" } else { "OPAQUE" },
+        "doubleSided": true,
+        "pbrMetallicRoughness": { "baseColorFactor": color, "metallicFactor": 0.0, "roughnessFactor": 0.9 },
+    })
+}
+
+/// Plates, posts and stars, where they stand.
+fn stack(glb: &mut Glb, design: &Design, inflated: &[Inflated]) -> Option<Vec<Node>> {
+    let (frame, stack) = (&design.frame, &design.stack);
+    let mut nodes = Vec::new();
+    let mut stand = |name: String, mesh: usize, [x, y, z]: [f64; 3], turn: f64| {
+        nodes.push(Node { name, mesh, at: [x, y, z], turn });
+    };
+    let half = frame.thickness / 2.0;
+    for plate in &frame.plates {
+        let mut paths = vec![circle(Point::ORIGIN, frame.radius), circle(Point::ORIGIN, plate.opening)];
+        paths.extend(frame.posts.iter().map(|post| circle(*post, frame.post_diameter / 2.0)));
+        let solid = Mesh::extruded(&paths, [-half, half])?;
+        let mesh = glb.mesh("plate", &[(Surface::Plate as usize, solid)]);
+        for number in &plate.numbers {
+            stand(format!("plate {number}"), mesh, [0.0, 0.0, *stack.plates.get(number - 1)?], 0.0);
+        }
+    }
+    if !frame.posts.is_empty() {
+        let solid =
+            Mesh::extruded(&[circle(Point::ORIGIN, frame.post_diameter / 2.0)], [0.0, frame.post_length])?;
+        let mesh = glb.mesh("post", &[(Surface::Post as usize, solid)]);
+        for (post, number) in frame.posts.iter().zip(1..) {
+            stand(format!("post {number}"), mesh, [post.x, post.y, 0.0], 0.0);
+        }
+    }
+    let mut meshes = Vec::new();
+    for first in design.firsts() {
+        let to = inflated.get(first.index - 1).copied();
+        meshes.push(star(glb, design.part(first), to)?);
+    }
+    for ((placed, z), turn) in design.stars.iter().zip(&stack.stars).zip(&stack.turns) {
+        stand(format!("star {}", placed.index), *meshes.get(placed.distinct)?, [0.0, 0.0, *z], *turn);
+    }
+    Some(nodes)
+}
+
+/// A star of the stack: tube, flaps, bands, and where they go if it inflates.
+fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<Inflated>) -> Option<usize> {
+    let flat = Pose::flat(&part.star);
+    let full = inflated.map(|to| Pose::inflated(&part.star, to));
+    let carried = |mesh: Mesh| match full {
+        Some(to) => mesh.inflating(|p| Motion { from: flat, to }.carried(p)),
+        None => mesh,
+    };
+    let edge = |side: Side| part.star.contour(side, 0.0, 0.0).map(|contour| contour.path());
+    let mut paths = vec![part.outline.outside.clone(), part.outline.hole.clone()];
+    paths.extend([edge(Side::Outside)?, edge(Side::Hole)?]);
+    paths.extend(part.outline.registration.iter().map(|hole| circle(hole.center, hole.diameter / 2.0)));
+    let [inner, outer] = &part.seams;
+    let band = |seam: &crate::design::Seam| Mesh::ribbon(&seam.center_line, part.band, ABOVE).map(carried);
+    let parts = [
+        (Surface::Tube as usize, tube(flat, full)),
+        (Surface::Fabric as usize, carried(Mesh::fill(&paths, 0.0)?)),
+        (Surface::InnerBand as usize, band(inner)?),
+        (Surface::OuterBand as usize, band(outer)?),
+    ];
+    Some(glb.mesh("star", &parts))
+}
+
+/// The sheets as they lie on the machine: holes, cut lines and bands.
+fn sheets(glb: &mut Glb, design: &Design) -> Option<Vec<Node>> {
+    let mut left = reach(design) + GAP;
+    let mut nodes = Vec::new();
+    for layout in &design.sheets {
+        let cuts = Drawing::outlines(design, layout.index, Edge::Part)?;
+        let seals = Drawing::seals(design, layout.index)?;
+        let on = |drawing: &Drawing, layer: Layer| -> Vec<Path> {
+            let shapes = drawing.layers.iter().filter(|(l, _)| *l == layer).flat_map(|(_, shapes)| shapes);
+            shapes.flat_map(|shape| shape.paths().into_owned()).collect()
+        };
+        let mut paths = vec![rectangle(layout.width, layout.height)];
+        paths.extend([Layer::Registration, Layer::CutHole].into_iter().flat_map(|layer| on(&cuts, layer)));
+        let ribbons = |paths: &[Path], width: f64| {
+            paths.iter().try_fold(Mesh::default(), |mut all, path| {
+                all.append(Mesh::ribbon(path, width, ABOVE)?);
+                Some(all)
+            })
+        };
+        let parts = [
+            (Surface::Fabric as usize, Mesh::fill(&paths, 0.0)?),
+            (Surface::InnerBand as usize, ribbons(&on(&seals, Layer::SealInner), band_of(design))?),
+            (Surface::OuterBand as usize, ribbons(&on(&seals, Layer::SealOuter), band_of(design))?),
+            (Surface::Cut as usize, ribbons(&on(&cuts, Layer::CutOutside), CUT)?),
+        ];
+        let mesh = glb.mesh("sheet", &parts);
+        let at = [left, -layout.height / 2.0, 0.0];
+        nodes.push(Node { name: format!("sheet {}", layout.index), mesh, at, turn: 0.0 });
+        left += layout.width + GAP;
+    }
+    Some(nodes)
+}
+
+/// The masks, for the other face, too, where the spec asks for them.
+fn masks(glb: &mut Glb, spec: &Spec, design: &Design) -> Option<Vec<Node>> {
+    let mut right = -reach(design) - GAP;
+    let mut nodes = Vec::new();
+    for first in design.firsts() {
+        for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
+            let drawing = Drawing::mask(design, first.index, mirrored, Edge::Part)?;
+            let on =
+                |layer: Layer| drawing.layers.iter().filter(move |(l, _)| *l == layer).flat_map(|(_, s)| s);
+            let shapes = on(Layer::MaskPlate).chain(on(Layer::MaskWindow)).chain(on(Layer::Registration));
+            let paths: Vec<Path> = shapes.flat_map(|shape| shape.paths().into_owned()).collect();
+            let Bounds { min, max } = paths.first()?.bounds();
+            let solid = Mesh::extruded(&paths, [0.0, spec.mask.thickness.0])?;
+            let mesh = glb.mesh("mask", &[(Surface::Mask as usize, solid)]);
+            let name = format!("mask {}{}", first.index, if mirrored { " mirrored" } else { "" });
+            nodes.push(Node { name, mesh, at: [right - max.x, 0.0, 0.0], turn: 0.0 });
+            right -= max.x - min.x + GAP;
+        }
+    }
+    Some(nodes)
+}
+
+/// How far the stack reaches from its axis.
+fn reach(design: &Design) -> f64 {
+    let mouths = design.distinct.iter().filter_map(|part| Some(part.channel?.mouth));
+    mouths.fold(design.frame.radius, f64::max)
+}
+
+/// Width of the bands, which all stars have from the spec's one `[seal]`.
+fn band_of(design: &Design) -> f64 {
+    design.distinct.first().map_or(0.0, |part| part.band)
+}
+
+fn circle(center: Point, radius: f64) -> Path {
+    Path::closed(vec![Arc::new(center, radius, 0.0, TAU).into()])
+}
+
+fn rectangle(width: f64, height: f64) -> Path {
+    let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]].map(|[x, y]| Point::new(x, y));
+    let side = |i: usize| Line::new(corners[i], corners[(i + 1) % 4]).into();
+    Path::closed((0..4).map(side).collect())
+}

@@ -1,0 +1,321 @@
+//! Poses: where a star's parts lie, flat or inflated, and how the one becomes the other for display.
+//!
+//! An inflated star is drawn as the mechanism of the forecast has it: straight arms of the same length, tubes that are circles
+//! of diameter 2 W / pi, hinges that turned about their centres until the tips have the predicted angle, their inner rims as
+//! long as before. Flaps and bands go along with the tube's edge beside them, and end where they would run into themselves.
+//! It is a picture of these kinematics and no prediction of a surface: no wrinkle of a hinge is in it.
+
+use std::f64::consts::{FRAC_2_PI, PI};
+
+use crate::design::Star;
+use crate::emit::scene::mesh::{Mesh, index};
+use crate::geom::{Point, Vec2};
+
+/// Facets across one of a tube's two sheets.
+const ACROSS: u32 = 8;
+/// Facets along a hinge.
+const ALONG: u32 = 10;
+
+/// Where an inflated star comes to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inflated {
+    /// Angle between the arms of a tip, rad, 0 or more.
+    pub tip_angle: f64,
+    /// Distance of the corners from the axis, mm.
+    pub inner_radius: f64,
+}
+
+/// A star in one of its states. Lengths in mm, angles in rad; in the star's frame, seen from corner 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Pose {
+    points: u32,
+    /// Centre of corner 1, on +X.
+    corner: Point,
+    /// Centre of tip 1.
+    tip: Point,
+    /// Along arm 1, from the corner to the tip.
+    along: Vec2,
+    /// Across arm 1, from its outer edge to the hole.
+    across: Vec2,
+    arm: f64,
+    /// Width of the tube as seen from above.
+    width: f64,
+    /// How high a sheet rises above the middle.
+    rise: f64,
+    /// Inner radii of curvature of corner and tip.
+    radii: [f64; 2],
+    /// Half the turn of the tube at a corner and at a tip.
+    halves: [f64; 2],
+}
+
+/// One of a hinge's two kinds.
+#[derive(Clone, Copy)]
+enum Hinge {
+    Corner,
+    Tip,
+}
+
+impl Pose {
+    /// The star as it is cut.
+    pub(super) fn flat(star: &Star) -> Self {
+        Self::new(star, star.rho_0, star.w, 0.0, star.phi_i, [star.r_e, star.r_i])
+    }
+
+    /// The star inflated.
+    pub(super) fn inflated(star: &Star, to: Inflated) -> Self {
+        let turned = to.tip_angle - star.phi_i;
+        // A coiled hinge keeps the length of its inner rim.
+        let coiled = |radius: f64, rest: f64| radius * (PI - rest) / (PI - rest - turned);
+        let radii = [coiled(star.r_e, star.phi_e), coiled(star.r_i, star.phi_i)];
+        let width = FRAC_2_PI * star.w;
+        Self::new(star, to.inner_radius, width, width / 2.0, to.tip_angle, radii)
+    }
+
+    fn new(star: &Star, rho: f64, width: f64, rise: f64, phi: f64, radii: [f64; 2]) -> Self {
+        let ray = star.half_sector();
+        let halves = [(PI - phi) / 2.0 - ray, (PI - phi) / 2.0];
+        // From the corner's centre its arc ends, and the arm begins, in this direction.
+        let across = Vec2::unit(PI - halves[0]);
+        let along = Vec2::new(across.y, -across.x);
+        let corner = Point::new(rho + width + radii[0], 0.0);
+        let tip = corner + along * star.l + across * (width + radii[0] + radii[1]);
+        Self { points: star.n, corner, tip, along, across, arm: star.l, width, rise, radii, halves }
+    }
+
+    fn ray(&self) -> f64 {
+        PI / f64::from(self.points)
+    }
+
+    /// Where the point at `place` lies, in the half of a sector above +X; never beyond the rays that bound it.
+    fn point(&self, place: Place) -> Point {
+        let p = match place {
+            Place::Corner { turn, out } => {
+                let radius = (self.radii[0] - self.beyond(out)).max(0.0);
+                self.corner + Vec2::unit(PI - turn * self.halves[0]) * radius
+            }
+            Place::Arm { along, out } => {
+                let foot = self.corner + self.across * self.radii[0] - self.across * self.beyond(out);
+                foot + self.along * along
+            }
+            Place::Tip { turn, out } => {
+                let radius = (self.radii[1] + self.width + self.beyond(out)).max(0.0);
+                self.tip + Vec2::unit(self.ray() - turn * self.halves[1]) * radius
+            }
+        };
+        let ray = Vec2::unit(self.ray());
+        let (v, normal) = (p - Point::ORIGIN, Vec2::new(-ray.y, ray.x));
+        let over = v.dot(normal).max(0.0);
+        let q = p - normal * over;
+        Point::new(q.x, q.y.max(0.0))
+    }
+
+    /// Distance outside the outer edge of what is a share of the width inside of it, or a length beyond an edge.
+    fn beyond(&self, out: Out) -> f64 {
+        match out {
+            Out::Outside(length) => length,
+            Out::Tube(share) => -share * self.width,
+            Out::Hole(length) => -self.width - length,
+        }
+    }
+
+    /// Where `q` lies, of the half of a sector above +X.
+    fn place(&self, q: Point) -> Place {
+        let from_corner = q - self.corner;
+        let along = from_corner.dot(self.along);
+        let out = |beyond: f64| match beyond {
+            length if length > 0.0 => Out::Outside(length),
+            inside if inside < -self.width => Out::Hole(-self.width - inside),
+            inside => Out::Tube(-inside / self.width),
+        };
+        if along < 0.0 {
+            let turn = (PI - from_corner.angle().abs()) / self.halves[0];
+            Place::Corner { turn, out: out(self.radii[0] - from_corner.length()) }
+        } else if along > self.arm {
+            let from_tip = q - self.tip;
+            let turn = (self.ray() - from_tip.angle()) / self.halves[1];
+            Place::Tip { turn, out: out(from_tip.length() - self.radii[1] - self.width) }
+        } else {
+            Place::Arm { along, out: out(self.radii[0] - from_corner.dot(self.across)) }
+        }
+    }
+
+    /// The hole-side edge of the tube and the direction across it to the outer edge, column by column around the star.
+    fn columns(&self) -> Vec<(Point, Vec2)> {
+        let mut out = Vec::new();
+        for k in 0..self.points {
+            for (hinge, half) in [(Hinge::Corner, self.halves[0]), (Hinge::Tip, self.halves[1])] {
+                for i in 0..=ALONG {
+                    let turn = half * (2.0 * f64::from(i) / f64::from(ALONG) - 1.0);
+                    out.push(self.column(hinge, k, turn));
+                }
+            }
+        }
+        out
+    }
+
+    fn column(&self, hinge: Hinge, k: u32, turn: f64) -> (Point, Vec2) {
+        let corner_ray = 2.0 * f64::from(k) * self.ray();
+        match hinge {
+            Hinge::Corner => {
+                let centre = Point::polar(self.corner.x, corner_ray);
+                let towards_hole = Vec2::unit(corner_ray + PI - turn);
+                (centre + towards_hole * (self.radii[0] + self.width), -towards_hole)
+            }
+            Hinge::Tip => {
+                let ray = corner_ray + self.ray();
+                let centre = Point::polar(self.tip.distance(Point::ORIGIN), ray);
+                let outwards = Vec2::unit(ray + turn);
+                (centre + outwards * self.radii[1], outwards)
+            }
+        }
+    }
+
+    /// Corners of the tube's two sheets, around every column.
+    fn tube(&self) -> Vec<[f64; 3]> {
+        let around = |(edge, outwards): (Point, Vec2)| {
+            (0..2 * ACROSS).map(move |j| {
+                // Once around a circle; flat, the way across goes with the length of the fabric.
+                let turn = PI * f64::from(j) / f64::from(ACROSS);
+                let flat = 1.0 - (f64::from(j) / f64::from(ACROSS) - 1.0).abs();
+                let share = if self.rise > 0.0 { (1.0 - turn.cos()) / 2.0 } else { flat };
+                let p = edge + outwards * (share * self.width);
+                [p.x, p.y, self.rise * turn.sin()]
+            })
+        };
+        self.columns().into_iter().flat_map(around).collect()
+    }
+}
+
+/// Where a point lies beside a tube, in words that hold for every pose.
+#[derive(Clone, Copy)]
+enum Place {
+    /// At a corner, `turn` from 0 on its ray to 1 where the arm begins.
+    Corner { turn: f64, out: Out },
+    /// Beside an arm, a length from the corner's end.
+    Arm { along: f64, out: Out },
+    /// At a tip, `turn` from 0 on its ray to 1 where the arm ends.
+    Tip { turn: f64, out: Out },
+}
+
+/// How far out of the tube.
+#[derive(Clone, Copy)]
+enum Out {
+    /// A length beyond the outer edge.
+    Outside(f64),
+    /// A share of the width, from the outer edge.
+    Tube(f64),
+    /// A length beyond the edge towards the hole.
+    Hole(f64),
+}
+
+/// From one pose to another.
+#[derive(Clone, Copy)]
+pub(super) struct Motion {
+    pub(super) from: Pose,
+    pub(super) to: Pose,
+}
+
+impl Motion {
+    /// Where the point of the fabric at `[x, y, z]` goes; a channel goes along with its tip.
+    pub(super) fn carried(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
+        let p = Point::new(x, y);
+        let sector = 2.0 * self.from.ray();
+        let turn = (p.angle() / sector).round() * sector;
+        let seen = rotated(p, -turn);
+        let side = if seen.y < 0.0 { -1.0 } else { 1.0 };
+        let at = Point::new(seen.x, seen.y.abs());
+        let to = self.to.point(self.from.place(at));
+        let p = rotated(Point::new(to.x, side * to.y), turn);
+        [p.x, p.y, z]
+    }
+}
+
+/// The tube of a star, in `pose` and, if it moves, also where it goes.
+pub(super) fn tube(pose: Pose, inflated: Option<Pose>) -> Mesh {
+    let (columns, ring) = (index(pose.columns().len()), 2 * ACROSS);
+    let corner = |i: u32, j: u32| (i % columns) * ring + j % ring;
+    let quads = (0..columns).flat_map(|i| (0..ring).map(move |j| (i, j)));
+    let triangles = quads.flat_map(|(i, j)| {
+        let [a, b, c, d] = [corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j)];
+        [[a, b, c], [a, c, d]]
+    });
+    Mesh {
+        points: pose.tube(),
+        inflated: inflated.map_or_else(Vec::new, |pose| pose.tube()),
+        triangles: triangles.collect(),
+    }
+}
+
+fn rotated(p: Point, by: f64) -> Point {
+    let (sin, cos) = by.sin_cos();
+    Point::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Side;
+    use crate::spec::{self, Source};
+
+    fn stars() -> Vec<Star> {
+        let paper = "schema = 1\nname = \"x\"\n[star]\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n";
+        let round = format!("{paper}tip_radius = \"4 mm\"\ncorner_radius = \"3 mm\"\n");
+        let star = |text: &str| {
+            let spec = spec::read(&Source::new("spec.toml", text)).expect("valid").spec;
+            Star::new(&spec.stars[0]).expect("a star")
+        };
+        vec![star(paper), star(&round)]
+    }
+
+    /// The mechanism's inner radius, from the sector's triangle of corner, tip and axis.
+    fn closed(star: &Star, phi: f64) -> Pose {
+        let (w, turned) = (FRAC_2_PI * star.w, phi - star.phi_i);
+        let [r_e, r_i] = [(star.r_e, star.phi_e), (star.r_i, star.phi_i)]
+            .map(|(r, at)| r * (PI - at) / (PI - at - turned));
+        let across = star.l * (phi / 2.0).sin() + (w + r_i + r_e) * (phi / 2.0).cos();
+        let inner_radius = across / star.half_sector().sin() - w - r_e;
+        Pose::inflated(star, Inflated { tip_angle: phi, inner_radius })
+    }
+
+    #[test]
+    fn a_motion_to_where_it_is_moves_nothing() {
+        for star in stars() {
+            let flat = Pose::flat(&star);
+            let still = Motion { from: flat, to: flat };
+            for side in [Side::Hole, Side::Outside] {
+                for delta in [0.0, 1.0, 5.0] {
+                    let path = star.contour(side, delta, 0.0).expect("a contour").path();
+                    for i in 0..200 {
+                        let p = path.point_at(f64::from(i) / 200.0 * path.length()).expect("a point");
+                        let [x, y, _] = still.carried([p.x, p.y, 0.0]);
+                        assert!(Point::new(x, y).distance(p) < 1e-9, "{side:?} {delta} {p:?}");
+                    }
+                }
+            }
+        }
+    }
+
+    /// What lies on the tube's edges stays on them, whatever the tip's angle.
+    #[test]
+    fn edges_are_carried_to_edges() {
+        for star in stars() {
+            for phi in [0.0, 0.2, 0.4] {
+                let to = closed(&star, phi);
+                let motion = Motion { from: Pose::flat(&star), to };
+                for (side, beyond) in [(Side::Outside, 0.0), (Side::Hole, -to.width)] {
+                    let path = star.contour(side, 0.0, 0.0).expect("a contour").path();
+                    for i in 0..200 {
+                        let p = path.point_at(f64::from(i) / 200.0 * path.length()).expect("a point");
+                        let [x, y, _] = motion.carried([p.x, p.y, 0.0]);
+                        let sector = (y.atan2(x) / (2.0 * to.ray())).round() * 2.0 * to.ray();
+                        let q = rotated(Point::new(x, y), -sector);
+                        let place = to.place(Point::new(q.x, q.y.abs()));
+                        let (Place::Corner { out, .. } | Place::Arm { out, .. } | Place::Tip { out, .. }) =
+                            place;
+                        assert!((to.beyond(out) - beyond).abs() < 1e-9, "{side:?} {phi} {p:?}");
+                    }
+                }
+            }
+        }
+    }
+}
