@@ -132,6 +132,22 @@ fn at_many_lines_of_chopped_jobs_and_in_every_dialect() {
     }
 }
 
+/// The way back may end a hair before the end of a stroke: the controller would run on from there into the first old
+/// stroke, which is timed from a stop.
+#[test]
+fn a_sliver_of_a_stroke_is_taken_up_with_the_next() {
+    for name in ["grbl", "marlin"] {
+        let job = job(name);
+        let run = &contacts(&moves(name, &job))[1].1;
+        for (i, sliver) in [(200, 1e-4), (303, 1e-3), (404, 3e-3), (555, 6e-3), (600, 0.02)] {
+            let overlap = length(&run[i - 20..i]) + sliver;
+            let resumed = resume(&job, ResumeAt::Line(run[i].line), Some(overlap));
+            let resumed = resumed.unwrap_or_else(|fault| panic!("{name} {i} {sliver}: {fault}"));
+            assert!((resumed.overlap - overlap).abs() < 1e-6, "{name} {i}: {}", resumed.overlap);
+        }
+    }
+}
+
 #[test]
 fn the_way_back_carries_its_feeds_where_g0_has_none_of_its_own() {
     for name in ["marlin", "klipper", "reprapfirmware"] {
