@@ -113,11 +113,15 @@ fn at_every_move_of_a_job() {
     }
 }
 
-/// Any line, comments and waits too: `RESUMES=500` tries so many of every dialect's job (docs/resume.md).
+/// Any line, comments and waits too: `RESUMES=500` tries so many of every dialect's job, `DIALECTS=grbl,marlin` those of some
+/// (docs/resume.md).
 #[test]
 fn at_many_lines_of_chopped_jobs_and_in_every_dialect() {
     let count = env::var("RESUMES").ok().and_then(|count| count.parse().ok()).unwrap_or(23);
-    for name in PROFILES {
+    let chosen = env::var("DIALECTS").ok();
+    let is_chosen =
+        |name: &&str| chosen.as_ref().is_none_or(|chosen| chosen.split(',').any(|one| one == *name));
+    for name in PROFILES.into_iter().filter(is_chosen) {
         let job = job(name);
         let original = moves(name, &job);
         let lines = job.lines().count();
