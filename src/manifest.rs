@@ -129,6 +129,13 @@ pub struct ManifestSeam {
     pub time_s: f64,
 }
 
+impl Tool {
+    /// This program, in this version.
+    pub fn this() -> Self {
+        Self { name: env!("CARGO_PKG_NAME").to_owned(), version: env!("CARGO_PKG_VERSION").to_owned() }
+    }
+}
+
 impl Manifest {
     /// The manifest of the files of `design`, which `spec` describes and the sealing `programs` make; it names none yet.
     pub fn new(spec: &Spec, design: &Design, programs: &[Program]) -> Self {
@@ -162,10 +169,7 @@ impl Manifest {
         }
         stars.sort_by_key(|star| star.index);
         Self {
-            tool: Tool {
-                name: env!("CARGO_PKG_NAME").to_owned(),
-                version: env!("CARGO_PKG_VERSION").to_owned(),
-            },
+            tool: Tool::this(),
             name: spec.name.clone(),
             files: Vec::new(),
             posts: bill::posts(design),

@@ -26,8 +26,10 @@ pub(super) const CHOPPED: &str = "schema = 1\nname = \"small\"\n[star]\npoints =
 /// The files of `kinds` of a gripper on a built-in machine; all of them if none is named.
 pub(super) fn built(spec_text: &str, name: &str, kinds: &[Kind]) -> Built {
     let machine = Machine::builtin(name).expect("built in");
-    let sources = Sources { spec: spec_text, machine: spec::builtin_machine(name).expect("built in") };
-    let spec = spec::read(&Source::new("spec.toml", spec_text)).expect("valid").spec;
+    let section = if spec_text.contains("[machine]") { "" } else { "[machine]\n" };
+    let spec_text = format!("{spec_text}{section}profile = \"{name}\"\n");
+    let sources = Sources { spec: &spec_text, machine: spec::builtin_machine(name).expect("built in") };
+    let spec = spec::read(&Source::new("spec.toml", spec_text.as_str())).expect("valid").spec;
     build(&spec, &machine, sources, &Asked::only(kinds)).expect("a gripper")
 }
 

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::artifact::{Asked, Kind, outputs};
 use crate::design::Refusal;
-use crate::manifest::{MANIFEST, Manifest};
+use crate::manifest::{MANIFEST, Manifest, Tool};
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::spec;
 use crate::spec::{Faults, Machine, Reading, Source};
@@ -101,7 +101,7 @@ impl Claim {
             Ok(forecast) => forecast,
             Err(findings) => return Proof { findings, ..Proof::default() },
         };
-        let mut proof = prove_against(&forecast, files);
+        let mut proof = prove_claimed(&forecast, self.written.as_ref(), files);
         let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
         if let (Some(written), Some(spec), Some(machine)) =
             (self.written, text("spec.toml"), text("machine.toml"))
@@ -117,7 +117,7 @@ impl Claim {
     /// Proves `files` by reading alone, as [`Built::prove`] does.
     pub fn read_back(&self, files: &OutputFiles<'_>) -> Proof {
         match &self.forecast {
-            Ok(forecast) => prove_against(forecast, files),
+            Ok(forecast) => prove_claimed(forecast, self.written.as_ref(), files),
             Err(findings) => Proof { findings: findings.clone(), ..Proof::default() },
         }
     }
@@ -131,6 +131,25 @@ pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
 /// Proves an output directory by reading alone: see [`Claim::read_back`].
 pub fn read_back(files: &OutputFiles<'_>) -> Proof {
     Claim::of(files).read_back(files)
+}
+
+/// Proves `files` of a directory, whose profile also has to be what the spec calls it.
+fn prove_claimed(forecast: &Forecast, written: Option<&Manifest>, files: &OutputFiles<'_>) -> Proof {
+    let mut proof = prove_against(forecast, files);
+    if written.is_some_and(|written| written.tool == Tool::this()) {
+        proof.findings.extend(other_profile(forecast, files));
+    }
+    proof
+}
+
+/// The first difference from the profile that this version has under the name in the spec, if the directory's means something
+/// else. A profile of the user's own has no name here, and nothing to be compared with.
+fn other_profile(forecast: &Forecast, files: &OutputFiles<'_>) -> Option<Finding> {
+    let name = &forecast.spec.machine.profile;
+    let (own, text) = (Machine::builtin(name).ok()?, spec::builtin_machine(name)?);
+    let found = files.get("machine.toml")?;
+    let differs = own != forecast.machine;
+    differs.then(|| verify::first_difference(found, text.as_bytes()).in_file("machine.toml"))
 }
 
 fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {

@@ -54,7 +54,9 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
         return Some(cannot_chop(machine));
     }
     let (least, flat) = machine.motion.speed_range().unwrap_or((most, most));
-    // A ramp can be worse than every direction of the plane, where Z has few steps.
+    if flat <= speed * (1.0 + 1e-9) {
+        return Some(slow_ramps(spec, machine, most));
+    }
     let most = most.max(flat);
     let runs = if most - least < 0.005 { format!("{most:.2}") } else { format!("{least:.2} to {most:.2}") };
     let at = match machine.motion.steps_per_mm {
@@ -77,6 +79,29 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
             (most * (1.0 - 1e-9) * 100.0).ceil() / 100.0
         ),
     ))
+}
+
+/// Only the ramps are too slow for the controller, which are steeper than Z has steps for.
+fn slow_ramps(spec: &Spec, machine: &Machine, lowest: f64) -> Refusal {
+    let (speed, process, motion) = (spec.seal.speed.0, &machine.process, &machine.motion);
+    let rise = process.heights.travel.0 - process.heights.contact.0;
+    let steepness = process.ramp.0.hypot(rise) / rise;
+    let [_, _, z] = motion.steps_per_mm.unwrap_or_default();
+    let needed = motion.steps_needed(speed).map_or(z, |(along, _)| along * steepness);
+    Refusal::new(
+        key::seal::SPEED,
+        RefusalCode::FeedFloor,
+        format!(
+            "at {z} steps/mm of Z {} runs the ramps at {lowest:.2} mm/s instead of {speed}",
+            machine.controller.dialect.title()
+        ),
+        format!(
+            "write `feed_floor = \"chop\"` in [machine]; or `z_steps_per_mm` of at least {:.0} in the profile, if the \
+             machine has them; or a speed of at least {:.2} mm/s",
+            needed.ceil(),
+            (lowest * (1.0 - 1e-9) * 100.0).ceil() / 100.0
+        ),
+    )
 }
 
 /// Why there is no time for dwells: in strokes of half a band at most, each has to have one, of a step or two.

@@ -15,6 +15,7 @@ mod seal;
 mod stepper;
 mod time;
 mod trace;
+mod travel;
 mod whole_rates;
 
 pub use feedcheck::{CHECK_LENGTH, feed_checks};
@@ -27,3 +28,4 @@ pub use seal::seal_programs;
 pub use stepper::Stepper;
 pub use time::{Clock, Scope, height_of};
 pub use trace::trace_programs;
+pub use whole_rates::rounded_up;

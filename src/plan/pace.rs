@@ -11,6 +11,10 @@ use crate::geom::Segment;
 use crate::plan::Stepper;
 use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate};
 
+/// Strokes in a band, at least. Half a band then has six rests, or one more or less, so that the speed within it is right
+/// to 15 %; of ten strokes it was 16 %. The more there are, the larger a part of a stroke is a step of the motors.
+const STROKES: f64 = 12.0;
+
 /// How the seal's speed is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pace {
@@ -25,7 +29,7 @@ pub enum Pace {
 pub struct Chop {
     /// Speed of a stroke, mm/s.
     pub speed: f64,
-    /// Longest stroke, mm: a tenth of the band, or as much as it takes to have time left for a dwell.
+    /// Longest stroke, mm: a twelfth of the band, or as much as it takes to have time left for a dwell.
     pub longest: f64,
     /// Acceleration, mm/s^2.
     pub acceleration: f64,
@@ -86,7 +90,7 @@ impl Pace {
         };
         let chop = Chop {
             speed: chop,
-            longest: spec.seal.band.0 / 10.0,
+            longest: spec.seal.band.0 / STROKES,
             acceleration: acceleration.0,
             step: machine.controller.dwell.step.0,
             rest: spec.seal.band.0 / 10.0 / speed,
@@ -100,7 +104,7 @@ impl Pace {
 /// How the controller steps, if all is known that it takes.
 fn stepper(motion: &Motion) -> Option<Stepper> {
     let StepRate::AtLeast(rate) = motion.step_rate else { return None };
-    Some(Stepper { steps_per_mm: motion.steps_per_mm?, rate, tick: motion.tick?.0 })
+    Some(Stepper { steps_per_mm: motion.steps_per_mm?, rate, tick: motion.tick?.0, wraps: motion.wraps })
 }
 
 impl Chop {
@@ -109,8 +113,9 @@ impl Chop {
         self.start_delay + self.speed / self.acceleration + self.step
     }
 
-    /// The shortest stroke, mm, that leaves time for a dwell where the mean speed is to be `speed`; infinite if none does.
-    pub(super) fn least_stroke(&self, speed: f64) -> f64 {
+    /// The shortest stroke, mm, that leaves time for a dwell where the mean speed is to be `speed`, mm/s; infinite if none
+    /// does.
+    pub fn least_stroke(&self, speed: f64) -> f64 {
         let spared = 1.0 / speed - 1.0 / self.speed;
         if spared > 0.0 { self.cost() / spared } else { f64::INFINITY }
     }
@@ -207,7 +212,7 @@ mod tests {
         step: 0.05,
         rest: 2.0,
         start_delay: 0.0,
-        stepper: Some(Stepper { steps_per_mm: [80.0, 80.0, 400.0], rate: 30.52, tick: 0.01 }),
+        stepper: Some(Stepper { steps_per_mm: [80.0, 80.0, 400.0], rate: 30.52, tick: 0.01, wraps: false }),
     };
 
     fn strokes(piece: Segment, heights: Option<(f64, f64)>) -> Vec<Stroke> {

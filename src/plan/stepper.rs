@@ -18,6 +18,8 @@ pub struct Stepper {
     pub rate: f64,
     /// A tick: segments last whole multiples of it, s; 0 where every step has a rate of its own, in whole steps a second.
     pub tick: f64,
+    /// Whether long steps may come too early, as FluidNC's do ([`wrapped`]).
+    pub wraps: bool,
 }
 
 /// Steps that a segment makes at least, but for the last.
@@ -66,8 +68,8 @@ impl Stepper {
         std::array::from_fn(|i| (position[i] * self.steps_per_mm[i]).round())
     }
 
-    /// Time for so many steps of the three axes, s, from rest to rest, at `speed` mm/s with an acceleration of each axis
-    /// of `acceleration` mm/s^2.
+    /// Time for so many steps of the three axes, s, from rest to rest, at `speed` mm/s with an acceleration of `acceleration`
+    /// mm/s^2: of each axis, or along the way where every step has a rate of its own (Marlin, M204).
     pub fn seconds(&self, steps: [f64; 3], speed: f64, acceleration: f64) -> f64 {
         let way: [f64; 3] = std::array::from_fn(|i| (steps[i] / self.steps_per_mm[i]).abs());
         let length = way.iter().map(|d| d * d).sum::<f64>().sqrt();
@@ -75,11 +77,11 @@ impl Stepper {
         if most < 0.5 {
             return 0.0;
         }
+        if self.tick == 0.0 {
+            return WholeRates::new(most / length, speed, acceleration, self.rate).seconds(most);
+        }
         // Every axis speeds up at most so fast: together, at an angle, they are faster.
         let along = acceleration * length / way.iter().fold(0.0_f64, |most, d| most.max(*d));
-        if self.tick == 0.0 {
-            return WholeRates::new(most / length, speed, along, self.rate).seconds(most);
-        }
         let ideal = Trapezoid::new(length, speed, along);
         if ideal.total > LONG {
             return ideal.total;
@@ -97,7 +99,8 @@ impl Stepper {
             let ahead = if t < ideal.total { per_mm * (ideal.length - ideal.way(t)) } else { 0.0 };
             let after = (ahead - ROUNDING).ceil().max(0.0);
             let told = (counted + owed) / (left - ahead);
-            elapsed += (left - after) * told.min(1.0 / self.rate);
+            let step = if self.wraps { wrapped(told) } else { told };
+            elapsed += (left - after) * step.min(1.0 / self.rate);
             owed = (after - ahead) * told;
             left = after;
         }
@@ -131,12 +134,37 @@ impl Stepper {
     }
 }
 
+/// The time that FluidNC gives a step which should take `told`, s. It reckons how far to divide a step (by 8 at most) with
+/// a product of 32 bits, which wraps around at every multiple of 26.8 ms: a step that takes one of them to half a per cent
+/// is divided too little, and cut off at 16 bits of 20 MHz (repository bdring/FluidNC, Stepper.cpp, `timerTicks *
+/// amassFactor`).
+fn wrapped(told: f64) -> f64 {
+    const HZ: f64 = 20e6;
+    const WRAP: f64 = 4_294_967_296.0;
+    let (mut ticks, mut divided) = ((HZ * told).ceil(), 1.0);
+    while divided < 8.0 && (ticks * 8_000.0) % WRAP >= HZ {
+        (ticks, divided) = ((0.5 * ticks).floor(), 2.0 * divided);
+    }
+    ticks.min(65_535.0) * divided / HZ
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    #[test]
+    fn a_step_of_fluidnc_wraps_at_multiples_of_27_ms() {
+        let wrap = 4_294_967_296.0 / 8_000.0 / 20e6;
+        for (told, takes) in
+            [(0.01, 0.01), (0.03, 0.026_214), (1.001 * wrap, 0.003_277), (1.01 * wrap, 0.026_214)]
+        {
+            assert!((wrapped(told) - takes).abs() < 1e-6, "{told}: {}", wrapped(told));
+        }
+    }
+
     /// GRBL on an AVR at 80 steps/mm.
-    const GRBL: Stepper = Stepper { steps_per_mm: [80.0, 80.0, 400.0], rate: 30.52, tick: 0.01 };
+    const GRBL: Stepper =
+        Stepper { steps_per_mm: [80.0, 80.0, 400.0], rate: 30.52, tick: 0.01, wraps: false };
     /// 1.2 times its lowest speed, mm/s.
     const SPEED: f64 = 0.64741;
 

@@ -5,7 +5,8 @@
 
 use crate::geom::{Point, Segment};
 use crate::plan::lowest_feed::lowest_of;
-use crate::plan::{Height, Pace, Pacer, Program, Purpose, SeamReport, Step, move_time};
+use crate::plan::travel::Travel;
+use crate::plan::{Height, Pace, Pacer, Program, Purpose, SeamReport, Step};
 use crate::spec::{Machine, Process, Spec};
 
 /// Follows a program step by step, and knows how long it has taken.
@@ -14,6 +15,8 @@ pub struct Clock<'a> {
     machine: &'a Machine,
     at: Point,
     height: f64,
+    /// The travel that has just been made, if the iron may not have stopped after it.
+    last: Option<Travel>,
     /// Time so far, s.
     pub elapsed: f64,
 }
@@ -22,32 +25,35 @@ impl<'a> Clock<'a> {
     /// A clock at the beginning, with the iron where every program leaves it: parked above the sheet's corner.
     pub fn new(machine: &'a Machine) -> Self {
         let height = height_of(&machine.process, Height::Park);
-        Self { machine, at: Point::ORIGIN, height, elapsed: 0.0 }
+        Self { machine, at: Point::ORIGIN, height, last: None, elapsed: 0.0 }
     }
 
     /// Adds a move or wait that took `seconds` and ended at `to`.
     pub fn add(&mut self, to: Point, height: Option<f64>, seconds: f64) {
         self.at = to;
         self.height = height.unwrap_or(self.height);
+        self.last = None;
         self.elapsed += seconds;
     }
 
     /// Adds a travel in the plane.
     pub fn travel(&mut self, to: Point) {
-        let length = self.at.distance(to);
-        self.add(to, None, self.rapid(length));
+        self.go([to.x - self.at.x, to.y - self.at.y, 0.0]);
+        self.at = to;
     }
 
     /// Adds a move straight up or down.
     pub fn height(&mut self, level: Height) {
         let to = height_of(&self.machine.process, level);
-        self.elapsed += self.rapid((to - self.height).abs());
+        self.go([0.0, 0.0, to - self.height]);
         self.height = to;
     }
 
-    fn rapid(&self, length: f64) -> f64 {
-        let acceleration = self.machine.motion.acceleration.map(|a| a.0);
-        if length > 0.0 { move_time(length, self.machine.process.travel_speed.0, acceleration) } else { 0.0 }
+    fn go(&mut self, way: [f64; 3]) {
+        let Some(mut travel) = Travel::new(self.machine, way) else { return };
+        let spared = self.last.map_or(0.0, |last| travel.follows(&last));
+        self.elapsed += travel.seconds() - spared;
+        self.last = Some(travel);
     }
 }
 

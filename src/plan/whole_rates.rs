@@ -5,6 +5,20 @@
 //! MarlinFirmware/Marlin, module/planner.cpp, `_populate_block` and `calculate_trapezoid_for_block`; module/stepper.cpp,
 //! `block_phase_isr`).
 
+use crate::spec::Motion;
+
+/// By which part a steady contact at `speed` mm/s may be too fast, in the direction that is worst, because step rates are
+/// rounded up to whole ones; `None` where they are not, or the steps are not known.
+///
+/// The lowest rate r is that along the diagonal on which X and Y step equally often: it becomes the next whole rate n, and a
+/// rate a little above n becomes n + 1.
+pub fn rounded_up(motion: &Motion, speed: f64) -> Option<f64> {
+    let ([x, y, _], Some(0.0)) = (motion.steps_per_mm?, motion.tick.map(|tick| tick.0)) else { return None };
+    let rate = speed * x * y / x.hypot(y);
+    let whole = rate.ceil();
+    Some((whole / rate - 1.0).max(1.0 / whole))
+}
+
 /// Rates of a stroke, steps/s.
 pub(super) struct WholeRates {
     /// Where a ramp begins and ends.
@@ -24,7 +38,7 @@ impl WholeRates {
         Self {
             slow: (start * per_mm).round().max(least),
             even: (speed * per_mm - 1e-6).ceil().max(least),
-            acceleration: (acceleration * per_mm).floor(),
+            acceleration: (acceleration * per_mm).ceil(),
         }
     }
 
@@ -67,6 +81,26 @@ impl WholeRates {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// 800 steps/mm at 0.1 mm/s: 56.6 steps/s at 45 deg run as 57, and 57.1 in another direction as 58.
+    #[test]
+    fn the_worst_rounding_is_that_of_the_next_whole_rate() {
+        let motion = |steps: f64| Motion {
+            steps_per_mm: Some([steps; 3]),
+            tick: Some(crate::units::Duration(0.0)),
+            ..Motion::UNKNOWN
+        };
+        let worst = |steps: f64, speed: f64| rounded_up(&motion(steps), speed).expect("known");
+        assert!((worst(800.0, 0.1) - 1.0 / 57.0).abs() < 1e-12);
+        // 6.93 steps/s run as 7: 1 %; 7 and a little as 8: 14 %.
+        assert!((worst(98.0, 0.1) - 1.0 / 7.0).abs() < 1e-12);
+        assert_eq!(rounded_up(&Motion::UNKNOWN, 0.1), None);
+        // No direction is worse, and one comes near.
+        let reached =
+            (0..9000).map(|i| (f64::from(i) * 1e-2).to_radians().cos()).filter(|c| *c > 0.5_f64.sqrt());
+        let most = reached.map(|c| (80.0 * c).ceil() / (80.0 * c) - 1.0).fold(0.0, f64::max);
+        assert!(most <= worst(800.0, 0.1) && most > 0.99 * worst(800.0, 0.1), "{most}");
+    }
 
     /// 80 steps/mm at 45 deg: 0.68 mm/s are 38.5 steps/s, which run as 39.
     #[test]

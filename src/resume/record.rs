@@ -63,6 +63,7 @@ impl Record {
             chop_feed: Some(Speed(chop.speed)),
             start_delay: Duration(chop.start_delay),
             tick: chop.stepper.map(|stepper| Duration(stepper.tick)),
+            wraps: chop.stepper.is_some_and(|stepper| stepper.wraps),
             ..Motion::UNKNOWN
         }
     }
@@ -209,6 +210,7 @@ impl Header {
             steps_per_mm: [steps("x")?, steps("y")?, steps("z")?],
             rate: self.within("chop-ticks", "rate_Hz")?,
             tick: self.tick()?,
+            wraps: self.find("machine")?.word("dialect") == Some("fluidnc"),
         }))
     }
 }

@@ -106,13 +106,19 @@ impl Window {
     }
 
     /// The way down along the seam, as long as the ramp, that ends at `from`; then the rest of the move in which that lies, and the
-    /// line of that move.
-    pub(super) fn way_to(&self, from: f64, ramp: f64) -> Option<(Vec<Segment>, Vec<Segment>, usize)> {
+    /// line of that move. The rest is at least as long as `least`, if need be with the next move: the old lines begin from a stop.
+    pub(super) fn way_to(
+        &self,
+        from: f64,
+        ramp: f64,
+        least: f64,
+    ) -> Option<(Vec<Segment>, Vec<Segment>, usize)> {
         let track = Path::open(self.steps.iter().filter_map(|step| step.step.path).collect());
         let begins = self.begins();
         let down = track.part((from - ramp - begins).max(0.0), from - begins).segments;
         // A sliver left of a move is rounding: the next move is as good a beginning.
-        let within = self.contact().find(|step| step.along + step.flat() > from + 1e-6);
+        let beyond = |far: f64| self.contact().find(|step| step.along + step.flat() > far);
+        let within = beyond(from + least.max(1e-6)).or_else(|| beyond(from + 1e-6));
         let last = within.or_else(|| self.contact().last())?;
         let rest = within
             .map_or(Vec::new(), |step| track.part(from - begins, step.along + step.flat() - begins).segments);

@@ -24,6 +24,8 @@ pub struct Motion {
     /// The tick of a controller that steps as GRBL does; 0: rates are whole steps a second, as Marlin's; `None`: a move
     /// takes what its speed and acceleration say.
     pub tick: Option<Duration>,
+    /// Whether the timer of long steps wraps around, as FluidNC's does.
+    pub wraps: bool,
 }
 
 /// The lowest even step rate of a controller.
@@ -51,6 +53,7 @@ impl Motion {
         chop_feed: None,
         start_delay: Duration(0.0),
         tick: None,
+        wraps: false,
     };
 
     /// The lowest speed along a move with these displacements, mm/s; `None` if unknown.

@@ -25,7 +25,9 @@ impl Motors {
     /// What `dialect` may do where it goes steadily: Marlin rounds step rates up to whole steps a second, and every
     /// controller may stop at a corner.
     pub(crate) fn slack(self, dialect: &str, speed: f64) -> Slack {
-        let rounded = 2.0_f64.sqrt() / (speed * self.steps_per_mm);
+        let slowest = speed * self.steps_per_mm / 2.0_f64.sqrt();
+        let whole = slowest.ceil();
+        let rounded = (whole / slowest - 1.0).max(1.0 / whole);
         let fast = if dialect == "marlin" { rounded } else { 0.0 };
         Slack { fast, stop: speed * speed / self.acceleration }
     }
@@ -100,10 +102,10 @@ fn sweep(dialect: &str, motors: Motors) -> Sweep {
     let (corner, dwell) = match dialect {
         // toolhead.py, square_corner_velocity.
         "klipper" => (Corner::Square(5.0), 1e-3),
-        // No one knows; as little look-ahead as that.
-        "generic" => (Corner::Square(5.0), 1.0),
-        // Config/Configuration.h: M566 of X and Y.
-        "reprapfirmware" => (Corner::Jerk(15.0), 1e-3),
+        // Config/Configuration.h: M566 of X and Y, and of Z.
+        "reprapfirmware" => (Corner::Jerk([15.0, 15.0, 10.0]), 1e-3),
+        // No one knows; it passes bends as GRBL does.
+        "generic" => (Corner::Deviation(0.01), 1.0),
         _ => (Corner::Stop, 1.0),
     };
     Sweep { acceleration: motors.acceleration, speed: [TRAVEL; 3], corner, dwell }

@@ -5,15 +5,14 @@ use crate::track::Track;
 
 /// How far the mean speed of a stretch may be off.
 pub(crate) const MEAN: f64 = 0.002;
-/// How far the total time may be off; and in any case, s: travels that meet at a bend need not stop there.
+/// How far the total time may be off.
 pub(crate) const TOTAL: f64 = 0.005;
-const TRAVELS: f64 = 5.0;
-/// How far the speed within a window may be off, steady and chopped: five strokes have five rests, or six.
+/// How far the speed within a window may be off, steady and chopped: six strokes have six rests, or one more or less.
 const STEADY: f64 = 0.01;
-const CHOPPED: f64 = 0.21;
-/// A window, mm; and how many strokes it has at least.
+const CHOPPED: f64 = 0.15;
+/// A window, mm; and how many strokes it has at least, where a fast seal needs long ones.
 const WINDOW: f64 = 1.0;
-const STROKES: f64 = 5.0;
+const STROKES: f64 = 6.0;
 
 /// The largest deviations of a program, as parts of what is asked.
 #[derive(Clone, Copy, Debug, Default)]
@@ -56,8 +55,7 @@ pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, slack: Slack) -
     }
     if let Some(total) = text.fact("total.time_s") {
         most.total = track.now / total - 1.0;
-        let total_slack = TOTAL.max(TRAVELS / total);
-        if !(-total_slack - fast..=total_slack).contains(&most.total) {
+        if !(-TOTAL - fast..=TOTAL).contains(&most.total) {
             complaints.push(format!("total {:.0} s, told {total} s", track.now));
         }
     }

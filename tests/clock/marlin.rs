@@ -16,7 +16,7 @@ const JUNCTION_DEVIATION: f64 = 0.013;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Marlin {
     pub(crate) steps_per_mm: [f64; 3],
-    /// Of each axis, mm/s^2.
+    /// Along the way, mm/s^2.
     pub(crate) acceleration: f64,
     /// Of each axis, mm/s.
     pub(crate) speed: [f64; 3],
@@ -90,9 +90,8 @@ impl Marlin {
             nominal_rate = (nominal_rate * factor).floor();
         }
         let nominal = told * factor;
-        // LIMIT_ACCEL: what no axis exceeds.
-        let most = (0..3).map(|i| self.acceleration / unit[i].abs()).fold(f64::INFINITY, f64::min);
-        let acceleration = (most * steps_per_mm).floor() / steps_per_mm;
+        // M204, along the way; LIMIT_ACCEL, what no axis exceeds, is no less where M201 says as much.
+        let acceleration = (self.acceleration * steps_per_mm).ceil() / steps_per_mm;
         let least = (0.5 * acceleration / steps_per_mm).min(nominal * nominal);
         let entry = before.map_or(least, |before| {
             let bend = Self::bend(before.unit, unit, acceleration);

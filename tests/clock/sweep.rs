@@ -10,10 +10,12 @@ use crate::track::Track;
 pub(crate) enum Corner {
     /// A stop at every bend.
     Stop,
+    /// GRBL's junction deviation, mm.
+    Deviation(f64),
     /// Klipper's square corner velocity, mm/s.
     Square(f64),
-    /// A change of the speed of each axis, mm/s (M566).
-    Jerk(f64),
+    /// Changes of the speed of the axes, mm/s (M566).
+    Jerk([f64; 3]),
 }
 
 /// Settings of such a controller.
@@ -94,10 +96,10 @@ impl Sweep {
                 if goes_on { f64::INFINITY } else { 0.0 }
             }
             Corner::Jerk(jerk) => {
-                let turn = (0..3).map(|i| (plan.unit[i] - before.unit[i]).abs()).fold(0.0, f64::max);
-                if turn == 0.0 { f64::INFINITY } else { (jerk / turn).powi(2) }
+                let turns = (0..3).map(|i| (jerk[i] / (plan.unit[i] - before.unit[i]).abs()).powi(2));
+                turns.fold(f64::INFINITY, f64::min)
             }
-            Corner::Square(square) => {
+            Corner::Square(_) | Corner::Deviation(_) => {
                 // Move.calc_junction.
                 let cos = -(0..3).map(|i| plan.unit[i] * before.unit[i]).sum::<f64>();
                 let (sin_half, cos_half) =
@@ -105,7 +107,11 @@ impl Sweep {
                 if sin_half >= 1.0 || cos_half <= 0.0 {
                     return f64::INFINITY;
                 }
-                let deviation = square * square * (2.0_f64.sqrt() - 1.0) / self.acceleration;
+                let deviation = match self.corner {
+                    Corner::Square(square) => square * square * (2.0_f64.sqrt() - 1.0) / self.acceleration,
+                    Corner::Deviation(deviation) => deviation,
+                    _ => 0.0,
+                };
                 let bend = sin_half / (1.0 - sin_half) * deviation * self.acceleration;
                 let shorter = plan.leg.length().min(before.leg.length());
                 bend.min(0.5 * shorter * self.acceleration * sin_half / cos_half)

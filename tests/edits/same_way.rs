@@ -3,28 +3,49 @@
 /// A place on a program's way: X, Y, Z, feed.
 type Place = [f64; 4];
 
-/// The same lines that are no cuts, and between them the same way at the same feed: places at equal distances along it lie no
-/// farther apart than 0.002 mm, whatever the moves it is made of.
+/// By how much a wait may be late, s: in so long the iron does 0.002 mm at the seal's 0.1 mm/s.
+const LATE: f64 = 0.02;
+
+/// The same lines that are no cuts, blanks between their words apart, and between them the same way at the same feed: places at
+/// equal distances along it lie no farther apart than 0.002 mm, whatever the moves it is made of. Waits may differ if their
+/// sum does nowhere by more than [`LATE`].
 pub(crate) fn same_way(a: &str, b: &str) -> bool {
     let (a, b) = (ways(a), ways(b));
+    let mut late = 0.0_f64;
+    let mut same_waits = |said: &str, also: &str| {
+        let (Some(said), Some(also)) = (wait(said), wait(also)) else { return false };
+        late += also - said;
+        late.abs() <= LATE
+    };
     let near = |a: &Place, b: &Place| (0..4).all(|k| (a[k] - b[k]).abs() <= 0.002);
     a.len() == b.len()
         && a.iter().zip(&b).all(|((said, one), (also, other))| {
             let (one, other) = (at_equal_distances(one), at_equal_distances(other));
-            same_words(said, also)
+            (same_words(said, also) || same_waits(said, also))
                 && one.len() == other.len()
                 && one.iter().zip(&other).all(|(a, b)| near(a, b))
         })
 }
 
-/// The same words; in a comment also the same figures, such as 5 and 5.0.
+/// How long a line waits, s: milliseconds have no point, and no wait takes a minute.
+fn wait(line: &str) -> Option<f64> {
+    let told = line.strip_prefix("G4")?.trim_start().strip_prefix('P')?;
+    let time: f64 = told.parse().ok()?;
+    Some(if told.contains('.') || time < 10.0 { time } else { 1e-3 * time })
+}
+
+/// The same words, in a line of code with or without blanks between them; in a comment also the same figures, such as 5 and 5.0.
 fn same_words(a: &str, b: &str) -> bool {
     let figure = |word: &str| -> Option<(String, f64)> {
         let (name, value) = word.split_once('=')?;
         Some((name.to_owned(), value.parse().ok()?))
     };
     let same = |a: &str, b: &str| a == b || figure(a).is_some_and(|a| figure(b) == Some(a));
+    let code =
+        |line: &str| line.starts_with(['G', 'M']) && line[1..].starts_with(|c: char| c.is_ascii_digit());
+    let bare = |line: &str| line.replace(' ', "");
     a == b
+        || code(a) && bare(a) == bare(b)
         || a.starts_with([';', '('])
             && a.split(' ').count() == b.split(' ').count()
             && a.split(' ').zip(b.split(' ')).all(|(a, b)| same(a, b))

@@ -42,9 +42,15 @@ fn profile(name: &str) -> &'static str {
     builtin_machine(name).expect("built in")
 }
 
+/// A build for any machine, of a spec that calls its profile a file of the user's own.
 fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Refusals> {
-    let sources = Sources { spec: spec_text, machine: machine_text };
-    build(&spec(spec_text), &machine(machine_text), sources, &Asked::default())
+    let own = "[machine]\nprofile = \"own.toml\"\n";
+    let spec_text = match spec_text.split_once("[machine]\n") {
+        Some((before, after)) => format!("{before}{own}{after}"),
+        None => format!("{spec_text}{own}"),
+    };
+    let sources = Sources { spec: &spec_text, machine: machine_text };
+    build(&spec(&spec_text), &machine(machine_text), sources, &Asked::default())
 }
 
 fn built(spec_text: &str, machine_text: &str) -> Built {

@@ -1,5 +1,6 @@
 //! The profile's own lines and the first words: what stands in them is proven as every other line is.
 
+use stargrip_cam::pipeline::{Sources, build};
 use stargrip_cam::spec::{Source, read_machine};
 use stargrip_cam::verify::Finding;
 
@@ -279,4 +280,27 @@ fn a_profile_with_a_dangerous_line_is_refused_at_its_line() {
         let line = 1 + good.lines().position(|line| line.contains(old)).expect("a line");
         assert!(told.contains(&format!("mine:{line}:")) && told.contains("must not"), "{told}");
     }
+}
+
+/// What the spec calls by a name that comes with the program is that profile, whatever of it the files depend on.
+#[test]
+fn a_profile_is_the_one_that_the_spec_names() {
+    let name =
+        |profile: &str| spec_text(&format!("[machine]\nfeed_floor = \"chop\"\nprofile = \"{profile}\"\n"));
+    let grbl = profile("grbl");
+    let build_of = |text: &str| {
+        let sources = Sources { spec: text, machine: grbl };
+        build(&crate::spec(text), &crate::machine(grbl), sources, &[]).expect("a gripper")
+    };
+    let (named, own) = (build_of(&name("grbl")), build_of(&name("mine.toml")));
+    let without = |key: &str| -> String {
+        grbl.lines().filter(|line| !line.starts_with(key)).map(|line| format!("{line}\n")).collect()
+    };
+    let line = grbl.lines().position(|line| line.starts_with("min_feed")).map(|line| line + 1);
+    let found = findings_with(&named, "machine.toml", &without("min_feed"));
+    assert_eq!(found.len(), 1, "{found:?}");
+    assert_eq!((found[0].code, found[0].file.as_str(), found[0].line), ("differs", "machine.toml", line));
+    assert_eq!(findings_with(&own, "machine.toml", &without("min_feed")), []);
+    assert_eq!(findings_with(&named, "machine.toml", &without("# ")), []);
+    assert_eq!(findings_with(&named, "machine.toml", grbl), []);
 }

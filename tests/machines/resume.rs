@@ -113,11 +113,15 @@ fn at_every_move_of_a_job() {
     }
 }
 
-/// Any line, comments and waits too: `RESUMES=500` tries so many of every dialect's job (docs/resume.md).
+/// Any line, comments and waits too: `RESUMES=500` tries so many of every dialect's job, `DIALECTS=grbl,marlin` those of some
+/// (docs/resume.md).
 #[test]
 fn at_many_lines_of_chopped_jobs_and_in_every_dialect() {
     let count = env::var("RESUMES").ok().and_then(|count| count.parse().ok()).unwrap_or(23);
-    for name in PROFILES {
+    let chosen = env::var("DIALECTS").ok();
+    let is_chosen =
+        |name: &&str| chosen.as_ref().is_none_or(|chosen| chosen.split(',').any(|one| one == *name));
+    for name in PROFILES.into_iter().filter(is_chosen) {
         let job = job(name);
         let original = moves(name, &job);
         let lines = job.lines().count();
@@ -129,6 +133,22 @@ fn at_many_lines_of_chopped_jobs_and_in_every_dialect() {
         let dwells = job.lines().filter(|line| line.starts_with("G4")).count();
         let arcs = job.lines().filter(|line| line.starts_with("G2 ") || line.starts_with("G3 ")).count();
         println!("{name}: {} of {lines} lines, {dwells} waits, {arcs} arcs", tried.len());
+    }
+}
+
+/// The way back may end a hair before the end of a stroke: the controller would run on from there into the first old
+/// stroke, which is timed from a stop.
+#[test]
+fn a_sliver_of_a_stroke_is_taken_up_with_the_next() {
+    for name in ["grbl", "marlin"] {
+        let job = job(name);
+        let run = &contacts(&moves(name, &job))[1].1;
+        for (i, sliver) in [(200, 1e-4), (303, 1e-3), (404, 3e-3), (555, 6e-3), (600, 0.02)] {
+            let overlap = length(&run[i - 20..i]) + sliver;
+            let resumed = resume(&job, ResumeAt::Line(run[i].line), Some(overlap));
+            let resumed = resumed.unwrap_or_else(|fault| panic!("{name} {i} {sliver}: {fault}"));
+            assert!((resumed.overlap - overlap).abs() < 1e-6, "{name} {i}: {}", resumed.overlap);
+        }
     }
 }
 

@@ -50,6 +50,7 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         chop_feed: known(s, "chop_feed", Allowed::closed(1e-3, 1e3)),
         start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
         tick: known(s, "tick", Allowed::closed(0.0, 0.1)),
+        wraps: dialect == Dialect::FluidNc,
     }
 }
 

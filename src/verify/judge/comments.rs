@@ -68,7 +68,11 @@ impl<'a> Comments<'a> {
             coded: false,
             moved: 0,
             chopped: false,
-            clock: Clock::new(rules, program.expected.spec.accuracy.path.0),
+            clock: Clock::new(
+                rules,
+                program.expected.machine.controller.dialect,
+                program.expected.spec.accuracy.path.0,
+            ),
             told: Told::new(program.expected.machine),
         }
     }

@@ -11,15 +11,33 @@ use crate::verify::{FindingCode, Findings};
 /// Longest way, seen from above, between two places at which progress is said, mm: that of a move which is not chopped.
 const PIECE: f64 = 5.0;
 
+/// Whether the travel speed and the acceleration are those of each axis, and the speed at which a level way may pass into an
+/// upright one, mm/s.
+type Habits = (bool, bool, f64);
+
+/// What G0 does: with an F of its own that is the speed along the way. GRBL, LinuxCNC and RepRapFirmware know an acceleration
+/// for each axis, Klipper and Marlin (M204) one for all of a way. Of Klipper's `square_corner_velocity` and RepRapFirmware's
+/// M566 Z the default is taken; the others all but stop.
+fn habits(dialect: spec::Dialect) -> Habits {
+    match dialect {
+        spec::Dialect::Klipper => (false, false, 5.0),
+        spec::Dialect::Marlin => (false, false, 0.0),
+        spec::Dialect::RepRapFirmware => (false, true, 10.0),
+        _ => (true, true, 0.0),
+    }
+}
+
 /// How far the job is.
 pub(super) struct Clock<'a> {
     rules: &'a IronRules<'a>,
+    habits: Habits,
     /// Time so far, s; after the last move the whole time.
     pub(super) seconds: f64,
     /// Contacts so far, each of which is off its schedule by a dwell's step at the most.
     contacts: u32,
     low: bool,
-    /// Whether a move was seen.
+    /// The travel before this move, with its speed at its beginning; whether a move was seen.
+    before: Option<([f64; 3], f64)>,
     begun: bool,
     /// Largest deviation of the path, mm, and what the arcs may be longer than the straight moves made of them, mm.
     tolerance: f64,
@@ -27,8 +45,18 @@ pub(super) struct Clock<'a> {
 }
 
 impl<'a> Clock<'a> {
-    pub(super) fn new(rules: &'a IronRules<'a>, tolerance: f64) -> Self {
-        Self { rules, seconds: 0.0, contacts: 0, low: false, begun: false, tolerance, shortened: 0.0 }
+    pub(super) fn new(rules: &'a IronRules<'a>, dialect: spec::Dialect, tolerance: f64) -> Self {
+        Self {
+            rules,
+            habits: habits(dialect),
+            seconds: 0.0,
+            contacts: 0,
+            low: false,
+            before: None,
+            begun: false,
+            tolerance,
+            shortened: 0.0,
+        }
     }
 
     /// Contact is on its schedule, which the pace is judged by; a travel takes its length and speeds up and brakes.
@@ -37,7 +65,7 @@ impl<'a> Clock<'a> {
         let length = step.length();
         if !std::mem::replace(&mut self.begun, true) {
             // The first way to somewhere is from X0 Y0, where every program ends.
-            self.seconds += self.travel(step.from.x.hypot(step.from.y));
+            self.seconds += self.travel([step.from.x, step.from.y, 0.0]);
         }
         let low = rules.phase(step) != Phase::Clear;
         self.contacts += u32::from(low && !self.low);
@@ -47,22 +75,61 @@ impl<'a> Clock<'a> {
             // what has a quarter of the tolerance.
             self.shortened += (self.tolerance * self.tolerance / (6.0 * length)).min(0.11 * length);
         }
+        let way = [step.to.x - step.from.x, step.to.y - step.from.y, step.to.z - step.from.z];
+        let travel = if step.kind == MoveKind::Rapid { self.travel(way) } else { 0.0 };
+        if step.kind != MoveKind::Rapid {
+            self.before = None;
+        }
         self.seconds += match step.kind {
-            MoveKind::Rapid => self.travel(length),
+            MoveKind::Rapid => travel,
             _ if low => length / rules.seal.speed.0,
             MoveKind::Feed => step.feed.map_or(0.0, |feed| length / feed * 60.0),
         };
     }
 
-    /// Time of a travel, from rest to rest, s.
-    fn travel(&self, length: f64) -> f64 {
-        let speed = self.rules.process.travel_speed.0;
-        match self.rules.motion.acceleration {
-            _ if length <= 0.0 => 0.0,
-            // Too short to reach its speed: half the way is for speeding up.
-            Some(a) if length < speed * speed / a.0 => 2.0 * (length / a.0).sqrt(),
-            a => length / speed + a.map_or(0.0, |a| speed / a.0),
+    /// Time of a travel to rest, s, less what the one before it gains if it need not stop where the two meet.
+    fn travel(&mut self, way: [f64; 3]) -> f64 {
+        let [level, upright] = [way[0].hypot(way[1]), way[2].abs()];
+        if level.hypot(upright) <= 0.0 {
+            return 0.0;
         }
+        let mut gained = 0.0;
+        let mut entry = 0.0;
+        if let Some((before, begun)) =
+            self.before.filter(|(before, _)| (before[2] == 0.0) != (upright == 0.0))
+        {
+            let reach = |way| {
+                let (length, speed, a) = self.limits(way);
+                a.map_or(speed, |a| speed.min((2.0 * a * length).sqrt()))
+            };
+            entry = f64::min(self.habits.2, reach(before)).min(reach(way));
+            gained = self.ramped(before, begun, 0.0) - self.ramped(before, begun, entry);
+        }
+        self.before = Some((way, entry));
+        self.ramped(way, entry, 0.0) - gained
+    }
+
+    /// Length, mm, highest speed, mm/s, and acceleration, mm/s^2, of a travel: where an axis is what is limited, an oblique
+    /// way is faster.
+    fn limits(&self, way: [f64; 3]) -> (f64, f64, Option<f64>) {
+        let length = way[0].hypot(way[1]).hypot(way[2]);
+        let oblique = length / way.into_iter().map(f64::abs).fold(0.0, f64::max);
+        let faster = |of_axes: bool| if of_axes { oblique } else { 1.0 };
+        let (speed_of_axes, ramp_of_axes, _) = self.habits;
+        let a = self.rules.motion.acceleration.map(|a| a.0 * faster(ramp_of_axes));
+        (length, self.rules.process.travel_speed.0 * faster(speed_of_axes), a)
+    }
+
+    /// Time of a travel that begins and ends at these speeds, s.
+    fn ramped(&self, way: [f64; 3], from: f64, to: f64) -> f64 {
+        let (length, speed, Some(a)) = self.limits(way) else {
+            let (length, speed, _) = self.limits(way);
+            return length / speed;
+        };
+        let far = length + (from.powi(2) + to.powi(2)) / (2.0 * a);
+        // Speeding up from rest and braking to rest, less what lies before the one and after the other.
+        let whole = if far < speed * speed / a { 2.0 * (far / a).sqrt() } else { far / speed + speed / a };
+        whole - (from + to) / a
     }
 
     /// Longest time between two places at which progress is said, s: on a ramp the way is longer.

@@ -37,13 +37,14 @@ impl Run {
                 if steps < 1.0 {
                     return wait;
                 }
+                if tick.0 == 0.0 {
+                    return wait + whole_rates(steps, length, speed, a, rate);
+                }
                 // Every axis has this acceleration: along a diagonal they have more.
                 let share = mm.into_iter().fold(0.0, f64::max) / length;
-                if tick.0 == 0.0 {
-                    return wait + whole_rates(steps, length, speed, a / share, rate);
-                }
                 let way = ramps(length, a / share);
-                wait + if way.time < 20.0 { way.ticked(steps, tick.0, 1.0 / rate) } else { way.time }
+                let interval = |told: f64| if motion.wraps { early(told) } else { told }.min(1.0 / rate);
+                wait + if way.time < 20.0 { way.ticked(steps, tick.0, interval) } else { way.time }
             }
             _ => wait + ramps(self.length, a).time,
         }
@@ -62,7 +63,7 @@ fn whole_rates(steps: f64, length: f64, speed: f64, acceleration: f64, least: f6
     let scale = steps / length;
     let even = (speed * scale - 1e-6).ceil().max(least);
     let slow = (speed.min((acceleration / scale / 2.0).sqrt()) * scale).round().max(least);
-    let gain = (acceleration * scale).floor();
+    let gain = (acceleration * scale).ceil();
     let ramp = ((even.powi(2) - slow.powi(2)) / gain / 2.0).ceil().max(0.0);
     if steps > 1e4 {
         return steps / even;
@@ -85,6 +86,19 @@ fn whole_rates(steps: f64, length: f64, speed: f64, acceleration: f64, least: f6
         made += 1.0;
     }
     total
+}
+
+/// How long FluidNC makes a step that is told as so long, s (repository bdring/FluidNC, Stepper.cpp): cycles of 20 MHz are
+/// halved, up to three times, until 8,000 of them, in 32 bits, are below 20 million; 16 bits of them are counted.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a step takes a day at most")]
+fn early(told: f64) -> f64 {
+    let mut cycles = (told * 2e7).ceil() as u64;
+    let mut halvings = 0;
+    while halvings < 3 && (cycles * 8000) & 0xffff_ffff >= 20_000_000 {
+        cycles /= 2;
+        halvings += 1;
+    }
+    f64::from(1 << halvings) * f64::from(cycles.min(0xffff) as u32) / 2e7
 }
 
 /// Speeding up, going on, braking.
@@ -114,8 +128,8 @@ impl Ramps {
         if turned { 1.0 - way / self.length } else { way / self.length }
     }
 
-    /// Time for `steps` whole steps along it, s, no step longer than `longest`.
-    fn ticked(&self, steps: f64, tick: f64, longest: f64) -> f64 {
+    /// Time for `steps` whole steps along it, s, a step that is told taking `interval` of that.
+    fn ticked(&self, steps: f64, tick: f64, interval: impl Fn(f64) -> f64) -> f64 {
         let (mut spent, mut made) = (0.0_f64, 0.0_f64);
         // Where the last stretch ended: time, steps and parts of a step, and time that is kept for the step begun there.
         let (mut cut, mut reached, mut kept) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -124,10 +138,10 @@ impl Ramps {
             // The last of the way takes long, and is nothing: a stretch that ends in it has done all.
             let over = now >= self.time || self.done(now) > 1.0 - 1e-9;
             let here = if over { steps } else { steps * self.done(now) };
-            let interval = (counted + kept) / (here - made);
+            let told = (counted + kept) / (here - made);
             let whole = if over { steps } else { (here + 1e-9).floor() };
-            spent += (whole - made) * interval.min(longest);
-            kept = (here - whole) * interval;
+            spent += (whole - made) * interval(told);
+            kept = (here - whole) * told;
             (cut, reached, made) = (now, here, whole);
         }
         spent
@@ -167,7 +181,7 @@ mod tests {
             let length = f64::from(i) * 1e-3;
             for (speed, a) in [(0.5, 10.0), (20.0, 10.0), (5.0, 500.0)] {
                 let steps = (length * 400.0).round().max(1.0);
-                let found = Ramps::new(length, speed, a).ticked(steps, 0.01, 1.0);
+                let found = Ramps::new(length, speed, a).ticked(steps, 0.01, |told| told.min(1.0));
                 assert!(found.is_finite() && found > 0.0, "{length} {speed} {a}: {found}");
             }
         }

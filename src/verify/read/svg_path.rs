@@ -33,7 +33,15 @@ fn draw(scan: &mut Scan<'_>, pen: &mut SvgPen) -> Result<(), Fault> {
                 'H' => pen.line(Point::new(scan.number()?, pen.here.y))?,
                 'V' => pen.line(Point::new(pen.here.x, scan.number()?))?,
                 'A' => {
-                    let (rx, ry, _) = (scan.number()?, scan.number()?, scan.number()?);
+                    let (rx, ry, turned) = (scan.number()?, scan.number()?, scan.number()?);
+                    if turned != 0.0 {
+                        let found = format!("an arc turned by {turned} deg");
+                        return Err((
+                            FindingCode::BadArc,
+                            found,
+                            "0, as a circle needs no turning".to_owned(),
+                        ));
+                    }
                     let (large, sweep) = (scan.flag()?, scan.flag()?);
                     pen.arc(rx, ry, large, sweep, Point::new(scan.number()?, scan.number()?))?;
                 }

@@ -27,7 +27,8 @@ pub fn compare_bytes(made: &OutputFiles<'_>, found: &OutputFiles<'_>, proof: &mu
     }
 }
 
-fn first_difference(found: &[u8], right: &[u8]) -> Finding {
+/// Where `found` first differs from what is `right`.
+pub fn first_difference(found: &[u8], right: &[u8]) -> Finding {
     let at = found.iter().zip(right).take_while(|(a, b)| a == b).count();
     let line_of = |bytes: &[u8]| {
         let start = bytes[..at].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);

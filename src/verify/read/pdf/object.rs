@@ -231,6 +231,7 @@ impl<'a> Scan<'a> {
     }
 }
 
+/// White space of the standard but NUL, which no one writes into a text and not every reader passes over.
 fn is_blank(byte: u8) -> bool {
-    matches!(byte, 0 | b'\t' | b'\n' | b'\x0c' | b'\r' | b' ')
+    matches!(byte, b'\t' | b'\n' | b'\x0c' | b'\r' | b' ')
 }
