@@ -46,15 +46,19 @@ impl Assembly {
         row
     }
 
-    /// For each unknown the flat area that its point stands for; 0 for a director.
-    pub fn lumped_areas(&self) -> Vec<f64> {
-        let mut areas = vec![0.0; self.numbering.count];
-        for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
+    /// For each unknown a spring: the geometric mean of the flat area that its point stands for and of a mean point's; 0 for a
+    /// director. By area alone the smallest triangles, which bending makes the stiffest, would have next to nothing.
+    pub fn springs(&self) -> Vec<f64> {
+        let mut springs = vec![0.0; self.numbering.count];
+        let areas = &self.sheet.areas;
+        #[expect(clippy::cast_precision_loss, reason = "a mesh has far fewer than 2^53 points")]
+        let mean = areas.iter().sum::<f64>() / areas.len() as f64;
+        for (numbers, area) in self.numbering.points.iter().zip(areas) {
             for number in numbers.iter().filter(|number| **number != NONE) {
-                areas[*number as usize] = *area;
+                springs[*number as usize] = (area * mean).sqrt();
             }
         }
-        areas
+        springs
     }
 
     /// Flat area of each point, 0 for those that are held in the plane `wall`.

@@ -68,11 +68,7 @@ impl Family<'_> {
             if cut > 0 {
                 meshed = meshed.refined()?;
                 let mut finer = self.solver(&meshed, watch)?;
-                rung = match self.carry(&mut solver, &mut finer, &rung.state) {
-                    Ok(rung) => rung,
-                    Err(Stop::Cancelled) => return Err(ShellFault::Cancelled),
-                    Err(_) => self.climb(&mut finer, watch)?,
-                };
+                rung = self.carry(&mut solver, &mut finer, &rung, watch)?;
                 solver = finer;
             }
             evidence.unknowns.push(solver.assembly.unknowns());
@@ -107,28 +103,54 @@ impl Family<'_> {
         let told = |rung: &Rung| {
             watch.tell(part(self.cuts) * (rung.pressure / ladder.first).ln() / all, "from flat");
         };
-        ladder.climb(solver, told).map_err(|Broken { pressure, why, last }| {
-            if why == Stop::Cancelled {
-                return ShellFault::Cancelled;
-            }
-            ShellFault::Stopped {
-                why,
-                at: pressure / ladder.first,
-                last: last.map_or(0.0, |rung| rung.pressure / ladder.first),
-                triangles: solver.triangles(),
-            }
-        })
+        ladder.climb(solver, told).map_err(|broken| self.broken(broken, solver.triangles()))
     }
 
-    fn carry(&self, coarse: &mut Solver, fine: &mut Solver, state: &State) -> Result<Rung, Stop> {
+    fn broken(&self, Broken { pressure, why, last }: Broken, triangles: usize) -> ShellFault {
+        if why == Stop::Cancelled {
+            return ShellFault::Cancelled;
+        }
+        let first = self.tube.ladder().first;
+        let last = last.map_or(0.0, |rung| rung.pressure / first);
+        ShellFault::Stopped { why, at: pressure / first, last, triangles }
+    }
+
+    /// The equilibrium of `fine` that begins from that of `coarse`. Where the coarse shape at full pressure is too rough a start,
+    /// `coarse` is let down step by step until its shape does, and `fine` climbs from there; from flat at last.
+    fn carry(
+        &self,
+        coarse: &mut Solver,
+        fine: &mut Solver,
+        rung: &Rung,
+        watch: &Watch,
+    ) -> Result<Rung, ShellFault> {
         let ladder = self.tube.ladder();
-        let finer: &Assembly = &fine.assembly;
-        let mut state = coarse.assembly.prolong(state, &finer.sheet);
-        finer.hold(&mut state);
-        let rest = fine.rest(&mut state, ladder.aim(ladder.last))?;
-        Ok(Rung { pressure: ladder.last, state, rest })
+        let (mut lower, mut pressure) = (rung.state.clone(), ladder.last);
+        for _ in 0..MOST_LET_DOWN {
+            let finer: &Assembly = &fine.assembly;
+            let mut state = coarse.assembly.prolong(&lower, &finer.sheet);
+            finer.hold(&mut state);
+            match fine.rest(&mut state, ladder.aim(pressure)) {
+                Ok(_) => {
+                    let triangles = fine.triangles();
+                    let climbed = ladder.climb_from(fine, state, pressure, |_| {});
+                    return climbed.map_err(|broken| self.broken(broken, triangles));
+                }
+                Err(Stop::Cancelled) => return Err(ShellFault::Cancelled),
+                Err(_) => {}
+            }
+            pressure /= LET_DOWN;
+            if coarse.rest(&mut lower, ladder.aim(pressure)).is_err() {
+                break;
+            }
+        }
+        self.climb(fine, watch)
     }
 }
+
+/// How often a coarse sheet is let down to begin a finer one, and the factor of pressure each time.
+const MOST_LET_DOWN: usize = 4;
+const LET_DOWN: f64 = 2.0;
 
 /// The part of the work that is done when `left` finer meshes are left: each costs about four times the one before.
 fn part(left: usize) -> f64 {

@@ -55,7 +55,7 @@ fn the_moment_is_the_energy_s_slope() {
 #[test]
 fn an_actuator_coils_and_its_stiffness_is_the_moment_s_slope() {
     let case = v_actuator();
-    let fineness = Fineness { cells: 3.0, cuts: 2 };
+    let fineness = Fineness { cells: 4.0, cuts: 2 };
     let found = actuator(&case, &[], fineness, &Watch::default()).expect("an equilibrium");
     assert!((1.05..1.4).contains(&found.coiling.value), "{found:?}");
     assert!(found.volume.error < 0.03 * found.volume.value, "{:?}", found.volume);

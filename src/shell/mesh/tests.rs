@@ -164,7 +164,7 @@ fn triangles_are_as_small_as_asked() -> Result<(), MeshFault> {
             .collect();
         lengths.iter().sum::<f64>() / lengths.iter().map(|_| 1.0).sum::<f64>()
     };
-    let (inner, hinge, arm) = (mean(&|d| d < 2.6), mean(&|d| d > 10.0 && d < 22.0), mean(&|d| d > 55.0));
+    let (inner, hinge, arm) = (mean(&|d| d < 2.6), mean(&|d| d > 5.0 && d < 11.0), mean(&|d| d > 55.0));
     assert!(inner > 0.4 && inner < 0.8, "{inner}");
     assert!(hinge > 1.3 && hinge < 1.7, "{hinge}");
     assert!(arm > 3.5 && arm < 4.5, "{arm}");
@@ -259,8 +259,8 @@ fn any_order_will_not_do() -> Result<(), MeshFault> {
 #[test]
 fn dissection_keeps_the_factor_sparse() -> Result<(), MeshFault> {
     let actuator =
-        HalfActuator { r: 2.0, w: 20.0, l: 80.0, phi_0: PI / 3.0 }.mesh(&Sizes::across(20.0, 12.0))?;
-    for meshed in [actuator.refined()?, PAPER.mesh(&Sizes::across(30.0, 12.0))?.refined()?] {
+        HalfActuator { r: 2.0, w: 20.0, l: 80.0, phi_0: PI / 3.0 }.mesh(&Sizes::across(20.0, 18.0))?;
+    for meshed in [actuator.refined()?, PAPER.mesh(&Sizes::across(30.0, 14.0))?.refined()?] {
         let mesh = &meshed.mesh;
         let order = mesh.elimination_order();
         let mut sorted = order.clone();
@@ -270,8 +270,8 @@ fn dissection_keeps_the_factor_sparse() -> Result<(), MeshFault> {
         let unknowns = 3 * mesh.points.len() + mesh.edges.len();
         let (nonzeros, work) = fill(mesh, &order);
         assert!((12_000..18_000).contains(&unknowns), "{unknowns}");
-        assert!(nonzeros < 180 * unknowns, "{nonzeros} nonzeros for {unknowns} unknowns");
-        assert!(work < 49_000 * unknowns, "{work} multiplications for {unknowns} unknowns");
+        assert!(nonzeros < 200 * unknowns, "{nonzeros} nonzeros for {unknowns} unknowns");
+        assert!(work < 56_000 * unknowns, "{work} multiplications for {unknowns} unknowns");
     }
     Ok(())
 }

@@ -55,11 +55,25 @@ impl Ladder {
     ///
     /// # Errors
     /// Where it ended, and the last equilibrium.
-    pub fn climb(&self, solver: &mut Solver, mut on_rung: impl FnMut(&Rung)) -> Result<Rung, Broken> {
-        let mut state = solver.assembly.sheet.flat();
+    pub fn climb(&self, solver: &mut Solver, on_rung: impl FnMut(&Rung)) -> Result<Rung, Broken> {
+        let flat = solver.assembly.sheet.flat();
+        self.climb_from(solver, flat, self.first, on_rung)
+    }
+
+    /// Climbs from `state`, a shape near the equilibrium at the pressure `first`.
+    ///
+    /// # Errors
+    /// Where it ended, and the last equilibrium.
+    pub fn climb_from(
+        &self,
+        solver: &mut Solver,
+        mut state: State,
+        first: f64,
+        mut on_rung: impl FnMut(&Rung),
+    ) -> Result<Rung, Broken> {
         let mut below: Option<Rung> = None;
         let mut step = STEP;
-        let mut next = self.first.min(self.last);
+        let mut next = first.min(self.last);
         loop {
             match solver.rest(&mut state, self.aim(next)) {
                 Ok(rest) => {
@@ -83,7 +97,7 @@ impl Ladder {
                     state.clone_from(&rung.state);
                 }
             }
-            let from = below.as_ref().map_or(self.first, |rung| rung.pressure);
+            let from = below.as_ref().map_or(first, |rung| rung.pressure);
             next = from * 10_f64.powf(step);
             if next > self.last * 0.9999 {
                 next = self.last;

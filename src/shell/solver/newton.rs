@@ -87,8 +87,8 @@ pub struct Solver {
     pub multiplier: f64,
     factor: Factor,
     step: Vec<f64>,
-    /// What a shift adds to each unknown's diagonal: a spring a unit of area, none for the directors.
-    lumps: Vec<f64>,
+    /// What a shift adds to each unknown's diagonal.
+    springs: Vec<f64>,
     shift: f64,
     trial: State,
     /// What all solves took together.
@@ -105,7 +105,7 @@ impl Solver {
         let factor = Factor::new(starts, rows)?;
         Some(Self {
             step: vec![0.0; assembly.unknowns()],
-            lumps: assembly.lumped_areas(),
+            springs: assembly.springs(),
             trial: assembly.sheet.flat(),
             shift: 0.0,
             effort: Effort::default(),
@@ -195,7 +195,7 @@ impl Solver {
     /// Factors the Hessian; false if it is not positive definite where the lever holds.
     fn compute(&mut self, shift: f64) -> bool {
         self.effort.factors += 1;
-        if !self.factor.compute(self.assembly.hessian().2, shift, &self.lumps) {
+        if !self.factor.compute(self.assembly.hessian().2, shift, &self.springs) {
             return false;
         }
         let Some(lever) = &self.lever else { return true };
