@@ -78,7 +78,9 @@ fn an_actuator_is_a_shell_with_its_mesh_errors() {
     let found = json(&first);
     assert!(found["model"] == "shell" && found["ranges"]["angle_deg"].is_null(), "{found}");
     let number = |key: &str| found[key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"));
-    let error = |key: &str| found["evidence"]["mesh_errors"][key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"));
+    let error = |key: &str| {
+        found["evidence"]["mesh_errors"][key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"))
+    };
     // The finest meshes that were ever tried, and CalculiX: 36.3 deg, 21,730 mm^3, 0.078 N m (docs/models.md).
     for (key, known) in [("angle_deg", 36.3), ("volume_mm3", 21_730.0), ("stiffness_Nm", 0.078)] {
         assert!((number(key) - known).abs() <= error(key) && error(key) < 0.1 * known, "{key}: {found}");
@@ -135,7 +137,9 @@ fn a_star_is_a_shell_with_its_mesh_errors() {
     assert!((number("contraction") - 1.0 + number("final_radius_mm") / 50.0).abs() < 1e-12);
     assert!((number("payload_kg") - 0.5 * number("object_force_N") / 9.806_65).abs() < 1e-9);
     let curve = found["force_curve"].as_array().expect("a list");
-    assert!(curve.len() == 1 && curve[0][1].as_f64() > found["object_force_N"].as_f64() && curve[0][2].is_null());
+    assert!(
+        curve.len() == 1 && curve[0][1].as_f64() > found["object_force_N"].as_f64() && curve[0][2].is_null()
+    );
     let errors = &found["evidence"]["mesh_errors"];
     for key in ["final_radius_mm", "radial_stiffness_N_per_m", "volume_mm3", "object_force_N"] {
         assert!(errors[key].as_f64().is_some_and(|error| error > 0.0), "{key}: {errors}");
@@ -173,7 +177,8 @@ fn what_no_shell_answers_is_refused_in_words() {
 #[test]
 fn a_build_leaves_the_shell_out_and_says_so() {
     let dir = folder();
-    fs::write(dir.path().join("spec.toml"), format!("{SPEC}[accuracy]\nmodel = \"shell\"\n")).expect("written");
+    fs::write(dir.path().join("spec.toml"), format!("{SPEC}[accuracy]\nmodel = \"shell\"\n"))
+        .expect("written");
     let built = run(dir.path(), &["build", "spec.toml", "-o", "out", "--only", "prediction"]);
     assert!(built.status.success(), "{}", text(&built.stderr));
     let files: Vec<_> = fs::read_dir(dir.path().join("out")).expect("built").collect();
@@ -205,4 +210,16 @@ fn an_interruption_leaves_nothing() {
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
     assert!(output.stdout.is_empty() && text(&output.stderr).contains("stopped"), "{}", text(&output.stderr));
     assert!(kept(dir.path()).is_empty() && !dir.path().join("sheet.vtu").exists());
+}
+
+#[test]
+fn a_table_is_joined_only_of_all_its_ladders() {
+    let dir = folder();
+    let none = run(dir.path(), &["table", "ladders", "--join"]);
+    assert!(none.status.code() == Some(1) && text(&none.stderr).contains("ladder 1 is missing"));
+    assert_eq!(run(dir.path(), &["table", "ladders", "--part", "3/2"]).status.code(), Some(2));
+    fs::create_dir(dir.path().join("ladders")).expect("made");
+    fs::write(dir.path().join("ladders/ladder-01.txt"), "ladder 1 tau 0.003162\n").expect("written");
+    let torn = run(dir.path(), &["table", "ladders", "--join"]);
+    assert!(torn.status.code() == Some(1) && text(&torn.stderr).contains("ladder 1 is missing"));
 }

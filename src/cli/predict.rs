@@ -112,6 +112,8 @@ struct Radii(Vec<f64>);
 
 /// Reads "FROM..TO/COUNT", or one radius.
 fn radii(text: &str) -> Result<Radii, String> {
-    evenly(text, MOST_RADII, |ends| range::<Length>(SIZE)(ends).map(|(from, to)| [from.metres(), to.metres()]))
-        .map(Radii)
+    evenly(text, MOST_RADII, |ends| {
+        range::<Length>(SIZE)(ends).map(|(from, to)| [from.metres(), to.metres()])
+    })
+    .map(Radii)
 }

@@ -98,7 +98,11 @@ impl ShellArgs {
 
 impl Shown {
     fn parts(&self) -> Vec<&str> {
-        [Some(&self.json), Some(&self.text), self.vtu.as_ref()].into_iter().flatten().map(String::as_str).collect()
+        [Some(&self.json), Some(&self.text), self.vtu.as_ref()]
+            .into_iter()
+            .flatten()
+            .map(String::as_str)
+            .collect()
     }
 
     fn from_parts(parts: Vec<String>) -> Option<Self> {

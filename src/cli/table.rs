@@ -12,8 +12,10 @@ use crate::shell::cases::Fineness;
 
 /// Arguments of `table`.
 #[derive(clap::Args, Debug)]
-#[command(after_help = "Example: stargrip-cam table ladders --part 1/2 & stargrip-cam table ladders --part 2/2; \
-                        stargrip-cam table ladders --join > arms.txt")]
+#[command(
+    after_help = "Example: stargrip-cam table ladders --part 1/2 & stargrip-cam table ladders --part 2/2; \
+                        stargrip-cam table ladders --join > arms.txt"
+)]
 pub(super) struct Args {
     /// Where each ladder is a file; ladders that are there already are not computed again.
     dir: PathBuf,

@@ -158,11 +158,7 @@ impl ActuatorPrediction {
 ///
 /// # Errors
 /// If the model does not cover the fabric at this pressure, the hinge, or one of the angles.
-pub fn actuate(
-    actuator: &Actuator,
-    level: Level,
-    angles: &[f64],
-) -> Result<ActuatorPrediction, StarFault> {
+pub fn actuate(actuator: &Actuator, level: Level, angles: &[f64]) -> Result<ActuatorPrediction, StarFault> {
     let Actuator { width, pressure, sheet, .. } = *actuator;
     if !(pressure > 0.0 && pressure.is_finite()) {
         return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "above 0" });

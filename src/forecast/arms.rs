@@ -25,7 +25,7 @@ const STRETCH: f64 = 1e4;
 pub const FINENESS: Fineness = Fineness { cells: 5.0, cuts: 3 };
 /// Poisson's ratios besides the table's, and where they are tried.
 const OTHER_POISSONS: [f64; 2] = [0.2, 0.49];
-const OTHERS: [(usize, usize); 3] = [(1, 3), (2, 0), (3, 4)];
+const OTHERS: [(usize, usize); 3] = [(0, 3), (1, 0), (2, 4)];
 
 /// One ladder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -85,7 +85,8 @@ impl Ladder {
         );
         let Self { number, tau, r_star, poisson } = self;
         let Fineness { cells, cuts } = fineness;
-        let _ = writeln!(text, "ladder {number} tau {tau} R* {r_star} nu {poisson} cells {cells} cuts {cuts}");
+        let _ =
+            writeln!(text, "ladder {number} tau {tau} R* {r_star} nu {poisson} cells {cells} cuts {cuts}");
         for ((b, pressure), found) in bendabilities.iter().zip(pressures).zip(found) {
             let Some(Inflation { angle, stiffness, .. }) = found else { break };
             let alpha = angle.shifted(-PI).scaled(-1.0_f64.to_degrees());
@@ -202,10 +203,8 @@ pub fn join(climbed: &[Climbed]) -> Result<String, JoinFault> {
         }
         for [b, angle, angle_error, give, give_error] in points {
             let Ladder { tau, r_star, .. } = ladder;
-            let _ = writeln!(
-                body,
-                "{tau} {r_star} {b:.3} {angle:.4} {angle_error:.4} {give:.3} {give_error:.3}"
-            );
+            let _ =
+                writeln!(body, "{tau} {r_star} {b:.3} {angle:.4} {angle_error:.4} {give:.3} {give_error:.3}");
         }
     }
     let hash = hash(&body);
@@ -234,14 +233,14 @@ mod tests {
     #[test]
     fn the_shipped_table_is_what_shells_say() {
         // Thick sheets converge on coarse meshes. R* = 0.15.
-        let climbed = coarse(22);
+        let climbed = coarse(16);
         let Ladder { tau, r_star, .. } = climbed.ladder;
         let found = climbed.arms().expect("sections");
         assert_eq!(found.len(), arms::PRESSURES);
         for [b, angle, angle_error, give, give_error] in found {
             let shipped = arms::arms(b, tau, r_star).expect("on the grid");
             let (delta, g) = (shipped.angle.to_degrees(), shipped.give.to_degrees());
-            assert!((angle - delta).abs() < angle_error.min(0.7), "{b}: {angle} +- {angle_error}, {delta}");
+            assert!((angle - delta).abs() < angle_error.max(0.5), "{b}: {angle} +- {angle_error}, {delta}");
             assert!((give - g).abs() < give_error.max(2.0), "{b}: {give} +- {give_error}, {g}");
         }
         assert_eq!(join(&[climbed]), Err(JoinFault::Missing(1)));
@@ -250,7 +249,10 @@ mod tests {
     #[test]
     fn every_ladder_is_one_of_the_grid_or_tries_another_poisson_ratio() {
         let all = ladders();
-        assert_eq!(all.iter().filter(|ladder| ladder.is_in_table()).count(), arms::TAUS.len() * arms::R_STARS.len());
+        assert_eq!(
+            all.iter().filter(|ladder| ladder.is_in_table()).count(),
+            arms::TAUS.len() * arms::R_STARS.len()
+        );
         assert!(all.iter().zip(1..).all(|(ladder, number)| ladder.number == number));
     }
 }

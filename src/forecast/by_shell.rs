@@ -70,8 +70,9 @@ pub fn actuate(
         coiling: found.coiling.value,
         volume_mm3: Some(volume.value),
         stiffness_Nm: found.stiffness.value,
-        moment: (!angles.is_empty())
-            .then(|| found.moments.iter().map(|(angle, moment)| [angle.to_degrees(), moment.value]).collect()),
+        moment: (!angles.is_empty()).then(|| {
+            found.moments.iter().map(|(angle, moment)| [angle.to_degrees(), moment.value]).collect()
+        }),
         ranges: Ranges::default(),
         evidence: ActuatorEvidence {
             residual: found.evidence.residual,

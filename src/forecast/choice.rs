@@ -144,7 +144,9 @@ pub fn limits_of_validity(level: Level, question: &Question) -> Vec<String> {
     let mut warnings = Vec::new();
     if level == Level::Section {
         if of_section(question) == WITHOUT_ARMS {
-            warnings.push(format!("section computes these hinges without arms, which let them coil {ARMS_LET_OUT}"));
+            warnings.push(format!(
+                "section computes these hinges without arms, which let them coil {ARMS_LET_OUT}"
+            ));
         }
         return warnings;
     }

@@ -7,7 +7,9 @@ use crate::forecast::case::Case;
 use crate::forecast::predict::PredictFault;
 use crate::forecast::prediction::Hinges;
 use crate::mechanics::strength::payload;
-use crate::shell::cases::{FlatStar, InflatedStar, MOST_OBJECTS, Shape, ShellFault, Tube, Value, Watch, star};
+use crate::shell::cases::{
+    FlatStar, InflatedStar, MOST_OBJECTS, Shape, ShellFault, Tube, Value, Watch, star,
+};
 use crate::spec::{KeyPath, Spec, key};
 use crate::units::{Length, Pressure, Readable};
 use serde::Serialize;
@@ -195,8 +197,12 @@ pub fn predict(
         let found = predict_star((spec, design.part(placed)), radii, detail, watch);
         distinct.push(found.map_err(|refusal| refusal.of_star(placed.index))?);
     }
-    let stars: Vec<ShellStar> =
-        design.stars.iter().filter_map(|placed| distinct.get(placed.distinct)).map(|(star, _)| star.clone()).collect();
+    let stars: Vec<ShellStar> = design
+        .stars
+        .iter()
+        .filter_map(|placed| distinct.get(placed.distinct))
+        .map(|(star, _)| star.clone())
+        .collect();
     let shape = distinct.into_iter().next().map(|(_, shape)| shape).unwrap_or_default();
     let Some(first) = stars.first() else {
         return Err(fault(key::stack::COUNT, "there is no star".to_owned()));
@@ -356,7 +362,8 @@ impl Answered<'_> {
                     arm_contact_mm2: area.error,
                     volume_mm3: volume.error,
                     object_force_N: on_object.map(|force| force.error),
-                    force_curve: (!radii.is_empty()).then(|| curve.iter().map(|(_, force)| force.error).collect()),
+                    force_curve: (!radii.is_empty())
+                        .then(|| curve.iter().map(|(_, force)| force.error).collect()),
                 },
                 warnings: self.warnings(object),
             },
@@ -446,10 +453,7 @@ impl ShellStar {
         line("tip angle at rest", show(self.tip_angle_deg, "deg", mesh.tip_angle_deg));
         line("final radius", show(self.final_radius_mm, "mm", mesh.final_radius_mm));
         line("contraction", show(100.0 * self.contraction, "%", 100.0 * mesh.contraction));
-        line(
-            "radial stiffness",
-            show(self.radial_stiffness_N_per_m, "N/m", mesh.radial_stiffness_N_per_m),
-        );
+        line("radial stiffness", show(self.radial_stiffness_N_per_m, "N/m", mesh.radial_stiffness_N_per_m));
         line("volume", show(self.volume_mm3, "mm^3", mesh.volume_mm3));
         if self.arm_contact_N > 0.0 {
             line("arms press on each other", show(self.arm_contact_N, "N", mesh.arm_contact_N));
@@ -458,7 +462,9 @@ impl ShellStar {
         if let (Some(force), Some(error)) = (self.object_force_N, mesh.object_force_N) {
             line("force on the object", show(force, "N", error));
         }
-        for ((radius, force, ..), error) in self.force_curve.iter().flatten().zip(mesh.force_curve.iter().flatten()) {
+        for ((radius, force, ..), error) in
+            self.force_curve.iter().flatten().zip(mesh.force_curve.iter().flatten())
+        {
             line(&format!("force at {} mm", Readable(*radius)), show(*force, "N", *error));
         }
         let place = |place: &Place, unit: &str| {

@@ -73,8 +73,10 @@ pub fn inflations(
             };
             numbers.push(measure(&mut climb.solver, &half, &meshed, &reached));
             states.push(reached.state);
-            let done = f64::from(u32::try_from(k + 1).unwrap_or(0)) / pressures.len() as f64;
-            watch.tell(part(fineness.cuts - cut, done), "pressures");
+            let count = |k: usize| f64::from(u32::try_from(k).unwrap_or(u32::MAX));
+            let done = count(k + 1) / count(pressures.len());
+            watch
+                .tell(part(fineness.cuts - cut, done), &format!("mesh {} of {}", cut + 1, fineness.cuts + 1));
         }
         found.push(numbers);
         below = Some((climb.solver, states));
