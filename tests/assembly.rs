@@ -416,3 +416,47 @@ fn labels_stand_on_the_fabric_clear_of_seams_and_holes() {
         }
     }
 }
+
+/// Every shipped mask but the basketball's on a common bed.
+#[test]
+fn pieces_fit_the_bed_and_are_the_plate() {
+    let designs = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/designs")).expect("designs/");
+    let mut several = 0;
+    for path in designs.map(|entry| entry.expect("an entry").path()) {
+        let text = std::fs::read_to_string(&path).expect("a design");
+        let bed = "[mask]\nbed = \"220 mm x 220 mm\"\n";
+        let text = if text.contains("[mask]\n") { text.replace("[mask]\n", bed) } else { text + "\n" + bed };
+        let design = stargrip_cam::design::Design::new(&support::read(&text), &support::machine());
+        if path.to_string_lossy().contains("basketball") {
+            assert_eq!(design.expect_err("too large")[0].code, "small-bed");
+            continue;
+        }
+        let design = design.unwrap_or_else(|refusals| panic!("{}: {refusals:?}", path.display()));
+        for part in &design.distinct {
+            let pieces = &part.pieces.list;
+            several += usize::from(part.pieces.are_several());
+            assert!(pieces.iter().flat_map(|piece| piece.size).all(|mm| mm <= 220.0), "{pieces:?}");
+            // What each takes is what its edge takes once it is turned.
+            for piece in pieces {
+                let bounds = piece.motion(false).path(&piece.edge).bounds();
+                assert!((bounds.width() - piece.size[0]).abs() < 1e-9);
+                assert!(piece.edge.largest_gap() < 1e-9 && piece.edge.area() > 0.0);
+            }
+            let area: f64 = pieces.iter().map(|piece| piece.edge.area()).sum();
+            let missing = part.mask.plate.area() - area;
+            assert!((0.0..1e-3 * part.mask.area(&part.outline)).contains(&missing), "{missing} mm2");
+            // Windows stay whole, at least 4 mm of plate around them.
+            for window in &part.mask.windows {
+                assert!(pieces[0].edge.encloses(window.start().expect("a path")));
+                assert!(stargrip_cam::geom::path_distance(&pieces[0].edge, window) >= 4.0 - 1e-9);
+            }
+            for hole in &part.outline.registration {
+                let around = pieces.iter().filter(|piece| piece.edge.encloses(hole.center));
+                let least = around.map(|piece| piece.edge.distance(hole.center) - hole.diameter / 2.0);
+                assert_eq!(least.clone().count(), 1);
+                assert!(least.fold(f64::INFINITY, f64::min) >= 2.5 - 1e-9);
+            }
+        }
+    }
+    assert!(several >= 8, "{several}");
+}

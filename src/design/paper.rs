@@ -266,3 +266,76 @@ pub(super) fn rectangle(bounds: &Bounds) -> Path {
 fn stroke(points: &[Point]) -> Path {
     Path::open(points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    /// A ring on paper much smaller than it.
+    fn ring() -> Drawing {
+        let circle = |radius: f64| Shape::Circle { center: Point::ORIGIN, radius };
+        let layers =
+            vec![(Layer::FrameOpening, vec![circle(300.0)]), (Layer::FrameEdge, vec![circle(420.0)])];
+        Drawing { origin: Origin::Axis(Point::new(-421.0, -421.0)), width: 842.0, height: 842.0, layers }
+    }
+
+    #[test]
+    fn no_line_is_lost_with_the_pages_that_are_left_out() {
+        let drawing = ring();
+        for paper in [Paper::A4, Paper::Letter] {
+            let grid = paper.cut(&drawing);
+            let tiles = grid.tiles(&drawing);
+            let all = grid.columns * grid.rows;
+            let count = f64::from(u32::try_from(tiles.len()).expect("few"));
+            assert!(count < all, "{paper:?}: {count} of {all}");
+            for i in 0..3600 {
+                let direction = TAU * f64::from(i) / 3600.0;
+                for radius in [300.0, 420.0] {
+                    let p = Point::polar(radius, direction);
+                    let shown = tiles.iter().filter(|tile| tile.own.contains(p)).count();
+                    assert!(shown >= 1 && tiles.iter().any(|tile| tile.shown.contains(p)), "{paper:?} {p:?}");
+                }
+            }
+            // The axis lies in the opening, where there is nothing to print, unless its page shows some of the ring.
+            let around_axis = |tile: &&Tile| tile.own.contains(Point::ORIGIN);
+            assert!(tiles.iter().filter(around_axis).all(|tile| holds(&drawing, &tile.own)));
+        }
+    }
+
+    #[test]
+    fn several_pages_come_top_row_first_behind_their_overview() {
+        let pages = Paper::A4.pages(&ring(), "RING");
+        let names: Vec<&str> = pages.iter().map(|page| page.name.as_str()).collect();
+        assert_eq!(names[0], "OVERVIEW");
+        let mut sorted = names[1..].to_vec();
+        sorted.sort_unstable();
+        assert_eq!(names[1..], sorted);
+        // The axis is below the window of the first row, above that of the last.
+        let opening = |page: &Page| page.drawing.layers[0].1[0].bounds().center();
+        let with_opening = |page: &&Page| !page.drawing.layers[0].1.is_empty();
+        let first = pages[1..].iter().find(with_opening).expect("a page");
+        let last = pages[1..].iter().rev().find(with_opening).expect("a page");
+        assert!(opening(first).y < first.window.min.y && opening(last).y > last.window.max.y);
+        assert_eq!(Paper::Large.pages(&ring(), "RING").len(), 1);
+    }
+
+    #[test]
+    fn nothing_stands_where_printers_leave_white() {
+        for paper in Paper::ALL {
+            for page in paper.pages(&ring(), "FRAME PLATE 1") {
+                let (w, h) = (page.drawing.width, page.drawing.height);
+                let paper = Bounds { min: Point::ORIGIN, max: Point::new(w, h) };
+                let marks = page.drawing.layers.iter().filter(|(layer, _)| *layer == Layer::PaperMark);
+                for shape in marks.flat_map(|(_, shapes)| shapes) {
+                    let bounds = shape.bounds().union(page.window);
+                    let inside = paper.grown(-WHITE + 1e-9);
+                    assert!(
+                        inside.contains(bounds.min) && inside.contains(bounds.max),
+                        "{bounds:?} of {w} x {h}"
+                    );
+                }
+            }
+        }
+    }
+}

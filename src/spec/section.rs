@@ -200,7 +200,7 @@ impl<'r> Section<'_, 'r> {
             let label = "must be two lengths with an x between: \"220 mm x 220 mm\"";
             Fault::error(FaultCode::WrongType, span.clone(), message).label(label)
         };
-        let Some((width, depth)) = text.split_once('x') else {
+        let Some((width, depth)) = text.split_once(['x', '\u{d7}']) else {
             self.report(told(format!("`{key}` is {}", quoted(text))));
             return None;
         };
@@ -316,5 +316,40 @@ impl<'r> Section<'_, 'r> {
         let fault = self.wrong_type(key, value, label);
         self.report(fault);
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::allowed::SIZE;
+
+    /// What `bed = text` is read as, mm; without a value the code and the words of the fault.
+    fn bed(text: &str) -> Result<[f64; 2], (&'static str, String)> {
+        let (raw, _) = RawSpec::parse(&format!("[mask]\nbed = \"{text}\"\n"));
+        let mut reader = Reader::new(&raw);
+        let found = reader.section("mask").area("bed", SIZE);
+        let fault = reader.faults.first().map(|fault| (fault.code, fault.message.clone()));
+        found.map(|both| both.map(|length| length.0)).ok_or_else(|| fault.expect("a fault"))
+    }
+
+    #[test]
+    fn a_bed_is_two_lengths() {
+        for text in ["220 mm x 210 mm", "220 x 210 mm", "220x210mm", "22 cm x 210 mm", "220 mm \u{d7} 210 mm"]
+        {
+            assert_eq!(bed(text), Ok([220.0, 210.0]), "{text}");
+        }
+        assert_eq!(bed("8 x 10 in"), Ok([8.0 * 25.4, 254.0]));
+        for (text, code) in [
+            ("220 mm", "wrong-type"),
+            ("220 x 210", "no-unit"),
+            ("220 ells x 210 mm", "unknown-unit"),
+            ("wide x 210 mm", "not-a-number"),
+            ("0 mm x 210 mm", "out-of-range"),
+            ("", "wrong-type"),
+            ("x", "not-a-number"),
+        ] {
+            assert_eq!(bed(text).map_err(|(code, _)| code), Err(code), "{text}");
+        }
     }
 }
