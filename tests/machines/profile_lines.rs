@@ -1,5 +1,6 @@
 //! The profile's own lines and the first words: what stands in them is proven as every other line is.
 
+use stargrip_cam::artifact::Asked;
 use stargrip_cam::pipeline::{Sources, build};
 use stargrip_cam::spec::{Source, read_machine};
 use stargrip_cam::verify::Finding;
@@ -290,7 +291,7 @@ fn a_profile_is_the_one_that_the_spec_names() {
     let grbl = profile("grbl");
     let build_of = |text: &str| {
         let sources = Sources { spec: text, machine: grbl };
-        build(&crate::spec(text), &crate::machine(grbl), sources, &[]).expect("a gripper")
+        build(&crate::spec(text), &crate::machine(grbl), sources, &Asked::default()).expect("a gripper")
     };
     let (named, own) = (build_of(&name("grbl")), build_of(&name("mine.toml")));
     let without = |key: &str| -> String {

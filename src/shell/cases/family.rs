@@ -1,6 +1,6 @@
 //! One case on a family of meshes: the coarsest climbed from flat, each finer one begun from the shape before.
 
-use crate::shell::assembly::{Assembly, Sheet, State, Supports};
+use crate::shell::assembly::{Assembly, Sheet, Supports};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
