@@ -12,6 +12,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import tomllib
 
 from PIL import Image
 
@@ -95,12 +96,16 @@ def main():
     cutting = ("seal-svg", "outline-svg", "mask-svg", "frame-svg")
     jobs = [os.path.join(folder, f["path"]) for f in manifest["files"] if f["kind"] in cutting]
     problems, worst = [], 0.0
-    # The frame's plates say their size in the manifest, too.
+    # The frame's plates say their size in the manifest, too; the tool runs half a kerf outside of it.
+    with open(os.path.join(folder, "spec.toml"), "rb") as file:
+        spec = tomllib.load(file)
+    kerf = next((spec[part]["kerf"] for part in ("frame", "cut") if "kerf" in spec.get(part, {})), "0 mm")
     for plate in manifest["plates"]:
         drawing = os.path.join(folder, f"plate-{plate['plates'][0]}-frame.dxf")
         left, _, right, _ = layers(drawing)["frame-edge"]
-        if abs(right - left - 2 * plate["radius_mm"]) > 2 * TOLERANCE:
-            problems.append(f"{drawing}: {right - left:.4f} mm wide, the manifest says {2 * plate['radius_mm']:.4f} mm")
+        wide = 2 * plate["radius_mm"] + float(kerf.removesuffix("mm"))
+        if abs(right - left - wide) > 2 * TOLERANCE:
+            problems.append(f"{drawing}: {right - left:.4f} mm wide, the manifest says {wide:.4f} mm")
     with tempfile.TemporaryDirectory() as work:
         pictures = [os.path.join(work, f"{k}.png") for k in range(len(jobs))]
         for (svg, layer), off in inkscape(jobs, pictures):

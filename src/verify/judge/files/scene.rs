@@ -134,7 +134,7 @@ fn shows(node: &GlbNode, wanted: &Wanted, findings: &mut Findings) {
         return findings.add(FindingCode::BadGlb, None, found, "one");
     };
     let (least, size) = extent(&part.points);
-    let off = |found: [f64; 3], right: [f64; 3]| (0..3).any(|k| !((found[k] - right[k]).abs() <= DISPLAY));
+    let off = |found: [f64; 3], right: [f64; 3]| (0..3).any(|k| (found[k] - right[k]).abs() > DISPLAY);
     if off(size, wanted.size) || wanted.least.is_some_and(|right| off(least, right)) {
         let found = format!("{} of {size:.3?} mm from {least:.3?}", node.name);
         let allowed = format!("{:.3?} mm from {:.3?}", wanted.size, wanted.least);
@@ -143,7 +143,7 @@ fn shows(node: &GlbNode, wanted: &Wanted, findings: &mut Findings) {
     let Some([area, edges]) = wanted.surface else { return };
     let (found, high) =
         if size[2] > 0.0 { (volume(part), wanted.size[2]) } else { (seen_from_above(part), 1.0) };
-    if !((found - area * high).abs() <= CHORD * edges * high) {
+    if (found - area * high).abs() > CHORD * edges * high {
         let found = format!("{} of {found:.1}", node.name);
         findings.add(FindingCode::WrongVolume, None, found, format!("{:.1}", area * high));
     }
@@ -170,7 +170,7 @@ fn inflates(expected: &Expected<'_>, placed: &PlacedStar, node: &GlbNode, findin
         );
     }
     let mut compare = |what: &str, found: f64, right: f64| {
-        if !((found - right).abs() <= DISPLAY) {
+        if (found - right).abs() > DISPLAY {
             let found = format!("{}: {what} {found:.3} mm", node.name);
             findings.add(FindingCode::Deviation, None, found, format!("{right:.3} mm"));
         }
