@@ -7,7 +7,7 @@ use std::fmt::Write;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::artifact::{Artifact, Kind, Output};
+use crate::artifact::{Artifact, Asked, Kind, Output};
 use crate::design::{Design, Paper};
 use crate::manifest::bill::thousandths;
 use crate::plan::Program;
@@ -46,6 +46,9 @@ pub struct Manifest {
     /// The kinds that were asked for; absent if all were.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub only: Vec<Kind>,
+    /// The kinds that were asked for beside these; absent if none was.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub with: Vec<Kind>,
 }
 
 /// The program that wrote a manifest.
@@ -169,13 +172,20 @@ impl Manifest {
             mass_g: stars.iter().map(|star| star.mass_g).sum::<Option<f64>>().map(thousandths),
             stars,
             only: Vec::new(),
+            with: Vec::new(),
         }
     }
 
-    /// The same manifest naming `artifacts`, the files of the kinds `only`.
+    /// The same manifest naming `artifacts`, the files that were `asked` for.
     #[must_use]
-    pub fn with_files(self, artifacts: &[Artifact], only: &[Kind]) -> Self {
-        Self { files: artifacts.iter().map(ManifestFile::of).collect(), only: only.to_vec(), ..self }
+    pub fn with_files(self, artifacts: &[Artifact], asked: &Asked) -> Self {
+        let Asked { only, with } = asked.clone();
+        Self { files: artifacts.iter().map(ManifestFile::of).collect(), only, with, ..self }
+    }
+
+    /// What was asked for.
+    pub fn asked(&self) -> Asked {
+        Asked { only: self.only.clone(), with: self.with.clone() }
     }
 
     /// The manifest as the bytes of `manifest.json`.

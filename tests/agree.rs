@@ -8,6 +8,7 @@ mod support;
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 
+use stargrip_cam::artifact::Asked;
 use stargrip_cam::pipeline::{Forecast, Sources};
 use stargrip_cam::spec;
 use stargrip_cam::spec::Source;
@@ -157,7 +158,7 @@ fn agree(shape: &Shape, rest: &Rest, bench: &Bench) -> Result<bool, TestCaseErro
     let machine = spec::read_machine(&Source::new("machine", profile.as_str())).expect("a valid profile");
     // Everything that `check` looks at.
     let Ok(forecast) = Forecast::of(reading.spec, machine) else { return Ok(false) };
-    let built = forecast.build(Sources { spec: &text, machine: &profile }, &[]);
+    let built = forecast.build(Sources { spec: &text, machine: &profile }, &Asked::default());
     let findings = built.proof().findings;
     prop_assert!(findings.is_empty(), "{:#?}\n{text}\n{profile}", &findings[..findings.len().min(5)]);
     Ok(true)

@@ -8,7 +8,7 @@ mod support;
 use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
-use stargrip_cam::artifact::Kind;
+use stargrip_cam::artifact::{Asked, Kind};
 use stargrip_cam::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use stargrip_cam::pipeline::{Sources, prove_files, read_back};
 use stargrip_cam::verify::{By, Finding, OutputFiles};
@@ -295,8 +295,8 @@ fn a_manifest_does_not_decide_what_is_proven() {
 fn what_was_not_asked_for_is_not_missed_and_all_else_is() {
     let (spec, machine) = (support::read(PAPER), support::machine());
     let sources = Sources { spec: PAPER, machine: support::generic() };
-    let some =
-        stargrip_cam::pipeline::build(&spec, &machine, sources, &[Kind::PreviewSvg]).expect("a design");
+    let some = stargrip_cam::pipeline::build(&spec, &machine, sources, &Asked::only(&[Kind::PreviewSvg]))
+        .expect("a design");
     let proof = prove_files(&some.output_files());
     assert_eq!(proof.findings, []);
     assert_eq!(proof.files.len(), 3);

@@ -9,6 +9,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use stargrip_cam::artifact::Asked;
 use stargrip_cam::geom::{Bounds, Path as Curve};
 use stargrip_cam::manifest::sha256;
 use stargrip_cam::pipeline::{Built, Sources};
@@ -64,7 +65,8 @@ fn build(text: &str) -> (Built, Machine) {
     let machine_text = spec::builtin_machine(&reading.spec.machine.profile).expect("a built-in profile");
     let machine = spec::read_machine(&Source::new("machine", machine_text)).expect("a valid profile");
     let sources = Sources { spec: text, machine: machine_text };
-    let build = pipeline::build(&reading.spec, &machine, sources, &[]).expect("a design that can be made");
+    let build = pipeline::build(&reading.spec, &machine, sources, &Asked::default())
+        .expect("a design that can be made");
     let proof = build.proof();
     assert_eq!(proof.findings, []);
     (build, machine)

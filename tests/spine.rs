@@ -53,6 +53,32 @@ fn a_sheet_without_a_size_is_no_larger_than_the_machine() {
     assert!(said.contains("sheet 2: "), "{said}{}", stderr(&output));
 }
 
+/// What does not come by default comes where it is named, is proven with the rest, and is missed when it is gone.
+#[test]
+fn an_extra_kind_is_built_recorded_and_demanded() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("star.toml"), PAPER).expect("written");
+    let refused = run(folder.path(), &["build", "star.toml", "--with", "mask-stl"]);
+    assert_eq!(refused.status.code(), Some(2), "it comes anyway");
+    let output = run(folder.path(), &["build", "star.toml", "--only", "seal-svg", "--with", "preview-png"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let picture = folder.path().join("out/star/sheet-1-preview.png");
+    assert!(stargrip_cam::verify::read_png(&fs::read(&picture).expect("a file")).is_some());
+    let manifest = fs::read(folder.path().join("out/star/manifest.json")).expect("a manifest");
+    let manifest: serde_json::Value = serde_json::from_slice(&manifest).expect("JSON");
+    assert_eq!((&manifest["only"][0], &manifest["with"][0]), (&"seal-svg".into(), &"preview-png".into()));
+    let proven = |code: i32, said: &str| {
+        let output = run(folder.path(), &["verify", "out/star"]);
+        assert_eq!(output.status.code(), Some(code), "{}", stdout(&output));
+        assert!(stdout(&output).contains(said), "{}", stdout(&output));
+    };
+    proven(0, "sheet-1-preview.png         made anew, equal to the byte");
+    fs::write(&picture, b"P6").expect("written");
+    proven(1, "sheet-1-preview.png: bad-png");
+    fs::remove_file(&picture).expect("removed");
+    proven(1, "sheet-1-preview.png: missing-file");
+}
+
 #[test]
 fn a_partial_build_says_what_was_compared_and_ends_at_no_time() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -44,6 +44,8 @@ pub enum Format {
     Stl,
     /// Figures.
     Json,
+    /// A picture of pixels.
+    Png,
 }
 
 impl Subject {
@@ -74,6 +76,7 @@ impl Format {
             Self::Pdf => "pdf",
             Self::Stl => "stl",
             Self::Json => "json",
+            Self::Png => "png",
         }
     }
 }
@@ -147,6 +150,8 @@ kinds! {
     FrameDxf: "frame-dxf", Frame as Dxf;
     /// A picture for people.
     PreviewSvg: "preview-svg", Preview as Svg;
+    /// The same in pixels.
+    PreviewPng: "preview-png", Preview as Png;
     /// What the gripper will do; only for a spec with a load.
     Prediction: "prediction", Prediction as Json;
 }
@@ -160,6 +165,11 @@ impl Kind {
     /// Whether it comes even where only other kinds are asked for: a directory is proven from its own spec and profile.
     pub fn is_source(self) -> bool {
         self.format() == Format::Toml
+    }
+
+    /// Whether it comes only where it is named.
+    pub fn is_extra(self) -> bool {
+        matches!(self, Self::PreviewPng)
     }
 }
 

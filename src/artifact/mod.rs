@@ -1,8 +1,10 @@
 //! Artifacts: output files as bytes, between the emitters that make them and the verifier that reads them.
 
+mod asked;
 mod kind;
 mod output;
 
+pub use asked::Asked;
 pub use kind::{Format, Kind, Subject};
 pub use output::{Output, outputs};
 

@@ -1,5 +1,6 @@
 //! Outputs: which files a design has. The one table that the builder fills and the verifier asks for.
 
+use crate::artifact::asked::Asked;
 use crate::artifact::kind::{Format, Kind, Subject};
 use crate::design::{Design, Drawing, Edge, MaskPlate, Paper, PlacedStar};
 use crate::spec::{ProgramScope, Spec};
@@ -88,9 +89,8 @@ impl Output {
     }
 }
 
-/// Every file of `design`, which `spec` describes, in the order of the manifest. Empty `only` means all kinds; the sources
-/// come always.
-pub fn outputs(spec: &Spec, design: &Design, only: &[Kind]) -> Vec<Output> {
+/// Every file of `design`, which `spec` describes, of the kinds that are `asked` for, in the order of the manifest.
+pub fn outputs(spec: &Spec, design: &Design, asked: &Asked) -> Vec<Output> {
     let mut out = vec![Output::of(Kind::Spec), Output::of(Kind::Machine)];
     for kind in [Kind::SealGcode, Kind::TraceGcode] {
         out.extend(programs(spec, design).map(|(sheet, star)| Output {
@@ -99,7 +99,14 @@ pub fn outputs(spec: &Spec, design: &Design, only: &[Kind]) -> Vec<Output> {
             ..Output::of(kind)
         }));
     }
-    let of_sheet = [Kind::SealSvg, Kind::SealDxf, Kind::OutlineSvg, Kind::OutlineDxf, Kind::PreviewSvg];
+    let of_sheet = [
+        Kind::SealSvg,
+        Kind::SealDxf,
+        Kind::OutlineSvg,
+        Kind::OutlineDxf,
+        Kind::PreviewSvg,
+        Kind::PreviewPng,
+    ];
     for sheet in &design.sheets {
         out.extend(of_sheet.map(|kind| Output { sheet: Some(sheet.index), ..Output::of(kind) }));
     }
@@ -113,7 +120,7 @@ pub fn outputs(spec: &Spec, design: &Design, only: &[Kind]) -> Vec<Output> {
     if spec.load.is_some() {
         out.push(Output::of(Kind::Prediction));
     }
-    out.retain(|output| only.is_empty() || output.kind.is_source() || only.contains(&output.kind));
+    out.retain(|output| asked.takes(output.kind));
     out
 }
 

@@ -1,23 +1,23 @@
 //! From what is known of a gripper to its files: one arm for every subject and format.
 
-use crate::artifact::{Artifact, Format, Kind, Output, Subject, outputs};
+use crate::artifact::{Artifact, Asked, Format, Output, Subject, outputs};
 use crate::emit;
 use crate::manifest::Manifest;
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
 
 impl Forecast {
-    /// The files of the kinds `only`, and the sources; empty means all.
-    pub fn build(self, sources: Sources<'_>, only: &[Kind]) -> Built {
-        let artifacts = artifacts(&self, sources, only);
-        let manifest = Manifest::new(&self.spec, &self.design, &self.programs).with_files(&artifacts, only);
+    /// The files that are `asked` for.
+    pub fn build(self, sources: Sources<'_>, asked: &Asked) -> Built {
+        let artifacts = artifacts(&self, sources, asked);
+        let manifest = Manifest::new(&self.spec, &self.design, &self.programs).with_files(&artifacts, asked);
         Built { forecast: self, artifacts, manifest }
     }
 }
 
-/// The files of the kinds `only`, and the sources; empty means all.
-fn artifacts(forecast: &Forecast, sources: Sources<'_>, only: &[Kind]) -> Vec<Artifact> {
-    let wanted = outputs(&forecast.spec, &forecast.design, only);
+/// The files that are `asked` for.
+fn artifacts(forecast: &Forecast, sources: Sources<'_>, asked: &Asked) -> Vec<Artifact> {
+    let wanted = outputs(&forecast.spec, &forecast.design, asked);
     let made = wanted
         .into_iter()
         .filter_map(|output| content(forecast, sources, &output).map(|bytes| Artifact::new(output, bytes)));
@@ -30,6 +30,9 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Spec => sources.spec.to_owned(),
         Subject::Machine => sources.machine.to_owned(),
         Subject::Prediction => forecast.prediction.as_ref()?.to_json(),
+        Subject::Preview if output.kind.format() == Format::Png => {
+            return emit::preview_png(&forecast.design, output.sheet?);
+        }
         Subject::Preview => {
             emit::preview(&forecast.spec, &forecast.design, &forecast.programs, output.sheet?)?
         }
@@ -63,6 +66,6 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
         Format::Dxf => emit::dxf(&drawing, spec.accuracy.path, spec.cut.colours).into_bytes(),
         Format::Stl => emit::stl(&drawing, spec.mask.thickness.0),
         Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
-        Format::Toml | Format::Gcode | Format::Json => return None,
+        Format::Toml | Format::Gcode | Format::Json | Format::Png => return None,
     })
 }

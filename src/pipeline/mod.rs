@@ -13,7 +13,7 @@ mod files;
 mod proven;
 
 use crate::airtight;
-use crate::artifact::{Artifact, Kind};
+use crate::artifact::{Artifact, Asked};
 use crate::design::{Design, Refusal, RefusalCode, Refusals};
 use crate::forecast::predict::{PredictFault, predict};
 use crate::forecast::prediction::Prediction;
@@ -140,8 +140,8 @@ impl Forecast {
 ///
 /// # Errors
 /// What the first step that refuses has to say.
-pub fn build(spec: &Spec, machine: &Machine, sources: Sources<'_>, only: &[Kind]) -> Result<Built, Refusals> {
-    Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, only))
+pub fn build(spec: &Spec, machine: &Machine, sources: Sources<'_>, asked: &Asked) -> Result<Built, Refusals> {
+    Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, asked))
 }
 
 /// A prediction that cannot be made, as a refusal at the key that stands in its way.

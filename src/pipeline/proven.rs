@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::artifact::{Kind, outputs};
+use crate::artifact::{Asked, Kind, outputs};
 use crate::design::Refusal;
 use crate::manifest::{MANIFEST, Manifest};
 use crate::pipeline::{Built, Forecast, Sources};
@@ -80,8 +80,8 @@ impl Claim {
 
     /// The names of all files that the directory must have; none where what was asked for is refused.
     pub fn wanted(&self) -> Vec<String> {
-        let only = self.written.as_ref().map_or(&[][..], |manifest| &manifest.only);
-        let outputs = |forecast: &Forecast| outputs(&forecast.spec, &forecast.design, only);
+        let asked = self.written.as_ref().map_or(Asked::default(), Manifest::asked);
+        let outputs = |forecast: &Forecast| outputs(&forecast.spec, &forecast.design, &asked);
         self.forecast.iter().flat_map(outputs).map(|output| output.name()).collect()
     }
 
@@ -106,7 +106,7 @@ impl Claim {
         if let (Some(written), Some(spec), Some(machine)) =
             (self.written, text("spec.toml"), text("machine.toml"))
         {
-            let made = forecast.build(Sources { spec, machine }, &written.only);
+            let made = forecast.build(Sources { spec, machine }, &written.asked());
             if written.tool == made.manifest.tool {
                 verify::compare_bytes(&made.output_files(), files, &mut proof);
             }

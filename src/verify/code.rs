@@ -15,6 +15,7 @@ codes! {
         BadNumber "bad-number" "A number cannot be read, or is beyond its range.",
         BadPath "bad-path" "A path's data cannot be read.",
         BadPdf "bad-pdf" "The file is not a PDF as the standard has it.",
+        BadPng "bad-png" "The file is not a PNG of three colours, 8 bits each.",
         BadStl "bad-stl" "The file is not a binary STL.",
         BadXml "bad-xml" "The file is not a well-formed SVG.",
         BelowFloor "below-floor" "A feed is below what the controller holds.",

@@ -25,5 +25,6 @@ pub use read::drawing::Drawing;
 pub use read::dxf::read_dxf;
 pub use read::gcode;
 pub use read::pdf::{self, PdfPage, read_pdf};
+pub use read::png::{Raster, read_png};
 pub use read::stl::{Facet, read_stl};
 pub use read::svg::{SvgOrigin, read_svg};

@@ -11,6 +11,7 @@ mod resume;
 mod speed;
 mod told;
 
+use stargrip_cam::artifact::Asked;
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::pipeline::{Built, Sources, build};
@@ -43,7 +44,7 @@ fn profile(name: &str) -> &'static str {
 
 fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Refusals> {
     let sources = Sources { spec: spec_text, machine: machine_text };
-    build(&spec(spec_text), &machine(machine_text), sources, &[])
+    build(&spec(spec_text), &machine(machine_text), sources, &Asked::default())
 }
 
 fn built(spec_text: &str, machine_text: &str) -> Built {

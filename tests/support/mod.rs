@@ -8,6 +8,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
+use stargrip_cam::artifact::Asked;
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::{Built, Sources};
 use stargrip_cam::spec::{Machine, Source, Spec};
@@ -72,7 +73,7 @@ pub fn machine() -> Machine {
 
 /// Builds a spec that must be valid; the design may be refused.
 pub fn build(text: &str) -> Result<Built, Refusals> {
-    pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &[])
+    pipeline::build(&read(text), &machine(), Sources { spec: text, machine: generic() }, &Asked::default())
 }
 
 /// The paper's five-point star.

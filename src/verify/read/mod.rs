@@ -6,6 +6,7 @@ pub(in crate::verify) mod dxf_words;
 pub mod gcode;
 pub(in crate::verify) mod number;
 pub mod pdf;
+pub(in crate::verify) mod png;
 pub(in crate::verify) mod stl;
 pub(in crate::verify) mod svg;
 mod svg_path;

@@ -11,7 +11,8 @@ use crate::verify::{Finding, FindingCode};
 pub(in crate::verify) fn check(text: &[u8], written: &Manifest, right: &Manifest) -> Vec<Finding> {
     // Which files there are, and of which kinds, is judged by their names; another version may have written them.
     let tool = crate::manifest::Tool { version: written.tool.version.clone(), ..right.tool.clone() };
-    let right = Manifest { tool, files: written.files.clone(), only: written.only.clone(), ..right.clone() };
+    let Manifest { files, only, with, .. } = written.clone();
+    let right = Manifest { tool, files, only, with, ..right.clone() };
     let mut findings = Vec::new();
     if let (Ok(found), Ok(right)) = (serde_json::from_slice::<Value>(text), serde_json::to_value(&right)) {
         compare("", Some(&found), Some(&right), &mut findings);

@@ -6,5 +6,6 @@ mod figures;
 pub(in crate::verify) mod layers;
 mod names;
 mod paper;
+mod pixels;
 pub(in crate::verify) mod proof;
 mod solid;

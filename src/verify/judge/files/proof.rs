@@ -2,10 +2,10 @@
 
 use serde::Serialize;
 
-use crate::artifact::{Format, Output, Subject, outputs};
-use crate::manifest::{MANIFEST, ManifestFile, sha256};
+use crate::artifact::{Asked, Format, Output, Subject, outputs};
+use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
-use crate::verify::judge::files::{drawings, figures, names, paper, solid};
+use crate::verify::judge::files::{drawings, figures, names, paper, pixels, solid};
 use crate::verify::judge::job::Job;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -47,8 +47,8 @@ pub enum By {
 pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
     let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
-    let only = manifest.as_ref().map_or(&[][..], |manifest| &manifest.only);
-    let wanted = outputs(expected.spec, expected.design, only);
+    let asked = manifest.as_ref().map_or(Asked::default(), Manifest::asked);
+    let wanted = outputs(expected.spec, expected.design, &asked);
     let entries = names::check(files, manifest.as_ref(), &wanted, &mut proof.findings);
     let mut seals = drawings::Seals::default();
     for output in wanted {
@@ -96,6 +96,10 @@ fn file(
 ) -> (By, Option<f64>) {
     match output.kind.format() {
         Format::Pdf | Format::Stl => return (By::Reading, solid_or_paper(expected, output, bytes, findings)),
+        Format::Png => {
+            pixels::check(bytes, findings);
+            return (By::Reading, None);
+        }
         _ => {}
     }
     let Ok(text) = std::str::from_utf8(bytes) else {

@@ -1,0 +1,48 @@
+//! What of a design is asked for.
+
+use crate::artifact::Kind;
+
+/// The kinds that a build makes. Its manifest records them, so that `verify` knows what to demand; which files these are, and
+/// their names, the design says.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Asked {
+    /// The only kinds to make; empty: all that come by default.
+    pub only: Vec<Kind>,
+    /// Kinds to make beside these.
+    pub with: Vec<Kind>,
+}
+
+impl Asked {
+    /// These kinds and no others; all that come by default if none is named.
+    pub fn only(kinds: &[Kind]) -> Self {
+        Self { only: kinds.to_vec(), with: Vec::new() }
+    }
+
+    /// Whether files of `kind` are made.
+    pub fn takes(&self, kind: Kind) -> bool {
+        let named = if self.only.is_empty() { !kind.is_extra() } else { self.only.contains(&kind) };
+        named || kind.is_source() || self.with.contains(&kind)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extras_come_where_they_are_named_and_sources_always() {
+        let kinds = |asked: &Asked| -> Vec<Kind> {
+            Kind::ALL.iter().copied().filter(|kind| asked.takes(*kind)).collect()
+        };
+        let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
+        assert!(extras.contains(&Kind::PreviewPng), "{extras:?}");
+        let all = kinds(&Asked::default());
+        assert_eq!(all.len() + extras.len(), Kind::ALL.len());
+        assert!(extras.iter().all(|extra| !all.contains(extra)));
+        let with = Asked { with: extras, ..Asked::default() };
+        assert_eq!(kinds(&with), Kind::ALL);
+        let some = Asked { only: vec![Kind::SealGcode], with: vec![Kind::PreviewPng] };
+        assert_eq!(kinds(&some), [Kind::Spec, Kind::Machine, Kind::SealGcode, Kind::PreviewPng]);
+        assert_eq!(kinds(&Asked::only(&[Kind::PreviewPng])), [Kind::Spec, Kind::Machine, Kind::PreviewPng]);
+    }
+}
