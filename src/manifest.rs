@@ -3,11 +3,12 @@
 mod bill;
 
 use std::fmt::Write;
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::artifact::{Artifact, Asked, Kind, Output};
+use crate::artifact::{Artifact, Asked, Kind, NGC, Output};
 use crate::design::{Design, Paper};
 use crate::manifest::bill::thousandths;
 use crate::plan::Program;
@@ -202,7 +203,7 @@ impl Manifest {
 impl ManifestFile {
     /// The entry of one artifact.
     pub fn of(artifact: &Artifact) -> Self {
-        let Output { kind, sheet, star, plate, paper, mirrored } = artifact.output;
+        let Output { kind, sheet, star, plate, paper, mirrored, .. } = artifact.output;
         Self {
             path: artifact.name.clone(),
             kind,
@@ -220,7 +221,8 @@ impl ManifestFile {
     pub fn output(&self) -> Output {
         let Self { kind, sheet, star, plate, paper, mirrored, .. } = *self;
         let paper = if kind == Kind::MaskPdf { paper.or(Some(Paper::Large)) } else { paper };
-        Output { kind, sheet, star, plate, paper, mirrored }
+        let ngc = Path::new(&self.path).extension().is_some_and(|ending| ending == NGC);
+        Output { kind, sheet, star, plate, paper, mirrored, ngc }
     }
 }
 

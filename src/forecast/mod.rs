@@ -9,6 +9,7 @@
 //! | [`outcome`] | an inflated star with its load, in closed forms: for all that follow |
 //! | [`choice`] | which model answers, and the error to expect of it |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
+//! | [`mod@shut`] | the shape of the star that has closed |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`candidate`], [`sweep`], [`optimize`] | the same answer for one design among millions |
 //! | [`trade`] | what each model costs, and how far it is off |
@@ -23,5 +24,6 @@ pub mod predict;
 pub mod prediction;
 pub mod report;
 pub mod seal_load;
+pub mod shut;
 pub mod sweep;
 pub mod trade;

@@ -48,7 +48,7 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
     let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
     let asked = manifest.as_ref().map_or(Asked::default(), Manifest::asked);
-    let wanted = outputs(expected.spec, expected.design, &asked);
+    let wanted = outputs(expected.spec, expected.machine.controller.dialect, expected.design, &asked);
     let entries = names::check(files, manifest.as_ref(), &wanted, &mut proof.findings);
     let mut seals = drawings::Seals::default();
     for output in wanted {
@@ -97,7 +97,7 @@ fn file(
     match output.kind.format() {
         Format::Pdf | Format::Stl => return (By::Reading, solid_or_paper(expected, output, bytes, findings)),
         Format::Png => {
-            pixels::check(bytes, findings);
+            pixels::check(bytes, expected, output.sheet.unwrap_or(0), findings);
             return (By::Reading, None);
         }
         _ => {}
