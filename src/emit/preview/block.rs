@@ -26,6 +26,8 @@ pub(super) enum Swatch {
 
 /// From line to line, by the type's size.
 const STEP: f64 = 1.6;
+/// How far lines are set in that begin with a blank, by the type's size.
+const INDENT: f64 = 1.2;
 /// Between blocks, by the type's size.
 const GAP: f64 = 3.0;
 
@@ -50,8 +52,11 @@ impl Block {
         let mut down = 0.0;
         std::iter::once(head).chain(rest).map(move |(size, indent, swatch, content)| {
             down += STEP * look.unit;
-            let at = at + Vec2::new(indent, -down);
-            (swatch, Text { at, size, anchor: Anchor::Start, ink: TEXT, content: content.clone() })
+            // SVG shows no blanks at a line's beginning.
+            let words = content.trim_start();
+            let blanks = if words.len() < content.len() { INDENT * look.unit } else { 0.0 };
+            let at = at + Vec2::new(indent + blanks, -down);
+            (swatch, Text { at, size, anchor: Anchor::Start, ink: TEXT, content: words.to_owned() })
         })
     }
 
