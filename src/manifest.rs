@@ -3,11 +3,12 @@
 mod bill;
 
 use std::fmt::Write;
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use crate::artifact::{Artifact, Asked, Format, Kind, Output};
+use crate::artifact::{Artifact, Asked, Format, Kind, NGC, Output};
 use crate::design::{Design, Paper};
 use crate::manifest::bill::thousandths;
 use crate::plan::Program;
@@ -209,7 +210,7 @@ impl Manifest {
 impl ManifestFile {
     /// The entry of one artifact.
     pub fn of(artifact: &Artifact) -> Self {
-        let Output { kind, sheet, star, plate, piece, paper, mirrored } = artifact.output;
+        let Output { kind, sheet, star, plate, piece, paper, mirrored, .. } = artifact.output;
         Self {
             path: artifact.name.clone(),
             kind,
@@ -228,7 +229,8 @@ impl ManifestFile {
     pub fn output(&self) -> Output {
         let Self { kind, sheet, star, plate, piece, paper, mirrored, .. } = *self;
         let paper = if kind.format() == Format::Pdf { paper.or(Some(Paper::Large)) } else { paper };
-        Output { kind, sheet, star, plate, piece, paper, mirrored }
+        let ngc = Path::new(&self.path).extension().is_some_and(|ending| ending == NGC);
+        Output { kind, sheet, star, plate, piece, paper, mirrored, ngc }
     }
 }
 

@@ -9,7 +9,7 @@ use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use stargrip_cam::artifact::Asked;
+use stargrip_cam::artifact::{Asked, Kind};
 use stargrip_cam::geom::{Bounds, Path as Curve};
 use stargrip_cam::manifest::sha256;
 use stargrip_cam::pipeline::{Built, Sources};
@@ -96,6 +96,26 @@ fn every_output_of_every_design_is_golden() {
         }
     }
     assert!(changed.is_empty(), "not as they were, see CONTRIBUTING.md: {changed:#?}");
+}
+
+/// Pixels are rounded from singles: their bytes are the same in debug and in release.
+#[test]
+fn a_picture_of_pixels_is_golden() {
+    let text = fs::read_to_string(Path::new(ROOT).join("designs/paper-gripper.toml")).expect("a design");
+    let reading = spec::read(&Source::new("design", text.as_str())).expect("a valid design");
+    let generic = spec::builtin_machine("generic").expect("built in");
+    let machine = spec::read_machine(&Source::new("machine", generic)).expect("a valid profile");
+    let sources = Sources { spec: &text, machine: generic };
+    let asked = Asked::only(&[Kind::PreviewPng]);
+    let build = pipeline::build(&reading.spec, &machine, sources, &asked).expect("a design");
+    let pictures = build.artifacts.iter().filter(|file| file.output.kind == Kind::PreviewPng);
+    let digests: Vec<String> =
+        pictures.map(|file| format!("{} {}", file.name, sha256(&file.bytes))).collect();
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(Path::new(ROOT).join("snapshots"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!("preview-png.digest", digests.join("\n")));
 }
 
 /// The files of `directory` that are not exactly `files`, by name; none after they were renewed.

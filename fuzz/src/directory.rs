@@ -48,7 +48,7 @@ pub(super) fn directory(bytes: &[u8]) {
 }
 
 fn names_a_program(name: &str) -> bool {
-    name.rsplit_once('.').is_some_and(|(_, ending)| ending == "gcode")
+    name.rsplit_once('.').is_some_and(|(_, ending)| ["gcode", "ngc"].contains(&ending))
 }
 
 /// A file away, twice, or under another's name.
@@ -95,7 +95,9 @@ fn led_alike(files: &Directory) {
     let spec = spec::read(&Source::new("spec.toml", text("spec.toml"))).expect("a spec").spec;
     let machine = spec::read_machine(&Source::new("machine.toml", text("machine.toml"))).expect("a profile");
     let dialect = Dialect::for_controller(&machine.controller);
-    for (name, _) in files.files.iter().filter(|(name, _)| name.ends_with("seal.gcode")) {
+    for (name, _) in
+        files.files.iter().filter(|(name, _)| name.ends_with("seal.gcode") || name.ends_with("seal.ngc"))
+    {
         let program = read_program(text(name), dialect.clone());
         assert_eq!(program.findings, [], "{name}");
         assert!(

@@ -6,7 +6,7 @@ mod output;
 
 pub use asked::Asked;
 pub use kind::{Format, Kind, Subject};
-pub use output::{Output, outputs};
+pub use output::{NGC, Output, outputs, program_ending};
 
 /// One output file.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,7 +3,10 @@
 use crate::artifact::asked::Asked;
 use crate::artifact::kind::{Format, Kind, Subject};
 use crate::design::{Design, Drawing, Edge, MaskPlate, Paper, PlacedStar};
-use crate::spec::{ProgramScope, Spec};
+use crate::spec::{Dialect, ProgramScope, Spec};
+
+/// The ending of programs for LinuxCNC.
+pub const NGC: &str = "ngc";
 
 /// One file of a design: what it is, and of which part. Everything else about it follows, its name too.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,12 +25,14 @@ pub struct Output {
     pub paper: Option<Paper>,
     /// Whether it is for the face that the iron does not touch.
     pub mirrored: bool,
+    /// Whether it is a program for LinuxCNC, whose file dialog lists `.ngc` alone.
+    pub ngc: bool,
 }
 
 impl Output {
     /// The file of this kind for the whole gripper.
     pub fn of(kind: Kind) -> Self {
-        Self { kind, sheet: None, star: None, plate: None, piece: None, paper: None, mirrored: false }
+        Self { kind, sheet: None, star: None, plate: None, piece: None, paper: None, mirrored: false, ngc: false }
     }
 
     /// What it is a file of, in its name; "" for the whole gripper.
@@ -50,7 +55,8 @@ impl Output {
     /// Its name in the output directory: letters, digits, `-` and `.` only.
     pub fn name(&self) -> String {
         let paper = self.paper.and_then(Paper::name).map_or(String::new(), |paper| format!("-{paper}"));
-        format!("{}{paper}.{}", self.stem(), self.kind.format().ending())
+        let ending = if self.ngc { NGC } else { self.kind.format().ending() };
+        format!("{}{paper}.{ending}", self.stem())
     }
 
     /// The title inside the file, for a design called `name`.
@@ -136,13 +142,19 @@ impl Output {
     }
 }
 
-/// Every file of `design`, which `spec` describes, of the kinds that are `asked` for, in the order of the manifest.
-pub fn outputs(spec: &Spec, design: &Design, asked: &Asked) -> Vec<Output> {
+/// The ending of programs in `dialect`.
+pub fn program_ending(dialect: Dialect) -> &'static str {
+    if dialect == Dialect::LinuxCnc { NGC } else { Format::Gcode.ending() }
+}
+
+/// Every file of `design`, which `spec` describes for a machine of `dialect`, of the kinds that are `asked` for, in the order of the manifest.
+pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, asked: &Asked) -> Vec<Output> {
     let mut out = vec![Output::of(Kind::Spec), Output::of(Kind::Machine)];
     for kind in [Kind::SealGcode, Kind::TraceGcode] {
         out.extend(programs(spec, design).map(|(sheet, star)| Output {
             sheet: Some(sheet),
             star,
+            ngc: dialect == Dialect::LinuxCnc,
             ..Output::of(kind)
         }));
     }

@@ -4,12 +4,13 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::{fs, io};
 
+use crate::artifact::program_ending;
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::quantity::quantity;
 use crate::cli::text_file::write_new;
-use crate::coupon::{Grid, coupons, table};
+use crate::coupon::{Grid, coupons, overview, table};
 use crate::spec::Allowed;
 use crate::units::{Length, Speed, Temperature};
 
@@ -71,13 +72,17 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         _ => Failure::file("create", &args.output, &error),
     })?;
     let mut said = String::new();
+    let program = program_ending(machine.controller.dialect);
     for coupon in &set {
-        for (ending, text) in [("gcode", &coupon.gcode), ("svg", &coupon.svg)] {
+        for (ending, text) in [(program, &coupon.gcode), ("svg", &coupon.svg)] {
             let path = args.output.join(format!("{}.{ending}", coupon.name));
             write_new(&path, text)?;
             let _ = writeln!(said, "wrote {}", shown(&path));
         }
     }
+    let whole = args.output.join("strips.svg");
+    write_new(&whole, &overview(spec, &grid.strips(machine)))?;
+    let _ = writeln!(said, "wrote {}: every strip with its setting and its cut", shown(&whole));
     let results = args.output.join("results.csv");
     write_new(&results, &table(&grid.strips(machine)))?;
     say(&format!(

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::artifact::program_ending;
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
@@ -15,9 +16,9 @@ use crate::spec::FeedFloor;
 pub(super) struct Args {
     /// The spec whose machine and speed are checked.
     spec: PathBuf,
-    /// The program to write; never over a file that is there.
-    #[arg(short, long, value_name = "FILE", default_value = "feedcheck.gcode")]
-    output: PathBuf,
+    /// The program to write, never over a file that is there; default: feedcheck.gcode, for LinuxCNC feedcheck.ngc.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
 }
 
 /// Writes the program that shows at which speed the machine really goes.
@@ -25,7 +26,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::new(&args.spec)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     let checks = plan::feed_checks(spec, machine);
-    write_new(&args.output, &emit::feed_check(spec, machine, &checks))?;
+    let default = || PathBuf::from("feedcheck").with_extension(program_ending(machine.controller.dialect));
+    let output = args.output.clone().unwrap_or_else(default);
+    write_new(&output, &emit::feed_check(spec, machine, &checks))?;
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
     let remedy = match spec.machine.feed_floor {
         FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",
@@ -35,7 +38,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "wrote {}\neach of its three lines of {} mm (X, Y, 45 deg) must take {seconds:.0} s; if one is faster, the \
          machine cannot go at {}: {remedy}\nat each {} it must stop and wait, at the X, Y and Z that the comment before it \
          says; if it runs on, or stands elsewhere, do not seal with this profile\n",
-        shown(&args.output),
+        shown(&output),
         plan::CHECK_LENGTH,
         spec.seal.speed,
         machine.script.pause

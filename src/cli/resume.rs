@@ -94,7 +94,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 /// Where the program goes by default: beside the job, or where that is in a published directory, beside the directory.
 fn target(job: &Path, published: bool) -> PathBuf {
     let stem = job.file_stem().unwrap_or_default().to_string_lossy();
-    let beside = job.with_file_name(format!("{stem}-resume.gcode"));
+    // What the host lists the old one by, it lists the new one by.
+    let ending = job.extension().map_or("gcode".into(), |ending| ending.to_string_lossy());
+    let beside = job.with_file_name(format!("{stem}-resume.{ending}"));
     if !published {
         return beside;
     }
@@ -105,7 +107,7 @@ fn target(job: &Path, published: bool) -> PathBuf {
     let parts =
         directory.as_deref().and_then(|directory| Some((directory.parent()?, directory.file_name()?)));
     let Some((_, name)) = parts else { return beside };
-    let name = format!("{}-{stem}-resume.gcode", name.to_string_lossy());
+    let name = format!("{}-{stem}-resume.{ending}", name.to_string_lossy());
     match job.parent().filter(|parent| parent.file_name().is_some()) {
         Some(parent) => parent.with_file_name(name),
         None => job.with_file_name("..").join(name),

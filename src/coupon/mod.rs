@@ -23,7 +23,7 @@ use crate::units::Length;
 
 pub use calibration::{Calibration, CalibrationFault, Row, calibrate, listing, read_rows, settings, steady};
 pub use shapes::{disc, vee};
-pub use strips::{Grid, Strip, table};
+pub use strips::{Grid, Strip, overview, table};
 pub use table::{Column, read_table};
 
 /// One program of a coupon set, as text, with a drawing of it.

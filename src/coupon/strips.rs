@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
-use crate::geom::{Line, Path, Point};
-use crate::spec::Machine;
+use crate::emit;
+use crate::emit::Cell;
+use crate::geom::{Bounds, Line, Path, Point, Vec2};
+use crate::spec::{Machine, Spec};
 use crate::units::{Length, Speed, Temperature};
 
 /// Width of a specimen of the T-peel test, mm (ASTM F88).
@@ -99,6 +101,25 @@ impl Strip {
     pub(super) fn label(&self, band: f64) -> Point {
         Point::new(self.start.x + WASTE + 2.0, self.start.y + band / 2.0 + 3.0)
     }
+}
+
+/// All strips on one page, each with its setting and the specimen that is cut out of it.
+pub fn overview(spec: &Spec, strips: &[Strip]) -> String {
+    let cells: Vec<Cell> = strips
+        .iter()
+        .map(|strip| {
+            let min = strip.start + Vec2::new(WASTE, -spec.seal.band.0);
+            let specimen = Bounds { min, max: min + Vec2::new(WIDTH, LEGS) };
+            let words = vec![
+                strip.temperature.to_string(),
+                strip.speed.to_string(),
+                format!("Z {}", strip.height),
+                program_name(strip.temperature, strip.speed),
+            ];
+            Cell { number: strip.number, seam: strip.seam(), specimen, words }
+        })
+        .collect();
+    emit::cells(&format!("seal strips: {}", spec.name), &cells, spec.seal.band.0)
 }
 
 /// Name of the program of a setting, without its ending.

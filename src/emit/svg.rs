@@ -87,19 +87,6 @@ impl SvgPage {
         self.decimals.text(self.height - p.y)
     }
 
-    /// A text of height `size` at a point of the sheet, with its `anchor` there.
-    pub(super) fn text(&self, at: Point, size: f64, anchor: &str, fill: &str, content: &str) -> Element {
-        let mut out = element("text");
-        out.assign("x", self.x(at));
-        out.assign("y", self.y(at));
-        out.assign("font-size", Decimals::exactly(2).text(size));
-        out.assign("font-family", "sans-serif");
-        out.assign("text-anchor", anchor);
-        out.assign("fill", fill);
-        out.append(svg::node::Text::new(content));
-        out
-    }
-
     fn shape(&self, shape: &Shape) -> Element {
         match shape {
             Shape::Path(path) => self.path(std::slice::from_ref(path)),

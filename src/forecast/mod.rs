@@ -9,6 +9,7 @@
 //! | [`outcome`] | an inflated star with its load, in closed forms: for all that follow |
 //! | [`choice`] | which model answers, and the error to expect of it |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
+//! | [`mod@shut`] | the shape of the star that has closed |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`by_shell`], [`star_by_shell`] | the same by the shell, which is asked by name only |
 //! | [`arms`] | what arms add to a hinge: ladders of shells, and the table made of them |
@@ -28,5 +29,6 @@ pub mod prediction;
 pub mod report;
 pub mod seal_load;
 pub mod star_by_shell;
+pub mod shut;
 pub mod sweep;
 pub mod trade;

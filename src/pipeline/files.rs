@@ -5,6 +5,7 @@ use crate::design::engraved_depth;
 use crate::emit;
 use crate::emit::Inflated;
 use crate::forecast::prediction::StarPrediction;
+use crate::forecast::shut::shut;
 use crate::manifest::Manifest;
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
@@ -20,7 +21,7 @@ impl Forecast {
 
 /// The files that are `asked` for.
 fn artifacts(forecast: &Forecast, sources: Sources<'_>, asked: &Asked) -> Vec<Artifact> {
-    let wanted = outputs(&forecast.spec, &forecast.design, asked);
+    let wanted = outputs(&forecast.spec, forecast.machine.controller.dialect, &forecast.design, asked);
     let made = wanted
         .into_iter()
         .filter_map(|output| content(forecast, sources, &output).map(|bytes| Artifact::new(output, bytes)));
@@ -36,12 +37,7 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Scene => {
             return emit::scene(&forecast.spec, &forecast.design, &inflated(forecast));
         }
-        Subject::Preview if output.kind.format() == Format::Png => {
-            return emit::preview_png(&forecast.design, output.sheet?);
-        }
-        Subject::Preview => {
-            emit::preview(&forecast.spec, &forecast.design, &forecast.programs, output.sheet?)?
-        }
+        Subject::Preview => return preview(forecast, output),
         Subject::Trace => program(forecast, &forecast.traces, output)?,
         Subject::Seal if output.kind.format() == Format::Gcode => {
             program(forecast, &forecast.programs, output)?
@@ -63,6 +59,18 @@ fn inflated(forecast: &Forecast) -> Vec<Inflated> {
         inner_radius: star.final_radius_mm,
     };
     prediction.map_or_else(Vec::new, |prediction| prediction.stars.iter().map(rest).collect())
+}
+
+/// The picture of the output's sheet.
+fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
+    let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
+    let object = spec.load.as_ref().and_then(|load| load.object_radius);
+    let shut = prediction.as_ref().map_or(Vec::new(), |prediction| shut(design, prediction, object));
+    let preview = emit::Preview { spec, machine, design, programs, shut: &shut };
+    match output.kind.format() {
+        Format::Png => preview.png(output.sheet?),
+        _ => preview.svg(output.sheet?).map(String::into_bytes),
+    }
 }
 
 /// The one of `programs` that is for the output's star, or its sheet.

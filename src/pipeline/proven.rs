@@ -81,7 +81,9 @@ impl Claim {
     /// The names of all files that the directory must have; none where what was asked for is refused.
     pub fn wanted(&self) -> Vec<String> {
         let asked = self.written.as_ref().map_or(Asked::default(), Manifest::asked);
-        let outputs = |forecast: &Forecast| outputs(&forecast.spec, &forecast.design, &asked);
+        let outputs = |forecast: &Forecast| {
+            outputs(&forecast.spec, forecast.machine.controller.dialect, &forecast.design, &asked)
+        };
         self.forecast.iter().flat_map(outputs).map(|output| output.name()).collect()
     }
 

@@ -127,6 +127,8 @@ fn assembled(toolpath: &Toolpath<'_>, note: &str, way: &str, from: usize) -> Str
     for (line, i) in text.lines().zip(0..).take(toolpath.lines.saturating_sub(1)).skip(from) {
         match &first {
             Some((at, with_feed)) if *at == i => add(with_feed),
+            // That of the whole job.
+            _ if line.contains("estimated printing time") => {}
             _ => add(line),
         }
     }

@@ -48,6 +48,7 @@ codes! {
         OpenLoop "open-loop" "A loop is not closed.",
         Order "order" "Layers or shapes stand in another order, which a cutter may follow.",
         OtherComment "other-comment" "A comment says something else than the design, or what must be said is not.",
+        OtherPicture "other-picture" "A picture does not show the design.",
         OutsidePage "outside-page" "Something lies outside of its page.",
         OutsideWorkArea "outside-work-area" "The program leaves the machine's work area.",
         PageCount "page-count" "The PDF has another number of pages.",

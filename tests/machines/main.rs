@@ -57,16 +57,25 @@ fn built(spec_text: &str, machine_text: &str) -> Built {
     try_built(spec_text, machine_text).unwrap_or_else(|refusals| panic!("{refusals:?}"))
 }
 
+/// The name of a file of a build, of which programs for LinuxCNC end otherwise.
+fn known(build: &Built, name: &str) -> String {
+    let ngc = name.replace(".gcode", ".ngc");
+    let names = [name.to_owned(), ngc];
+    names.into_iter().find(|name| build.artifacts.iter().any(|file| file.name == *name)).expect(name)
+}
+
 /// The text of a file of a build.
 fn text(build: &Built, name: &str) -> String {
-    let artifact = build.artifacts.iter().find(|artifact| artifact.name == name).expect(name);
+    let name = known(build, name);
+    let artifact = build.artifacts.iter().find(|artifact| artifact.name == name).expect("it");
     String::from_utf8(artifact.bytes.clone()).expect("text")
 }
 
 /// The findings about a build in which the file `name` is `text` instead, its hash and size put right.
 fn findings_with(build: &Built, name: &str, text: &str) -> Vec<Finding> {
     let mut manifest = build.manifest.clone();
-    let entry = manifest.files.iter_mut().find(|file| file.path == name).expect(name);
+    let name = known(build, name);
+    let entry = manifest.files.iter_mut().find(|file| file.path == name).expect("it");
     entry.bytes = text.len();
     entry.sha256 = stargrip_cam::manifest::sha256(text.as_bytes());
     let json = manifest.to_json();

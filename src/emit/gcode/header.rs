@@ -21,6 +21,9 @@ pub(super) fn header(
     };
     writer.comment(&format!("stargrip-cam {purpose} program"))?;
     writer.comment(&format!("name: {}", facts.name))?;
+    if let Some(maker) = writer.spelling.maker() {
+        writer.comment(&maker)?;
+    }
     let stars = stars(program);
     writer.comment(&format!("program: purpose={purpose} sheet={} stars={stars}", program.sheet))?;
     writer.comment("frame: origin at lower left of the sheet, Z0 on the release layer")?;

@@ -21,7 +21,7 @@ use crate::emit::gcode::header::{header, seam_facts};
 use crate::emit::gcode::writer::Writer;
 use crate::emit::number::number;
 use crate::geom::{Point, Segment};
-use crate::plan::{Clock, Pace, Pacer, Program, Step, height_of};
+use crate::plan::{Clock, Pace, Pacer, Program, Purpose, Step, height_of};
 use crate::spec::{Heating, Machine, Spec};
 
 pub use facts::Facts;
@@ -57,6 +57,11 @@ pub fn write_gcode(
     }
     for line in &machine.script.end {
         job.writer.line(line)?;
+    }
+    if let Some(estimate) =
+        job.writer.spelling.estimate(program.time).filter(|_| program.purpose == Purpose::Seal)
+    {
+        job.writer.comment(&estimate)?;
     }
     job.writer.sentinel()
 }

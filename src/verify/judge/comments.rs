@@ -6,7 +6,7 @@ use crate::design::PlacedStar;
 use crate::verify::finding::quote;
 use crate::verify::judge::Judge;
 use crate::verify::judge::expected::Expected;
-use crate::verify::judge::facts::{Facts, Place};
+use crate::verify::judge::facts::{ESTIMATE, Facts, MAKER, Place};
 use crate::verify::judge::progress::{Clock, Told};
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::is_code;
@@ -127,6 +127,13 @@ impl<'a> Comments<'a> {
         if let Some(name) = wanted.strip_prefix("name: ") {
             return found.strip_prefix("name:").is_some_and(|found| is_name(found.trim(), name.trim(), room));
         }
+        if let Some((found, wanted)) = behind(ESTIMATE, found, wanted) {
+            let near = |found: f64, wanted: f64| (found - wanted).abs() <= 0.501 + self.clock.slack();
+            return seconds(found).zip(seconds(wanted)).is_some_and(|(found, wanted)| near(found, wanted));
+        }
+        if let Some((found, wanted)) = behind(MAKER, found, wanted) {
+            return without_version(found) == without_version(wanted);
+        }
         let is_total = wanted.starts_with("total: ");
         let (mut found_words, mut wanted_words) = (found.split(' '), wanted.split(' '));
         loop {
@@ -195,6 +202,29 @@ impl Judge for Comments<'_> {
     }
 }
 
+/// What stands behind `prefix` in both.
+fn behind<'t>(prefix: &str, found: &'t str, wanted: &'t str) -> Option<(&'t str, &'t str)> {
+    found.strip_prefix(prefix).zip(wanted.strip_prefix(prefix))
+}
+
+/// What follows a version: digits and points; `None` if it begins with none.
+fn without_version(text: &str) -> Option<&str> {
+    let rest = text.trim_start_matches(|c: char| c.is_ascii_digit() || c == '.');
+    (rest.len() < text.len()).then_some(rest)
+}
+
+/// A time of days, hours, minutes and seconds, in this order, each at most once.
+fn seconds(text: &str) -> Option<f64> {
+    let mut units = [('d', 86400.0), ('h', 3600.0), ('m', 60.0), ('s', 1.0)].into_iter();
+    let mut sum = 0.0;
+    for word in text.split(' ') {
+        let (_, unit) = units.find(|(unit, _)| word.ends_with(*unit))?;
+        let number = word[..word.len() - 1].parse::<f64>().ok()?;
+        sum += Some(number).filter(|x| x.is_finite() && *x >= 0.0)? * unit;
+    }
+    Some(sum)
+}
+
 /// Whether `found` is a name or another text of the user's, in which only what means nothing to a controller is left.
 fn is_name(found: &str, wanted: &str, room: usize) -> bool {
     let plain = |c: char| c.is_ascii_alphanumeric() || " .,-_+=:/$".contains(c);
@@ -202,4 +232,20 @@ fn is_name(found: &str, wanted: &str, room: usize) -> bool {
     let alike = |f: char, w: char| f == w || (f == '_' && (!plain(w) || w == '$'));
     let same = found.chars().all(|f| wanted.next().is_some_and(|w| alike(f, w)));
     same && (wanted.all(|c| c == ' ') || found.len() + 10 >= room)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_is_read_as_hosts_read_it() {
+        assert_eq!(seconds("0d 5h 38m 22s"), Some(20302.0));
+        assert_eq!(seconds("20302.25s"), Some(20302.25));
+        for wrong in ["", "5", "5m 1h", "1h 1h", "-1s", "nans", "1s later"] {
+            assert_eq!(seconds(wrong), None, "{wrong}");
+        }
+        assert_eq!(without_version("0.1.0 on 0000"), Some(" on 0000"));
+        assert_eq!(without_version("Slicer on 0000"), None);
+    }
 }

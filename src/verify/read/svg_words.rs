@@ -101,7 +101,16 @@ macro_rules! shown {
 /// A picture for people: shapes, colours and words; nothing that runs, and nothing from elsewhere.
 pub(in crate::verify) const PICTURE: Words = Words {
     rows: &[
-        ("svg", &[""], &[("width", Says::Shape), ("height", Says::Shape), ("viewBox", Says::Shape)]),
+        (
+            "svg",
+            &[""],
+            &[
+                ("width", Says::Shape),
+                ("height", Says::Shape),
+                ("viewBox", Says::Shape),
+                ("style", Says::Is("max-width:100%;max-height:100%")),
+            ],
+        ),
         ("title", &["svg"], &[]),
         ("g", &["svg", "g"], &[("id", Says::Name)]),
         (
@@ -116,10 +125,10 @@ pub(in crate::verify) const PICTURE: Words = Words {
             "text",
             &["g"],
             &[
-                ("x", Says::Size),
-                ("y", Says::Size),
+                ("x", Says::Numbers),
+                ("y", Says::Numbers),
                 ("font-size", Says::Size),
-                ("font-family", Says::Is("sans-serif")),
+                ("font-family", Says::Is("DejaVu Sans, Verdana, Arial, sans-serif")),
                 ("text-anchor", Says::OneOf(&["start", "middle", "end"])),
                 ("fill", Says::Colour),
             ],

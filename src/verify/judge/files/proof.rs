@@ -58,7 +58,7 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = Proof::default();
     let manifest = names::read(files).map_err(|finding| proof.findings.push(finding)).ok();
     let asked = manifest.as_ref().map_or(Asked::default(), Manifest::asked);
-    let wanted = outputs(expected.spec, expected.design, &asked);
+    let wanted = outputs(expected.spec, expected.machine.controller.dialect, expected.design, &asked);
     let entries = names::check(files, manifest.as_ref(), &wanted, &mut proof.findings);
     let mut across = Across::default();
     for output in wanted {
@@ -117,7 +117,7 @@ fn file(
             return (By::Reading, Some(deviation));
         }
         Format::Png => {
-            pixels::check(bytes, findings);
+            pixels::check(bytes, expected, output.sheet.unwrap_or(0), findings);
             return (By::Reading, None);
         }
         Format::Glb => {

@@ -1,0 +1,144 @@
+//! A **picture** for people: marks on a page, in the frame of what is drawn, as a list that SVG and PNG both can say.
+
+mod png;
+mod svg;
+mod typeface;
+
+use crate::geom::{Bounds, Path, Point, Vec2};
+
+/// Marks on a page, group by group, the later above the earlier.
+pub(super) struct Picture {
+    /// What is shown.
+    pub(super) title: String,
+    /// What of the plane is shown; millimetres, Y up.
+    pub(super) window: Bounds,
+    /// The height of the plane that becomes ordinate 0 of an SVG, whose Y runs down.
+    pub(super) top: f64,
+    /// The marks.
+    pub(super) groups: Vec<Group>,
+}
+
+/// Marks that belong together.
+pub(super) struct Group {
+    /// Its name: letters, digits and `-`.
+    name: String,
+    marks: Vec<Mark>,
+}
+
+/// Something that is seen.
+enum Mark {
+    /// What lies inside of an odd number of these paths.
+    Area { paths: Vec<Path>, ink: Ink },
+    /// A line along a path.
+    Line { path: Path, pen: Pen },
+    /// A line of text.
+    Text(Text),
+}
+
+/// A colour: red, green, blue.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct Ink(pub(super) u8, pub(super) u8, pub(super) u8);
+
+/// How a line looks.
+#[derive(Clone, Copy)]
+pub(super) struct Pen {
+    ink: Ink,
+    /// Its width, mm.
+    width: f64,
+    /// Lengths of a dash and of a gap, mm; `None` for an unbroken line.
+    dash: Option<[f64; 2]>,
+}
+
+/// Which part of a text stands at its place.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Anchor {
+    /// Its beginning.
+    Start,
+    /// Its middle.
+    Middle,
+    /// Its end.
+    End,
+}
+
+/// A line of text.
+#[derive(Clone)]
+pub(super) struct Text {
+    /// Where its anchor stands on its base line.
+    pub(super) at: Point,
+    /// Size of the type, mm.
+    pub(super) size: f64,
+    /// What of it stands there.
+    pub(super) anchor: Anchor,
+    /// Its colour.
+    pub(super) ink: Ink,
+    /// What it says: printable ASCII.
+    pub(super) content: String,
+}
+
+/// How far type rises above its base line, and falls below it, by its size.
+const RISE: f64 = 0.76;
+const FALL: f64 = 0.24;
+
+impl Text {
+    /// A text whose box has its middle at `center`.
+    pub(super) fn centered(center: Point, size: f64, ink: Ink, content: impl Into<String>) -> Self {
+        let at = center - Vec2::new(0.0, 0.5 * (RISE - FALL) * size);
+        Self { at, size, anchor: Anchor::Middle, ink, content: content.into() }
+    }
+
+    /// Where its first letter begins.
+    fn start(&self) -> Point {
+        let share = match self.anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => 0.5,
+            Anchor::End => 1.0,
+        };
+        self.at - Vec2::new(share * self.width(), 0.0)
+    }
+
+    /// How wide it is.
+    pub(super) fn width(&self) -> f64 {
+        typeface::width(&self.content) * self.size
+    }
+
+    /// The box that it takes, in a face that is no wider than the one that pictures are measured with.
+    pub(super) fn bounds(&self) -> Bounds {
+        let start = self.start();
+        let (rise, fall) = (Vec2::new(self.width(), RISE * self.size), Vec2::new(0.0, FALL * self.size));
+        Bounds { min: start - fall, max: start + rise }
+    }
+}
+
+impl Pen {
+    /// An unbroken line.
+    pub(super) fn new(ink: Ink, width: f64) -> Self {
+        Self { ink, width, dash: None }
+    }
+
+    /// The same, dashed.
+    pub(super) fn dashed(self, dash: f64, gap: f64) -> Self {
+        Self { dash: Some([dash, gap]), ..self }
+    }
+}
+
+impl Group {
+    /// A group without marks.
+    pub(super) fn new(name: impl Into<String>) -> Self {
+        Self { name: name.into(), marks: Vec::new() }
+    }
+
+    /// Fills what lies inside of an odd number of `paths`.
+    pub(super) fn area(&mut self, paths: Vec<Path>, ink: Ink) {
+        self.marks.push(Mark::Area { paths, ink });
+    }
+
+    /// Draws a line along `path`.
+    pub(super) fn line(&mut self, path: Path, pen: Pen) {
+        self.marks.push(Mark::Line { path, pen });
+    }
+
+    /// Writes `text`.
+    pub(super) fn text(&mut self, text: Text) {
+        self.marks.push(Mark::Text(text));
+    }
+}

@@ -1,0 +1,190 @@
+//! Pictures as PNG: drawn by tiny-skia, smoothed, three colours of 8 bits, with the scale of 1:1 in their header.
+
+use std::f64::consts::FRAC_PI_4;
+
+use png::{ColorType, Compression, Encoder, PixelDimensions, Unit};
+use tiny_skia::{
+    FillRule, LineCap, LineJoin, Paint, PathBuilder, Pixmap, PixmapMut, Stroke, StrokeDash, Transform,
+};
+
+use crate::emit::picture::typeface::{Pencil, trace};
+use crate::emit::picture::{Ink, Mark, Pen, Picture, Text};
+use crate::geom::{Arc, Path, Point, Segment, Vec2};
+
+/// Pixels along the longer side: a screen's width.
+const LONGER: f64 = 1920.0;
+
+impl Picture {
+    /// The picture as a PNG; `None` if it has no extent.
+    pub(in crate::emit) fn png(&self) -> Option<Vec<u8>> {
+        let scale = LONGER / self.window.width().max(self.window.height());
+        let mut pixels =
+            Pixmap::new(count(self.window.width() * scale), count(self.window.height() * scale))?;
+        pixels.fill(tiny_skia::Color::WHITE);
+        let origin = Point::new(self.window.min.x, self.window.max.y);
+        let mut canvas = Canvas { pixels: pixels.as_mut(), origin, scale };
+        for mark in self.groups.iter().flat_map(|group| &group.marks) {
+            match mark {
+                Mark::Area { paths, ink } => canvas.area(paths, *ink),
+                Mark::Line { path, pen } => canvas.line(path, *pen),
+                Mark::Text(text) => canvas.text(text),
+            }
+        }
+        encoded(&pixels, scale)
+    }
+}
+
+/// What is drawn on. Coordinates become pixels before they become singles, so that no large one loses its fraction.
+struct Canvas<'a> {
+    pixels: PixmapMut<'a>,
+    /// What is at the upper left.
+    origin: Point,
+    /// Pixels a mm.
+    scale: f64,
+}
+
+impl Canvas<'_> {
+    fn area(&mut self, paths: &[Path], ink: Ink) {
+        let Some(path) = self.outline(paths) else { return };
+        self.pixels.fill_path(&path, &paint(ink), FillRule::EvenOdd, Transform::identity(), None);
+    }
+
+    fn line(&mut self, path: &Path, pen: Pen) {
+        let Some(path) = self.outline(std::slice::from_ref(path)) else { return };
+        let length = |mm: f64| single(mm * self.scale);
+        let stroke = Stroke {
+            width: length(pen.width),
+            line_cap: LineCap::Round,
+            line_join: LineJoin::Round,
+            dash: pen.dash.and_then(|dash| StrokeDash::new(dash.map(length).to_vec(), 0.0)),
+            ..Stroke::default()
+        };
+        self.pixels.stroke_path(&path, &paint(pen.ink), &stroke, Transform::identity(), None);
+    }
+
+    fn text(&mut self, text: &Text) {
+        let start = self.at(text.start());
+        let mut letters = Letters { start, size: text.size * self.scale, path: PathBuilder::new() };
+        trace(&text.content, &mut letters);
+        let Some(path) = letters.path.finish() else { return };
+        self.pixels.fill_path(&path, &paint(text.ink), FillRule::Winding, Transform::identity(), None);
+    }
+
+    /// A point in pixels, Y down.
+    fn at(&self, p: Point) -> Point {
+        Point::new((p.x - self.origin.x) * self.scale, (self.origin.y - p.y) * self.scale)
+    }
+
+    fn outline(&self, paths: &[Path]) -> Option<tiny_skia::Path> {
+        let mut out = PathBuilder::new();
+        for path in paths {
+            let Some(start) = path.start().map(|start| self.at(start)) else { continue };
+            out.move_to(single(start.x), single(start.y));
+            for segment in &path.segments {
+                match segment {
+                    Segment::Line(line) => {
+                        let end = self.at(line.end);
+                        out.line_to(single(end.x), single(end.y));
+                    }
+                    Segment::Arc(arc) => self.arc(arc, &mut out),
+                }
+            }
+            if path.closed {
+                out.close();
+            }
+        }
+        out.finish()
+    }
+
+    /// An arc as cubics of at most 45 degrees, which leave its circle by less than 1e-5 of the radius.
+    fn arc(&self, arc: &Arc, out: &mut PathBuilder) {
+        let whole = Segment::Arc(*arc);
+        let pieces = (arc.sweep.abs() / FRAC_PI_4).ceil().max(1.0);
+        let reach = 4.0 / 3.0 * (arc.sweep.abs() / pieces / 4.0).tan() * arc.radius;
+        for k in 0..count(pieces) {
+            let (from, to) = (f64::from(k) / pieces, f64::from(k + 1) / pieces);
+            let [a, b, end] = [
+                whole.point(from) + whole.tangent(from) * reach,
+                whole.point(to) - whole.tangent(to) * reach,
+                whole.point(to),
+            ]
+            .map(|p| self.at(p));
+            out.cubic_to(single(a.x), single(a.y), single(b.x), single(b.y), single(end.x), single(end.y));
+        }
+    }
+}
+
+/// Letters on their way to pixels.
+struct Letters {
+    start: Point,
+    size: f64,
+    path: PathBuilder,
+}
+
+impl Letters {
+    fn at(&self, x: f64, y: f64) -> (f32, f32) {
+        let p = self.start + Vec2::new(x, -y) * self.size;
+        (single(p.x), single(p.y))
+    }
+}
+
+impl Pencil for Letters {
+    fn move_to(&mut self, x: f64, y: f64) {
+        let (x, y) = self.at(x, y);
+        self.path.move_to(x, y);
+    }
+
+    fn line_to(&mut self, x: f64, y: f64) {
+        let (x, y) = self.at(x, y);
+        self.path.line_to(x, y);
+    }
+
+    fn curve_to(&mut self, [bx, by]: [f64; 2], x: f64, y: f64) {
+        let ((bx, by), (x, y)) = (self.at(bx, by), self.at(x, y));
+        self.path.quad_to(bx, by, x, y);
+    }
+
+    fn close(&mut self) {
+        self.path.close();
+    }
+}
+
+fn encoded(pixels: &Pixmap, scale: f64) -> Option<Vec<u8>> {
+    // All is opaque, so nothing was multiplied by what shines through.
+    let colors = pixels.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]);
+    let colors: Vec<u8> = colors.collect();
+    let mut out = Vec::new();
+    let mut encoder = Encoder::new(&mut out, pixels.width(), pixels.height());
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_compression(Compression::Fast);
+    let a_metre = count(1000.0 * scale);
+    encoder.set_pixel_dims(Some(PixelDimensions { xppu: a_metre, yppu: a_metre, unit: Unit::Meter }));
+    let mut writer = encoder.write_header().ok()?;
+    writer.write_image_data(&colors).ok()?;
+    writer.finish().ok()?;
+    Some(out)
+}
+
+fn paint(Ink(red, green, blue): Ink) -> Paint<'static> {
+    let mut paint = Paint::default();
+    paint.set_color_rgba8(red, green, blue, 0xff);
+    paint
+}
+
+/// The nearest whole number, at least 1.
+fn count(x: f64) -> u32 {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a saturating cast of at least 1"
+    )]
+    let count = x.round().max(1.0) as u32;
+    count
+}
+
+/// The nearest single.
+fn single(x: f64) -> f32 {
+    #[expect(clippy::cast_possible_truncation, reason = "rounding is what is wanted")]
+    let single = x as f32;
+    single
+}

@@ -1,0 +1,94 @@
+//! Pictures as SVG: real text, so that it can be searched; as large as what it shows, and in a browser no larger than the window.
+
+use svg::Node;
+use svg::node::element::Element;
+
+use crate::emit::number::Decimals;
+use crate::emit::picture::{Anchor, Ink, Mark, Pen, Picture, Text};
+use crate::emit::svg::{SvgPage, element};
+use crate::geom::Path;
+
+/// A hundredth of a millimetre is enough for the eye.
+const DECIMALS: u32 = 2;
+
+/// Browsers shrink the picture to their window; what prints or cuts goes by width and height.
+const FITTED: &str = "max-width:100%;max-height:100%";
+
+/// The first that a viewer has; see `typeface`.
+const FACES: &str = "DejaVu Sans, Verdana, Arial, sans-serif";
+
+impl Picture {
+    /// The picture as an SVG document.
+    pub(in crate::emit) fn svg(&self) -> String {
+        let page = SvgPage { height: self.top, decimals: Decimals::exactly(DECIMALS) };
+        let (x, y) = (page.decimals.text(self.window.min.x), page.y(self.window.max));
+        let [w, h] = [self.window.width(), self.window.height()].map(|side| page.decimals.text(side));
+        let mut document = page
+            .document(&self.title, self.window.width())
+            .set("height", format!("{h}mm"))
+            .set("viewBox", format!("{x} {y} {w} {h}"))
+            .set("style", FITTED);
+        for group in &self.groups {
+            let mut out = element("g");
+            out.assign("id", group.name.as_str());
+            for mark in &group.marks {
+                out.append(shown(&page, mark));
+            }
+            document.append(out);
+        }
+        format!("{document}\n")
+    }
+}
+
+fn shown(page: &SvgPage, mark: &Mark) -> Element {
+    match mark {
+        Mark::Area { paths, ink } => {
+            let data: Vec<String> = paths.iter().map(|path| page.data(path)).collect();
+            let mut out = element("path");
+            out.assign("d", data.join(" "));
+            out.assign("fill", color(*ink));
+            if paths.len() > 1 {
+                out.assign("fill-rule", "evenodd");
+            }
+            out
+        }
+        Mark::Line { path, pen } => line(page, path, *pen),
+        Mark::Text(text) => words(page, text),
+    }
+}
+
+fn line(page: &SvgPage, path: &Path, pen: Pen) -> Element {
+    let number = |x: f64| Decimals::exactly(3).text(x);
+    let mut out = element("path");
+    out.assign("d", page.data(path));
+    out.assign("fill", "none");
+    out.assign("stroke", color(pen.ink));
+    out.assign("stroke-width", number(pen.width));
+    out.assign("stroke-linejoin", "round");
+    out.assign("stroke-linecap", "round");
+    if let Some([dash, gap]) = pen.dash {
+        out.assign("stroke-dasharray", format!("{} {}", number(dash), number(gap)));
+    }
+    out
+}
+
+fn words(page: &SvgPage, text: &Text) -> Element {
+    let mut out = element("text");
+    out.assign("x", page.x(text.at));
+    out.assign("y", page.y(text.at));
+    out.assign("font-size", page.decimals.text(text.size));
+    out.assign("font-family", FACES);
+    let anchor = match text.anchor {
+        Anchor::Start => "start",
+        Anchor::Middle => "middle",
+        Anchor::End => "end",
+    };
+    out.assign("text-anchor", anchor);
+    out.assign("fill", color(text.ink));
+    out.append(svg::node::Text::new(text.content.as_str()));
+    out
+}
+
+fn color(Ink(red, green, blue): Ink) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}

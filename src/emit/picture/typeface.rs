@@ -1,0 +1,101 @@
+//! The typeface that pictures are lettered with: printable ASCII of DejaVu Sans (templates/font).
+//!
+//! A PNG is drawn with it. An SVG asks for it and falls back to others; all sans-serif faces in wide use are as wide or
+//! narrower, so its widths tell what room a text needs at most.
+
+use ttf_parser::{Face, GlyphId, OutlineBuilder};
+
+const FONT: &[u8] = include_bytes!("../../../templates/font/DejaVuSans-ASCII.ttf");
+
+/// Width of a letter that the face does not have, by the type's size.
+const UNKNOWN: f64 = 0.6;
+
+fn face() -> Option<Face<'static>> {
+    Face::parse(FONT, 0).ok()
+}
+
+/// How far the pen moves on after a glyph, by the type's size.
+fn advance(face: &Face<'_>, glyph: Option<GlyphId>) -> f64 {
+    let units = glyph.and_then(|glyph| face.glyph_hor_advance(glyph));
+    units.map_or(UNKNOWN, |units| f64::from(units) / f64::from(face.units_per_em()))
+}
+
+/// How wide `text` is, by the type's size.
+pub(super) fn width(text: &str) -> f64 {
+    face().map_or(0.0, |face| text.chars().map(|c| advance(&face, face.glyph_index(c))).sum())
+}
+
+/// Where an outline goes: in units of the type's size, Y up, from the beginning of the base line.
+pub(super) trait Pencil {
+    fn move_to(&mut self, x: f64, y: f64);
+    fn line_to(&mut self, x: f64, y: f64);
+    fn curve_to(&mut self, by: [f64; 2], x: f64, y: f64);
+    fn close(&mut self);
+}
+
+/// Traces the outlines of the letters of `text`.
+pub(super) fn trace(text: &str, pencil: &mut impl Pencil) {
+    let Some(face) = face() else { return };
+    let mut at = 0.0;
+    for c in text.chars() {
+        let glyph = face.glyph_index(c);
+        let mut placed = Placed { at, scale: 1.0 / f64::from(face.units_per_em()), pencil };
+        let _ = glyph.and_then(|glyph| face.outline_glyph(glyph, &mut placed));
+        at += advance(&face, glyph);
+    }
+}
+
+/// A glyph's outline, moved to its place and scaled.
+struct Placed<'a, P> {
+    at: f64,
+    scale: f64,
+    pencil: &'a mut P,
+}
+
+impl<P> Placed<'_, P> {
+    fn x(&self, x: f32) -> f64 {
+        self.at + f64::from(x) * self.scale
+    }
+
+    fn y(&self, y: f32) -> f64 {
+        f64::from(y) * self.scale
+    }
+}
+
+impl<P: Pencil> OutlineBuilder for Placed<'_, P> {
+    fn move_to(&mut self, x: f32, y: f32) {
+        self.pencil.move_to(self.x(x), self.y(y));
+    }
+
+    fn line_to(&mut self, x: f32, y: f32) {
+        self.pencil.line_to(self.x(x), self.y(y));
+    }
+
+    fn quad_to(&mut self, x1: f32, y1: f32, x: f32, y: f32) {
+        self.pencil.curve_to([self.x(x1), self.y(y1)], self.x(x), self.y(y));
+    }
+
+    /// The outlines of a TrueType face have none.
+    fn curve_to(&mut self, _: f32, _: f32, _: f32, _: f32, x: f32, y: f32) {
+        self.line_to(x, y);
+    }
+
+    fn close(&mut self) {
+        self.pencil.close();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_letter_of_ascii_is_in_the_face() {
+        let face = face().expect("a face");
+        for c in ' '..='~' {
+            assert!(face.glyph_index(c).is_some(), "{c}");
+        }
+        assert!((width("iiii") - 4.0 * 569.0 / 2048.0).abs() < 1e-12, "{}", width("iiii"));
+        assert_eq!(width(""), 0.0);
+    }
+}

@@ -1,0 +1,61 @@
+//! A picture of all seal strips of a grid: where each lies, what it is sealed at, where it is cut.
+
+use crate::emit::picture::{Anchor, Group, Pen, Picture, Text};
+use crate::emit::preview::look::{BAND, CUT, FABRIC, LABEL, Look, PAGE, TEXT, rectangle};
+use crate::emit::text::inert;
+use crate::geom::{Bounds, Path, Point, Vec2};
+
+/// One strip.
+pub struct Cell {
+    /// What stands on it.
+    pub number: usize,
+    /// The centre line of its seam.
+    pub seam: Path,
+    /// The specimen that is cut out of it.
+    pub specimen: Bounds,
+    /// What it is sealed at, a line each.
+    pub words: Vec<String>,
+}
+
+/// All cells on one page at 1:1, as an SVG; `band` is the width of the seams, mm.
+pub fn cells(title: &str, cells: &[Cell], band: f64) -> String {
+    let all = cells.iter().map(|cell| cell.specimen.union(cell.seam.bounds()));
+    let all = all.fold(Bounds::EMPTY, Bounds::union);
+    let look = Look::new(all.width().max(all.height()));
+    let size = cells.iter().map(|cell| fitting(cell, look)).fold(look.unit, f64::min);
+    let (mut fabric, mut seams, mut words) = (Group::new("cut"), Group::new("seal"), Group::new("words"));
+    for cell in cells {
+        fabric.area(vec![rectangle(&cell.specimen)], FABRIC);
+        fabric.line(rectangle(&cell.specimen), look.pen(CUT, 1.0));
+        seams.line(cell.seam.clone(), Pen::new(BAND, band));
+        let (left, top) = (cell.specimen.min.x, cell.specimen.max.y);
+        let number = Text::centered(
+            Point::new(cell.specimen.center().x, top - 1.6 * size),
+            1.6 * size,
+            TEXT,
+            cell.number.to_string(),
+        );
+        words.text(number);
+        let mut at = Point::new(left + 0.8 * size, top - 4.2 * size);
+        for line in &cell.words {
+            words.text(Text { at, size, anchor: Anchor::Start, ink: LABEL, content: inert(line, 40) });
+            at = at - Vec2::new(0.0, 1.5 * size);
+        }
+    }
+    let head = Point::new(all.min.x, all.max.y + 2.0 * look.unit);
+    let content = format!("{}, seen from the iron's side, 1:1 in mm", inert(title, 60));
+    let heading = Text { at: head, size: look.unit, anchor: Anchor::Start, ink: TEXT, content };
+    let window = all.union(heading.bounds()).grown(2.0 * look.unit);
+    words.text(heading);
+    let mut page = Group::new("page");
+    page.area(vec![rectangle(&window)], PAGE);
+    let groups = vec![page, fabric, seams, words];
+    Picture { title: title.to_owned(), window, top: all.max.y, groups }.svg()
+}
+
+/// The size of type at which the words of `cell` fit on its specimen.
+fn fitting(cell: &Cell, look: Look) -> f64 {
+    let width = |line: &String| Text::centered(Point::ORIGIN, 1.0, LABEL, line.clone()).width();
+    let widest = cell.words.iter().map(width).fold(1.0, f64::max);
+    look.unit.min(cell.specimen.width() / (widest + 1.6))
+}

@@ -1,0 +1,133 @@
+//! Numbers and words on a star: sized by its tube, each where it covers nothing.
+
+use std::f64::consts::TAU;
+
+use crate::design::{PlacedStar, StarDesign};
+use crate::emit::picture::{Group, Pen, Text};
+use crate::emit::preview::look::{LABEL, Look, START, TEXT, circle, straight};
+use crate::emit::preview::place::Places;
+use crate::emit::preview::travel::Start;
+use crate::geom::{Bounds, Point, Vec2};
+
+/// Sizes that are tried in turn, by the first of them; what is smaller is not read.
+const SIZES: [f64; 8] = [1.0, 0.85, 0.72, 0.61, 0.52, 0.44, 0.37, 0.3];
+/// Size from which words are read with ease, by that of the picture's type.
+const LEGIBLE: f64 = 0.62;
+/// Ways out that are tried around a point.
+const WAYS: u32 = 24;
+/// How far out, by the label's size.
+const REACHES: [f64; 9] = [1.2, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.5, 8.0];
+
+/// Name, tips, corners and inlet of one star.
+pub(super) fn star_labels(part: &StarDesign, star: &PlacedStar, look: Look, places: &mut Places) -> Group {
+    let mut group = Group::new(format!("labels-{}", star.index));
+    let geometry = &part.star;
+    let middle = star.placement.point(Point::ORIGIN);
+    let name = format!("star {}", star.index);
+    for size in SIZES.map(|share| share * (1.6 * look.unit).min(0.4 * geometry.rho_0)) {
+        let lines = [(name.as_str(), 0.8, size), ("this side up", -0.8, 0.75 * size)];
+        let lines = lines.map(|(words, up, size)| {
+            vec![Text::centered(middle + Vec2::new(0.0, up * size), size, TEXT, words)]
+        });
+        if let Some(lines) = places.all(lines) {
+            lines.into_iter().for_each(|line| group.text(line));
+            break;
+        }
+    }
+    hinges(part, star, look, places).into_iter().for_each(|text| group.text(text));
+    if let Some(channel) = &part.channel {
+        let mouth = star.placement.point(channel.mouth_center(geometry));
+        let along = mouth - star.placement.point(Point::polar(geometry.d_t, geometry.tip_ray(channel.tip)));
+        let size = (0.9 * look.unit).min(0.3 * geometry.w);
+        beside(&mut group, places, Callout { at: mouth, along, size, words: "inlet", ring: false });
+    }
+    group
+}
+
+/// Numbers of tips and corners, all of one size: whole words where they can be read, else letters.
+fn hinges(part: &StarDesign, star: &PlacedStar, look: Look, places: &mut Places) -> Vec<Text> {
+    let geometry = &part.star;
+    for (tip, corner, least) in [("tip ", "corner ", LEGIBLE), ("T", "C", 0.0)] {
+        for size in SIZES.map(|share| share * (0.9 * look.unit).min(0.26 * geometry.w)) {
+            if size < least * look.unit {
+                break;
+            }
+            let along = |from: f64, ray: f64, words: String| -> Vec<Text> {
+                let shares = [0.5, 0.58, 0.42, 0.66, 0.34, 0.74, 0.26];
+                let places = shares.map(|share| {
+                    let center = star.placement.point(Point::polar(from + share * geometry.w, ray));
+                    Text::centered(center, size, LABEL, words.clone())
+                });
+                places.to_vec()
+            };
+            let labels = (1..=geometry.n).flat_map(|k| {
+                [
+                    along(geometry.d_t + geometry.r_i, geometry.tip_ray(k), format!("{tip}{k}")),
+                    along(geometry.rho_0, geometry.corner_ray(k), format!("{corner}{k}")),
+                ]
+            });
+            if let Some(labels) = places.all(labels) {
+                return labels;
+            }
+        }
+    }
+    Vec::new()
+}
+
+/// The numbers of the seams, beside where they begin.
+pub(super) fn start_labels(starts: &[Start], look: Look, places: &mut Places) -> Group {
+    let mut group = Group::new("order");
+    for start in starts {
+        let size = look.unit.min(0.3 * start.tube);
+        let words = start.order.to_string();
+        let callout = Callout { at: start.at, along: start.along.perp(), size, words: &words, ring: true };
+        beside(&mut group, places, callout);
+    }
+    group
+}
+
+/// A label that stands beside a point, with a line to it.
+struct Callout<'a> {
+    at: Point,
+    /// Where it stands if it can.
+    along: Vec2,
+    size: f64,
+    words: &'a str,
+    /// Whether there is a ring around it.
+    ring: bool,
+}
+
+fn beside(group: &mut Group, places: &mut Places, callout: Callout<'_>) {
+    let Callout { at, along, words, ring, .. } = callout;
+    let ink = if ring { START } else { LABEL };
+    for size in SIZES.map(|share| share * callout.size) {
+        let half = 0.5 * Text::centered(at, size, ink, words).width();
+        let radius = (half + 0.25 * size).max(0.75 * size);
+        for reach in REACHES {
+            for way in 0..WAYS {
+                // Straight ahead first, then ever farther to both sides.
+                let turn = f64::from(way.div_ceil(2)) * if way % 2 == 0 { 1.0 } else { -1.0 };
+                let out = Vec2::unit(along.angle() + turn * TAU / f64::from(WAYS));
+                let middle = at + out * (reach * size + if ring { 0.0 } else { half * out.x.abs() });
+                let text = Text::centered(middle, size, ink, words);
+                let taken = if ring { Bounds::of_points([middle]).grown(radius) } else { text.bounds() };
+                if !places.is_free(&taken) {
+                    continue;
+                }
+                places.keep_off_box(taken);
+                let edge = if ring { middle - out * radius } else { nearest(&taken.grown(0.15 * size), at) };
+                group.line(straight(at, edge), Pen::new(ink, 0.07 * size));
+                if ring {
+                    group.line(circle(middle, radius), Pen::new(ink, 0.07 * size));
+                }
+                group.text(text);
+                return;
+            }
+        }
+    }
+}
+
+/// The point of the box that is nearest to `p`.
+fn nearest(bounds: &Bounds, p: Point) -> Point {
+    Point::new(p.x.clamp(bounds.min.x, bounds.max.x), p.y.clamp(bounds.min.y, bounds.max.y))
+}

@@ -1,0 +1,109 @@
+//! Where labels go: the first place that they cover nothing from.
+
+use crate::emit::picture::Text;
+use crate::geom::{Bounds, Line, Path, Point, Segment, segment_distance};
+
+/// What labels keep off, and what they have taken.
+pub(super) struct Places {
+    /// What they stay inside of.
+    window: Bounds,
+    /// Blank left around each, mm.
+    blank: f64,
+    /// Lines with their boxes and half their widths.
+    lines: Vec<(Segment, Bounds, f64)>,
+    boxes: Vec<Bounds>,
+}
+
+impl Places {
+    pub(super) fn new(window: Bounds, blank: f64) -> Self {
+        Self { window, blank, lines: Vec::new(), boxes: Vec::new() }
+    }
+
+    /// Labels keep off a line along `path` that is `width` wide.
+    pub(super) fn keep_off(&mut self, path: &Path, width: f64) {
+        let half = width / 2.0;
+        let line = |segment: &Segment| (*segment, segment.bounds().grown(half), half);
+        self.lines.extend(path.segments.iter().map(line));
+    }
+
+    /// Labels keep off a box.
+    pub(super) fn keep_off_box(&mut self, bounds: Bounds) {
+        self.boxes.push(bounds);
+    }
+
+    /// Whether nothing is there.
+    pub(super) fn is_free(&self, bounds: &Bounds) -> bool {
+        let room = bounds.grown(self.blank);
+        self.window.contains(bounds.min)
+            && self.window.contains(bounds.max)
+            && !self.boxes.iter().any(|other| room.overlaps(other))
+            && !self
+                .lines
+                .iter()
+                .any(|(segment, around, half)| around.overlaps(&room) && distance(&room, segment) <= *half)
+    }
+
+    /// Whether a line along `path` covers no label.
+    pub(super) fn is_clear(&self, path: &Path) -> bool {
+        let crosses = |bounds: &Bounds| path.segments.iter().any(|segment| distance(bounds, segment) == 0.0);
+        !self.boxes.iter().any(crosses)
+    }
+
+    /// The first of `texts` that covers nothing; its place is taken then.
+    pub(super) fn first(&mut self, texts: impl IntoIterator<Item = Text>) -> Option<Text> {
+        let text = texts.into_iter().find(|text| self.is_free(&text.bounds()))?;
+        self.boxes.push(text.bounds());
+        Some(text)
+    }
+
+    /// All of `labels`, each at the first of its places; `None`, and no place taken, if one of them has none.
+    pub(super) fn all(&mut self, labels: impl IntoIterator<Item = Vec<Text>>) -> Option<Vec<Text>> {
+        let before = self.boxes.len();
+        let placed = labels.into_iter().map(|places| self.first(places)).collect();
+        if Option::<Vec<Text>>::is_none(&placed) {
+            self.boxes.truncate(before);
+        }
+        placed
+    }
+}
+
+/// Smallest distance between a box and a segment; 0 if they share a point.
+fn distance(bounds: &Bounds, segment: &Segment) -> f64 {
+    if bounds.contains(segment.start()) {
+        return 0.0;
+    }
+    let (a, c) = (bounds.min, bounds.max);
+    let (b, d) = (Point::new(c.x, a.y), Point::new(a.x, c.y));
+    let sides = [(a, b), (b, c), (c, d), (d, a)].map(|(from, to)| Segment::from(Line::new(from, to)));
+    sides.iter().map(|side| segment_distance(side, segment)).fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::emit::picture::Ink;
+
+    fn label(x: f64) -> Text {
+        Text::centered(Point::new(x, 0.0), 2.0, Ink(0, 0, 0), "ab")
+    }
+
+    #[test]
+    fn labels_keep_off_lines_boxes_borders_and_each_other() {
+        let window = Bounds { min: Point::new(-50.0, -5.0), max: Point::new(50.0, 5.0) };
+        let mut places = Places::new(window, 0.1);
+        places
+            .keep_off(&Path::open(vec![Line::new(Point::new(0.0, -9.0), Point::new(0.0, 9.0)).into()]), 4.0);
+        let width = label(0.0).width();
+        assert!(width > 2.0 && width < 3.0);
+        assert!(!places.is_free(&label(1.0).bounds()), "on the line");
+        assert!(!places.is_free(&label(2.0 + 0.5 * width).bounds()), "no blank beside it");
+        assert!(places.is_free(&label(2.2 + 0.5 * width).bounds()));
+        assert!(!places.is_free(&label(50.0).bounds()), "half outside");
+        assert!(places.first([label(0.0), label(10.0)]).is_some_and(|text| text.at.x == 10.0));
+        assert!(places.first([label(10.0)]).is_none(), "taken");
+        let line = |x: f64| Path::open(vec![Line::new(Point::new(x, -3.0), Point::new(x, 3.0)).into()]);
+        assert!(!places.is_clear(&line(10.0)) && places.is_clear(&line(15.0)));
+        assert!(places.all([vec![label(20.0)], vec![label(20.0)]]).is_none());
+        assert_eq!(places.all([vec![label(20.0)], vec![label(30.0)]]).map(|all| all.len()), Some(2));
+    }
+}

@@ -1,0 +1,246 @@
+//! The whole stack: from above, flat and shut, and from the side, to scale, beside the first sheet.
+
+use std::f64::consts::{PI, TAU};
+
+use crate::design::{Design, Side, Star};
+use crate::emit::picture::{Anchor, Group, Text};
+use crate::emit::preview::look::{GREY, IRON, Look, OBJECT, TEXT, circle, rectangle, star_ink, straight};
+use crate::emit::preview::place::Places;
+use crate::emit::preview::subject::Preview;
+use crate::geom::{Bounds, Isometry, Path, Point, Vec2};
+
+/// The two views, and how much room they need to the right of the sheet.
+pub(super) struct StackView<'a> {
+    preview: &'a Preview<'a>,
+    /// Largest distance from the axis that anything reaches.
+    reach: f64,
+}
+
+/// Stars that lie alike, seen from above.
+struct Alike {
+    stars: Vec<usize>,
+    motion: Isometry,
+}
+
+impl<'a> StackView<'a> {
+    pub(super) fn new(preview: &'a Preview<'a>) -> Self {
+        let design = preview.design;
+        let mouths = design.distinct.iter().filter_map(|part| Some(part.channel?.mouth));
+        Self { preview, reach: mouths.fold(design.frame.radius, f64::max) }
+    }
+
+    /// Width of the strip that the views take, without type.
+    pub(super) fn bare_width(&self) -> f64 {
+        2.0 * self.reach
+    }
+
+    /// Height of the views, without type.
+    pub(super) fn bare_height(&self) -> f64 {
+        2.0 * self.reach + self.preview.design.stack.height
+    }
+
+    /// Width of the strip that the views take, labels at both sides.
+    pub(super) fn width(&self, look: Look) -> f64 {
+        self.bare_width() + 20.0 * look.unit
+    }
+
+    /// Height that the views need, one above the other.
+    pub(super) fn height(&self, look: Look) -> f64 {
+        self.bare_height() + 12.0 * look.unit
+    }
+
+    /// The views, in the middle of a strip whose top is at ordinate `top`.
+    pub(super) fn group(&self, middle: f64, top: f64, look: Look) -> Group {
+        let mut group = Group::new("stack");
+        let axis = Point::new(middle, top - self.reach - 3.0 * look.unit);
+        self.from_above(&mut group, axis, look);
+        let foot =
+            Point::new(middle, axis.y - self.reach - 6.0 * look.unit - self.preview.design.stack.height);
+        self.from_the_side(&mut group, foot, look);
+        group
+    }
+
+    fn from_above(&self, group: &mut Group, axis: Point, look: Look) {
+        let Preview { design, shut, .. } = self.preview;
+        let frame = &design.frame;
+        let half = self.reach + 9.5 * look.unit;
+        let mut places = Places::new(Bounds::of_points([axis]).grown(half), 0.25 * look.unit);
+        if let Some(radius) = self.object() {
+            group.area(vec![circle(axis, radius)], OBJECT);
+            group.line(circle(axis, radius), look.pen(GREY, 0.7));
+        }
+        let edge = circle(axis, frame.radius);
+        places.keep_off(&edge, 0.0);
+        group.line(edge, look.pen(GREY, 1.2));
+        for plate in &frame.plates {
+            let opening = circle(axis, plate.opening);
+            places.keep_off(&opening, 0.0);
+            group.line(opening, look.dashes(GREY, 1.0));
+        }
+        for post in &frame.posts {
+            let post = circle(axis + (*post - Point::ORIGIN), frame.post_diameter / 2.0);
+            places.keep_off_box(post.bounds());
+            group.area(vec![post], IRON);
+        }
+        let alike = self.alike(axis);
+        for Alike { stars, motion } in &alike {
+            let Some(index) = stars.first().copied() else { continue };
+            let part = design.part(&design.stars[index - 1]);
+            for edge in part.edges.iter().map(|edge| motion.path(edge)) {
+                places.keep_off(&edge, 0.0);
+                group.line(edge, look.pen(star_ink(index), if shut.is_empty() { 2.0 } else { 1.2 }));
+            }
+            for edge in shut.get(index - 1).map(edges).unwrap_or_default() {
+                let edge = motion.path(&edge);
+                places.keep_off(&edge, 0.0);
+                group.line(edge, look.pen(star_ink(index), 2.8));
+            }
+        }
+        for alike in &alike {
+            self.name(group, alike, &mut places, look);
+        }
+    }
+
+    /// Whose edges these are: in a tube, else outside of the frame, with a line to the tip.
+    fn name(&self, group: &mut Group, alike: &Alike, places: &mut Places, look: Look) {
+        let design = self.preview.design;
+        let Some(index) = alike.stars.first().copied() else { return };
+        let star = &design.part(&design.stars[index - 1]).star;
+        let (ink, words) = (star_ink(index), listed(&alike.stars));
+        let at = |radius: f64, ray: f64, size: f64| {
+            Text::centered(alike.motion.point(Point::polar(radius, ray)), size, ink, words.clone())
+        };
+        // Where the hose leaves there is a line already.
+        let hose = design.part(&design.stars[index - 1]).channel.map_or(0, |channel| channel.tip);
+        let rays = (1..=star.n).filter(move |k| *k != hose).map(|k| star.tip_ray(k));
+        let inside = [1.0, 0.8, 0.6].into_iter().flat_map(|share| {
+            let size = (share * look.unit).min(0.4 * star.w);
+            rays.clone().flat_map(move |ray| {
+                [0.5, 0.35, 0.65].map(|part| (star.d_t + star.r_i + part * star.w, ray, size))
+            })
+        });
+        let inside: Vec<Text> = inside.map(|(radius, ray, size)| at(radius, ray, size)).collect();
+        if let Some(text) = places.first(inside) {
+            group.text(text);
+            return;
+        }
+        let half = 0.5 * at(0.0, 0.0, look.unit).width();
+        for ray in rays {
+            let turned =
+                (alike.motion.point(Point::polar(1.0, ray)) - alike.motion.point(Point::ORIGIN)).angle();
+            let radius = self.reach + 1.5 * look.unit + half * turned.cos().abs();
+            let (from, to) = (star.tip_reach(), self.reach + 0.6 * look.unit);
+            let ends = [from, to].map(|radius| alike.motion.point(Point::polar(radius, ray)));
+            let leader = straight(ends[0], ends[1]);
+            if !places.is_clear(&leader) {
+                continue;
+            }
+            if let Some(text) = places.first([at(radius, ray, look.unit)]) {
+                places.keep_off(&leader, 0.0);
+                group.line(leader, look.pen(ink, 0.8));
+                group.text(text);
+                return;
+            }
+        }
+    }
+
+    fn alike(&self, axis: Point) -> Vec<Alike> {
+        let design = self.preview.design;
+        let mut out: Vec<Alike> = Vec::new();
+        for (star, turn) in design.stars.iter().zip(&design.stack.turns) {
+            let same = |other: &&mut Alike| {
+                other.stars.first().is_some_and(|first| design.stars[first - 1].distinct == star.distinct)
+                    && ((other.motion.rotation - turn) / TAU).fract().abs() < 1e-9
+            };
+            match out.iter_mut().find(same) {
+                Some(alike) => alike.stars.push(star.index),
+                None => out.push(Alike {
+                    stars: vec![star.index],
+                    motion: Isometry { shift: axis - Point::ORIGIN, ..Isometry::rotation(*turn) },
+                }),
+            }
+        }
+        out
+    }
+
+    fn object(&self) -> Option<f64> {
+        self.preview.spec.load.as_ref().and_then(|load| load.object_radius).map(|radius| radius.0)
+    }
+
+    fn from_the_side(&self, group: &mut Group, foot: Point, look: Look) {
+        let (design, frame): (&Design, _) = (self.preview.design, &self.preview.design.frame);
+        let at = |x: f64, z: f64| foot + Vec2::new(x, z);
+        let block =
+            |half: f64, from: f64, to: f64| rectangle(&Bounds { min: at(-half, from), max: at(half, to) });
+        let plates: Vec<(usize, f64, f64)> = frame
+            .plates
+            .iter()
+            .flat_map(|plate| plate.numbers.iter().map(|number| (*number, plate.opening)))
+            .map(|(number, opening)| (number, opening, design.stack.plates[number - 1]))
+            .collect();
+        for post in &frame.posts {
+            let half = frame.post_diameter / 2.0;
+            let area = Bounds { min: at(post.x - half, 0.0), max: at(post.x + half, design.stack.height) };
+            group.line(rectangle(&area), look.pen(IRON, 0.8));
+        }
+        for (_, opening, z) in &plates {
+            let (low, high) = (z - frame.thickness / 2.0, z + frame.thickness / 2.0);
+            group.line(block(frame.radius, low, high), look.pen(GREY, 1.2));
+            group.line(block(*opening, low, high), look.dashes(GREY, 1.0));
+        }
+        for (star, z) in design.stars.iter().zip(&design.stack.stars) {
+            let geometry = &design.part(star).star;
+            // The tube is round when it is inflated.
+            let half = geometry.w / PI;
+            let ink = star_ink(star.index);
+            group.line(block(geometry.tip_reach(), z - half, z + half), look.pen(ink, 2.0));
+            group.line(block(geometry.rho_0, z - half, z + half), look.dashes(ink, 1.0));
+        }
+        let left: Vec<(String, f64)> =
+            (1..).zip(&design.stack.stars).map(|(i, z)| (format!("star {i}"), *z)).collect();
+        let right: Vec<(String, f64)> = plates.iter().map(|(i, _, z)| (format!("plate {i}"), *z)).collect();
+        for (labels, side, anchor) in [(left, -1.0, Anchor::End), (right, 1.0, Anchor::Start)] {
+            let x = side * (frame.radius + 0.8 * look.unit);
+            for (content, z) in spaced(labels, look) {
+                let at = at(x, z - 0.35 * look.unit);
+                group.text(Text { at, size: look.unit, anchor, ink: TEXT, content });
+            }
+        }
+    }
+}
+
+/// The labels, bottom to top, without those that would touch the one before.
+fn spaced(mut labels: Vec<(String, f64)>, look: Look) -> Vec<(String, f64)> {
+    labels.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let mut last = f64::NEG_INFINITY;
+    labels.retain(|(_, z)| {
+        let room = z - last >= 1.1 * look.unit;
+        if room {
+            last = *z;
+        }
+        room
+    });
+    labels
+}
+
+/// The edges of an inflated star.
+fn edges(star: &Star) -> Vec<Path> {
+    [Side::Hole, Side::Outside]
+        .iter()
+        .filter_map(|side| Some(star.contour(*side, 0.0, 0.0)?.path()))
+        .collect()
+}
+
+/// `star 1`, `stars 1, 2, 3`, `stars 1 to 9`.
+pub(super) fn listed(stars: &[usize]) -> String {
+    match stars {
+        [only] => format!("star {only}"),
+        [first, .., last] if stars.len() > 3 && last - first + 1 == stars.len() => {
+            format!("stars {first} to {last}")
+        }
+        _ => {
+            let numbers: Vec<String> = stars.iter().map(ToString::to_string).collect();
+            format!("stars {}", numbers.join(", "))
+        }
+    }
+}

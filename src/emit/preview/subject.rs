@@ -1,0 +1,20 @@
+//! What a preview shows.
+
+use crate::design::{Design, Star};
+use crate::plan::Program;
+use crate::spec::{Machine, Spec};
+
+/// What previews are made of.
+#[derive(Clone, Copy)]
+pub struct Preview<'a> {
+    /// What was asked for.
+    pub spec: &'a Spec,
+    /// What it is made on.
+    pub machine: &'a Machine,
+    /// The exact geometry.
+    pub design: &'a Design,
+    /// The sealing programs.
+    pub programs: &'a [Program],
+    /// Every star as it is predicted to close, bottom first; none without a prediction.
+    pub shut: &'a [Star],
+}

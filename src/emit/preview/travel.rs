@@ -1,0 +1,106 @@
+//! How the iron travels over one sheet: order, direction, starts, overlaps and ramps.
+
+use crate::design::{Design, PlacedStar, Seam};
+use crate::emit::picture::Group;
+use crate::emit::preview::look::{IRON, Look, RAMP, START, TWICE, arrow_head, circle};
+use crate::emit::preview::place::Places;
+use crate::geom::{Path, Point, Segment, Vec2};
+use crate::plan::{Program, Ramp, SeamReport, Step};
+
+/// Arrow heads along one seam.
+const ARROWS: u32 = 8;
+
+/// Where a seam begins.
+pub(super) struct Start {
+    /// Its number in the order of sealing.
+    pub(super) order: usize,
+    /// Its place on the sheet.
+    pub(super) at: Point,
+    /// Where the iron goes from there.
+    pub(super) along: Vec2,
+    /// Width of the tube beside it.
+    pub(super) tube: f64,
+}
+
+/// How the iron travels: order, direction, starts and overlaps are the program's, the lines those of the design.
+///
+/// A machine that draws no arcs is told thousands of chords, each within the tolerance: to the eye they are the seam.
+pub(super) fn travel_group(
+    design: &Design,
+    program: &Program,
+    look: Look,
+    places: &mut Places,
+) -> (Group, Vec<Start>) {
+    let stars: Vec<String> = program.stars.iter().map(ToString::to_string).collect();
+    let mut group = Group::new(format!("program-{}", stars.join("-")));
+    let mut starts = Vec::new();
+    let mut seam: Option<(usize, DrawnSeam<'_>)> = None;
+    for step in &program.steps {
+        match step {
+            Step::Seam(i) => seam = DrawnSeam::new(design, program, *i).map(|seam| (*i, seam)),
+            Step::TouchDown(ramp) | Step::Lift(ramp) => {
+                let Some((_, seam)) = &seam else { continue };
+                group.line(seam.ramp(ramp), look.pen(RAMP, 2.0));
+            }
+            Step::Seal(pieces) => {
+                let Some((index, seam)) = &seam else { continue };
+                let (run, report) = (seam.run(), seam.report);
+                if report.overlap > 0.0 {
+                    group.line(run.part(report.length - report.overlap, report.length), look.pen(TWICE, 2.5));
+                }
+                let tube = design.part(seam.star).star.w;
+                let travelled = Path::open(pieces.clone());
+                for arrow in arrows(&travelled, (0.8 * look.unit).min(0.25 * tube)) {
+                    places.keep_off_box(arrow.bounds());
+                    group.area(vec![arrow], IRON);
+                }
+                if let (Some(at), Some(along)) = (run.start(), run.tangent_at(0.0)) {
+                    let dot = circle(at, (0.4 * look.unit).min(0.12 * tube));
+                    places.keep_off_box(dot.bounds());
+                    group.area(vec![dot], START);
+                    starts.push(Start { order: index + 1, at, along, tube });
+                }
+            }
+            Step::Height(_) | Step::Heat(_) | Step::Travel(_) | Step::Trace(_) => {}
+        }
+    }
+    (group, starts)
+}
+
+/// A seam as the design has it, and what the program says of it.
+struct DrawnSeam<'a> {
+    seam: &'a Seam,
+    star: &'a PlacedStar,
+    report: &'a SeamReport,
+}
+
+impl<'a> DrawnSeam<'a> {
+    fn new(design: &'a Design, program: &'a Program, index: usize) -> Option<Self> {
+        let report = program.seams.get(index)?;
+        let star = design.stars.iter().find(|star| star.index == report.star)?;
+        let seam = design.part(star).seams.iter().find(|seam| seam.side == report.side)?;
+        Some(Self { seam, star, report })
+    }
+
+    fn run(&self) -> Path {
+        self.star.placement.path(&self.seam.run())
+    }
+
+    fn ramp(&self, ramp: &Ramp) -> Path {
+        let length = ramp.pieces.iter().map(Segment::length).sum();
+        let down = ramp.to < ramp.from;
+        let path = if down { self.seam.lead_in(length) } else { self.seam.lead_out(length) };
+        self.star.placement.path(&path)
+    }
+}
+
+/// Arrow heads in the direction of travel, evenly along a seam.
+fn arrows(travelled: &Path, size: f64) -> Vec<Path> {
+    let length = travelled.length();
+    (0..ARROWS)
+        .filter_map(|i| {
+            let at = length * (f64::from(i) + 0.5) / f64::from(ARROWS);
+            Some(arrow_head(travelled.point_at(at)?, travelled.tangent_at(at)?, size))
+        })
+        .collect()
+}

@@ -1,0 +1,151 @@
+//! What is said below the picture: the design, its stars, the order of sealing, and what the colours mean.
+
+use crate::design::{PlacedStar, Side};
+use crate::emit::picture::Pen;
+use crate::emit::preview::block::{Block, Swatch};
+use crate::emit::preview::look::{
+    BAND, CLAMP_AREA, CUT, FABRIC, GREY, IRON, LABEL, Look, OBJECT, RAMP, START, TUBE, TWICE, WORK_AREA,
+    star_ink,
+};
+use crate::emit::preview::stack::listed;
+use crate::emit::preview::subject::Preview;
+use crate::emit::text::inert;
+use crate::plan::SeamReport;
+use crate::units::Readable;
+
+/// Length of the scale bar, mm.
+const SCALE_BAR: f64 = 50.0;
+
+/// All blocks, in order.
+pub(super) fn blocks(preview: &Preview<'_>, sheet: usize, look: Look) -> Vec<Block> {
+    let mut out =
+        vec![design(preview, sheet), stars(preview, sheet), order(preview, sheet), legend(preview, look)];
+    if sheet == 1 {
+        out.push(stack(preview, look));
+    }
+    out
+}
+
+fn design(preview: &Preview<'_>, sheet: usize) -> Block {
+    let Preview { spec, machine, design, .. } = preview;
+    let mut block = Block::new(inert(&spec.name, 60));
+    block.say(format!("sheet {sheet} of {}, seen from the iron's side, 1:1 in mm", design.sheets.len()));
+    block
+        .say(format!("sealed at {} and {}, band {}", spec.seal.temperature, spec.seal.speed, spec.seal.band));
+    block.say(format!("machine: {}", inert(&machine.name, 40)));
+    if let Some((x, y)) = machine.bench.work_area {
+        block.say(format!("work area {} x {} mm from X0 Y0", Readable(x.0), Readable(y.0)));
+    }
+    block.explain(Swatch::Scale(SCALE_BAR), "50 mm");
+    block
+}
+
+/// Every distinct star once, with the numbers of all that are like it.
+fn stars(preview: &Preview<'_>, sheet: usize) -> Block {
+    let design = preview.design;
+    let mut block = Block::new("Stars");
+    for distinct in 0..design.distinct.len() {
+        let alike: Vec<&PlacedStar> =
+            design.on_sheet(sheet).filter(|star| star.distinct == distinct).collect();
+        let Some(first) = alike.first() else { continue };
+        let star = &design.part(first).star;
+        block.say(format!(
+            "{}: {} points",
+            listed(&alike.iter().map(|star| star.index).collect::<Vec<_>>()),
+            star.n
+        ));
+        block.say(format!("    inner radius {} mm, tube {} mm wide", Readable(star.rho_0), Readable(star.w)));
+        block.say(format!(
+            "    tips {} deg, radius {} mm",
+            Readable(star.phi_i.to_degrees()),
+            Readable(star.r_i)
+        ));
+        block.say(format!(
+            "    corners {} deg, radius {} mm",
+            Readable(star.phi_e.to_degrees()),
+            Readable(star.r_e)
+        ));
+        block.say(format!("    arms {:.1} mm long", star.l));
+    }
+    block
+}
+
+/// The seams of the sheet in the order of sealing, equal ones of several stars on one line.
+fn order(preview: &Preview<'_>, sheet: usize) -> Block {
+    let mut block = Block::new("Order of sealing, in each program");
+    let mut rows: Vec<(Vec<usize>, Vec<usize>, &SeamReport)> = Vec::new();
+    for program in preview.programs.iter().filter(|program| program.sheet == sheet) {
+        for (order, seam) in (1..).zip(&program.seams) {
+            let same = |row: &&mut (_, _, &SeamReport)| {
+                row.2.side == seam.side && (row.2.length - seam.length).abs() < 1e-6
+            };
+            match rows.iter_mut().find(same) {
+                Some((orders, stars, _)) => {
+                    if !orders.contains(&order) {
+                        orders.push(order);
+                    }
+                    stars.push(seam.star);
+                }
+                None => rows.push((vec![order], vec![seam.star], seam)),
+            }
+        }
+    }
+    for (orders, stars, seam) in rows {
+        let orders: Vec<String> = orders.iter().map(ToString::to_string).collect();
+        let each = if stars.len() > 1 { " each" } else { "" };
+        let side = if seam.side == Side::Hole { "inner" } else { "outer" };
+        block.say(format!("{}: {side} loop of {}", orders.join(", "), listed(&stars)));
+        block.say(format!("    {:.0} mm in {}{each}", seam.length, hours(seam.time)));
+    }
+    block
+}
+
+/// A time as hours and minutes.
+fn hours(seconds: f64) -> String {
+    let minutes = (seconds / 60.0).round();
+    format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
+}
+
+fn legend(preview: &Preview<'_>, look: Look) -> Block {
+    let mut block = Block::new("On the sheet");
+    let line = |ink, weight| Swatch::Line(look.pen(ink, weight));
+    block.explain(Swatch::Area(TUBE), "tube");
+    block.explain(Swatch::Line(Pen::new(BAND, 0.5 * look.unit)), "sealed band");
+    block.explain(line(TWICE, 2.5), "sealed twice");
+    block.explain(line(RAMP, 2.0), "iron goes down or up");
+    block.explain(Swatch::Dot(START), "start, with its order");
+    block.explain(Swatch::Area(FABRIC), "flap");
+    block.explain(line(CUT, 1.0), "cut, registration holes");
+    block.explain(Swatch::Line(look.dashes(LABEL, 0.5)), "hinge as drawn");
+    block.say("T tip, C corner");
+    if preview.machine.bench.work_area.is_some() {
+        block.explain(Swatch::Line(look.dashes(WORK_AREA, 1.5)), "end of the work area");
+    }
+    if !preview.machine.bench.keep_out.is_empty() {
+        block.explain(Swatch::Area(CLAMP_AREA), "clamp");
+    }
+    block
+}
+
+fn stack(preview: &Preview<'_>, look: Look) -> Block {
+    let Preview { spec, design, shut, .. } = preview;
+    let mut block = Block::new(format!("Stack, {:.1} mm high", design.stack.height));
+    let line = |ink, weight| Swatch::Line(look.pen(ink, weight));
+    block.explain(line(star_ink(1), if shut.is_empty() { 2.0 } else { 1.2 }), "star, flat");
+    let object = spec.load.as_ref().and_then(|load| load.object_radius);
+    if let Some(first) = shut.first() {
+        let held = object.is_some_and(|object| object.0 >= first.rho_0 * (1.0 - 1e-9));
+        let on = if held { " on the object" } else { "" };
+        let radii: Vec<String> = shut.iter().map(|star| format!("{:.1}", star.rho_0)).collect();
+        let same = radii.iter().all(|radius| *radius == radii[0]);
+        let radii = if same { radii[0].clone() } else { radii.join(", ") };
+        block.explain(line(star_ink(1), 2.8), format!("shut{on}: {radii} mm"));
+    }
+    if let Some(object) = object {
+        block.explain(Swatch::Area(OBJECT), format!("object, radius {} mm", Readable(object.0)));
+    }
+    block.explain(line(GREY, 1.2), format!("plates, radius {:.1} mm", design.frame.radius));
+    block.explain(Swatch::Line(look.dashes(GREY, 1.0)), "their openings");
+    block.explain(Swatch::Area(IRON), format!("{} posts", design.frame.posts.len()));
+    block
+}
