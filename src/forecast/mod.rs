@@ -11,7 +11,7 @@
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
 //! | [`mod@shut`] | the shape of the star that has closed |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
-//! | [`by_shell`], [`star_by_shell`] | the same by the shell, which is asked by name only |
+//! | [`by_shell`], [`star_by_shell`], [`shell_prediction`] | the same by the shell, which is asked by name only |
 //! | [`arms`] | what arms add to a hinge: ladders of shells, and the table made of them |
 //! | [`candidate`], [`sweep`], [`optimize`] | the same answer for one design among millions |
 //! | [`trade`] | what each model costs, and how far it is off |
@@ -28,6 +28,7 @@ pub mod predict;
 pub mod prediction;
 pub mod report;
 pub mod seal_load;
+pub mod shell_prediction;
 pub mod star_by_shell;
 pub mod shut;
 pub mod sweep;
