@@ -22,7 +22,7 @@ const NOTCH: f64 = 1.5;
 const PLAY: f64 = 0.1;
 
 /// Radii of knobs that are tried, mm: smaller ones break.
-const RADII: [f64; 5] = [6.0, 5.0, 4.0, 3.0, 2.5];
+pub(super) const RADII: [f64; 5] = [6.0, 5.0, 4.0, 3.0, 2.5];
 
 /// From one place that is tried to the next, mm.
 const STEP: f64 = 0.5;
@@ -45,6 +45,8 @@ pub(super) struct Cut {
 /// What lies around a joint, in the frame of the tip's ray.
 struct Around {
     plate: Path,
+    /// Largest radius of a knob.
+    most: f64,
     /// Centres and radii.
     holes: Vec<(Point, f64)>,
 }
@@ -57,8 +59,8 @@ struct Chord {
 }
 
 impl Cut {
-    /// The cut of tip `tip` that is nearest to the axis; `None` if there is no room for one.
-    pub(super) fn new(star: &Star, outline: &Outline, mask: &MaskPlate, tip: u32) -> Option<Self> {
+    /// The cut of tip `tip` that is nearest to the axis, with knobs of radius `most` or less; `None` if there is no room for one.
+    pub(super) fn new(star: &Star, outline: &Outline, mask: &MaskPlate, tip: u32, most: f64) -> Option<Self> {
         let ray = star.tip_ray(tip);
         let motion = Isometry::rotation(-ray);
         let windows = mask.windows.iter().map(|window| motion.path(window).bounds());
@@ -66,6 +68,7 @@ impl Cut {
         let holes = outline.registration.iter();
         let around = Around {
             plate: motion.path(&mask.plate),
+            most,
             holes: holes.map(|hole| (motion.point(hole.center), hole.diameter / 2.0)).collect(),
         };
         let mut at = behind.max(0.0);
@@ -139,9 +142,10 @@ impl Around {
             let clear = |(hole, r): &(Point, f64)| hole.distance(center) >= radius + r + WALL;
             self.plate.distance(center) >= radius + WALL && self.holes.iter().all(clear)
         };
-        let two = RADII.into_iter().filter(|radius| quarter >= radius + WALL);
+        let radii = RADII.into_iter().filter(|radius| *radius <= self.most);
+        let two = radii.clone().filter(|radius| quarter >= radius + WALL);
         let two = two.map(|radius| (radius, vec![middle - quarter, middle + quarter]));
-        let one = RADII.into_iter().map(|radius| (radius, vec![middle]));
+        let one = radii.map(|radius| (radius, vec![middle]));
         two.chain(one).find(|(radius, places)| places.iter().all(|y| free(*radius, *y)))
     }
 }

@@ -6,7 +6,7 @@
 //! the tip is. The registration holes come with the tips and the middle that they lie in.
 
 use crate::design::engraving::Spot;
-use crate::design::joint::{Cut, WALL};
+use crate::design::joint::{Cut, RADII, WALL};
 use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};
 use crate::geom::{Bounds, Isometry, Path, Point, Vec2};
 use crate::spec::{Bed, key};
@@ -60,16 +60,24 @@ impl Pieces {
         if lie.spare >= 0.0 {
             return Ok(whole(lie));
         }
-        Self::cut_up(star, outline, mask, bed)
+        // Knobs take room, too: with smaller ones the middle may fit.
+        let mut refusal = None;
+        for most in RADII {
+            let cuts: Vec<Cut> =
+                (1..=star.n).filter_map(|tip| Cut::new(star, outline, mask, tip, most)).collect();
+            match Self::cut_up(&cuts, mask, bed) {
+                Ok(pieces) => return Ok(pieces),
+                Err(found) => refusal = Some(found),
+            }
+        }
+        refusal.map_or_else(|| Ok(whole(lie)), Err)
     }
 
-    fn cut_up(star: &Star, outline: &Outline, mask: &MaskPlate, bed: Bed) -> Result<Self, Refusal> {
-        let cuts: Vec<Cut> = (1..=star.n).filter_map(|tip| Cut::new(star, outline, mask, tip)).collect();
-        let split = |core: &Path, cut: &Cut| cut.split(core);
+    fn cut_up(cuts: &[Cut], mask: &MaskPlate, bed: Bed) -> Result<Self, Refusal> {
         let mut core = mask.plate.clone();
         let mut tips = Vec::new();
-        for cut in &cuts {
-            let Some((tip, rest)) = split(&core, cut) else {
+        for cut in cuts {
+            let Some((tip, rest)) = cut.split(&core) else {
                 return Err(too_small("a tip", &lie(&[&core], bed)));
             };
             core = rest;
@@ -84,7 +92,7 @@ impl Pieces {
             if lie.spare < 0.0 {
                 return Err(too_small("a tip", &lie));
             }
-            if let Some((_, rest)) = split(&middle, cut) {
+            if let Some((_, rest)) = cut.split(&middle) {
                 middle = rest;
             }
             pieces.joints.extend(cut.joint(&mask.plate));

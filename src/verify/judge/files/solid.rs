@@ -18,6 +18,9 @@ pub(in crate::verify) const CHORD: f64 = 0.022;
 /// How far a corner may lie from its path or its face, mm: it is rounded to a thousandth, and to single precision.
 const CORNER: f64 = 0.002;
 
+/// How far rounding to a thousandth moves a corner at most, mm.
+const ROUNDED: f64 = 0.0008;
+
 /// How far a normal may be off, beside what the corners' rounding turns it by: slicers go by either.
 const NORMAL: f64 = 0.002;
 
@@ -188,7 +191,17 @@ struct Search<'a> {
 impl Search<'_> {
     fn distance(&mut self, x: f64, y: f64) -> f64 {
         let p = Point::new(x, y);
-        let mut best = self.targets.get(self.last).map_or(f64::INFINITY, |target| target.distance(p));
+        let mut best = f64::INFINITY;
+        for i in [self.last, self.last + 1] {
+            let distance = self.targets.get(i).map_or(f64::INFINITY, |target| target.distance(p));
+            if distance < best {
+                (best, self.last) = (distance, i);
+            }
+        }
+        // A nearer one would only be nearer than rounding.
+        if best <= ROUNDED {
+            return best;
+        }
         for (i, target) in self.targets.iter().enumerate() {
             if target.bounds.distance(p) < best {
                 let distance = target.distance(p);
