@@ -98,8 +98,8 @@ fn read(text: &str) -> Option<Vec<[f64; 4]>> {
 /// The weights of the places in the cubic through the four around `x`, or in the parabola through all three; `None` where `x` is
 /// more than `slack` before the first or beyond the last.
 fn weights<const N: usize>(places: &[f64; N], x: f64, slack: f64) -> Option<[f64; N]> {
-    // What lies on an end but for rounding is inside.
-    let rounding = 1e-9 * (places[N - 1] - places[0]);
+    // What lies on an end but for rounding, also that of a text with three decimals, is inside.
+    let rounding = 1e-6 * (places[N - 1] - places[0]);
     if !(places[0] - slack - rounding..=places[N - 1] + rounding).contains(&x) {
         return None;
     }
