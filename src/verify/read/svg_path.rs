@@ -273,6 +273,7 @@ mod tests {
             ("M1 1 l2 2", "unknown-word"),
             ("M0 0C1 1 2 2 3 3", "unknown-word"),
             ("M0 0A1 2 0 0 1 1 1", "bad-arc"),
+            ("M0 0A1 1 30 0 1 1 1", "bad-arc"),
             ("M0 0A1 1 0 2 1 1 1", "bad-path"),
             ("M0 0L1e9 0", "bad-number"),
             ("M0 0L nan 0", "bad-path"),
