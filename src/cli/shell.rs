@@ -81,13 +81,12 @@ impl ShellArgs {
     ) -> Result<(), Failure> {
         let cache = Cache::new(self.no_cache);
         let key = cache.key(&[question, &format!("{:?} {}", self.fineness, self.wants_vtu())]);
-        let shown = match cache.get(&key).and_then(Shown::from_parts) {
-            Some(shown) => shown,
-            None => {
-                let shown = watched(compute)?;
-                cache.put(&key, &shown.parts());
-                shown
-            }
+        let shown = if let Some(shown) = cache.get(&key).and_then(Shown::from_parts) {
+            shown
+        } else {
+            let shown = watched(compute)?;
+            cache.put(&key, &shown.parts());
+            shown
         };
         if let (Some(path), Some(vtu)) = (&self.vtu, &shown.vtu) {
             replace(path, vtu)?;

@@ -63,7 +63,7 @@ pub struct ShellStar {
     pub object_force_N: Option<f64>,
     /// Radius, mm, and radial force, N, of a round object; its range is not known.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub force_curve: Option<Vec<(f64, f64, Option<f64>, Option<f64>)>>,
+    pub force_curve: Option<Vec<ForceAt>>,
     /// Bendability 1/eps.
     pub bendability: f64,
     /// Pressure from which the hinges are fully coiled.
@@ -85,6 +85,10 @@ pub struct ShellStar {
     /// How good all this is.
     pub evidence: ShellEvidence,
 }
+
+/// A radius, mm, the radial force there, N, and the ends of its range.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ForceAt(pub f64, pub f64, pub Option<f64>, pub Option<f64>);
 
 /// The hardest loaded place for one quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -213,7 +217,7 @@ impl ShellStar {
         if let (Some(force), Some(error)) = (self.object_force_N, mesh.object_force_N) {
             line("force on the object", show(force, "N", error));
         }
-        for ((radius, force, ..), error) in
+        for (ForceAt(radius, force, ..), error) in
             self.force_curve.iter().flatten().zip(mesh.force_curve.iter().flatten())
         {
             line(&format!("force at {} mm", Readable(*radius)), show(*force, "N", *error));

@@ -7,7 +7,7 @@ use crate::forecast::case::Case;
 use crate::forecast::predict::PredictFault;
 use crate::forecast::prediction::Hinges;
 use crate::forecast::shell_prediction::{
-    Place, ShellEvidence, ShellPrediction, ShellStar, StarMeshErrors, StarRanges,
+    ForceAt, Place, ShellEvidence, ShellPrediction, ShellStar, StarMeshErrors, StarRanges,
 };
 use crate::mechanics::strength::payload;
 use crate::shell::cases::{
@@ -175,8 +175,9 @@ impl Answered<'_> {
             volume_mm3: volume.value,
             graspable_radius_mm: None,
             object_force_N: on_object.map(|force| force.value),
-            force_curve: (!radii.is_empty())
-                .then(|| curve.iter().map(|(radius, force)| (*radius, force.value, None, None)).collect()),
+            force_curve: (!radii.is_empty()).then(|| {
+                curve.iter().map(|(radius, force)| ForceAt(*radius, force.value, None, None)).collect()
+            }),
             bendability: flat.tube.bendability(),
             operating_pressure_kPa: Pressure::from_pascals(case.operating_pressure()).0,
             realised_radius_mm: Hinges {
