@@ -55,8 +55,8 @@ fn same_words(a: &str, b: &str) -> bool {
 fn ways(text: &str) -> Vec<(String, Vec<Place>)> {
     let mut at: Place = [0.0; 4];
     let (mut way, mut out) = (Vec::new(), Vec::new());
-    // The last line counts the others.
-    for line in text.lines().map(str::trim_end).filter(|line| !line.contains("end of program, ")) {
+    // The last line counts the others, and an empty one is no word.
+    for line in text.lines().map(str::trim_end).filter(|l| !l.is_empty() && !l.contains("end of program, ")) {
         let word = |letter: char| -> Option<f64> {
             let (_, rest) = line.split_once(letter)?;
             let end = rest.find(|c: char| !"+-.0123456789".contains(c)).unwrap_or(rest.len());
