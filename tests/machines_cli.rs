@@ -234,6 +234,7 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
             "strips-180C-500um-s.svg",
             "strips-200C-500um-s.gcode",
             "strips-200C-500um-s.svg",
+            "strips.svg",
             "v-actuator.gcode",
             "v-actuator.svg",
         ]

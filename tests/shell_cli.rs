@@ -81,9 +81,14 @@ fn an_actuator_is_a_shell_with_its_mesh_errors() {
     let error = |key: &str| {
         found["evidence"]["mesh_errors"][key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"))
     };
-    // The finest meshes that were ever tried, and CalculiX: 36.3 deg, 21,730 mm^3, 0.078 N m (docs/models.md).
-    for (key, known) in [("angle_deg", 36.3), ("volume_mm3", 21_730.0), ("stiffness_Nm", 0.078)] {
-        assert!((number(key) - known).abs() <= error(key) && error(key) < 0.1 * known, "{key}: {found}");
+    // The finest meshes that were ever tried, with what they leave open, and CalculiX (docs/models.md).
+    for (key, known, open) in
+        [("angle_deg", 36.3, 0.3), ("volume_mm3", 21_730.0, 20.0), ("stiffness_Nm", 0.078, 0.002)]
+    {
+        assert!(
+            (number(key) - known).abs() <= error(key) + open && error(key) < 0.1 * known,
+            "{key}: {found}"
+        );
     }
     assert!((number("coiling") - (180.0 - number("angle_deg")) / 120.0).abs() < 1e-12);
     // Held open, it pulls back as its stiffness says, and harder further out.

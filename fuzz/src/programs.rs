@@ -86,7 +86,7 @@ fn jobs() -> &'static [String] {
         let chopped = ["grbl", "marlin"].into_iter().map(|name| (CHOPPED, name));
         let jobs = steady.chain(chopped).map(|(spec, name)| {
             let built = built(spec, name, &[Kind::SealGcode]);
-            let job = built.artifacts.iter().find(|file| file.name == "star-1-seal.gcode").expect("a job");
+            let job = built.artifacts.iter().find(|file| file.output.kind == Kind::SealGcode).expect("a job");
             String::from_utf8(job.bytes.clone()).expect("text")
         });
         jobs.collect()

@@ -188,10 +188,7 @@ impl Kind {
 
     /// Whether it comes only where it is named.
     pub fn is_extra(self) -> bool {
-        matches!(
-            self,
-            Self::PreviewPng | Self::SceneGlb | Self::OutlinePdf | Self::FramePdf | Self::FrameStl
-        )
+        matches!(self, Self::PreviewPng | Self::SceneGlb | Self::OutlinePdf | Self::FramePdf | Self::FrameStl)
     }
 }
 

@@ -32,7 +32,16 @@ pub struct Output {
 impl Output {
     /// The file of this kind for the whole gripper.
     pub fn of(kind: Kind) -> Self {
-        Self { kind, sheet: None, star: None, plate: None, piece: None, paper: None, mirrored: false, ngc: false }
+        Self {
+            kind,
+            sheet: None,
+            star: None,
+            plate: None,
+            piece: None,
+            paper: None,
+            mirrored: false,
+            ngc: false,
+        }
     }
 
     /// What it is a file of, in its name; "" for the whole gripper.

@@ -17,7 +17,7 @@ pub use dxf::dxf;
 pub use gcode::{Facts, feed_check, gcode, write_gcode, write_steps};
 pub use number::Decimals;
 pub use pdf::pdf;
-pub use scene::{Inflated, scene};
 pub use preview::{Cell, Preview, cells};
+pub use scene::{Inflated, scene};
 pub use stl::stl;
 pub use svg::svg;

@@ -29,7 +29,7 @@ pub mod prediction;
 pub mod report;
 pub mod seal_load;
 pub mod shell_prediction;
-pub mod star_by_shell;
 pub mod shut;
+pub mod star_by_shell;
 pub mod sweep;
 pub mod trade;
