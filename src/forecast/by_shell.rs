@@ -27,7 +27,7 @@ impl Detail {
         match self {
             Self::Coarse => Fineness { cells: 3.0, cuts: 2 },
             Self::Medium => Fineness::default(),
-            Self::Fine => Fineness { cells: 9.0, cuts: 3 },
+            Self::Fine => Fineness { cells: 12.0, cuts: 3 },
         }
     }
 }
