@@ -150,11 +150,14 @@ impl Around {
     }
 }
 
+/// The height of a crossing, and how far along the path it lies.
+type Crossing = (f64, f64);
+
 /// The part of the line x = `at` around the X axis that lies within the closed `path`.
 fn chord(path: &Path, at: f64) -> Option<Chord> {
     let far = path.furthest(Point::ORIGIN) + 1.0;
     let line = Line::new(Point::new(at, -far), Point::new(at, far)).into();
-    let (mut low, mut high): (Option<(f64, f64)>, Option<(f64, f64)>) = (None, None);
+    let (mut low, mut high) = (None::<Crossing>, None::<Crossing>);
     let mut before = 0.0;
     for segment in &path.segments {
         for meet in intersections(segment, &line) {

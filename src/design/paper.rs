@@ -214,7 +214,6 @@ impl TileGrid<'_> {
 
     /// Ruler, check square and name.
     fn foot(&self, name: &str, out: &mut Vec<Path>) {
-        let at = |x: f64, y: f64| self.at(x, y);
         out.push(stroke(&[at(0.0, 2.0), at(100.0, 2.0)]));
         for centimetre in 0_u32..=10 {
             let x = 10.0 * f64::from(centimetre);
@@ -229,15 +228,15 @@ impl TileGrid<'_> {
             Paper::Large => paper,
             _ => format!("PAGE {name} OF {rows} X {columns} ON {paper}"),
         };
-        out.extend(lettering::lettered(&page, self.at(0.0, 14.0), 3.0));
-        out.extend(lettering::lettered(self.caption, self.at(0.0, 20.0), 3.0));
-        out.extend(lettering::lettered("PRINT AT 100 PER CENT", self.at(134.0, 9.0), 2.0));
+        out.extend(lettering::lettered(&page, at(0.0, 14.0), 3.0));
+        out.extend(lettering::lettered(self.caption, at(0.0, 20.0), 3.0));
+        out.extend(lettering::lettered("PRINT AT 100 PER CENT", at(134.0, 9.0), 2.0));
     }
+}
 
-    /// A point of the foot, from the lower left corner of what every printer prints.
-    pub(super) fn at(&self, x: f64, y: f64) -> Point {
-        Point::new(WHITE + x, WHITE + y)
-    }
+/// A point of the foot, from the lower left corner of what every printer prints.
+pub(super) fn at(x: f64, y: f64) -> Point {
+    Point::new(WHITE + x, WHITE + y)
 }
 
 /// Whether a line of the part crosses `cell`, or the part fills it. Every closed path but those of labels is an edge of it.

@@ -299,9 +299,8 @@ fn a_profile_is_the_one_that_the_spec_names() {
         build(&crate::spec(text), &crate::machine(grbl), sources, &Asked::default()).expect("a gripper")
     };
     let (named, own) = (build_of(&name("grbl")), build_of(&name("mine.toml")));
-    let without = |key: &str| -> String {
-        grbl.lines().filter(|line| !line.starts_with(key)).map(|line| format!("{line}\n")).collect()
-    };
+    let without =
+        |key: &str| -> String { grbl.split_inclusive('\n').filter(|line| !line.starts_with(key)).collect() };
     let line = grbl.lines().position(|line| line.starts_with("min_feed")).map(|line| line + 1);
     let found = findings_with(&named, "machine.toml", &without("min_feed"));
     assert_eq!(found.len(), 1, "{found:?}");

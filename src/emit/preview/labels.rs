@@ -30,16 +30,20 @@ pub(super) fn star_labels(part: &StarDesign, star: &PlacedStar, look: Look, plac
             vec![Text::centered(middle + Vec2::new(0.0, up * size), size, TEXT, words)]
         });
         if let Some(lines) = places.all(lines) {
-            lines.into_iter().for_each(|line| group.text(line));
+            for line in lines {
+                group.text(line);
+            }
             break;
         }
     }
-    hinges(part, star, look, places).into_iter().for_each(|text| group.text(text));
+    for text in hinges(part, star, look, places) {
+        group.text(text);
+    }
     if let Some(channel) = &part.channel {
         let mouth = star.placement.point(channel.mouth_center(geometry));
         let along = mouth - star.placement.point(Point::polar(geometry.d_t, geometry.tip_ray(channel.tip)));
         let size = (0.9 * look.unit).min(0.3 * geometry.w);
-        beside(&mut group, places, Callout { at: mouth, along, size, words: "inlet", ring: false });
+        beside(&mut group, places, &Callout { at: mouth, along, size, words: "inlet", ring: false });
     }
     group
 }
@@ -81,7 +85,7 @@ pub(super) fn start_labels(starts: &[Start], look: Look, places: &mut Places) ->
         let size = look.unit.min(0.3 * start.tube);
         let words = start.order.to_string();
         let callout = Callout { at: start.at, along: start.along.perp(), size, words: &words, ring: true };
-        beside(&mut group, places, callout);
+        beside(&mut group, places, &callout);
     }
     group
 }
@@ -97,8 +101,8 @@ struct Callout<'a> {
     ring: bool,
 }
 
-fn beside(group: &mut Group, places: &mut Places, callout: Callout<'_>) {
-    let Callout { at, along, words, ring, .. } = callout;
+fn beside(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
+    let Callout { at, along, words, ring, .. } = *callout;
     let ink = if ring { START } else { LABEL };
     for size in SIZES.map(|share| share * callout.size) {
         let half = 0.5 * Text::centered(at, size, ink, words).width();

@@ -53,14 +53,14 @@ impl<'a> StackView<'a> {
     pub(super) fn group(&self, middle: f64, top: f64, look: Look) -> Group {
         let mut group = Group::new("stack");
         let axis = Point::new(middle, top - self.reach - 3.0 * look.unit);
-        self.from_above(&mut group, axis, look);
+        self.seen_from_above(&mut group, axis, look);
         let foot =
             Point::new(middle, axis.y - self.reach - 6.0 * look.unit - self.preview.design.stack.height);
-        self.from_the_side(&mut group, foot, look);
+        self.seen_from_the_side(&mut group, foot, look);
         group
     }
 
-    fn from_above(&self, group: &mut Group, axis: Point, look: Look) {
+    fn seen_from_above(&self, group: &mut Group, axis: Point, look: Look) {
         let Preview { design, shut, .. } = self.preview;
         let frame = &design.frame;
         let half = self.reach + 9.5 * look.unit;
@@ -167,7 +167,7 @@ impl<'a> StackView<'a> {
         self.preview.spec.load.as_ref().and_then(|load| load.object_radius).map(|radius| radius.0)
     }
 
-    fn from_the_side(&self, group: &mut Group, foot: Point, look: Look) {
+    fn seen_from_the_side(&self, group: &mut Group, foot: Point, look: Look) {
         let (design, frame): (&Design, _) = (self.preview.design, &self.preview.design.frame);
         let at = |x: f64, z: f64| foot + Vec2::new(x, z);
         let block =

@@ -22,9 +22,12 @@ const SHARE: f64 = 1e-3;
 /// areas then disagree.
 const MANY: usize = 5_000;
 
-/// The masks of which pieces were read: by star and face, pieces by number with their facets.
+/// A piece by its number, the name of its file, and its facets.
+type PieceRead = (usize, String, Vec<Facet>);
+
+/// The masks of which pieces were read: by star and face.
 #[derive(Default)]
-pub(in crate::verify) struct Assemblies(BTreeMap<(usize, bool), Vec<(usize, String, Vec<Facet>)>>);
+pub(in crate::verify) struct Assemblies(BTreeMap<(usize, bool), Vec<PieceRead>>);
 
 /// What of one piece matters here, in the star's frame.
 struct Part<'a> {
