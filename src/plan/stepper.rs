@@ -18,7 +18,7 @@ pub struct Stepper {
     pub rate: f64,
     /// A tick: segments last whole multiples of it, s; 0 where every step has a rate of its own, in whole steps a second.
     pub tick: f64,
-    /// Whether long steps may come too early, as FluidNC's do ([`wrapped`]).
+    /// Whether long steps may come too early, as FluidNC's do (`wrapped`).
     pub wraps: bool,
 }
 

@@ -1,5 +1,5 @@
 //! Display meshes: triangles to be looked at, by lyon's tessellators. What is printed has a path of its own, exact and
-//! closed ([`crate::emit::stl`]).
+//! closed ([`mod@crate::emit::stl`]).
 
 use lyon_tessellation::geometry_builder::{BuffersBuilder, Positions};
 use lyon_tessellation::math::point;
