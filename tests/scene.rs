@@ -190,17 +190,17 @@ fn a_file_that_is_no_glb_is_found() {
     assert_found(&forged(count), "bad-glb");
 }
 
+/// The place of the node of this name.
+fn node(document: &Value, name: &str) -> usize {
+    document["nodes"].as_array().expect("nodes").iter().position(|node| node["name"] == name).expect("one")
+}
+
 #[test]
 fn a_scene_of_something_else_is_found() {
     let changed = |change: fn(&mut Value)| forged(|bytes| with_document(&bytes, change));
     assert_found(
         &changed(|d| {
-            let at = d["nodes"]
-                .as_array()
-                .expect("nodes")
-                .iter()
-                .position(|n| n["name"] == "star 2")
-                .expect("one");
+            let at = node(d, "star 2");
             d["nodes"][at]["translation"] = serde_json::json!([0.0, 0.0, 0.1]);
         }),
         "deviation stack/star 2",
@@ -223,12 +223,7 @@ fn a_scene_of_something_else_is_found() {
     // The mesh of a plate in place of a sheet's.
     assert_found(
         &changed(|d| {
-            let at = d["nodes"]
-                .as_array()
-                .expect("nodes")
-                .iter()
-                .position(|n| n["name"] == "mask 1")
-                .expect("one");
+            let at = node(d, "mask 1");
             d["nodes"][at]["mesh"] = 0.into();
         }),
         "bad-glb masks/mask 1 without mask",

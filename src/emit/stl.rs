@@ -10,9 +10,10 @@ use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
 use crate::design::{Drawing, Layer};
+use crate::emit::chords::pieces;
 use crate::emit::number::Decimals;
 use crate::emit::text::inert;
-use crate::geom::{Path, Point, Segment};
+use crate::geom::{Path, Point};
 
 /// How far a chord may leave its arc, mm: a fifth of what a fine printer resolves.
 const CHORD: f64 = 0.02;
@@ -111,7 +112,7 @@ fn tops(triangles: &Triangles, changes: &Changes, thickness: f64, depth: f64) ->
 fn corners(path: &Path) -> Vec<[f64; 2]> {
     let mut out: Vec<[f64; 2]> = Vec::new();
     for segment in &path.segments {
-        let count = pieces(segment);
+        let count = pieces(segment, CHORD);
         let mut i = 0.0;
         while i < count {
             let Point { x, y } = Decimals::exactly(DECIMALS).round_point(segment.point(i / count));
@@ -125,13 +126,6 @@ fn corners(path: &Path) -> Vec<[f64; 2]> {
         let _ = out.pop();
     }
     out
-}
-
-/// Number of chords that stay within [`CHORD`] of an arc: r (1 - cos(sweep / 2)) each.
-fn pieces(segment: &Segment) -> f64 {
-    let Segment::Arc(arc) = segment else { return 1.0 };
-    let widest = 2.0 * (1.0 - (CHORD / arc.radius).min(1.0)).acos();
-    (arc.sweep.abs() / widest).ceil().max(1.0)
 }
 
 struct Writer {
