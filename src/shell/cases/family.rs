@@ -130,14 +130,11 @@ impl Family<'_> {
             let finer: &Assembly = &fine.assembly;
             let mut state = coarse.assembly.prolong(&lower, &finer.sheet);
             finer.hold(&mut state);
-            match fine.rest(&mut state, ladder.aim(pressure)) {
-                Ok(_) => {
-                    let triangles = fine.triangles();
-                    let climbed = ladder.climb_from(fine, state, pressure, |_| {});
-                    return climbed.map_err(|broken| self.broken(broken, triangles));
-                }
-                Err(Stop::Cancelled) => return Err(ShellFault::Cancelled),
-                Err(_) => {}
+            match ladder.climb_from(fine, state, pressure, |_| {}) {
+                Ok(rung) => return Ok(rung),
+                // Not even the first rung: a gentler start may do.
+                Err(Broken { last: None, why, .. }) if why != Stop::Cancelled => {}
+                Err(broken) => return Err(self.broken(broken, fine.triangles())),
             }
             pressure /= LET_DOWN;
             if coarse.rest(&mut lower, ladder.aim(pressure)).is_err() {
@@ -153,6 +150,6 @@ const MOST_LET_DOWN: usize = 4;
 const LET_DOWN: f64 = 2.0;
 
 /// The part of the work that is done when `left` finer meshes are left: each costs about four times the one before.
-fn part(left: usize) -> f64 {
+pub(crate) fn part(left: usize) -> f64 {
     (0..left).fold(1.0, |part, _| part / 4.0)
 }

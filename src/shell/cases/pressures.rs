@@ -6,7 +6,7 @@
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::actuator::{Fineness, VActuator, arm_line, stiffness, supports};
 use crate::shell::cases::bend::angle_of;
-use crate::shell::cases::family::Watch;
+use crate::shell::cases::family::{self, Watch};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
@@ -174,5 +174,5 @@ fn measure(solver: &mut Solver, half: &HalfActuator, meshed: &Meshed, rung: &Run
 
 /// The part of the work that is done when `left` finer meshes are left and this one is `done`.
 fn part(left: usize, done: f64) -> f64 {
-    (0..left).fold(0.25 + 0.75 * done, |part, _| part / 4.0)
+    (0.25 + 0.75 * done) * family::part(left)
 }
