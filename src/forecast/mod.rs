@@ -10,6 +10,7 @@
 //! | [`choice`] | which model answers, and the error to expect of it |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
 //! | [`mod@shut`] | the shape of the star that has closed |
+//! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`by_shell`], [`star_by_shell`], [`shell_prediction`] | the same by the shell, which is asked by name only |
 //! | [`arms`] | what arms add to a hinge: ladders of shells, and the table made of them |
@@ -21,6 +22,7 @@ pub mod arms;
 pub mod by_shell;
 pub mod candidate;
 pub mod case;
+pub mod charts;
 pub mod choice;
 pub mod optimize;
 pub mod outcome;

@@ -22,7 +22,7 @@ pub fn shut(design: &Design, prediction: &Prediction, object: Option<Length>) ->
 }
 
 /// The tips' angle, rad, at which the star touches the object; `None` if at rest it does not.
-fn held(star: &Star, rest: f64, object: Option<Length>) -> Option<f64> {
+pub(super) fn held(star: &Star, rest: f64, object: Option<Length>) -> Option<f64> {
     let (mechanism, rho) = (mechanism(star), object?.metres());
     let widest = mechanism.widest(rest);
     if rho <= mechanism.radius(rest).value || rho >= widest.radius {
@@ -33,7 +33,7 @@ fn held(star: &Star, rest: f64, object: Option<Length>) -> Option<f64> {
 }
 
 /// The inflated star at the tips' angle `phi`, rad: a coiled hinge keeps the length of its inner arc.
-fn at_angle(flat: &Star, phi: f64) -> Star {
+pub(super) fn at_angle(flat: &Star, phi: f64) -> Star {
     let turn = flat.phi_e - flat.phi_i;
     let coiled = |radius: f64, from: f64, to: f64| radius * (PI - from) / (PI - to);
     let (w, phi_e) = (FRAC_2_PI * flat.w, phi + turn);

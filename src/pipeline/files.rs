@@ -4,6 +4,7 @@ use crate::artifact::{Artifact, Asked, Format, Output, Subject, outputs};
 use crate::design::engraved_depth;
 use crate::emit;
 use crate::emit::Inflated;
+use crate::forecast::charts::charts;
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::shut::shut;
 use crate::manifest::Manifest;
@@ -38,6 +39,7 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
             return emit::scene(&forecast.spec, &forecast.design, &inflated(forecast));
         }
         Subject::Preview => return preview(forecast, output),
+        Subject::Report => report(forecast, sources)?,
         Subject::Trace => program(forecast, &forecast.traces, output)?,
         Subject::Seal if output.kind.format() == Format::Gcode => {
             program(forecast, &forecast.programs, output)?
@@ -73,6 +75,25 @@ fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
     }
 }
 
+/// All that is known of the gripper, on one page.
+fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
+    let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
+    let charts = prediction.as_ref().map_or(Vec::new(), |prediction| charts(spec, design, prediction));
+    let scene = emit::scene(spec, design, &inflated(forecast))?;
+    let bill = Manifest::new(spec, design, programs);
+    Some(emit::report(&emit::Report {
+        source: sources.spec,
+        spec,
+        machine,
+        design,
+        programs,
+        prediction: prediction.as_ref(),
+        charts: &charts,
+        bill: &bill,
+        scene: &scene,
+    }))
+}
+
 /// The one of `programs` that is for the output's star, or its sheet.
 fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option<String> {
     let is_for = |program: &&Program| match output.star {
@@ -95,6 +116,8 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
             emit::stl(&output.solid_name(&spec.name), &drawing, thickness, engraved_depth(thickness))
         }
         Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
-        Format::Toml | Format::Gcode | Format::Json | Format::Png | Format::Glb => return None,
+        Format::Toml | Format::Gcode | Format::Json | Format::Png | Format::Glb | Format::Html => {
+            return None;
+        }
     })
 }

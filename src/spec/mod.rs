@@ -31,6 +31,7 @@ mod stars;
 mod starter;
 mod unknown;
 mod value;
+mod values;
 
 pub use allowed::Allowed;
 pub use builtin::UnknownMachine;
@@ -54,3 +55,4 @@ pub use raw::RawSpec;
 pub use reading::{Reading, TOXIC, read};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::starter;
+pub use values::{Setting, settings};
