@@ -5,10 +5,9 @@ use crate::design::{Design, StarDesign};
 use crate::forecast::by_shell::{Detail, SHELL, fabric};
 use crate::forecast::case::Case;
 use crate::forecast::predict::PredictFault;
-use crate::forecast::prediction::Hinges;
-use crate::forecast::shell_prediction::{
-    ForceAt, Place, ShellEvidence, ShellPrediction, ShellStar, StarMeshErrors, StarRanges,
-};
+use crate::forecast::prediction::{ForceAt, Hinges};
+use crate::forecast::ranges::StarRanges;
+use crate::forecast::shell_prediction::{Place, ShellEvidence, ShellPrediction, ShellStar, StarMeshErrors};
 use crate::mechanics::strength::payload;
 use crate::shell::cases::{
     FlatStar, InflatedStar, MOST_OBJECTS, Shape, ShellFault, Tube, Value, Watch, star,

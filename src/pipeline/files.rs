@@ -53,12 +53,15 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
 fn inflated(forecast: &Forecast) -> Vec<Inflated> {
     let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
     let prediction = forecast.prediction.as_ref().filter(|_| pressure.is_some());
-    let rest = |star: &StarPrediction| Inflated {
-        // Below 0 the arms touch.
-        tip_angle: star.tip_equilibrium_angle_deg.to_radians().max(0.0),
-        inner_radius: star.final_radius_mm,
+    let rest = |star: &StarPrediction| {
+        Some(Inflated {
+            // Below 0 the arms touch.
+            tip_angle: star.tip_equilibrium_angle_deg?.to_radians().max(0.0),
+            inner_radius: star.final_radius_mm?,
+        })
     };
-    prediction.map_or_else(Vec::new, |prediction| prediction.stars.iter().map(rest).collect())
+    let stars = prediction.map(|prediction| prediction.stars.iter().map(rest).collect::<Option<_>>());
+    stars.flatten().unwrap_or_default()
 }
 
 /// The picture of the output's sheet.
