@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use proptest::prelude::*;
 use serde_json::Value;
 use stargrip_cam::artifact::{Asked, Kind};
-use stargrip_cam::forecast::charts::charts;
+use stargrip_cam::forecast::charts::{AtRadius, charts};
 use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
 use stargrip_cam::pipeline::{self, Built, Sources, read_back};
 use stargrip_cam::verify::OutputFiles;
@@ -48,26 +48,30 @@ fn curves_meet_the_prediction() {
         let text = format!("{GRIPPER}\n[accuracy]\nmodel = \"{model}\"\n");
         let made = built(&text).forecast;
         let prediction = made.prediction.as_ref().expect("a load");
-        for chart in charts(&made.spec, &made.design, prediction) {
+        let all = charts(&made.spec, &made.design);
+        assert_eq!(all.len(), 1);
+        for chart in all {
             let own = &prediction.stars[chart.star - 1];
+            assert_eq!(chart.model, own.model);
             let row =
                 chart.by_pressure.iter().find(|row| (row.pressure_kPa - 37.0).abs() < 1e-9).expect("its own");
-            assert!((row.final_radius_mm / own.final_radius_mm - 1.0).abs() < 1e-12, "{model}");
-            let force = |force: Option<f64>| force.expect("held");
-            assert!((force(row.object_force_N) / force(own.object_force_N) - 1.0).abs() < 1e-12, "{model}");
+            assert_eq!(Some(row.final_radius_mm), own.final_radius_mm, "{model}");
+            assert_eq!(row.radius_range_mm, own.ranges.final_radius_mm, "{model}");
+            assert_eq!(row.object_force_N, own.object_force_N, "{model}");
             // On the object, which is wider than the star closes.
             assert!((row.pose.inner_radius_mm - 40.0).abs() < 1e-6, "{model}: {:?}", row.pose);
             let points = chart.by_points.iter().find(|row| row.points == 5).expect("its own");
-            assert!((points.contraction / own.contraction - 1.0).abs() < 1e-12, "{model}");
+            assert_eq!(Some(points.contraction), own.contraction, "{model}");
             let forces = &chart.by_radius;
-            assert!(
-                forces.windows(2).all(|pair| pair[0][0] < pair[1][0] && pair[0][1] < pair[1][1]),
-                "{forces:?}"
-            );
-            let over = forces.iter().position(|row| row[0] > 40.0).expect("wider ones");
-            let [[low, less], [high, more]] = [forces[over - 1], forces[over]];
-            let between = less + (more - less) * (40.0 - low) / (high - low);
-            assert!((between / force(own.object_force_N) - 1.0).abs() < 0.01, "{between}");
+            let rising = |pair: &[AtRadius]| {
+                pair[0].radius_mm < pair[1].radius_mm && pair[0].force_N < pair[1].force_N
+            };
+            assert!(forces.windows(2).all(rising) && forces.len() > 30, "{forces:?}");
+            let over = forces.iter().position(|row| row.radius_mm > 40.0).expect("wider ones");
+            let [low, high] = [forces[over - 1], forces[over]];
+            let share = (40.0 - low.radius_mm) / (high.radius_mm - low.radius_mm);
+            let between = low.force_N + (high.force_N - low.force_N) * share;
+            assert!((between / own.object_force_N.expect("held") - 1.0).abs() < 0.01, "{between}");
         }
     }
 }

@@ -1,20 +1,20 @@
 //! Curves around one answer: what its stars do at other pressures, on other objects, with other numbers of points. For pictures.
 //!
-//! All of them are the prediction's own closed forms with the model that answered it, so at the spec's own pressure, object and
-//! number of points they are the prediction.
+//! All of them are the prediction's own closed forms with the model that answers it, so at the spec's own pressure, object and
+//! number of points they are the prediction, with its ranges.
 
 use serde::Serialize;
 
 use crate::design::{Design, PlacedStar, Star};
 use crate::forecast::case::Case;
-use crate::forecast::choice::hinge_model;
+use crate::forecast::choice::{corrected, hinge_model, tabled};
 use crate::forecast::outcome::Outcome;
-use crate::forecast::prediction::Prediction;
+use crate::forecast::ranges::{Interval, mm};
 use crate::forecast::shut::{at_angle, held};
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::{HingeModel, HingeState, Level};
 use crate::mechanics::star::response::Inflated;
-use crate::spec::{Spec, StarSpec};
+use crate::spec::{ModelChoice, Spec, StarSpec};
 use crate::units::{Length, Pressure};
 
 /// Pressures of a table: up to one and a half times the spec's own, which is one of them, so that every picture has it.
@@ -37,8 +37,8 @@ pub struct Charts {
     pub model: &'static str,
     /// What it does by pressure, rising; without those that the model does not cover.
     pub by_pressure: Vec<AtPressure>,
-    /// Force by the radius of the object at the spec's own pressure: radius, force.
-    pub by_radius: Vec<[f64; 2]>,
+    /// Force by the radius of the object at the spec's own pressure.
+    pub by_radius: Vec<AtRadius>,
     /// What stars of other numbers of points do, everything else as it is.
     pub by_points: Vec<AtPoints>,
 }
@@ -51,10 +51,24 @@ pub struct AtPressure {
     pub pressure_kPa: f64,
     /// Inner radius of the star with nothing in it.
     pub final_radius_mm: f64,
+    /// Its range; `None` where nothing is known.
+    pub radius_range_mm: Option<Interval>,
     /// Radial force on the spec's object; `None` without one, or where the star cannot hold it.
     pub object_force_N: Option<f64>,
     /// The star as it is drawn: on the object where it reaches it, else closed.
     pub pose: Pose,
+}
+
+/// A star around one object.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct AtRadius {
+    /// Radius of the object.
+    pub radius_mm: f64,
+    /// Radial force.
+    pub force_N: f64,
+    /// Its range; `None` where nothing is known.
+    pub force_range_N: Option<Interval>,
 }
 
 /// What it takes to draw an inflated star: its tube lies between r and r + w around the centres of tips and corners.
@@ -85,26 +99,25 @@ pub struct AtPoints {
     pub points: u32,
     /// 1 - `rho_f` / `rho_0`.
     pub contraction: f64,
+    /// Its range; `None` where nothing is known.
+    pub contraction_range: Option<Interval>,
     /// Radial force on the spec's object; `None` without one, or where the star cannot hold it.
     pub object_force_N: Option<f64>,
 }
 
-/// The curves of every distinct star of `design`, in the order of [`Design::firsts`], by the models that made `prediction`; none
-/// without a pressure, which every curve needs.
-pub fn charts(spec: &Spec, design: &Design, prediction: &Prediction) -> Vec<Charts> {
+/// The curves of every distinct star of `design`, in the order of [`Design::firsts`], by the model that `spec` asks for; none without a
+/// pressure, which every curve needs.
+pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
     if spec.load.as_ref().and_then(|load| load.pressure).is_none() {
         return Vec::new();
     }
     let of_star = |placed: &PlacedStar| {
-        let name = prediction.stars.get(placed.index - 1)?.model;
-        let level = Level::ALL.into_iter().find(|level| level.name() == name)?;
         let star = &design.part(placed).star;
         let asked = spec.stars.get(placed.index - 1)?;
-        let case = Case::of(spec, star).ok()?;
-        let own = Question { level, case: &case, star };
+        let own = Question { chosen: spec.accuracy.model, case: Case::of(spec, star).ok()?, star };
         Some(Charts {
             star: placed.index,
-            model: name,
+            model: own.level().unwrap_or(Level::Section).name(),
             by_pressure: (1..=PRESSURES).filter_map(|k| own.at_pressure(k)).collect(),
             by_radius: own.by_radius().unwrap_or_default(),
             by_points: own.by_points(spec, asked).unwrap_or_default(),
@@ -120,52 +133,72 @@ pub fn flat_pose(star: &Star) -> Pose {
 
 /// One star, and which model is asked about it.
 struct Question<'a> {
-    level: Level,
-    case: &'a Case,
+    chosen: ModelChoice,
+    case: Case,
     star: &'a Star,
 }
 
 impl Question<'_> {
-    /// The model at a pressure, Pa.
-    fn model(&self, pressure: f64) -> Option<Known> {
-        let width = self.case.mechanism.width;
-        let model = hinge_model(self.level, &self.case.sheet, Some(pressure), width).ok()?;
-        let [tip, corner] =
-            [self.case.mechanism.tip(), self.case.mechanism.corner()].map(|hinge| hinge.r_star);
+    /// The model that was asked for by name; `None` where the program chooses.
+    fn level(&self) -> Option<Level> {
+        match self.chosen {
+            ModelChoice::Fit => Some(Level::Fit),
+            ModelChoice::Ring => Some(Level::Ring),
+            ModelChoice::Bvp => Some(Level::Bvp),
+            ModelChoice::Section => Some(Level::Section),
+            // What a prediction takes for them.
+            ModelChoice::Auto | ModelChoice::Shell => None,
+        }
+    }
+
+    /// The model at a pressure, Pa; `None` where it does not cover the star.
+    fn model(&self, pressure: f64) -> Option<Box<dyn HingeModel>> {
+        let Some(level) = self.level() else {
+            return tabled(&self.case, pressure).ok().map(|model| Box::new(model) as Box<dyn HingeModel>);
+        };
+        let mechanism = &self.case.mechanism;
+        let model = hinge_model(level, &self.case.sheet, Some(pressure), mechanism.width).ok()?;
+        let [tip, corner] = [mechanism.tip(), mechanism.corner()].map(|hinge| hinge.r_star);
         let first = (tip, model.target(tip).ok()?);
         let second = if tip == corner { first } else { (corner, model.target(corner).ok()?) };
-        Some(Known { model, targets: [first, second] })
+        Some(Box::new(Known { model, targets: [first, second] }))
     }
 
     /// The star at `k` parts of [`OWN`] of the spec's own pressure.
     fn at_pressure(&self, k: u32) -> Option<AtPressure> {
         let pressure = self.case.pressure? * (f64::from(k) / f64::from(OWN));
-        let case = Case { pressure: Some(pressure), ..*self.case };
         let model = self.model(pressure)?;
-        let outcome = Outcome::linear(&case, &Inflated::new(&case.mechanism, &model, pressure).ok()?);
+        let case = corrected(&Case { pressure: Some(pressure), ..self.case }, &*model).ok()?;
+        let outcome = Outcome::linear(&case, &Inflated::new(&case.mechanism, &*model, pressure).ok()?);
         let rest = outcome.rest.angle;
         let object = case.object.map(Length::from_metres);
-        let shown = at_angle(self.star, held(self.star, rest, object).unwrap_or(rest));
+        let shown = held(&case.mechanism, rest, object).unwrap_or(rest);
         Some(AtPressure {
             pressure_kPa: Pressure::from_pascals(pressure).0,
             final_radius_mm: Length::from_metres(outcome.rest.radius).0,
+            radius_range_mm: outcome.ranges.radius.map(mm),
             object_force_N: outcome.object_force(),
-            pose: Pose::of(&shown),
+            pose: Pose::of(&at_angle(self.star, &case.mechanism, shown)),
         })
     }
 
-    fn by_radius(&self) -> Option<Vec<[f64; 2]>> {
+    fn by_radius(&self) -> Option<Vec<AtRadius>> {
         let pressure = self.case.pressure?;
         let model = self.model(pressure)?;
-        let inflated = Inflated::new(&self.case.mechanism, &model, pressure).ok()?;
-        let [least, most] = Outcome::linear(self.case, &inflated).graspable;
-        let rest = inflated.linear_rest();
+        let case = corrected(&self.case, &*model).ok()?;
+        let inflated = Inflated::new(&case.mechanism, &*model, pressure).ok()?;
+        let own = Outcome::linear(&case, &inflated);
+        let [least, most] = own.graspable;
         // The arms lock where the star opens widest.
-        let most = if most < rest.widest.radius { most } else { least + SHOWN * (most - least) };
+        let most = if most < own.rest.widest.radius { most } else { least + SHOWN * (most - least) };
         let at = |k: u32| {
             let rho = least + (most - least) * f64::from(k) / f64::from(RADII);
-            let force = inflated.linear_force(rho.min(most), &rest).ok()?;
-            Some([Length::from_metres(rho).0, force])
+            let outcome = Outcome::linear(&Case { object: Some(rho.min(most)), ..case }, &inflated);
+            Some(AtRadius {
+                radius_mm: Length::from_metres(rho).0,
+                force_N: outcome.object_force()?,
+                force_range_N: outcome.force_range,
+            })
         };
         Some((0..=RADII).filter_map(at).collect())
     }
@@ -176,11 +209,16 @@ impl Question<'_> {
         let model = self.model(pressure)?;
         let at = |points: u32| {
             let star = Star::new(&StarSpec { points, inlet_tip: 1, ..asked.clone() }).ok()?;
-            let case = Case::of(spec, &star).ok()?;
-            let outcome = Outcome::linear(&case, &Inflated::new(&case.mechanism, &model, pressure).ok()?);
+            let case = corrected(&Case::of(spec, &star).ok()?, &*model).ok()?;
+            let outcome = Outcome::linear(&case, &Inflated::new(&case.mechanism, &*model, pressure).ok()?);
+            let contraction = |radius: f64| 1.0 - radius / case.inner_radius;
             Some(AtPoints {
                 points,
                 contraction: outcome.contraction,
+                contraction_range: outcome
+                    .ranges
+                    .radius
+                    .map(|[low, high]| [contraction(high), contraction(low)]),
                 object_force_N: outcome.object_force(),
             })
         };

@@ -7,6 +7,7 @@ use crate::emit::Inflated;
 use crate::forecast::charts::charts;
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::shut::shut;
+use crate::forecast::verdict::verdict;
 use crate::manifest::Manifest;
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
@@ -55,12 +56,15 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
 fn inflated(forecast: &Forecast) -> Vec<Inflated> {
     let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
     let prediction = forecast.prediction.as_ref().filter(|_| pressure.is_some());
-    let rest = |star: &StarPrediction| Inflated {
-        // Below 0 the arms touch.
-        tip_angle: star.tip_equilibrium_angle_deg.to_radians().max(0.0),
-        inner_radius: star.final_radius_mm,
+    let rest = |star: &StarPrediction| {
+        Some(Inflated {
+            // Below 0 the arms touch.
+            tip_angle: star.tip_equilibrium_angle_deg?.to_radians().max(0.0),
+            inner_radius: star.final_radius_mm?,
+        })
     };
-    prediction.map_or_else(Vec::new, |prediction| prediction.stars.iter().map(rest).collect())
+    let stars = prediction.map(|prediction| prediction.stars.iter().map(rest).collect::<Option<_>>());
+    stars.flatten().unwrap_or_default()
 }
 
 /// The picture of the output's sheet.
@@ -78,7 +82,8 @@ fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
 /// All that is known of the gripper, on one page.
 fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
-    let charts = prediction.as_ref().map_or(Vec::new(), |prediction| charts(spec, design, prediction));
+    let charts = charts(spec, design);
+    let verdict = prediction.as_ref().and_then(|prediction| verdict(spec, prediction));
     let scene = emit::scene(spec, design, &inflated(forecast))?;
     let bill = Manifest::new(spec, design, programs);
     Some(emit::report(&emit::Report {
@@ -88,6 +93,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
         design,
         programs,
         prediction: prediction.as_ref(),
+        verdict: verdict.as_ref(),
         charts: &charts,
         bill: &bill,
         scene: &scene,

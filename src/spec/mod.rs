@@ -54,5 +54,5 @@ pub use profile::{builtin_machine, builtin_machines, read_machine};
 pub use raw::RawSpec;
 pub use reading::{Reading, TOXIC, read};
 pub use source::{SIZE_LIMIT, Source};
-pub use starter::starter;
+pub use starter::{quoted, starter};
 pub use values::{Setting, settings};

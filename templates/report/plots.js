@@ -19,12 +19,12 @@ function scaleOf([low, high], [from, to]) {
   return (value) => from + ((value - low) / (high - low || 1)) * (to - from);
 }
 
-/** A figure with its plot: `line` of [x, y], `band` of [x, lo, hi], `dots` of [x, y], `own` {x, y, range} for this design. */
+/** A figure with its plot: `line` of [x, y], `band` of [x, lo, hi], `dots` of [x, y, range], `own` {x, y, range} for this design. */
 function plot({ title, x, y, line = [], band = [], dots = [], own, note }) {
-  const all = [...line, ...dots, ...band.map(([at_x, , hi]) => [at_x, hi]), ...(own ? [[own.x, own.range ? own.range[1] : own.y]] : [])];
+  const all = [...line, ...dots.map(([px, py, range]) => [px, range ? range[1] : py]), ...band.map(([at_x, , hi]) => [at_x, hi]), ...(own ? [[own.x, own.range ? own.range[1] : own.y]] : [])];
   const xs = all.map(([value]) => value);
   const wide = x.whole ? [Math.min(...xs) - 0.5, Math.max(...xs) + 0.5] : [x.from ?? Math.min(...xs), Math.max(...xs)];
-  const low = Math.min(0, ...all.map(([, value]) => value));
+  const low = Math.min(0, ...all.map(([, value]) => value), ...dots.map(([, , range]) => (range ? range[0] : 0)));
   const high = ticksAbove(Math.max(...all.map(([, value]) => value)), low);
   const across = scaleOf(wide, [PLOT.left, PLOT.width - PLOT.right]);
   const up = scaleOf([low, high], [PLOT.height - PLOT.bottom, PLOT.top]);
@@ -46,6 +46,9 @@ function plot({ title, x, y, line = [], band = [], dots = [], own, note }) {
     shapes.push(draw("path", { class: "band", d: `M${[...band.map(([px, , hi]) => [px, hi]), ...back].map(place).join("L")}Z` }));
   }
   if (line.length > 1) shapes.push(draw("path", { class: "curve", d: `M${line.map(place).join("L")}` }));
+  for (const [px, , range] of dots) {
+    if (range) shapes.push(draw("path", { class: "spread", d: `M${across(px)} ${up(range[0])}V${up(range[1])}` }));
+  }
   for (const dot of dots) shapes.push(draw("circle", { class: "dot", cx: across(dot[0]), cy: up(dot[1]), r: 4 }));
   if (own) {
     const px = across(own.x);
@@ -74,40 +77,42 @@ function ticksAbove(high, low) {
 
 function showPlots() {
   const chart = chartOf(0);
-  const { prediction, load } = data;
+  const { load } = data;
   if (!chart) {
-    at("curves-lead").textContent = "Curves need a pressure in [load].";
+    at("curves-lead").textContent = load && load.pressure_kPa ? "No model covers this star." : "Curves need a pressure in [load].";
     return;
   }
   const several_stars = data.parts.length > 1 ? " Star 1; the others differ." : "";
   at("curves-lead").textContent = `By model “${chart.model}”, one star at ${figure(load.pressure_kPa, "kPa")} where nothing else is said.${several_stars} The dot is this design, the whisker its range, where one is known.`;
-  const object = load.object_radius_mm;
-  const force = prediction.object_force_N;
-  const curve = prediction.force_curve || [];
-  const held = object && force !== null && force > 0;
+  const own = data.prediction.stars[0];
+  const force = own.object_force_N;
+  const held = load.object_radius_mm && force !== null && force > 0;
   const says = (range, unit) => (span(range, unit) ? `Range of this design: ${span(range, unit)}.` : "The range of this design is unknown.");
-  const rangeF = rangeOf(prediction, "object_force_N");
-  const rangeR = rangeOf(prediction, "final_radius_mm");
-  const rangeC = rangeOf(prediction, "contraction");
-  const points = data.parts[0].points;
-  at("plots").append(
-    plot({
+  const percent = (range) => (range ? range.map((end) => 100 * end) : null);
+  const banded = (rows, x, range) => rows.filter((row) => row[range]).map((row) => [row[x], ...row[range]]);
+  const rangeF = rangeOf(own, "object_force_N");
+  const rangeR = rangeOf(own, "final_radius_mm");
+  const rangeC = percent(rangeOf(own, "contraction"));
+  const known = own.final_radius_mm !== null;
+  const plots = [
+    chart.by_radius.length > 1 && plot({
       title: "Force by the object's radius", x: { label: "radius of the object, mm" }, y: { label: "radial force, N" },
-      line: chart.by_radius, band: curve.filter((row) => row[2] !== null && row[2] !== undefined).map(([r, , lo, hi]) => [r, lo, hi]),
-      own: held ? { x: object, y: force, range: rangeF, says: figure(force, "N") } : null,
+      line: chart.by_radius.map((row) => [row.radius_mm, row.force_N]), band: banded(chart.by_radius, "radius_mm", "force_range_N"),
+      own: held ? { x: load.object_radius_mm, y: force, range: rangeF, says: figure(force, "N") } : null,
       note: held ? says(rangeF, "N") : "This design's object is not on the curve.",
     }),
-    plot({
+    chart.by_pressure.length > 1 && plot({
       title: "Closed radius by pressure", x: { label: "pressure, kPa", from: 0 }, y: { label: "inner radius, mm" },
-      line: chart.by_pressure.map((row) => [row.pressure_kPa, row.final_radius_mm]),
-      own: { x: load.pressure_kPa, y: prediction.final_radius_mm, range: rangeR, says: figure(prediction.final_radius_mm, "mm") },
+      line: chart.by_pressure.map((row) => [row.pressure_kPa, row.final_radius_mm]), band: banded(chart.by_pressure, "pressure_kPa", "radius_range_mm"),
+      own: known ? { x: load.pressure_kPa, y: own.final_radius_mm, range: rangeR, says: figure(own.final_radius_mm, "mm") } : null,
       note: says(rangeR, "mm"),
     }),
-    plot({
+    chart.by_points.length > 1 && plot({
       title: "Contraction by the number of points", x: { label: "points", whole: true }, y: { label: "contraction, %" },
-      dots: chart.by_points.map((row) => [row.points, 100 * row.contraction]),
-      own: { x: points, y: 100 * prediction.contraction, range: rangeC ? rangeC.map((end) => 100 * end) : null, says: figure(100 * prediction.contraction, "%") },
-      note: `${says(rangeC ? rangeC.map((end) => 100 * end) : null, "%")} Radius, width and angle as they are.`,
+      dots: chart.by_points.map((row) => [row.points, 100 * row.contraction, percent(row.contraction_range)]),
+      own: known ? { x: data.parts[0].points, y: 100 * own.contraction, range: rangeC, says: figure(100 * own.contraction, "%") } : null,
+      note: `${says(rangeC, "%")} Radius, width and angle as they are.`,
     }),
-  );
+  ];
+  at("plots").append(...plots.filter(Boolean));
 }

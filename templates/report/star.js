@@ -5,7 +5,8 @@
 const star = { which: 0, pumping: null };
 
 function chartOf(which) {
-  return data.charts[which] || null;
+  const chart = data.charts[which];
+  return chart && chart.by_pressure.length > 0 ? chart : null;
 }
 
 function poseAt(which, pressure) {
@@ -73,7 +74,7 @@ function showStar(which) {
   if (!chart) return;
   const rows = chart.by_pressure;
   at("star-pressure").max = String(rows[rows.length - 1].pressure_kPa);
-  showPressure(data.load.pressure_kPa);
+  showPressure(Math.min(data.load.pressure_kPa, rows[rows.length - 1].pressure_kPa));
 }
 
 /** From flat to the spec's own pressure in two seconds. */
@@ -93,7 +94,7 @@ function showStars() {
   const chart = chartOf(0);
   at("star-lead").textContent = chart
     ? `As model “${chart.model}” has the mechanism: straight arms, round tubes. No wrinkle of a real hinge is in the picture.`
-    : "The spec has no pressure in [load], so only the flat star is known.";
+    : data.load && data.load.pressure_kPa ? "No model covers this star at this pressure, so only the flat star is known." : "The spec has no pressure in [load], so only the flat star is known.";
   if (data.parts.length > 1) {
     at("star-which").hidden = false;
     const names = data.parts.map((part, i) => make("option", { value: i }, stars(data.sheets.flatMap((sheet) => sheet.stars).filter((other) => other.part === i).map((other) => other.star))));

@@ -56,22 +56,26 @@ function showEvidence() {
   if (prediction) {
     const { evidence } = prediction;
     const model = `model “${prediction.model}”: ${KNOWN[prediction.model] || "a model of the hinge"}`;
-    const error = (value) => (value === null || value === undefined ? "error unknown" : `estimated error ${figure(100 * value, "%")}`);
-    const sure = (quantity, unit, other) => span(rangeOf(prediction, quantity), unit) ? `range ${span(rangeOf(prediction, quantity), unit)}, in 95 of 100 cases` : other;
+    const sure = (quantity, unit, other, scale = 1) => {
+      const range = rangeOf(prediction, quantity);
+      return range ? `range ${span(range.map((end) => scale * end), unit)}, in 95 of 100 cases` : other;
+    };
     rows.push(
       ["Why this model", model, evidence.choice],
-      ["Closed radius, contraction", model, sure("final_radius_mm", "mm", error(evidence.coiling_error))],
-      ["Force, stiffness", model, sure("object_force_N", "N", error(evidence.stiffness_error))],
+      ["Closed radius", model, sure("final_radius_mm", "mm", "range unknown")],
+      ["Contraction", "closed radius over that of the flat star", sure("contraction", "%", "range unknown", 100)],
+      ["Force on the object", model, sure("object_force_N", "N", "range unknown")],
+      ["Radial stiffness", model, sure("radial_stiffness_N_per_m", "N/m", "range unknown")],
       ["Payload", "friction times force, all stars", sure("payload_kg", "kg", "as good as the force and the friction that was given")],
       ["Bursting", "membrane ring at the realised radius", prediction.burst_pressure_kPa === null ? "needs a seal_strength of your own" : sure("burst_pressure_kPa", "kPa", "conservative: a sharp corner yields before it peels")],
       ["Mass", "areal_density times fabric", prediction.mass_g === null ? "needs an areal_density" : "as good as the areal density that was given"],
-      ["Solver", `${evidence.iterations} steps`, `residual ${evidence.residual.toExponential(1)}, numerical error ${evidence.numerical_error.toExponential(1)}`],
+      ["Solver", several(evidence.iterations, "step"), `residual ${evidence.residual.toExponential(1)}, numerical error ${evidence.numerical_error.toExponential(1)}`],
     );
   } else {
     rows.push(["Predictions", "none", "the spec has no [load]"]);
   }
   at("evidence-lead").textContent = prediction
-    ? "A range holds the true value in at least 95 of 100 cases where one is given; an estimated error is the model's own."
+    ? "A range holds the true value in at least 95 of 100 cases; where none is given, nothing was compared with it."
     : "Geometry and times are exact; nothing is predicted without [load].";
   table("sources", ["Figure", "Comes from", "How good it is"], rows);
 }
@@ -84,7 +88,7 @@ function sayings() {
   const coating = bill.masks.map((mask) => span(mask.coating_um, "µm"));
   const turns = data.stack.turns_deg.map((turn, i) => `${number(turn)}°${data.stack.turns_deg.length > 1 ? ` (star ${i + 1})` : ""}`);
   const same = new Set(data.stack.turns_deg).size === 1;
-  const closes = prediction ? span(rangeOf(prediction, "final_radius_mm"), "mm") || figure(prediction.final_radius_mm, "mm") : null;
+  const closes = prediction ? span(rangeOf(prediction, "final_radius_mm"), "mm") || (prediction.final_radius_mm === null ? null : figure(prediction.final_radius_mm, "mm")) : null;
   const flap = data.settings.find((setting) => setting.section === "seal" && setting.key === "hole_allowance");
   return {
     "check-time": Number.isFinite(speed) && speed > 0 && seal.speed.includes("mm/s") ? `${number(10 / speed)} s` : "10 mm over the seal's speed",

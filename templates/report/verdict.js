@@ -25,36 +25,28 @@ function totalTime() {
   return data.programs.reduce((sum, program) => sum + program.time_s, 0);
 }
 
-/** What the gripper does with its object: how sure, in one sentence, and why. */
+/** What becomes of the object: how sure, in one sentence, and why. */
 function verdict() {
-  const { prediction, load } = data;
+  const { prediction, load, verdict: found } = data;
   if (!prediction) {
     return ["plain", "Nothing is predicted", "The spec has no [load]: write a pressure, and the radius of an object, and this page says whether it is held."];
   }
   const { pressure_kPa: pressure, object_radius_mm: object } = load;
-  const { object_force_N: force, final_radius_mm: closed, burst_pressure_kPa: burst, payload_kg: payload } = prediction;
   if (!pressure) {
     return ["plain", "No verdict without a pressure", "The spec's [load] names no pressure, on which everything depends that a star does."];
   }
-  if (burst !== null && burst < pressure) {
-    return ["bad", "The seal bursts first", `It peels at ${figure(burst, "kPa")}, and ${figure(pressure, "kPa")} are asked for.`];
+  if (!found) {
+    const closed = prediction.final_radius_mm;
+    const title = closed === null ? "Nothing is known at this pressure" : `Closes to a radius of ${figure(closed, "mm")}`;
+    return ["plain", title, `At ${figure(pressure, "kPa")}. Write an object_radius in [load], and this page says whether it is held.`];
   }
-  if (!object) {
-    return ["plain", `Closes to a radius of ${figure(closed, "mm")}`, `At ${figure(pressure, "kPa")}. Write an object_radius in [load], and this page says whether it is held.`];
-  }
-  const what = `an object of radius ${figure(object, "mm")}`;
-  if (force === null) return ["bad", "Does not hold the object", objectWarning() || `There is no force on ${what} that the model knows.`];
-  if (!(force > 0)) return ["bad", "Does not reach the object", `The star closes to ${figure(closed, "mm")}, and ${what} is thinner.`];
-  const range = rangeOf(prediction, "object_force_N");
-  const carries = payload === null ? "" : ` Friction of ${number(load.friction)} then carries ${figure(payload, "kg")} with ${several(data.bill.stars.length, "star")}.`;
-  const grips = `Each star presses on ${what} with ${figure(force, "N")} at ${figure(pressure, "kPa")}.${carries}`;
-  if (range && range[0] <= 0) return ["fair", "May hold the object", `${grips} The lower end of the range does not hold it.`];
-  return ["good", "Holds the object", grips];
-}
-
-function objectWarning() {
-  const found = data.prediction.evidence.warnings.find((warning) => warning.includes("object"));
-  return found ? found.charAt(0).toUpperCase() + found.slice(1) + "." : null;
+  const reasons = found.reasons.map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
+  if (found.holds === "no") return ["bad", "Does not hold the object", reasons];
+  const range = span(found.force_range_N, "N");
+  const force = found.force_N === null ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object of radius ${figure(object, "mm")} with ${range || figure(found.force_N, "N")} at ${figure(pressure, "kPa")}. `;
+  const needed = found.needed_N === null ? "" : `Friction needs ${figure(found.needed_N, "N")} to hold its ${figure(load.mass_kg, "kg")}. `;
+  const tone = found.holds === "yes" ? ["good", "Holds the object"] : ["fair", "May hold the object"];
+  return [...tone, `${force}${needed}${reasons}`];
 }
 
 /** Name, value, range or a note below it, for each key figure. */

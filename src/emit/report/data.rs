@@ -28,12 +28,15 @@ pub(super) fn data(report: &Report<'_>) -> Value {
             "pressure_kPa": load.pressure.map(|p| p.0),
             "object_radius_mm": load.object_radius.map(|radius| radius.0),
             "friction": load.friction,
+            "mass_kg": load.mass.map(|mass| mass.0),
+            "largest_force_N": load.largest_force.map(|force| force.0),
         })
     });
     json!({
         "name": spec.name,
         "bill": bill,
         "prediction": prediction,
+        "verdict": report.verdict,
         "load": load,
         "settings": settings(&Source::new("spec.toml", report.source)),
         "machine": machine(report.machine),
