@@ -11,4 +11,5 @@ showBill();
 showChecks();
 showSettings();
 showEvidence();
+document.body.classList.remove("wait");
 showSolid();

@@ -101,8 +101,8 @@ async function pressure(page) {
     await page.mouse.click(box.x + box.width * 0.98, box.y + box.height / 2);
     must((await radius()) <= shut + 0.5, "a click near the end does not close it");
     await page.locator("#star-pump").click();
-    await page.waitForTimeout(2300);
-    must((await radius()) === shut, "pumped up, it is not as at the beginning");
+    const same = (size) => Number(document.querySelector("#star-round .size").textContent.split(" ")[0]) === size;
+    await page.waitForFunction(same, shut, { timeout: 30000 }).catch(() => must(false, "pumped up, it is not as at the beginning"));
     return undefined;
 }
 
@@ -123,9 +123,9 @@ async function player(page, size) {
     const later = (await sealed()).reduce((a, b) => a + b, 0);
     must(early > 0 && later > early, `sealed ${early}, a key later ${later}`);
     await page.locator("#job-play").click();
-    await page.waitForTimeout(700);
+    const on = (before) => [...document.querySelectorAll("#job .done")].reduce((sum, path) => sum + Number(path.getAttribute("stroke-dasharray").split(" ")[0]), 0) > before;
+    await page.waitForFunction(on, later, { timeout: 30000 }).catch(() => must(false, "play does not go on"));
     await page.locator("#job-play").click();
-    must((await sealed()).reduce((a, b) => a + b, 0) > later, "play does not go on");
     const paused = await iron();
     await page.waitForTimeout(200);
     must((await iron()) === paused, "pause goes on");

@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use crate::design::StarDesign;
-use crate::emit::report::Report;
 use crate::emit::report::job::{parts, programs, sheets, thousandths};
+use crate::emit::report::subject::Report;
 use crate::forecast::case::Case;
 use crate::forecast::charts::{Charts, flat_pose};
 use crate::forecast::seal_load::{SealLoad, seal_loads};

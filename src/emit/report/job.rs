@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use crate::design::{Circle, PlacedStar, SheetLayout, StarDesign};
-use crate::emit::report::Report;
 use crate::emit::report::polyline::{hundredths, polyline};
+use crate::emit::report::subject::Report;
 use crate::geom::{Path, Point, Segment};
 use crate::plan::{Program, Ramp, Step, height_of};
 
