@@ -43,7 +43,7 @@ function verdict() {
   const reasons = found.reasons.map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
   if (found.holds === "no") return ["bad", "Does not hold the object", reasons];
   const range = span(found.force_range_N, "N");
-  const force = found.force_N === null ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object of radius ${figure(object, "mm")} with ${range || figure(found.force_N, "N")} at ${figure(pressure, "kPa")}. `;
+  const force = found.force_N === null || found.holds !== "yes" ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object of radius ${figure(object, "mm")} with ${range || figure(found.force_N, "N")} at ${figure(pressure, "kPa")}. `;
   const needed = found.needed_N === null ? "" : `Friction needs ${figure(found.needed_N, "N")} to hold its ${figure(load.mass_kg, "kg")}. `;
   const tone = found.holds === "yes" ? ["good", "Holds the object"] : ["fair", "May hold the object"];
   return [...tone, `${force}${needed}${reasons}`];
