@@ -9,7 +9,6 @@ use crate::cli::quantity::{SIZE, number, quantity};
 use crate::design::Refusals;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::choosing::{Choice, Miss, Wish, choose, spec_text};
-use crate::forecast::verdict::verdict;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::pipeline::Forecast;
 use crate::spec;
@@ -143,7 +142,7 @@ fn buildable(
         let spec = spec::read(&Source::new("chosen", text.clone())).map_err(|_| Refusals::new())?.spec;
         let forecast = Forecast::of(spec, machine.clone())?;
         let mut said = String::new();
-        let verdict = forecast.prediction.as_ref().and_then(|prediction| verdict(&forecast.spec, prediction));
+        let verdict = forecast.prediction.as_ref().and_then(|prediction| prediction.verdict.as_ref());
         if let Some(verdict) = verdict {
             let _ = writeln!(said, "{}: {}", forecast.spec.name, verdict.line());
             for reason in &verdict.reasons {

@@ -28,11 +28,11 @@ impl Default for Correction {
 }
 
 /// `rim` of a sharp corner without arc, its slopes by the corner's arc (rad) and by R_e*: least squares over the stars of the first set.
-const RIM: [f64; 3] = [0.0426, -0.0426, 0.1178];
+const RIM: [f64; 3] = [0.047, -0.043, 0.061];
 /// Stiffness of a star with arms so long that what follows does not matter, over that of its hinges: least squares of logarithms.
-const STIFFER: f64 = 1.725;
+const STIFFER: f64 = 1.69;
 /// By how much the lever of an arm is longer than the arm, over W, and the tube wider than it is: the same.
-const LEVER: [f64; 2] = [1.184, 0.503];
+const LEVER: [f64; 2] = [1.145, 0.487];
 
 impl Correction {
     /// Of the star `star` whose hinges are `width` W wide when inflated.
