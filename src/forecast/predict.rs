@@ -302,7 +302,7 @@ fn width_of(state: &HingeState) -> Option<f64> {
 fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
     let star = &case.mechanism;
     let mut warnings = Vec::new();
-    if outcome.rest.equilibrium <= outcome.rest.angle.min(0.0) {
+    if outcome.rest.equilibrium < outcome.rest.angle {
         warnings.push("the arms touch before the hinges are at rest: the star is pressed shut".to_owned());
     }
     if star.radius(outcome.rest.angle).slope <= 0.0 {

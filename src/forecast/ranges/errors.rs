@@ -6,11 +6,11 @@
 use crate::forecast::ranges::Interval;
 
 /// The shell's radius less the predicted one, over W / sin(pi/n).
-pub const RADIUS: Interval = [-0.048, 0.037];
+pub const RADIUS: Interval = [-0.03, 0.035];
 /// The shell's angle of the tips at rest less the predicted one, rad, over W / l.
-pub const ANGLE: Interval = [-0.09, 0.029];
+pub const ANGLE: Interval = [-0.079, 0.047];
 /// The shell's radial stiffness over the predicted one.
-pub const STIFFNESS: Interval = [0.8, 1.35];
+pub const STIFFNESS: Interval = [0.85, 1.45];
 /// The shell's stiffness of a hinge over the predicted one.
 pub const HINGE: Interval = [0.8, 1.03];
 /// The shell's angle of a V-actuator less the predicted one, rad.
