@@ -7,6 +7,10 @@ mod extremes;
 #[path = "../examples/paper.rs"]
 mod paper;
 
+#[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
+#[path = "../examples/ranges.rs"]
+mod ranges;
+
 fn stands_on(page: &str, tables: &str) {
     let mut lines = page.lines();
     for line in tables.lines().filter(|line| !line.is_empty()) {
@@ -22,4 +26,9 @@ fn the_papers_numbers_are_ours() {
 #[test]
 fn the_map_of_extremes_is_true() {
     stands_on(include_str!("../docs/stability.md"), &extremes::tables());
+}
+
+#[test]
+fn the_ranges_are_those_of_the_stars() {
+    stands_on(include_str!("../docs/ranges.md"), &ranges::tables());
 }

@@ -9,7 +9,6 @@ use crate::cli::quantity::{SIZE, number, quantity};
 use crate::design::Refusals;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::choosing::{Choice, Miss, Wish, choose, spec_text};
-use crate::forecast::verdict::verdict;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::pipeline::Forecast;
 use crate::spec;
@@ -66,9 +65,12 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<(String, St
     let Some((object, mass)) = args.object.zip(args.mass) else { return Ok(None) };
     let base = base(args)?;
     let machine = machine(&base.machine.profile)?;
+    let _ = spec::quoted(name).map_err(|fault| Failure::Message(fault.to_string()))?;
+    // The inlet reaches beyond the tip on one side.
+    let inlet = base.inlet.as_ref().map_or(0.0, |inlet| inlet.length.0);
     let free = |side: Option<Length>, area: Option<Length>| {
         let side = side.map_or(f64::INFINITY, |side| side.0).min(area.map_or(f64::INFINITY, |side| side.0));
-        side - 2.0 * base.sheet.margin.0
+        side - 2.0 * base.sheet.margin.0 - inlet
     };
     let area = machine.bench.work_area;
     let sides = [free(base.sheet.width, area.map(|(x, _)| x)), free(base.sheet.height, area.map(|(_, y)| y))];
@@ -143,7 +145,7 @@ fn buildable(
         let spec = spec::read(&Source::new("chosen", text.clone())).map_err(|_| Refusals::new())?.spec;
         let forecast = Forecast::of(spec, machine.clone())?;
         let mut said = String::new();
-        let verdict = forecast.prediction.as_ref().and_then(|prediction| verdict(&forecast.spec, prediction));
+        let verdict = forecast.prediction.as_ref().and_then(|prediction| prediction.verdict.as_ref());
         if let Some(verdict) = verdict {
             let _ = writeln!(said, "{}: {}", forecast.spec.name, verdict.line());
             for reason in &verdict.reasons {

@@ -4,8 +4,9 @@
 //! actuator is `None`.
 
 use crate::forecast::choice::{ARMS_LET_OUT, hinge_model};
+use crate::forecast::ranges::{Interval, errors, scaled, shown};
 use crate::mechanics::fault::StarFault;
-use crate::mechanics::hinge::{Hinge, HingeModel, Level};
+use crate::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
 use crate::mechanics::strength::ElasticSheet;
 use serde::Serialize;
 
@@ -53,7 +54,7 @@ pub struct ActuatorPrediction {
     pub evidence: ActuatorEvidence,
 }
 
-/// Intervals in which the truth lies in at least 95 % of cases; `None` where nothing is known, which is everywhere yet.
+/// Intervals in which the truth lies in at least 95 % of cases; `None` where nothing is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct Ranges {
@@ -127,18 +128,26 @@ impl ActuatorPrediction {
             error.map_or(String::new(), |error| format!(", mesh error {error:.decimals$}"))
         };
         let error = |of: fn(&MeshErrors) -> f64, decimals| open(mesh.map(of), decimals);
+        let said = |value: f64, range: Option<Interval>, decimals: usize, unit: &str| {
+            let plain = || format!("{value:.decimals$} {unit}").trim_end().to_owned();
+            range.map_or_else(plain, |range| shown::with(value, range, unit))
+        };
         lines.push(format!(
-            "angle at rest         {:.2} deg{}",
-            self.angle_deg,
+            "angle at rest         {}{}",
+            said(self.angle_deg, self.ranges.angle_deg, 2, "deg"),
             error(|mesh| mesh.angle_deg, 2)
         ));
-        lines.push(format!("coiling               {:.4}{}", self.coiling, error(|mesh| mesh.coiling, 4)));
+        lines.push(format!(
+            "coiling               {}{}",
+            said(self.coiling, self.ranges.coiling, 4, ""),
+            error(|mesh| mesh.coiling, 4)
+        ));
         if let Some(volume) = self.volume_mm3 {
             lines.push(format!("volume                {volume:.0} mm^3{}", error(|mesh| mesh.volume_mm3, 0)));
         }
         lines.push(format!(
-            "stiffness             {:.4} N m/rad{}",
-            self.stiffness_Nm,
+            "stiffness             {}{}",
+            said(self.stiffness_Nm, self.ranges.stiffness_Nm, 4, "N m/rad"),
             error(|mesh| mesh.stiffness_Nm, 4)
         ));
         for (k, [angle, moment]) in self.moment.iter().flatten().enumerate() {
@@ -191,7 +200,7 @@ fn of_a_hinge(
         volume_mm3: None,
         stiffness_Nm: hinge.stiffness(pressure, &rest),
         moment: (!angles.is_empty()).then_some(held),
-        ranges: Ranges::default(),
+        ranges: ranges(actuator, model, &rest, angle).unwrap_or_default(),
         evidence: ActuatorEvidence {
             residual: rest.effort.residual,
             iterations: rest.effort.iterations,
@@ -200,6 +209,25 @@ fn of_a_hinge(
             unknowns: None,
             warnings: warnings(actuator, model, angle),
         },
+    })
+}
+
+/// The ranges of `actuator` at rest at `angle` (rad); `None` where no V-actuator like it was computed as a shell.
+fn ranges(actuator: &Actuator, model: &dyn HingeModel, rest: &HingeState, angle: f64) -> Option<Ranges> {
+    let Actuator { width, radius, arm, pressure, .. } = *actuator;
+    let hinge = Hinge { r_star: radius / width, width, rest_angle: actuator.angle };
+    let within = |x: f64, [low, high]: Interval| (low..=high).contains(&x);
+    let tried = within(arm / width, errors::ACTUATOR_ARM)
+        && within(hinge.arc().to_degrees(), errors::ARC)
+        && model.level() == Level::Section
+        && model.arms_angle(hinge.r_star).is_some();
+    let angles = errors::ACTUATOR.map(|error| angle + error);
+    let stiffness = hinge.stiffness(pressure, rest);
+    tried.then(|| Ranges {
+        angle_deg: Some(angles.map(f64::to_degrees)),
+        coiling: Some([angles[1], angles[0]].map(|angle| hinge.coiling(angle))),
+        stiffness_Nm: Some(scaled(errors::HINGE, stiffness)),
+        ..Ranges::default()
     })
 }
 

@@ -50,7 +50,8 @@ pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault
     let corner = model.target(case.mechanism.corner().r_star)?;
     let mut corrected = *case;
     if let Some(edges) = corner.edges {
-        corrected.mechanism.correction = Correction::new(&case.mechanism, edges.width);
+        let thickness = case.sheet.thickness / case.mechanism.width;
+        corrected.mechanism.correction = Correction::new(&case.mechanism, edges.width, thickness);
     }
     Ok(corrected)
 }

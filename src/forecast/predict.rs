@@ -8,6 +8,7 @@ use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Nonlinear, Predicti
 use crate::forecast::pressures::rows;
 use crate::forecast::ranges::{Ranges, Standing, StarRanges, errors, scaled, sum};
 use crate::forecast::seal_load::{burst, factor, remedy, safe_radius};
+use crate::forecast::verdict::verdict;
 use crate::mechanics::fault::{HingeFault, StarFault};
 use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::hinge::{HingeModel, HingeState, Level};
@@ -57,7 +58,8 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
     first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
     first.ranges.payload_kg = sum(stars.iter().map(|star| star.ranges.payload_kg));
     let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
-    Ok(Prediction { first, stack_mass_g, stars })
+    let verdict = verdict(spec, &stars);
+    Ok(Prediction { first, verdict, stack_mass_g, stars })
 }
 
 /// Adds to `prediction`, which is that of `spec` and `design`, the forces on round objects of `radii`.
@@ -300,7 +302,7 @@ fn width_of(state: &HingeState) -> Option<f64> {
 fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
     let star = &case.mechanism;
     let mut warnings = Vec::new();
-    if outcome.rest.equilibrium <= outcome.rest.angle.min(0.0) {
+    if outcome.rest.equilibrium < outcome.rest.angle {
         warnings.push("the arms touch before the hinges are at rest: the star is pressed shut".to_owned());
     }
     if star.radius(outcome.rest.angle).slope <= 0.0 {

@@ -1,7 +1,7 @@
 //! The answer: what one spec's stars do, with the evidence for it. Lengths in mm, angles in deg.
 
 use crate::forecast::pressures::PressureRow;
-use crate::forecast::ranges::StarRanges;
+use crate::forecast::ranges::{Interval, StarRanges, scaled, shown};
 use crate::mechanics::star::Correction;
 use serde::Serialize;
 
@@ -21,10 +21,63 @@ pub struct Prediction {
     /// Star 1, and so is its `mass_g`; only `payload_kg` is the whole stack's.
     #[serde(flatten)]
     pub first: StarPrediction,
+    /// What becomes of the object; needs object_radius and a pressure.
+    pub verdict: Option<Verdict>,
     /// Mass of all stars' fabric, what a manifest calls `mass_g` at its top; needs areal_density.
     pub stack_mass_g: Option<f64>,
     /// All stars, bottom first; `payload_kg` is the star's own share.
     pub stars: Vec<StarPrediction>,
+}
+
+/// One word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Holds {
+    /// Over all of its ranges.
+    Yes,
+    /// Nowhere in them, or it cannot be.
+    No,
+    /// Within its ranges it may or may not, or no range is known.
+    Unknown,
+}
+
+/// What becomes of the object.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct Verdict {
+    /// In one word.
+    pub holds: Holds,
+    /// Radial force of all stars.
+    pub force_N: Option<f64>,
+    /// Its range.
+    pub force_range_N: Option<Interval>,
+    /// Radial force that friction needs to hold the mass.
+    pub needed_N: Option<f64>,
+    /// Why, and what to do: one sentence each; none if it holds.
+    pub reasons: Vec<String>,
+}
+
+impl Verdict {
+    /// As one line, without the reasons.
+    pub fn line(&self) -> String {
+        let word = match self.holds {
+            Holds::Yes => "holds the object",
+            Holds::No => "does not hold the object",
+            Holds::Unknown => "may hold the object",
+        };
+        let force = match (self.force_N, self.force_range_N) {
+            (Some(force), Some(range)) => format!(" with {}", shown::with(force, range, "N")),
+            _ => String::new(),
+        };
+        let needed = self.needed_N.map_or(String::new(), |needed| format!(" ({needed:.1} N are needed)"));
+        format!("{word}{force}{needed}")
+    }
+
+    /// The share of the needed force that there is at the least.
+    pub fn margin(&self) -> Option<f64> {
+        let [low, _] = self.force_range_N?;
+        Some(scaled([low, low], self.needed_N?.recip())[0])
+    }
 }
 
 /// What one star does. `None` where something is missing that the answer needs.

@@ -3,7 +3,6 @@
 use crate::forecast::prediction::{ForceAt, Hinges, Prediction, StarPrediction};
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, scaled, shown};
-use crate::forecast::verdict::verdict;
 use crate::mechanics::hinge::Level;
 use crate::spec::Spec;
 use crate::units::Readable;
@@ -35,7 +34,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
         };
         let _ = writeln!(out, "\npayload of the whole stack      {said}");
     }
-    if let Some(verdict) = verdict(spec, prediction) {
+    if let Some(verdict) = &prediction.verdict {
         let _ = writeln!(out, "\nverdict: {}", verdict.line());
         for reason in &verdict.reasons {
             let _ = writeln!(out, "  {reason}");

@@ -1,45 +1,16 @@
 //! Whether a gripper holds the object of its `[load]`, in one word and with reasons.
 
-use crate::forecast::prediction::{Prediction, StarPrediction};
-use crate::forecast::ranges::{Interval, scaled, shown, sum};
+use crate::forecast::prediction::StarPrediction;
+pub use crate::forecast::prediction::{Holds, Verdict};
+use crate::forecast::ranges::{Interval, sum};
 use crate::mechanics::strength::GRAVITY;
 use crate::spec::{Load, Spec};
 use crate::units::{Force, Mass};
-use serde::Serialize;
 
-/// One word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Holds {
-    /// Over all of its ranges.
-    Yes,
-    /// Nowhere in them, or it cannot be.
-    No,
-    /// Within its ranges it may or may not, or no range is known.
-    Unknown,
-}
-
-/// What becomes of the object.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
-pub struct Verdict {
-    /// In one word.
-    pub holds: Holds,
-    /// Radial force of all stars.
-    pub force_N: Option<f64>,
-    /// Its range.
-    pub force_range_N: Option<Interval>,
-    /// Radial force that friction needs to hold the mass.
-    pub needed_N: Option<f64>,
-    /// Why, and what to do: one sentence each; none if it holds.
-    pub reasons: Vec<String>,
-}
-
-/// The verdict on the object of `spec`; `None` without an object or a pressure.
-pub fn verdict(spec: &Spec, prediction: &Prediction) -> Option<Verdict> {
+/// The verdict on the object of `spec` between `stars`; `None` without an object or a pressure.
+pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
     let load = spec.load.as_ref()?;
     let object = load.object_radius.filter(|_| load.pressure.is_some())?;
-    let stars = &prediction.stars;
     let force = stars.iter().map(|star| star.object_force_N).sum::<Option<f64>>();
     let range = sum(stars.iter().map(|star| star.ranges.object_force_N));
     let needed = needed_force(load);
@@ -156,28 +127,5 @@ impl Judged {
             }
             _ => {}
         }
-    }
-}
-
-impl Verdict {
-    /// As one line, without the reasons.
-    pub fn line(&self) -> String {
-        let word = match self.holds {
-            Holds::Yes => "holds the object",
-            Holds::No => "does not hold the object",
-            Holds::Unknown => "may hold the object",
-        };
-        let force = match (self.force_N, self.force_range_N) {
-            (Some(force), Some(range)) => format!(" with {}", shown::with(force, range, "N")),
-            _ => String::new(),
-        };
-        let needed = self.needed_N.map_or(String::new(), |needed| format!(" ({needed:.1} N are needed)"));
-        format!("{word}{force}{needed}")
-    }
-
-    /// The share of the needed force that there is at the least.
-    pub fn margin(&self) -> Option<f64> {
-        let [low, _] = self.force_range_N?;
-        Some(scaled([low, low], self.needed_N?.recip())[0])
     }
 }

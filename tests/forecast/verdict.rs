@@ -11,7 +11,10 @@ fn judged(change: impl Fn(&mut Spec)) -> Verdict {
     // Strong enough for all that follows.
     spec.fabric.seal_strength = Some(LineForce(60.0));
     change(&mut spec);
-    verdict(&spec, &predict(&spec)).expect("an object and a pressure")
+    let prediction = predict(&spec);
+    let found = verdict(&spec, &prediction.stars).expect("an object and a pressure");
+    assert_eq!(prediction.verdict.as_ref(), Some(&found));
+    found
 }
 
 fn with_mass(kilograms: f64) -> Verdict {
@@ -22,9 +25,9 @@ fn with_mass(kilograms: f64) -> Verdict {
 fn without_an_object_there_is_no_verdict() {
     let mut spec = gripper(5);
     spec.load.as_mut().expect("given").object_radius = None;
-    assert_eq!(verdict(&spec, &predict(&spec)), None);
+    assert_eq!(predict(&spec).verdict, None);
     spec.load = None;
-    assert_eq!(verdict(&spec, &predict(&spec)), None);
+    assert_eq!(predict(&spec).verdict, None);
 }
 
 #[test]
@@ -59,7 +62,7 @@ fn a_light_object_is_held_and_one_that_breaks_is_not() {
 
 #[test]
 fn where_nothing_is_known_it_may_hold() {
-    let found = judged(|spec| spec.load.as_mut().expect("given").pressure = Some(Pressure(400.0)));
+    let found = judged(|spec| spec.load.as_mut().expect("given").pressure = Some(Pressure(200.0)));
     assert_eq!((found.holds, found.force_N), (Holds::Unknown, None));
     assert!(found.line().starts_with("may hold"), "{}", found.line());
 }

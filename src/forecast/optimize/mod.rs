@@ -338,6 +338,45 @@ mod tests {
         }
     }
 
+    /// At its pressure, with constraints at the bad end of the ranges, and the number of stars chosen.
+    #[test]
+    fn at_a_pressure_the_winner_is_the_best_of_a_grid_too() {
+        let mut base = Candidate { model: ModelChoice::Auto, ..base() };
+        (base.star.tip_radius, base.star.corner_radius) = (Length(2.0), Length(2.0));
+        let bounds = Bounds {
+            tip_angle: [20.0, 60.0].map(Angle),
+            width: [12.0, 29.0].map(Length),
+            points: 4..=6,
+            stars: 1..=4,
+            ..Bounds::just(&base)
+        };
+        let constraints = Constraints {
+            payload: Some(0.6),
+            grasp: Some([25.0, 38.0].map(Length)),
+            ..Constraints::default()
+        };
+        let table = table();
+        let found = search(&base, &bounds, &constraints, Goal::Fabric, &table);
+        assert!(found.best[0].violation == 0.0, "{:?}", found.best[0]);
+        for best in found.best.iter().filter(|best| best.violation == 0.0) {
+            for i in 0..=40 {
+                for j in 0..=40 {
+                    let mut point = base.clone();
+                    point.star.points = best.point.star.points;
+                    point.star.tip_angle = Angle(20.0 + f64::from(i));
+                    point.star.tube_width = Length(12.0 + 17.0 * f64::from(j) / 40.0);
+                    let Ok(answer) = point.answer(&table) else { continue };
+                    for stars in 1..=4 {
+                        let (point, answer) = (Candidate { stars, ..point.clone() }, answer.of_stars(stars));
+                        let area = answer.fabric.map_or(f64::INFINITY, |area| f64::from(stars) * area);
+                        let meets = shortfalls(&point, &answer, &constraints).is_empty();
+                        assert!(!meets || area > 0.995 * best.fabric(), "{point:?} is smaller than {best:?}");
+                    }
+                }
+            }
+        }
+    }
+
     #[test]
     fn nothing_on_the_front_is_beaten() {
         let bounds = Bounds {

@@ -1,18 +1,24 @@
 //! How far `section` is from stars computed as shells: the constants that ranges are made of, and where they were taken.
 //!
-//! Each pair is what holds 95 % of the stars of the second set (docs/models.md, "Ranges"), the mesh errors of their shells included. The
-//! hinges' are of single hinges that the table of arms does not hold, on the same page.
+//! Each pair is what holds 95 % of the stars of the second set (docs/ranges.md), the mesh errors of their shells included. The
+//! hinges' are of single hinges that the table of arms does not hold (docs/models.md).
 
 use crate::forecast::ranges::Interval;
 
 /// The shell's radius less the predicted one, over W / sin(pi/n).
-pub const RADIUS: Interval = [-0.05, 0.06];
+pub const RADIUS: Interval = [-0.03, 0.035];
 /// The shell's angle of the tips at rest less the predicted one, rad, over W / l.
-pub const ANGLE: Interval = [-0.05, 0.05];
+pub const ANGLE: Interval = [-0.079, 0.047];
 /// The shell's radial stiffness over the predicted one.
-pub const STIFFNESS: Interval = [0.5, 1.6];
+pub const STIFFNESS: Interval = [0.85, 1.45];
 /// The shell's stiffness of a hinge over the predicted one.
-pub const HINGE: Interval = [0.87, 1.03];
+pub const HINGE: Interval = [0.8, 1.03];
+/// The shell's angle of a V-actuator less the predicted one, rad.
+pub const ACTUATOR: Interval = [-0.0227, 0.0088];
+/// Flat arcs of the V-actuators that were tried, deg.
+pub const ARC: Interval = [60.0, 150.0];
+/// Arms by W of the V-actuators that were tried, from the shortest that a shell takes.
+pub const ACTUATOR_ARM: Interval = [2.5, 7.5];
 /// The shell's force over the predicted one, once the range of the radius is taken off; `None` while none were compared.
 pub const FORCE: Option<Interval> = None;
 

@@ -4,6 +4,7 @@
 //! holds where such stars were tried; beyond that it is four times as wide, and [`Standing`] says so; where no star is like it, there is
 //! none. The limits of high pressure, `fit`, `ring` and `bvp`, have none at all: no gripper works there.
 
+pub mod against;
 pub mod errors;
 pub mod shown;
 

@@ -116,7 +116,7 @@ impl<'a> Inflated<'a> {
     ///
     /// Of a star that is pressed shut the stiffness is the one at the touching arms.
     pub fn linear_rest(&self) -> Rest {
-        let equilibrium = self.linear_equilibrium();
+        let equilibrium = self.linear_equilibrium() - self.star.correction.closer;
         let (tip, corner) = self.hinge_stiffness();
         let angle = equilibrium.max(self.star.correction.touch);
         let softness = self.star.correction.softness(self.star, angle);

@@ -1,0 +1,89 @@
+//! Predictions against stars computed as shells, as the tables of docs/ranges.md.
+//!
+//! `cargo run --release --example ranges`
+
+use stargrip_cam::forecast::ranges::against::{Against, Pair, against};
+use stargrip_cam::forecast::stars::draw::Set;
+use stargrip_cam::forecast::stars::shipped::shipped;
+use std::fmt::Write;
+
+fn main() {
+    print!("{}", tables());
+}
+
+/// All tables, in the order of the page.
+pub fn tables() -> String {
+    let all: Vec<Against> = shipped().iter().filter_map(against).collect();
+    let of = |set: Set| all.iter().filter(move |one| one.set == set);
+    let mut out = String::from(
+        "| set | stars | quantity | numbers | 2.5 % | median | 97.5 % | in range | mean width / mean error |\n\
+         |---|---|---|---|---|---|---|---|---|\n",
+    );
+    for set in Set::ALL {
+        let stars = of(set).count();
+        let rows: [(&str, Vec<Pair>); 3] = [
+            ("radius, W / sin(pi/n)", of(set).map(|one| one.radius).collect()),
+            ("angle, deg W / l", of(set).filter_map(|one| one.angle).map(in_degrees).collect()),
+            ("stiffness, ratio", of(set).filter_map(|one| one.stiffness).collect()),
+        ];
+        for (what, pairs) in rows {
+            let _ = writeln!(out, "| {} | {stars} | {what} | {} |", set.name(), row(&pairs));
+        }
+    }
+    out.push('\n');
+    out += "| set | rho_f off by, rms | at most |\n|---|---|---|\n";
+    for set in Set::ALL {
+        let parts: Vec<f64> = of(set).map(|one| one.radius.predicted / one.radius.shell - 1.0).collect();
+        let most = parts.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
+        let _ = writeln!(out, "| {} | {:.1} % | {:.1} % |", set.name(), 100.0 * rms(&parts), 100.0 * most);
+    }
+    out.push('\n');
+    out += "| set | opening by W | forces | 2.5 % | median | 97.5 % of shell over prediction |\n|---|---|---|---|---|---|\n";
+    for set in Set::ALL {
+        for opening in [0.15, 0.45] {
+            let ratios = of(set).flat_map(|one| &one.forces).filter(|(part, _)| *part == opening);
+            let mut ratios: Vec<f64> = ratios.map(|(_, pair)| pair.error).collect();
+            ratios.sort_by(f64::total_cmp);
+            let count = ratios.len();
+            let [low, middle, high] = [0.025, 0.5, 0.975].map(|part| quantile(&ratios, part));
+            let _ = writeln!(
+                out,
+                "| {} | {opening} | {count} | {low:.2} | {middle:.2} | {high:.2} |",
+                set.name()
+            );
+        }
+    }
+    out
+}
+
+fn in_degrees(pair: Pair) -> Pair {
+    let Pair { error, .. } = pair;
+    Pair { error: error.to_degrees(), ..pair }
+}
+
+fn row(pairs: &[Pair]) -> String {
+    let mut errors: Vec<f64> = pairs.iter().map(|pair| pair.error).collect();
+    errors.sort_by(f64::total_cmp);
+    let [low, middle, high] = [0.025, 0.5, 0.975].map(|part| quantile(&errors, part));
+    let inside = pairs.iter().filter(|pair| pair.holds()).count();
+    let mean = |of: fn(&Pair) -> f64| pairs.iter().map(of).sum::<f64>();
+    let width = mean(|pair| pair.range[1] - pair.range[0]) / mean(|pair| (pair.shell - pair.predicted).abs());
+    format!("{} | {low:.3} | {middle:.3} | {high:.3} | {inside} | {width:.1}", pairs.len())
+}
+
+/// The value below which `part` of the sorted `values` lie.
+fn quantile(values: &[f64], part: f64) -> f64 {
+    let Some(last) = values.len().checked_sub(1) else { return f64::NAN };
+    #[expect(clippy::cast_precision_loss, reason = "a few dozen stars")]
+    let place = part * last as f64;
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and the last")]
+    let below = place.floor() as usize;
+    let above = (below + 1).min(last);
+    values[below] + place.fract() * (values[above] - values[below])
+}
+
+fn rms(values: &[f64]) -> f64 {
+    #[expect(clippy::cast_precision_loss, reason = "a few dozen stars")]
+    let count = values.len() as f64;
+    (values.iter().map(|value| value * value).sum::<f64>() / count).sqrt()
+}

@@ -1,0 +1,123 @@
+//! The predictions held against the stars that shells were computed of: what the constants of [`errors`](super::errors) are taken from,
+//! and whether ranges hold.
+
+use crate::design::Star;
+use crate::forecast::case::{Case, mechanism};
+use crate::forecast::choice::{corrected, tabled};
+use crate::forecast::outcome::Outcome;
+use crate::forecast::prediction::Hinges;
+use crate::forecast::ranges::Interval;
+use crate::forecast::stars::computed::{Computed, Found};
+use crate::forecast::stars::draw::{Drawn, POISSON, Set, YOUNG};
+use crate::mechanics::star::response::Inflated;
+use crate::mechanics::strength::ElasticSheet;
+use crate::spec::StarSpec;
+use crate::units::{Angle, Length, Pressure};
+use std::f64::consts::PI;
+
+/// A number of the shell beside the predicted one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// The shell's.
+    pub shell: f64,
+    /// By how much its meshes leave it open.
+    pub mesh: f64,
+    /// The prediction's.
+    pub predicted: f64,
+    /// Its range.
+    pub range: Interval,
+    /// The error as its constant counts it: see [`errors`](super::errors).
+    pub error: f64,
+}
+
+/// One star: what is known of it on both sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Against {
+    /// Its set.
+    pub set: Set,
+    /// rho_f, m.
+    pub radius: Pair,
+    /// The tips' angle at rest, rad; `None` where arms touch.
+    pub angle: Option<Pair>,
+    /// Radial stiffness, N/m; `None` where arms touch, or where meshes leave a quarter of it open.
+    pub stiffness: Option<Pair>,
+    /// Radial forces, N, and the openings by W at which they are; without a range, `error` is their ratio.
+    pub forces: Vec<(f64, Pair)>,
+}
+
+/// The part of a stiffness or force that its meshes may leave open, to be compared.
+const SETTLED: f64 = 0.25;
+
+/// `star` beside its prediction; `None` where the shell refuses it, or nothing is known of it here.
+pub fn against(star: &Computed) -> Option<Against> {
+    let found = star.found.as_ref()?;
+    let (case, pressure) = case(&star.star)?;
+    let model = tabled(&case, pressure).ok()?;
+    let case = corrected(&case, &model).ok()?;
+    let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
+    let own = Outcome::linear(&case, &inflated);
+    let moves = &case.mechanism;
+    let unit = moves.width / (PI / f64::from(moves.points)).sin();
+    let pair = |shell: f64, mesh: f64, predicted: f64, range: Option<Interval>| {
+        Some(Pair { shell, mesh, predicted, range: range?, error: shell - predicted })
+    };
+    let Found { radius, angle, stiffness, .. } = found;
+    let radius = pair(1e-3 * radius.value, 1e-3 * radius.error, own.rest.radius, own.ranges.radius)?;
+    let angle = [angle.value, angle.error].map(f64::to_radians);
+    let angle = pair(angle[0], angle[1], own.rest.equilibrium, own.ranges.angle);
+    let settled = stiffness.error < SETTLED * stiffness.value;
+    let stiffness =
+        pair(1e3 * stiffness.value, 1e3 * stiffness.error, own.rest.stiffness, own.ranges.stiffness);
+    let forces = found.forces.iter().filter(|(_, force)| force.error < SETTLED * force.value).filter_map(
+        |(part, force)| {
+            let rho = own.rest.radius + part * moves.width;
+            let predicted = inflated.linear_force(rho, &own.rest).ok()?;
+            let error = force.value / predicted;
+            Some((
+                *part,
+                Pair { shell: force.value, mesh: force.error, predicted, range: [0.0, f64::INFINITY], error },
+            ))
+        },
+    );
+    Some(Against {
+        set: star.star.set,
+        radius: Pair { error: radius.error / unit, ..radius },
+        angle: angle.map(|pair| Pair { error: pair.error * moves.arm / moves.width, ..pair }),
+        stiffness: stiffness
+            .filter(|_| settled)
+            .map(|pair| Pair { error: pair.shell / pair.predicted, ..pair }),
+        forces: forces.collect(),
+    })
+}
+
+/// The case of a drawn star, and its pressure, Pa.
+fn case(drawn: &Drawn) -> Option<(Case, f64)> {
+    let spec = StarSpec {
+        inner_radius: Length(drawn.inner_radius),
+        tube_width: Length(drawn.width),
+        tip_angle: Angle(drawn.tip_angle),
+        tip_radius: Length(drawn.tip_radius),
+        corner_radius: Length(drawn.corner_radius),
+        ..StarSpec::paper(drawn.points)
+    };
+    let star = Star::new(&spec).ok()?;
+    let pressure = Pressure(drawn.pressure).pascals();
+    let case = Case {
+        mechanism: mechanism(&star),
+        inner_radius: Length(drawn.inner_radius).metres(),
+        realised: Hinges { tip: 0.0, corner: 0.0 },
+        sheet: ElasticSheet::new(Length(drawn.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?,
+        peel: None,
+        pressure: Some(pressure),
+        object: None,
+        friction: None,
+    };
+    Some((case, pressure))
+}
+
+impl Pair {
+    /// Whether the shell's number, as far as its meshes leave it open, lies in the range.
+    pub fn holds(&self) -> bool {
+        self.shell + self.mesh >= self.range[0] && self.shell - self.mesh <= self.range[1]
+    }
+}
