@@ -8,7 +8,7 @@ use crate::cli::harmless::shown;
 use crate::design::{COATING_ASSUMES, Design, Plate, StarDesign};
 use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};
-use crate::plan::{Pace, rounded_up};
+use crate::plan::Pace;
 use crate::spec::Spec;
 use crate::units::Readable;
 use crate::verify::Proof;
@@ -237,17 +237,7 @@ pub(super) fn conditions(forecast: &Forecast) -> String {
                 spec.seal.speed
             );
         }
-        _ => {
-            let rounded = rounded_up(&machine.motion, spec.seal.speed.0);
-            let _ = rounded.map_or(Ok(()), |part| {
-                let (title, percent) =
-                    (machine.controller.dialect.title(), (1000.0 * part - 1e-9).ceil() / 10.0);
-                writeln!(
-                    out,
-                    "note: {title} makes whole steps a second: a seam may be {percent:.1} % too fast at worst"
-                )
-            });
-        }
+        _ => {}
     }
     out
 }

@@ -28,4 +28,3 @@ pub use seal::seal_programs;
 pub use stepper::Stepper;
 pub use time::{Clock, Scope, height_of};
 pub use trace::trace_programs;
-pub use whole_rates::rounded_up;
