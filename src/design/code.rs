@@ -16,6 +16,7 @@ codes! {
         LongOverlap "long-overlap" "The overlap is longer than half the loop; make it shorter.",
         NarrowMouth "narrow-mouth" "A leak: the inlet's mouth is too narrow for the hose; take a thinner hose.",
         NoArm "no-arm" "The arms would have no length; make one of the single changes shown.",
+        JobTooLarge "job-too-large" "The job has too many moves, or takes too long, to be written; build fewer or smaller stars at a time.",
         NoChop "no-chop" "The slow seal cannot be chopped into strokes; give the profile what is missing, or another speed.",
         NoOverlap "no-overlap" "A leak: a loop closes without sealing any of it twice; make overlap larger.",
         NoPlate "no-plate" "The mask's plate cannot be made so much larger than the outline; make border smaller.",

@@ -5,6 +5,7 @@
 //! that, and also how long a single move is; the emitters only round and spell.
 
 mod feedcheck;
+mod job_size;
 mod keep_out;
 mod lowest_feed;
 mod pace;

@@ -5,6 +5,7 @@ mod clamps;
 mod coupons;
 mod dialects;
 mod faults;
+mod job_size;
 mod lowest_feed;
 mod profile_lines;
 mod resume;
