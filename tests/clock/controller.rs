@@ -54,7 +54,7 @@ pub(crate) fn run_marlin_32(text: &Text, motors: Motors) -> Track {
 }
 
 fn reading(dialect: &str) -> Reading {
-    let modal_travel = ["klipper", "marlin", "reprapfirmware"].contains(&dialect);
+    let modal_travel = ["generic", "klipper", "marlin", "reprapfirmware"].contains(&dialect);
     // RepRapFirmware: Config/Configuration.h, DefaultMinFeedrate.
     let lowest_feed = if dialect == "reprapfirmware" { 30.0 } else { 0.0 };
     let chords = match dialect {

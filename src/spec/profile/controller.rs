@@ -15,7 +15,7 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
         .choice("comments", &[("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)])
         .unwrap_or(Comments::Semicolon);
     let arcs = root.truth("arcs").unwrap_or(true);
-    let line_length = root.count("line_length", 70, 255).map_or(70, |length| length as usize);
+    let line_length = root.count("line_length", 72, 255).map_or(72, |length| length as usize);
     Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating }
 }
 
