@@ -31,9 +31,9 @@ fn assert_code(output: &Output, code: i32) {
 #[test]
 fn build_then_verify() {
     let dir = workshop();
-    let built = run(dir.path(), &["build", "star.toml"]);
+    let built = run(dir.path(), &["build", "star.toml", "-v"]);
     assert_code(&built, 0);
-    assert_eq!(stderr(&built), "");
+    assert!(!stderr(&built).contains("warning") && !stderr(&built).contains("error"), "{}", stderr(&built));
     let said = stdout(&built);
     for words in ["arms 69.72 mm", "inner loop: 875.9 mm", "in total 2003.0 mm of seam", "out/star"] {
         assert!(said.contains(words), "{words}: {said}");

@@ -17,7 +17,8 @@ pub(super) struct Args {
 
 /// Writes a starter spec into the current directory; never over a file that is there.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let text = spec::starter(&args.name).map_err(|fault| Failure::Message(fault.to_string()))?;
+    let text = spec::starter(args.name.strip_suffix(".toml").unwrap_or(&args.name))
+        .map_err(|fault| Failure::Message(fault.to_string()))?;
     let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
     write_new(&path, &text)?;
     let path = shown(&path);
@@ -26,6 +27,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 
 /// The name as a file name anywhere: ASCII letters, digits and dashes.
 fn file_stem(name: &str) -> String {
+    // Who names the file means the design.
+    let name = name.strip_suffix(".toml").unwrap_or(name);
     let mut stem = String::new();
     for c in name.chars() {
         if c.is_ascii_alphanumeric() {

@@ -10,6 +10,7 @@
 //! to [`Proven`], which is all that can be published, and `verify` takes the same steps from the files of a directory.
 
 mod files;
+mod fitness;
 mod proven;
 
 use crate::airtight;
@@ -22,6 +23,7 @@ use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
+pub use fitness::Verdict;
 pub use proven::{Claim, Proven, prove_files, read_back};
 
 /// A gripper whose geometry exists, without a way for air but the inlet.
