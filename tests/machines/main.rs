@@ -10,6 +10,7 @@ mod lowest_feed;
 mod profile_lines;
 mod resume;
 mod speed;
+mod thumbnails;
 mod told;
 
 use stargrip_cam::artifact::Asked;

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::emit::gcode::facts::Facts;
+use crate::emit::gcode::thumbnail::thumbnails;
 use crate::emit::gcode::writer::Writer;
 use crate::emit::number::number;
 use crate::plan::{Pace, Program, Purpose, SeamReport, Stepper};
@@ -37,6 +38,9 @@ pub(super) fn header(
     if program.purpose == Purpose::Seal {
         let length: f64 = program.seams.iter().map(|seam| seam.length).sum();
         writer.comment(&format!("total: length_mm={length:.3} time_s={:.0}", program.time))?;
+    }
+    if machine.controller.thumbnails {
+        thumbnails(writer, program, facts.seal.band.0)?;
     }
     Ok(())
 }

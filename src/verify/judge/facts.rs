@@ -84,6 +84,9 @@ impl Facts<'_> {
             let length: f64 = seams.iter().map(|(_, length)| length).sum();
             out.push(format!("total: length_mm={length} time_s={}", self.seconds));
         }
+        if self.expected.machine.controller.thumbnails {
+            out.extend(["32x32", "300x300"].map(|size| format!("thumbnail: {size}")));
+        }
         out
     }
 
