@@ -121,6 +121,10 @@ quantities! {
     Acceleration("acceleration"): "mm/s^2" = 1.0, "m/s^2" = 1000.0;
     /// A force per length (the strength of a seal); the field is N/mm.
     LineForce("force per length"): "N/mm" = 1.0, "N/m" = 1e-3, "N/cm" = 0.1, "N/15mm" = 1.0 / 15.0, "N/25mm" = 1.0 / 25.0;
+    /// A mass; the field is kg.
+    Mass("mass"): "kg" = 1.0, "g" = 1e-3, "lb" = 0.453_592_37, "oz" = 0.028_349_523_125;
+    /// A force; the field is N.
+    Force("force"): "N" = 1.0, "mN" = 1e-3, "kN" = 1e3;
     /// A mass per area; the field is kg/m^2.
     ArealDensity("mass per area"): "kg/m^2" = 1.0, "g/m^2" = 1e-3;
     /// A ratio written in per cent; the field is the percentage, 10 for a tenth.

@@ -42,7 +42,7 @@ fn predict_prints_one_json_object() {
     let output = run(dir.path(), &["predict", "spec.toml", "--json"]);
     assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), String::new()));
     let value: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
-    assert_eq!(value["model"], "ring");
+    assert_eq!(value["model"], "section");
     let fit = run(dir.path(), &["predict", "spec.toml", "--json", "--model", "fit"]);
     let value: serde_json::Value = serde_json::from_slice(&fit.stdout).expect("JSON");
     assert_eq!((value["model"].as_str(), value["lambda_t"]["tip"].as_f64()), (Some("fit"), Some(1.28)));
@@ -80,28 +80,30 @@ fn parts_of_a_sweep_join_to_the_whole() {
 #[test]
 fn optimize_ends_in_a_spec_that_keeps_its_promise() {
     let dir = folder();
-    let args = [
-        "optimize",
-        "spec.toml",
-        "--goal",
-        "fabric",
-        "--payload",
-        "0.8",
-        "--grasp",
-        "18 mm..50 mm",
-        "--points",
-        "4..7",
-    ];
+    let mut args =
+        vec!["optimize", "spec.toml", "--payload", "0.3", "--grasp", "24 mm..40 mm", "--points", "4..7"];
+    args.extend([
+        "--tip-radius",
+        "2 mm",
+        "--corner-radius",
+        "2 mm",
+        "--pressure",
+        "15 kPa..45 kPa",
+        "--count",
+        "1..6",
+    ]);
     let output = run(dir.path(), &args);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     fs::write(dir.path().join("best.toml"), &output.stdout).expect("written");
     assert_eq!(run(dir.path(), &["check", "best.toml"]).status.code(), Some(0));
-    let predicted = run(dir.path(), &["predict", "best.toml", "--json", "--model", "ring"]);
+    let predicted = run(dir.path(), &["predict", "best.toml", "--json"]);
     let value: serde_json::Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
-    assert!(
-        value["payload_kg"].as_f64() >= Some(0.8) && value["final_radius_mm"].as_f64() <= Some(18.0),
-        "{value}"
-    );
+    // All of it at the bad end of the ranges; where none is known, half of a force is counted on.
+    let low = value["ranges"]["payload_kg"][0].as_f64();
+    let payload = low.or(value["payload_kg"].as_f64().map(|payload| 0.5 * payload));
+    assert!(payload >= Some(0.3) && value["ranges"]["final_radius_mm"][1].as_f64() <= Some(24.0), "{value}");
+    assert!(value["graspable_radius_mm"][1].as_f64() >= Some(40.0), "{value}");
+    assert!(value["burst_margin"].as_f64() >= Some(1.0), "{value}");
     let impossible = run(dir.path(), &["optimize", "spec.toml", "--payload", "1000", "--points", "5"]);
     assert_eq!(impossible.status.code(), Some(1));
     assert!(text(&impossible.stderr).contains("no design meets"));
@@ -227,8 +229,18 @@ fn optimize_writes_into_every_layout() {
         format!("star = {{ {} }}", join(", ", &|key, value| format!("{key} = {value}"))),
         format!("[\"star\"]\n{}", join("\n", &|key, value| format!("\"{key}\" = {value}"))),
     ];
-    let args =
-        ["optimize", "spec.toml", "--points", "4", "--tube-width", "25 mm", "--tip-angle", "40 deg..50 deg"];
+    let args = [
+        "optimize",
+        "spec.toml",
+        "--points",
+        "4",
+        "--tube-width",
+        "25 mm",
+        "--tip-angle",
+        "40 deg..50 deg",
+        "--pressure",
+        "20 kPa",
+    ];
     for layout in layouts {
         fs::write(dir.path().join("spec.toml"), format!("schema = 1\nname = \"x\"\n{layout}\n"))
             .expect("written");
@@ -270,14 +282,25 @@ fn a_sweep_has_the_fabric_that_check_has() {
 #[test]
 fn optimize_opens_as_far_as_it_promises() {
     let dir = folder();
-    let args = ["optimize", "spec.toml", "--grasp", "30 mm..45 mm", "--points", "8", "--goal", "fabric"];
+    let args = [
+        "optimize",
+        "spec.toml",
+        "--grasp",
+        "35 mm..42 mm",
+        "--points",
+        "8",
+        "--goal",
+        "fabric",
+        "--burst-margin",
+        "0.1",
+    ];
     let output = run(dir.path(), &args);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     fs::write(dir.path().join("best.toml"), &output.stdout).expect("written");
-    let predicted = run(dir.path(), &["predict", "best.toml", "--json", "--model", "ring"]);
+    let predicted = run(dir.path(), &["predict", "best.toml", "--json"]);
     let value: serde_json::Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
     let range = &value["graspable_radius_mm"];
-    assert!(range[0].as_f64() <= Some(30.0) && range[1].as_f64() >= Some(45.0), "{range}");
+    assert!(range[0].as_f64() <= Some(35.0) && range[1].as_f64() >= Some(42.0), "{range}");
 }
 
 const ACTUATOR: [&str; 11] = [

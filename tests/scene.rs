@@ -51,7 +51,8 @@ fn every_shipped_design_has_a_scene_that_is_proven_and_the_same_each_time() {
 #[test]
 fn the_stack_stands_as_designed_and_closes_as_predicted() {
     let made = built(GRIPPER);
-    let predicted = made.forecast.prediction.clone().expect("a load").stars[0].final_radius_mm;
+    let predicted =
+        made.forecast.prediction.clone().expect("a load").stars[0].final_radius_mm.expect("a pressure");
     let nodes = read_glb(&bytes(&made)).expect("a GLB");
     for star in ["stack/star 1", "stack/star 2", "stack/star 3"] {
         let tube = part(&nodes, star, "tube");

@@ -175,8 +175,8 @@ fn what_no_shell_answers_is_refused_in_words() {
     let short = run(dir.path(), &short);
     assert!(short.status.code() == Some(1) && text(&short.stderr).contains("the arms' length by W"));
     assert!(kept(dir.path()).is_empty(), "refusals are not kept");
-    let ring = run(dir.path(), &["predict", "spec.toml", "--radii", "38 mm"]);
-    assert_eq!(ring.status.code(), Some(2));
+    let fine = run(dir.path(), &["predict", "spec.toml", "--vtu", "sheet.vtu"]);
+    assert_eq!(fine.status.code(), Some(2));
 }
 
 #[test]

@@ -29,6 +29,8 @@ pub enum Subject {
     Prediction,
     /// All of it in three dimensions, for people.
     Scene,
+    /// All that is known of it on one page, for people.
+    Report,
 }
 
 /// How a file says it.
@@ -52,6 +54,8 @@ pub enum Format {
     Png,
     /// Triangles to be looked at.
     Glb,
+    /// A page for browsers.
+    Html,
 }
 
 impl Subject {
@@ -69,6 +73,7 @@ impl Subject {
             Self::Preview => "preview",
             Self::Prediction => "prediction",
             Self::Scene => "scene",
+            Self::Report => "report",
         }
     }
 }
@@ -86,6 +91,7 @@ impl Format {
             Self::Json => "json",
             Self::Png => "png",
             Self::Glb => "glb",
+            Self::Html => "html",
         }
     }
 }
@@ -173,6 +179,8 @@ kinds! {
     Prediction: "prediction", Prediction as Json;
     /// All of it in three dimensions, for people.
     SceneGlb: "scene-glb", Scene as Glb;
+    /// All that is known of it on one page, for people.
+    Report: "report", Report as Html;
 }
 
 impl Kind {
@@ -188,7 +196,15 @@ impl Kind {
 
     /// Whether it comes only where it is named.
     pub fn is_extra(self) -> bool {
-        matches!(self, Self::PreviewPng | Self::SceneGlb | Self::OutlinePdf | Self::FramePdf | Self::FrameStl)
+        matches!(
+            self,
+            Self::PreviewPng
+                | Self::SceneGlb
+                | Self::Report
+                | Self::OutlinePdf
+                | Self::FramePdf
+                | Self::FrameStl
+        )
     }
 }
 
@@ -207,7 +223,7 @@ mod tests {
         for kind in Kind::ALL {
             let subject = kind.subject().name();
             let name = match kind.format() {
-                Format::Toml | Format::Json => subject.to_owned(),
+                Format::Toml | Format::Json | Format::Html => subject.to_owned(),
                 format => format!("{subject}-{}", format.ending()),
             };
             assert_eq!(kind.name(), name);

@@ -196,7 +196,7 @@ pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, asked: &Asked) ->
     if spec.load.is_some() {
         out.push(Output::of(Kind::Prediction));
     }
-    out.push(Output::of(Kind::SceneGlb));
+    out.extend([Kind::SceneGlb, Kind::Report].map(Output::of));
     out.retain(|output| asked.takes(output.kind));
     out
 }

@@ -1,4 +1,4 @@
-//! Numbers for people: as many digits as are of use, and the range in which the truth lies where it is known.
+//! Numbers for people: as many digits as are of use.
 
 use crate::units::Readable;
 
@@ -14,13 +14,6 @@ pub(super) fn rounded(value: f64) -> String {
     let exponent = value.abs().log10().floor() as i32;
     let scale = 10_f64.powi((DIGITS - 1 - exponent).clamp(-300, 300));
     Readable((value * scale).round() / scale).to_string()
-}
-
-/// A predicted number in `unit`, with the range in which the truth lies where one is known: "15.8 N (12.1 to 19.3)". All
-/// predictions of the first screen are written here.
-pub(super) fn figure(value: f64, unit: &str, range: Option<[f64; 2]>) -> String {
-    let range = range.map(|[low, high]| format!(" ({} to {})", rounded(low), rounded(high)));
-    format!("{} {unit}{}", rounded(value), range.unwrap_or_default())
 }
 
 #[cfg(test)]
@@ -42,11 +35,5 @@ mod tests {
         ] {
             assert_eq!(rounded(value), text);
         }
-    }
-
-    #[test]
-    fn a_range_stands_behind_its_number() {
-        assert_eq!(figure(15.823, "N", None), "15.8 N");
-        assert_eq!(figure(15.823, "N", Some([12.08, 19.333])), "15.8 N (12.1 to 19.3)");
     }
 }

@@ -20,6 +20,7 @@ mod harmless;
 mod load;
 mod machines;
 mod new;
+mod new_object;
 mod optimize;
 mod predict;
 mod publish;
@@ -76,7 +77,7 @@ enum Command {
     Cone(cone::Args),
     /// Prove a published directory: hashes, and every file against the exact geometry.
     Verify(verify::Args),
-    /// Write a commented starter spec.
+    /// Write a commented starter spec, or with --object that of a gripper which holds the object.
     New(new::Args),
     /// List the built-in machine profiles, and what each can do at 0.1 mm/s.
     Machines(machines::Args),

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
+use crate::cli::new_object::{ObjectArgs, chosen};
 use crate::cli::text_file::write_new;
 use crate::spec;
 
@@ -13,16 +14,22 @@ pub(super) struct Args {
     /// What to call the design; the file is called like it.
     #[arg(default_value = "star")]
     name: String,
+    #[command(flatten)]
+    object: ObjectArgs,
 }
 
 /// Writes a starter spec into the current directory; never over a file that is there.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let text = spec::starter(args.name.strip_suffix(".toml").unwrap_or(&args.name))
-        .map_err(|fault| Failure::Message(fault.to_string()))?;
+    let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
+    let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
+    let (text, said) = match chosen(name, &args.object)? {
+        Some(chosen) => chosen,
+        None => (starter()?, String::new()),
+    };
     let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
     write_new(&path, &text)?;
     let path = shown(&path);
-    say(&format!("wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"))
+    say(&format!("{said}wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"))
 }
 
 /// The name as a file name anywhere: ASCII letters, digits and dashes.

@@ -7,7 +7,7 @@ use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, evenly, range};
 use crate::cli::shell::{ShellArgs, Shown};
 use crate::design::Design;
-use crate::forecast::predict::predict;
+use crate::forecast::predict::{PredictFault, add_curve, predict};
 use crate::forecast::report;
 use crate::forecast::star_by_shell;
 use crate::forecast::star_by_shell::Refusal;
@@ -26,7 +26,7 @@ pub(super) struct Args {
     /// The model to use instead of the spec's.
     #[arg(long, value_name = "MODEL")]
     model: Option<Model>,
-    /// Of the shell: also the force on round objects of these radii: "20 mm..40 mm/5".
+    /// Also the force on round objects of these radii: "20 mm..40 mm/5".
     #[arg(long, value_name = "FROM..TO/COUNT", value_parser = radii)]
     radii: Option<Radii>,
     #[command(flatten)]
@@ -79,11 +79,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         return run_shell(args, &loaded, &spec, &design);
     }
     args.shell.not_by_others()?;
-    if args.radii.is_some() {
-        let text = "--radii is the shell's: add --model shell, or leave it out";
-        return Err(Failure::Usage(text.to_owned()));
+    let refused = |fault: PredictFault| loaded.refused(no_prediction(&fault).into());
+    let mut prediction = predict(&spec, &design).map_err(refused)?;
+    if let Some(Radii(radii)) = &args.radii {
+        let radii: Vec<Length> = radii.iter().copied().map(Length::from_metres).collect();
+        add_curve((&spec, &design), &radii, &mut prediction).map_err(refused)?;
     }
-    let prediction = predict(&spec, &design).map_err(|fault| loaded.refused(no_prediction(&fault).into()))?;
     if args.json {
         return say(&prediction.to_json());
     }

@@ -5,7 +5,6 @@ use std::path::Path;
 use crate::airtight;
 use crate::cli::figure::rounded;
 use crate::cli::harmless::shown;
-use crate::forecast::prediction::Evidence;
 use crate::pipeline::Forecast;
 use crate::plan::Pace;
 use crate::units::{Readable, Speed};
@@ -32,7 +31,6 @@ pub(super) fn list(forecast: &Forecast, path: &Path) -> Vec<String> {
         let warnings =
             star.evidence.warnings.iter().filter(|text| **text != star.evidence.choice && !is_said(text));
         list.extend(warnings.cloned());
-        list.extend(error(&star.evidence));
     }
     list.extend(speed(forecast, path));
     list.extend(forecast.machine.script.requires.iter().cloned());
@@ -75,20 +73,6 @@ fn strength(forecast: &Forecast) -> Option<String> {
     Some(format!(
         "at which pressure it bursts is unknown: the seal bears {} N/mm, and `seal_strength` in [fabric] is not written",
         rounded(most)
-    ))
-}
-
-/// The error of a prediction that is larger than what the spec accepts.
-fn error(evidence: &Evidence) -> Option<String> {
-    if !evidence.warnings.contains(&evidence.choice) {
-        return None;
-    }
-    let percent = |error: f64| format!("{} %", rounded(100.0 * error));
-    let forces =
-        evidence.stiffness_error.map_or_else(String::new, |error| format!(", forces by {}", percent(error)));
-    Some(format!(
-        "the prediction is estimated to be wrong in closing by {}{forces}: more than `response` in [accuracy] accepts",
-        percent(evidence.coiling_error)
     ))
 }
 

@@ -1,14 +1,17 @@
-//! One design among many: the same closed forms as a prediction's, by the ring's table, in a few microseconds.
+//! One design among many: the same closed forms as a prediction's, by the section's table, in a few microseconds.
 
 use crate::design::{SHEETS, Star, cut_area};
 use crate::forecast::case::Case;
+use crate::forecast::choice::{corrected, tabled};
 use crate::forecast::outcome::Outcome;
+use crate::forecast::ranges::{Interval, scaled};
 use crate::forecast::seal_load::burst;
-use crate::mechanics::fault::HingeFault;
+use crate::mechanics::fault::{HingeFault, StarFault};
+use crate::mechanics::hinge::fit::Fit;
 use crate::mechanics::hinge::ring::{Ring, RingTable};
 use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level};
 use crate::mechanics::star::response::Inflated;
-use crate::spec::{Fabric, Inlet, Load, Seal, Spec, StarSpec};
+use crate::spec::{Fabric, Inlet, Load, ModelChoice, Seal, Spec, StarSpec};
 use crate::units::{Length, Pressure};
 
 /// The exact ring with its targets from the table.
@@ -63,6 +66,10 @@ pub struct Candidate {
     pub load: Load,
     /// Number of equal stars.
     pub stars: u32,
+    /// Thickness of the frame's plates, between which they lie.
+    pub plate: Length,
+    /// Which model answers: `ring` and `fit` as limits, for all others `section`.
+    pub model: ModelChoice,
 }
 
 /// What one design does; `None` where something is missing.
@@ -70,14 +77,18 @@ pub struct Candidate {
 pub struct Answer {
     /// The flat star.
     pub star: Star,
-    /// What it does, with linear hinges.
-    pub outcome: Outcome,
+    /// What is asked about it, as the model sees it.
+    pub case: Case,
+    /// What it does, with linear hinges; `None` without a pressure, or where `section` does not cover it.
+    pub outcome: Option<Outcome>,
     /// Pressure of full actuation.
     pub operating_pressure: Pressure,
     /// Burst pressure.
     pub burst: Option<Pressure>,
     /// Payload of the stack, kg.
     pub payload: Option<f64>,
+    /// Its range.
+    pub payload_range: Option<Interval>,
     /// Fabric of one star, both sheets, mm^2; `None` if the star cannot be cut out as the spec asks for.
     pub fabric: Option<f64>,
 }
@@ -91,32 +102,76 @@ impl Candidate {
             seal: spec.seal.clone(),
             inlet: spec.inlet.clone(),
             hole_diameter: spec.sheet.hole_diameter,
-            load: spec.load.clone().unwrap_or(Load { pressure: None, object_radius: None, friction: None }),
+            load: spec.load.clone().unwrap_or_default(),
             stars: u32::try_from(spec.stars.len()).unwrap_or(u32::MAX),
+            plate: spec.frame.plate_thickness,
+            model: spec.accuracy.model,
         })
     }
 
-    /// What it does, with linear hinges at the ring's target.
+    /// What it does, with linear hinges; `ring` knows the load on the seal.
     ///
     /// # Errors
     /// One sentence, if there is no such star.
-    pub fn answer(&self, table: &RingTable) -> Result<Answer, String> {
+    pub fn answer(&self, ring: &RingTable) -> Result<Answer, String> {
         let star = Star::new(&self.star).map_err(|refusal| refusal.to_string())?;
         let case = Case::new(&star, &self.fabric, &self.seal, Some(&self.load));
         let case = case.map_err(|fault| fault.to_string())?;
-        let ring = TableRing(table);
-        let inflated = Inflated::new(&case.mechanism, &ring, case.pressure.unwrap_or(1.0));
-        let outcome = Outcome::linear(&case, &inflated.map_err(|fault| fault.to_string())?);
+        let ring = TableRing(ring);
+        let known = match self.model {
+            ModelChoice::Ring => outcome(&case, &ring).map(Some),
+            ModelChoice::Fit => outcome(&case, &Fit).map(Some),
+            ModelChoice::Auto | ModelChoice::Section | ModelChoice::Shell | ModelChoice::Bvp => {
+                by_section(&case)
+            }
+        };
+        let (case, outcome) =
+            known.map_err(|fault| fault.to_string())?.map_or((case, None), |(case, own)| (case, Some(own)));
         let inlet = self.inlet.as_ref();
         let area = cut_area(&star, &self.seal, inlet, self.star.inlet_tip, self.hole_diameter.0);
-        Ok(Answer {
+        let one = Answer {
             star,
+            case,
             outcome,
             operating_pressure: Pressure::from_pascals(case.operating_pressure()),
             burst: burst(&case, &ring).map(Pressure::from_pascals),
-            payload: outcome.payload.map(|of_one| f64::from(self.stars) * of_one),
+            payload: None,
+            payload_range: None,
             fabric: area.map(|area| SHEETS * area),
-        })
+        };
+        Ok(one.of_stars(self.stars))
+    }
+}
+
+impl Answer {
+    /// The same of a stack of `count` stars.
+    #[must_use]
+    pub fn of_stars(self, count: u32) -> Self {
+        let own = self.outcome.as_ref();
+        let count = f64::from(count);
+        Self {
+            payload: own.and_then(|own| own.payload).map(|of_one| count * of_one),
+            payload_range: own.and_then(|own| own.payload_range).map(|of_one| scaled(of_one, count)),
+            ..self
+        }
+    }
+}
+
+/// What the star of `case` does by `model`.
+fn outcome(case: &Case, model: &dyn HingeModel) -> Result<(Case, Outcome), StarFault> {
+    let case = corrected(case, model)?;
+    let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
+    let outcome = Outcome::linear(&case, &inflated);
+    Ok((case, outcome))
+}
+
+/// The same by `section`; `None` where it does not know the star.
+fn by_section(case: &Case) -> Result<Option<(Case, Outcome)>, StarFault> {
+    let Some(pressure) = case.pressure else { return Ok(None) };
+    match tabled(case, pressure) {
+        Ok(model) => outcome(case, &model).map(Some),
+        Err(StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. })) => Ok(None),
+        Err(fault) => Err(fault),
     }
 }
 
@@ -149,23 +204,27 @@ mod tests {
         let profile = Source::new("generic", spec::builtin_machine("generic").expect("built in"));
         let machine = spec::read_machine(&profile).expect("valid");
         let table = RingTable::new().expect("solved");
-        for radii in [[0.0, 0.0], [2.0, 0.0], [0.0, 3.0], [1.5, 2.5]] {
-            let spec = spec(radii);
+        let radii = [[0.0, 0.0], [2.0, 0.0], [0.0, 3.0], [1.5, 2.5]];
+        let models = [spec::ModelChoice::Ring, spec::ModelChoice::Auto];
+        for (radii, model) in radii.into_iter().flat_map(|radii| models.map(|model| (radii, model))) {
+            let mut spec = spec(radii);
+            spec.accuracy.model = model;
             let design = Design::new(&spec, &machine).expect("makeable");
             let full = predict(&spec, &design).expect("predictable");
             let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
             let mass = fast.fabric.map(|area| area * 0.27e-3);
             let stated = |value: Option<f64>| value.expect("asked for");
-            let [least, most] = fast.outcome.graspable.map(|metres| Length::from_metres(metres).0);
+            let outcome = fast.outcome.expect("a limit");
+            let [least, most] = outcome.graspable.map(|metres| Length::from_metres(metres).0);
             let first = &full.first;
             let pairs = [
                 (fast.star.l, first.arm_length_mm),
-                (fast.outcome.contraction, first.contraction),
-                (least, first.final_radius_mm),
-                (most, first.graspable_radius_mm[1]),
+                (outcome.contraction, stated(first.contraction)),
+                (least, stated(first.final_radius_mm)),
+                (most, first.graspable_radius_mm.expect("a limit")[1]),
                 (fast.operating_pressure.0, first.operating_pressure_kPa),
-                (stated(fast.outcome.stiffness), stated(first.radial_stiffness_N_per_m)),
-                (stated(fast.outcome.object_force()), stated(first.object_force_N)),
+                (stated(outcome.stiffness), stated(first.radial_stiffness_N_per_m)),
+                (stated(outcome.object_force()), stated(first.object_force_N)),
                 (stated(fast.payload), stated(first.payload_kg)),
                 (stated(fast.burst.map(|p| p.0)), stated(first.burst_pressure_kPa)),
                 (stated(mass), stated(first.mass_g)),

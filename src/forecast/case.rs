@@ -3,7 +3,7 @@
 use crate::design::Star;
 use crate::forecast::prediction::Hinges;
 use crate::mechanics::fault::StarFault;
-use crate::mechanics::star::Mechanism;
+use crate::mechanics::star::{Correction, Mechanism};
 use crate::mechanics::strength::ElasticSheet;
 use crate::spec::{Fabric, Load, Seal, Spec};
 use crate::units::{Length, LineForce, Pressure};
@@ -75,5 +75,6 @@ pub fn mechanism(star: &Star) -> Mechanism {
         tip_angle: star.phi_i,
         tip_radius: metres(star.r_i),
         corner_radius: metres(star.r_e),
+        correction: Correction::default(),
     }
 }

@@ -6,14 +6,20 @@
 //! |---|---|
 //! | [`case`] | what a spec asks about one star, in SI units: the only conversion |
 //! | [`seal_load`] | the load on the seal, burst pressure, the radius that would hold |
-//! | [`outcome`] | an inflated star with its load, in closed forms: for all that follow |
-//! | [`choice`] | which model answers, and the error to expect of it |
+//! | [`choice`] | which model answers |
+//! | [`mod@ranges`] | in which intervals the truth lies |
+//! | [`outcome`] | an inflated star with its load, in closed forms with their ranges: for all that follow |
+//! | [`pressures`] | what it does at several pressures, where none is given |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
+//! | [`mod@verdict`] | whether the object is held |
 //! | [`mod@shut`] | the shape of the star that has closed |
+//! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`by_shell`], [`star_by_shell`], [`shell_prediction`] | the same by the shell, which is asked by name only |
 //! | [`arms`] | what arms add to a hinge: ladders of shells, and the table made of them |
+//! | [`stars`] | stars as shells, by which predictions without shells are judged |
 //! | [`candidate`], [`sweep`], [`optimize`] | the same answer for one design among millions |
+//! | [`choosing`] | from an object to a spec |
 //! | [`trade`] | what each model costs, and how far it is off |
 
 pub mod actuator;
@@ -21,15 +27,21 @@ pub mod arms;
 pub mod by_shell;
 pub mod candidate;
 pub mod case;
+pub mod charts;
 pub mod choice;
+pub mod choosing;
 pub mod optimize;
 pub mod outcome;
 pub mod predict;
 pub mod prediction;
+pub mod pressures;
+pub mod ranges;
 pub mod report;
 pub mod seal_load;
 pub mod shell_prediction;
 pub mod shut;
 pub mod star_by_shell;
+pub mod stars;
 pub mod sweep;
 pub mod trade;
+pub mod verdict;

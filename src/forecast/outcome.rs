@@ -1,6 +1,7 @@
-//! What an inflated star does with its load: one set of closed forms for predictions, sweeps and searches.
+//! What an inflated star does with its load: one set of closed forms, with their ranges, for predictions, sweeps and searches.
 
 use crate::forecast::case::Case;
+use crate::forecast::ranges::{Interval, Ranges, scaled};
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::star::response::{Inflated, Rest};
 use crate::mechanics::strength::payload;
@@ -30,6 +31,16 @@ pub struct Outcome {
     pub hold: Option<Hold>,
     /// Mass that friction holds with this star alone, kg.
     pub payload: Option<f64>,
+    /// Bendability 1/eps.
+    pub bendability: Option<f64>,
+    /// Stretch p W / Y of the fabric.
+    pub stretch: Option<f64>,
+    /// In which intervals the truth lies; none of a limit, and none with the model's own V_bar.
+    pub ranges: Ranges,
+    /// Of the force on the object, N.
+    pub force_range: Option<Interval>,
+    /// Of the payload of this star alone, kg.
+    pub payload_range: Option<Interval>,
 }
 
 /// What becomes of an object within a star.
@@ -48,9 +59,15 @@ pub enum Hold {
 }
 
 impl Outcome {
-    /// With linear hinges.
+    /// With linear hinges, and with ranges where there are any.
     pub fn linear(case: &Case, inflated: &Inflated<'_>) -> Self {
-        Self::at(case, inflated.linear_rest(), |rho, rest| inflated.linear_force(rho, rest))
+        let own = Self::at(case, inflated.linear_rest(), |rho, rest| inflated.linear_force(rho, rest));
+        let ranges = Ranges::new(case, inflated, &own.rest);
+        let force_range =
+            own.object_force().zip(case.object).and_then(|(force, rho)| ranges.force(force, rho, &own.rest));
+        let payload_range =
+            case.friction.zip(force_range).map(|(mu, range)| scaled(range, payload(mu, [1.0])));
+        Self { ranges, force_range, payload_range, ..own }
     }
 
     /// With the model's own V_bar.
@@ -71,6 +88,7 @@ impl Outcome {
         });
         let with_pressure = |value: f64| case.pressure.map(|_| value);
         let object_force = hold.and_then(Hold::force);
+        let width = case.mechanism.width;
         Self {
             rest,
             contraction: 1.0 - rest.radius / rho_0,
@@ -79,6 +97,11 @@ impl Outcome {
             preload: with_pressure(rest.preload),
             hold,
             payload: case.friction.zip(object_force).map(|(mu, force)| payload(mu, [force])),
+            bendability: case.pressure.map(|p| case.sheet.bendability(p, width)),
+            stretch: case.pressure.map(|p| case.sheet.stretch(p, width)),
+            ranges: Ranges::default(),
+            force_range: None,
+            payload_range: None,
         }
     }
 
@@ -92,18 +115,13 @@ impl Outcome {
         let (least, most) = (self.rest.radius, self.rest.widest.radius);
         let mm = |metres: f64| format!("{:.2} mm", Length::from_metres(metres).0);
         match self.hold? {
-            Hold::Held(_) => {
-                let slope = |phi: f64| case.mechanism.radius(phi).slope;
-                let locks = slope(self.rest.widest.angle) < LOCKING.sqrt() * slope(self.rest.angle);
-                let near = case.object.is_some_and(|rho| most - rho < LOCKING * (most - least));
-                (locks && near).then(|| {
-                    format!(
-                        "the object is nearly as wide as the inflated star opens, {}: the arms lock there, and the \
-                         predicted force grows without bound",
-                        mm(most)
-                    )
-                })
-            }
+            Hold::Held(_) => self.locks(case).then(|| {
+                format!(
+                    "the object is nearly as wide as the inflated star opens, {}: the arms lock there, and the \
+                     predicted force grows without bound",
+                    mm(most)
+                )
+            }),
             Hold::TooThin => Some(format!(
                 "the object is thinner than the final radius, {}: the star does not reach it",
                 mm(least)
@@ -119,6 +137,14 @@ impl Outcome {
             )),
             Hold::Unknown(fault) => Some(format!("no force on the object: {fault}")),
         }
+    }
+
+    /// Whether the object is so wide that the arms are about to lock around it.
+    pub fn locks(&self, case: &Case) -> bool {
+        let (least, most) = (self.rest.radius, self.rest.widest.radius);
+        let slope = |phi: f64| case.mechanism.radius(phi).slope;
+        let near = case.object.is_some_and(|rho| most - rho < LOCKING * (most - least));
+        near && slope(self.rest.widest.angle) < LOCKING.sqrt() * slope(self.rest.angle)
     }
 }
 

@@ -2,18 +2,19 @@
 
 use crate::design::{Design, StarDesign};
 use crate::forecast::case::Case;
-use crate::forecast::choice::{Choice, Question, choose, hinge_model, limits_of_validity, take};
+use crate::forecast::choice::{corrected, hinge_model, limits_of_validity, tabled};
 use crate::forecast::outcome::{Outcome, SHORTEST_ARM};
-use crate::forecast::prediction::{Evidence, Hinges, Nonlinear, Prediction, StarPrediction};
+use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Nonlinear, Prediction, StarPrediction};
+use crate::forecast::pressures::rows;
+use crate::forecast::ranges::{Ranges, Standing, StarRanges, errors, scaled, sum};
 use crate::forecast::seal_load::{burst, factor, remedy, safe_radius};
 use crate::mechanics::fault::{HingeFault, StarFault};
-use crate::mechanics::hinge::ring::{Ring, RingTable};
+use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::hinge::{HingeModel, HingeState, Level};
 use crate::mechanics::star::response::Inflated;
 use crate::spec::{KeyPath, ModelChoice, Spec, key};
 use crate::units::{Length, Pressure, Readable};
 use std::fmt;
-use std::sync::LazyLock;
 
 /// Why there is no prediction.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,8 +38,6 @@ impl fmt::Display for PredictFault {
 
 impl std::error::Error for PredictFault {}
 
-static TABLE: LazyLock<Result<RingTable, HingeFault>> = LazyLock::new(RingTable::new);
-
 /// Predicts what the stars of `design`, made from `spec`, do, by `accuracy.model`.
 ///
 /// # Errors
@@ -56,8 +55,35 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
     };
     let mut first = first.clone();
     first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
+    first.ranges.payload_kg = sum(stars.iter().map(|star| star.ranges.payload_kg));
     let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
     Ok(Prediction { first, stack_mass_g, stars })
+}
+
+/// Adds to `prediction`, which is that of `spec` and `design`, the forces on round objects of `radii`.
+///
+/// # Errors
+/// As for [`predict`].
+pub fn add_curve(
+    (spec, design): (&Spec, &Design),
+    radii: &[Length],
+    prediction: &mut Prediction,
+) -> Result<(), PredictFault> {
+    let mut at = spec.clone();
+    let mut curves = vec![Vec::new(); prediction.stars.len()];
+    for radius in radii {
+        at.load.get_or_insert_default().object_radius = Some(*radius);
+        let stars = predict(&at, design)?.stars;
+        for (curve, star) in curves.iter_mut().zip(&stars) {
+            let [low, high] = star.ranges.object_force_N.map_or([None; 2], |range| range.map(Some));
+            curve.extend(star.object_force_N.map(|force| ForceAt(radius.0, force, low, high)));
+        }
+    }
+    for (star, curve) in prediction.stars.iter_mut().zip(curves) {
+        star.force_curve = Some(curve);
+    }
+    prediction.first.force_curve = prediction.stars.first().and_then(|star| star.force_curve.clone());
+    Ok(())
 }
 
 /// One star, and what is asked about it.
@@ -65,93 +91,200 @@ struct Asked<'a> {
     spec: &'a Spec,
     part: &'a StarDesign,
     case: Case,
-    question: Question,
+    seal: Seal,
+}
+
+/// An answer of one model.
+struct Answered<'a> {
+    model: &'a dyn HingeModel,
+    inflated: Inflated<'a>,
+    outcome: Outcome,
 }
 
 fn predict_star(spec: &Spec, part: &StarDesign) -> Result<StarPrediction, StarFault> {
     let case = Case::of(spec, &part.star)?;
+    let asked = Asked { spec, part, case, seal: Seal::new(&case) };
     let width = case.mechanism.width;
-    let question = Question {
-        r_stars: [case.mechanism.tip().r_star, case.mechanism.corner().r_star],
-        bendability: case.pressure.map(|p| case.sheet.bendability(p, width)),
-        stretch: case.pressure.map_or(0.0, |p| case.sheet.stretch(p, width)),
-        accepted: spec.accuracy.response.ratio(),
-    };
-    let table = TABLE.as_ref().map_err(|fault| *fault)?;
-    let choice = match spec.accuracy.model {
+    let level = match spec.accuracy.model {
         // A build's files are the same on every machine, and shells are not.
-        ModelChoice::Auto | ModelChoice::Shell => choose(&question, table),
-        ModelChoice::Fit => take(Level::Fit, &question, table),
-        ModelChoice::Ring => take(Level::Ring, &question, table),
-        ModelChoice::Bvp => take(Level::Bvp, &question, table),
-        ModelChoice::Section => take(Level::Section, &question, table),
+        ModelChoice::Auto | ModelChoice::Shell => return asked.automatic(),
+        ModelChoice::Fit => Level::Fit,
+        ModelChoice::Ring => Level::Ring,
+        ModelChoice::Bvp => Level::Bvp,
+        ModelChoice::Section => Level::Section,
     };
-    let model = hinge_model(choice.level, &case.sheet, case.pressure, width)?;
-    answer(&Asked { spec, part, case, question }, model.as_ref(), &choice)
+    let model = hinge_model(level, &case.sheet, case.pressure, width)?;
+    asked.by(model.as_ref(), format!("{} was asked for", level.name()))
 }
 
-fn answer(asked: &Asked<'_>, model: &dyn HingeModel, choice: &Choice) -> Result<StarPrediction, StarFault> {
-    let Asked { case, part, spec, question } = asked;
-    // Angles and radii do not depend on the pressure: without one, any will do.
-    let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
-    let outcome = Outcome::linear(case, &inflated);
-    let mut warnings = limits_of_validity(choice.level, question);
-    if spec.accuracy.model == ModelChoice::Shell {
-        warnings.push(format!(
-            "shells are left to `predict --model shell`: files are the same on every machine, and a shell's last digits are not; \
-             {} answers here",
-            choice.level.name()
-        ));
+impl Asked<'_> {
+    /// The cheapest model that knows a star at its pressure: `section`, from its table.
+    fn automatic(&self) -> Result<StarPrediction, StarFault> {
+        let Some(pressure) = self.case.pressure else {
+            let why = "what it does depends on the pressure, and none is given";
+            let rows = rows(&self.case, self.seal.burst);
+            return Ok(StarPrediction { pressures: Some(rows), ..self.unknown(why.to_owned()) });
+        };
+        match tabled(&self.case, pressure) {
+            Ok(model) => {
+                self.by(&model, "section knows stars at their pressure, here from its table".to_owned())
+            }
+            Err(fault @ StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. })) => {
+                let why = format!("no model covers this star at this pressure: {fault}");
+                let mut unknown = self.unknown(why.clone());
+                unknown.evidence.warnings.insert(0, why);
+                Ok(unknown)
+            }
+            Err(fault) => Err(fault),
+        }
     }
-    if !choice.good_enough {
-        warnings.push(choice.reason.clone());
+
+    /// What `model` says.
+    fn by(&self, model: &dyn HingeModel, choice: String) -> Result<StarPrediction, StarFault> {
+        let case = &corrected(&self.case, model)?;
+        // Angles and radii of a limit do not depend on the pressure: without one, any will do.
+        let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
+        let outcome = Outcome::linear(case, &inflated);
+        let answered = Answered { model, inflated, outcome };
+        let mut star = self.unknown(choice);
+        let warnings = &mut star.evidence.warnings;
+        warnings.extend(limits_of_validity(model, case));
+        warnings.extend(self.of_the_ranges(&outcome));
+        warnings.extend(of_the_shape(case, &outcome));
+        warnings.extend(outcome.object_warning(case));
+        star.nonlinear = self.nonlinear(case, &answered, warnings);
+        answered.fill(&mut star, case)?;
+        Ok(star)
     }
-    warnings.extend(of_the_shape(case, &outcome));
-    warnings.extend(outcome.object_warning(case));
-    let nonlinear = nonlinear(asked, &inflated, &outcome, &mut warnings);
-    let seal = Seal::new(case);
-    warnings.extend(seal.warning(case));
-    let [tip, corner] = [inflated.tip(), inflated.corner()];
-    let angles = inflated.target_angles();
-    let (c_i, c_e) = inflated.hinge_stiffness();
-    let [onset_i, onset_e] = question.r_stars.map(|r_star| model.onset(r_star));
-    Ok(StarPrediction {
-        model: choice.level.name(),
-        lambda_t: Hinges { tip: tip.lambda, corner: corner.lambda },
-        lambda_c: Hinges { tip: onset_i?, corner: onset_e? },
-        d2v_dlambda2: Hinges { tip: tip.curvature, corner: corner.curvature },
-        arm_length_mm: part.star.l,
-        tip_target_angle_deg: angles.0.to_degrees(),
-        corner_target_angle_deg: angles.1.to_degrees(),
-        tip_equilibrium_angle_deg: outcome.rest.equilibrium.to_degrees(),
-        final_radius_mm: mm(outcome.rest.radius),
-        contraction: outcome.contraction,
-        hinge_stiffness_Nm: case.pressure.map(|_| Hinges { tip: c_i, corner: c_e }),
-        radial_stiffness_N_per_m: outcome.stiffness,
-        preload_N: outcome.preload,
-        graspable_radius_mm: outcome.graspable.map(mm),
-        object_force_N: outcome.object_force(),
-        bendability: question.bendability,
-        operating_pressure_kPa: Pressure::from_pascals(case.operating_pressure()).0,
-        realised_radius_mm: Hinges { tip: part.realised_tip().radius, corner: part.realised_corner().radius },
-        seal_load: seal.load,
-        burst_pressure_kPa: seal.burst.map(|p| Pressure::from_pascals(p).0),
-        mass_g: part.mass(&spec.fabric),
-        payload_kg: outcome.payload,
-        nonlinear,
-        evidence: Evidence {
-            choice: choice.reason.clone(),
-            coiling_error: choice.error.coiling,
-            stiffness_error: case.pressure.map(|_| choice.error.stiffness),
-            residual: tip.effort.residual.max(corner.effort.residual),
-            iterations: tip.effort.iterations + corner.effort.iterations,
-            numerical_error: tip.effort.error.max(corner.effort.error),
-            stretch: case.pressure.map(|_| question.stretch),
-            hinge_width: Hinges { tip: width_of(tip), corner: width_of(corner) },
-            safe_radius_mm: seal.safe.map(|radius| radius.0),
-            warnings,
-        },
-    })
+
+    /// All that is known without a model, and why there is none.
+    fn unknown(&self, choice: String) -> StarPrediction {
+        let Self { case, part, spec, seal } = self;
+        let bursts = seal.burst.map(|p| Pressure::from_pascals(p).0);
+        let width = case.mechanism.width;
+        let mut warnings: Vec<String> = seal.warning(case).into_iter().collect();
+        if spec.accuracy.model == ModelChoice::Shell {
+            warnings.push(
+                "shells are left to `predict --model shell`: files are the same on every machine, and a shell's last digits are \
+                 not; section answers here"
+                    .to_owned(),
+            );
+        }
+        StarPrediction {
+            model: Level::Section.name(),
+            lambda_t: Hinges::default(),
+            lambda_c: Hinges::default(),
+            d2v_dlambda2: Hinges::default(),
+            arm_length_mm: part.star.l,
+            tip_target_angle_deg: None,
+            corner_target_angle_deg: None,
+            tip_equilibrium_angle_deg: None,
+            final_radius_mm: None,
+            contraction: None,
+            hinge_stiffness_Nm: None,
+            radial_stiffness_N_per_m: None,
+            preload_N: None,
+            graspable_radius_mm: None,
+            object_force_N: None,
+            force_curve: None,
+            bendability: case.pressure.map(|p| case.sheet.bendability(p, width)),
+            operating_pressure_kPa: Pressure::from_pascals(case.operating_pressure()).0,
+            realised_radius_mm: Hinges {
+                tip: part.realised_tip().radius,
+                corner: part.realised_corner().radius,
+            },
+            seal_load: seal.load,
+            burst_pressure_kPa: bursts,
+            mass_g: part.mass(&spec.fabric),
+            payload_kg: None,
+            stretch: case.pressure.map(|p| case.sheet.stretch(p, width)),
+            burst_margin: seal.burst.zip(case.pressure).map(|(burst, p)| burst / p),
+            ranges: StarRanges::default(),
+            pressures: None,
+            nonlinear: None,
+            evidence: Evidence {
+                choice,
+                residual: 0.0,
+                iterations: 0,
+                numerical_error: 0.0,
+                stretch: case.pressure.map(|p| case.sheet.stretch(p, width)),
+                hinge_width: Hinges::default(),
+                safe_radius_mm: seal.safe.map(|radius| radius.0),
+                warnings,
+            },
+            correction: case.mechanism.correction,
+        }
+    }
+
+    /// What is to be said of ranges that are wide, or that stand on nothing.
+    fn of_the_ranges(&self, outcome: &Outcome) -> Option<String> {
+        let Ranges { standing, radius, .. } = outcome.ranges;
+        let (accepted, found) = (self.spec.accuracy.response, outcome.rest.radius);
+        let open = radius.map(|[low, high]| (high - found).max(found - low));
+        match standing {
+            Standing::Beyond => {
+                Some(format!("{}: ranges are {} times as wide", errors::BEYOND_WORDS, errors::BEYOND))
+            }
+            _ if open.is_some_and(|open| open > accepted.ratio() * found) => Some(format!(
+                "the final radius is known to {:.1} mm only, more than the accepted {accepted}: `predict --model shell` says more",
+                mm(open.unwrap_or_default())
+            )),
+            _ => None,
+        }
+    }
+}
+
+impl Answered<'_> {
+    /// Puts what the model says into `star`.
+    fn fill(&self, star: &mut StarPrediction, case: &Case) -> Result<(), StarFault> {
+        let Self { model, inflated, outcome } = self;
+        let [tip, corner] = [inflated.tip(), inflated.corner()];
+        let angles = inflated.target_angles();
+        let (c_i, c_e) = inflated.hinge_stiffness();
+        let stiffness = case.pressure.map(|_| Hinges { tip: c_i, corner: c_e });
+        star.model = model.level().name();
+        star.lambda_t = Hinges { tip: Some(tip.lambda), corner: Some(corner.lambda) };
+        star.lambda_c = Hinges {
+            tip: model.onset(case.mechanism.tip().r_star)?,
+            corner: model.onset(case.mechanism.corner().r_star)?,
+        };
+        star.d2v_dlambda2 = Hinges { tip: Some(tip.curvature), corner: Some(corner.curvature) };
+        star.tip_target_angle_deg = Some(angles.0.to_degrees());
+        star.corner_target_angle_deg = Some(angles.1.to_degrees());
+        star.tip_equilibrium_angle_deg = Some(outcome.rest.equilibrium.to_degrees());
+        star.final_radius_mm = Some(mm(outcome.rest.radius));
+        star.contraction = Some(outcome.contraction);
+        star.hinge_stiffness_Nm = stiffness;
+        star.radial_stiffness_N_per_m = outcome.stiffness;
+        star.preload_N = outcome.preload;
+        star.graspable_radius_mm = Some(outcome.graspable.map(mm));
+        star.object_force_N = outcome.object_force();
+        star.payload_kg = outcome.payload;
+        star.ranges = ranges(case, outcome, stiffness);
+        star.correction = case.mechanism.correction;
+        let evidence = &mut star.evidence;
+        evidence.residual = tip.effort.residual.max(corner.effort.residual);
+        evidence.iterations = tip.effort.iterations + corner.effort.iterations;
+        evidence.numerical_error = tip.effort.error.max(corner.effort.error);
+        evidence.hinge_width = Hinges { tip: width_of(tip), corner: width_of(corner) };
+        Ok(())
+    }
+}
+
+/// The ranges of `outcome` in the units of a prediction; `stiffness` is that of the hinges.
+fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> StarRanges {
+    let own = &outcome.ranges;
+    let hinge = |of: fn(&Hinges<f64>) -> f64| Some(scaled(own.hinge?, of(stiffness.as_ref()?)));
+    StarRanges {
+        final_radius_mm: own.radius.map(|range| range.map(mm)),
+        contraction: own.radius.map(|[low, high]| [high, low].map(|radius| 1.0 - radius / case.inner_radius)),
+        tip_equilibrium_angle_deg: own.angle.map(|range| range.map(f64::to_degrees)),
+        hinge_stiffness_Nm: Hinges { tip: hinge(|of| of.tip), corner: hinge(|of| of.corner) },
+        radial_stiffness_N_per_m: own.stiffness,
+        object_force_N: outcome.force_range,
+        payload_kg: outcome.payload_range,
+        burst_pressure_kPa: None,
+    }
 }
 
 /// mm, as all lengths of a prediction are.
@@ -167,7 +300,7 @@ fn width_of(state: &HingeState) -> Option<f64> {
 fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
     let star = &case.mechanism;
     let mut warnings = Vec::new();
-    if outcome.rest.equilibrium <= 0.0 {
+    if outcome.rest.equilibrium <= outcome.rest.angle.min(0.0) {
         warnings.push("the arms touch before the hinges are at rest: the star is pressed shut".to_owned());
     }
     if star.radius(outcome.rest.angle).slope <= 0.0 {
@@ -184,62 +317,51 @@ fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
     warnings
 }
 
-/// The star with the model's own V_bar; `None` for the fit, whose hinges are linear, or where the model refuses.
-fn nonlinear(
-    asked: &Asked<'_>,
-    inflated: &Inflated<'_>,
-    linear: &Outcome,
-    warnings: &mut Vec<String>,
-) -> Option<Nonlinear> {
-    if inflated.level() == Level::Fit {
-        return None;
-    }
-    // Of its warnings about the object those of the linear star are enough.
-    let own = match Outcome::nonlinear(&asked.case, inflated) {
-        Ok(own) => own,
-        Err(fault) => {
-            warnings.push(format!("no equilibrium of the nonlinear hinges: {fault}"));
+impl Asked<'_> {
+    /// The star with the model's own V_bar; `None` for the fit, whose hinges are linear, for the section, whose linear hinges are nearer to
+    /// shells of stars, or where the model refuses.
+    fn nonlinear(
+        &self,
+        case: &Case,
+        answered: &Answered<'_>,
+        warnings: &mut Vec<String>,
+    ) -> Option<Nonlinear> {
+        let (inflated, linear) = (&answered.inflated, &answered.outcome);
+        if matches!(inflated.level(), Level::Fit | Level::Section) {
             return None;
         }
-    };
-    if inflated.rim_pushes(own.rest.angle) {
-        warnings.push(
+        // Of its warnings about the object those of the linear star are enough.
+        let own = match Outcome::nonlinear(case, inflated) {
+            Ok(own) => own,
+            Err(fault) => {
+                warnings.push(format!("no equilibrium of the nonlinear hinges: {fault}"));
+                return None;
+            }
+        };
+        if inflated.rim_pushes(own.rest.angle) {
+            warnings.push(
             "the nonlinear star coils a hinge so far that its inner rim would have to push: a real rim wrinkles, and \
              the hinge is softer than predicted"
                 .to_owned(),
         );
-    }
-    let (own_radius, linear_radius) = (own.rest.radius, linear.rest.radius);
-    if (own_radius - linear_radius).abs() > asked.question.accepted * linear_radius {
-        warnings.push(format!(
-            "with {} it would close to {:.2} mm instead of {:.2} mm: {}",
-            whose(inflated.level()).0,
+        }
+        let (own_radius, linear_radius) = (own.rest.radius, linear.rest.radius);
+        if (own_radius - linear_radius).abs() > self.spec.accuracy.response.ratio() * linear_radius {
+            warnings.push(format!(
+            "with the membrane's own, asymmetric hinges it would close to {:.2} mm instead of {:.2} mm: the corner's hinge \
+             is coiled far beyond its target, where it is much softer",
             mm(own_radius),
-            mm(linear_radius),
-            whose(inflated.level()).1
+            mm(linear_radius)
         ));
-    }
-    Some(Nonlinear {
-        tip_equilibrium_angle_deg: own.rest.equilibrium.to_degrees(),
-        final_radius_mm: mm(own_radius),
-        contraction: own.contraction,
-        radial_stiffness_N_per_m: own.stiffness,
-        preload_N: own.preload,
-        object_force_N: own.object_force(),
-    })
-}
-
-/// What a model's hinges are called, and why they are not linear.
-fn whose(level: Level) -> (&'static str, &'static str) {
-    match level {
-        Level::Section => (
-            "the section's own moments in place of linear ones",
-            "tip and corner hold each other away from their rests, where a hinge is stiffer or softer",
-        ),
-        Level::Fit | Level::Ring | Level::Bvp => (
-            "the membrane's own, asymmetric hinges",
-            "the corner's hinge is coiled far beyond its target, where it is much softer",
-        ),
+        }
+        Some(Nonlinear {
+            tip_equilibrium_angle_deg: own.rest.equilibrium.to_degrees(),
+            final_radius_mm: mm(own_radius),
+            contraction: own.contraction,
+            radial_stiffness_N_per_m: own.stiffness,
+            preload_N: own.preload,
+            object_force_N: own.object_force(),
+        })
     }
 }
 

@@ -1,9 +1,12 @@
 //! The answer: what one spec's stars do, with the evidence for it. Lengths in mm, angles in deg.
 
+use crate::forecast::pressures::PressureRow;
+use crate::forecast::ranges::StarRanges;
+use crate::mechanics::star::Correction;
 use serde::Serialize;
 
 /// One value for the tips, one for the reentrant corners.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Hinges<T> {
     /// Of the tips.
     pub tip: T,
@@ -31,23 +34,23 @@ pub struct StarPrediction {
     /// The model that answered: fit, ring, bvp or section.
     pub model: &'static str,
     /// Target coiling factor lambda_t.
-    pub lambda_t: Hinges<f64>,
+    pub lambda_t: Hinges<Option<f64>>,
     /// Onset lambda_c of hoop tension away from the rim.
     pub lambda_c: Hinges<Option<f64>>,
     /// d2V_bar/dlambda2 at the target.
-    pub d2v_dlambda2: Hinges<f64>,
+    pub d2v_dlambda2: Hinges<Option<f64>>,
     /// Arm length l.
     pub arm_length_mm: f64,
     /// Target angle phi_it of a free tip; below 0 its arms would cross.
-    pub tip_target_angle_deg: f64,
+    pub tip_target_angle_deg: Option<f64>,
     /// Target angle phi_et of a free corner.
-    pub corner_target_angle_deg: f64,
+    pub corner_target_angle_deg: Option<f64>,
     /// Equilibrium angle phi_i^eq of the star's tips, linear hinges, not clamped.
-    pub tip_equilibrium_angle_deg: f64,
+    pub tip_equilibrium_angle_deg: Option<f64>,
     /// Final inner radius rho_f, linear hinges.
-    pub final_radius_mm: f64,
+    pub final_radius_mm: Option<f64>,
     /// 1 - rho_f / rho_0.
-    pub contraction: f64,
+    pub contraction: Option<f64>,
     /// Hinge stiffness C at the target; needs a pressure.
     pub hinge_stiffness_Nm: Option<Hinges<f64>>,
     /// Radial stiffness K at rest, all corners together; needs a pressure.
@@ -56,9 +59,12 @@ pub struct StarPrediction {
     pub preload_N: Option<f64>,
     /// Radii that the star can hold: from rho_f to the largest that the inflated star opens to, or to rho_0 where that is
     /// less, because a wider object does not enter the flat star.
-    pub graspable_radius_mm: [f64; 2],
+    pub graspable_radius_mm: Option<[f64; 2]>,
     /// Radial force on the object; needs pressure and object_radius.
     pub object_force_N: Option<f64>,
+    /// Radius, mm, and radial force, N, of a round object, with its range; where radii were asked for and the star holds them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force_curve: Option<Vec<ForceAt>>,
     /// Bendability 1/eps; needs a pressure.
     pub bendability: Option<f64>,
     /// Pressure from which the hinges are fully coiled.
@@ -73,11 +79,27 @@ pub struct StarPrediction {
     pub mass_g: Option<f64>,
     /// Mass that friction holds; needs pressure, object_radius and friction.
     pub payload_kg: Option<f64>,
-    /// The star with the model's own, asymmetric V_bar in place of linear hinges.
+    /// Stretch p W / Y of the fabric; needs a pressure.
+    pub stretch: Option<f64>,
+    /// Burst pressure over the pressure; needs both.
+    pub burst_margin: Option<f64>,
+    /// In which intervals the truth lies.
+    pub ranges: StarRanges,
+    /// Without a pressure, what it does at several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressures: Option<Vec<PressureRow>>,
+    /// The star with a limit's own, asymmetric V_bar in place of linear hinges; of `section` linear ones are nearer to shells.
     pub nonlinear: Option<Nonlinear>,
     /// How good all this is.
     pub evidence: Evidence,
+    /// What inflation does to the star beyond hinges and rigid arms.
+    #[serde(skip)]
+    pub correction: Correction,
 }
+
+/// A radius, mm, the radial force there, N, and the ends of its range.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ForceAt(pub f64, pub f64, pub Option<f64>, pub Option<f64>);
 
 /// The same star with the model's own V_bar.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -112,10 +134,6 @@ impl Prediction {
 pub struct Evidence {
     /// Why this model.
     pub choice: String,
-    /// Estimated relative error of the coiling, and so of all angles, against a real hinge.
-    pub coiling_error: f64,
-    /// Estimated relative error of stiffness and forces; `None` without a pressure.
-    pub stiffness_error: Option<f64>,
     /// Largest residual of the model's equations.
     pub residual: f64,
     /// Newton steps.

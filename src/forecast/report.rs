@@ -1,6 +1,10 @@
 //! The answer as a person reads it: what the gripper does, what was assumed, what to beware of.
 
-use crate::forecast::prediction::{Prediction, StarPrediction};
+use crate::forecast::prediction::{ForceAt, Hinges, Prediction, StarPrediction};
+use crate::forecast::pressures::PressureRow;
+use crate::forecast::ranges::{Interval, scaled, shown};
+use crate::forecast::verdict::verdict;
+use crate::mechanics::hinge::Level;
 use crate::spec::Spec;
 use crate::units::Readable;
 use std::fmt::Write;
@@ -24,7 +28,18 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
         let _ = writeln!(out, "\nmass of the whole stack         {} g", Readable(mass));
     }
     if let Some(payload) = prediction.first.payload_kg {
-        let _ = writeln!(out, "\npayload of the whole stack      {} kg", Readable(payload));
+        let said = match prediction.first.ranges.payload_kg {
+            Some(range) => shown::with(payload, range, "kg"),
+            None if prediction.first.model == Level::Section.name() => "unknown".to_owned(),
+            None => format!("{} kg, range unknown", Readable(payload)),
+        };
+        let _ = writeln!(out, "\npayload of the whole stack      {said}");
+    }
+    if let Some(verdict) = verdict(spec, prediction) {
+        let _ = writeln!(out, "\nverdict: {}", verdict.line());
+        for reason in &verdict.reasons {
+            let _ = writeln!(out, "  {reason}");
+        }
     }
     out
 }
@@ -34,43 +49,89 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         let _ = writeln!(out, "  {what:30}{value}");
     };
     let show = |value: f64, unit: &str| format!("{} {unit}", Readable(value)).trim_end().to_owned();
+    let pair = |of: Hinges<Option<f64>>| of.tip.zip(of.corner);
     // Why no model will do is a warning, and said there.
     let why = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
     line("model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
     line("arm length", show(star.arm_length_mm, "mm"));
-    line(
-        "target coiling tip, corner",
-        format!("{}, {}", Readable(star.lambda_t.tip), Readable(star.lambda_t.corner)),
-    );
-    line("tip angle at rest", show(star.tip_equilibrium_angle_deg.max(0.0), "deg"));
-    line("final radius", show(star.final_radius_mm, "mm"));
-    line("contraction", show(100.0 * star.contraction, "%"));
-    let [least, most] = star.graspable_radius_mm;
-    line("holds radii from, to", format!("{} mm, {} mm", Readable(least), Readable(most)));
-    line("full actuation from", show(star.operating_pressure_kPa, "kPa"));
-    // Without a pressure the limit of high pressure is meant, and only the model's own error is known.
-    let closing = match star.evidence.stiffness_error {
-        Some(_) => "error of closing, estimated",
-        None => "error at high pressure",
+    if let Some((tip, corner)) = pair(star.lambda_t) {
+        line("target coiling tip, corner", format!("{}, {}", Readable(tip), Readable(corner)));
+    }
+    // A limit was asked for by name: its number is what was wanted, and how far it is off is not known.
+    let is_limit = star.model != Level::Section.name();
+    let unknown = |value: f64, unit: &str| {
+        if is_limit { format!("{}, range unknown", show(value, unit)) } else { "unknown".to_owned() }
     };
+    for (what, value, range, unit) in quantities(star) {
+        let Some(value) = value else { continue };
+        line(what, range.map_or_else(|| unknown(value, unit), |range| shown::with(value, range, unit)));
+    }
     let optional = [
+        ("full actuation from", Some(star.operating_pressure_kPa), "kPa"),
         ("bendability", star.bendability, ""),
-        ("hinge stiffness tip", star.hinge_stiffness_Nm.map(|c| c.tip), "N m/rad"),
-        ("hinge stiffness corner", star.hinge_stiffness_Nm.map(|c| c.corner), "N m/rad"),
-        ("radial stiffness", star.radial_stiffness_N_per_m, "N/m"),
+        ("stretch of the fabric p W / Y", star.stretch.map(|stretch| 100.0 * stretch), "%"),
         ("preload when shut", star.preload_N.filter(|f| *f > 0.0), "N"),
-        ("force on the object", star.object_force_N, "N"),
         ("burst pressure", star.burst_pressure_kPa, "kPa"),
+        ("burst margin", star.burst_margin, ""),
         ("mass", star.mass_g, "g"),
-        (closing, Some(100.0 * star.evidence.coiling_error), "%"),
-        ("error of forces, estimated", star.evidence.stiffness_error.map(|e| 100.0 * e), "%"),
     ];
+    if let Some([least, most]) = star.graspable_radius_mm {
+        line("holds radii from, to", format!("{} mm, {} mm", Readable(least), Readable(most)));
+    }
     for (what, value, unit) in optional {
         if let Some(value) = value {
             line(what, show(value, unit));
         }
     }
+    for ForceAt(radius, force, low, high) in star.force_curve.iter().flatten() {
+        let range = low.zip(*high).map(|(low, high)| [low, high]);
+        let said = range.map_or_else(|| unknown(*force, "N"), |range| shown::with(*force, range, "N"));
+        line(&format!("force at {} mm", Readable(*radius)), said);
+    }
     for warning in &star.evidence.warnings {
         line("warning", warning.clone());
     }
+    for row in star.pressures.iter().flatten().take(1) {
+        let _ = writeln!(
+            out,
+            "\n  at the pressure        final radius              {}stretch   burst margin",
+            if row.object_force_N.is_some() { "force on the object       " } else { "" }
+        );
+    }
+    for row in star.pressures.iter().flatten() {
+        pressure_text(out, row);
+    }
+}
+
+/// What has a range: its name, value, range and unit.
+fn quantities(star: &StarPrediction) -> [(&'static str, Option<f64>, Option<Interval>, &'static str); 8] {
+    let ranges = &star.ranges;
+    let percent = |range: Interval| scaled(range, 100.0);
+    let stiffness = star.hinge_stiffness_Nm.map(|c| (c.tip, c.corner)).unzip();
+    let shut = star.tip_equilibrium_angle_deg.map(|angle| angle.max(star.correction.touch.to_degrees()));
+    [
+        ("final radius", star.final_radius_mm, ranges.final_radius_mm, "mm"),
+        ("contraction", star.contraction.map(|c| 100.0 * c), ranges.contraction.map(percent), "%"),
+        ("tip angle at rest", shut, ranges.tip_equilibrium_angle_deg, "deg"),
+        ("hinge stiffness tip", stiffness.0, ranges.hinge_stiffness_Nm.tip, "N m/rad"),
+        ("hinge stiffness corner", stiffness.1, ranges.hinge_stiffness_Nm.corner, "N m/rad"),
+        ("radial stiffness", star.radial_stiffness_N_per_m, ranges.radial_stiffness_N_per_m, "N/m"),
+        ("force on the object", star.object_force_N, ranges.object_force_N, "N"),
+        ("payload of this star", star.payload_kg, ranges.payload_kg, "kg"),
+    ]
+}
+
+fn pressure_text(out: &mut String, row: &PressureRow) {
+    let force = row
+        .object_force_N
+        .map_or(String::new(), |force| format!("{:26}", shown::known(Some(force), row.force_range_N, "N")));
+    let _ = writeln!(
+        out,
+        "  {:8} kPa           {:26}{force}{:5.1} %   {}{}",
+        Readable(row.pressure_kPa).to_string(),
+        shown::known(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
+        100.0 * row.stretch,
+        row.burst_margin.map_or("unknown".to_owned(), |margin| format!("{margin:.2}")),
+        if row.best { "   <- best" } else { "" }
+    );
 }

@@ -157,7 +157,7 @@ mod tests {
         let mut spec = read(&Source::new("x", starter("x").expect("a name"))).expect("valid").spec;
         spec.fabric.seal_strength = Some(LineForce(1.0));
         let pressure = Some(Pressure(kilopascals));
-        spec.load = Some(Load { pressure, object_radius: None, friction: None });
+        spec.load = Some(Load { pressure, ..Load::default() });
         spec
     }
 

@@ -1,7 +1,8 @@
 //! What a shell answers about stars: the keys of other predictions, with what only a shell knows, and none of what only a
 //! hinge's model knows.
 
-use crate::forecast::prediction::Hinges;
+use crate::forecast::prediction::{ForceAt, Hinges};
+use crate::forecast::ranges::StarRanges;
 use crate::spec::Spec;
 use crate::units::Readable;
 use serde::Serialize;
@@ -80,15 +81,11 @@ pub struct ShellStar {
     pub mass_g: Option<f64>,
     /// Mass that friction holds; needs object_radius and friction.
     pub payload_kg: Option<f64>,
-    /// In which intervals the truth lies.
+    /// In which intervals the truth lies: not known of any, but by how much the meshes leave each number open.
     pub ranges: StarRanges,
     /// How good all this is.
     pub evidence: ShellEvidence,
 }
-
-/// A radius, mm, the radial force there, N, and the ends of its range.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct ForceAt(pub f64, pub f64, pub Option<f64>, pub Option<f64>);
 
 /// The hardest loaded place for one quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -99,26 +96,6 @@ pub struct Place {
     pub mesh_error: f64,
     /// Where on the flat star: in the half sector next to corner 1, the axis at the origin.
     pub at_mm: [f64; 2],
-}
-
-/// Intervals in which the truth lies in at least 95 % of cases: not known of any.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
-pub struct StarRanges {
-    /// Of the final radius.
-    pub final_radius_mm: Option<[f64; 2]>,
-    /// Of the contraction.
-    pub contraction: Option<[f64; 2]>,
-    /// Of the tips' angle.
-    pub tip_equilibrium_angle_deg: Option<[f64; 2]>,
-    /// Of the radial stiffness.
-    pub radial_stiffness_N_per_m: Option<[f64; 2]>,
-    /// Of the force on the object.
-    pub object_force_N: Option<[f64; 2]>,
-    /// Of the payload.
-    pub payload_kg: Option<[f64; 2]>,
-    /// Of the burst pressure.
-    pub burst_pressure_kPa: Option<[f64; 2]>,
 }
 
 /// The evidence for a shell's answer.

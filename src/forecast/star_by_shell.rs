@@ -5,13 +5,12 @@ use crate::design::{Design, StarDesign};
 use crate::forecast::by_shell::{Detail, SHELL, fabric};
 use crate::forecast::case::Case;
 use crate::forecast::predict::PredictFault;
-use crate::forecast::prediction::Hinges;
-use crate::forecast::shell_prediction::{
-    ForceAt, Place, ShellEvidence, ShellPrediction, ShellStar, StarMeshErrors, StarRanges,
-};
+use crate::forecast::prediction::{ForceAt, Hinges};
+use crate::forecast::ranges::StarRanges;
+use crate::forecast::shell_prediction::{Place, ShellEvidence, ShellPrediction, ShellStar, StarMeshErrors};
 use crate::mechanics::strength::payload;
 use crate::shell::cases::{
-    FlatStar, InflatedStar, MOST_OBJECTS, Shape, ShellFault, Tube, Value, Watch, star,
+    FlatStar, InflatedStar, MOST_OBJECTS, Objects, Shape, ShellFault, Tube, Value, Watch, star,
 };
 use crate::spec::{KeyPath, Spec, key};
 use crate::units::{Length, Pressure, Readable};
@@ -108,7 +107,8 @@ fn predict_star(
         let what = format!("{} radii, and one call takes {MOST_OBJECTS}: ask for fewer", objects.len());
         return Err(fault(key::load::OBJECT_RADIUS, what));
     }
-    let found = star(&flat, &objects, detail.fineness(), watch).map_err(|why| refused(&why))?;
+    let found =
+        star(&flat, Objects::Radii(&objects), detail.fineness(), watch).map_err(|why| refused(&why))?;
     let answered = Answered { case: &case, part, spec, flat: &flat, found: &found };
     Ok((answered.star(radii, object), found.shape))
 }

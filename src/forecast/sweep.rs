@@ -3,6 +3,8 @@
 //! Rows are numbered; row i is the same whoever computes it, so a sweep can be cut into parts and run in any number of threads.
 
 use crate::forecast::candidate::{Answer, Candidate};
+use crate::forecast::outcome::Outcome;
+use crate::forecast::ranges::Interval;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::units::{Angle, Length, LineForce, Pressure, Quantity};
 use rayon::prelude::*;
@@ -205,7 +207,9 @@ impl Sweep {
         }
         header.push_str(
             ",arm_length_mm,tip_equilibrium_angle_deg,final_radius_mm,contraction,operating_pressure_kPa,\
-             radial_stiffness_N_per_m,object_force_N,payload_kg,burst_pressure_kPa,fabric_cm2,refused\n",
+             radial_stiffness_N_per_m,object_force_N,payload_kg,burst_pressure_kPa,fabric_cm2,bendability,stretch,\
+             burst_margin,widest_radius_mm,final_radius_lo_mm,final_radius_hi_mm,object_force_lo_N,object_force_hi_N,\
+             payload_lo_kg,payload_hi_kg,refused\n",
         );
         header
     }
@@ -253,10 +257,11 @@ impl Sweep {
             self.for_each_value(row, |_, value| {
                 let _ = write!(out, ",{}", Plain(value));
             });
-            match self.point(row).answer(&self.table) {
-                Ok(answer) => write_answer(&mut out, &answer),
+            let point = self.point(row);
+            match point.answer(&self.table) {
+                Ok(answer) => write_answer(&mut out, &answer, point.load.pressure),
                 Err(fault) => {
-                    let _ = writeln!(out, ",,,,,,,,,,,\"{fault}\"");
+                    let _ = writeln!(out, "{}\"{fault}\"", ",".repeat(COLUMNS + 1));
                 }
             }
         }
@@ -264,20 +269,38 @@ impl Sweep {
     }
 }
 
-fn write_answer(out: &mut String, answer: &Answer) {
-    let outcome = &answer.outcome;
-    let values = [
+/// Columns of an answer, `refused` not counted.
+const COLUMNS: usize = 20;
+
+fn write_answer(out: &mut String, answer: &Answer, pressure: Option<Pressure>) {
+    let own = answer.outcome.as_ref();
+    let mm = |metres: f64| Length::from_metres(metres).0;
+    let radius = own.and_then(|own| own.ranges.radius).map(|range| range.map(mm));
+    let force = own.and_then(|own| own.force_range);
+    let low = |range: Option<Interval>| range.map(|range| range[0]);
+    let high = |range: Option<Interval>| range.map(|range| range[1]);
+    let values: [Option<f64>; COLUMNS] = [
         Some(answer.star.l),
-        Some(outcome.rest.equilibrium.to_degrees()),
-        Some(Length::from_metres(outcome.rest.radius).0),
-        Some(outcome.contraction),
+        own.map(|own| own.rest.equilibrium.to_degrees()),
+        own.map(|own| mm(own.rest.radius)),
+        own.map(|own| own.contraction),
         Some(answer.operating_pressure.0),
-        outcome.stiffness,
-        outcome.object_force(),
+        own.and_then(|own| own.stiffness),
+        own.and_then(Outcome::object_force),
         answer.payload,
         answer.burst.map(|pressure| pressure.0),
         // mm^2 to cm^2.
         answer.fabric.map(|area| area / 100.0),
+        own.and_then(|own| own.bendability),
+        own.and_then(|own| own.stretch),
+        answer.burst.zip(pressure).map(|(burst, pressure)| burst.0 / pressure.0),
+        own.map(|own| mm(own.graspable[1])),
+        low(radius),
+        high(radius),
+        low(force),
+        high(force),
+        low(answer.payload_range),
+        high(answer.payload_range),
     ];
     for value in values {
         out.push(',');

@@ -6,7 +6,7 @@
 //! | stage | what it knows |
 //! |---|---|
 //! | [`hinge`] | one bend: dimensionless volume V_bar(lambda) by R*; angle, moment, stiffness, seal load |
-//! | [`star`] | the mechanism: inner radius against the tip's angle, and where it is open widest |
+//! | [`star`] | the mechanism: inner radius against the tip's angle, where it is open widest, and what shells add to it |
 //! | [`star::response`] | an inflated star: where it rests, with which preload and stiffness, force against radius |
 //! | [`strength`] | fabric, seal and friction: bendability, operating and burst pressure, payload |
 //!
@@ -18,7 +18,7 @@
 //!
 //! ```
 //! use stargrip_cam::mechanics::hinge::ring::Ring;
-//! use stargrip_cam::mechanics::star::Mechanism;
+//! use stargrip_cam::mechanics::star::{Correction, Mechanism};
 //! use stargrip_cam::mechanics::star::response::Inflated;
 //!
 //! // The paper's star with five points.
@@ -29,6 +29,7 @@
 //!     tip_angle: 30_f64.to_radians(),
 //!     tip_radius: 0.0,
 //!     corner_radius: 0.0,
+//!     correction: Correction::default(),
 //! };
 //! let inflated = Inflated::new(&star, &Ring, 37e3)?;
 //! let rest = inflated.rest()?;

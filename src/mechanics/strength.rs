@@ -74,40 +74,6 @@ pub fn payload(friction: f64, forces: impl IntoIterator<Item = f64>) -> f64 {
     friction * forces.into_iter().sum::<f64>() / GRAVITY
 }
 
-/// How far the membrane limit is from a real hinge at finite bendability; relative errors.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LimitEstimate {
-    /// Of the coiling factor at rest.
-    pub coiling: f64,
-    /// Of the hinge's stiffness, and of every force.
-    pub stiffness: f64,
-}
-
-/// Error of the membrane limit (`fit`, `ring`, `bvp`) at the bendability `bendability`.
-///
-/// Interpolated from shell computations of single hinges: coiling 1.2 instead of 1.28 at 1/eps = 330, within
-/// 3 % near 2,000; stiffness 2 to 3 times the limit at 300 to 500, 1.5 times at 1,500, 10 % off from several
-/// thousand on. Below 300 nothing is known: error 1. Stretching of the fabric comes on top.
-pub fn limit_estimate(bendability: f64) -> LimitEstimate {
-    let coiling = [(300.0, 0.065), (2000.0, 0.03), (10_000.0, 0.02)];
-    let stiffness = [(300.0, 0.65), (500.0, 0.5), (1500.0, 0.33), (5000.0, 0.1)];
-    LimitEstimate {
-        coiling: interpolate(&coiling, bendability),
-        stiffness: interpolate(&stiffness, bendability),
-    }
-}
-
-/// Linear in the logarithm between the points, 1 before the first, constant after the last.
-fn interpolate(points: &[(f64, f64)], x: f64) -> f64 {
-    let below = points.iter().rev().find(|(at, _)| x >= *at);
-    let above = points.iter().find(|(at, _)| x < *at);
-    match (below, above) {
-        (Some(&(a, low)), Some(&(b, high))) => low + (high - low) * (x / a).ln() / (b / a).ln(),
-        (Some(&(_, last)), None) => last,
-        (None, _) => 1.0,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -141,14 +107,6 @@ mod tests {
     fn a_straight_tube_is_the_mildest_seal_load() {
         assert_eq!(burst_pressure(1e3, 0.03, 0.0), burst_pressure(1e3, 0.03, FRAC_1_PI));
         assert!(burst_pressure(1e3, 0.03, 1.479) < burst_pressure(1e3, 0.03, 0.55));
-    }
-
-    #[test]
-    fn limit_errors_fall_with_bendability() {
-        let errors = [100.0, 300.0, 1000.0, 3000.0, 1e5].map(limit_estimate);
-        assert!(errors.windows(2).all(|w| w[0].stiffness >= w[1].stiffness && w[0].coiling >= w[1].coiling));
-        assert_eq!(errors[0], LimitEstimate { coiling: 1.0, stiffness: 1.0 });
-        assert_eq!(limit_estimate(f64::NAN).stiffness, 1.0);
     }
 
     #[test]

@@ -4,8 +4,10 @@ use crate::artifact::{Artifact, Asked, Format, Output, Subject, outputs};
 use crate::design::engraved_depth;
 use crate::emit;
 use crate::emit::Inflated;
+use crate::forecast::charts::charts;
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::shut::shut;
+use crate::forecast::verdict::verdict;
 use crate::manifest::Manifest;
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
@@ -38,6 +40,7 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
             return emit::scene(&forecast.spec, &forecast.design, &inflated(forecast));
         }
         Subject::Preview => return preview(forecast, output),
+        Subject::Report => report(forecast, sources)?,
         Subject::Trace => program(forecast, &forecast.traces, output)?,
         Subject::Seal if output.kind.format() == Format::Gcode => {
             program(forecast, &forecast.programs, output)?
@@ -53,12 +56,15 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
 fn inflated(forecast: &Forecast) -> Vec<Inflated> {
     let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
     let prediction = forecast.prediction.as_ref().filter(|_| pressure.is_some());
-    let rest = |star: &StarPrediction| Inflated {
-        // Below 0 the arms touch.
-        tip_angle: star.tip_equilibrium_angle_deg.to_radians().max(0.0),
-        inner_radius: star.final_radius_mm,
+    let rest = |star: &StarPrediction| {
+        Some(Inflated {
+            // Below 0 the arms touch.
+            tip_angle: star.tip_equilibrium_angle_deg?.to_radians().max(0.0),
+            inner_radius: star.final_radius_mm?,
+        })
     };
-    prediction.map_or_else(Vec::new, |prediction| prediction.stars.iter().map(rest).collect())
+    let stars = prediction.map(|prediction| prediction.stars.iter().map(rest).collect::<Option<_>>());
+    stars.flatten().unwrap_or_default()
 }
 
 /// The picture of the output's sheet.
@@ -71,6 +77,27 @@ fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
         Format::Png => preview.png(output.sheet?),
         _ => preview.svg(output.sheet?).map(String::into_bytes),
     }
+}
+
+/// All that is known of the gripper, on one page.
+fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
+    let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
+    let charts = charts(spec, design);
+    let verdict = prediction.as_ref().and_then(|prediction| verdict(spec, prediction));
+    let scene = emit::scene(spec, design, &inflated(forecast))?;
+    let bill = Manifest::new(spec, design, programs);
+    Some(emit::report(&emit::Report {
+        source: sources.spec,
+        spec,
+        machine,
+        design,
+        programs,
+        prediction: prediction.as_ref(),
+        verdict: verdict.as_ref(),
+        charts: &charts,
+        bill: &bill,
+        scene: &scene,
+    }))
 }
 
 /// The one of `programs` that is for the output's star, or its sheet.
@@ -95,6 +122,8 @@ fn drawing(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
             emit::stl(&output.solid_name(&spec.name), &drawing, thickness, engraved_depth(thickness))
         }
         Format::Pdf => emit::pdf(&title, &output.paper?.pages(&drawing, &output.caption())),
-        Format::Toml | Format::Gcode | Format::Json | Format::Png | Format::Glb => return None,
+        Format::Toml | Format::Gcode | Format::Json | Format::Png | Format::Glb | Format::Html => {
+            return None;
+        }
     })
 }

@@ -5,56 +5,35 @@
 
 use crate::design::{Refusal, RefusalCode, Refusals};
 use crate::forecast::prediction::StarPrediction;
+use crate::forecast::verdict::{Holds, Verdict, verdict};
 use crate::pipeline::Forecast;
-use crate::spec::{KeyPath, Load, key};
+use crate::spec::{Load, key};
 use crate::units::{Least, Length, Most, Pressure};
 
-/// What becomes of the object of `[load]`.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Verdict {
-    /// The spec does not ask: this key is missing.
-    NotAsked(KeyPath),
-    /// It is held by these stars, 1 = bottom.
-    Holds(Vec<usize>),
-    /// No star holds it; [`Forecast::unfit`] says why.
-    DoesNotHold,
-    /// No model knows: the estimated error of its forces is as large as they are, or there is no force.
-    Unknown,
-}
-
-/// Estimated relative error of forces from which a force says nothing.
-const NOTHING_KNOWN: f64 = 1.0;
-
 impl Forecast {
-    /// What becomes of the object.
-    pub fn verdict(&self) -> Verdict {
-        let load = self.spec.load.as_ref();
-        let missing = [
-            (key::load::PRESSURE, load.is_none_or(|load| load.pressure.is_none())),
-            (key::load::OBJECT_RADIUS, load.is_none_or(|load| load.object_radius.is_none())),
-        ];
-        if let Some((key, _)) = missing.into_iter().find(|(_, missing)| *missing) {
-            return Verdict::NotAsked(key);
-        }
-        let stars = self.prediction.iter().flat_map(|prediction| &prediction.stars);
-        let holding: Vec<usize> = (1..).zip(stars).filter(|(_, star)| holds(star)).map(|(i, _)| i).collect();
-        match self.prediction.as_ref().map(|prediction| &prediction.first.evidence) {
-            _ if holding.is_empty() => match self.not_held().is_empty() {
-                true => Verdict::Unknown,
-                false => Verdict::DoesNotHold,
-            },
-            Some(evidence) if evidence.stiffness_error.is_some_and(|error| error >= NOTHING_KNOWN) => {
-                Verdict::Unknown
-            }
-            _ => Verdict::Holds(holding),
-        }
+    /// What becomes of the object; `None` where the spec does not ask.
+    pub fn verdict(&self) -> Option<Verdict> {
+        verdict(&self.spec, self.prediction.as_ref()?)
     }
 
-    /// Why the gripper is unfit, star by star; empty if it is fit, or nothing is asked.
+    /// Why the gripper is unfit, star by star; empty if it is fit, if nothing is asked, or if that is not known.
     pub fn unfit(&self) -> Refusals {
-        let held = self.verdict() != Verdict::DoesNotHold;
-        let object = if held { Vec::new() } else { self.not_held() };
-        object.into_iter().chain(self.bursts()).collect()
+        let mut found: Vec<Refusal> = Vec::new();
+        if let Some(Verdict { holds: Holds::No, reasons, .. }) = self.verdict() {
+            let object = self.not_held();
+            // One star that holds it will do.
+            if object.len() == self.design.firsts().count() {
+                found.extend(object);
+            } else if object.is_empty() && self.bursts().is_empty() {
+                found.push(Refusal::new(
+                    key::load::OBJECT_RADIUS,
+                    RefusalCode::ObjectNotHeld,
+                    reasons.join("; "),
+                    "ask `stargrip-cam optimize`, or `stargrip-cam new NAME --object Q --mass Q`, for a star that does".to_owned(),
+                ));
+            }
+        }
+        found.into_iter().chain(self.bursts()).collect()
     }
 
     /// Why each distinct star does not hold the object, as far as that is known.
@@ -88,12 +67,7 @@ impl Forecast {
     }
 }
 
-fn holds(star: &StarPrediction) -> bool {
-    star.object_force_N.is_some_and(|force| force > 0.0)
-}
-
 fn not_held(object: Length, inner_radius: Length, star: &StarPrediction) -> Option<Refusal> {
-    let [least, most] = star.graspable_radius_mm;
     let at = key::load::OBJECT_RADIUS;
     if object > inner_radius {
         let found = format!(
@@ -102,18 +76,19 @@ fn not_held(object: Length, inner_radius: Length, star: &StarPrediction) -> Opti
         let remedy = format!("at most {inner_radius}, or an inner_radius of more than {object}");
         return Some(Refusal::new(at, RefusalCode::ObjectTooWide, found, remedy));
     }
-    if star.object_force_N == Some(0.0) {
+    let [least, most] = star.graspable_radius_mm?;
+    // Where the range is known, the object may lie within it.
+    let least = star.ranges.final_radius_mm.map_or(least, |[low, _]| low);
+    if object.0 < least {
         let found = format!(
             "the inflated star closes to a radius of {} mm and does not touch the object of {object}",
-            Least(star.final_radius_mm)
+            Least(least)
         );
-        let remedy = format!(
-            "at least {} mm, or a star that closes further: a smaller inner_radius",
-            Least(star.final_radius_mm)
-        );
+        let remedy =
+            format!("at least {} mm, or a star that closes further: a smaller inner_radius", Least(least));
         return Some(Refusal::new(at, RefusalCode::ObjectTooThin, found, remedy));
     }
-    if star.object_force_N.is_none() && object.0 > most {
+    if object.0 > most {
         let found = format!(
             "the inflated star opens to a radius of {} mm and does not close around the object of {object}",
             Most(most)
@@ -159,38 +134,41 @@ mod tests {
         forecast.unfit().iter().map(|refusal| refusal.code.to_string()).collect()
     }
 
-    #[test]
-    fn what_is_not_asked_is_not_judged() {
-        assert_eq!(forecast("").verdict(), Verdict::NotAsked(key::load::PRESSURE));
-        let bare = forecast("[load]\npressure = \"37 kPa\"\n");
-        assert_eq!(bare.verdict(), Verdict::NotAsked(key::load::OBJECT_RADIUS));
-        assert_eq!(codes(&bare), [""; 0]);
+    fn holds(forecast: &Forecast) -> Option<Holds> {
+        forecast.verdict().map(|verdict| verdict.holds)
     }
 
     #[test]
-    fn an_object_between_final_and_inner_radius_is_held_and_no_other() {
+    fn what_is_not_asked_is_not_judged() {
+        assert_eq!(forecast("").verdict(), None);
+        let bare = forecast("[load]\npressure = \"37 kPa\"\n");
+        assert_eq!((holds(&bare), codes(&bare)), (None, vec![]));
+    }
+
+    #[test]
+    fn an_object_between_final_and_inner_radius_is_fit_and_no_other() {
         let with =
             |mm: f64| forecast(&format!("[load]\npressure = \"37 kPa\"\nobject_radius = \"{mm} mm\"\n"));
-        let held = with(30.0);
-        assert_eq!((held.verdict(), codes(&held)), (Verdict::Holds(vec![1]), vec![]));
+        assert_eq!(codes(&with(30.0)), [""; 0]);
         let (thin, wide) = (with(5.0), with(51.0));
-        assert_eq!(
-            (thin.verdict(), codes(&thin)),
-            (Verdict::DoesNotHold, vec!["object-too-thin".to_owned()])
-        );
-        assert_eq!(
-            (wide.verdict(), codes(&wide)),
-            (Verdict::DoesNotHold, vec!["object-too-wide".to_owned()])
-        );
+        assert_eq!((holds(&thin), codes(&thin)), (Some(Holds::No), vec!["object-too-thin".to_owned()]));
+        assert_eq!((holds(&wide), codes(&wide)), (Some(Holds::No), vec!["object-too-wide".to_owned()]));
         let remedy = &thin.unfit()[0].remedy;
         let least: f64 = remedy.split(' ').find_map(|word| word.parse().ok()).expect("a number");
         assert_eq!(codes(&with(least)), [""; 0], "{remedy}");
     }
 
     #[test]
-    fn a_force_with_an_error_as_large_as_itself_is_no_verdict() {
+    fn what_no_table_knows_is_no_verdict() {
         let soft = forecast("[load]\npressure = \"0.1 kPa\"\nobject_radius = \"30 mm\"\n");
-        assert_eq!((soft.verdict(), codes(&soft)), (Verdict::Unknown, vec![]));
+        assert_eq!((holds(&soft), codes(&soft)), (Some(Holds::Unknown), vec![]));
+    }
+
+    #[test]
+    fn an_object_that_is_too_heavy_is_not_held() {
+        let load = "[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.3\nmass = \"90 kg\"\n";
+        let heavy = forecast(load);
+        assert_eq!((holds(&heavy), codes(&heavy)), (Some(Holds::No), vec!["object-not-held".to_owned()]));
     }
 
     #[test]
@@ -202,7 +180,7 @@ mod tests {
             let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
             Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design")
         };
-        assert_eq!((with(55.0).verdict(), codes(&with(55.0))), (Verdict::Holds(vec![2]), vec![]));
+        assert_eq!(codes(&with(55.0)), [""; 0]);
         let neither = with(65.0);
         assert_eq!(codes(&neither).len(), 2);
         assert!(neither.unfit()[1].found.starts_with("star 2: "), "{:?}", neither.unfit());

@@ -23,7 +23,6 @@ use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
-pub use fitness::Verdict;
 pub use proven::{Claim, Proven, prove_files, read_back};
 
 /// A gripper whose geometry exists, without a way for air but the inlet.

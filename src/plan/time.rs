@@ -93,15 +93,21 @@ impl Program {
             Purpose::Trace => motion.speed_range().map(|(_, most)| most),
         };
         let pace = Pace::new(spec, machine, lowest);
-        let time = time_of(&steps, pace, machine, spec.seal.speed.0);
+        let time = times_of(&steps, pace, machine, spec.seal.speed.0).last().copied().unwrap_or(0.0);
         Self { purpose, sheet, stars, steps, seams, pace, time }
+    }
+
+    /// When each of its steps is done, s from the beginning: one time a step, the last one is that of the whole program.
+    pub fn timeline(&self, spec: &Spec, machine: &Machine) -> Vec<f64> {
+        times_of(&self.steps, self.pace, machine, spec.seal.speed.0)
     }
 }
 
-/// Time for all of `steps`, s, without heating and pauses; `speed` is the seal's, mm/s.
-fn time_of(steps: &[Step], pace: Pace, machine: &Machine, speed: f64) -> f64 {
+/// When each of `steps` is done, s, without heating and pauses; `speed` is the seal's, mm/s.
+fn times_of(steps: &[Step], pace: Pace, machine: &Machine, speed: f64) -> Vec<f64> {
     let mut clock = Clock::new(machine);
     let mut pacer = Pacer::new(pace, speed);
+    let mut times = Vec::with_capacity(steps.len());
     for step in steps {
         match step {
             Step::Height(level) => clock.height(*level),
@@ -127,8 +133,9 @@ fn time_of(steps: &[Step], pace: Pace, machine: &Machine, speed: f64) -> f64 {
             }
             Step::Heat(_) | Step::Seam(_) => {}
         }
+        times.push(clock.elapsed);
     }
-    clock.elapsed
+    times
 }
 
 /// Time for all strokes of `piece`, s.

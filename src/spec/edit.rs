@@ -95,6 +95,33 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     }
 }
 
+/// The text of `source` with `value`, TOML of its own ("3", "\"40 mm\""), set at `key`, which is no key of a single star. Lines
+/// end with LF. The result has been read back.
+///
+/// # Errors
+/// If `source`, the value or the result is refused.
+pub fn with_value(source: &Source, key: KeyPath, value: &str) -> Result<String, Faults> {
+    let raw = read(source)?.raw;
+    let refused = |fault: Fault| Faults::new(source, vec![fault]);
+    let syntax = |error: toml_edit::TomlError| {
+        refused(Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message()))
+    };
+    let mut document: DocumentMut = source.text.parse().map_err(syntax)?;
+    let value: Value = value.parse().map_err(syntax)?;
+    let item = document.entry(key.section()).or_insert_with(toml_edit::table);
+    let inline = item.is_inline_table();
+    let Some(section) = item.as_table_like_mut() else {
+        let fault = Fault::error(FaultCode::Edit, raw.span_of(key), "the section cannot be edited here");
+        return Err(refused(
+            fault.label("must take a new value").help("write it as a section with one key a line"),
+        ));
+    };
+    set(section, inline, key.key(), value);
+    let edited = Source::new(format!("{}, edited", source.name), document.to_string());
+    let _ = read(&edited)?;
+    Ok(edited.text)
+}
+
 /// Sets `key`; the blanks and comments around an old value stay.
 fn set(section: &mut dyn TableLike, inline: bool, key: &str, mut value: Value) {
     if let Some(old) = section.get_mut(key).and_then(Item::as_value_mut) {
@@ -121,6 +148,24 @@ mod tests {
 
     const TEXT: &str = "schema = 1\nname = \"x\"\n[star]\npoints = 5   # n\ninner_radius = \"50 mm\"\n\
                         tube_width = \"30 mm\"\ntip_angle = \"30 deg\"\n\n# the end\n[stack]\ncount = 2\n";
+
+    #[test]
+    fn single_values_are_set_wherever_they_stand() {
+        let source = |text: &str| Source::new("x", text);
+        let more = with_value(&source(TEXT), key::stack::COUNT, "4").expect("a count");
+        assert!(more.contains("count = 4\n") && more.contains("# the end"), "{more}");
+        let load = with_value(&source(TEXT), key::load::PRESSURE, "\"20 kPa\"").expect("a pressure");
+        let found = read(&source(&load)).expect("valid").spec;
+        assert_eq!(found.load.and_then(|load| load.pressure).map(|p| p.0), Some(20.0));
+        let dotted = TEXT.replace("[stack]\ncount = 2\n", "").replace("[star]", "stack.count = 2\n[star]");
+        assert!(
+            with_value(&source(&dotted), key::stack::COUNT, "3")
+                .expect("a count")
+                .contains("stack.count = 3")
+        );
+        assert!(with_value(&source(TEXT), key::stack::COUNT, "0").is_err());
+        assert!(with_value(&source(TEXT), key::stack::COUNT, "= 0").is_err());
+    }
 
     /// The same star in every layout that TOML has for it.
     const LAYOUTS: [&str; 9] = [

@@ -103,7 +103,7 @@ keys! {
         WIDTH "width", HEIGHT "height", MARGIN "margin", GAP "gap", TURN "turn", HOLE_DIAMETER "hole_diameter",
     }
     machine "machine" { PROFILE "profile", PROGRAM "program", FEED_FLOOR "feed_floor" }
-    load "load" { PRESSURE "pressure", OBJECT_RADIUS "object_radius", FRICTION "friction" }
+    load "load" { PRESSURE "pressure", OBJECT_RADIUS "object_radius", FRICTION "friction", MASS "mass", LARGEST_FORCE "largest_force" }
     accuracy "accuracy" { PATH "path", MODEL "model", RESPONSE "response" }
 }
 

@@ -34,6 +34,7 @@ mod starter;
 mod syntax;
 mod unknown;
 mod value;
+mod values;
 
 pub use allowed::Allowed;
 pub use builtin::UnknownMachine;
@@ -56,5 +57,6 @@ pub use profile::{builtin_machine, builtin_machines, read_machine};
 pub use raw::RawSpec;
 pub use reading::{Reading, TOXIC, read};
 pub use source::{SIZE_LIMIT, Source};
-pub use starter::starter;
+pub use starter::{quoted, starter};
 pub(crate) use unknown::nearest;
+pub use values::{Setting, settings};

@@ -1,6 +1,8 @@
 //! The spec itself: one struct a section, every field complete and in range.
 
-use crate::units::{Angle, ArealDensity, Length, LineForce, Percent, Pressure, Speed, Temperature};
+use crate::units::{
+    Angle, ArealDensity, Force, Length, LineForce, Mass, Percent, Pressure, Speed, Temperature,
+};
 
 /// A complete and valid specification of a gripper.
 #[derive(Clone, Debug, PartialEq)]
@@ -226,7 +228,7 @@ pub enum FeedFloor {
 }
 
 /// What the gripper shall do; without it nothing is predicted.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Load {
     /// Gauge pressure p.
     pub pressure: Option<Pressure>,
@@ -234,6 +236,10 @@ pub struct Load {
     pub object_radius: Option<Length>,
     /// Friction coefficient mu between corner and object.
     pub friction: Option<f64>,
+    /// Mass of the object that friction shall hold.
+    pub mass: Option<Mass>,
+    /// Largest radial force of one star that the object bears.
+    pub largest_force: Option<Force>,
 }
 
 /// How exact outputs and predictions must be.

@@ -231,6 +231,8 @@ fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
         pressure: s.quantity("pressure", Allowed::closed(1e-3, 1e6)),
         object_radius: s.quantity("object_radius", SIZE),
         friction: s.number("friction", Allowed::above(0.0, 10.0)),
+        mass: s.quantity("mass", Allowed::above(0.0, 1e4)),
+        largest_force: s.quantity("largest_force", Allowed::above(0.0, 1e6)),
     };
     s.is_written().then_some(load)
 }

@@ -3,7 +3,7 @@
 use crate::spec::name::{NameFault, check_name};
 
 /// The starter, with a placeholder for the name.
-const TEMPLATE: &str = include_str!("../../templates/spec.toml");
+pub(super) const TEMPLATE: &str = include_str!("../../templates/spec.toml");
 /// The placeholder, a whole TOML string so that nothing else in the text can match it.
 const PLACEHOLDER: &str = "\"NAME\"";
 
@@ -12,10 +12,17 @@ const PLACEHOLDER: &str = "\"NAME\"";
 /// # Errors
 /// If `name` cannot be a spec's name.
 pub fn starter(name: &str) -> Result<String, NameFault> {
+    Ok(TEMPLATE.replacen(PLACEHOLDER, &quoted(name)?, 1))
+}
+
+/// `name` as TOML writes it.
+///
+/// # Errors
+/// If `name` cannot be a spec's name.
+pub fn quoted(name: &str) -> Result<String, NameFault> {
     check_name(name)?;
     // A name holds no control characters, so these two are all that TOML wants escaped.
-    let escaped = name.replace('\\', "\\\\").replace('"', "\\\"");
-    Ok(TEMPLATE.replacen(PLACEHOLDER, &format!("\"{escaped}\""), 1))
+    Ok(format!("\"{}\"", name.replace('\\', "\\\\").replace('"', "\\\"")))
 }
 
 #[cfg(test)]

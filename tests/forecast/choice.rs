@@ -1,82 +1,51 @@
-//! Which model answers, by errors that add up from known parts.
+//! Which model answers, and where each is outside of its validity.
 
-use crate::close;
-use stargrip_cam::forecast::choice::{BVP_BETA, Question, choose, estimate, limits_of_validity, take};
+use crate::{case, gripper, paper, predict};
+use stargrip_cam::forecast::choice::{hinge_model, limits_of_validity};
 use stargrip_cam::mechanics::hinge::Level;
-use stargrip_cam::mechanics::hinge::fit::{TARGET_COILING, target_curvature};
-use stargrip_cam::mechanics::hinge::ring::RingTable;
-use stargrip_cam::mechanics::strength::limit_estimate;
-
-const QUESTION: Question = Question { r_stars: [0.1, 0.3], bendability: None, stretch: 0.0, accepted: 0.05 };
-
-fn table() -> RingTable {
-    RingTable::new().expect("solved")
-}
+use stargrip_cam::spec::ModelChoice;
 
 #[test]
-fn the_fits_error_is_its_distance_from_the_ring_at_the_worse_hinge() {
-    let table = table();
-    let [mut coiling, mut stiffness] = [0.0_f64; 2];
-    for r_star in QUESTION.r_stars {
-        let exact = table.at(r_star).expect("in range");
-        coiling = coiling.max((TARGET_COILING / exact.lambda_t - 1.0).abs());
-        stiffness = stiffness.max((target_curvature(r_star) / exact.curvature - 1.0).abs());
+fn auto_takes_the_section_at_a_pressure_and_says_what_the_solver_says() {
+    for points in 3..=7 {
+        let auto = predict(&gripper(points)).first;
+        let mut asked = gripper(points);
+        asked.accuracy.model = ModelChoice::Section;
+        let solved = predict(&asked).first;
+        assert_eq!((auto.model, solved.model), ("section", "section"));
+        let [fast, slow] = [&auto, &solved].map(|star| star.final_radius_mm.expect("at a pressure"));
+        assert!((fast / slow - 1.0).abs() < 0.03, "n = {points}: {fast} {slow}");
+        // That it was asked for is no warning.
+        assert!(solved.evidence.choice.contains("asked for"));
+        assert!(solved.evidence.warnings.iter().all(|warning| !warning.contains("asked for")));
+        assert!(auto.nonlinear.is_none() && solved.nonlinear.is_none());
     }
-    let found = estimate(Level::Fit, &QUESTION, &table);
-    close(found.coiling, coiling, 1e-12);
-    close(found.stiffness, stiffness, 1e-12);
-    let turned = Question { r_stars: [0.3, 0.1], ..QUESTION };
-    assert_eq!(estimate(Level::Fit, &turned, &table), found);
-}
-
-#[test]
-fn the_penalty_costs_a_known_gap() {
-    let found = estimate(Level::Bvp, &QUESTION, &table());
-    // ln(beta) / beta for 1000.
-    close(found.coiling, 2.0 * 0.001 * BVP_BETA.ln(), 1e-12);
-    close(found.stiffness, 7.0 * 0.001 * BVP_BETA.ln(), 1e-12);
-}
-
-#[test]
-fn a_pressure_adds_the_finite_bendability_and_the_stretch() {
-    let table = table();
-    let asked = Question { bendability: Some(2000.0), stretch: 0.007, ..QUESTION };
-    for level in [Level::Fit, Level::Ring, Level::Bvp] {
-        let (own, whole) = (estimate(level, &QUESTION, &table), estimate(level, &asked, &table));
-        let limit = limit_estimate(2000.0);
-        close(whole.coiling, own.coiling + limit.coiling + 0.007, 1e-12);
-        close(whole.stiffness, own.stiffness + limit.stiffness + 0.007, 1e-12);
-    }
-}
-
-#[test]
-fn what_is_accepted_is_accepted_to_the_last_bit() {
-    let table = table();
-    let fit = estimate(Level::Fit, &QUESTION, &table);
-    let worst = fit.coiling.max(fit.stiffness);
-    let with = |accepted| choose(&Question { accepted, ..QUESTION }, &table);
-    assert_eq!((with(worst).level, with(worst).error), (Level::Fit, fit));
-    assert_eq!(with(worst * (1.0 - 1e-12)).level, Level::Ring);
-    assert!(with(worst).reason.contains(&format!("estimated error, {:.3} %,", 100.0 * worst)));
-    let none = with(1e-13);
-    assert_eq!((none.level, none.good_enough), (Level::Ring, false));
-    assert!(take(Level::Fit, &Question { accepted: worst, ..QUESTION }, &table).good_enough);
-    assert!(!take(Level::Fit, &Question { accepted: worst * (1.0 - 1e-12), ..QUESTION }, &table).good_enough);
 }
 
 #[test]
 fn limits_are_named_once_and_only_beyond_them() {
-    let said = |level, question: Question| limits_of_validity(level, &question);
-    assert!(said(Level::Ring, Question { bendability: Some(1000.0), stretch: 0.02, ..QUESTION }).is_empty());
-    let low = said(Level::Ring, Question { bendability: Some(999.0), ..QUESTION });
-    assert!(low.len() == 1 && low[0].starts_with("bendability 999 is below 1000"), "{low:?}");
-    let stretched = said(Level::Ring, Question { bendability: Some(1e4), stretch: 0.021, ..QUESTION });
-    assert!(stretched.len() == 1 && stretched[0].starts_with("p W / Y is 0.021"), "{stretched:?}");
+    let base = case(&paper(5));
+    let said = |level, r_stars: [f64; 2], kilopascals: f64| {
+        let mut case = base;
+        case.pressure = Some(1e3 * kilopascals);
+        (case.mechanism.tip_radius, case.mechanism.corner_radius) = (0.03 * r_stars[0], 0.03 * r_stars[1]);
+        let model = hinge_model(level, &case.sheet, case.pressure, 0.03).expect("covered");
+        limits_of_validity(model.as_ref(), &case)
+    };
+    let low = said(Level::Ring, [0.1; 2], 12.0);
+    assert!(
+        low.len() == 1 && low[0].starts_with("bendability 95") && low[0].contains("below 1000"),
+        "{low:?}"
+    );
+    assert!(said(Level::Ring, [0.1; 2], 13.0)[0].contains("a limit that no gripper works at"));
+    let stretched = said(Level::Ring, [0.1; 2], 37.0);
+    assert!(stretched.len() == 2 && stretched[1].starts_with("p W / Y is 0.029"), "{stretched:?}");
     // Two equal hinges are one warning, two that differ are two, and only the fit has them.
-    let sharp = |r_stars| said(Level::Fit, Question { r_stars, ..QUESTION });
-    assert_eq!((sharp([0.0, 0.0]).len(), sharp([0.0, 20.0]).len()), (1, 2));
-    assert!(said(Level::Ring, Question { r_stars: [0.0, 20.0], ..QUESTION }).is_empty());
-    // Stiffness was published over a range, the coiling for one R* only.
-    assert_eq!(sharp([0.1, 0.3]), ["the published target coiling was not given for R* = 0.3000"]);
-    assert_eq!(sharp([0.1, 20.0]), ["the published constants were not given for R* = 20.0000"]);
+    let fit = |r_stars| said(Level::Fit, r_stars, 20.0).into_iter().skip(1).collect::<Vec<_>>();
+    assert_eq!((fit([0.0, 0.0]).len(), fit([0.0, 20.0]).len()), (1, 2));
+    assert_eq!(fit([0.1, 0.3]), ["the published target coiling was not given for R* = 0.3000"]);
+    assert_eq!(fit([0.1, 20.0]), ["the published constants were not given for R* = 20.0000"]);
+    // The section has none inside of its table of arms, and one beyond.
+    assert!(said(Level::Section, [0.0; 2], 37.0).is_empty());
+    assert!(said(Level::Section, [1.5; 2], 37.0)[0].contains("without arms"));
 }

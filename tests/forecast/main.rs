@@ -4,15 +4,17 @@ mod choice;
 mod optimize;
 mod outcome;
 mod page;
+mod ranges;
 mod seal_load;
 mod sweep;
+mod verdict;
 
 use stargrip_cam::design::{Design, Star};
 use stargrip_cam::forecast::candidate::Candidate;
 use stargrip_cam::forecast::case::Case;
 use stargrip_cam::forecast::predict;
 use stargrip_cam::forecast::prediction::Prediction;
-use stargrip_cam::spec::{Source, Spec, builtin_machine, read, read_machine};
+use stargrip_cam::spec::{ModelChoice, Source, Spec, builtin_machine, read, read_machine};
 
 /// The paper's star, 3 of them, with all that can be asked about it.
 const PAPER: &str = r#"
@@ -36,8 +38,15 @@ object_radius = "30 mm"
 friction = 0.5
 "#;
 
-/// The paper's gripper with `points` points.
+/// The paper's gripper with `points` points, as the membrane's limit sees it.
 fn paper(points: u32) -> Spec {
+    let mut spec = gripper(points);
+    spec.accuracy.model = ModelChoice::Ring;
+    spec
+}
+
+/// The same at its pressure.
+fn gripper(points: u32) -> Spec {
     let mut spec = read(&Source::new("test", PAPER)).expect("valid").spec;
     spec.stars.iter_mut().for_each(|star| star.points = points);
     spec

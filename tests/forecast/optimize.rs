@@ -7,27 +7,25 @@ use stargrip_cam::forecast::candidate::{Answer, Candidate};
 use stargrip_cam::forecast::optimize::{
     Bounds, Constraints, Evaluated, Found, Goal, ROUNDING, search, thinned,
 };
+use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::mechanics::hinge::ring::RingTable;
 use stargrip_cam::units::{Angle, Length};
 use std::sync::LazyLock;
 
 static TABLE: LazyLock<RingTable> = LazyLock::new(|| RingTable::new().expect("solved"));
 
-/// The box that holds `base`'s star alone.
 fn just(base: &Candidate) -> Bounds {
-    Bounds {
-        points: base.star.points..=base.star.points,
-        tip_angle: [base.star.tip_angle; 2],
-        width: [base.star.tube_width; 2],
-        tip_radius: [base.star.tip_radius; 2],
-        corner_radius: [base.star.corner_radius; 2],
-    }
+    Bounds::just(base)
 }
 
 fn violation(base: &Candidate, constraints: Constraints) -> f64 {
     let found = search(base, &just(base), &constraints, Goal::Fabric, &TABLE);
     assert_eq!((found.best.len(), found.best[0].violation == 0.0), (1, !found.front.is_empty()));
     found.best[0].violation
+}
+
+fn outcome(base: &Candidate) -> Outcome {
+    answer(base).outcome.expect("a limit")
 }
 
 fn answer(base: &Candidate) -> Answer {
@@ -56,18 +54,18 @@ fn a_grasp_is_closed_to_entered_and_opened_to() {
         violation(base, Constraints { grasp: Some([close, open].map(Length)), ..Constraints::default() })
     };
     let five = candidate(&paper(5));
-    let closed = answer(&five).outcome.rest.radius * 1e3;
+    let closed = outcome(&five).rest.radius * 1e3;
     assert_eq!(grasp(&five, closed + 1e-6, 50.0), 0.0);
     close(grasp(&five, closed / 1.25, 50.0), 0.25, 1e-9);
     // Five points open wide enough, and the flat star's 50 mm are a fifth short of 62.5 mm.
-    let widest = answer(&five).outcome.rest.widest.radius * 1e3;
+    let widest = outcome(&five).rest.widest.radius * 1e3;
     assert!(widest > 50.0);
     let short = |found: f64, least: f64| ((least - found) / least).max(0.0);
     let expected = 0.2 + short(widest, 62.5 * (1.0 + ROUNDING));
     close(grasp(&five, 49.0, 62.5), expected, 1e-9);
     // Seven points open to 48.3 mm only, though 50 mm enter.
     let seven = candidate(&paper(7));
-    let widest = answer(&seven).outcome.rest.widest.radius * 1e3;
+    let widest = outcome(&seven).rest.widest.radius * 1e3;
     close(grasp(&seven, 49.0, 50.0), short(widest, 50.0 * (1.0 + ROUNDING)), 1e-9);
 }
 
@@ -79,7 +77,8 @@ fn arms_shorter_than_half_a_width_count_and_all_shortfalls_add_up() {
     let own = answer(&base);
     let arms = (15.0 - own.star.l) / 15.0;
     close(violation(&base, Constraints::default()), arms, 1e-9);
-    let [least, widest] = [own.outcome.rest.radius, own.outcome.rest.widest.radius].map(|m| m * 1e3);
+    let rest = own.outcome.expect("a limit").rest;
+    let [least, widest] = [rest.radius, rest.widest.radius].map(|m| m * 1e3);
     let across = 2.0 * (own.star.tip_reach() + base.seal.band.0 + base.seal.allowance.0);
     let margin = own.burst.expect("a strength").0 / 37.0;
     let constraints = Constraints {
@@ -87,6 +86,7 @@ fn arms_shorter_than_half_a_width_count_and_all_shortfalls_add_up() {
         payload: own.payload.map(|payload| 2.0 * payload),
         sheet: Some(Length(across / 1.75)),
         burst_margin: Some(margin / 0.4),
+        ..Constraints::default()
     };
     let opened = 1.0 - widest / (100.0 * (1.0 + ROUNDING));
     close(violation(&base, constraints), arms + 0.5 + 0.5 + opened + 0.5 + 0.75 + 0.6, 1e-9);
@@ -116,9 +116,10 @@ fn found(goal: Goal) -> Found {
 /// What a goal makes least.
 fn cost(goal: Goal, of: &Evaluated) -> f64 {
     match goal {
-        Goal::Contraction => -of.answer.outcome.contraction,
-        Goal::Stiffness => -of.answer.outcome.stiffness.expect("a pressure"),
-        Goal::Fabric => of.answer.fabric.expect("it can be cut"),
+        Goal::Contraction => -of.answer.outcome.expect("a limit").contraction,
+        Goal::Stiffness => -of.answer.outcome.expect("a limit").stiffness.expect("a pressure"),
+        Goal::Fabric => of.fabric(),
+        Goal::Payload => -of.answer.payload.expect("all is given"),
     }
 }
 
@@ -138,7 +139,8 @@ fn each_goal_is_served_best_by_its_own_search() {
         }
         let least = own.front.iter().map(|on| cost(goal, on)).fold(f64::INFINITY, f64::min);
         assert_eq!(least, costs[0], "{goal:?}");
-        let contractions: Vec<f64> = own.front.iter().map(|on| on.answer.outcome.contraction).collect();
+        let contractions: Vec<f64> =
+            own.front.iter().map(|on| on.answer.outcome.expect("a limit").contraction).collect();
         assert!(contractions.windows(2).all(|pair| pair[0] >= pair[1]));
     }
 }

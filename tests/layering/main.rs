@@ -21,7 +21,7 @@ const MAY_USE: [(&str, &[&str]); 19] = [
     ("plan", &["design", "geom", "spec", "units"]),
     ("artifact", &["design", "spec"]),
     ("manifest", &["artifact", "design", "plan", "spec"]),
-    ("emit", &["design", "geom", "plan", "spec", "units"]),
+    ("emit", &["design", "forecast", "geom", "manifest", "plan", "spec", "units"]),
     ("verify", &["artifact", "design", "forecast", "geom", "manifest", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
     ("coupon", &["design", "emit", "geom", "plan", "spec", "units"]),

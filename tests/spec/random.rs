@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use stargrip_cam::spec::{Load, Source, Spec, read, read_machine, starter};
 use stargrip_cam::units::{
-    Angle, ArealDensity, Length, LineForce, Percent, Pressure, Quantity, Speed, Temperature,
+    Angle, ArealDensity, Force, Length, LineForce, Mass, Percent, Pressure, Quantity, Speed, Temperature,
 };
 
 use crate::{SHORTEST, spec, try_read};
@@ -36,7 +36,7 @@ const EXTRA: (f64, f64) = (0.0, 1e5);
 const LENGTH: Units = Length::UNITS;
 
 fn load(spec: &mut Spec) -> &mut Load {
-    spec.load.get_or_insert(Load { pressure: None, object_radius: None, friction: None })
+    spec.load.get_or_insert_with(Load::default)
 }
 
 /// Every key that takes a quantity or a plain number.
@@ -81,6 +81,8 @@ const KEYS: &[Key] = &[
     key("load", "pressure", Pressure::UNITS, (1e-3, 1e6), |s, x| load(s).pressure = Some(Pressure(x))),
     key("load", "object_radius", LENGTH, SIZE, |s, x| load(s).object_radius = Some(Length(x))),
     key("load", "friction", &[], (1e-9, 10.0), |s, x| load(s).friction = Some(x)),
+    key("load", "mass", Mass::UNITS, (1e-9, 1e4), |s, x| load(s).mass = Some(Mass(x))),
+    key("load", "largest_force", Force::UNITS, (1e-9, 1e6), |s, x| load(s).largest_force = Some(Force(x))),
     key("accuracy", "path", LENGTH, (1e-4, 1.0), |s, x| s.accuracy.path = Length(x)),
     key("accuracy", "response", Percent::UNITS, (1e-9, 100.0), |s, x| s.accuracy.response = Percent(x)),
 ];

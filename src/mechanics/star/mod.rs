@@ -8,19 +8,22 @@
 //! (rho + w + r_e) sin(pi/n) = l sin(phi_i/2) + (w + r_i + r_e) cos(phi_i/2)
 //! ```
 //!
-//! Flat: `w = W`, `r = R`, `rho = rho_0`; this fixes l, which is given here. Inflated: `w = W' = 2 W / pi`, the arms'
-//! width as a cylinder, and `r = R / lambda`, because a coiled hinge keeps the length of its inner arc.
+//! Flat: `w = W`, `r = R`, `rho = rho_0`; this fixes l, which is given here. Inflated: `w = W'`, 2 W / pi as a cylinder or what a
+//! [`Correction`] says, and `r = R / lambda`, because a coiled hinge keeps the length of its inner arc.
 //!
 //! On `[0, pi - 2 pi / n)` rho is **concave** in phi_i: sin and cos of half the angle are, and so are the terms of the
 //! coiled hinges, `R_i cos(phi/2) / (pi - phi)` and `R_e [cos(phi/2) - sin(pi/n)] / (pi - 2 pi/n - phi)`, which are
 //! means of a falling cosine over an interval. So rho has one maximum, at which the arms lock:
 //! no force on the corners opens the star any further.
 
+pub mod correction;
 pub mod response;
+
+pub use self::correction::Correction;
 
 use crate::mechanics::hinge::Hinge;
 use crate::numerics::{RootFault, bracketed_root};
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::PI;
 
 /// What moves of a star; lengths in m, angles in rad. It is that of a flat star that exists: see each range.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,6 +40,8 @@ pub struct Mechanism {
     pub tip_radius: f64,
     /// Flat inner radius of curvature R_e of the corners, 0 or more.
     pub corner_radius: f64,
+    /// What inflation does beyond hinges and rigid arms.
+    pub correction: Correction,
 }
 
 /// Radius and its derivatives by the tip's angle.
@@ -83,9 +88,9 @@ impl Mechanism {
         Hinge { r_star: corner_radius / width, width, rest_angle: tip_angle + self.turn() }
     }
 
-    /// Inflated width W' = 2 W / pi of the arms, m.
+    /// Inflated width W' of the arms, m; that of cylinders is 2 W / pi.
     pub fn inflated_width(&self) -> f64 {
-        FRAC_2_PI * self.width
+        self.correction.width * self.width
     }
 
     /// Inner radius rho of the inflated star at the tip angle `phi` (rad, below `pi - 2 pi / n`).
@@ -104,7 +109,8 @@ impl Mechanism {
         let corner = coiled(self.corner_radius, self.corner(), phi + self.turn());
         let width = self.inflated_width();
         let across = width + tip[0] + corner[0];
-        let value = self.arm * sin + across * cos - (width + corner[0]) * sector;
+        let rim = self.correction.rim * self.width;
+        let value = self.arm * sin + across * cos - (width + corner[0]) * sector + rim;
         let slope = 0.5 * (self.arm * cos - across * sin) + (tip[1] + corner[1]) * cos - corner[1] * sector;
         let curvature = -0.25 * (self.arm * sin + across * cos) - (tip[1] + corner[1]) * sin
             + (tip[2] + corner[2]) * cos
@@ -133,7 +139,7 @@ impl Mechanism {
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(in crate::mechanics) mod tests {
     use super::*;
 
     /// The mechanism of a flat star of inner radius `rho_0`, whose arms are as long as its other dimensions make them.
@@ -153,6 +159,7 @@ pub(super) mod tests {
             tip_angle: 30.0_f64.to_radians(),
             tip_radius: 0.0,
             corner_radius: 0.0,
+            correction: Correction::default(),
         };
         flat(0.05, sharp)
     }

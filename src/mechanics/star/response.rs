@@ -32,9 +32,9 @@ pub struct Inflated<'a> {
 /// Where a star rests.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rest {
-    /// Angle phi_i^eq at which the torque vanishes, rad; below 0 the arms would cross.
+    /// Angle phi_i^eq at which the torque vanishes, rad; below [`Rest::angle`] the arms would cross.
     pub equilibrium: f64,
-    /// Angle at which it rests: `max(0, phi_i^eq)`, because the arms touch at 0.
+    /// Angle at which it rests: that, but not less than where the arms touch, which is 0 without a correction.
     pub angle: f64,
     /// Final inner radius rho_f, m.
     pub radius: f64,
@@ -75,6 +75,11 @@ impl<'a> Inflated<'a> {
         self.model.level()
     }
 
+    /// The model.
+    pub fn model(&self) -> &'a dyn HingeModel {
+        self.model
+    }
+
     /// The tip's hinge at its target.
     pub fn tip(&self) -> &HingeState {
         &self.tip
@@ -113,10 +118,11 @@ impl<'a> Inflated<'a> {
     pub fn linear_rest(&self) -> Rest {
         let equilibrium = self.linear_equilibrium();
         let (tip, corner) = self.hinge_stiffness();
-        let spring = f64::from(self.star.points) * (tip + corner);
-        let angle = equilibrium.max(0.0);
+        let angle = equilibrium.max(self.star.correction.touch);
+        let softness = self.star.correction.softness(self.star, angle);
+        let spring = softness * f64::from(self.star.points) * (tip + corner);
         let radius = self.star.radius(angle);
-        rest(equilibrium, spring * (angle - equilibrium), spring, &radius, self.star.widest(angle))
+        rest([equilibrium, angle], spring * (angle - equilibrium), spring, &radius, self.star.widest(angle))
     }
 
     /// Rest with the model's own V_bar'.
@@ -125,13 +131,13 @@ impl<'a> Inflated<'a> {
     /// If the model refuses a coiling factor on the way, or does not let the torque vanish in its range.
     pub fn rest(&self) -> Result<Rest, StarFault> {
         let equilibrium = self.equilibrium()?;
-        let angle = equilibrium.max(0.0);
+        let angle = equilibrium.max(self.star.correction.touch);
         let (mut torque, spring) = self.torque(angle)?;
-        if equilibrium >= 0.0 {
+        if equilibrium >= self.star.correction.touch {
             // The root is only found to a tolerance; what is left of the torque is no preload.
             torque = 0.0;
         }
-        Ok(rest(equilibrium, torque, spring, &self.star.radius(angle), self.star.widest(angle)))
+        Ok(rest([equilibrium, angle], torque, spring, &self.star.radius(angle), self.star.widest(angle)))
     }
 
     /// Angle phi_i at which the torque vanishes, rad, not clamped.
@@ -205,8 +211,9 @@ impl<'a> Inflated<'a> {
     pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         let phi = self.angle_at(rho, rest)?;
         let (tip, corner) = self.hinge_stiffness();
-        let torque = f64::from(self.star.points) * (tip + corner) * (phi - rest.equilibrium);
-        Ok(torque / self.star.radius(phi).slope)
+        let softness = self.star.correction.softness(self.star, rest.angle);
+        let spring = softness * f64::from(self.star.points) * (tip + corner);
+        Ok(spring * (phi - rest.equilibrium) / self.star.radius(phi).slope)
     }
 
     /// Tip angle (rad) at which the inner radius is `rho` (m), between rest and the widest opening.
@@ -224,16 +231,9 @@ impl<'a> Inflated<'a> {
 }
 
 /// The rest at the angle where `radius` was taken, with the closing torque left there and the spring dtorque/dphi.
-fn rest(equilibrium: f64, torque: f64, spring: f64, radius: &Radius, widest: Widest) -> Rest {
+fn rest([equilibrium, angle]: [f64; 2], torque: f64, spring: f64, radius: &Radius, widest: Widest) -> Rest {
     let stiffness = (spring - torque * radius.curvature / radius.slope) / (radius.slope * radius.slope);
-    Rest {
-        equilibrium,
-        angle: equilibrium.max(0.0),
-        radius: radius.value,
-        preload: torque / radius.slope,
-        stiffness,
-        widest,
-    }
+    Rest { equilibrium, angle, radius: radius.value, preload: torque / radius.slope, stiffness, widest }
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::contact::Obstacle;
 use crate::shell::mesh::{Border, HalfSector, Mesh, Sizes, plane};
-use crate::shell::solver::{Rung, Solver};
+use crate::shell::solver::{Aim, Rung, Solver, Stop};
 
 /// A flat star, SI units and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,7 @@ pub struct InflatedStar {
     pub contact_area: Value,
     /// Sum of the radial forces on all corners by their radial displacement, N/m, where each corner's section moves as a whole.
     pub radial_stiffness: Value,
-    /// Radius of a round object, m, and the sum of the radial forces on it, N.
+    /// Each object that was asked for, by its radius or its opening, m, and the sum of the radial forces on it, N.
     pub forces: Vec<(f64, Value)>,
     /// The hardest loaded places; on the finest mesh.
     pub extremes: Extremes,
@@ -60,11 +60,32 @@ const WHOLE: usize = 6;
 const NUMBERS: usize = WHOLE + 2;
 /// The corner's plane of symmetry.
 const CORNER: Border = Border::Mirror(plane::FIRST);
+/// The object among the obstacles.
+const POST: usize = 2;
 /// Objects of one call: more are asked for in another.
 pub const MOST_OBJECTS: usize = 8;
 
-/// Largest growth of an object in one solve, by W.
-const OPENING: f64 = 0.05;
+/// Largest growth of an object in one solve, by W, and how often it is halved where that is too much.
+const GROWTH: f64 = 0.15;
+const MOST_HALVINGS: i32 = 4;
+
+/// Round objects that a star is pressed against, smallest first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Objects<'a> {
+    /// By their radii, m.
+    Radii(&'a [f64]),
+    /// By how much wider than the star at rest they are, m, on each mesh: meshes agree better on the force against the opening
+    /// than on the rest. Those that a mesh does not reach are not numbers.
+    Openings(&'a [f64]),
+}
+
+impl Objects<'_> {
+    fn sizes(&self) -> &[f64] {
+        match self {
+            Self::Radii(sizes) | Self::Openings(sizes) => sizes,
+        }
+    }
+}
 
 impl FlatStar {
     fn sector(&self) -> Result<HalfSector, ShellFault> {
@@ -81,19 +102,20 @@ impl FlatStar {
     }
 }
 
-/// Inflates a star from flat, then presses it against round objects of the given radii (m), smallest first.
+/// Inflates a star from flat, then presses it against round objects.
 ///
 /// # Errors
 /// If it is out of range or has no stable equilibrium: where it stopped, and why.
 pub fn star(
     case: &FlatStar,
-    objects: &[f64],
+    objects: Objects<'_>,
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
     let sector = case.sector()?;
-    if objects.len() > MOST_OBJECTS {
-        return Err(ShellFault::TooMany { name: "objects", found: objects.len(), most: MOST_OBJECTS });
+    let count = objects.sizes().len();
+    if count > MOST_OBJECTS {
+        return Err(ShellFault::TooMany { name: "objects", found: count, most: MOST_OBJECTS });
     }
     let coarsest = sector.mesh(&Sizes::across(1.0, fineness.cells))?;
     let planes = [Plane::first(), Plane::second(sector.half_angle())];
@@ -109,7 +131,10 @@ pub fn star(
         numbers[..WHOLE].copy_from_slice(&whole);
         numbers[WHOLE..NUMBERS].copy_from_slice(&[worst.seal_tension, worst.stretch]);
         shape = Shape::new(&case.tube, solver, &meshed.mesh, &rung.state);
+        // The next mesh begins without the objects.
+        let alone = solver.contact.clone();
         press(case, objects, solver, rung, &mut numbers[NUMBERS..])?;
+        solver.contact = alone;
         Ok(numbers)
     })?;
     let w = case.tube.width;
@@ -122,7 +147,12 @@ pub fn star(
         preload: values[3].scaled(2.0 * force),
         contact_area: values[4].scaled(w * w),
         radial_stiffness: values[5].scaled(sheets * force / w),
-        forces: objects.iter().zip(&values[NUMBERS..]).map(|(r, f)| (*r, f.scaled(sheets * force))).collect(),
+        forces: objects
+            .sizes()
+            .iter()
+            .zip(&values[NUMBERS..])
+            .map(|(r, f)| (*r, f.scaled(sheets * force)))
+            .collect(),
         extremes: worst.scaled(case.tube.fabric.stretch, w, [values[6], values[7]]),
         shape,
         evidence,
@@ -167,25 +197,60 @@ fn tip_angle(sector: &HalfSector, mesh: &Mesh, state: &State) -> f64 {
 /// Opens the star by each object in turn, and writes the force of one sheet of half a sector on it.
 fn press(
     case: &FlatStar,
-    objects: &[f64],
+    objects: Objects<'_>,
     solver: &mut Solver,
     rung: &Rung,
     forces: &mut [f64],
 ) -> Result<(), ShellFault> {
     let mut state = rung.state.clone();
     let nearest = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
+    let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
     let mut radius = nearest;
     let aim = case.tube.ladder().aim(rung.pressure);
-    for (object, force) in objects.iter().zip(forces) {
-        let last = (object / case.tube.width).max(nearest);
-        while radius < last {
-            radius = (radius + OPENING).min(last);
-            if let Some(contact) = &mut solver.contact {
-                contact.replace(2, Obstacle::Post { radius });
+    for (index, size) in objects.sizes().iter().enumerate() {
+        let last = (origin + size / case.tube.width).max(nearest);
+        match open(solver, &mut state, aim, [radius, last]) {
+            Ok(()) => {}
+            Err(why) if why == Stop::Cancelled || origin == 0.0 => {
+                return Err(case.tube.stopped(why, solver.triangles()));
             }
-            let _ = solver.rest(&mut state, aim).map_err(|why| case.tube.stopped(why, solver.triangles()))?;
+            Err(_) => {
+                forces[index..].fill(f64::NAN);
+                return Ok(());
+            }
         }
-        *force = solver.contact.as_ref().map_or(0.0, |contact| contact.force(2));
+        radius = last;
+        forces[index] = solver.contact.as_ref().map_or(0.0, |contact| contact.force(POST));
+    }
+    Ok(())
+}
+
+/// Widens the object from one radius to another, by W, as fast as the star follows.
+fn open(solver: &mut Solver, state: &mut State, aim: Aim, [from, to]: [f64; 2]) -> Result<(), Stop> {
+    let (mut radius, mut growth) = (from, GROWTH);
+    while radius < to {
+        let (before, pressed) = (state.clone(), solver.contact.clone());
+        let next = if to - radius < 1.001 * growth { to } else { radius + growth };
+        if let Some(contact) = &mut solver.contact {
+            contact.replace(POST, Obstacle::Post { radius: next });
+        }
+        match solver.rest(state, aim) {
+            Ok(_) => {
+                radius = next;
+                // What was stiff enough for this step saves the next one rounds.
+                if let Some(contact) = &mut solver.contact {
+                    contact.floor = contact.stiffness / 4.0;
+                }
+            }
+            Err(why) if why == Stop::Cancelled || growth < GROWTH * 0.5_f64.powi(MOST_HALVINGS) => {
+                return Err(why);
+            }
+            Err(_) => {
+                state.clone_from(&before);
+                solver.contact = pressed;
+                growth /= 2.0;
+            }
+        }
     }
     Ok(())
 }

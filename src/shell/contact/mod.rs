@@ -51,6 +51,8 @@ pub struct Contact {
     areas: Vec<Vec<f64>>,
     /// k: contact pressure a unit of penetration.
     pub stiffness: f64,
+    /// Least k with which a solve begins.
+    pub floor: f64,
 }
 
 /// What is left to mend after a solve.
@@ -69,7 +71,13 @@ impl Contact {
     pub fn new(assembly: &Assembly, obstacles: Vec<Obstacle>) -> Self {
         let areas = obstacles.iter().map(|obstacle| assembly.contact_areas(wall(obstacle))).collect();
         let count = assembly.sheet.flat().points.len();
-        Self { pressures: vec![vec![0.0; count]; obstacles.len()], obstacles, areas, stiffness: 0.0 }
+        Self {
+            pressures: vec![vec![0.0; count]; obstacles.len()],
+            obstacles,
+            areas,
+            stiffness: 0.0,
+            floor: 0.0,
+        }
     }
 
     /// Changes an obstacle; contact pressures stay as they are.

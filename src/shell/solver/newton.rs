@@ -147,7 +147,7 @@ impl Solver {
     /// Where it stopped, which `state` then is.
     pub fn rest(&mut self, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
         let Some(contact) = &mut self.contact else { return self.settle(state, aim) };
-        contact.stiffness = CONTACT * aim.pressure;
+        contact.stiffness = contact.floor.max(CONTACT * aim.pressure);
         let mut before = f64::INFINITY;
         for _ in 0..MOST_ROUNDS {
             let rest = self.settle(state, aim)?;

@@ -5,6 +5,7 @@ pub(in crate::verify) mod dxf;
 pub(in crate::verify) mod dxf_words;
 pub mod gcode;
 pub(in crate::verify) mod glb;
+pub(in crate::verify) mod html;
 pub(in crate::verify) mod number;
 pub mod pdf;
 pub(in crate::verify) mod png;

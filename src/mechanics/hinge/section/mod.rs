@@ -19,12 +19,14 @@ mod potential;
 mod profile;
 mod solve;
 mod table;
+mod tabled;
 #[cfg(test)]
 mod tests;
 
 pub use self::arms::Arms;
 pub use self::profile::{Meridian, MeridianPoint};
 pub use self::table::{SectionEntry, SectionTable};
+pub use self::tabled::Tabled;
 
 use self::density::{Hoop, Scales};
 use self::mesh::Mesh;

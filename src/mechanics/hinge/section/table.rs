@@ -60,6 +60,27 @@ impl SectionEntry {
         -away * self.stiffness * self.secant(x).exp()
     }
 
+    /// d2V_bar/dlambda2 at `lambda`, in the same range.
+    pub fn curvature(&self, lambda: f64) -> f64 {
+        let away = lambda - self.lambda;
+        let x = away / (self.lambda - 1.0);
+        -self.stiffness * self.secant(x).exp() * (1.0 + x * self.secant_slope(x))
+    }
+
+    /// The derivative of the quartic by x.
+    fn secant_slope(&self, x: f64) -> f64 {
+        let term = |i: usize| {
+            let others = OFFSETS.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, at)| *at);
+            // The product over the roots, 0 among them, and its derivative.
+            let (_, slope) = std::iter::once(0.0).chain(others).fold((1.0, 0.0), |(value, slope), root| {
+                let scale = OFFSETS[i] - root;
+                (value * (x - root) / scale, (slope * (x - root) + value) / scale)
+            });
+            self.secants[i] * slope
+        };
+        (0..4).map(term).sum()
+    }
+
     /// The quartic through the logarithms of the secants, which is 0 at 0.
     fn secant(&self, x: f64) -> f64 {
         let others = |i: usize| {

@@ -9,5 +9,6 @@ mod names;
 mod paper;
 mod pixels;
 pub(in crate::verify) mod proof;
+mod report;
 mod scene;
 mod solid;

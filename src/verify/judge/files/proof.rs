@@ -7,8 +7,9 @@ use crate::design::engraved_depth;
 use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::assembly::Assemblies;
+use crate::verify::judge::files::figures::alike;
 use crate::verify::judge::files::solid::Solid;
-use crate::verify::judge::files::{drawings, figures, names, paper, pixels, scene, solid};
+use crate::verify::judge::files::{drawings, figures, names, paper, pixels, report, scene, solid};
 use crate::verify::judge::job::Job;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -136,6 +137,10 @@ fn file(
             drawings::picture(text, &expected.spec.name, findings);
             (By::Hash, None)
         }
+        (Subject::Report, _) => {
+            report::check(expected, text, findings);
+            (By::Reading, None)
+        }
         (Subject::Prediction, _) => {
             prediction(expected, text, findings);
             (By::Reading, None)
@@ -187,21 +192,5 @@ fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
             "other figures than this spec gives",
             "what `predict --json` prints",
         );
-    }
-}
-
-/// Whether two JSON values say the same, numbers to one in 10^9.
-fn alike(a: &serde_json::Value, b: &serde_json::Value) -> bool {
-    use serde_json::Value;
-    match (a, b) {
-        (Value::Number(a), Value::Number(b)) => match (a.as_f64(), b.as_f64()) {
-            (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()).max(1e-9),
-            _ => false,
-        },
-        (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| alike(a, b)),
-        (Value::Object(a), Value::Object(b)) => {
-            a.len() == b.len() && a.iter().all(|(key, a)| b.get(key).is_some_and(|b| alike(a, b)))
-        }
-        _ => a == b,
     }
 }

@@ -1,0 +1,181 @@
+//! `stargrip-cam new NAME --object Q --mass Q`: the spec of a gripper that holds an object.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use crate::cli::failure::Failure;
+use crate::cli::load::read_source;
+use crate::cli::quantity::{SIZE, number, quantity};
+use crate::design::Refusals;
+use crate::forecast::candidate::Candidate;
+use crate::forecast::choosing::{Choice, Miss, Wish, choose, spec_text};
+use crate::forecast::verdict::verdict;
+use crate::mechanics::hinge::ring::RingTable;
+use crate::pipeline::Forecast;
+use crate::spec;
+use crate::spec::{Allowed, FeedFloor, Machine, Source, Spec};
+use crate::units::{Force, Length, Mass, Pressure};
+
+/// What the gripper is wanted for.
+#[derive(clap::Args, Debug)]
+pub(super) struct ObjectArgs {
+    /// How wide the object is across where it is gripped: "70 mm".
+    #[arg(long, value_name = "LENGTH", value_parser = quantity::<Length>(SIZE), requires = "mass")]
+    object: Option<Length>,
+    /// Mass of the object: "1.3 kg".
+    #[arg(long, value_name = "MASS", value_parser = quantity::<Mass>(Allowed::above(0.0, 1e4)), requires = "object")]
+    mass: Option<Mass>,
+    /// The pressure that your pump gives; default: the best from 5 to 60 kPa.
+    #[arg(long, value_name = "PRESSURE", value_parser = quantity::<Pressure>(Allowed::closed(1e-3, 1e6)), requires = "object")]
+    pressure: Option<Pressure>,
+    /// Friction between corners and object; default: 0.5, bare fabric on a smooth surface.
+    #[arg(long, value_name = "RATIO", value_parser = number(Allowed::above(0.0, 10.0)), requires = "object")]
+    friction: Option<f64>,
+    /// Largest radial force of one star that the object bears: "20 N".
+    #[arg(long, value_name = "FORCE", value_parser = quantity::<Force>(Allowed::above(0.0, 1e6)), requires = "object")]
+    fragile: Option<Force>,
+    /// "paper", or a spec whose [fabric] is taken.
+    #[arg(long, value_name = "NAME", requires = "object")]
+    fabric: Option<String>,
+    /// A built-in machine profile's name; default: generic.
+    #[arg(long, value_name = "NAME", requires = "object")]
+    machine: Option<String>,
+    /// Size of the fabric sheets, mm: 400x400.
+    #[arg(long, value_name = "WxH", value_parser = sheet, requires = "object")]
+    sheet: Option<[Length; 2]>,
+}
+
+/// Friction of bare fabric on a smooth surface, assumed.
+const FRICTION: f64 = 0.5;
+/// Inner radius of curvature of tips and corners: at 2 mm the seal bears some two fifths of what sharp ones put on it.
+const ROUND: Length = Length(2.0);
+
+/// Reads "400x300", in mm.
+fn sheet(text: &str) -> Result<[Length; 2], String> {
+    let fault = || format!("`{text}` is not WIDTHxHEIGHT in mm, like 400x300");
+    let (width, height) = text.split_once(['x', 'X', '\u{d7}']).ok_or_else(fault)?;
+    let side = |text: &str| {
+        let text = text.trim().trim_end_matches("mm").trim();
+        text.parse().ok().filter(|mm| SIZE.holds(*mm)).map(Length).ok_or_else(fault)
+    };
+    Ok([side(width)?, side(height)?])
+}
+
+/// The spec called `name`, and what there is to say about it; `None` without an object.
+pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<(String, String)>, Failure> {
+    let Some((object, mass)) = args.object.zip(args.mass) else { return Ok(None) };
+    let base = base(args)?;
+    let machine = machine(&base.machine.profile)?;
+    let free = |side: Option<Length>, area: Option<Length>| {
+        let side = side.map_or(f64::INFINITY, |side| side.0).min(area.map_or(f64::INFINITY, |side| side.0));
+        side - 2.0 * base.sheet.margin.0
+    };
+    let area = machine.bench.work_area;
+    let sides = [free(base.sheet.width, area.map(|(x, _)| x)), free(base.sheet.height, area.map(|(_, y)| y))];
+    let wish = Wish {
+        object: Length(0.5 * object.0),
+        mass,
+        pressure: args.pressure,
+        friction: args.friction.unwrap_or(FRICTION),
+        largest_force: args.fragile,
+        side: Some(Length(sides[0].min(sides[1]))).filter(|side| side.0.is_finite()),
+    };
+    let ring = RingTable::new().map_err(|fault| Failure::Message(fault.to_string()))?;
+    let candidate =
+        Candidate::of(&base).ok_or_else(|| Failure::Message("the spec has no star".to_owned()))?;
+    let choices = choose(&wish, &candidate, &ring).map_err(|miss| missed(&miss))?;
+    let mut why = None;
+    for choice in &choices {
+        match buildable(name, choice, &base, &machine) {
+            Ok(made) => return Ok(Some(made)),
+            Err(refusals) => why = why.or(Some(refusals)),
+        }
+    }
+    let why: Vec<String> =
+        why.into_iter().flatten().map(|one| format!("{}: {}", one.found, one.remedy)).collect();
+    Err(Failure::Message(format!("the gripper that would hold this cannot be made: {}", why.join("; "))))
+}
+
+/// Fabric, machine, sheet and radii of curvature: what the search does not change.
+fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
+    let text = spec::starter("base").map_err(|fault| Failure::Message(fault.to_string()))?;
+    let mut base = spec::read(&Source::new("starter", text))?.spec;
+    if let Some(fabric) = args.fabric.as_deref().filter(|fabric| *fabric != "paper") {
+        base.fabric = spec::read(&read_source(Path::new(fabric))?)?.spec.fabric;
+    }
+    if let Some(machine) = &args.machine {
+        base.machine.profile.clone_from(machine);
+    }
+    [base.sheet.width, base.sheet.height] =
+        args.sheet.map_or([None; 2], |[width, height]| [Some(width), Some(height)]);
+    for star in &mut base.stars {
+        (star.tip_radius, star.corner_radius) = (ROUND, ROUND);
+    }
+    Ok(base)
+}
+
+fn machine(profile: &str) -> Result<Machine, Failure> {
+    if spec::builtin_machine(profile).is_some() {
+        return Machine::builtin(profile).map_err(|fault| Failure::Message(fault.to_string()));
+    }
+    let path = Path::new(profile);
+    if path.is_file() {
+        return Ok(spec::read_machine(&read_source(path)?)?);
+    }
+    let known: Vec<&str> = spec::builtin_machines().collect();
+    Err(Failure::Message(format!(
+        "no machine profile is called {profile:?}, and there is no such file; there are {}",
+        known.join(", ")
+    )))
+}
+
+/// The spec of `choice`, if all that `check` does accepts it, with the controller's low feeds chopped where they must be.
+fn buildable(
+    name: &str,
+    choice: &Choice,
+    base: &Spec,
+    machine: &Machine,
+) -> Result<(String, String), Refusals> {
+    let attempt = |feed_floor: FeedFloor| {
+        let mut base = base.clone();
+        base.machine.feed_floor = feed_floor;
+        let text = spec_text(name, choice, &base).map_err(|_| Refusals::new())?;
+        let spec = spec::read(&Source::new("chosen", text.clone())).map_err(|_| Refusals::new())?.spec;
+        let forecast = Forecast::of(spec, machine.clone())?;
+        let mut said = String::new();
+        let verdict = forecast.prediction.as_ref().and_then(|prediction| verdict(&forecast.spec, prediction));
+        if let Some(verdict) = verdict {
+            let _ = writeln!(said, "{}: {}", forecast.spec.name, verdict.line());
+            for reason in &verdict.reasons {
+                let _ = writeln!(said, "  {reason}");
+            }
+        }
+        Ok((text, said))
+    };
+    attempt(FeedFloor::Refuse).or_else(|why: Refusals| attempt(FeedFloor::Chop).map_err(|_| why))
+}
+
+fn missed(miss: &Miss) -> Failure {
+    let mut text = String::from("no gripper that was tried does all of this:");
+    for reason in &miss.reasons {
+        let _ = write!(text, "\n  {reason}");
+    }
+    if let Some(nearest) = &miss.nearest {
+        let _ = write!(text, "\nwhat comes nearest: {nearest}");
+    }
+    Failure::Message(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_is_two_lengths() {
+        assert_eq!(sheet("400x300"), Ok([Length(400.0), Length(300.0)]));
+        assert_eq!(sheet("400 mm x 300 mm"), Ok([Length(400.0), Length(300.0)]));
+        for bad in ["400", "400x", "x", "0x5", "nanx5", "400x300x2"] {
+            assert!(sheet(bad).is_err(), "{bad}");
+        }
+    }
+}

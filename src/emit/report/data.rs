@@ -1,0 +1,126 @@
+//! The block of figures: everything that the page's scripts show, in one JSON object.
+
+use serde_json::{Value, json};
+
+use crate::design::StarDesign;
+use crate::emit::report::job::{parts, programs, sheets, thousandths};
+use crate::emit::report::subject::Report;
+use crate::forecast::case::Case;
+use crate::forecast::charts::{Charts, flat_pose};
+use crate::forecast::seal_load::{SealLoad, seal_loads};
+use crate::spec::{Heating, Machine, Source, settings};
+
+/// Decimals that are kept of curves: for the eye, and few enough to be the same on every machine.
+const DIGITS: i32 = 6;
+
+/// All figures of a report.
+pub(super) fn data(report: &Report<'_>) -> Value {
+    let Report { spec, design, bill, prediction, .. } = report;
+    let mut bill = serde_json::to_value(bill).unwrap_or_default();
+    // Which files there are, the manifest itself says; this page is one of them.
+    if let Some(bill) = bill.as_object_mut() {
+        for key in ["files", "only", "with"] {
+            let _ = bill.remove(key);
+        }
+    }
+    let load = spec.load.as_ref().map(|load| {
+        json!({
+            "pressure_kPa": load.pressure.map(|p| p.0),
+            "object_radius_mm": load.object_radius.map(|radius| radius.0),
+            "friction": load.friction,
+            "mass_kg": load.mass.map(|mass| mass.0),
+            "largest_force_N": load.largest_force.map(|force| force.0),
+        })
+    });
+    json!({
+        "name": spec.name,
+        "bill": bill,
+        "prediction": prediction,
+        "verdict": report.verdict,
+        "load": load,
+        "settings": settings(&Source::new("spec.toml", report.source)),
+        "machine": machine(report.machine),
+        "seal": {
+            "temperature": spec.seal.temperature.to_string(), "speed": spec.seal.speed.to_string(),
+            "band_mm": spec.seal.band.0, "overlap_mm": spec.seal.overlap.0,
+        },
+        "stack": {
+            "height_mm": thousandths(design.stack.height),
+            "stars_mm": design.stack.stars.iter().copied().map(thousandths).collect::<Vec<_>>(),
+            "turns_deg": design.stack.turns.iter().map(|turn| thousandths(turn.to_degrees())).collect::<Vec<_>>(),
+        },
+        "post_diameter_mm": design.frame.post_diameter,
+        "hose": spec.inlet.as_ref().map(|inlet| json!({ "diameter_mm": inlet.tube_diameter.0, "length_mm": inlet.length.0 })),
+        "notes": design.warnings.iter().map(|warning| format!("{}; {}", warning.found, warning.remedy)).collect::<Vec<_>>(),
+        "parts": parts(report),
+        "loads": loads(report),
+        "flat": design.firsts().map(|placed| short(&json!(flat_pose(&design.part(placed).star)))).collect::<Vec<_>>(),
+        "sheets": sheets(report),
+        "programs": programs(report),
+        "charts": report.charts.iter().map(chart).collect::<Vec<_>>(),
+    })
+}
+
+fn machine(machine: &Machine) -> Value {
+    let clamps = machine.bench.keep_out.iter().map(|clamp| {
+        json!({ "name": clamp.name, "x_mm": clamp.x.0, "y_mm": clamp.y.0, "width_mm": clamp.width.0, "depth_mm": clamp.depth.0 })
+    });
+    json!({
+        "name": machine.name,
+        "description": machine.description,
+        "requires": machine.script.requires,
+        "heats_itself": machine.controller.heating == Heating::Hotend,
+        "work_area_mm": machine.bench.work_area.map(|(x, y)| [x.0, y.0]),
+        "clamps": clamps.collect::<Vec<_>>(),
+    })
+}
+
+/// What the seal of each distinct star bears.
+fn loads(report: &Report<'_>) -> Vec<Value> {
+    let of_star = |part: &StarDesign| {
+        let case = Case::of(report.spec, &part.star).ok()?;
+        let load = |load: &SealLoad| {
+            json!({
+                "place": load.place,
+                "radius_mm": load.radius.map(|radius| radius.0),
+                "factor": load.factor,
+                "load_N_per_mm": load.load.map(|load| load.0),
+                "burst_kPa": load.burst.map(|burst| burst.0),
+                "margin": load.margin,
+                "weakness": load.weakness(),
+            })
+        };
+        Some(short(&json!(seal_loads(&case, part).iter().map(load).collect::<Vec<_>>())))
+    };
+    report.design.distinct.iter().filter_map(of_star).collect()
+}
+
+fn chart(charts: &Charts) -> Value {
+    short(&json!(charts))
+}
+
+/// The value with its numbers cut to [`DIGITS`] significant digits.
+fn short(value: &Value) -> Value {
+    match value {
+        Value::Number(number) if number.is_f64() => {
+            number.as_f64().map_or(Value::Null, |x| json!(significant(x)))
+        }
+        Value::Array(list) => list.iter().map(short).collect(),
+        Value::Object(map) => map
+            .iter()
+            .map(|(key, value)| (key.clone(), short(value)))
+            .collect::<serde_json::Map<_, _>>()
+            .into(),
+        other => other.clone(),
+    }
+}
+
+fn significant(x: f64) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return 0.0;
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "a logarithm of a finite number")]
+    let size = x.abs().log10().floor() as i32;
+    let scale = 10_f64.powi(DIGITS - 1 - size);
+    (x * scale).round() / scale
+}

@@ -1,0 +1,110 @@
+//! The job: what lies on each sheet, and what the iron does there, step by step, from the programs themselves.
+
+use serde_json::{Value, json};
+
+use crate::design::{Circle, PlacedStar, SheetLayout, StarDesign};
+use crate::emit::report::polyline::{hundredths, polyline};
+use crate::emit::report::subject::Report;
+use crate::geom::{Path, Point, Segment};
+use crate::plan::{Program, Ramp, Step, height_of};
+
+/// The distinct stars, each in a frame of its own.
+pub(super) fn parts(report: &Report<'_>) -> Vec<Value> {
+    let placed = report.design.firsts();
+    placed.map(|placed| part(placed, report.design.part(placed))).collect()
+}
+
+fn part(placed: &PlacedStar, part: &StarDesign) -> Value {
+    let hole = |hole: &Circle| [hole.center.x, hole.center.y, hole.diameter].map(hundredths);
+    json!({
+        "star": placed.index,
+        "points": part.star.n,
+        "arm_length_mm": thousandths(part.star.l),
+        "band_mm": part.band,
+        "outside": polyline(&part.outline.outside),
+        "hole": polyline(&part.outline.hole),
+        "tube": part.realised_edges.each_ref().map(polyline),
+        "bands": part.seams.each_ref().map(|seam| polyline(&seam.center_line)),
+        "closed": part.seams.each_ref().map(|seam| seam.center_line.closed),
+        "holes": part.outline.registration.iter().map(hole).collect::<Vec<_>>(),
+    })
+}
+
+/// The sheets, and where each star lies on them.
+pub(super) fn sheets(report: &Report<'_>) -> Vec<Value> {
+    let design = report.design;
+    let star = |star: &PlacedStar| {
+        let at = star.placement;
+        json!({
+            "star": star.index, "part": star.distinct, "x_mm": thousandths(at.shift.x), "y_mm": thousandths(at.shift.y),
+            "turn_deg": thousandths(at.rotation.to_degrees()),
+        })
+    };
+    let sheet = |sheet: &SheetLayout| {
+        json!({
+            "sheet": sheet.index, "width_mm": thousandths(sheet.width), "height_mm": thousandths(sheet.height),
+            "stars": design.on_sheet(sheet.index).map(star).collect::<Vec<_>>(),
+        })
+    };
+    design.sheets.iter().map(sheet).collect()
+}
+
+/// The sealing programs, in order.
+pub(super) fn programs(report: &Report<'_>) -> Vec<Value> {
+    let program = |program: &Program| {
+        let times = program.timeline(report.spec, report.machine);
+        let mut seam = 0;
+        let steps: Vec<Value> = program
+            .steps
+            .iter()
+            .zip(times)
+            .filter_map(|(step, end)| {
+                if let Step::Seam(index) = step {
+                    seam = *index;
+                }
+                step_of(report, step, seam, thousandths(end))
+            })
+            .collect();
+        let seams = program.seams.iter().map(|seam| {
+            json!({
+                "star": seam.star, "loop": seam.loop_name(), "length_mm": thousandths(seam.length),
+                "overlap_mm": thousandths(seam.overlap), "time_s": thousandths(seam.time),
+            })
+        });
+        json!({
+            "sheet": program.sheet, "stars": program.stars, "time_s": thousandths(program.time),
+            "seams": seams.collect::<Vec<_>>(), "steps": steps,
+        })
+    };
+    report.programs.iter().map(program).collect()
+}
+
+/// One step that ends at `end`, s; `None` for what takes no time and goes nowhere.
+fn step_of(report: &Report<'_>, step: &Step, seam: usize, end: f64) -> Option<Value> {
+    let along = |what: &str, pieces: &[Segment]| json!({ "do": what, "end_s": end, "seam": seam, "path": polyline(&Path::open(pieces.to_vec())) });
+    let ramp = |what: &str, ramp: &Ramp| {
+        let mut value = along(what, &ramp.pieces);
+        value["height_mm"] = json!([ramp.from, ramp.to]);
+        value
+    };
+    Some(match step {
+        Step::Height(level) => {
+            json!({ "do": "height", "end_s": end, "height_mm": height_of(&report.machine.process, *level) })
+        }
+        Step::Heat(temperature) => {
+            json!({ "do": "heat", "end_s": end, "temperature": temperature.to_string() })
+        }
+        Step::Travel(Point { x, y }) => {
+            json!({ "do": "travel", "end_s": end, "to": [hundredths(*x), hundredths(*y)] })
+        }
+        Step::TouchDown(down) => ramp("down", down),
+        Step::Seal(pieces) => along("seal", pieces),
+        Step::Lift(up) => ramp("up", up),
+        Step::Seam(_) | Step::Trace(_) => return None,
+    })
+}
+
+/// A figure for people: the last bits of a sum are not worth a changed file.
+pub(super) fn thousandths(x: f64) -> f64 {
+    (x * 1000.0).round() / 1000.0 + 0.0
+}

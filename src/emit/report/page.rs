@@ -1,0 +1,168 @@
+//! The page: the frame, its style and scripts, and the blocks of data, joined.
+//!
+//! The spec's own words enter it in two places only: the title, and the block of figures. Both are escaped so that nothing in them
+//! can end the place they stand in, and no address of a network can be read out of them. A policy in the head lets the browser run
+//! the page's own scripts and styles, which it names by their hashes, and fetch nothing at all.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use miniz_oxide::deflate::compress_to_vec_zlib;
+use serde_json::Value;
+use sha2::{Digest, Sha256};
+
+const FRAME: &str = include_str!("../../../templates/report/page.html");
+
+/// What the page looks like: on a screen, on paper.
+const STYLES: [&str; 2] = [
+    include_str!("../../../templates/report/screen.css"),
+    include_str!("../../../templates/report/paper.css"),
+];
+
+/// The scripts, in the order in which they run: each uses only those before it.
+const SCRIPTS: [&str; 10] = [
+    include_str!("../../../templates/report/words.js"),
+    include_str!("../../../templates/report/drawing.js"),
+    include_str!("../../../templates/report/verdict.js"),
+    include_str!("../../../templates/report/player.js"),
+    include_str!("../../../templates/report/star.js"),
+    include_str!("../../../templates/report/plots.js"),
+    include_str!("../../../templates/report/glb.js"),
+    include_str!("../../../templates/report/scene.js"),
+    include_str!("../../../templates/report/tables.js"),
+    include_str!("../../../templates/report/start.js"),
+];
+
+/// How hard the scene is packed, 0 to 10: beyond 6 it takes twice the time for a hundredth of the size.
+const PACKED: u8 = 6;
+
+/// The page for a design called `name`, with its figures and its scene.
+pub(super) fn page(name: &str, data: &Value, scene: &[u8]) -> String {
+    let (style, script) = (joined(&STYLES), joined(&SCRIPTS));
+    let policy = format!(
+        "default-src 'none'; script-src '{}'; style-src '{}'; img-src data:; base-uri 'none'; form-action 'none'",
+        hash(&script),
+        hash(&style)
+    );
+    let scene = STANDARD.encode(compress_to_vec_zlib(scene, PACKED));
+    let title = text(name);
+    let data = block(data);
+    let parts = [
+        ("POLICY", policy.as_str()),
+        ("TITLE", title.as_str()),
+        ("STYLE", style.as_str()),
+        ("DATA", data.as_str()),
+        ("SCENE", scene.as_str()),
+        ("SCRIPT", script.as_str()),
+    ];
+    // In one pass: what one part says is not looked into for the marks of another.
+    let mut out =
+        String::with_capacity(FRAME.len() + parts.iter().map(|(_, part)| part.len()).sum::<usize>());
+    let mut rest = FRAME;
+    while let Some((before, from)) = rest.split_once("{{") {
+        let Some((mark, after)) = from.split_once("}}") else { break };
+        out.push_str(before);
+        out.push_str(parts.iter().find(|(own, _)| *own == mark).map_or("", |(_, part)| part));
+        rest = after;
+    }
+    out.push_str(rest);
+    out
+}
+
+fn joined(parts: &[&str]) -> String {
+    format!("\n{}", parts.join("\n"))
+}
+
+/// How a policy names a script or a style.
+fn hash(text: &str) -> String {
+    format!("sha256-{}", STANDARD.encode(Sha256::digest(text.as_bytes())))
+}
+
+/// Text for an element or an attribute: every character that could mean something there, or begin an address, by its number.
+fn text(words: &str) -> String {
+    let mut out = String::with_capacity(words.len());
+    for c in words.chars() {
+        match c {
+            '&' | '<' | '>' | '"' | '\'' | '/' | '`' => out.push_str(&format!("&#{};", u32::from(c))),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// JSON for a script element: no `<` that could end it, no `/` of an address, and no line end that old readers of scripts know
+/// and JSON does not.
+fn block(data: &Value) -> String {
+    let plain = data.to_string();
+    let mut out = String::with_capacity(plain.len());
+    for c in plain.chars() {
+        match c {
+            '<' | '>' | '&' | '/' | '\u{2028}' | '\u{2029}' => {
+                out.push_str(&format!("\\u{:04x}", u32::from(c)))
+            }
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+    use serde_json::json;
+
+    use super::*;
+
+    /// Words that want out of where they stand.
+    fn hostile() -> impl Strategy<Value = String> {
+        let known = prop::sample::select(vec![
+            "</script><script>alert(1)</script>",
+            "<img src=x onerror=alert(1)>",
+            "\"><svg onload=alert(1)>",
+            "<!--<script>",
+            "]]>",
+            "{{SCRIPT}}",
+            "{{DATA}}",
+            "&lt;b&gt;",
+            "http://example.org/",
+            "\u{2028}\u{202e}",
+            "javascript:alert(1)",
+            "' onmouseover='alert(1)",
+        ]);
+        prop::collection::vec(prop_oneof![known.prop_map(str::to_owned), "\\PC{0,8}"], 0..4)
+            .prop_map(|parts| parts.concat())
+    }
+
+    fn between<'a>(page: &'a str, from: &str, to: &str) -> &'a str {
+        let (_, rest) = page.split_once(from).expect("its beginning");
+        rest.split_once(to).expect("its end").0
+    }
+
+    proptest! {
+        #[test]
+        fn no_words_of_a_spec_get_out_of_their_place(words in hostile()) {
+            let data = json!({ "name": words, words.clone(): [words] });
+            let (made, plain) = (page(&words, &data, b"glb"), page("", &json!({}), b"glb"));
+            for mark in ["<", ">", "://"] {
+                prop_assert_eq!(made.matches(mark).count(), plain.matches(mark).count(), "{}", mark);
+            }
+            let block = between(&made, "<script type=\"application/json\" id=\"data\">", "</script>");
+            prop_assert_eq!(serde_json::from_str::<Value>(block).expect("JSON"), data);
+            let title = between(&made, "<title>", "</title>");
+            prop_assert!(!title.contains(['<', '>', '"', '\'', '/']), "{}", title);
+        }
+    }
+
+    #[test]
+    fn the_policy_names_the_very_scripts_and_styles() {
+        let made = page("x", &json!({}), b"glb");
+        for (from, to) in [("<style>", "</style>"), ("<script>", "</script>")] {
+            prop_assert_hash(&made, between(&made, from, to));
+        }
+        assert_eq!(made.matches("<script>").count(), 1);
+        assert_eq!(made.matches("<style>").count(), 1);
+    }
+
+    fn prop_assert_hash(page: &str, text: &str) {
+        assert!(page.contains(&hash(text)), "{}", hash(text));
+    }
+}

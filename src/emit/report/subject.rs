@@ -1,0 +1,34 @@
+//! What a report is made of.
+
+use crate::design::Design;
+use crate::forecast::charts::Charts;
+use crate::forecast::prediction::Prediction;
+use crate::forecast::verdict::Verdict;
+use crate::manifest::Manifest;
+use crate::plan::Program;
+use crate::spec::{Machine, Spec};
+
+/// What a report is made of.
+#[derive(Clone, Copy)]
+pub struct Report<'a> {
+    /// The spec as read.
+    pub source: &'a str,
+    /// What was asked for.
+    pub spec: &'a Spec,
+    /// What it is made on.
+    pub machine: &'a Machine,
+    /// The exact geometry.
+    pub design: &'a Design,
+    /// The sealing programs.
+    pub programs: &'a [Program],
+    /// What it will do; `None` for a spec without a load.
+    pub prediction: Option<&'a Prediction>,
+    /// Whether it holds its object; `None` without one.
+    pub verdict: Option<&'a Verdict>,
+    /// The same by pressure, object and number of points.
+    pub charts: &'a [Charts],
+    /// The bill of materials; its files do not matter.
+    pub bill: &'a Manifest,
+    /// Everything in three dimensions, a GLB.
+    pub scene: &'a [u8],
+}

@@ -1,0 +1,275 @@
+//! Curves around one answer: what its stars do at other pressures, on other objects, with other numbers of points. For pictures.
+//!
+//! All of them are the prediction's own closed forms with the model that answers it, so at the spec's own pressure, object and
+//! number of points they are the prediction, with its ranges.
+
+use serde::Serialize;
+
+use crate::design::{Design, PlacedStar, Star};
+use crate::forecast::case::Case;
+use crate::forecast::choice::{corrected, hinge_model, tabled};
+use crate::forecast::outcome::Outcome;
+use crate::forecast::ranges::{Interval, mm};
+use crate::forecast::shut::{at_angle, held};
+use crate::mechanics::fault::HingeFault;
+use crate::mechanics::hinge::{HingeModel, HingeState, Level};
+use crate::mechanics::star::response::Inflated;
+use crate::spec::{ModelChoice, Spec, StarSpec};
+use crate::units::{Length, Pressure};
+
+/// Pressures of a table: up to one and a half times the spec's own, which is one of them, so that every picture has it.
+const PRESSURES: u32 = 24;
+/// Which of them is the spec's own.
+const OWN: u32 = 16;
+/// Radii of a curve of forces.
+const RADII: u32 = 40;
+/// Numbers of points that are compared.
+const POINTS: std::ops::RangeInclusive<u32> = 3..=10;
+/// The last part of the radii, before the arms lock and the force grows without bound, is no curve that can be shown.
+const SHOWN: f64 = 0.97;
+
+/// The curves of one distinct star. Lengths in mm, pressures in kPa, forces in N.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Charts {
+    /// The first star of the stack that it is for.
+    pub star: usize,
+    /// The model that answered.
+    pub model: &'static str,
+    /// What it does by pressure, rising; without those that the model does not cover.
+    pub by_pressure: Vec<AtPressure>,
+    /// Force by the radius of the object at the spec's own pressure.
+    pub by_radius: Vec<AtRadius>,
+    /// What stars of other numbers of points do, everything else as it is.
+    pub by_points: Vec<AtPoints>,
+}
+
+/// A star at one pressure.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct AtPressure {
+    /// Gauge pressure.
+    pub pressure_kPa: f64,
+    /// Inner radius of the star with nothing in it.
+    pub final_radius_mm: f64,
+    /// Its range; `None` where nothing is known.
+    pub radius_range_mm: Option<Interval>,
+    /// Radial force on the spec's object; `None` without one, or where the star cannot hold it.
+    pub object_force_N: Option<f64>,
+    /// The star as it is drawn: on the object where it reaches it, else closed.
+    pub pose: Pose,
+}
+
+/// A star around one object.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct AtRadius {
+    /// Radius of the object.
+    pub radius_mm: f64,
+    /// Radial force.
+    pub force_N: f64,
+    /// Its range; `None` where nothing is known.
+    pub force_range_N: Option<Interval>,
+}
+
+/// What it takes to draw an inflated star: its tube lies between r and r + w around the centres of tips and corners.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct Pose {
+    /// Inner radius.
+    pub inner_radius_mm: f64,
+    /// Width of the tube as seen from above.
+    pub width_mm: f64,
+    /// Angle between the arms of a tip.
+    pub tip_angle_deg: f64,
+    /// Inner radius of curvature of the tips.
+    pub tip_radius_mm: f64,
+    /// Inner radius of curvature of the corners.
+    pub corner_radius_mm: f64,
+    /// Distance of a tip's centre from the axis.
+    pub tip_centre_mm: f64,
+    /// Distance of a corner's centre from the axis.
+    pub corner_centre_mm: f64,
+}
+
+/// A star of another number of points.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct AtPoints {
+    /// Number of points.
+    pub points: u32,
+    /// 1 - `rho_f` / `rho_0`.
+    pub contraction: f64,
+    /// Its range; `None` where nothing is known.
+    pub contraction_range: Option<Interval>,
+    /// Radial force on the spec's object; `None` without one, or where the star cannot hold it.
+    pub object_force_N: Option<f64>,
+}
+
+/// The curves of every distinct star of `design`, in the order of [`Design::firsts`], by the model that `spec` asks for; none without a
+/// pressure, which every curve needs.
+pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
+    if spec.load.as_ref().and_then(|load| load.pressure).is_none() {
+        return Vec::new();
+    }
+    let of_star = |placed: &PlacedStar| {
+        let star = &design.part(placed).star;
+        let asked = spec.stars.get(placed.index - 1)?;
+        let own = Question { chosen: spec.accuracy.model, case: Case::of(spec, star).ok()?, star };
+        Some(Charts {
+            star: placed.index,
+            model: own.level().unwrap_or(Level::Section).name(),
+            by_pressure: (1..=PRESSURES).filter_map(|k| own.at_pressure(k)).collect(),
+            by_radius: own.by_radius().unwrap_or_default(),
+            by_points: own.by_points(spec, asked).unwrap_or_default(),
+        })
+    };
+    design.firsts().filter_map(of_star).collect()
+}
+
+/// The flat star as a pose.
+pub fn flat_pose(star: &Star) -> Pose {
+    Pose::of(star)
+}
+
+/// One star, and which model is asked about it.
+struct Question<'a> {
+    chosen: ModelChoice,
+    case: Case,
+    star: &'a Star,
+}
+
+impl Question<'_> {
+    /// The model that was asked for by name; `None` where the program chooses.
+    fn level(&self) -> Option<Level> {
+        match self.chosen {
+            ModelChoice::Fit => Some(Level::Fit),
+            ModelChoice::Ring => Some(Level::Ring),
+            ModelChoice::Bvp => Some(Level::Bvp),
+            ModelChoice::Section => Some(Level::Section),
+            // What a prediction takes for them.
+            ModelChoice::Auto | ModelChoice::Shell => None,
+        }
+    }
+
+    /// The model at a pressure, Pa; `None` where it does not cover the star.
+    fn model(&self, pressure: f64) -> Option<Box<dyn HingeModel>> {
+        let Some(level) = self.level() else {
+            return tabled(&self.case, pressure).ok().map(|model| Box::new(model) as Box<dyn HingeModel>);
+        };
+        let mechanism = &self.case.mechanism;
+        let model = hinge_model(level, &self.case.sheet, Some(pressure), mechanism.width).ok()?;
+        let [tip, corner] = [mechanism.tip(), mechanism.corner()].map(|hinge| hinge.r_star);
+        let first = (tip, model.target(tip).ok()?);
+        let second = if tip == corner { first } else { (corner, model.target(corner).ok()?) };
+        Some(Box::new(Known { model, targets: [first, second] }))
+    }
+
+    /// The star at `k` parts of [`OWN`] of the spec's own pressure.
+    fn at_pressure(&self, k: u32) -> Option<AtPressure> {
+        let pressure = self.case.pressure? * (f64::from(k) / f64::from(OWN));
+        let model = self.model(pressure)?;
+        let case = corrected(&Case { pressure: Some(pressure), ..self.case }, &*model).ok()?;
+        let outcome = Outcome::linear(&case, &Inflated::new(&case.mechanism, &*model, pressure).ok()?);
+        let rest = outcome.rest.angle;
+        let object = case.object.map(Length::from_metres);
+        let shown = held(&case.mechanism, rest, object).unwrap_or(rest);
+        Some(AtPressure {
+            pressure_kPa: Pressure::from_pascals(pressure).0,
+            final_radius_mm: Length::from_metres(outcome.rest.radius).0,
+            radius_range_mm: outcome.ranges.radius.map(mm),
+            object_force_N: outcome.object_force(),
+            pose: Pose::of(&at_angle(self.star, &case.mechanism, shown)),
+        })
+    }
+
+    fn by_radius(&self) -> Option<Vec<AtRadius>> {
+        let pressure = self.case.pressure?;
+        let model = self.model(pressure)?;
+        let case = corrected(&self.case, &*model).ok()?;
+        let inflated = Inflated::new(&case.mechanism, &*model, pressure).ok()?;
+        let own = Outcome::linear(&case, &inflated);
+        let [least, most] = own.graspable;
+        // The arms lock where the star opens widest.
+        let most = if most < own.rest.widest.radius { most } else { least + SHOWN * (most - least) };
+        let at = |k: u32| {
+            let rho = least + (most - least) * f64::from(k) / f64::from(RADII);
+            let outcome = Outcome::linear(&Case { object: Some(rho.min(most)), ..case }, &inflated);
+            Some(AtRadius {
+                radius_mm: Length::from_metres(rho).0,
+                force_N: outcome.object_force()?,
+                force_range_N: outcome.force_range,
+            })
+        };
+        Some((0..=RADII).filter_map(at).collect())
+    }
+
+    fn by_points(&self, spec: &Spec, asked: &StarSpec) -> Option<Vec<AtPoints>> {
+        let pressure = self.case.pressure?;
+        // Targets hang on R*, the pressure and the width, not on how many hinges there are.
+        let model = self.model(pressure)?;
+        let at = |points: u32| {
+            let star = Star::new(&StarSpec { points, inlet_tip: 1, ..asked.clone() }).ok()?;
+            let case = corrected(&Case::of(spec, &star).ok()?, &*model).ok()?;
+            let outcome = Outcome::linear(&case, &Inflated::new(&case.mechanism, &*model, pressure).ok()?);
+            let contraction = |radius: f64| 1.0 - radius / case.inner_radius;
+            Some(AtPoints {
+                points,
+                contraction: outcome.contraction,
+                contraction_range: outcome
+                    .ranges
+                    .radius
+                    .map(|[low, high]| [contraction(high), contraction(low)]),
+                object_force_N: outcome.object_force(),
+            })
+        };
+        let own = std::iter::once(asked.points).filter(|points| !POINTS.contains(points));
+        Some(POINTS.chain(own).filter_map(at).collect())
+    }
+}
+
+impl Pose {
+    fn of(star: &Star) -> Self {
+        Self {
+            inner_radius_mm: star.rho_0,
+            width_mm: star.w,
+            tip_angle_deg: star.phi_i.to_degrees(),
+            tip_radius_mm: star.r_i,
+            corner_radius_mm: star.r_e,
+            tip_centre_mm: star.d_t,
+            corner_centre_mm: star.d_p,
+        }
+    }
+}
+
+/// A model that has been asked for the two targets of one star already: they are most of its work.
+struct Known {
+    model: Box<dyn HingeModel>,
+    targets: [(f64, HingeState); 2],
+}
+
+impl HingeModel for Known {
+    fn level(&self) -> Level {
+        self.model.level()
+    }
+
+    fn state(&self, r_star: f64, lambda: f64) -> Result<HingeState, HingeFault> {
+        self.model.state(r_star, lambda)
+    }
+
+    fn target(&self, r_star: f64) -> Result<HingeState, HingeFault> {
+        let known = self.targets.iter().find(|(own, _)| *own == r_star);
+        known.map_or_else(|| self.model.target(r_star), |(_, state)| Ok(*state))
+    }
+
+    fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault> {
+        self.model.onset(r_star)
+    }
+
+    fn arms_angle(&self, r_star: f64) -> Option<f64> {
+        self.model.arms_angle(r_star)
+    }
+
+    fn arms_give(&self, r_star: f64) -> Option<f64> {
+        self.model.arms_give(r_star)
+    }
+}

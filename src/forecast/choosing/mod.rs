@@ -1,0 +1,234 @@
+//! From an object to a gripper that holds it: which radius, points, width, angle, number of stars and pressure.
+//!
+//! It is the search of `optimize` in a box that is as large as what was tried, for the least fabric; the object is held with a margin
+//! at the bad end of the ranges. Where nothing does, what comes nearest is said.
+
+mod text;
+
+pub use self::text::spec_text;
+
+use crate::forecast::candidate::Candidate;
+use crate::forecast::optimize::{
+    Bounds, Constraints, Effort, Evaluated, Goal, Search, Short, UNTRIED, search, shortfalls, sure_payload,
+};
+use crate::forecast::ranges::errors;
+use crate::mechanics::hinge::ring::RingTable;
+use crate::mechanics::hinge::section::arms;
+use crate::spec::Load;
+use crate::units::{Angle, Force, Length, Mass, Pressure, Readable};
+use std::ops::RangeInclusive;
+
+/// What a gripper is wanted for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wish {
+    /// Radius of the object where it is gripped.
+    pub object: Length,
+    /// Its mass.
+    pub mass: Mass,
+    /// Pressure, if it is given.
+    pub pressure: Option<Pressure>,
+    /// Friction between the corners and the object.
+    pub friction: f64,
+    /// Largest radial force of one star that the object bears.
+    pub largest_force: Option<Force>,
+    /// Smaller free side of the sheet, if there is an end to it.
+    pub side: Option<Length>,
+}
+
+/// The payload that can be counted on, over the mass.
+pub const MARGIN: f64 = 1.2;
+/// The same for the search, whose values are rounded afterwards.
+const SEARCHED_MARGIN: f64 = 1.25;
+/// Burst pressure over pressure, where the seal's strength is known.
+pub const BURST_MARGIN: f64 = 1.2;
+/// The object's radius over the one to which the star closes for sure.
+const CLOSING: f64 = 0.95;
+/// Room around the object before it is gripped: this part of its radius, and at least [`LEAST_ROOM`].
+const ROOM: f64 = 0.05;
+/// See [`ROOM`].
+const LEAST_ROOM: Length = Length(2.0);
+/// Most stars on top of each other.
+const MOST_STARS: u32 = 8;
+/// Points that were tried.
+const POINTS: RangeInclusive<u32> = 3..=8;
+/// Pressures that pumps of the trade give and stars were tried at, kPa.
+const PRESSURES: [Pressure; 2] = [Pressure(5.0), Pressure(60.0)];
+/// Narrowest and widest tubes that were tried.
+const WIDTHS: [Length; 2] = [Length(10.0), Length(60.0)];
+
+/// A gripper for a wish.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// What it is for.
+    pub wish: Wish,
+    /// The gripper, in round values.
+    pub best: Evaluated,
+    /// Fabric of the best with each number of points that can hold the object, mm^2, by number of points.
+    pub others: Vec<(u32, f64)>,
+}
+
+/// A wish that cannot be had, and what comes nearest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Miss {
+    /// What cannot be had, one sentence each.
+    pub reasons: Vec<String>,
+    /// What can.
+    pub nearest: Option<String>,
+}
+
+/// The grippers for `wish`, the best first, from `base`: its fabric, seal and radii of curvature.
+///
+/// # Errors
+/// If there is none.
+pub fn choose(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Choice>, Miss> {
+    let base = Candidate { load: wish.load(), stars: 1, ..base.clone() };
+    let Some(bounds) = wish.bounds(&base) else { return Err(no_tube(&base)) };
+    let asked = wish.constraints(&base, SEARCHED_MARGIN);
+    let found = search(&base, &bounds, &asked, Goal::Fabric, ring);
+    let kept = wish.constraints(&base, MARGIN);
+    let met =
+        found.best.iter().filter(|one| one.violation == 0.0).filter_map(|one| rounded(one, &kept, ring));
+    let mut met: Vec<Evaluated> = met.collect();
+    met.sort_by(|a, b| a.fabric().total_cmp(&b.fabric()));
+    let mut others: Vec<(u32, f64)> = met.iter().map(|one| (one.point.star.points, one.fabric())).collect();
+    others.sort_by_key(|(points, _)| *points);
+    if met.is_empty() {
+        let nearest = found.best.first();
+        return Err(wish.miss(&base, &bounds, nearest, ring));
+    }
+    Ok(met.into_iter().map(|best| Choice { wish: *wish, best, others: others.clone() }).collect())
+}
+
+impl Wish {
+    fn load(&self) -> Load {
+        Load {
+            pressure: self.pressure,
+            object_radius: Some(self.object),
+            friction: Some(self.friction),
+            mass: Some(self.mass),
+            largest_force: self.largest_force,
+        }
+    }
+
+    /// Room between the object and the flat star.
+    fn room(&self) -> Length {
+        Length((ROOM * self.object.0).max(LEAST_ROOM.0))
+    }
+
+    /// The box of what was tried; `None` if no tube of this fabric lies in it.
+    fn bounds(&self, base: &Candidate) -> Option<Bounds> {
+        let (thickness, poisson) = (base.fabric.thickness.0, base.fabric.poisson_ratio);
+        let slender = (12.0 * (1.0 - poisson * poisson)).sqrt();
+        let [thin, _, thick] = arms::TAUS.map(|tau| thickness / (slender * tau));
+        // What is on the last digit's edge is left to what is clearly inside; t/W beyond 0.03 is no thin tube any more.
+        let width = [(1.01 * thick).max(thickness / 0.0297).max(WIDTHS[0].0), (0.99 * thin).min(WIDTHS[1].0)];
+        let hole = self.object.0 + self.room().0;
+        let degrees = errors::TIP_ANGLE.map(Angle);
+        (width[0] < width[1]).then(|| Bounds {
+            points: POINTS,
+            tip_angle: degrees,
+            width: width.map(Length),
+            inner_radius: [Length(hole), Length(2.0 * hole + 20.0)],
+            pressure: Some(self.pressure.map_or(PRESSURES, |pressure| [pressure; 2])),
+            stars: 1..=MOST_STARS,
+            ..Bounds::just(base)
+        })
+    }
+
+    fn constraints(&self, base: &Candidate, margin: f64) -> Constraints {
+        let room = 0.5 * self.room().0;
+        Constraints {
+            grasp: Some([Length(CLOSING * self.object.0), Length(self.object.0 + room)]),
+            payload: Some(margin * self.mass.0),
+            largest_force: self.largest_force.map(|force| force.0),
+            sheet: self.side,
+            burst_margin: base.fabric.seal_strength.map(|_| BURST_MARGIN),
+        }
+    }
+
+    /// What cannot be had, and what comes nearest.
+    fn miss(&self, base: &Candidate, bounds: &Bounds, best: Option<&Evaluated>, ring: &RingTable) -> Miss {
+        let short = best.map_or(Vec::new(), |best| {
+            shortfalls(&best.point, &best.answer, &self.constraints(base, SEARCHED_MARGIN))
+        });
+        let reasons = short.iter().map(|short| self.in_words(short)).collect();
+        // The most that can be held with all other wishes granted.
+        let without = Constraints { payload: None, ..self.constraints(base, 1.0) };
+        let all = Bounds { stars: MOST_STARS..=MOST_STARS, ..bounds.clone() };
+        let search = Search {
+            base,
+            bounds: &all,
+            constraints: &without,
+            goal: Goal::Payload,
+            table: ring,
+            effort: Effort::default(),
+        };
+        let most = search.run().best.into_iter().find(|one| one.violation == 0.0);
+        let nearest = most.and_then(|most| {
+            let payload = sure_payload(&most.point, &most.answer)? / MARGIN;
+            Some(format!(
+                "{MOST_STARS} stars of {} points, {} wide, at {}, hold {} kg of this object",
+                most.point.star.points,
+                Length((most.point.star.tube_width.0 * 10.0).round() / 10.0),
+                most.point
+                    .load
+                    .pressure
+                    .map_or(String::new(), |p| Pressure((p.0 * 10.0).round() / 10.0).to_string()),
+                Readable((payload * 1e3).floor() / 1e3)
+            ))
+        });
+        Miss { reasons, nearest }
+    }
+
+    fn in_words(&self, (what, part): &Short) -> String {
+        let percent = (1000.0 * part).ceil() / 10.0;
+        match *what {
+            "payload" => {
+                format!("what is held for sure is {percent:.1} % short of {} with its margin", self.mass)
+            }
+            "sheet" => format!(
+                "the star is {percent:.1} % larger than the sheet or the machine: a larger one, --sheet"
+            ),
+            "pressing" => format!(
+                "it presses {percent:.1} % harder than the object bears: more friction, a lighter object, or --fragile with more"
+            ),
+            "burst" => "the seal bursts: less pressure, a stronger seal".to_owned(),
+            "closing" => format!("it closes {percent:.1} % short of the object"),
+            "hole" | "opening" | "object" => format!("it opens {percent:.1} % short of the object"),
+            "arms" => format!("arms would be {percent:.1} % shorter than half a tube's width"),
+            _ => "no star that was tried is like it: another pressure, or another fabric".to_owned(),
+        }
+    }
+}
+
+fn no_tube(base: &Candidate) -> Miss {
+    let reason = format!(
+        "fabric of {} is too thin or too thick for any tube that was tried, 10 to 60 mm wide: t/W is 0.01 to 0.03",
+        base.fabric.thickness
+    );
+    Miss { reasons: vec![reason], nearest: Some("fabric of 0.3 mm makes tubes 10 to 29 mm wide".to_owned()) }
+}
+
+/// The same in round values, if it still keeps what was asked.
+fn rounded(found: &Evaluated, constraints: &Constraints, ring: &RingTable) -> Option<Evaluated> {
+    let mut point = found.point.clone();
+    let tenths = |value: f64| (10.0 * value).round() / 10.0;
+    let star = &mut point.star;
+    star.tube_width = Length(tenths(star.tube_width.0));
+    star.inner_radius = Length(tenths(star.inner_radius.0));
+    star.tip_angle = Angle(tenths(star.tip_angle.0));
+    point.load.pressure = point.load.pressure.map(|pressure| Pressure(tenths(pressure.0)));
+    let answer = point.answer(ring).ok()?;
+    let missed = shortfalls(&point, &answer, constraints);
+    missed.is_empty().then_some(Evaluated { point, answer, violation: 0.0 })
+}
+
+/// Whether the forces of `choice` were compared with shells, or half of what the model says is counted on.
+fn is_compared(choice: &Choice) -> bool {
+    choice.best.answer.payload_range.is_some()
+}
+
+/// In words what is counted on where no shell was compared with a force.
+fn counted_on() -> String {
+    format!("{:.0} % of what the model says, because forces were not compared with shells", 100.0 * UNTRIED)
+}

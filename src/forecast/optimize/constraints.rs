@@ -1,0 +1,104 @@
+//! What a design must do, and by how much it misses it: at the bad end of its ranges.
+
+use crate::forecast::candidate::{Answer, Candidate};
+use crate::forecast::outcome::{Hold, Outcome, SHORTEST_ARM};
+use crate::forecast::ranges::Standing;
+use crate::spec::ModelChoice;
+use crate::units::Length;
+
+/// By how much constraints are tightened for the search, so that they still hold once the values are rounded.
+pub const ROUNDING: f64 = 5e-4;
+/// The part of a predicted force that is counted on where no shell was compared with it.
+pub const UNTRIED: f64 = 0.5;
+
+/// What a design must do; absent constraints always hold.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Constraints {
+    /// The star must close to the first radius; the second must enter the flat star, and the inflated one must open to it.
+    pub grasp: Option<[Length; 2]>,
+    /// Payload of the stack, kg, at the load's pressure, object and friction.
+    pub payload: Option<f64>,
+    /// Largest radial force of one star on the object, N.
+    pub largest_force: Option<f64>,
+    /// Smaller side of the sheet's free area: the cut star must fit.
+    pub sheet: Option<Length>,
+    /// Burst pressure over pressure.
+    pub burst_margin: Option<f64>,
+}
+
+/// A constraint that a design misses, and its relative shortfall.
+pub type Short = (&'static str, f64);
+
+/// All that `point`, which does `answer`, misses.
+pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints) -> Vec<Short> {
+    // Short of `least`: relative to it; a missing value is as bad as nothing.
+    let short = |value: Option<f64>, least: f64| ((least - value.unwrap_or(0.0)) / least).max(0.0);
+    let over = |value: f64, most: f64| ((value - most) / most).max(0.0);
+    let star = &answer.star;
+    let mut all = vec![("arms", short(Some(star.l), SHORTEST_ARM * star.w))];
+    if answer.outcome.is_none() {
+        all.push(("no model", 10.0));
+    }
+    if let Some(own) = &answer.outcome {
+        if is_at_pressure(point.model) && own.ranges.standing == Standing::Unknown {
+            all.push(("untried", 1.0));
+        }
+        if let Some([close, open]) = constraints.grasp {
+            let mm = |metres: f64| Length::from_metres(metres).0;
+            let widest = mm(own.rest.widest.radius);
+            all.push(("closing", over(mm(least_sure(own)), close.0)));
+            all.push(("hole", short(Some(star.rho_0), open.0)));
+            all.push(("opening", short(Some(widest), open.0 * (1.0 + ROUNDING))));
+        }
+        if let Some(most) = constraints.largest_force {
+            all.push(("pressing", most_force(own).map_or(0.0, |force| over(force, most))));
+        }
+        if point.load.object_radius.is_some()
+            && matches!(own.hold, Some(Hold::TooWideToEnter | Hold::TooWideToOpen))
+        {
+            all.push(("object", 0.1));
+        }
+    }
+    if let Some(payload) = constraints.payload {
+        all.push(("payload", short(sure_payload(point, answer), payload)));
+    }
+    if let Some(side) = constraints.sheet {
+        let reach = star.tip_reach() + point.seal.band.0 + point.seal.allowance.0;
+        all.push(("sheet", over(2.0 * reach, side.0)));
+    }
+    if let Some(least) = constraints.burst_margin {
+        let margin = answer.burst.zip(point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0);
+        all.push(("burst", short(margin, least)));
+    }
+    all.retain(|(_, shortfall)| *shortfall > 0.0);
+    all
+}
+
+/// Whether a model speaks of a star at its pressure, and not of a limit that was asked for by name.
+pub fn is_at_pressure(model: ModelChoice) -> bool {
+    !matches!(model, ModelChoice::Ring | ModelChoice::Fit)
+}
+
+/// The radius to which a star closes for sure, m.
+fn least_sure(own: &Outcome) -> f64 {
+    own.ranges.radius.map_or(own.rest.radius, |[_, high]| high)
+}
+
+/// The largest force with which it may press, N; `None` if none is known.
+fn most_force(own: &Outcome) -> Option<f64> {
+    let force = own.object_force()?;
+    Some(match own.force_range {
+        Some([_, high]) => high,
+        None if own.ranges.standing == Standing::Unknown => force,
+        None => force / UNTRIED,
+    })
+}
+
+/// The payload of the stack that is counted on, kg.
+pub fn sure_payload(point: &Candidate, answer: &Answer) -> Option<f64> {
+    match answer.payload_range {
+        Some([low, _]) => Some(low),
+        None if is_at_pressure(point.model) => answer.payload.map(|payload| UNTRIED * payload),
+        None => answer.payload,
+    }
+}

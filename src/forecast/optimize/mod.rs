@@ -1,0 +1,372 @@
+//! The best star for a purpose: number of points exhaustively, all else within bounds.
+//!
+//! For each n a scan finds the regions, and from the most promising places a search goes down (`poll`): a step that helps is
+//! doubled, one that does not is halved. Designs are compared by how far they are from meeting the constraints, and among those that
+//! meet them by the goal. Constraints hold at the bad end of the ranges, and nothing of which nothing is known wins.
+
+mod constraints;
+mod front;
+mod poll;
+
+pub use self::constraints::{
+    Constraints, ROUNDING, Short, UNTRIED, is_at_pressure, shortfalls, sure_payload,
+};
+pub use self::front::thinned;
+
+use self::front::front;
+use self::poll::{AXES, Place, polled, scanned};
+use crate::forecast::candidate::{Answer, Candidate};
+use crate::mechanics::hinge::ring::RingTable;
+use crate::units::{Angle, Length, Pressure};
+use rayon::prelude::*;
+use std::cmp::Ordering;
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+
+/// What is to be largest or smallest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Goal {
+    /// Most contraction.
+    Contraction,
+    /// Most radial stiffness.
+    Stiffness,
+    /// Least fabric, of all stars.
+    Fabric,
+    /// Most payload that can be counted on.
+    Payload,
+}
+
+/// The box that is searched. Equal ends fix a value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bounds {
+    /// Number of points.
+    pub points: RangeInclusive<u32>,
+    /// Tip angle.
+    pub tip_angle: [Angle; 2],
+    /// Tube width.
+    pub width: [Length; 2],
+    /// Tip radius.
+    pub tip_radius: [Length; 2],
+    /// Corner radius.
+    pub corner_radius: [Length; 2],
+    /// Inner radius.
+    pub inner_radius: [Length; 2],
+    /// Pressure; `None`: the load's, or none.
+    pub pressure: Option<[Pressure; 2]>,
+    /// Number of equal stars; as few as hold the payload are taken.
+    pub stars: RangeInclusive<u32>,
+}
+
+impl Bounds {
+    /// The box that holds `base` alone.
+    pub fn just(base: &Candidate) -> Self {
+        let star = &base.star;
+        Self {
+            points: star.points..=star.points,
+            tip_angle: [star.tip_angle; 2],
+            width: [star.tube_width; 2],
+            tip_radius: [star.tip_radius; 2],
+            corner_radius: [star.corner_radius; 2],
+            inner_radius: [star.inner_radius; 2],
+            pressure: None,
+            stars: base.stars..=base.stars,
+        }
+    }
+}
+
+/// A design with what it does.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evaluated {
+    /// The design.
+    pub point: Candidate,
+    /// What it does.
+    pub answer: Answer,
+    /// How far it is from meeting the constraints: 0 if it meets all.
+    pub violation: f64,
+}
+
+/// The result of a search.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// The best design for each n that has one, the best first.
+    pub best: Vec<Evaluated>,
+    /// Designs that meet the constraints and that no other beats in contraction, stiffness and fabric at once,
+    /// by falling contraction.
+    pub front: Vec<Evaluated>,
+    /// Designs that were computed.
+    pub computed: usize,
+}
+
+/// How much is computed for each n.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Effort {
+    /// Places of the scan: 1024 leave no gap larger than an eighth of the box in four dimensions.
+    pub scanned: u32,
+    /// Places that are followed down.
+    pub followed: usize,
+    /// Polls of one place: 80 halve and double a step often enough to end at its least.
+    pub polls: u32,
+}
+
+impl Default for Effort {
+    fn default() -> Self {
+        Self { scanned: 1024, followed: 4, polls: 80 }
+    }
+}
+
+/// Smallest step of a search, of the box's side.
+const SMALLEST_STEP: f64 = 1e-4;
+
+/// Searches around `base`, whose other values are kept.
+pub fn search(
+    base: &Candidate,
+    bounds: &Bounds,
+    constraints: &Constraints,
+    goal: Goal,
+    table: &RingTable,
+) -> Found {
+    Search { base, bounds, constraints, goal, table, effort: Effort::default() }.run()
+}
+
+/// What is searched, and for what.
+#[derive(Clone, Copy, Debug)]
+pub struct Search<'a> {
+    /// The design whose values are kept where nothing else is said.
+    pub base: &'a Candidate,
+    /// The box.
+    pub bounds: &'a Bounds,
+    /// What must hold.
+    pub constraints: &'a Constraints,
+    /// What is wanted.
+    pub goal: Goal,
+    /// The ring's table.
+    pub table: &'a RingTable,
+    /// How much is computed.
+    pub effort: Effort,
+}
+
+impl Search<'_> {
+    /// Searches.
+    pub fn run(&self) -> Found {
+        let all: Vec<u32> = self.bounds.points.clone().collect();
+        let found: Vec<Vec<Evaluated>> = all.into_par_iter().map(|points| self.with_points(points)).collect();
+        let computed = found.iter().map(Vec::len).sum();
+        let better = |a: &&Evaluated, b: &&Evaluated| compare(a, b, self.goal);
+        let mut best: Vec<Evaluated> =
+            found.iter().filter_map(|of| of.iter().min_by(better)).cloned().collect();
+        best.sort_by(|a, b| compare(a, b, self.goal));
+        let met = found.into_iter().flatten().filter(|candidate| candidate.violation == 0.0);
+        Found { best, front: front(met.collect()), computed }
+    }
+
+    /// The ends of the box along each axis, deg, mm and kPa.
+    fn sides(&self) -> [[f64; 2]; AXES] {
+        let Bounds { tip_angle, width, tip_radius, corner_radius, inner_radius, pressure, .. } = self.bounds;
+        let own = self.base.load.pressure.unwrap_or_default();
+        let lengths =
+            [width, tip_radius, corner_radius, inner_radius].map(|ends| ends.map(|length| length.0));
+        let [width, tip_radius, corner_radius, inner_radius] = lengths;
+        let pressure = pressure.unwrap_or([own; 2]).map(|pressure| pressure.0);
+        [tip_angle.map(|end| end.0), width, tip_radius, corner_radius, inner_radius, pressure]
+    }
+
+    /// The design with `points` points at `place`; `None` if there is none, or it cannot be cut out.
+    fn at(&self, points: u32, place: &Place) -> Option<Evaluated> {
+        let sides = self.sides();
+        let [tip_angle, width, tip_radius, corner_radius, inner_radius, pressure] =
+            std::array::from_fn(|k| sides[k][0] + place[k] * (sides[k][1] - sides[k][0]));
+        let mut point = self.base.clone();
+        let star = &mut point.star;
+        star.points = points;
+        (star.tip_angle, star.tube_width) = (Angle(tip_angle), Length(width));
+        (star.tip_radius, star.corner_radius) = (Length(tip_radius), Length(corner_radius));
+        star.inner_radius = Length(inner_radius);
+        if pressure > 0.0 {
+            point.load.pressure = Some(Pressure(pressure));
+        }
+        point.stars = *self.bounds.stars.start();
+        let mut answer = point.answer(self.table).ok()?;
+        if let Some(count) = self.stars(&point, &answer) {
+            point.stars = count;
+            answer = answer.of_stars(count);
+        }
+        point.star.pitch = Length(point.star.pitch.0.max(least_pitch(&point)));
+        let all = shortfalls(&point, &answer, self.constraints);
+        let violation = all.iter().map(|(_, shortfall)| shortfall).sum();
+        answer.fabric.is_some().then_some(Evaluated { point, answer, violation })
+    }
+
+    /// As many stars as hold the payload, if that may be chosen.
+    fn stars(&self, point: &Candidate, answer: &Answer) -> Option<u32> {
+        let (from, to) = (*self.bounds.stars.start(), *self.bounds.stars.end());
+        let needed = self.constraints.payload.filter(|_| to > from)?;
+        let one = sure_payload(point, answer)? / f64::from(point.stars);
+        (from..=to).find(|count| f64::from(*count) * one >= needed).or(Some(to))
+    }
+
+    /// All designs with `points` points that were computed.
+    fn with_points(&self, points: u32) -> Vec<Evaluated> {
+        let sides = self.sides();
+        let varied: Vec<usize> = (0..AXES).filter(|&k| sides[k][1] > sides[k][0]).collect();
+        let scanned = (1..=if varied.is_empty() { 1 } else { self.effort.scanned })
+            .map(|index| scanned(index, &varied))
+            .filter_map(|place| Some((place, self.at(points, &place)?)));
+        let mut scanned: Vec<(Place, Evaluated)> = scanned.collect();
+        scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
+        let starts: Vec<_> = scanned.iter().take(self.effort.followed).cloned().collect();
+        let mut all: Vec<Evaluated> = scanned.into_iter().map(|(_, candidate)| candidate).collect();
+        if !varied.is_empty() {
+            for start in starts {
+                self.descend(points, start, &varied, &mut all);
+            }
+        }
+        all
+    }
+
+    /// The search downwards from `start`; all designs on the way go to `all`.
+    fn descend(&self, points: u32, start: (Place, Evaluated), varied: &[usize], all: &mut Vec<Evaluated>) {
+        let (mut place, mut here) = start;
+        let mut step = 0.1;
+        for round in 0..self.effort.polls {
+            let mut moved = false;
+            for trial in polled(place, step, varied, round) {
+                let Some(next) = self.at(points, &trial) else { continue };
+                all.push(next.clone());
+                if compare(&next, &here, self.goal).is_lt() {
+                    (place, here, moved) = (trial, next, true);
+                    break;
+                }
+            }
+            step = if moved { (2.0 * step).min(0.2) } else { 0.5 * step };
+            if step < SMALLEST_STEP {
+                break;
+            }
+        }
+    }
+}
+
+/// The least distance of stars in a stack, mm, rounded up to a tenth: what an inflated tube and a plate take.
+fn least_pitch(point: &Candidate) -> f64 {
+    let needed = 2.0 * point.star.tube_width.0 / PI + point.plate.0;
+    if point.stars > 1 { (10.0 * needed).ceil() / 10.0 } else { 0.0 }
+}
+
+/// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.
+fn compare(a: &Evaluated, b: &Evaluated, goal: Goal) -> Ordering {
+    let cost = |candidate: &Evaluated| {
+        let own = candidate.answer.outcome.as_ref();
+        match goal {
+            Goal::Contraction => -own.map_or(0.0, |own| own.contraction),
+            Goal::Stiffness => -own.and_then(|own| own.stiffness).unwrap_or(0.0),
+            Goal::Payload => -sure_payload(&candidate.point, &candidate.answer).unwrap_or(0.0),
+            Goal::Fabric => candidate.fabric(),
+        }
+    };
+    a.violation
+        .total_cmp(&b.violation)
+        .then(cost(a).total_cmp(&cost(b)))
+        .then(a.fabric().total_cmp(&b.fabric()))
+}
+
+impl Evaluated {
+    /// Fabric of all stars, mm^2.
+    pub fn fabric(&self) -> f64 {
+        self.answer.fabric.map_or(f64::INFINITY, |area| f64::from(self.point.stars) * area)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::{ModelChoice, Source, read, starter};
+
+    fn base() -> Candidate {
+        let load = "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.5\n";
+        let text = starter("x").expect("a name") + load;
+        let base = Candidate::of(&read(&Source::new("x", text)).expect("valid").spec).expect("a star");
+        Candidate { model: ModelChoice::Ring, ..base }
+    }
+
+    fn bounds() -> Bounds {
+        Bounds { points: 3..=9, ..Bounds::just(&base()) }
+    }
+
+    fn table() -> RingTable {
+        RingTable::new().expect("solved")
+    }
+
+    #[test]
+    fn the_papers_star_contracts_most_with_four_or_five_points() {
+        let found = search(&base(), &bounds(), &Constraints::default(), Goal::Contraction, &table());
+        assert!([4, 5].contains(&found.best[0].point.star.points), "{:?}", found.best[0].point.star);
+        // n = 8 has arms of 6 mm, too short, and comes after all others; n = 9 has none.
+        assert!(found.best.len() == 6 && found.best[5].violation > 0.0);
+    }
+
+    #[test]
+    fn the_optimum_is_the_best_of_a_dense_grid() {
+        let bounds = Bounds {
+            tip_angle: [20.0, 57.0].map(Angle),
+            width: [15.0, 40.0].map(Length),
+            points: 4..=5,
+            ..bounds()
+        };
+        let constraints = Constraints {
+            payload: Some(0.5),
+            grasp: Some([20.0, 50.0].map(Length)),
+            ..Constraints::default()
+        };
+        let table = table();
+        let found = search(&base(), &bounds, &constraints, Goal::Fabric, &table);
+        let best = found.best[0].clone();
+        assert_eq!(best.violation, 0.0);
+        for n in 4..=5 {
+            for i in 0..=60 {
+                for j in 0..=60 {
+                    let mut point = base();
+                    point.star.points = n;
+                    point.star.tip_angle = Angle(20.0 + 37.0 * f64::from(i) / 60.0);
+                    point.star.tube_width = Length(15.0 + 25.0 * f64::from(j) / 60.0);
+                    if let Ok(answer) = point.answer(&table)
+                        && shortfalls(&point, &answer, &constraints).is_empty()
+                        && let Some(area) = answer.fabric
+                    {
+                        assert!(area > best.fabric() * 0.999, "{point:?} is smaller");
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn nothing_on_the_front_is_beaten() {
+        let bounds = Bounds {
+            tip_angle: [12.0, 69.0].map(Angle),
+            width: [10.0, 40.0].map(Length),
+            points: 3..=6,
+            ..bounds()
+        };
+        let found = search(&base(), &bounds, &Constraints::default(), Goal::Contraction, &table());
+        assert!(found.front.len() > 10 && found.computed > 1000);
+        for (i, a) in found.front.iter().enumerate().step_by(7) {
+            for (j, b) in found.front.iter().enumerate() {
+                let [x, y] = [a, b].map(|of| of.answer.outcome.expect("a limit"));
+                let beats =
+                    y.contraction >= x.contraction && y.stiffness >= x.stiffness && b.fabric() <= a.fabric();
+                assert!(i == j || !beats, "{i} {j}");
+            }
+        }
+        let shown = thinned(&found.front, 5);
+        assert!(
+            shown.len() == 5 && shown[0] == found.front[0] && shown[4] == found.front[found.front.len() - 1]
+        );
+    }
+
+    #[test]
+    fn a_search_is_the_same_in_any_number_of_threads() {
+        let bounds = Bounds { tip_angle: [12.0, 69.0].map(Angle), ..bounds() };
+        let run = || search(&base(), &bounds, &Constraints::default(), Goal::Stiffness, &table());
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
+        assert_eq!(run(), pool.install(run));
+    }
+}

@@ -1,0 +1,86 @@
+//! What a star does at several pressures: the answer to a spec that names none.
+
+use crate::forecast::case::Case;
+use crate::forecast::choice::{corrected, tabled};
+use crate::forecast::outcome::Outcome;
+use crate::forecast::ranges::{Interval, mm};
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::star::response::Inflated;
+use crate::units::{Length, Pressure};
+use serde::Serialize;
+
+/// One pressure, and what the star does there.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct PressureRow {
+    /// Gauge pressure.
+    pub pressure_kPa: f64,
+    /// Final inner radius.
+    pub final_radius_mm: f64,
+    /// Its range; `None` where nothing is known.
+    pub radius_range_mm: Option<Interval>,
+    /// Radial force on the object; needs object_radius.
+    pub object_force_N: Option<f64>,
+    /// Its range; `None` where nothing is known.
+    pub force_range_N: Option<Interval>,
+    /// Stretch p W / Y of the fabric.
+    pub stretch: f64,
+    /// Burst pressure over this one; needs seal_strength.
+    pub burst_margin: Option<f64>,
+    /// Whether it is the best: the largest force on the object, or without an object the least radius, that does not burst.
+    pub best: bool,
+}
+
+/// Steps within a decade.
+const STEPS: [f64; 8] = [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.0];
+/// Least pressure that is shown, kPa.
+const LEAST: f64 = 1.0;
+/// Largest, kPa.
+const MOST: f64 = 100.0;
+
+/// The pressures at which `section` and its arms know the star of `case`, which bursts at `burst` (Pa), if that is known.
+pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
+    let decades = [LEAST, 10.0 * LEAST, MOST];
+    let all = decades.iter().flat_map(|decade| STEPS.iter().map(move |step| decade * step));
+    let mut rows: Vec<PressureRow> =
+        all.filter(|kpa| *kpa <= MOST).filter_map(|kpa| row(case, burst, kpa).ok().flatten()).collect();
+    // The first of equals: less pressure does the same.
+    let better = |a: &PressureRow, b: &PressureRow| merit(a).total_cmp(&merit(b)).is_gt();
+    let mut best: Option<usize> = None;
+    for (i, row) in
+        rows.iter().enumerate().filter(|(_, row)| row.burst_margin.is_none_or(|margin| margin >= 1.0))
+    {
+        if best.is_none_or(|best| better(row, &rows[best])) {
+            best = Some(i);
+        }
+    }
+    if let Some(row) = best.and_then(|best| rows.get_mut(best)) {
+        row.best = true;
+    }
+    rows
+}
+
+/// What is to be largest.
+fn merit(row: &PressureRow) -> f64 {
+    row.force_range_N.map(|range| range[0]).or(row.object_force_N).unwrap_or(-row.final_radius_mm)
+}
+
+/// `None` where nothing is known of the star at this pressure.
+fn row(case: &Case, burst: Option<f64>, kpa: f64) -> Result<Option<PressureRow>, StarFault> {
+    let pressure = Pressure(kpa).pascals();
+    let model = tabled(case, pressure)?;
+    let case = corrected(&Case { pressure: Some(pressure), ..*case }, &model)?;
+    let inflated = Inflated::new(&case.mechanism, &model, pressure)?;
+    let outcome = Outcome::linear(&case, &inflated);
+    let Some(radius) = outcome.ranges.radius else { return Ok(None) };
+    Ok(Some(PressureRow {
+        pressure_kPa: kpa,
+        final_radius_mm: Length::from_metres(outcome.rest.radius).0,
+        radius_range_mm: Some(mm(radius)),
+        object_force_N: outcome.object_force(),
+        force_range_N: outcome.force_range,
+        stretch: case.sheet.stretch(pressure, case.mechanism.width),
+        burst_margin: burst.map(|burst| burst / pressure),
+        best: false,
+    }))
+}

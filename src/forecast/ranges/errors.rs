@@ -1,0 +1,38 @@
+//! How far `section` is from stars computed as shells: the constants that ranges are made of, and where they were taken.
+//!
+//! Each pair is what holds 95 % of the stars of the second set (docs/models.md, "Ranges"), the mesh errors of their shells included. The
+//! hinges' are of single hinges that the table of arms does not hold, on the same page.
+
+use crate::forecast::ranges::Interval;
+
+/// The shell's radius less the predicted one, over W / sin(pi/n).
+pub const RADIUS: Interval = [-0.05, 0.06];
+/// The shell's angle of the tips at rest less the predicted one, rad, over W / l.
+pub const ANGLE: Interval = [-0.05, 0.05];
+/// The shell's radial stiffness over the predicted one.
+pub const STIFFNESS: Interval = [0.5, 1.6];
+/// The shell's stiffness of a hinge over the predicted one.
+pub const HINGE: Interval = [0.87, 1.03];
+/// The shell's force over the predicted one, once the range of the radius is taken off; `None` while none were compared.
+pub const FORCE: Option<Interval> = None;
+
+/// By how much ranges are wider beyond what was tried: of the paper's stars that of three points with arms of 5.2 W needs it.
+pub const BEYOND: f64 = 4.0;
+/// How far beyond is not far: by this factor in any of what follows.
+pub const NOT_FAR: f64 = 1.5;
+/// Points that were tried.
+pub const POINTS: Interval = [3.0, 8.0];
+/// 1/eps that was tried.
+pub const BENDABILITY: Interval = [100.0, 5000.0];
+/// Arms by W that were tried.
+pub const ARM: Interval = [0.5, 5.0];
+/// rho_0 by W that was tried.
+pub const HOLE: Interval = [0.5, 6.0];
+/// R* that were tried; 0 among them.
+pub const R_STAR: Interval = [0.0, 0.3];
+/// phi_i0 that were tried, deg.
+pub const TIP_ANGLE: Interval = [15.0, 70.0];
+/// Flat arcs of corners that were tried, deg.
+pub const CORNER_ARC: Interval = [20.0, 120.0];
+/// What is said of a star that lies beyond what was tried.
+pub const BEYOND_WORDS: &str = "stars like this one were not computed as shells (3 to 8 points, arms of half to five widths, R* up to 0.3, tips of 15 to 70 deg were)";

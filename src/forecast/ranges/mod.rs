@@ -1,0 +1,154 @@
+//! In which intervals the truth lies: a **range** for each predicted quantity, of that very quantity.
+//!
+//! A range is made of how far `section` with its correction was from stars computed as shells ([`errors`]), so it has a sign. It
+//! holds where such stars were tried; beyond that it is four times as wide, and [`Standing`] says so; where no star is like it, there is
+//! none. The limits of high pressure, `fit`, `ring` and `bvp`, have none at all: no gripper works there.
+
+pub mod errors;
+pub mod shown;
+
+use crate::forecast::case::Case;
+use crate::forecast::prediction::Hinges;
+use crate::mechanics::hinge::{HingeModel, Level};
+use crate::mechanics::star::response::{Inflated, Rest};
+use crate::units::Length;
+use serde::Serialize;
+use std::f64::consts::PI;
+
+/// From the least to the largest value in which the truth lies in at least 95 % of cases.
+pub type Interval = [f64; 2];
+
+/// What is known of stars like this one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Standing {
+    /// Stars all around it were computed as shells.
+    Tried,
+    /// It lies outside of what was tried, and not far: ranges are four times as wide.
+    Beyond,
+    /// No star is like it, or the model is a limit.
+    #[default]
+    Unknown,
+}
+
+/// Ranges of one star, SI units; `None` where nothing is known.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ranges {
+    /// What they stand on.
+    pub standing: Standing,
+    /// Of the final radius, m.
+    pub radius: Option<Interval>,
+    /// Of the tips' angle at rest, rad; `None` too where arms touch, because contact is part of that equilibrium.
+    pub angle: Option<Interval>,
+    /// Of the hinges' stiffness, as parts of it.
+    pub hinge: Option<Interval>,
+    /// Of the radial stiffness, N per m; `None` too where arms touch.
+    pub stiffness: Option<Interval>,
+}
+
+impl Ranges {
+    /// Of a star that rests at `rest`.
+    pub fn new(case: &Case, inflated: &Inflated<'_>, rest: &Rest) -> Self {
+        let standing = standing(case, inflated.model());
+        let wider = match standing {
+            Standing::Tried => 1.0,
+            Standing::Beyond => errors::BEYOND,
+            Standing::Unknown => return Self::default(),
+        };
+        let about =
+            |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
+        let star = &case.mechanism;
+        let unit = star.width / (PI / f64::from(star.points)).sin();
+        // Arms that touch press on each other, and what that does to the stiffness no hinge knows.
+        let free = rest.equilibrium > star.correction.touch;
+        let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
+        // Short arms end before they are straight.
+        let angle = about(rest.equilibrium, errors::ANGLE, star.width / star.arm);
+        Self {
+            standing,
+            radius: Some(radius),
+            angle: (angle[0] > star.correction.touch).then_some(angle),
+            hinge: Some(errors::HINGE.map(|part| part.powf(wider))),
+            stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * part.powf(wider))),
+        }
+    }
+
+    /// Of the radial force `force` (N) on an object of radius `rho` (m) within a star that rests at `rest`; `None` where forces were
+    /// not compared.
+    pub fn force(&self, force: f64, rho: f64, rest: &Rest) -> Option<Interval> {
+        let [radius, parts] = [self.radius?, errors::FORCE?];
+        let wider = if self.standing == Standing::Tried { 1.0 } else { errors::BEYOND };
+        let [low, high] = parts.map(|part| part.powf(wider));
+        if rho <= radius[0] {
+            return Some([0.0, 0.0]);
+        }
+        // Where a star begins to touch is as uncertain as its radius.
+        let later = rest.stiffness * (radius[1] - rest.radius).max(0.0);
+        let sooner = rest.stiffness * (rest.radius.min(rho) - radius[0]).max(0.0);
+        Some([(low * (force - later)).max(0.0), high * (force + sooner)])
+    }
+}
+
+/// Whether stars like `case` were computed as shells.
+fn standing(case: &Case, model: &dyn HingeModel) -> Standing {
+    let star = &case.mechanism;
+    let hinges = [star.tip(), star.corner()];
+    let arms = hinges.iter().all(|hinge| model.arms_angle(hinge.r_star).is_some());
+    let Some(pressure) = case.pressure.filter(|_| arms && model.level() == Level::Section) else {
+        return Standing::Unknown;
+    };
+    let place = [
+        (f64::from(star.points), errors::POINTS),
+        (case.sheet.bendability(pressure, star.width), errors::BENDABILITY),
+        (star.arm / star.width, errors::ARM),
+        (case.inner_radius / star.width, errors::HOLE),
+        (star.tip().r_star, errors::R_STAR),
+        (star.corner().r_star, errors::R_STAR),
+        (star.tip_angle.to_degrees(), errors::TIP_ANGLE),
+        (star.corner().arc().to_degrees(), errors::CORNER_ARC),
+    ];
+    let inside = |slack: f64| place.iter().all(|(x, [low, high])| (low / slack..=high * slack).contains(x));
+    if inside(1.0 + 1e-9) {
+        Standing::Tried
+    } else if inside(errors::NOT_FAR) {
+        Standing::Beyond
+    } else {
+        Standing::Unknown
+    }
+}
+
+/// The ranges of a prediction, in its units: `None` where nothing is known.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct StarRanges {
+    /// Of the final radius.
+    pub final_radius_mm: Option<Interval>,
+    /// Of the contraction.
+    pub contraction: Option<Interval>,
+    /// Of the tips' angle at rest.
+    pub tip_equilibrium_angle_deg: Option<Interval>,
+    /// Of the hinges' stiffness.
+    pub hinge_stiffness_Nm: Hinges<Option<Interval>>,
+    /// Of the radial stiffness.
+    pub radial_stiffness_N_per_m: Option<Interval>,
+    /// Of the force on the object.
+    pub object_force_N: Option<Interval>,
+    /// Of the payload.
+    pub payload_kg: Option<Interval>,
+    /// Of the burst pressure: nothing was compared with it yet.
+    pub burst_pressure_kPa: Option<Interval>,
+}
+
+/// A range of lengths in mm.
+pub fn mm(range: Interval) -> Interval {
+    range.map(|metres| Length::from_metres(metres).0)
+}
+
+/// A range scaled by a factor of 0 or more.
+pub fn scaled(range: Interval, factor: f64) -> Interval {
+    range.map(|end| factor * end)
+}
+
+/// The sum of ranges: errors of equal stars are the same, so that ends add up; `None` if one of them is not known.
+pub fn sum(ranges: impl IntoIterator<Item = Option<Interval>>) -> Option<Interval> {
+    ranges.into_iter().try_fold([0.0, 0.0], |[low, high], range| range.map(|[a, b]| [low + a, high + b]))
+}

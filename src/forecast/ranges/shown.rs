@@ -1,0 +1,77 @@
+//! Values with their ranges as a person reads them: "12 N, 9 to 15", with as many digits as the range leaves.
+
+use crate::forecast::ranges::Interval;
+use crate::units::Readable;
+
+/// `value` with its range, both in `unit`; without a range it is unknown, and no number stands there.
+pub fn known(value: Option<f64>, range: Option<Interval>, unit: &str) -> String {
+    match value.zip(range) {
+        Some((value, range)) => with(value, range, unit),
+        None => "unknown".to_owned(),
+    }
+}
+
+/// `value` with its range, both in `unit`.
+pub fn with(value: f64, [low, high]: Interval, unit: &str) -> String {
+    let step = step(high - low);
+    let gap = if unit.is_empty() { "" } else { " " };
+    // Ends are rounded outwards: what is printed holds.
+    let [low, high] = [(low / step).floor() * step, (high / step).ceil() * step];
+    let [value, low, high] = [value, low, high].map(|number| text(number, step));
+    format!("{value}{gap}{unit}, {low} to {high}")
+}
+
+/// The decade that divides a range of this width into two to twenty parts.
+fn step(width: f64) -> f64 {
+    if width > 0.0 && width.is_finite() { 10_f64.powf((0.5 * width).log10().floor()) } else { 1e-3 }
+}
+
+fn text(number: f64, step: f64) -> String {
+    let rounded = (number / step).round() * step;
+    if step >= 1.0 {
+        return Readable(rounded).to_string();
+    }
+    let mut decimals = 0;
+    let mut unit = 1.0;
+    while unit > 1.5 * step && decimals < 9 {
+        unit *= 0.1;
+        decimals += 1;
+    }
+    let said = format!("{rounded:.decimals$}");
+    if said.trim_start_matches('-').chars().all(|c| c == '0' || c == '.') {
+        said.trim_start_matches('-').to_owned()
+    } else {
+        said
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_match_the_range() {
+        assert_eq!(with(12.345, [9.4, 14.6], "N"), "12 N, 9 to 15");
+        assert_eq!(with(17.3546, [16.91, 17.62], "mm"), "17.4 mm, 16.9 to 17.7");
+        assert_eq!(with(1234.5, [1012.0, 1450.0], "N/m"), "1200 N/m, 1000 to 1500");
+        assert_eq!(with(0.061, [0.0512, 0.0723], "kg"), "0.06 kg, 0.05 to 0.08");
+        assert_eq!(with(0.0, [-0.001, 0.001], ""), "0.000, -0.001 to 0.001");
+        assert_eq!(with(0.0, [0.0, 0.0], "N"), "0.000 N, 0.000 to 0.000");
+    }
+
+    #[test]
+    fn what_is_not_known_has_no_number() {
+        assert_eq!(known(Some(3.0), None, "N"), "unknown");
+        assert_eq!(known(None, Some([1.0, 2.0]), "N"), "unknown");
+    }
+
+    #[test]
+    fn the_ends_that_are_printed_hold() {
+        for k in 1..500 {
+            let (low, width) = (0.037 * f64::from(k), 0.011 * f64::from(k % 17 + 1));
+            let said = with(low, [low, low + width], "");
+            let ends: Vec<f64> = said.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
+            assert!(ends[1] <= low + 1e-9 && ends[2] >= low + width - 1e-9, "{said}: {low} {width}");
+        }
+    }
+}

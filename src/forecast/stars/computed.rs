@@ -1,0 +1,201 @@
+//! One star of a set as the shell computes it: a text that stands alone, with a checksum in its last line, and the line that
+//! the shipped table keeps of it.
+
+use std::fmt::Write;
+
+use crate::forecast::stars::draw::{Drawn, Set};
+use crate::shell::cases::{Fineness, Objects, ShellFault, Value, Watch, star};
+use sha2::{Digest, Sha256};
+
+/// Meshes of some 2,500, 10,000 and 40,000 unknowns.
+pub const FINENESS: Fineness = Fineness { cells: 12.0, cuts: 2 };
+/// Meshes for forces, which take many more solves: some 1,500, 6,000 and 24,000.
+pub const FORCE_FINENESS: Fineness = Fineness { cells: 8.0, cuts: 2 };
+/// How far objects open a star, by W.
+pub const OPENINGS: [f64; 2] = [0.15, 0.45];
+
+/// A number of the shell, with its mesh error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Number {
+    /// Its value.
+    pub value: f64,
+    /// Its mesh error.
+    pub error: f64,
+}
+
+/// What the shell found of a star at rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// rho_f, mm.
+    pub radius: Number,
+    /// The tips' angle, deg.
+    pub angle: Number,
+    /// Radial stiffness, all corners together, N/mm.
+    pub stiffness: Number,
+    /// Force between the arms of a tip, N.
+    pub arm_contact: Number,
+    /// Openings by W, and the radial force, N, that opens the star so far.
+    pub forces: Vec<(f64, Number)>,
+}
+
+/// A star with what the shell says of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Computed {
+    /// Which one.
+    pub star: Drawn,
+    /// What was found; `None` where the shell refuses.
+    pub found: Option<Found>,
+}
+
+impl Drawn {
+    /// Computes it at rest and opened by `openings` (by W): its text. What the shell refuses is an answer too.
+    ///
+    /// # Errors
+    /// If it was told to stop.
+    pub fn compute(
+        &self,
+        openings: &[f64],
+        fineness: Fineness,
+        watch: &Watch<'_>,
+    ) -> Result<String, ShellFault> {
+        let Fineness { cells, cuts } = fineness;
+        let mut text = String::from(
+            "# A star as a shell; `stargrip-cam table`. Lengths mm, t mm, angles deg, p kPa, E 128 MPa, nu 0.39.\n# Each number, its \
+             mesh error, and what the last three meshes gave.\n",
+        );
+        let _ = writeln!(text, "{} cells {cells} cuts {cuts}", self.words());
+        let objects: Vec<f64> = openings.iter().map(|part| 1e-3 * part * self.width).collect();
+        match star(&self.flat(), Objects::Openings(&objects), fineness, watch) {
+            Err(ShellFault::Cancelled) => return Err(ShellFault::Cancelled),
+            Err(fault) => {
+                let _ = writeln!(text, "refused {fault}");
+            }
+            Ok(found) => {
+                let mut line = |name: &str, value: Value| {
+                    let Value { value, error, meshes: [a, b, c] } = value;
+                    let _ = writeln!(text, "{name} {value:.5} {error:.5} {a:.5} {b:.5} {c:.5}");
+                };
+                line("radius", found.final_radius.scaled(1e3));
+                line("angle", found.tip_angle.scaled(1.0_f64.to_degrees()));
+                line("stiffness", found.radial_stiffness.scaled(1e-3));
+                line("arm_contact", found.preload);
+                line("volume", found.volume.scaled(1e6));
+                for (part, (_, force)) in openings.iter().zip(&found.forces) {
+                    line(&format!("force {part}"), *force);
+                }
+                let _ = writeln!(text, "unknowns {:?}", found.evidence.unknowns);
+            }
+        }
+        let hash = hash(&text);
+        let _ = writeln!(text, "{hash}");
+        Ok(text)
+    }
+
+    /// What it is, in one line.
+    pub fn words(&self) -> String {
+        format!(
+            "{} {} n {} W {} rho_0 {} phi_i0 {} R_i {} R_e {} t {} p {}",
+            self.set.name(),
+            self.number,
+            self.points,
+            self.width,
+            self.inner_radius,
+            self.tip_angle,
+            self.tip_radius,
+            self.corner_radius,
+            self.thickness,
+            self.pressure
+        )
+    }
+
+    /// Reads its text; `None` if it is torn, or another star's.
+    pub fn read(&self, text: &str) -> Option<Computed> {
+        let (body, last) = text.trim_end().rsplit_once('\n')?;
+        if hash(&format!("{body}\n")) != last {
+            return None;
+        }
+        let mut lines = body.lines().filter(|line| !line.starts_with('#'));
+        if !lines.next()?.starts_with(&format!("{} cells ", self.words())) {
+            return None;
+        }
+        let lines: Vec<&str> = lines.collect();
+        if lines.iter().any(|line| line.starts_with("refused ")) {
+            return Some(Computed { star: *self, found: None });
+        }
+        let number = |name: &str| {
+            let rest = lines.iter().find_map(|line| line.strip_prefix(name)?.strip_prefix(' '))?;
+            let mut words = rest.split(' ').map(str::parse);
+            Some(Number { value: words.next()?.ok()?, error: words.next()?.ok()? })
+        };
+        let forces = OPENINGS.iter().filter_map(|part| Some((*part, number(&format!("force {part}"))?)));
+        let found = Found {
+            radius: number("radius")?,
+            angle: number("angle")?,
+            stiffness: number("stiffness")?,
+            arm_contact: number("arm_contact")?,
+            forces: forces.filter(|(_, force)| force.value.is_finite()).collect(),
+        };
+        Some(Computed { star: *self, found: Some(found) })
+    }
+}
+
+impl Computed {
+    /// What the shipped table keeps of it.
+    pub fn line(&self) -> String {
+        let mut line = self.star.words();
+        let Some(found) = &self.found else { return line + " refused" };
+        let mut add = |name: &str, Number { value, error }: Number, decimals: usize| {
+            let _ = write!(line, " {name} {value:.decimals$} {error:.decimals$}");
+        };
+        add("radius", found.radius, 3);
+        add("angle", found.angle, 2);
+        add("stiffness", found.stiffness, 4);
+        add("arm_contact", found.arm_contact, 3);
+        for (part, force) in &found.forces {
+            add(&format!("force {part}"), *force, 3);
+        }
+        line
+    }
+
+    /// Reads a line of the shipped table.
+    pub fn of_line(line: &str) -> Option<Self> {
+        let words: Vec<&str> = line.split(' ').collect();
+        let set = Set::ALL.into_iter().find(|set| Some(&set.name()) == words.first())?;
+        let star = set.star(words.get(1)?.parse().ok().filter(|number| *number >= 1)?);
+        let rest = line.strip_prefix(&star.words())?.trim_start();
+        if rest == "refused" {
+            return Some(Self { star, found: None });
+        }
+        let words: Vec<&str> = rest.split(' ').collect();
+        let number = |name: &[&str]| {
+            let at = words.windows(name.len()).position(|part| part == name)? + name.len();
+            Some(Number { value: words.get(at)?.parse().ok()?, error: words.get(at + 1)?.parse().ok()? })
+        };
+        let force = |part: &f64| Some((*part, number(&["force", &part.to_string()])?));
+        let found = Found {
+            radius: number(&["radius"])?,
+            angle: number(&["angle"])?,
+            stiffness: number(&["stiffness"])?,
+            arm_contact: number(&["arm_contact"])?,
+            forces: OPENINGS.iter().filter_map(force).collect(),
+        };
+        Some(Self { star, found: Some(found) })
+    }
+}
+
+/// SHA-256 in hexadecimal.
+pub(super) fn hash(text: &str) -> String {
+    Sha256::digest(text).iter().fold(String::new(), |mut hash, byte| {
+        let _ = write!(hash, "{byte:02x}");
+        hash
+    })
+}
+
+/// All stars of all sets, one of each set in turn, so that any beginning is of use.
+pub fn in_turn() -> Vec<Drawn> {
+    let most = Set::ALL.map(Set::count).into_iter().max().unwrap_or(0);
+    let of = |number: u32| {
+        Set::ALL.into_iter().filter(move |set| number <= set.count()).map(move |set| set.star(number))
+    };
+    (1..=most).flat_map(of).collect()
+}

@@ -1,0 +1,180 @@
+//! Which stars are computed: drawn by seed, the same on every machine, in three sets that have no star in common.
+
+use std::f64::consts::PI;
+
+use crate::shell::cases::{FlatStar, Tube};
+use crate::shell::element::Fabric;
+
+/// What a star is computed for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Set {
+    /// To fit a correction.
+    Fit,
+    /// To take ranges from.
+    Range,
+    /// To try both on.
+    Test,
+}
+
+/// One star of a set.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Drawn {
+    /// Its set.
+    pub set: Set,
+    /// Its number in it, from 1.
+    pub number: u32,
+    /// n.
+    pub points: u32,
+    /// Flat tube width W, mm.
+    pub width: f64,
+    /// Inner radius rho_0, mm.
+    pub inner_radius: f64,
+    /// phi_i0, deg.
+    pub tip_angle: f64,
+    /// R_i, mm.
+    pub tip_radius: f64,
+    /// R_e, mm.
+    pub corner_radius: f64,
+    /// t, mm.
+    pub thickness: f64,
+    /// p, kPa.
+    pub pressure: f64,
+}
+
+/// E of all of them, MPa, and nu. A star's ratios depend on E by p/E alone.
+pub const YOUNG: f64 = 128.0;
+/// nu of all of them.
+pub const POISSON: f64 = 0.39;
+/// t/W: as far as the arms' table goes.
+const SLENDERNESS: [f64; 2] = [0.0101, 0.03];
+/// 1/eps: from where that table begins to where the shell was tried.
+const BENDABILITY: [f64; 2] = [100.0, 5000.0];
+/// Largest p W / Y.
+const STRETCH: f64 = 0.1;
+/// Arms by W.
+const ARM: [f64; 2] = [0.5, 5.0];
+/// rho_0 by W.
+const HOLE: [f64; 2] = [0.5, 6.0];
+/// Largest phi_e0, deg: a corner turns by 20 deg at least.
+const MOST_OPEN: f64 = 160.0;
+
+impl Set {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Fit, Self::Range, Self::Test];
+
+    /// Its name.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Fit => "fit",
+            Self::Range => "range",
+            Self::Test => "test",
+        }
+    }
+
+    /// How many stars it has.
+    pub const fn count(self) -> u32 {
+        match self {
+            Self::Fit => 36,
+            Self::Range => 48,
+            Self::Test => 60,
+        }
+    }
+
+    const fn seed(self) -> u64 {
+        match self {
+            Self::Fit => 1,
+            Self::Range => 2,
+            Self::Test => 3,
+        }
+    }
+
+    /// Its star number `number`: the points go round from 3 to 8, the rest is drawn.
+    pub fn star(self, number: u32) -> Drawn {
+        let mut dice = Dice((self.seed() << 40) + (u64::from(number) << 20));
+        let points = 3 + (number - 1) % 6;
+        loop {
+            if let Some(star) = drawn(self, number, points, &mut dice) {
+                return star;
+            }
+        }
+    }
+}
+
+/// One throw; `None` if there is no such star, or it lies outside of what is asked about.
+fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<Drawn> {
+    let width = rounded(dice.log([15.0, 60.0]), 10.0);
+    let thickness = rounded(dice.log([0.1, 0.5]), 1000.0);
+    let tip_angle = rounded(dice.even([15.0, 70.0]), 10.0);
+    let pressure = rounded(dice.log([5.0, 60.0]), 10.0);
+    let sharp = dice.even([0.0, 1.0]) < 0.3;
+    let mut radius = || if sharp { 0.0 } else { rounded(dice.even([0.0, 0.3]) * width, 10.0) };
+    let (tip_radius, corner_radius) = (radius(), radius());
+    let arm = width * dice.log(ARM);
+    let (sine, cosine) = (0.5 * tip_angle.to_radians()).sin_cos();
+    let reach = arm * sine + (width + tip_radius + corner_radius) * cosine;
+    let inner_radius = rounded(reach / (PI / f64::from(points)).sin() - width - corner_radius, 10.0);
+    let star = Drawn {
+        set,
+        number,
+        points,
+        width,
+        inner_radius,
+        tip_angle,
+        tip_radius,
+        corner_radius,
+        thickness,
+        pressure,
+    };
+    let tube = star.flat().tube;
+    let within = |value: f64, [least, most]: [f64; 2]| (least..=most).contains(&value);
+    let good = within(thickness / width, SLENDERNESS)
+        && within(tube.bendability(), BENDABILITY)
+        && tube.stretch() < STRETCH
+        && tip_angle + 360.0 / f64::from(points) <= MOST_OPEN
+        && within(inner_radius / width, HOLE);
+    good.then_some(star)
+}
+
+impl Drawn {
+    /// As the shell takes it.
+    pub fn flat(&self) -> FlatStar {
+        let mm = |length: f64| 1e-3 * length;
+        let (t, young) = (mm(self.thickness), 1e6 * YOUNG);
+        let bending = young * t.powi(3) / (12.0 * (1.0 - POISSON * POISSON));
+        let fabric = Fabric { stretch: young * t, bending, poisson: POISSON };
+        FlatStar {
+            tube: Tube { width: mm(self.width), fabric, pressure: 1e3 * self.pressure },
+            points: self.points,
+            inner_radius: mm(self.inner_radius),
+            tip_angle: self.tip_angle.to_radians(),
+            tip_radius: mm(self.tip_radius),
+            corner_radius: mm(self.corner_radius),
+        }
+    }
+}
+
+fn rounded(value: f64, by: f64) -> f64 {
+    (value * by).round() / by
+}
+
+/// Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (2014).
+struct Dice(u64);
+
+impl Dice {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn even(&mut self, [least, most]: [f64; 2]) -> f64 {
+        let part = f64::from(u32::try_from(self.next() >> 32).unwrap_or(0)) / f64::from(u32::MAX);
+        least + part * (most - least)
+    }
+
+    fn log(&mut self, range: [f64; 2]) -> f64 {
+        self.even(range.map(f64::ln)).exp()
+    }
+}

@@ -1,0 +1,45 @@
+//! All computed stars, one a line, as they are shipped.
+
+use crate::forecast::stars::computed::{Computed, hash};
+
+/// The stars.
+const SHIPPED: &str = include_str!("stars.txt");
+
+/// The table of `computed`, as the text that is shipped.
+pub fn join(computed: &[Computed]) -> String {
+    let body: String = computed.iter().map(|star| star.line() + "\n").collect();
+    let hash = hash(&body);
+    format!(
+        "# Stars as shells; read by src/forecast/stars/shipped.rs. E 128 MPa, nu 0.39; lengths mm, p kPa, angles deg.\n\
+         # Made by `stargrip-cam table DIR --set all`, the same with --forces, and --join. SHA-256 of the lines below: {hash}\n\
+         # Radius and angle at rest, radial stiffness (N/mm), force between arms (N), radial force (N) at openings by W; each with \
+         its mesh error.\n{body}"
+    )
+}
+
+/// The stars that are shipped, those that the shell refuses among them.
+pub fn shipped() -> Vec<Computed> {
+    SHIPPED.lines().filter(|line| !line.starts_with('#')).filter_map(Computed::of_line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::forecast::stars::computed::in_turn;
+
+    #[test]
+    fn the_shipped_stars_are_whole_and_are_those_that_are_drawn() {
+        let stars = shipped();
+        assert_eq!(SHIPPED, join(&stars));
+        for (star, drawn) in stars.iter().zip(in_turn()) {
+            assert_eq!(star.star, drawn);
+        }
+    }
+
+    #[test]
+    fn a_line_with_another_star_is_not_read() {
+        let mut star = shipped().swap_remove(0);
+        star.star.width += 0.1;
+        assert_eq!(Computed::of_line(&star.line()), None);
+    }
+}

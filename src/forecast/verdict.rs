@@ -1,0 +1,183 @@
+//! Whether a gripper holds the object of its `[load]`, in one word and with reasons.
+
+use crate::forecast::prediction::{Prediction, StarPrediction};
+use crate::forecast::ranges::{Interval, scaled, shown, sum};
+use crate::mechanics::strength::GRAVITY;
+use crate::spec::{Load, Spec};
+use crate::units::{Force, Mass};
+use serde::Serialize;
+
+/// One word.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Holds {
+    /// Over all of its ranges.
+    Yes,
+    /// Nowhere in them, or it cannot be.
+    No,
+    /// Within its ranges it may or may not, or no range is known.
+    Unknown,
+}
+
+/// What becomes of the object.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct Verdict {
+    /// In one word.
+    pub holds: Holds,
+    /// Radial force of all stars.
+    pub force_N: Option<f64>,
+    /// Its range.
+    pub force_range_N: Option<Interval>,
+    /// Radial force that friction needs to hold the mass.
+    pub needed_N: Option<f64>,
+    /// Why, and what to do: one sentence each; none if it holds.
+    pub reasons: Vec<String>,
+}
+
+/// The verdict on the object of `spec`; `None` without an object or a pressure.
+pub fn verdict(spec: &Spec, prediction: &Prediction) -> Option<Verdict> {
+    let load = spec.load.as_ref()?;
+    let object = load.object_radius.filter(|_| load.pressure.is_some())?;
+    let stars = &prediction.stars;
+    let force = stars.iter().map(|star| star.object_force_N).sum::<Option<f64>>();
+    let range = sum(stars.iter().map(|star| star.ranges.object_force_N));
+    let needed = needed_force(load);
+    let mut judged = Judged::default();
+    for (number, star) in (1..).zip(stars) {
+        if number == 1 || *star != stars[0] {
+            judged.star(number, star, object.0, load.largest_force);
+        }
+    }
+    judged.mass(force, range, needed);
+    Some(Verdict {
+        holds: judged.holds(),
+        force_N: force,
+        force_range_N: range,
+        needed_N: needed,
+        reasons: judged.reasons,
+    })
+}
+
+/// m g / mu, N.
+fn needed_force(load: &Load) -> Option<f64> {
+    let (Mass(mass), friction) = load.mass.zip(load.friction)?;
+    Some(mass * GRAVITY / friction)
+}
+
+/// What was found.
+#[derive(Default)]
+struct Judged {
+    refuted: bool,
+    doubted: bool,
+    reasons: Vec<String>,
+}
+
+impl Judged {
+    fn holds(&self) -> Holds {
+        match (self.refuted, self.doubted) {
+            (true, _) => Holds::No,
+            (_, true) => Holds::Unknown,
+            _ => Holds::Yes,
+        }
+    }
+
+    fn refute(&mut self, why: String) {
+        self.refuted = true;
+        self.reasons.push(why);
+    }
+
+    fn doubt(&mut self, why: String) {
+        self.doubted = true;
+        self.reasons.push(why);
+    }
+
+    fn star(&mut self, number: usize, star: &StarPrediction, object: f64, bears: Option<Force>) {
+        let of = |what: String| format!("star {number}: {what}");
+        if let Some(margin) = star.burst_margin.filter(|margin| *margin < 1.0) {
+            self.refute(of(format!("it bursts at {:.2} of the pressure", margin)));
+        }
+        let Some([least, most]) = star.graspable_radius_mm else {
+            return self.doubt(of(format!("nothing is known of it: {}", star.evidence.choice)));
+        };
+        if object > most {
+            return self.refute(of(format!("the object does not go in: it opens to {most:.1} mm")));
+        }
+        match star.ranges.final_radius_mm {
+            Some([low, _]) if object < low => {
+                return self
+                    .refute(of(format!("it closes to {least:.1} mm only and does not reach the object")));
+            }
+            Some([_, high]) if object < high => {
+                self.doubt(of(format!("it may close to {high:.1} mm only, and not reach the object")));
+            }
+            Some(_) => {}
+            None if object < least => {
+                return self
+                    .refute(of(format!("it closes to {least:.1} mm only and does not reach the object")));
+            }
+            None => {}
+        }
+        match (bears, star.ranges.object_force_N, star.object_force_N) {
+            (Some(Force(bears)), Some([low, _]), _) if low > bears => {
+                self.refute(of(format!(
+                    "it presses with {low:.1} N at least, and the object bears {bears:.1} N"
+                )));
+            }
+            (Some(Force(bears)), Some([_, high]), _) if high > bears => {
+                self.doubt(of(format!("it may press with {high:.1} N, and the object bears {bears:.1} N")));
+            }
+            (Some(Force(bears)), None, Some(force)) if force > bears => {
+                self.doubt(of(format!(
+                    "by the model it presses with {force:.1} N, and the object bears {bears:.1} N"
+                )));
+            }
+            _ => {}
+        }
+    }
+
+    fn mass(&mut self, force: Option<f64>, range: Option<Interval>, needed: Option<f64>) {
+        if self.refuted {
+            return;
+        }
+        match (needed, range, force) {
+            (Some(needed), Some([_, high]), _) if high < needed => {
+                self.refute(format!("friction needs {needed:.1} N, and there are {high:.1} N at most"));
+            }
+            (Some(needed), Some([low, _]), _) if low < needed => {
+                self.doubt(format!("friction needs {needed:.1} N, and there may be {low:.1} N only"));
+            }
+            (_, None, Some(force)) => {
+                let said =
+                    needed.map_or(String::new(), |needed| format!(" of {needed:.1} N that friction needs"));
+                self.doubt(format!(
+                    "by the model it presses with {force:.1} N{said}; how far that is off is not known"
+                ));
+            }
+            _ => {}
+        }
+    }
+}
+
+impl Verdict {
+    /// As one line, without the reasons.
+    pub fn line(&self) -> String {
+        let word = match self.holds {
+            Holds::Yes => "holds the object",
+            Holds::No => "does not hold the object",
+            Holds::Unknown => "may hold the object",
+        };
+        let force = match (self.force_N, self.force_range_N) {
+            (Some(force), Some(range)) => format!(" with {}", shown::with(force, range, "N")),
+            _ => String::new(),
+        };
+        let needed = self.needed_N.map_or(String::new(), |needed| format!(" ({needed:.1} N are needed)"));
+        format!("{word}{force}{needed}")
+    }
+
+    /// The share of the needed force that there is at the least.
+    pub fn margin(&self) -> Option<f64> {
+        let [low, _] = self.force_range_N?;
+        Some(scaled([low, low], self.needed_N?.recip())[0])
+    }
+}

@@ -1,0 +1,15 @@
+// Start: everything is shown at once, before the page is painted; only the scene comes when it is unpacked.
+
+"use strict";
+
+showHead();
+showVerdict();
+showStars();
+showJob();
+showPlots();
+showBill();
+showChecks();
+showSettings();
+showEvidence();
+document.body.classList.remove("wait");
+showSolid();

@@ -1,0 +1,93 @@
+// Words: figures as people read them, and the elements that say them.
+
+"use strict";
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const UNKNOWN = "unknown";
+
+/** The element with this id. */
+function at(id) {
+  return document.getElementById(id);
+}
+
+/** A new element; what is given as children is text or other elements, never markup. */
+function make(tag, attributes, ...children) {
+  return filled(document.createElement(tag), attributes, children);
+}
+
+/** A new element of a drawing; its namespace is taken from the page's own drawings. */
+function draw(tag, attributes, ...children) {
+  return filled(document.createElementNS(at("job").namespaceURI, tag), attributes, children);
+}
+
+function filled(element, attributes, children) {
+  for (const [key, value] of Object.entries(attributes || {})) {
+    if (value !== null && value !== undefined && value !== false) element.setAttribute(key, value === true ? key : String(value));
+  }
+  element.append(...children.filter((child) => child !== null && child !== undefined));
+  return element;
+}
+
+/** A number to `digits` significant digits; what is said exactly by fewer, as 0.3, has no zeros behind it. */
+function number(value, digits = 3) {
+  if (value === 0) return "0";
+  const size = Math.floor(Math.log10(Math.abs(value)));
+  const decimals = Math.min(6, Math.max(0, digits - 1 - size));
+  const text = value.toFixed(decimals);
+  const exact = Math.abs(Number(text) - value) <= 1e-9 * Math.abs(value);
+  return (exact ? String(Number(text)) : text).replace("-", "−");
+}
+
+/** A number with its unit; "unknown" where there is none. */
+function figure(value, unit, digits) {
+  if (value === null || value === undefined) return UNKNOWN;
+  return unit ? `${number(value, digits)} ${unit}` : number(value, digits);
+}
+
+/** From ... to ..., with the unit once; `null` where nothing is known. */
+function span(range, unit, digits = 3) {
+  if (!range || range.some((end) => end === null)) return null;
+  return `${number(range[0], digits)} to ${figure(range[1], unit, digits)}`;
+}
+
+/** Seconds as hours and minutes. */
+function hours(seconds) {
+  const minutes = Math.round(seconds / 60);
+  const rest = minutes % 60;
+  if (minutes < 60) return `${minutes} min`;
+  return `${Math.floor(minutes / 60)} h ${String(rest).padStart(2, "0")} min`;
+}
+
+/** A word for one or several. */
+function several(count, one, many = `${one}s`) {
+  return `${count} ${count === 1 ? one : many}`;
+}
+
+/** "1, 2 and 3". */
+function listed(words) {
+  return words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}`;
+}
+
+/** "stars 1 to 3", "star 2". */
+function stars(numbers) {
+  const [first] = numbers;
+  const last = numbers[numbers.length - 1];
+  if (numbers.length === 1) return `star ${first}`;
+  return last - first + 1 === numbers.length ? `stars ${first} to ${last}` : `stars ${listed(numbers)}`;
+}
+
+/** The range of a quantity in the prediction, of one of its hinges if it has two; `null` where there is none. */
+function rangeOf(prediction, quantity, hinge) {
+  const range = prediction && prediction.ranges ? prediction.ranges[quantity] : null;
+  if (!range) return null;
+  return hinge ? range[hinge] || null : range;
+}
+
+/** Fills a table: a head, and rows whose first cell names them. */
+function table(id, head, rows) {
+  const cell = (tag, text, scope) => make(tag, { scope }, ...(Array.isArray(text) ? text : [text]));
+  at(id).append(
+    make("thead", {}, make("tr", {}, ...head.map((text) => cell("th", text, "col")))),
+    make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((text, i) => (i === 0 ? cell("th", text, "row") : cell("td", text)))))),
+  );
+}

@@ -1,0 +1,217 @@
+//! The report: one page that holds what the other files say, and nothing that a browser would run or fetch.
+
+mod support;
+
+use std::borrow::Cow;
+
+use proptest::prelude::*;
+use serde_json::Value;
+use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::forecast::charts::{AtRadius, charts};
+use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
+use stargrip_cam::pipeline::{self, Built, Sources, read_back};
+use stargrip_cam::verify::OutputFiles;
+
+const REPORT: &str = "report.html";
+const GRIPPER: &str = include_str!("../designs/paper-gripper.toml");
+
+fn built(text: &str) -> Built {
+    let sources = Sources { spec: text, machine: support::generic() };
+    let asked = Asked { only: vec![Kind::Prediction], with: vec![Kind::Report] };
+    pipeline::build(&support::read(text), &support::machine(), sources, &asked).expect("a gripper")
+}
+
+fn page(built: &Built) -> String {
+    let (_, bytes) = built.files().find(|(name, _)| *name == REPORT).expect("a report");
+    String::from_utf8(bytes.into_owned()).expect("text")
+}
+
+fn block(page: &str) -> Value {
+    let (_, rest) = page.split_once("id=\"data\">").expect("a block");
+    serde_json::from_str(rest.split_once("</script>").expect("its end").0).expect("JSON")
+}
+
+#[test]
+fn every_shipped_design_has_a_report_that_is_proven_small_and_the_same_each_time() {
+    for design in std::fs::read_dir("designs").expect("designs") {
+        let text = std::fs::read_to_string(design.expect("a design").path()).expect("text");
+        let made = built(&text);
+        assert_eq!(made.proof().findings, []);
+        assert_eq!(page(&made), page(&built(&text)));
+        assert!(page(&made).len() < 1_000_000, "{} bytes", page(&made).len());
+    }
+}
+
+#[test]
+fn curves_meet_the_prediction() {
+    for model in ["auto", "fit", "ring", "section"] {
+        let text = format!("{GRIPPER}\n[accuracy]\nmodel = \"{model}\"\n");
+        let made = built(&text).forecast;
+        let prediction = made.prediction.as_ref().expect("a load");
+        let all = charts(&made.spec, &made.design);
+        assert_eq!(all.len(), 1);
+        for chart in all {
+            let own = &prediction.stars[chart.star - 1];
+            assert_eq!(chart.model, own.model);
+            let row =
+                chart.by_pressure.iter().find(|row| (row.pressure_kPa - 37.0).abs() < 1e-9).expect("its own");
+            assert_eq!(Some(row.final_radius_mm), own.final_radius_mm, "{model}");
+            assert_eq!(row.radius_range_mm, own.ranges.final_radius_mm, "{model}");
+            assert_eq!(row.object_force_N, own.object_force_N, "{model}");
+            // On the object, which is wider than the star closes.
+            assert!((row.pose.inner_radius_mm - 40.0).abs() < 1e-6, "{model}: {:?}", row.pose);
+            let points = chart.by_points.iter().find(|row| row.points == 5).expect("its own");
+            assert_eq!(Some(points.contraction), own.contraction, "{model}");
+            let forces = &chart.by_radius;
+            let rising = |pair: &[AtRadius]| {
+                pair[0].radius_mm < pair[1].radius_mm && pair[0].force_N < pair[1].force_N
+            };
+            assert!(forces.windows(2).all(rising) && forces.len() > 30, "{forces:?}");
+            let over = forces.iter().position(|row| row.radius_mm > 40.0).expect("wider ones");
+            let [low, high] = [forces[over - 1], forces[over]];
+            let share = (40.0 - low.radius_mm) / (high.radius_mm - low.radius_mm);
+            let between = low.force_N + (high.force_N - low.force_N) * share;
+            assert!((between / own.object_force_N.expect("held") - 1.0).abs() < 0.01, "{between}");
+        }
+    }
+}
+
+/// Steps end when the program says, and none before the one before.
+#[test]
+fn a_timeline_ends_with_its_program() {
+    let made = built(GRIPPER).forecast;
+    for program in &made.programs {
+        let times = program.timeline(&made.spec, &made.machine);
+        assert_eq!(times.len(), program.steps.len());
+        assert_eq!(times.last(), Some(&program.time));
+        assert!(times.windows(2).all(|pair| pair[0] <= pair[1]), "{times:?}");
+    }
+    let block = block(&page(&built(GRIPPER)));
+    let ends =
+        |program: &Value| program["steps"].as_array().and_then(|steps| steps.last()?["end_s"].as_f64());
+    for program in block["programs"].as_array().expect("programs") {
+        assert_eq!(ends(program), program["time_s"].as_f64());
+    }
+}
+
+#[test]
+fn without_a_load_it_says_what_is_known() {
+    let block = block(&page(&built(support::PAPER)));
+    assert!(block["prediction"].is_null() && block["charts"] == Value::Array(Vec::new()));
+    assert_eq!(block["parts"][0]["points"], 5);
+}
+
+/// The findings after a change of the page, the manifest agreeing with it.
+fn forged(change: impl Fn(String) -> String) -> Vec<String> {
+    let made = built(GRIPPER);
+    let own = |(name, bytes): (&str, Cow<'_, [u8]>)| (name.to_owned().into(), bytes.into_owned().into());
+    let mut files = OutputFiles { files: made.files().map(own).collect() };
+    let wrong = change(page(&made));
+    assert!(wrong != page(&made), "the corruption changes nothing");
+    let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
+    for entry in manifest.files.iter_mut().filter(|entry| entry.path == REPORT) {
+        (entry.bytes, entry.sha256) = (wrong.len(), sha256(wrong.as_bytes()));
+    }
+    for (name, content) in &mut files.files {
+        match name.as_ref() {
+            REPORT => *content = wrong.clone().into_bytes().into(),
+            MANIFEST => *content = manifest.to_json().into(),
+            _ => {}
+        }
+    }
+    let findings = read_back(&files).findings;
+    findings.iter().map(|finding| format!("{} {} {}", finding.file, finding.code, finding.found)).collect()
+}
+
+fn with_figures(page: &str, change: impl Fn(&mut Value)) -> String {
+    let mut data = block(page);
+    change(&mut data);
+    let (before, rest) = page.split_once("id=\"data\">").expect("a block");
+    let (_, after) = rest.split_once("</script>").expect("its end");
+    format!(
+        "{before}id=\"data\">{}</script>{after}",
+        data.to_string().replace('<', "\\u003c").replace('/', "\\u002f")
+    )
+}
+
+#[test]
+fn a_page_that_could_run_or_fetch_something_else_is_found() {
+    let changes: [(&str, &str, &str); 9] = [
+        ("<footer>", "<footer onclick=\"x()\">", "an attribute `onclick`"),
+        ("<footer>", "<iframe></iframe><footer>", "an element `iframe`"),
+        ("<footer>", "<a href=\"other.html\">x</a><footer>", "an attribute `href`"),
+        ("<footer>", "<p>http://example.org</p><footer>", "an address of a network"),
+        ("<footer>", "<script>alert(1)</script><footer>", "5 styles and scripts"),
+        ("<footer>", "<!-- x --><footer>", "a comment"),
+        ("\"use strict\";", "\"use strict\"; alert(1);", "a policy"),
+        ("default-src 'none'", "default-src *", "a policy"),
+        ("--page: #fbfbf9", "--page: #fbfbfa", "a policy"),
+    ];
+    for (from, to, says) in changes {
+        let found = forged(|page| page.replacen(from, to, 1));
+        assert!(
+            found.len() == 1 && found[0].starts_with(&format!("report.html bad-html {says}")),
+            "{to}: {found:?}"
+        );
+    }
+}
+
+#[test]
+fn a_page_that_says_something_else_is_found() {
+    type Change = fn(&mut Value);
+    let changes: [(Change, &str); 9] = [
+        (|data| data["bill"]["fabric_mm2"] = 1.0.into(), "bill"),
+        (|data| data["prediction"]["final_radius_mm"] = 1.0.into(), "prediction"),
+        (|data| data["prediction"] = Value::Null, "prediction"),
+        (|data| data["load"]["pressure_kPa"] = 20.0.into(), "load.pressure_kPa"),
+        (|data| data["name"] = "another".into(), "name"),
+        (|data| data["programs"][1]["seams"][0]["length_mm"] = 1.0.into(), "the inner loop of star 2"),
+        (|data| data["programs"][0]["steps"][5]["path"][7] = 900.into(), "the inner loop of star 1"),
+        (|data| data["programs"] = Value::Array(Vec::new()), "0 seams"),
+        (|data| data["charts"][0]["by_pressure"][15]["final_radius_mm"] = 12.0.into(), "star 1: curves"),
+    ];
+    for (change, says) in changes {
+        let found = forged(|page| with_figures(&page, change));
+        assert!(
+            found.len() == 1 && found[0].starts_with(&format!("report.html other-report {says}")),
+            "{says}: {found:?}"
+        );
+    }
+    let found = forged(|page| page.replacen("<title>paper", "<title>Paper", 1));
+    assert!(found[0].starts_with("report.html wrong-title"), "{found:?}");
+    let found = forged(|page| {
+        let other = self::page(&built(support::PAPER));
+        let scene = |page: &str| {
+            page.split_once("id=\"scene-data\">")
+                .expect("a scene")
+                .1
+                .split_once('<')
+                .expect("its end")
+                .0
+                .to_owned()
+        };
+        page.replace(&scene(&page), &scene(&other))
+    });
+    assert!(found[0].starts_with("report.html bad-glb"), "{found:?}");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// Whatever a spec is called, its page runs nothing but its own scripts, and says the name.
+    #[test]
+    fn names_are_inert(words in prop::collection::vec(prop::sample::select(vec![
+        "</script>", "<script>alert(1)</script>", "<!--", "-->", "]]>", "'\" onload='x()'", "&lt;", "&#60;", "\u{2028}", "{{DATA}}",
+        "https://example.org", "\u{e9}\u{1F600}", "</title>", "javascript:", " ", "\\u003c", "${x}", "`",
+    ]), 1..5)) {
+        let name: String = words.concat().chars().take(80).collect();
+        prop_assume!(!name.trim().is_empty());
+        let quoted = serde_json::to_string(&name).expect("a text");
+        let text = support::PAPER.lines().map(|line| if line.starts_with("name") { format!("name = {quoted}") } else { line.to_owned() });
+        let text = text.collect::<Vec<_>>().join("\n");
+        prop_assume!(stargrip_cam::spec::read(&stargrip_cam::spec::Source::new("x", text.clone())).is_ok());
+        let made = built(&text);
+        prop_assert_eq!(made.proof().findings, []);
+        prop_assert_eq!(&block(&page(&made))["name"], &name);
+    }
+}
