@@ -31,9 +31,9 @@ fn assert_code(output: &Output, code: i32) {
 #[test]
 fn build_then_verify() {
     let dir = workshop();
-    let built = run(dir.path(), &["build", "star.toml"]);
+    let built = run(dir.path(), &["build", "star.toml", "-v"]);
     assert_code(&built, 0);
-    assert_eq!(stderr(&built), "");
+    assert!(!stderr(&built).contains("warning") && !stderr(&built).contains("error"), "{}", stderr(&built));
     let said = stdout(&built);
     for words in ["arms 69.72 mm", "inner loop: 875.9 mm", "in total 2003.0 mm of seam", "out/star"] {
         assert!(said.contains(words), "{words}: {said}");
@@ -144,7 +144,7 @@ fn a_profile_of_ones_own_is_found_beside_the_spec() {
     fs::write(dir.path().join("specs/star.toml"), spec).expect("written");
     assert_code(&run(dir.path(), &["build", "specs/star.toml"]), 0);
     let program = fs::read_to_string(dir.path().join("out/star/star-1-seal.gcode")).expect("a program");
-    assert!(program.contains("G0 Z7\n"));
+    assert!(program.contains("G0 Z7 F"));
     let spec = support::PAPER.to_owned() + "[machine]\nprofile = \"missing.toml\"\n";
     fs::write(dir.path().join("star.toml"), spec).expect("written");
     let refused = run(dir.path(), &["build", "star.toml"]);

@@ -469,7 +469,7 @@ fn missing_and_extra_seams_are_found() {
 
 #[test]
 fn a_trace_that_touches_or_waits_or_lacks_a_path_is_found() {
-    let low = forged(TRACE, |program| program.replace("G0 Z5\n", "G0 Z-0.3\n"));
+    let low = forged(TRACE, |program| program.replace("G0 Z5 ", "G0 Z-0.3 "));
     assert_found(&low, "low-trace", TRACE);
     let hot = forged(TRACE, |program| {
         with_lines(program, |lines| {
@@ -496,7 +496,7 @@ fn a_line_that_the_controller_would_not_read_is_found() {
     assert_program_fault("bad-character", insert("(a comment that closes early) G0 Z-5"));
     assert_program_fault(
         "line-too-long",
-        insert("; 345678901234567890123456789012345678901234567890123456789012345678901"),
+        insert("; 34567890123456789012345678901234567890123456789012345678901234567890123"),
     );
     assert_later_fault("mode-unset", |lines| {
         let i = nth(lines, "G21", 0);

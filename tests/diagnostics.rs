@@ -94,7 +94,7 @@ fn a_star_without_an_inlet_has_no_way_for_air_at_all() {
     let dir = tempfile::tempdir().expect("a directory");
     let shut = star(5, "50 mm", "30 mm", "30 deg", "[inlet]\nnone = true\n");
     fs::write(dir.path().join("spec.toml"), shut).expect("written");
-    let said = stdout(&run(dir.path(), &["check", "spec.toml"]));
+    let said = stdout(&run(dir.path(), &["check", "spec.toml", "-v"]));
     assert!(said.contains("closed all around") && !said.contains("but the inlet"), "{said}");
 }
 
@@ -114,7 +114,8 @@ fn a_default_window_that_is_cut_says_so() {
     let accepted = many + &format!("extent = \"{extent}\"\n");
     fs::write(dir.path().join("spec.toml"), accepted).expect("written");
     let output = run(dir.path(), &["check", "spec.toml"]);
-    assert_eq!((output.status.code(), stderr(&output)), (Some(0), String::new()));
+    assert_eq!(output.status.code(), Some(0));
+    assert!(!stderr(&output).contains("warning"), "{}", stderr(&output));
 }
 
 #[test]
@@ -151,4 +152,107 @@ fn a_published_directory_is_built_again_with_its_own_profile() {
     let alone = run(away.path(), &["check", "first/spec.toml"]);
     assert_eq!(alone.status.code(), Some(1));
     assert!(stderr(&alone).contains("unknown-machine"), "{}", stderr(&alone));
+}
+
+/// What the program says about `spec`, which it refuses.
+#[track_caller]
+fn refused(spec: &str) -> String {
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let output = run(dir.path(), &["check", "spec.toml"]);
+    assert_eq!(output.status.code(), Some(1), "{}", stdout(&output));
+    stderr(&output)
+}
+
+#[test]
+fn a_word_that_is_nearly_right_is_told_what_it_should_be() {
+    let plain = star(5, "50 mm", "30 mm", "30 deg", "");
+    let with = |old: &str, new: &str| plain.replace(old, new);
+    for (spec, words) in [
+        (with("\"50 mm\"", "\"50,5 mm\""), "write inner_radius = \"50.5 mm\""),
+        (with("\"50 mm\"", "\"\u{2212}50 mm\""), "U+2212, a typographer's minus"),
+        (with("\"50 mm\"", "\u{201c}50 mm\u{201d}"), "write inner_radius = \"50 mm\""),
+        (with("\"50 mm\"", "'2\"'"), "did you mean \"2 in\"?"),
+        (with("\"50 mm\"", "\"2 inches\""), "did you mean \"2 in\"?"),
+        (with("\"50 mm\"", "nan"), "write for instance: inner_radius = \"5 mm\""),
+        (with("\"30 deg\"", "\"30\u{b0}\""), "did you mean \"30 deg\"?"),
+        (plain.clone() + "[seal]\ntemperature = \"390 F\"\n", "did you mean \"199 C\"?"),
+        (plain.clone() + "[load]\nfriction = 0,5\n", "write friction = 0.5"),
+        (plain.clone() + "[machine]\nprofile = \"GRBL\"\n", "did you mean \"grbl\"?"),
+        (plain.clone() + "points = 6\n", "line 4 says it already"),
+    ] {
+        let said = refused(&spec);
+        assert!(said.contains(words), "{words}: {said}");
+        assert_eq!(said.matches("error[").count(), 1, "{said}");
+    }
+}
+
+#[test]
+fn a_typo_is_told_once() {
+    let plain = star(5, "50 mm", "30 mm", "30 deg", "");
+    for (old, new) in [("tube_width", "tube_widht"), ("[star]", "[sta]"), ("name =", "nmae =")] {
+        let said = refused(&plain.replace(old, new));
+        assert_eq!(said.matches("error[").count(), 1, "{said}");
+        assert!(said.contains("did you mean"), "{said}");
+    }
+    // What is missing as well is still told.
+    let two = plain.replace("tube_width", "tube_widht").replace("points = 5\n", "");
+    let said = refused(&two);
+    assert!(said.matches("error[").count() == 2 && said.contains("does not say `points`\n"), "{said}");
+}
+
+#[test]
+fn a_file_of_another_kind_is_named_in_one_message() {
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("star.toml"), support::PAPER).expect("written");
+    assert_eq!(run(dir.path(), &["build", "star.toml", "-q"]).status.code(), Some(0));
+    for (file, kind) in [
+        ("star-1-seal.gcode", "G-code"),
+        ("manifest.json", "JSON"),
+        ("sheet-1-seal.svg", "SVG"),
+        ("sheet-1-seal.dxf", "DXF"),
+    ] {
+        let output = run(dir.path(), &["check", &format!("out/star/{file}")]);
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(
+            said.contains("error[not-a-spec]") && said.contains(kind) && said.lines().count() < 10,
+            "{said}"
+        );
+    }
+    let said = refused(&support::PAPER.replace('\n', "\r"));
+    assert!(said.contains("error[line-end]") && said.matches("error[").count() == 1, "{said}");
+    // The directory above a build names what is in it.
+    let above = run(dir.path(), &["verify", "out"]);
+    assert!(
+        stderr(&above).contains("stargrip-cam verify out/star\n") && stdout(&above).is_empty(),
+        "{}",
+        stderr(&above)
+    );
+}
+
+#[test]
+fn a_hose_that_is_thicker_than_its_tube_is_warned_of() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let wide =
+        |mm: u32| star(5, "80 mm", "30 mm", "30 deg", &format!("[inlet]\ntube_diameter = \"{mm} mm\"\n"));
+    let (line, said) = pointed_at(dir.path(), &wide(20), "thick-hose", 0);
+    assert_eq!(line, "tube_diameter = \"20 mm\"", "{said}");
+    assert!(said.contains("at most 19.0985 mm"), "{said}");
+    fs::write(dir.path().join("spec.toml"), wide(19)).expect("written");
+    assert!(!stderr(&run(dir.path(), &["check", "spec.toml"])).contains("thick-hose"));
+}
+
+/// Some words are for the slow seal of the paper alone, others for one that is much faster.
+#[test]
+fn a_fast_seal_is_told_what_matters_to_it() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let said = |speed: &str| {
+        let spec = star(5, "50 mm", "30 mm", "30 deg", &format!("[seal]\nspeed = \"{speed}\"\n"));
+        fs::write(dir.path().join("spec.toml"), spec).expect("written");
+        stderr(&run(dir.path(), &["check", "spec.toml"]))
+    };
+    let (slow, fast) = (said("0.1 mm/s"), said("50 mm/s"));
+    assert!(slow.contains("lowest feed") && !slow.contains("peel test"), "{slow}");
+    assert!(!fast.contains("lowest feed") && fast.contains("peel test"), "{fast}");
 }

@@ -12,7 +12,7 @@ use tempfile::TempDir;
 /// A workshop with the paper's star built in out/star.
 fn built() -> TempDir {
     let dir = workshop();
-    let _ = done(dir.path(), &["build", "star.toml", "--only", "seal-gcode,trace-gcode"]);
+    let _ = done(dir.path(), &["build", "star.toml", "-q", "--only", "seal-gcode,trace-gcode"]);
     dir
 }
 
@@ -512,22 +512,5 @@ fn calibrate_compares_lambda_with_the_prediction() {
             2,
             &["--radius-ratio", "must be more than 0"],
         );
-    }
-}
-
-#[test]
-fn build_tells_at_what_time_of_day_it_would_end() {
-    let dir = workshop();
-    let said = done(dir.path(), &["build", "star.toml"]);
-    let line = said.lines().find_map(|line| line.strip_prefix("started now, sealing would end at about "));
-    let line = line.unwrap_or_else(|| panic!("{said}"));
-    let (time, rest) = line.split_once(" UTC, day +").expect("a day");
-    let (hour, minute) = time.split_once(':').expect("a time");
-    assert!(hour.len() == 2 && hour.parse::<u8>().expect("an hour") < 24, "{line}");
-    assert!(minute.len() == 2 && minute.parse::<u8>().expect("a minute") < 60, "{line}");
-    assert!(rest.starts_with(|c: char| c.is_ascii_digit()), "{line}");
-    for name in names(&dir.path().join("out/star")) {
-        let bytes = fs::read(dir.path().join("out/star").join(name)).expect("a file");
-        assert!(!String::from_utf8_lossy(&bytes).contains(" UTC"));
     }
 }

@@ -18,7 +18,7 @@ fn assert_code(output: &Output, code: i32) {
 /// Builds with few files: the programs and what is always there.
 #[track_caller]
 fn build(dir: &Path, spec: &str, target: &str) -> Output {
-    let output = run(dir, &["build", spec, "-o", target, "--only", "seal-gcode,trace-gcode"]);
+    let output = run(dir, &["build", spec, "-o", target, "-q", "--only", "seal-gcode,trace-gcode"]);
     assert_code(&output, 0);
     output
 }

@@ -17,7 +17,7 @@ pub(super) const PROFILES: [&str; 8] =
 
 /// A gripper that is built in a moment, and that every machine can seal.
 pub(super) const SMALL: &str = "schema = 1\nname = \"small\"\n[star]\npoints = 3\ninner_radius = \"12 mm\"\n\
-    tube_width = \"10 mm\"\ntip_angle = \"40 deg\"\n[seal]\nspeed = \"1 mm/s\"\n";
+    tube_width = \"10 mm\"\ntip_angle = \"40 deg\"\n[seal]\nspeed = \"10 mm/s\"\n";
 
 /// The same so slow that some have to chop.
 pub(super) const CHOPPED: &str = "schema = 1\nname = \"small\"\n[star]\npoints = 3\ninner_radius = \"12 mm\"\n\

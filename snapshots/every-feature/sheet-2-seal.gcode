@@ -3,7 +3,7 @@
 ; program: purpose=seal sheet=2 stars=2
 ; frame: origin at lower left of the sheet, Z0 on the release layer
 ; seal: temperature_C=200 speed_mm_s=0.5 band_mm=3 overlap_mm=5
-; machine: dialect=grbl heating=operator arcs=yes line=70
+; machine: dialect=grbl heating=operator arcs=yes line=72
 ; heights: contact_mm=-0.3 travel_mm=5 park_mm=30 ramp_mm=3
 ; path: tolerance_mm=0.001 travel_mm_s=20 dwell=s
 ; chop: feed_mm_min=38.845618131 longest_mm=0.251946835

@@ -3,50 +3,50 @@
 ; program: purpose=seal sheet=1 stars=2
 ; frame: origin at lower left of the sheet, Z0 on the release layer
 ; seal: temperature_C=200 speed_mm_s=0.1 band_mm=2 overlap_mm=5
-; machine: dialect=generic heating=operator arcs=no line=70
+; machine: dialect=generic heating=operator arcs=no line=72
 ; heights: contact_mm=-0.3 travel_mm=5 park_mm=30 ramp_mm=3
 ; path: tolerance_mm=0.001 travel_mm_s=20 dwell=s
 ; requires: M0 must stop the machine: see feedcheck
 ; length: seam=1 star=2 loop=inner length_mm=875.897 time_s=8881
 ; length: seam=2 star=2 loop=outer length_mm=1127.146 time_s=11393
-; total: length_mm=2003.043 time_s=20340
+; total: length_mm=2003.043 time_s=20346
 G21
 G17
 G90
 G94
-G0 Z30
+G0 Z30 F1200
 ; heat: temperature_C=200
 ; set the iron to 200 C, standby off, wait until hot, press start
 M0
-G0 X572.1257 Y211.037
-G0 Z5
+G0 X572.1257 Y211.037 F1200
+G0 Z5 F1200
 ; seam: seam=1 star=2 loop=inner length_mm=875.897 time_s=8881
 G1 X574.0137 Y213.3684 Z-0.3 F6
 G1 X576.98 Y217.0314
 G1 X579.9462 Y220.6945
 G1 X582.9125 Y224.3576
-; progress: percent=1 remaining_s=20108
+; progress: percent=1 remaining_s=20112
 G1 X585.8788 Y228.0206
 G1 X588.8451 Y231.6837
 G1 X591.8114 Y235.3467
 G1 X594.7777 Y239.0098
-; progress: percent=2 remaining_s=19920
+; progress: percent=2 remaining_s=19923
 G1 X590.3773 Y237.3206
 G1 X585.9769 Y235.6315
 G1 X581.5764 Y233.9423
 G1 X577.176 Y232.2532
+; progress: percent=3 remaining_s=19735
 G1 X572.7756 Y230.564
-; progress: percent=3 remaining_s=19684
 G1 X568.3752 Y228.8748
 G1 X563.9748 Y227.1857
 G1 X559.5744 Y225.4965
 G1 X555.174 Y223.8074
-; progress: percent=4 remaining_s=19495
+; progress: percent=4 remaining_s=19499
 G1 X550.7736 Y222.1182
 G1 X546.3732 Y220.4291
 G1 X541.9728 Y218.7399
 G1 X537.5724 Y217.0507
-; progress: percent=5 remaining_s=19307
+; progress: percent=5 remaining_s=19311
 G1 X533.172 Y215.3616
 G1 X532.9398 Y215.2735
 G1 X532.707 Y215.1874
@@ -104,8 +104,8 @@ G1 X520.2685 Y213.3545
 G1 X520.0208 Y213.3699
 G1 X519.7731 Y213.3872
 G1 X519.5256 Y213.4066
+; progress: percent=6 remaining_s=19125
 G1 X519.2783 Y213.4279
-; progress: percent=6 remaining_s=19118
 G1 X519.0311 Y213.4511
 G1 X518.7842 Y213.4764
 G1 X518.5374 Y213.5036
@@ -187,8 +187,8 @@ G1 X501.7488 Y220.8857
 G1 X501.5619 Y221.0491
 G1 X501.3763 Y221.214
 G1 X501.1921 Y221.3804
+; progress: percent=7 remaining_s=18921
 G1 X501.0092 Y221.5483
-; progress: percent=7 remaining_s=18915
 G1 X500.8277 Y221.7176
 G1 X500.6475 Y221.8884
 G1 X500.4687 Y222.0606
@@ -223,34 +223,34 @@ G1 X496.0638 Y227.4188
 G1 X493.4966 Y231.3718
 G1 X490.9295 Y235.3249
 G1 X488.3623 Y239.2779
-; progress: percent=8 remaining_s=18696
+; progress: percent=8 remaining_s=18700
 G1 X485.7952 Y243.231
 G1 X483.2281 Y247.184
 G1 X480.6609 Y251.1371
 G1 X478.0938 Y255.0901
-; progress: percent=9 remaining_s=18508
+; progress: percent=9 remaining_s=18512
 G1 X475.5266 Y259.0432
 G1 X472.9595 Y262.9962
 G1 X470.3923 Y266.9493
 G1 X467.8252 Y270.9023
 G1 X465.2581 Y274.8554
-; progress: percent=10 remaining_s=18272
+; progress: percent=10 remaining_s=18276
 G1 X462.6909 Y278.8084
 G1 X460.1238 Y282.7615
 G1 X460.3705 Y278.0545
 G1 X460.6171 Y273.3475
-; progress: percent=11 remaining_s=18084
+; progress: percent=11 remaining_s=18087
 G1 X460.8638 Y268.6405
 G1 X461.1105 Y263.9334
 G1 X461.3572 Y259.2264
 G1 X461.6039 Y254.5194
-; progress: percent=12 remaining_s=17895
+; progress: percent=12 remaining_s=17899
 G1 X461.8506 Y249.8124
 G1 X462.0972 Y245.1054
 G1 X462.3439 Y240.3984
 G1 X462.5906 Y235.6913
 G1 X462.8373 Y230.9843
-; progress: percent=13 remaining_s=17659
+; progress: percent=13 remaining_s=17663
 G1 X463.084 Y226.2773
 G1 X463.3307 Y221.5703
 G1 X463.5773 Y216.8633
@@ -264,8 +264,8 @@ G1 X463.6196 Y215.1263
 G1 X463.6177 Y214.8781
 G1 X463.6138 Y214.6298
 G1 X463.6079 Y214.3817
+; progress: percent=14 remaining_s=17497
 G1 X463.6001 Y214.1335
-; progress: percent=14 remaining_s=17491
 G1 X463.5902 Y213.8855
 G1 X463.5783 Y213.6375
 G1 X463.5645 Y213.3897
@@ -347,8 +347,8 @@ G1 X457.1029 Y196.2257
 G1 X456.9499 Y196.0302
 G1 X456.7953 Y195.836
 G1 X456.6391 Y195.643
+; progress: percent=15 remaining_s=17293
 G1 X456.4814 Y195.4513
-; progress: percent=15 remaining_s=17287
 G1 X456.3221 Y195.2609
 G1 X456.1614 Y195.0717
 G1 X455.9991 Y194.8838
@@ -427,39 +427,39 @@ G1 X441.1218 Y185.4295
 G1 X440.8828 Y185.3624
 G1 X440.6432 Y185.2972
 G1 X436.0904 Y184.0772
-; progress: percent=16 remaining_s=17049
+; progress: percent=16 remaining_s=17053
 G1 X431.5375 Y182.8573
 G1 X426.9846 Y181.6374
 G1 X422.4318 Y180.4174
 G1 X417.8789 Y179.1975
-; progress: percent=17 remaining_s=16860
+; progress: percent=17 remaining_s=16864
 G1 X413.326 Y177.9775
 G1 X408.7732 Y176.7576
 G1 X404.2203 Y175.5377
 G1 X399.6674 Y174.3177
-; progress: percent=18 remaining_s=16672
+; progress: percent=18 remaining_s=16676
 G1 X395.1146 Y173.0978
 G1 X390.5617 Y171.8779
 G1 X386.0088 Y170.6579
 G1 X381.4559 Y169.438
 G1 X376.9031 Y168.2181
-; progress: percent=19 remaining_s=16436
+; progress: percent=19 remaining_s=16440
 G1 X381.4559 Y166.9981
 G1 X386.0088 Y165.7782
 G1 X390.5617 Y164.5582
 G1 X395.1146 Y163.3383
-; progress: percent=20 remaining_s=16248
+; progress: percent=20 remaining_s=16251
 G1 X399.6674 Y162.1184
 G1 X404.2203 Y160.8984
 G1 X408.7732 Y159.6785
 G1 X413.326 Y158.4586
-; progress: percent=21 remaining_s=16059
+; progress: percent=21 remaining_s=16063
 G1 X417.8789 Y157.2386
 G1 X422.4318 Y156.0187
 G1 X426.9846 Y154.7987
 G1 X431.5375 Y153.5788
 G1 X436.0904 Y152.3589
-; progress: percent=22 remaining_s=15823
+; progress: percent=22 remaining_s=15827
 G1 X440.6432 Y151.1389
 G1 X440.8828 Y151.0737
 G1 X441.1218 Y151.0066
@@ -507,7 +507,7 @@ G1 X450.2806 Y146.6726
 G1 X450.484 Y146.5304
 G1 X450.6863 Y146.3865
 G1 X450.8875 Y146.241
-; progress: percent=23 remaining_s=15662
+; progress: percent=23 remaining_s=15666
 G1 X451.0875 Y146.094
 G1 X451.2863 Y145.9453
 G1 X451.4839 Y145.795
@@ -590,7 +590,7 @@ G1 X462.161 Y130.593
 G1 X462.2353 Y130.3561
 G1 X462.3078 Y130.1186
 G1 X462.3783 Y129.8806
-; progress: percent=24 remaining_s=15458
+; progress: percent=24 remaining_s=15462
 G1 X462.4469 Y129.642
 G1 X462.5135 Y129.4029
 G1 X462.5783 Y129.1633
@@ -636,38 +636,38 @@ G1 X463.5773 Y119.5728
 G1 X463.3307 Y114.8658
 G1 X463.084 Y110.1588
 G1 X462.8373 Y105.4518
-; progress: percent=25 remaining_s=15213
+; progress: percent=25 remaining_s=15217
 G1 X462.5906 Y100.7448
 G1 X462.3439 Y96.0377
 G1 X462.0972 Y91.3307
 G1 X461.8506 Y86.6237
-; progress: percent=26 remaining_s=15024
+; progress: percent=26 remaining_s=15028
 G1 X461.6039 Y81.9167
 G1 X461.3572 Y77.2097
 G1 X461.1105 Y72.5027
 G1 X460.8638 Y67.7956
-; progress: percent=27 remaining_s=14836
+; progress: percent=27 remaining_s=14840
 G1 X460.6171 Y63.0886
 G1 X460.3705 Y58.3816
 G1 X460.1238 Y53.6746
 G1 X462.6909 Y57.6277
 G1 X465.2581 Y61.5807
-; progress: percent=28 remaining_s=14600
+; progress: percent=28 remaining_s=14604
 G1 X467.8252 Y65.5338
 G1 X470.3923 Y69.4868
 G1 X472.9595 Y73.4399
 G1 X475.5266 Y77.3929
-; progress: percent=29 remaining_s=14411
+; progress: percent=29 remaining_s=14415
 G1 X478.0938 Y81.346
 G1 X480.6609 Y85.299
 G1 X483.2281 Y89.2521
 G1 X485.7952 Y93.2051
-; progress: percent=30 remaining_s=14223
+; progress: percent=30 remaining_s=14227
 G1 X488.3623 Y97.1582
 G1 X490.9295 Y101.1112
 G1 X493.4966 Y105.0643
 G1 X496.0638 Y109.0173
-; progress: percent=31 remaining_s=14034
+; progress: percent=31 remaining_s=14038
 G1 X496.1998 Y109.225
 G1 X496.3375 Y109.4316
 G1 X496.4768 Y109.637
@@ -750,7 +750,7 @@ G1 X511.078 Y121.1222
 G1 X511.3105 Y121.2092
 G1 X511.5437 Y121.2944
 G1 X511.7776 Y121.3777
-; progress: percent=32 remaining_s=13831
+; progress: percent=32 remaining_s=13835
 G1 X512.0121 Y121.4591
 G1 X512.2472 Y121.5386
 G1 X512.483 Y121.6163
@@ -833,7 +833,7 @@ G1 X531.0591 Y121.7994
 G1 X531.2964 Y121.7264
 G1 X531.533 Y121.6515
 G1 X531.7691 Y121.5747
-; progress: percent=33 remaining_s=13627
+; progress: percent=33 remaining_s=13631
 G1 X532.0046 Y121.496
 G1 X532.2394 Y121.4155
 G1 X532.4735 Y121.333
@@ -844,34 +844,34 @@ G1 X537.5724 Y119.3854
 G1 X541.9728 Y117.6962
 G1 X546.3732 Y116.007
 G1 X550.7736 Y114.3179
-; progress: percent=34 remaining_s=13424
+; progress: percent=34 remaining_s=13428
 G1 X555.174 Y112.6287
 G1 X559.5744 Y110.9396
 G1 X563.9748 Y109.2504
 G1 X568.3752 Y107.5613
 G1 X572.7756 Y105.8721
-; progress: percent=35 remaining_s=13188
+; progress: percent=35 remaining_s=13192
 G1 X577.176 Y104.1829
 G1 X581.5764 Y102.4938
 G1 X585.9769 Y100.8046
 G1 X590.3773 Y99.1155
-; progress: percent=36 remaining_s=13000
+; progress: percent=36 remaining_s=13003
 G1 X594.7777 Y97.4263
 G1 X591.8114 Y101.0894
 G1 X588.8451 Y104.7524
 G1 X585.8788 Y108.4155
-; progress: percent=37 remaining_s=12811
+; progress: percent=37 remaining_s=12815
 G1 X582.9125 Y112.0785
 G1 X579.9462 Y115.7416
 G1 X576.98 Y119.4047
 G1 X574.0137 Y123.0677
 G1 X571.0474 Y126.7308
-; progress: percent=38 remaining_s=12575
+; progress: percent=38 remaining_s=12579
 G1 X568.0811 Y130.3938
 G1 X565.1148 Y134.0569
 G1 X562.1485 Y137.7199
 G1 X559.1822 Y141.383
-; progress: percent=39 remaining_s=12387
+; progress: percent=39 remaining_s=12391
 G1 X556.216 Y145.0461
 G1 X553.2497 Y148.7091
 G1 X553.0942 Y148.9027
@@ -910,7 +910,7 @@ G1 X548.9903 Y155.679
 G1 X548.8908 Y155.9065
 G1 X548.7931 Y156.1347
 G1 X548.6973 Y156.3637
-; progress: percent=40 remaining_s=12203
+; progress: percent=40 remaining_s=12207
 G1 X548.6033 Y156.5934
 G1 X548.5111 Y156.8239
 G1 X548.4208 Y157.0552
@@ -993,7 +993,7 @@ G1 X547.2315 Y175.594
 G1 X547.2915 Y175.8349
 G1 X547.3535 Y176.0753
 G1 X547.4174 Y176.3152
-; progress: percent=41 remaining_s=12000
+; progress: percent=41 remaining_s=12003
 G1 X547.4832 Y176.5546
 G1 X547.5509 Y176.7934
 G1 X547.6205 Y177.0317
@@ -1048,26 +1048,26 @@ G1 X553.0942 Y187.5334
 G1 X553.2497 Y187.727
 G1 X556.216 Y191.39
 G1 X559.1822 Y195.0531
-; progress: percent=42 remaining_s=11776
+; progress: percent=42 remaining_s=11780
 G1 X562.1485 Y198.7162
 G1 X565.1148 Y202.3792
 G1 X568.0811 Y206.0423
 G1 X571.0474 Y209.7053
-; progress: percent=43 remaining_s=11588
+; progress: percent=43 remaining_s=11592
 G1 X574.0137 Y213.3684
 G1 X577.1603 Y217.2541
 G1 X579.0482 Y219.5856 Z5
-G0 X639.156 Y276.3718
-G0 Z5
+G0 X639.156 Y276.3718 F1200
+G0 Z5 F1200
 ; seam: seam=2 star=2 loop=outer length_mm=1127.146 time_s=11393
 G1 X636.729 Y274.6085 Z-0.3 F6
-; progress: percent=44 remaining_s=11366
+; progress: percent=44 remaining_s=11369
 G1 X633.4479 Y272.2247
 G1 X630.1669 Y269.8409
 G1 X626.8859 Y267.4571
 G1 X623.6048 Y265.0732
 G1 X620.3238 Y262.6894
-; progress: percent=45 remaining_s=11163
+; progress: percent=45 remaining_s=11166
 G1 X620.152 Y262.868
 G1 X619.9787 Y263.0451
 G1 X619.804 Y263.2209
@@ -1141,7 +1141,7 @@ G1 X605.5416 Y271.3251
 G1 X605.3012 Y271.3852
 G1 X605.0604 Y271.4434
 G1 X604.819 Y271.4996
-; progress: percent=46 remaining_s=10982
+; progress: percent=46 remaining_s=10985
 G1 X604.5773 Y271.5539
 G1 X604.3351 Y271.6063
 G1 X604.0925 Y271.6567
@@ -1217,38 +1217,38 @@ G1 X587.2581 Y270.3957
 G1 X587.0257 Y270.3097
 G1 X586.7941 Y270.2218
 G1 X582.1988 Y268.4579
-; progress: percent=47 remaining_s=10750
+; progress: percent=47 remaining_s=10752
 G1 X577.6035 Y266.6939
 G1 X573.0082 Y264.9299
 G1 X568.413 Y263.166
 G1 X563.8177 Y261.402
-; progress: percent=48 remaining_s=10553
+; progress: percent=48 remaining_s=10555
 G1 X559.2224 Y259.638
 G1 X554.6271 Y257.8741
 G1 X550.0318 Y256.1101
 G1 X545.4366 Y254.3462
-; progress: percent=49 remaining_s=10356
+; progress: percent=49 remaining_s=10358
 G1 X540.8413 Y252.5822
 G1 X536.246 Y250.8182
 G1 X531.6507 Y249.0543
 G1 X527.0555 Y247.2903
-; progress: percent=50 remaining_s=10159
+; progress: percent=50 remaining_s=10162
 G1 X522.4602 Y245.5264
 G1 X519.7794 Y249.6545
 G1 X517.0985 Y253.7826
 G1 X514.4177 Y257.9107
-; progress: percent=51 remaining_s=9962
+; progress: percent=51 remaining_s=9965
 G1 X511.7369 Y262.0388
 G1 X509.056 Y266.1669
 G1 X506.3752 Y270.295
 G1 X503.6944 Y274.4231
 G1 X501.0136 Y278.5512
-; progress: percent=52 remaining_s=9716
+; progress: percent=52 remaining_s=9719
 G1 X498.3327 Y282.6794
 G1 X495.6519 Y286.8075
 G1 X492.9711 Y290.9356
 G1 X490.2903 Y295.0637
-; progress: percent=53 remaining_s=9519
+; progress: percent=53 remaining_s=9522
 G1 X487.6094 Y299.1918
 G1 X484.9286 Y303.3199
 G1 X484.7926 Y303.5275
@@ -1277,7 +1277,7 @@ G1 X481.3976 Y307.7949
 G1 X481.2259 Y307.9741
 G1 X481.0528 Y308.1519
 G1 X480.8782 Y308.3283
-; progress: percent=54 remaining_s=9356
+; progress: percent=54 remaining_s=9359
 G1 X480.7022 Y308.5033
 G1 X480.5249 Y308.6769
 G1 X480.3461 Y308.8491
@@ -1360,7 +1360,7 @@ G1 X463.691 Y317.0683
 G1 X463.4456 Y317.1054
 G1 X463.1999 Y317.1406
 G1 X462.954 Y317.1738
-; progress: percent=55 remaining_s=9153
+; progress: percent=55 remaining_s=9155
 G1 X462.7078 Y317.205
 G1 X462.4613 Y317.2343
 G1 X462.2146 Y317.2616
@@ -1443,7 +1443,7 @@ G1 X444.005 Y313.6069
 G1 X443.788 Y313.4865
 G1 X443.5719 Y313.3644
 G1 X443.3568 Y313.2406
-; progress: percent=56 remaining_s=8949
+; progress: percent=56 remaining_s=8952
 G1 X443.1427 Y313.1151
 G1 X442.9296 Y312.9878
 G1 X442.7176 Y312.8589
@@ -1526,7 +1526,7 @@ G1 X430.5238 Y298.8497
 G1 X430.4253 Y298.6218
 G1 X430.3286 Y298.3932
 G1 X430.2338 Y298.1639
-; progress: percent=57 remaining_s=8745
+; progress: percent=57 remaining_s=8748
 G1 X430.1409 Y297.9338
 G1 X430.0497 Y297.7029
 G1 X429.9605 Y297.4713
@@ -1584,38 +1584,38 @@ G1 X427.9603 Y285.0616
 G1 X427.9723 Y284.8137
 G1 X428.2299 Y279.8982
 G1 X428.4875 Y274.9828
-; progress: percent=58 remaining_s=8511
+; progress: percent=58 remaining_s=8513
 G1 X428.7451 Y270.0673
 G1 X429.0027 Y265.1518
 G1 X429.2603 Y260.2364
 G1 X429.518 Y255.3209
-; progress: percent=59 remaining_s=8314
+; progress: percent=59 remaining_s=8316
 G1 X429.7756 Y250.4054
 G1 X430.0332 Y245.49
 G1 X430.2908 Y240.5745
 G1 X430.5484 Y235.6591
-; progress: percent=60 remaining_s=8117
+; progress: percent=60 remaining_s=8119
 G1 X430.806 Y230.7436
 G1 X431.0636 Y225.8281
 G1 X431.3212 Y220.9127
 G1 X431.5788 Y215.9972
-; progress: percent=61 remaining_s=7920
+; progress: percent=61 remaining_s=7923
 G1 X426.8243 Y214.7232
 G1 X422.0698 Y213.4493
 G1 X417.3154 Y212.1753
 G1 X412.5609 Y210.9014
-; progress: percent=62 remaining_s=7723
+; progress: percent=62 remaining_s=7726
 G1 X407.8064 Y209.6274
 G1 X403.0519 Y208.3534
 G1 X398.2974 Y207.0795
 G1 X393.5429 Y205.8055
 G1 X388.7884 Y204.5316
-; progress: percent=63 remaining_s=7477
+; progress: percent=63 remaining_s=7480
 G1 X384.0339 Y203.2576
 G1 X379.2795 Y201.9836
 G1 X374.525 Y200.7097
 G1 X369.7705 Y199.4357
-; progress: percent=64 remaining_s=7280
+; progress: percent=64 remaining_s=7283
 G1 X365.016 Y198.1618
 G1 X364.7765 Y198.0966
 G1 X364.5376 Y198.0294
@@ -1662,8 +1662,8 @@ G1 X355.5852 Y193.8374
 G1 X355.3807 Y193.6969
 G1 X355.1773 Y193.5547
 G1 X354.975 Y193.4109
-; progress: percent=65 remaining_s=7119
 G1 X354.7739 Y193.2654
+; progress: percent=65 remaining_s=7119
 G1 X354.5739 Y193.1184
 G1 X354.3752 Y192.9698
 G1 X354.1776 Y192.8196
@@ -1745,8 +1745,8 @@ G1 X343.5766 Y177.8589
 G1 X343.5004 Y177.6227
 G1 X343.426 Y177.3859
 G1 X343.3536 Y177.1486
-; progress: percent=66 remaining_s=6916
 G1 X343.283 Y176.9106
+; progress: percent=66 remaining_s=6916
 G1 X343.2144 Y176.6721
 G1 X343.1477 Y176.4331
 G1 X343.0829 Y176.1935
@@ -1828,8 +1828,8 @@ G1 X343.8167 Y157.8724
 G1 X343.9004 Y157.6388
 G1 X343.9861 Y157.4058
 G1 X344.0736 Y157.1735
-; progress: percent=67 remaining_s=6712
 G1 X344.1629 Y156.942
+; progress: percent=67 remaining_s=6712
 G1 X344.2541 Y156.7112
 G1 X344.3472 Y156.4811
 G1 X344.442 Y156.2518
@@ -1911,8 +1911,8 @@ G1 X356.2056 Y142.1869
 G1 X356.4145 Y142.0529
 G1 X356.6245 Y141.9207
 G1 X356.8356 Y141.7901
-; progress: percent=68 remaining_s=6509
 G1 X357.0477 Y141.6612
+; progress: percent=68 remaining_s=6509
 G1 X357.2608 Y141.534
 G1 X357.4749 Y141.4086
 G1 X357.6901 Y141.2848
@@ -1951,38 +1951,38 @@ G1 X365.016 Y138.2743
 G1 X369.7705 Y137.0004
 G1 X374.525 Y135.7264
 G1 X379.2795 Y134.4525
-; progress: percent=69 remaining_s=6272
+; progress: percent=69 remaining_s=6274
 G1 X384.0339 Y133.1785
 G1 X388.7884 Y131.9045
 G1 X393.5429 Y130.6306
 G1 X398.2974 Y129.3566
-; progress: percent=70 remaining_s=6075
+; progress: percent=70 remaining_s=6077
 G1 X403.0519 Y128.0827
 G1 X407.8064 Y126.8087
 G1 X412.5609 Y125.5347
 G1 X417.3154 Y124.2608
-; progress: percent=71 remaining_s=5878
+; progress: percent=71 remaining_s=5880
 G1 X422.0698 Y122.9868
 G1 X426.8243 Y121.7129
 G1 X431.5788 Y120.4389
 G1 X431.3212 Y115.5234
-; progress: percent=72 remaining_s=5681
+; progress: percent=72 remaining_s=5684
 G1 X431.0636 Y110.608
 G1 X430.806 Y105.6925
 G1 X430.5484 Y100.777
 G1 X430.2908 Y95.8616
-; progress: percent=73 remaining_s=5484
+; progress: percent=73 remaining_s=5487
 G1 X430.0332 Y90.9461
 G1 X429.7756 Y86.0307
 G1 X429.518 Y81.1152
 G1 X429.2603 Y76.1997
-; progress: percent=74 remaining_s=5287
+; progress: percent=74 remaining_s=5290
 G1 X429.0027 Y71.2843
 G1 X428.7451 Y66.3688
 G1 X428.4875 Y61.4533
 G1 X428.2299 Y56.5379
 G1 X427.9723 Y51.6224
-; progress: percent=75 remaining_s=5041
+; progress: percent=75 remaining_s=5044
 G1 X427.9603 Y51.3745
 G1 X427.9503 Y51.1265
 G1 X427.9423 Y50.8785
@@ -2048,7 +2048,7 @@ G1 X430.9358 Y36.6833
 G1 X431.0433 Y36.4596
 G1 X431.1526 Y36.2368
 G1 X431.2637 Y36.0148
-; progress: percent=76 remaining_s=4880
+; progress: percent=76 remaining_s=4882
 G1 X431.3765 Y35.7938
 G1 X431.4912 Y35.5736
 G1 X431.6075 Y35.3544
@@ -2131,7 +2131,7 @@ G1 X444.8827 Y22.3653
 G1 X445.1044 Y22.2537
 G1 X445.3269 Y22.1439
 G1 X445.5504 Y22.0359
-; progress: percent=77 remaining_s=4676
+; progress: percent=77 remaining_s=4679
 G1 X445.7747 Y21.9297
 G1 X445.9998 Y21.8253
 G1 X446.2258 Y21.7226
@@ -2214,7 +2214,7 @@ G1 X464.6694 Y19.536
 G1 X464.9131 Y19.5829
 G1 X465.1564 Y19.6318
 G1 X465.3994 Y19.6826
-; progress: percent=78 remaining_s=4473
+; progress: percent=78 remaining_s=4475
 G1 X465.6419 Y19.7354
 G1 X465.884 Y19.7901
 G1 X466.1256 Y19.8467
@@ -2297,7 +2297,7 @@ G1 X482.07 Y29.3716
 G1 X482.2344 Y29.5575
 G1 X482.3973 Y29.7447
 G1 X482.5587 Y29.9332
-; progress: percent=79 remaining_s=4269
+; progress: percent=79 remaining_s=4272
 G1 X482.7186 Y30.1231
 G1 X482.877 Y30.3141
 G1 X483.0338 Y30.5065
@@ -2318,40 +2318,40 @@ G1 X487.6094 Y37.2443
 G1 X490.2903 Y41.3724
 G1 X492.9711 Y45.5005
 G1 X495.6519 Y49.6286
-; progress: percent=80 remaining_s=4033
+; progress: percent=80 remaining_s=4035
 G1 X498.3327 Y53.7567
 G1 X501.0136 Y57.8849
 G1 X503.6944 Y62.013
 G1 X506.3752 Y66.1411
-; progress: percent=81 remaining_s=3836
+; progress: percent=81 remaining_s=3838
 G1 X509.056 Y70.2692
 G1 X511.7369 Y74.3973
 G1 X514.4177 Y78.5254
 G1 X517.0985 Y82.6535
-; progress: percent=82 remaining_s=3639
+; progress: percent=82 remaining_s=3641
 G1 X519.7794 Y86.7816
 G1 X522.4602 Y90.9097
 G1 X527.0555 Y89.1458
 G1 X531.6507 Y87.3818
-; progress: percent=83 remaining_s=3442
+; progress: percent=83 remaining_s=3445
 G1 X536.246 Y85.6179
 G1 X540.8413 Y83.8539
 G1 X545.4366 Y82.0899
 G1 X550.0318 Y80.326
-; progress: percent=84 remaining_s=3245
+; progress: percent=84 remaining_s=3248
 G1 X554.6271 Y78.562
 G1 X559.2224 Y76.7981
 G1 X563.8177 Y75.0341
 G1 X568.413 Y73.2701
-; progress: percent=85 remaining_s=3048
+; progress: percent=85 remaining_s=3051
 G1 X573.0082 Y71.5062
 G1 X577.6035 Y69.7422
 G1 X582.1988 Y67.9782
 G1 X586.7941 Y66.2143
 G1 X587.0261 Y66.1263
 G1 X587.2589 Y66.0401
-; progress: percent=86 remaining_s=2846
 G1 X587.4923 Y65.9558
+; progress: percent=86 remaining_s=2846
 G1 X587.7264 Y65.8734
 G1 X587.9612 Y65.7929
 G1 X588.1966 Y65.7142
@@ -2433,8 +2433,8 @@ G1 X606.5293 Y65.3795
 G1 X606.7674 Y65.4495
 G1 X607.005 Y65.5215
 G1 X607.2419 Y65.5953
-; progress: percent=87 remaining_s=2643
 G1 X607.4783 Y65.671
+; progress: percent=87 remaining_s=2643
 G1 X607.714 Y65.7486
 G1 X607.9491 Y65.8281
 G1 X608.1836 Y65.9094
@@ -2516,8 +2516,8 @@ G1 X622.9099 Y76.8337
 G1 X623.0557 Y77.0345
 G1 X623.2 Y77.2364
 G1 X623.3427 Y77.4395
-; progress: percent=88 remaining_s=2439
 G1 X623.4837 Y77.6438
+; progress: percent=88 remaining_s=2439
 G1 X623.6231 Y77.8491
 G1 X623.7608 Y78.0556
 G1 X623.8969 Y78.2631
@@ -2599,8 +2599,8 @@ G1 X628.8944 Y95.9047
 G1 X628.8874 Y96.1528
 G1 X628.8784 Y96.4009
 G1 X628.8675 Y96.6488
-; progress: percent=89 remaining_s=2236
 G1 X628.8545 Y96.8966
+; progress: percent=89 remaining_s=2236
 G1 X628.8396 Y97.1444
 G1 X628.8227 Y97.392
 G1 X628.8038 Y97.6395
@@ -2680,37 +2680,37 @@ G1 X622.3043 Y114.276
 G1 X622.1504 Y114.4707
 G1 X621.995 Y114.6642
 G1 X618.8974 Y118.4895
-; progress: percent=90 remaining_s=1990
+; progress: percent=90 remaining_s=1993
 G1 X615.7997 Y122.3148
 G1 X612.7021 Y126.14
 G1 X609.6044 Y129.9653
 G1 X606.5068 Y133.7906
-; progress: percent=91 remaining_s=1793
+; progress: percent=91 remaining_s=1796
 G1 X603.4091 Y137.6159
 G1 X600.3115 Y141.4411
 G1 X597.2138 Y145.2664
 G1 X594.1162 Y149.0917
-; progress: percent=92 remaining_s=1597
+; progress: percent=92 remaining_s=1599
 G1 X591.0185 Y152.917
 G1 X587.9209 Y156.7422
 G1 X584.8232 Y160.5675
 G1 X581.7256 Y164.3928
-; progress: percent=93 remaining_s=1400
+; progress: percent=93 remaining_s=1402
 G1 X578.628 Y168.2181
 G1 X581.7256 Y172.0433
 G1 X584.8232 Y175.8686
 G1 X587.9209 Y179.6939
-; progress: percent=94 remaining_s=1203
+; progress: percent=94 remaining_s=1206
 G1 X591.0185 Y183.5191
 G1 X594.1162 Y187.3444
 G1 X597.2138 Y191.1697
 G1 X600.3115 Y194.995
-; progress: percent=95 remaining_s=1006
+; progress: percent=95 remaining_s=1009
 G1 X603.4091 Y198.8202
 G1 X606.5068 Y202.6455
 G1 X609.6044 Y206.4708
 G1 X612.7021 Y210.2961
-; progress: percent=96 remaining_s=809
+; progress: percent=96 remaining_s=812
 G1 X615.7997 Y214.1213
 G1 X618.8974 Y217.9466
 G1 X621.995 Y221.7719
@@ -2735,8 +2735,8 @@ G1 X624.5433 Y225.4277
 G1 X624.6692 Y225.6412
 G1 X624.7933 Y225.8556
 G1 X624.9157 Y226.071
-; progress: percent=97 remaining_s=609
 G1 X625.0365 Y226.2874
+; progress: percent=97 remaining_s=610
 G1 X625.1554 Y226.5048
 G1 X625.2727 Y226.7231
 G1 X625.3882 Y226.9423
@@ -2818,8 +2818,8 @@ G1 X628.6856 Y244.95
 G1 X628.6553 Y245.1959
 G1 X628.623 Y245.4416
 G1 X628.5887 Y245.687
-; progress: percent=98 remaining_s=406
 G1 X628.5525 Y245.9322
+; progress: percent=98 remaining_s=406
 G1 X628.5144 Y246.177
 G1 X628.4743 Y246.4215
 G1 X628.4322 Y246.6657
@@ -2866,11 +2866,11 @@ G1 X625.1925 Y255.9882
 G1 X628.4736 Y258.372
 G1 X631.7546 Y260.7558
 G1 X635.0356 Y263.1396
-; progress: percent=99 remaining_s=175
+; progress: percent=99 remaining_s=178
 G1 X638.3167 Y265.5234
 G1 X641.5977 Y267.9073
 G1 X644.0248 Y269.6706 Z5
-G0 Z30
-G0 X0 Y0
+G0 Z30 F1200
+G0 X0 Y0 F1200
 M2
 ; end of program, 2876 lines

@@ -1,15 +1,15 @@
 //! `stargrip-cam build`
 
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::time::SystemTime;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use jiff::Zoned;
 
 use crate::artifact::{Asked, Kind};
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
-use crate::cli::{clock, publish, summary};
+use crate::cli::voice::Voice;
+use crate::cli::{glance, publish, summary, watch};
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]
@@ -25,6 +25,11 @@ pub(super) struct Args {
     /// Build these kinds too, which do not come by default.
     #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = extra_parser())]
     with: Vec<Kind>,
+    /// Build it even if it bursts, or does not hold the object of its own `load` section.
+    #[arg(long)]
+    anyway: bool,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 fn extra_parser() -> impl TypedValueParser<Value = Kind> {
@@ -39,19 +44,33 @@ fn kind_parser(kinds: &[Kind]) -> impl TypedValueParser<Value = Kind> + use<> {
 
 /// Builds, proves and publishes.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::new(&args.spec)?;
+    let voice = args.voice;
+    let loaded = Loaded::spoken(&args.spec, voice)?;
     let asked = Asked { only: args.only.clone(), with: args.with.clone() };
-    let built = loaded.forecast()?.build(loaded.sources(), &asked);
-    let proven = built.prove().map_err(Failure::Findings)?;
+    let forecast = loaded.forecast()?;
+    loaded.fit(&forecast, args.anyway)?;
+    let list = watch::list(&forecast, &args.spec);
+    let proven = forecast.build(loaded.sources(), &asked).prove().map_err(Failure::Findings)?;
     let target = args.output.clone().unwrap_or_else(|| default_output(&args.spec));
+    // What became of files that were there is told however quiet one is.
     tell(&publish(&target, &proven)?.to_string());
-    let mut said = summary::built(&proven, &target);
-    // Without a program there is nothing to wait for.
-    let seconds = proven.sealing_time();
-    if let Some(end) = seconds.and_then(|seconds| clock::finish(SystemTime::now(), seconds)) {
-        let _ = writeln!(said, "{end}, heating and pauses not counted");
+    if voice.quiet {
+        return Ok(());
     }
-    say(&said)
+    let forecast = &proven.built().forecast;
+    if voice.json {
+        let mut said = glance::json(forecast, &list);
+        said["written"] = glance::written_json(&proven, &target);
+        return say(&format!("{said:#}\n"));
+    }
+    glance::show(&glance::head(forecast))?;
+    glance::warn(&list);
+    // Without a program there is nothing to wait for.
+    if proven.sealing_time().is_some() {
+        glance::show(&glance::work(forecast, &Zoned::now()))?;
+    }
+    glance::show(&glance::written(&proven, &target))?;
+    if voice.verbose { say(&summary::built(&proven)) } else { glance::show(&[("details", "-v".to_owned())]) }
 }
 
 /// `out/` and the spec's file name without its ending.

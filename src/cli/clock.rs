@@ -1,43 +1,40 @@
 //! The time of day at which a job that begins now would end: on the terminal only, never in a file.
 
-use std::time::{SystemTime, UNIX_EPOCH};
+use jiff::{SignedDuration, Zoned};
 
-/// Seconds of a day.
-const DAY: u64 = 86_400;
-
-/// When a job of `seconds` that begins at `now` ends, in UTC; `None` if the clock of this computer is before 1970, or the
-/// job has no end.
-pub(super) fn finish(now: SystemTime, seconds: f64) -> Option<String> {
-    let begins = now.duration_since(UNIX_EPOCH).ok()?.as_secs();
+/// When a job of `seconds` that begins at `now` ends, in the zone of `now`: "Monday 23 November at 02:52 CET"; `None` if it
+/// has no end.
+pub(super) fn finish(now: &Zoned, seconds: f64) -> Option<String> {
     // A thousand years and more are no time to tell.
     if !(0.0..3.2e10).contains(&seconds) {
         return None;
     }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within a thousand years")]
-    let ends = begins.checked_add(seconds.round() as u64)?;
-    let minutes = (ends % DAY) / 60;
-    let days = ends / DAY - begins / DAY;
-    Some(format!(
-        "started now, sealing would end at about {:02}:{:02} UTC, day +{days}",
-        minutes / 60,
-        minutes % 60
-    ))
+    let end = now.checked_add(SignedDuration::try_from_secs_f64(seconds.round()).ok()?).ok()?;
+    let day = match (end.date() == now.date(), end.year() == now.year()) {
+        (true, _) => "today".to_owned(),
+        (_, true) => end.strftime("%A %-d %B").to_string(),
+        _ => end.strftime("%A %-d %B %Y").to_string(),
+    };
+    Some(format!("{day} at {}", end.strftime("%H:%M %Z")))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::time::Duration;
+
+    fn end(now: &str, seconds: f64) -> String {
+        finish(&now.parse().expect("a time"), seconds).unwrap_or_default()
+    }
 
     #[test]
-    fn midnight_is_another_day() {
-        let at = |seconds: u64| UNIX_EPOCH + Duration::from_secs(seconds);
-        let end = |begins, seconds| finish(at(begins), seconds).unwrap_or_default();
-        assert!(end(0, 59.0).ends_with("00:00 UTC, day +0"));
-        assert!(end(10 * DAY + 82_800, 3599.0).ends_with("23:59 UTC, day +0"));
-        assert!(end(10 * DAY + 82_800, 3600.0).ends_with("00:00 UTC, day +1"));
-        assert!(end(DAY, 200_000.0).ends_with("07:33 UTC, day +2"));
-        assert_eq!(finish(at(0), f64::NAN), None);
-        assert_eq!(finish(at(0), f64::INFINITY), None);
+    fn an_end_has_its_weekday_in_the_zone_where_the_job_begins() {
+        let day = 86_400.0;
+        assert_eq!(end("2026-11-22T10:00[UTC]", 3599.0), "today at 10:59 UTC");
+        assert_eq!(end("2026-11-22T23:00:01[UTC]", 3599.0), "Monday 23 November at 00:00 UTC");
+        assert_eq!(end("2026-11-22T10:00+01:00[+01:00]", 17.0 * 3600.0), "Monday 23 November at 03:00 +01");
+        assert_eq!(end("2026-12-31T10:00[UTC]", day), "Friday 1 January 2027 at 10:00 UTC");
+        for seconds in [f64::NAN, f64::INFINITY, -1.0, 1e11] {
+            assert_eq!(end("2026-11-22T10:00[UTC]", seconds), "");
+        }
     }
 }

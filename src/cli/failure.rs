@@ -1,11 +1,12 @@
 //! How a command fails, and what it prints then.
 
 use std::io;
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
 use crate::cli::harmless::{harmless, shown};
+use crate::cli::terminal::has_colours;
 use crate::cli::{PublishFault, findings};
 use crate::spec::Faults;
 use crate::verify::Finding;
@@ -46,7 +47,7 @@ impl Failure {
             }
             Self::Findings(findings) => {
                 let lines = findings::lines(&findings).join("\n");
-                format!("error: {} findings; nothing was published\n{lines}", findings.len())
+                format!("error: {}; nothing was published\n{lines}", findings::counted(findings.len()))
             }
             Self::Publish(error) => format!("error: {error}"),
             Self::Message(text) => format!("error: {text}"),
@@ -100,9 +101,19 @@ pub(super) fn tell(text: &str) {
     print(&harmless(text));
 }
 
+/// Prints to standard error under a heading that stands out where there are colours.
+pub(super) fn tell_under(heading: &str, text: &str) {
+    let heading = if has_colours(&io::stderr()) {
+        format!("\u{1b}[1;33m{heading}\u{1b}[0m")
+    } else {
+        heading.to_owned()
+    };
+    print(&format!("{heading}\n{}", harmless(text)));
+}
+
 /// Prints faults to standard error, with colour where somebody sees it. What they quote is harmless already.
 fn tell_faults(faults: &Faults) {
-    if io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
+    if has_colours(&io::stderr()) {
         print(&faults.coloured());
     } else {
         tell(&faults.to_string());

@@ -8,6 +8,11 @@ use crate::verify::Finding;
 /// Findings of one kind in one file that are shown: the first says what is wrong, a few more whether it is everywhere.
 const SHOWN: usize = 3;
 
+/// "1 finding", "91 findings".
+pub(super) fn counted(number: usize) -> String {
+    format!("{number} finding{}", if number == 1 { "" } else { "s" })
+}
+
 /// One line a finding; of those that are alike (same file, same code) the first few, and how many more there are.
 pub(super) fn lines(findings: &[Finding]) -> Vec<String> {
     let mut alike: BTreeMap<(&str, &str), usize> = BTreeMap::new();

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, tell, warn};
 use crate::cli::harmless::shown;
-use crate::design::{Refusals, Warning};
+use crate::cli::voice::Voice;
+use crate::design::{Refusal, Refusals, Warning};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Sources};
 use crate::spec;
@@ -22,17 +23,26 @@ pub(super) struct Loaded {
     pub(super) source: Source,
     pub(super) machine: Machine,
     machine_text: String,
+    quiet: bool,
 }
 
 impl Loaded {
     /// Reads the spec at `path` and the machine profile it names; prints warnings.
     pub(super) fn new(path: &Path) -> Result<Self, Failure> {
+        Self::spoken(path, Voice::default())
+    }
+
+    /// The same; warnings are printed unless they are not wanted.
+    pub(super) fn spoken(path: &Path, voice: Voice) -> Result<Self, Failure> {
         let source = read_source(path)?;
         let reading = spec::read(&source)?;
-        warn(&reading.warnings);
-        let profile = machine_source(path, &source, &reading)?;
+        let (profile, note) = machine_source(path, &source, &reading)?;
+        if !voice.quiet {
+            warn(&reading.warnings);
+            tell(&note.unwrap_or_default());
+        }
         let machine = spec::read_machine(&profile)?;
-        Ok(Self { reading, source, machine, machine_text: profile.text })
+        Ok(Self { reading, source, machine, machine_text: profile.text, quiet: voice.quiet })
     }
 
     /// The texts as read.
@@ -42,6 +52,9 @@ impl Loaded {
 
     /// Prints what a person should know about a design, at the keys it speaks of.
     pub(super) fn warn(&self, warnings: &[Warning]) {
+        if self.quiet {
+            return;
+        }
         let faults = warnings.iter().map(|warning| {
             Fault::warning(warning.code, self.reading.raw.span_of(warning.key), warning.found.clone())
                 .label(warning.remedy.clone())
@@ -55,6 +68,16 @@ impl Loaded {
             .map_err(|refusals| self.refused(refusals))?;
         self.warn(&forecast.design.warnings);
         Ok(forecast)
+    }
+
+    /// Refuses a gripper that does not do what its own `[load]` asks of it, unless it is wanted `anyway`.
+    pub(super) fn fit(&self, forecast: &Forecast, anyway: bool) -> Result<(), Failure> {
+        let anyhow = |refusal: Refusal| Refusal {
+            remedy: format!("{}; `--anyway` takes it as it is", refusal.remedy),
+            ..refusal
+        };
+        let unfit: Refusals = forecast.unfit().into_iter().map(anyhow).collect();
+        if anyway { Ok(()) } else { unfit.or(()).map_err(|refusals| self.refused(refusals)) }
     }
 
     /// Refusals of the design as faults at the keys they speak of.
@@ -92,21 +115,25 @@ fn published_profile(path: &Path) -> Option<PathBuf> {
     (path.with_file_name(MANIFEST).is_file() && profile.is_file()).then_some(profile)
 }
 
-/// The machine profile that the spec at `path` names: a built-in one, or a file relative to the spec.
-fn machine_source(path: &Path, source: &Source, reading: &Reading) -> Result<Source, Failure> {
+/// The machine profile that the spec at `path` names: a built-in one, or a file relative to the spec; and what is to be noted of
+/// where it was found.
+fn machine_source(
+    path: &Path,
+    source: &Source,
+    reading: &Reading,
+) -> Result<(Source, Option<String>), Failure> {
     let name = &reading.spec.machine.profile;
     if let Some(text) = spec::builtin_machine(name) {
-        return Ok(Source::new(format!("built-in machine profile {name}"), text));
+        return Ok((Source::new(format!("built-in machine profile {name}"), text), None));
     }
     let file: PathBuf = path.parent().unwrap_or(Path::new("")).join(name);
     if file.is_file() {
-        return read_source(&file);
+        return Ok((read_source(&file)?, None));
     }
     if let Some(published) = published_profile(path) {
         let (named, found) = (shown(&file), shown(&published));
         let said = format!("note: there is no {named}; {found} is used, as published");
-        tell(&said);
-        return read_source(&published);
+        return Ok((read_source(&published)?, Some(said)));
     }
     let known: Vec<&str> = spec::builtin_machines().collect();
     let fault = Fault::error(
@@ -115,5 +142,9 @@ fn machine_source(path: &Path, source: &Source, reading: &Reading) -> Result<Sou
         format!("no machine profile has this name, and there is no file {}", shown(&file)),
     )
     .label(format!("a built-in profile ({}) or a path relative to the spec", known.join(", ")));
+    let fault = match spec::nearest(name, known) {
+        Some(near) => fault.help(format!("did you mean \"{near}\"?")),
+        None => fault,
+    };
     Err(Faults::new(source, vec![fault]).into())
 }

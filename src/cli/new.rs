@@ -20,8 +20,9 @@ pub(super) struct Args {
 
 /// Writes a starter spec into the current directory; never over a file that is there.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let starter = || spec::starter(&args.name).map_err(|fault| Failure::Message(fault.to_string()));
-    let (text, said) = match chosen(&args.name, &args.object)? {
+    let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
+    let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
+    let (text, said) = match chosen(name, &args.object)? {
         Some(chosen) => chosen,
         None => (starter()?, String::new()),
     };
@@ -33,6 +34,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 
 /// The name as a file name anywhere: ASCII letters, digits and dashes.
 fn file_stem(name: &str) -> String {
+    // Who names the file means the design.
+    let name = name.strip_suffix(".toml").unwrap_or(name);
     let mut stem = String::new();
     for c in name.chars() {
         if c.is_ascii_alphanumeric() {

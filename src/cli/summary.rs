@@ -1,35 +1,31 @@
-//! What a person reads on the terminal after a command.
+//! Everything there is to say about a gripper, for `-v`: what stands behind the first screen.
 
 use std::fmt::Write;
-use std::path::Path;
 
+use crate::airtight;
 use crate::artifact::{Format, Output};
-use crate::cli::harmless::shown;
 use crate::design::{COATING_ASSUMES, Design, Plate, StarDesign};
 use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};
-use crate::plan::{Pace, rounded_up};
 use crate::spec::Spec;
 use crate::units::Readable;
 use crate::verify::Proof;
 
-/// The design: geometry, seams, fabric, what the iron does to the corners.
-pub(super) fn design(forecast: &Forecast) -> String {
+/// What a check found out.
+pub(super) fn checked(forecast: &Forecast) -> String {
+    let seal = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
+    // What it warns of has been said above, as has what the prediction warns of.
+    let seal = airtight::Report { weaknesses: Vec::new(), ..seal };
+    format!("\n{}{}{}", design(forecast), predicted(forecast), seal)
+}
+
+/// The design: geometry, seams, fabric, what the iron does to the corners. Of equal stars the first.
+fn design(forecast: &Forecast) -> String {
     let Forecast { spec, design, programs, .. } = forecast;
-    let mut out = format!("{}\n", spec.name);
-    for placed in &design.stars {
+    let mut out = String::new();
+    for placed in design.firsts() {
         let part = design.part(placed);
-        let star = &part.star;
-        let _ = writeln!(
-            out,
-            "star {}: {} points, rho_0 {} mm, W {} mm, phi_i0 {} deg, arms {:.2} mm long",
-            placed.index,
-            star.n,
-            Readable(star.rho_0),
-            Readable(star.w),
-            Readable(star.phi_i.to_degrees()),
-            star.l
-        );
+        let _ = writeln!(out, "star {}: arms {:.2} mm long", placed.index, part.star.l);
         let (tip, corner) = (part.realised_tip(), part.realised_corner());
         let _ = writeln!(
             out,
@@ -145,16 +141,14 @@ fn printed(spec: &Spec, part: &StarDesign) -> String {
     }
 }
 
-/// The design, and what was written of it where.
-pub(super) fn built(proven: &Proven, target: &Path) -> String {
+/// The design, and what was written of it.
+pub(super) fn built(proven: &Proven) -> String {
     let built = proven.built();
     let Forecast { machine, .. } = &built.forecast;
-    let mut out = design(&built.forecast);
-    let _ = writeln!(out, "proven: {}", scope(proven.proof()));
+    let mut out = format!("\n{}", design(&built.forecast));
     let _ = writeln!(out, "machine: {} ({})", machine.name, machine.description);
-    out.push_str(&conditions(&built.forecast));
     out.push_str(&predicted(&built.forecast));
-    let _ = writeln!(out, "wrote to {}:", shown(target));
+    let _ = writeln!(out, "files:");
     for (name, bytes) in built.files() {
         let output = built.artifacts.iter().find(|artifact| artifact.name == name).map(|file| &file.output);
         let pages = output.and_then(|output| pages(output, &built.forecast.design)).unwrap_or_default();
@@ -195,61 +189,13 @@ pub(super) fn scope(proof: &Proof) -> String {
 }
 
 /// What the gripper will do, where that was asked for.
-pub(super) fn predicted(forecast: &Forecast) -> String {
-    let prediction = forecast.prediction.as_ref();
-    prediction.map_or(String::new(), |prediction| {
-        format!("predicted:\n{}", report::text(&forecast.spec, prediction))
-    })
-}
-
-/// What has to be true of the machine for the programs to do what they say.
-pub(super) fn conditions(forecast: &Forecast) -> String {
-    let Forecast { spec, machine, programs, .. } = forecast;
-    let mut out = String::new();
-    if !machine.script.requires.is_empty() {
-        let order =
-            "before you seal: time `stargrip-cam feedcheck`, run the trace, and see to what it requires:";
-        let _ = writeln!(out, "{order}");
-    }
-    for line in &machine.script.requires {
-        let _ = writeln!(out, "requires: {line}");
-    }
-    match programs.first().map(|program| program.pace) {
-        Some(Pace::Chopped(chop)) => {
-            let _ = writeln!(
-                out,
-                "chopped: strokes of at most {} mm at {:.2} mm/s with dwells, {} on the whole; it counts on an \
-                 acceleration of {} mm/s^2{}",
-                Readable(chop.longest),
-                chop.speed,
-                spec.seal.speed,
-                Readable(chop.acceleration),
-                machine.motion.steps_per_mm.map_or(String::new(), |[x, y, _]| {
-                    format!(" and at least {x} (X) and {y} (Y) steps/mm")
-                }),
-            );
-        }
-        _ if machine.motion.speed_range().is_none() => {
-            let _ = writeln!(
-                out,
-                "note: the lowest feed of this machine is unknown, and some controllers go several times faster than \
-                 {} without a word; `stargrip-cam feedcheck` writes a program that shows it",
-                spec.seal.speed
-            );
-        }
-        _ => {
-            let rounded = rounded_up(&machine.motion, spec.seal.speed.0);
-            let _ = rounded.map_or(Ok(()), |part| {
-                let (title, percent) =
-                    (machine.controller.dialect.title(), (1000.0 * part - 1e-9).ceil() / 10.0);
-                writeln!(
-                    out,
-                    "note: {title} makes whole steps a second: a seam may be {percent:.1} % too fast at worst"
-                )
-            });
-        }
-    }
-    out
+fn predicted(forecast: &Forecast) -> String {
+    let Some(mut prediction) = forecast.prediction.clone() else { return String::new() };
+    prediction.stars.iter_mut().for_each(|star| star.evidence.warnings.clear());
+    let text = report::text(&forecast.spec, &prediction);
+    // The name stands above already.
+    let body = text.split_once('\n').map_or("", |(_, body)| body);
+    format!("predicted:\n{}", body.trim_start_matches('\n'))
 }
 
 /// A time for people.

@@ -10,6 +10,7 @@ use serde_json::json;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
+use crate::cli::voice::Voice;
 use crate::cli::{findings, summary};
 use crate::manifest::MANIFEST;
 use crate::pipeline::Claim;
@@ -20,9 +21,8 @@ use crate::verify::{By, FileProof, OutputFiles, Proof};
 pub(super) struct Args {
     /// The directory that a build published.
     dir: PathBuf,
-    /// Print one JSON object and nothing else.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 /// Largest file that is read back, bytes, whatever the manifest says: above what a build writes, below what hurts.
@@ -34,12 +34,47 @@ const SOURCES: [&str; 3] = ["spec.toml", "machine.toml", MANIFEST];
 /// Largest of these that is read: none of a thousand stars comes near.
 const SOURCE_LIMIT: u64 = 1 << 24;
 
+/// Most builds that are listed.
+const MOST_BUILDS: usize = 10;
+
 /// Reads the directory and proves it.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    holds_a_build(&args.dir)?;
     let (claim, files) = read_directory(&args.dir)?;
     let proof = claim.prove(&files);
-    say(&if args.json { json(&proof) } else { text(&args.dir, &proof) })?;
-    if proof.findings.is_empty() { Ok(()) } else { Err(Failure::Said) }
+    let right = proof.findings.is_empty();
+    match args.voice {
+        Voice { json: true, .. } => say(&json(&proof))?,
+        Voice { quiet: true, .. } if right => {}
+        _ => say(&text(&args.dir, &proof))?,
+    }
+    if right { Ok(()) } else { Err(Failure::Said) }
+}
+
+/// Refuses a directory in which nobody published, if others in it say that they were: it is the one above.
+fn holds_a_build(dir: &Path) -> Result<(), Failure> {
+    if SOURCES.iter().any(|name| dir.join(name).exists()) {
+        return Ok(());
+    }
+    let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;
+    let inside = entries.filter_map(Result::ok).map(|entry| entry.path());
+    let mut builds: Vec<String> = inside.filter(|path| path.join(MANIFEST).is_file()).map(shown).collect();
+    if builds.is_empty() {
+        return Ok(());
+    }
+    builds.sort();
+    let number = builds.len();
+    let list: Vec<String> = builds
+        .into_iter()
+        .take(MOST_BUILDS)
+        .map(|build| format!("\n  stargrip-cam verify {build}"))
+        .collect();
+    let more = number
+        .checked_sub(MOST_BUILDS)
+        .filter(|more| *more > 0)
+        .map_or_else(String::new, |more| format!("\n  and {more} more"));
+    let what = if number == 1 { "a build is in it".to_owned() } else { format!("{number} builds are in it") };
+    Err(Failure::Message(format!("{} is no build, but {what}:{}{more}", shown(dir), list.concat())))
 }
 
 fn json(proof: &Proof) -> String {
@@ -66,7 +101,7 @@ fn text(dir: &Path, proof: &Proof) -> String {
     }
     let verdict = match proof.findings.len() {
         0 => format!("proven, no findings; {}", summary::scope(proof)),
-        n => format!("{n} findings"),
+        n => findings::counted(n),
     };
     let _ = writeln!(text, "{}: {verdict}", shown(dir));
     text

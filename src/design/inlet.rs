@@ -3,10 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::star_fault::blamed;
-use crate::design::{Contour, Part, Refusal, RefusalCode, Star};
+use crate::design::{Contour, Part, Refusal, RefusalCode, Star, Warning};
 use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Inlet, key};
-use crate::units::{Least, Readable};
+use crate::units::{Least, Most, Readable};
 
 /// The channel of one star, in the star's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,6 +141,22 @@ impl Channel {
         into.push(Arc::new(arc.center, arc.radius, ray + psi, arc.sweep / 2.0 - psi).into());
         out.push(Line::new(at(x, -y), at(end, -y)).into());
         (into, out)
+    }
+
+    /// What is to be said of a hose that is thicker than the inflated tube of star `index`.
+    pub(super) fn too_thick(&self, index: usize, star: &Star) -> Option<Warning> {
+        if 2.0 * self.half_width <= star.w {
+            return None;
+        }
+        let (width, tube) = (Readable(2.0 * self.half_width), Readable(star.w));
+        let found = format!(
+            "the hose's channel on star {index} is {width} mm wide, wider than the tube of {tube} mm that it feeds"
+        );
+        let remedy = format!(
+            "a hose that is no thicker than the inflated tube has at most {} mm",
+            Most(2.0 * star.w / PI)
+        );
+        Some(Warning { key: key::inlet::TUBE_DIAMETER, code: RefusalCode::ThickHose, found, remedy })
     }
 
     fn too_wide(&self, width: f64, delta: f64, room: f64) -> Refusal {

@@ -75,7 +75,11 @@ impl Design {
         let warnings = design
             .firsts()
             .zip(&design.distinct)
-            .filter_map(|(s, part)| part.mask.cut_short(s.index, &part.star));
+            .flat_map(|(s, part)| {
+                let hose = part.channel.and_then(|channel| channel.too_thick(s.index, &part.star));
+                [part.mask.cut_short(s.index, &part.star), hose]
+            })
+            .flatten();
         design.warnings = warnings.collect();
         Ok(design)
     }

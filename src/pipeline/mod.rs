@@ -10,6 +10,7 @@
 //! to [`Proven`], which is all that can be published, and `verify` takes the same steps from the files of a directory.
 
 mod files;
+mod fitness;
 mod proven;
 
 use crate::airtight;

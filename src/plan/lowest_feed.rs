@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::design::{Refusal, RefusalCode};
 use crate::geom::Segment;
+use crate::plan::whole_rates::rounded_up;
 use crate::plan::{Chop, Pace, Program, Step};
 use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
 use crate::units::Most;
@@ -43,7 +44,7 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
             continue;
         }
         let Some(lowest) = lowest_of(&machine.motion, &program.steps) else {
-            return wanted.then(|| cannot_chop(machine));
+            return wanted.then(|| cannot_chop(machine, speed));
         };
         most = most.max(lowest);
     }
@@ -51,14 +52,13 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
         return None;
     }
     if wanted {
-        return Some(cannot_chop(machine));
+        return Some(cannot_chop(machine, speed));
     }
     let (least, flat) = machine.motion.speed_range().unwrap_or((most, most));
     if flat <= speed * (1.0 + 1e-9) {
         return Some(slow_ramps(spec, machine, most));
     }
     let most = most.max(flat);
-    let runs = if most - least < 0.005 { format!("{most:.2}") } else { format!("{least:.2} to {most:.2}") };
     let at = match machine.motion.steps_per_mm {
         Some([x, y, _]) if x == y => format!("at {x} steps/mm "),
         Some([x, y, _]) => format!("at {x} (X) and {y} (Y) steps/mm "),
@@ -73,12 +73,27 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     Some(Refusal::new(
         key::seal::SPEED,
         RefusalCode::FeedFloor,
-        format!("{at}{} runs this at {runs} mm/s instead of {speed}", machine.controller.dialect.title()),
+        format!(
+            "{at}{} runs this {}",
+            machine.controller.dialect.title(),
+            runs(&machine.motion, speed, (least, most))
+        ),
         format!(
             "write `feed_floor = \"chop\"` in [machine]; or a speed of at least {:.2} mm/s{better}",
             (most * (1.0 - 1e-9) * 100.0).ceil() / 100.0
         ),
     ))
+}
+
+/// At which speed a controller runs what is told to go at `speed`, mm/s; `range` holds the lowest it has in any direction.
+fn runs(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
+    if let Some(part) = rounded_up(motion, speed) {
+        let percent = (1000.0 * part - 1e-9).ceil() / 10.0;
+        return format!("up to {percent:.1} % too fast, for it rounds up to whole steps a second");
+    }
+    let (least, most) = range;
+    let runs = if most - least < 0.005 { format!("{most:.2}") } else { format!("{least:.2} to {most:.2}") };
+    format!("at {runs} mm/s instead of {speed}")
 }
 
 /// Only the ramps are too slow for the controller, which are steeper than Z has steps for.
@@ -123,10 +138,10 @@ fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
     ))
 }
 
-fn cannot_chop(machine: &Machine) -> Refusal {
+fn cannot_chop(machine: &Machine, speed: f64) -> Refusal {
     let motion = &machine.motion;
     let mut missing = Vec::new();
-    if motion.chop_speed().is_none() {
+    if motion.chop_speed(speed).is_none() {
         if motion.steps_per_mm.is_none() {
             missing.push("the steps per mm");
         }

@@ -5,6 +5,7 @@
 //! that, and also how long a single move is; the emitters only round and spell.
 
 mod feedcheck;
+mod job_size;
 mod keep_out;
 mod lowest_feed;
 mod pace;
@@ -28,4 +29,3 @@ pub use seal::seal_programs;
 pub use stepper::Stepper;
 pub use time::{Clock, Scope, height_of};
 pub use trace::trace_programs;
-pub use whole_rates::rounded_up;

@@ -14,7 +14,7 @@ use crate::spec::{Dialect, Machine};
 /// DefaultZInstantDv). The junction deviations of GRBL and Marlin leave less than 0.6 mm/s at 10 mm/s^2, and what a faster
 /// machine gains is less than 0.03 s: they are not counted.
 const HABITS: [(Dialect, bool, bool, f64); 8] = [
-    (Dialect::Generic, false, false, 0.0),
+    (Dialect::Generic, true, false, 0.0),
     (Dialect::LinuxCnc, false, false, 0.0),
     (Dialect::Grbl, false, false, 0.0),
     (Dialect::GrblHal, false, false, 0.0),
@@ -112,7 +112,8 @@ mod tests {
         let length = 300.0 * 2.0_f64.sqrt();
         for (dialect, expected) in [
             ("grbl", 17.0),
-            ("generic", 17.0),
+            ("linuxcnc", 17.0),
+            ("generic", length / 20.0 + 2.0 / 2.0_f64.sqrt()),
             ("klipper", length / 20.0 + 2.0),
             ("marlin", length / 20.0 + 2.0),
             ("reprapfirmware", length / 20.0 + 2.0 / 2.0_f64.sqrt()),

@@ -5,17 +5,18 @@
 //! MarlinFirmware/Marlin, module/planner.cpp, `_populate_block` and `calculate_trapezoid_for_block`; module/stepper.cpp,
 //! `block_phase_isr`).
 
-use crate::spec::Motion;
+use crate::spec::{Motion, StepRate};
 
 /// By which part a steady contact at `speed` mm/s may be too fast, in the direction that is worst, because step rates are
-/// rounded up to whole ones; `None` where they are not, or the steps are not known.
+/// rounded up to whole ones, and to the lowest there is; `None` where they are not, or the steps are not known.
 ///
 /// The lowest rate r is that along the diagonal on which X and Y step equally often: it becomes the next whole rate n, and a
 /// rate a little above n becomes n + 1.
-pub fn rounded_up(motion: &Motion, speed: f64) -> Option<f64> {
-    let ([x, y, _], Some(0.0)) = (motion.steps_per_mm?, motion.tick.map(|tick| tick.0)) else { return None };
+pub(super) fn rounded_up(motion: &Motion, speed: f64) -> Option<f64> {
+    let ([x, y, _], true) = (motion.steps_per_mm?, motion.has_whole_rates()) else { return None };
+    let StepRate::AtLeast(least) = motion.step_rate else { return None };
     let rate = speed * x * y / x.hypot(y);
-    let whole = rate.ceil();
+    let whole = rate.ceil().max(least);
     Some((whole / rate - 1.0).max(1.0 / whole))
 }
 
@@ -87,6 +88,7 @@ mod tests {
     fn the_worst_rounding_is_that_of_the_next_whole_rate() {
         let motion = |steps: f64| Motion {
             steps_per_mm: Some([steps; 3]),
+            step_rate: StepRate::AtLeast(1.0),
             tick: Some(crate::units::Duration(0.0)),
             ..Motion::UNKNOWN
         };

@@ -154,6 +154,7 @@ impl Header {
             arcs: machine.word("arcs") == Some("yes"),
             dwell: Dwells { unit, step: Duration(step) },
             heating,
+            thumbnails: false,
         })
     }
 

@@ -37,6 +37,8 @@ pub struct Controller {
     pub dwell: Dwells,
     /// How the iron gets hot.
     pub heating: Heating,
+    /// Whether programs carry pictures for hosts that show them.
+    pub thumbnails: bool,
 }
 
 /// How the iron is led over the fabric.

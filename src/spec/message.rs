@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::value::{RawNumber, RawValue};
-use crate::units::{Quantity, QuantityFault};
+use crate::units::{Quantity, QuantityFault, Readable, Temperature};
 
 /// A number that its range does not hold; the range is left to be named.
 pub(super) fn out_of_range(key: &str, number: &RawNumber, value: &RawValue) -> Fault {
@@ -34,6 +34,9 @@ const SYNONYMS: [(&str, &str); 8] = [
     ("Celsius", "C"),
     ("mm/sec", "mm/s"),
 ];
+
+/// Names of a unit that specs do not have, because it is no multiple of theirs.
+const FAHRENHEIT: [&str; 3] = ["F", "degF", "\u{b0}F"];
 
 /// Whether what follows a whole number is the rest of one with a decimal comma.
 fn is_decimal_comma(rest: &str) -> bool {
@@ -70,13 +73,23 @@ pub(super) fn malformed<Q: Quantity>(
         QuantityFault::UnknownUnit(unit) => {
             let fault = Fault::error(FaultCode::UnknownUnit, span, message)
                 .label(format!("{} is no unit of {kind}: must be one of {units}", quoted(unit)));
-            let usual =
-                SYNONYMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit)).map(|(_, usual)| *usual);
-            let meant = usual.unwrap_or(unit);
-            match Q::UNITS.iter().find(|(name, _)| name.eq_ignore_ascii_case(meant)) {
-                Some((near, _)) => fault.help(format!("did you mean `{near}`?")),
+            match meant::<Q>(text, unit) {
+                Some(meant) => fault.help(format!("did you mean \"{meant}\"?")),
                 None => fault,
             }
         }
     }
+}
+
+/// The whole quantity in the unit that is meant by `unit`, with which `text` ends.
+fn meant<Q: Quantity>(text: &str, unit: &str) -> Option<String> {
+    let number = text.trim().strip_suffix(unit)?.trim();
+    if Q::KIND == Temperature::KIND && FAHRENHEIT.contains(&unit) {
+        let celsius = (number.parse::<f64>().ok()? - 32.0) / 1.8;
+        return Some(format!("{} C", Readable(celsius.round())));
+    }
+    let usual =
+        SYNONYMS.iter().find(|(name, _)| name.eq_ignore_ascii_case(unit)).map_or(unit, |(_, usual)| usual);
+    let (near, _) = Q::UNITS.iter().find(|(name, _)| name.eq_ignore_ascii_case(usual))?;
+    Some(format!("{number} {near}"))
 }

@@ -17,7 +17,7 @@ pub struct Motion {
     pub min_feed: Speed,
     /// Acceleration of X and Y; `None` if unknown.
     pub acceleration: Option<Acceleration>,
-    /// Feed of chopped moves; `None`: 1.2 times the lowest feed.
+    /// Feed of chopped moves; `None`: what [`Motion::chop_speed`] says.
     pub chop_feed: Option<Speed>,
     /// How long a move waits that meets an empty queue, as after each dwell.
     pub start_delay: Duration,
@@ -42,6 +42,12 @@ pub enum StepRate {
 /// How many times the lowest feed a chopped move goes: far enough above it for a timer's rounding, and near enough
 /// for the shortest way of braking.
 const CHOP_MARGIN: f64 = 1.2;
+/// How many times the seal's speed a chopped move goes at least where rates are whole steps a second: its strokes are
+/// timed with the rates as they become, whatever these are. Enough to leave time for dwells, and slow enough for short
+/// strokes to reach it: where one does not, its peak hangs on the rounding of a float (`calculate_trapezoid_for_block`).
+const CHOP_RATIO: f64 = 2.5;
+/// By which part a steady move may be too fast where rates are rounded up to whole steps a second.
+const ROUNDED_UP: f64 = 0.002;
 
 impl Motion {
     /// Nothing known.
@@ -56,13 +62,38 @@ impl Motion {
         wraps: false,
     };
 
-    /// The lowest speed along a move with these displacements, mm/s; `None` if unknown.
+    /// Whether rates are rounded up to whole steps a second (Marlin: module/planner.cpp, `nominal_rate`).
+    pub fn has_whole_rates(&self) -> bool {
+        self.tick.is_some_and(|tick| tick.0 == 0.0)
+    }
+
+    /// The lowest rate, steps/s, at which a steady move has its speed: the lowest that can be made, and where rates are
+    /// rounded up to whole ones, that of which one step a second is 0.2 %. `None` where there is none, or none is known.
+    pub fn even_rate(&self) -> Option<f64> {
+        let StepRate::AtLeast(rate) = self.step_rate else { return None };
+        Some(if self.has_whole_rates() { rate.max(1.0 / ROUNDED_UP) } else { rate })
+    }
+
+    /// The lowest speed at which a move with these displacements has its speed, mm/s; `None` if unknown.
     pub fn lowest_speed(&self, displacement: [f64; 3]) -> Option<f64> {
-        let rate = match self.step_rate {
-            StepRate::Unknown => return None,
-            StepRate::NoLimit => return Some(self.min_feed.0),
-            StepRate::AtLeast(rate) => rate,
-        };
+        match self.step_rate {
+            StepRate::Unknown => None,
+            StepRate::NoLimit => Some(self.min_feed.0),
+            StepRate::AtLeast(_) => self.speed_at(self.even_rate()?, displacement),
+        }
+    }
+
+    /// The lowest speed that a stroke with these displacements can have, mm/s, rounded up or not: strokes are timed with the
+    /// rates as they become. `None` if unknown.
+    pub fn lowest_stroke(&self, displacement: [f64; 3]) -> Option<f64> {
+        match self.step_rate {
+            StepRate::AtLeast(rate) => self.speed_at(rate, displacement),
+            _ => self.lowest_speed(displacement),
+        }
+    }
+
+    /// The speed, mm/s, of a move with these displacements at a rate in steps/s; `None` if the steps are unknown.
+    fn speed_at(&self, rate: f64, displacement: [f64; 3]) -> Option<f64> {
         let steps = self.steps_per_mm?;
         let length = displacement.iter().map(|d| d * d).sum::<f64>().sqrt();
         let most = steps.iter().zip(displacement).map(|(s, d)| s * d.abs()).fold(0.0, f64::max);
@@ -78,21 +109,32 @@ impl Motion {
     pub fn speed_range(&self) -> Option<(f64, f64)> {
         let [x, y, _] = self.steps_per_mm.unwrap_or([1.0, 1.0, 1.0]);
         let along = if x >= y { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
-        Some((self.lowest_speed(along)?, self.lowest_speed([y, x, 0.0])?))
+        Some((self.lowest_speed(along)?, self.lowest_speed(self.worst_direction())?))
     }
 
     /// Steps per mm that let the controller hold `speed` (mm/s): along an axis and at 45 degrees. `None` if the rate is
     /// unknown or has no limit.
     pub fn steps_needed(&self, speed: f64) -> Option<(f64, f64)> {
-        match self.step_rate {
-            StepRate::AtLeast(rate) => Some((rate / speed, rate / speed * std::f64::consts::SQRT_2)),
-            _ => None,
-        }
+        self.even_rate().map(|rate| (rate / speed, rate / speed * std::f64::consts::SQRT_2))
     }
 
-    /// The feed of chopped moves, mm/s: `chop_feed`, or 1.2 times the lowest feed of the worst direction.
-    pub fn chop_speed(&self) -> Option<f64> {
-        self.chop_feed.map(|feed| feed.0).or_else(|| self.speed_range().map(|(_, most)| CHOP_MARGIN * most))
+    /// The feed of chopped moves, mm/s, of a seal at `speed`, mm/s: `chop_feed`, or 1.2 times the lowest that the worst
+    /// direction can be made to step at, and where rates are whole ones 2.5 times `speed` at least.
+    pub fn chop_speed(&self, speed: f64) -> Option<f64> {
+        if let Some(feed) = self.chop_feed {
+            return Some(feed.0);
+        }
+        let StepRate::AtLeast(rate) = self.step_rate else {
+            return self.speed_range().map(|(_, most)| CHOP_MARGIN * most);
+        };
+        let lowest = CHOP_MARGIN * self.speed_at(rate, self.worst_direction())?;
+        Some(if self.has_whole_rates() { lowest.max(CHOP_RATIO * speed) } else { lowest })
+    }
+
+    /// The direction of the XY plane in which X and Y step equally often: the slowest steps of all.
+    fn worst_direction(&self) -> [f64; 3] {
+        let [x, y, _] = self.steps_per_mm.unwrap_or([1.0, 1.0, 1.0]);
+        [y, x, 0.0]
     }
 }
 

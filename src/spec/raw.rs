@@ -6,10 +6,7 @@ use toml::de::DeTable;
 
 use crate::spec::fault::Fault;
 use crate::spec::value::{RawKind, RawTable, RawValue};
-use crate::spec::{FaultCode, KeyPath};
-
-/// Most syntax errors collected: a wrong file has one a line.
-const SYNTAX_ERRORS: usize = 100;
+use crate::spec::{KeyPath, syntax};
 
 /// What was written: TOML, nothing decided yet.
 #[derive(Clone, Debug)]
@@ -18,11 +15,14 @@ pub struct RawSpec {
 }
 
 impl RawSpec {
-    /// Reads `text` as TOML, with all of its syntax errors; what stands between them is kept.
+    /// Reads `text` as TOML, with the first of its syntax errors; what stands between them is kept.
     pub(super) fn parse(text: &str) -> (Self, Vec<Fault>) {
         let (root, errors) = DeTable::parse_recoverable(text);
-        let faults = errors.iter().take(SYNTAX_ERRORS).map(syntax_fault).collect();
-        (Self { root: root.get_ref().into() }, faults)
+        let root: RawTable = root.get_ref().into();
+        let faults = syntax::faults(&errors, text, &root);
+        // What a flood leaves between its errors is chance.
+        let kept = if errors.len() < syntax::FLOOD { root } else { RawTable(Vec::new()) };
+        (Self { root: kept }, faults)
     }
 
     /// The whole document.
@@ -74,16 +74,4 @@ impl RawSpec {
         let stack = self.root.get("stack").and_then(RawValue::as_table);
         stack.and_then(|table| table.get("star")).and_then(RawValue::as_list).unwrap_or_default()
     }
-}
-
-/// The parser says "found, expected allowed".
-fn syntax_fault(error: &toml::de::Error) -> Fault {
-    let (found, allowed) = match error.message().split_once(", expected ") {
-        // A quantity without quotes.
-        Some((found, "literal string")) => (found, "write it in quotes: \"...\"".to_owned()),
-        Some((found, allowed)) => (found, format!("expected {allowed}")),
-        None if error.message() == "duplicate key" => (error.message(), "this was written before".to_owned()),
-        None => (error.message(), String::new()),
-    };
-    Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), found).label(allowed)
 }

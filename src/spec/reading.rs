@@ -14,7 +14,7 @@ use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
-use crate::spec::{Code, FaultCode, stars};
+use crate::spec::{Code, FaultCode, foreign, stars};
 use crate::units::{Length, Percent, Pressure, Speed, Temperature};
 
 /// A spec that was read, and what can still be said about its text.
@@ -50,6 +50,9 @@ pub(super) fn read_with<T>(
     body: impl FnOnce(&mut Reader<'_>) -> T,
 ) -> Result<(T, Faults, RawSpec), Faults> {
     let (raw, mut faults) = RawSpec::parse(&source.text);
+    if let Some(fault) = foreign::fault(&source.text).filter(|_| !faults.is_empty()) {
+        return Err(Faults::new(source, vec![fault]));
+    }
     let mut reader = Reader::new(&raw);
     let found = body(&mut reader);
     let others = reader.finish();

@@ -9,6 +9,7 @@ use std::ops::Range;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::message::{article, header, malformed, out_of_range};
+use crate::spec::missing::Missing;
 use crate::spec::raw::RawSpec;
 use crate::spec::unknown::{self, Known};
 use crate::spec::value::{RawKind, RawTable, RawValue};
@@ -21,6 +22,7 @@ pub(super) struct Reader<'r> {
     /// What was found so far.
     pub(super) faults: Vec<Fault>,
     known: Vec<Known<'r>>,
+    missing: Vec<Missing>,
 }
 
 /// One table of the document, or the lack of it.
@@ -34,7 +36,7 @@ pub(super) struct Section<'a, 'r> {
 impl<'r> Reader<'r> {
     /// Begins to read `raw`.
     pub(super) fn new(raw: &'r RawSpec) -> Self {
-        Self { raw, faults: Vec::new(), known: Vec::new() }
+        Self { raw, faults: Vec::new(), known: Vec::new(), missing: Vec::new() }
     }
 
     /// The keys that stand before the first section.
@@ -46,7 +48,8 @@ impl<'r> Reader<'r> {
     /// Section `name`; it need not have been written.
     pub(super) fn section(&mut self, name: &'static str) -> Section<'_, 'r> {
         match self.raw.root().get(name) {
-            None => self.open(name, None, 0..0),
+            // At the end of the text, where it would be added.
+            None => self.open(name, None, usize::MAX..usize::MAX),
             Some(value) => self.element(name, value),
         }
     }
@@ -84,6 +87,9 @@ impl<'r> Reader<'r> {
 
     /// Adds a fault for each key and section that nobody asked for, and hands over all faults.
     pub(super) fn finish(mut self) -> Vec<Fault> {
+        // Who misspelt a key is told so, and not that the key is missing as well.
+        let missing = self.missing.into_iter().filter_map(|missing| missing.but_for(&self.known));
+        self.faults.extend(missing.map(|missing| missing.fault()));
         self.faults.extend(unknown::faults(&self.known));
         self.faults
     }
@@ -122,24 +128,12 @@ impl<'r> Section<'_, 'r> {
     }
 
     /// Adds one fault if some of `required`, pairs of a key and an example value, were not written.
-    pub(super) fn require(&mut self, required: &[(&'static str, &str)]) {
-        let missing: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).collect();
-        if missing.is_empty() {
-            return;
+    pub(super) fn require(&mut self, required: &[(&'static str, &'static str)]) {
+        let keys: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).copied().collect();
+        if !keys.is_empty() {
+            let (section, is_written, place) = (self.name, self.table.is_some(), self.place());
+            self.reader.missing.push(Missing { section, is_written, place, keys });
         }
-        let list = missing.iter().map(|(key, _)| format!("`{key}`")).collect::<Vec<_>>().join(", ");
-        let lines = missing.iter().map(|(key, example)| format!("{key} = {example}")).collect::<Vec<_>>();
-        let (message, help) = match (self.name, self.table) {
-            ("", _) => (format!("the file does not say {list}"), lines.join(", ")),
-            (name, Some(_)) => (format!("{} does not say {list}", header(name)), lines.join(", ")),
-            (name, None) => (
-                format!("there is no [{name}], which must say {list}"),
-                format!("[{name}] {}", lines.join(", ")),
-            ),
-        };
-        let label = if missing.len() == 1 { "this key is required" } else { "these keys are required" };
-        let fault = Fault::error(FaultCode::MissingKey, self.place(), message);
-        self.report(fault.label(label).help(format!("write for instance: {help}")));
     }
 
     /// The value of `key`, which becomes a known key.

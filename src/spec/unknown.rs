@@ -53,7 +53,7 @@ pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
 }
 
 /// The word of `candidates` that differs from `word` by few enough slips of the keyboard.
-pub(super) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
+pub(crate) fn nearest<'c>(word: &str, candidates: impl IntoIterator<Item = &'c str>) -> Option<&'c str> {
     if word.len() > COMPARED {
         return None;
     }

@@ -1,7 +1,6 @@
 //! Every dialect with the controller that runs it: which words it reads how, and which clock times it.
 
 use crate::grbl::Grbl;
-use crate::judge::Slack;
 use crate::legs::{Reading, Task, tasks};
 use crate::marlin::Marlin;
 use crate::sweep::{Corner, Sweep};
@@ -22,14 +21,9 @@ pub(crate) struct Motors {
 }
 
 impl Motors {
-    /// What `dialect` may do where it goes steadily: Marlin rounds step rates up to whole steps a second, and every
-    /// controller may stop at a corner.
-    pub(crate) fn slack(self, dialect: &str, speed: f64) -> Slack {
-        let slowest = speed * self.steps_per_mm / 2.0_f64.sqrt();
-        let whole = slowest.ceil();
-        let rounded = (whole / slowest - 1.0).max(1.0 / whole);
-        let fast = if dialect == "marlin" { rounded } else { 0.0 };
-        Slack { fast, stop: speed * speed / self.acceleration }
+    /// The part of a window's time that one stop takes: every controller may stop at a corner.
+    pub(crate) fn stop(self, speed: f64) -> f64 {
+        speed * speed / self.acceleration
     }
 
     fn steps(self) -> [f64; 3] {
@@ -60,7 +54,7 @@ pub(crate) fn run_marlin_32(text: &Text, motors: Motors) -> Track {
 }
 
 fn reading(dialect: &str) -> Reading {
-    let modal_travel = ["klipper", "marlin", "reprapfirmware"].contains(&dialect);
+    let modal_travel = ["generic", "klipper", "marlin", "reprapfirmware"].contains(&dialect);
     // RepRapFirmware: Config/Configuration.h, DefaultMinFeedrate.
     let lowest_feed = if dialect == "reprapfirmware" { 30.0 } else { 0.0 };
     let chords = match dialect {

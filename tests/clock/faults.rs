@@ -1,7 +1,7 @@
 //! The clock notices what it is there for: one fault each, in a program that was right.
 
 use crate::controller::{Motors, run};
-use crate::judge::{Slack, deviations};
+use crate::judge::deviations;
 use crate::programs::{feed_check, machine, seals, spec};
 use crate::text::Text;
 use crate::{FIVE, own};
@@ -13,7 +13,7 @@ fn complaints(dialect: &str, edit: impl Fn(&str) -> String) -> Vec<String> {
     let wrong = edit(right);
     assert_ne!(*right, wrong);
     let text = Text::read(&wrong);
-    deviations(&text, &run(dialect, &text, own(dialect)), spec.seal.speed.0, Slack::default()).1
+    deviations(&text, &run(dialect, &text, own(dialect)), spec.seal.speed.0, 0.0).1
 }
 
 /// Every line through `edit`.

@@ -2,9 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::controller::{Motors, run};
+use crate::controller::{Motors, run, run_marlin_32};
 use crate::judge::{Deviations, deviations};
-use crate::programs::{DIALECTS, Named, coupon_programs, feed_check, has_floor, machine, seals, spec};
+use stargrip_cam::spec::Machine;
+
+use crate::programs::{
+    DIALECTS, Named, coupon_programs, feed_check, has_floor, machine, machine_of_marlin_32, seals, spec,
+};
 use crate::text::Text;
 
 const ACCELERATIONS: [f64; 6] = [10.0, 25.0, 50.0, 200.0, 500.0, 1000.0];
@@ -22,6 +26,18 @@ const DESIGNS: [(&str, &str); 10] = [
     ("paper-three-points", include_str!("../../designs/paper-three-points.toml")),
     ("round-hinges", include_str!("../../designs/round-hinges.toml")),
 ];
+
+/// Marlin on a board with 32 bits; `marlin` is one on an AVR.
+const MARLIN_32: &str = "marlin, 32 bits";
+
+/// What runs the programs of a dialect, each with its profile on these motors.
+fn boards(dialect: &'static str, motors: Motors) -> Vec<(&'static str, Machine)> {
+    let mut boards = vec![(dialect, machine(dialect, motors))];
+    if dialect == "marlin" {
+        boards.push((MARLIN_32, machine_of_marlin_32(motors)));
+    }
+    boards
+}
 
 /// The motors of a dialect: one number of steps stands for all where they do not count.
 fn motors(dialect: &str) -> impl Iterator<Item = Motors> {
@@ -41,11 +57,15 @@ struct Worst {
 }
 
 impl Worst {
-    fn take(&mut self, dialect: &str, motors: Motors, speed: f64, (name, code): &Named) {
+    /// Judges a program on a controller, which is a dialect or [`MARLIN_32`].
+    fn take(&mut self, controller: &str, motors: Motors, speed: f64, (name, code): &Named) {
         let text = Text::read(code);
         let speed = text.fact("seal.speed_mm_s").unwrap_or(speed);
-        let (found, complaints) =
-            deviations(&text, &run(dialect, &text, motors), speed, motors.slack(dialect, speed));
+        let track = match controller {
+            MARLIN_32 => run_marlin_32(&text, motors),
+            dialect => run(dialect, &text, motors),
+        };
+        let (found, complaints) = deviations(&text, &track, speed, motors.stop(speed));
         self.programs += 1;
         self.chopped += usize::from(code.contains("\nG4 "));
         let most = &mut self.most;
@@ -53,7 +73,7 @@ impl Worst {
         most.total = if found.total.abs() > most.total.abs() { found.total } else { most.total };
         most.window = most.window.max(found.window);
         let Motors { acceleration, steps_per_mm } = motors;
-        let place = format!("{dialect}, {acceleration} mm/s^2, {steps_per_mm} steps/mm, {name}");
+        let place = format!("{controller}, {acceleration} mm/s^2, {steps_per_mm} steps/mm, {name}");
         self.complaints.extend(complaints.into_iter().map(|complaint| format!("{place}: {complaint}")));
     }
 }
@@ -65,39 +85,44 @@ fn the_feed_check_is_right_on_every_machine_of_the_grid() {
     for dialect in DIALECTS {
         let spec = spec(dialect, crate::FIVE);
         for motors in motors(dialect) {
-            worst.take(dialect, motors, spec.seal.speed.0, &feed_check(&spec, &machine(dialect, motors)));
+            for (controller, machine) in boards(dialect, motors) {
+                worst.take(controller, motors, spec.seal.speed.0, &feed_check(&spec, &machine));
+            }
         }
     }
     assert!(worst.complaints.is_empty(), "{:#?}", worst.complaints);
 }
 
-/// Every program of every design, or of those whose names are in the variable `CLOCK_DESIGNS`: minutes.
+/// Those whose names stand in the variable, or all.
+fn chosen(variable: &str) -> impl Fn(&str) -> bool {
+    let names = std::env::var(variable).ok();
+    move |name| names.as_ref().is_none_or(|names| names.split(',').any(|one| one == name))
+}
+
+/// Every program of every design and dialect, or of those in the variables `CLOCK_DESIGNS` and `CLOCK_DIALECTS`: minutes.
 /// `cargo test --release --locked --test clock -- --ignored --nocapture`
 #[test]
 #[ignore = "takes minutes; its table is in docs/machines.md"]
 fn every_program_on_every_machine_of_the_grid() {
     let mut table: BTreeMap<(&str, &str), Worst> = BTreeMap::new();
-    let chosen = std::env::var("CLOCK_DESIGNS").ok();
-    let is_chosen =
-        |name: &str| chosen.as_ref().is_none_or(|chosen| chosen.split(',').any(|one| one == name));
-    for dialect in DIALECTS {
+    let (is_chosen, is_spoken) = (chosen("CLOCK_DESIGNS"), chosen("CLOCK_DIALECTS"));
+    for dialect in DIALECTS.into_iter().filter(|dialect| is_spoken(dialect)) {
         for motors in motors(dialect) {
-            let machine = machine(dialect, motors);
-            for (name, design) in DESIGNS.iter().filter(|(name, _)| is_chosen(name)) {
+            let boards = boards(dialect, motors);
+            let cases = DESIGNS.iter().filter(|(name, _)| is_chosen(name));
+            for ((name, design), (controller, machine)) in
+                cases.flat_map(|one| boards.iter().map(move |board| (one, board)))
+            {
                 let spec = spec(dialect, design);
                 let mut take = |kind, program: &Named| {
-                    table.entry((dialect, kind)).or_default().take(
-                        dialect,
-                        motors,
-                        spec.seal.speed.0,
-                        program,
-                    );
+                    let worst = table.entry((*controller, kind)).or_default();
+                    worst.take(controller, motors, spec.seal.speed.0, program);
                 };
-                seals(&spec, &machine).0.iter().for_each(|program| take("seal", program));
+                seals(&spec, machine).0.iter().for_each(|program| take("seal", program));
                 // These do not depend on the design.
                 if *name == "paper-five-points" {
-                    take("feedcheck", &feed_check(&spec, &machine));
-                    for program in &coupon_programs(&spec, &machine) {
+                    take("feedcheck", &feed_check(&spec, machine));
+                    for program in &coupon_programs(&spec, machine) {
                         take("coupon", program);
                     }
                 }

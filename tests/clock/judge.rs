@@ -22,21 +22,12 @@ pub(crate) struct Deviations {
     pub(crate) total: f64,
 }
 
-/// What is allowed beside where the controller goes steadily.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Slack {
-    /// It may be too fast by this part.
-    pub(crate) fast: f64,
-    /// What one stop takes of the time of a window.
-    pub(crate) stop: f64,
-}
-
-/// Deviations of `track`, which was made of `text`, from `speed` mm/s, and every one that is more than is allowed.
-pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, slack: Slack) -> (Deviations, Vec<String>) {
+/// Deviations of `track`, which was made of `text`, from `speed` mm/s, and every one that is more than is allowed. `stop`
+/// is the part of a window's time that one stop may take where it goes steadily.
+pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, stop: f64) -> (Deviations, Vec<String>) {
     let chopped = text.commands.iter().any(|(_, command)| matches!(command, Command::Dwell(_)));
     let window = (STROKES * text.fact("chop.longest_mm").unwrap_or(0.0)).max(WINDOW);
-    let Slack { fast, stop } = if chopped { Slack::default() } else { slack };
-    let allowed = if chopped { CHOPPED } else { STEADY + fast + stop };
+    let allowed = if chopped { CHOPPED } else { STEADY + stop };
     let mut most = Deviations::default();
     let mut complaints = Vec::new();
     for stretch in &track.stretches {
@@ -44,7 +35,7 @@ pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, slack: Slack) -
         let (least, highest) = stretch.windows(window);
         let around = (least / speed - 1.0).abs().max((highest / speed - 1.0).abs());
         let around = if least.is_finite() { around } else { 0.0 };
-        if !(-MEAN..=MEAN + fast).contains(&mean) {
+        if !(-MEAN..=MEAN).contains(&mean) {
             complaints.push(format!("line {}: mean speed {:+.2} %", stretch.line, 100.0 * mean));
         }
         if around > allowed {
@@ -55,7 +46,7 @@ pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, slack: Slack) -
     }
     if let Some(total) = text.fact("total.time_s") {
         most.total = track.now / total - 1.0;
-        if !(-TOTAL - fast..=TOTAL).contains(&most.total) {
+        if !(-TOTAL..=TOTAL).contains(&most.total) {
             complaints.push(format!("total {:.0} s, told {total} s", track.now));
         }
     }

@@ -25,7 +25,7 @@ mod timer;
 mod track;
 
 use crate::controller::{Motors, run, run_marlin_32};
-use crate::judge::{Slack, deviations};
+use crate::judge::deviations;
 use crate::programs::{DIALECTS, coupon_programs, feed_check, machine, seals, spec};
 use crate::text::Text;
 
@@ -53,8 +53,7 @@ fn every_program_runs_as_its_controller_was_told() {
         for (name, code) in all {
             let text = Text::read(&code);
             let speed = text.fact("seal.speed_mm_s").unwrap_or(spec.seal.speed.0);
-            let (_, complaints) =
-                deviations(&text, &run(dialect, &text, motors), speed, motors.slack(dialect, speed));
+            let (_, complaints) = deviations(&text, &run(dialect, &text, motors), speed, motors.stop(speed));
             assert!(complaints.is_empty(), "{dialect}: {name}: {complaints:?}");
         }
     }
@@ -83,8 +82,7 @@ fn marlin_with_32_bits_keeps_the_mean_speed_as_well() {
     let (spec, machine) = (spec("marlin", FIVE), machine("marlin", motors));
     for (name, code) in seals(&spec, &machine).0 {
         let text = Text::read(&code);
-        let (_, complaints) =
-            deviations(&text, &run_marlin_32(&text, motors), spec.seal.speed.0, Slack::default());
+        let (_, complaints) = deviations(&text, &run_marlin_32(&text, motors), spec.seal.speed.0, 0.0);
         assert!(complaints.is_empty(), "{name}: {complaints:?}");
     }
 }

@@ -23,14 +23,24 @@ pub(crate) fn has_floor(dialect: &str) -> bool {
 
 /// The built-in profile, on a machine with these motors.
 pub(crate) fn machine(dialect: &str, motors: Motors) -> Machine {
-    let text = builtin_machine(dialect).expect("built in");
+    adapted(builtin_machine(dialect).expect("built in"), has_floor(dialect), motors)
+}
+
+/// That of Marlin as its comment says it should be for a board with 32 bits.
+pub(crate) fn machine_of_marlin_32(motors: Motors) -> Machine {
+    let text = builtin_machine("marlin").expect("built in");
+    assert!(text.contains("min_step_rate = 32"));
+    adapted(&text.replace("min_step_rate = 32", "min_step_rate = 1"), true, motors)
+}
+
+fn adapted(text: &str, has_floor: bool, motors: Motors) -> Machine {
     let lines = text.lines().map(|line| {
         let key = line.split(' ').next().unwrap_or_default();
         match key {
-            "x_steps_per_mm" | "y_steps_per_mm" if has_floor(dialect) => {
+            "x_steps_per_mm" | "y_steps_per_mm" if has_floor => {
                 format!("{key} = {}", motors.steps_per_mm)
             }
-            "z_steps_per_mm" if has_floor(dialect) => format!("{key} = {}", motors.steps_per_mm.max(400.0)),
+            "z_steps_per_mm" if has_floor => format!("{key} = {}", motors.steps_per_mm.max(400.0)),
             "acceleration" => format!("{key} = \"{} mm/s^2\"", motors.acceleration),
             _ => line.to_owned(),
         }

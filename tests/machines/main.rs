@@ -5,10 +5,12 @@ mod clamps;
 mod coupons;
 mod dialects;
 mod faults;
+mod job_size;
 mod lowest_feed;
 mod profile_lines;
 mod resume;
 mod speed;
+mod thumbnails;
 mod told;
 
 use stargrip_cam::artifact::Asked;

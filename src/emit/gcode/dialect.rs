@@ -10,7 +10,7 @@ pub(super) struct Spelling {
     /// Whether a dwell is told a millisecond short: the controller rounds it up to a whole step in 32-bit floats
     /// (nuts_bolts.c, delay_sec), and no rounding of the float shall make it a step longer.
     dwell_early: bool,
-    /// Whether G0 is G1 by another name: it runs at the feed in force (Klipper, gcode_move.py, cmd_G1; Marlin, G0_G1.cpp,
+    /// Whether G0 is G1 by another name, or may be, as for a controller that nobody knows: it runs at the feed in force (Klipper, gcode_move.py, cmd_G1; Marlin, G0_G1.cpp,
     /// without `G0_FEEDRATE`; RepRapFirmware, GCodes.cpp, outside of CNC mode).
     pub(super) travel_at_feed: bool,
     /// What its display shows.
@@ -44,7 +44,7 @@ enum Progress {
 
 /// Every dialect: whether dwells are told early, whether travels need a feed, its display, its host.
 const SPELLINGS: [(Dialect, bool, bool, Progress, Host); 8] = [
-    (Dialect::Generic, false, false, Progress::None, Host::None),
+    (Dialect::Generic, false, true, Progress::None, Host::None),
     (Dialect::LinuxCnc, false, false, Progress::None, Host::None),
     (Dialect::Grbl, true, false, Progress::None, Host::None),
     (Dialect::GrblHal, true, false, Progress::None, Host::None),

@@ -3,9 +3,10 @@
 use std::fmt;
 
 use crate::emit::gcode::facts::Facts;
+use crate::emit::gcode::thumbnail::thumbnails;
 use crate::emit::gcode::writer::Writer;
 use crate::emit::number::number;
-use crate::plan::{Pace, Program, Purpose, SeamReport, Stepper, rounded_up};
+use crate::plan::{Pace, Program, Purpose, SeamReport, Stepper};
 use crate::spec::{DwellUnit, Heating, Machine};
 
 /// Writes the header of `program`.
@@ -29,7 +30,7 @@ pub(super) fn header(
     writer.comment("frame: origin at lower left of the sheet, Z0 on the release layer")?;
     if program.purpose == Purpose::Seal {
         job_facts(writer, facts)?;
-        conditions(writer, facts, machine, program)?;
+        conditions(writer, machine, program)?;
     }
     for (seam, i) in program.seams.iter().zip(1..) {
         writer.comment(&seam_facts("length", i, seam))?;
@@ -37,6 +38,9 @@ pub(super) fn header(
     if program.purpose == Purpose::Seal {
         let length: f64 = program.seams.iter().map(|seam| seam.length).sum();
         writer.comment(&format!("total: length_mm={length:.3} time_s={:.0}", program.time))?;
+    }
+    if machine.controller.thumbnails {
+        thumbnails(writer, program, facts.seal.band.0)?;
     }
     Ok(())
 }
@@ -69,12 +73,7 @@ fn job_facts(writer: &mut Writer<'_, impl fmt::Write>, facts: Facts<'_>) -> fmt:
 }
 
 /// What the operator has to see to, and what a chopped program relies on.
-fn conditions(
-    writer: &mut Writer<'_, impl fmt::Write>,
-    facts: Facts<'_>,
-    machine: &Machine,
-    program: &Program,
-) -> fmt::Result {
+fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, program: &Program) -> fmt::Result {
     if let Pace::Chopped(chop) = program.pace {
         let (feed, a) = (number(chop.speed * 60.0), number(chop.acceleration));
         let (longest, step) = (number(chop.longest), number(chop.step));
@@ -93,12 +92,6 @@ fn conditions(
         if let Some([x, y, _]) = machine.motion.steps_per_mm {
             writer.requirement(&format!("requires: at least {x} and {y} steps/mm in X and Y"))?;
         }
-    }
-    if program.pace == Pace::Steady
-        && let Some(part) = rounded_up(&machine.motion, facts.seal.speed.0)
-    {
-        let percent = (1000.0 * part - 1e-9).ceil() / 10.0;
-        writer.comment(&format!("rounding: whole steps/s, at worst {percent:.1} per cent too fast"))?;
     }
     for line in &machine.script.requires {
         writer.requirement(&format!("requires: {line}"))?;

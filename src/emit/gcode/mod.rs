@@ -12,6 +12,7 @@ mod dialect;
 mod facts;
 mod feed_check;
 mod header;
+mod thumbnail;
 mod writer;
 
 use std::fmt;

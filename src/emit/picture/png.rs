@@ -11,13 +11,10 @@ use crate::emit::picture::typeface::{Pencil, trace};
 use crate::emit::picture::{Ink, Mark, Pen, Picture, Text};
 use crate::geom::{Arc, Path, Point, Segment, Vec2};
 
-/// Pixels along the longer side: a screen's width.
-const LONGER: f64 = 1920.0;
-
 impl Picture {
-    /// The picture as a PNG; `None` if it has no extent.
-    pub(in crate::emit) fn png(&self) -> Option<Vec<u8>> {
-        let scale = LONGER / self.window.width().max(self.window.height());
+    /// The picture as a PNG of so many pixels along its longer side; `None` if it has no extent.
+    pub(in crate::emit) fn png(&self, longer: f64) -> Option<Vec<u8>> {
+        let scale = longer / self.window.width().max(self.window.height());
         let mut pixels =
             Pixmap::new(count(self.window.width() * scale), count(self.window.height() * scale))?;
         pixels.fill(tiny_skia::Color::WHITE);

@@ -28,6 +28,9 @@ use crate::geom::{Bounds, Point, Vec2};
 pub use cells::{Cell, cells};
 pub use subject::Preview;
 
+/// Pixels along the longer side of a PNG: a screen's width.
+const SCREEN: f64 = 1920.0;
+
 impl Preview<'_> {
     /// Sheet number `sheet` as an SVG at 1:1; `None` if there is no such sheet.
     pub fn svg(&self, sheet: usize) -> Option<String> {
@@ -36,7 +39,7 @@ impl Preview<'_> {
 
     /// The same picture as a PNG of 1920 pixels along its longer side.
     pub fn png(&self, sheet: usize) -> Option<Vec<u8>> {
-        self.picture(sheet)?.png()
+        self.picture(sheet)?.png(SCREEN)
     }
 
     fn picture(&self, sheet: usize) -> Option<Picture> {

@@ -3,6 +3,7 @@
 use crate::spec::allowed::Allowed;
 use crate::spec::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating};
 use crate::spec::section::Section;
+use crate::spec::{Fault, FaultCode};
 use crate::units::Duration;
 
 /// Reads the controller, from the keys before the first section; its dwells have a section of their own.
@@ -15,8 +16,19 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
         .choice("comments", &[("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)])
         .unwrap_or(Comments::Semicolon);
     let arcs = root.truth("arcs").unwrap_or(true);
-    let line_length = root.count("line_length", 40, 255).map_or(70, |length| length as usize);
-    Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating }
+    let thumbnails = root.truth("thumbnails").unwrap_or(false);
+    if thumbnails && comments == Comments::Parentheses {
+        let place = root.place_of("thumbnails");
+        let fault = Fault::error(
+            FaultCode::Conflict,
+            place,
+            "`thumbnails` is true, but `comments` are in parentheses",
+        )
+        .label("hosts read pictures behind `;` only: write false, or `comments = \"semicolon\"`");
+        root.report(fault);
+    }
+    let line_length = root.count("line_length", 72, 255).map_or(72, |length| length as usize);
+    Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating, thumbnails }
 }
 
 /// Dwells that are as long as told.

@@ -93,7 +93,7 @@ mod tests {
         );
         assert_eq!(
             (machine.controller.line_length, machine.process.ramp, machine.bench.work_area),
-            (70, Length(3.0), None)
+            (72, Length(3.0), None)
         );
         assert_eq!(machine.script.start, ["G21", "G17", "G90", "G94"]);
         assert_eq!((machine.script.pause.as_str(), machine.script.end), ("M0", vec!["M2".to_owned()]));
@@ -112,8 +112,8 @@ mod tests {
     #[test]
     fn a_line_for_the_controller_is_short_and_plain() {
         let of_length = |n: usize| format!("\"M2 ;{}\"", "x".repeat(n - 4));
-        assert_eq!(codes("\"M2\"", &of_length(70)), [""; 0]);
-        assert_eq!(codes("\"M2\"", &of_length(71)), ["program-line"]);
+        assert_eq!(codes("\"M2\"", &of_length(72)), [""; 0]);
+        assert_eq!(codes("\"M2\"", &of_length(73)), ["program-line"]);
         assert_eq!(codes("\"M0\"", "\"\\u0000\""), ["program-line"]);
         assert_eq!(codes("\"M0\"", "\" \""), ["program-line"]);
         assert_eq!(codes("[\"M2\"]", "[]"), [""; 0]);

@@ -59,6 +59,6 @@ fn refuse_no_floor(s: &mut Section<'_, '_>) {
     let place = s.place_of("min_step_rate");
     let fault = Fault::error(FaultCode::Conflict, place, "`min_step_rate` is \"none\", but Marlin has a floor on every board")
         .label("must be a step rate, such as 32: with 32 bits Marlin rounds rates up to whole steps a second")
-        .help("at r steps/s it runs up to 1/r too fast: 3 % at 32, 17 % at 6; slower seals need `feed_floor = \"chop\"`");
+        .help("at r steps/s it runs up to 1/r too fast: 0.2 % at 500, 17 % at 6; slower seals need `feed_floor = \"chop\"`");
     s.report(fault);
 }

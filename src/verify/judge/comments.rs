@@ -10,6 +10,7 @@ use crate::verify::judge::facts::{ESTIMATE, Facts, MAKER, Place};
 use crate::verify::judge::progress::{Clock, Told};
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::is_code;
+use crate::verify::judge::thumbnail::{Seen, Thumbnails};
 use crate::verify::read::gcode::{Comment, Event, Line};
 use crate::verify::{FindingCode, Findings};
 
@@ -32,6 +33,7 @@ pub(super) struct Comments<'a> {
     chopped: bool,
     clock: Clock<'a>,
     told: Told<'a>,
+    thumbnails: Thumbnails,
 }
 
 /// A program that comments are about.
@@ -74,6 +76,7 @@ impl<'a> Comments<'a> {
                 program.expected.spec.accuracy.path.0,
             ),
             told: Told::new(program.expected.machine),
+            thumbnails: Thumbnails::new(program.expected.machine.controller.thumbnails),
         }
     }
 
@@ -81,6 +84,11 @@ impl<'a> Comments<'a> {
         if comment.text.is_empty() {
             return;
         }
+        let comment = match self.thumbnails.see(&comment.text) {
+            Seen::Other => comment,
+            Seen::Part => return,
+            Seen::Whole(text) => &Comment { text, ..comment.clone() },
+        };
         self.is_last = comment.key() != Some("progress");
         if !self.is_last {
             self.told.comment(comment, &self.clock);

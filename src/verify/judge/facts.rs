@@ -77,14 +77,15 @@ impl Facts<'_> {
             self.job(&mut out);
             if self.chopped {
                 self.strokes(&mut out);
-            } else {
-                out.extend(self.rounding());
             }
             let requires = &self.expected.machine.script.requires;
             out.extend(requires.iter().map(|line| format!("requires: {line}")));
             out.extend(seams.iter().map(|(words, _)| format!("length: {words}")));
             let length: f64 = seams.iter().map(|(_, length)| length).sum();
             out.push(format!("total: length_mm={length} time_s={}", self.seconds));
+        }
+        if self.expected.machine.controller.thumbnails {
+            out.extend(["32x32", "300x300"].map(|size| format!("thumbnail: {size}")));
         }
         out
     }
@@ -153,11 +154,14 @@ impl Facts<'_> {
     fn strokes(&self, out: &mut Vec<String>) {
         let Expected { spec, machine, .. } = *self.expected;
         let (motion, seal) = (&machine.motion, &spec.seal);
-        let (Some(speed), Some(a)) = (motion.chop_speed(), motion.acceleration.map(|a| a.0)) else { return };
+        let (Some(speed), Some(a)) = (motion.chop_speed(seal.speed.0), motion.acceleration.map(|a| a.0))
+        else {
+            return;
+        };
         let step = machine.controller.dwell.step.0;
         let delay = motion.start_delay.0;
         let least = (delay + speed / a + step) / (1.0 / seal.speed.0 - 1.0 / speed);
-        let longest = least.max(seal.band.0 / 12.0);
+        let longest = least.max(seal.band.0 / 13.0);
         out.push(format!("chop: feed_mm_min={} longest_mm={longest}", speed * 60.0));
         out.push(format!("chop-rest: acceleration_mm_s2={a} step_s={step}"));
         out.push(format!("chop-start: delay_s={delay}"));
@@ -174,21 +178,6 @@ impl Facts<'_> {
         if let Some([x, y, _]) = motion.steps_per_mm {
             out.push(format!("requires: at least {x} and {y} steps/mm in X and Y"));
         }
-    }
-
-    /// How much too fast whole steps a second may be, where nothing is chopped (Marlin, planner.cpp, `nominal_rate`): the
-    /// slowest axis-equal direction makes r of them, run as the next whole number; just above that, one more.
-    fn rounding(&self) -> Option<String> {
-        let Expected { spec, machine, .. } = *self.expected;
-        let [x, y, _] =
-            machine.motion.steps_per_mm.filter(|_| machine.motion.tick.is_some_and(|t| t.0 == 0.0))?;
-        let slowest = spec.seal.speed.0 / (1.0 / x).hypot(1.0 / y);
-        let next = slowest.ceil();
-        let percent = 100.0 * f64::max((next - slowest) / slowest, 1.0 / next);
-        Some(format!(
-            "rounding: whole steps/s, at worst {:.1} per cent too fast",
-            (10.0 * percent - 1e-9).ceil() / 10.0
-        ))
     }
 
     /// The words about each seam, and its length in contact, mm.

@@ -16,6 +16,7 @@ pub(in crate::verify) mod rules;
 mod script;
 mod seams;
 pub(in crate::verify) mod stroke;
+mod thumbnail;
 mod travel;
 
 use crate::verify::Findings;

@@ -5,7 +5,6 @@
 //! by more than 0.2 % and a dwell's step, nor a stroke on its own.
 
 use crate::geom::Segment;
-use crate::spec::Motion;
 use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::stroke::Run;
@@ -90,7 +89,7 @@ impl Paced<'_> {
             self.schedule.spent += step.length() / feed + rest;
             true
         } else if self.rules.chops {
-            let told = self.rules.motion.chop_speed().unwrap_or(feed);
+            let told = self.rules.motion.chop_speed(speed).unwrap_or(feed);
             if (feed - told).abs() > ROUNDING * told {
                 let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", told * 60.0));
                 self.findings.add(FindingCode::WrongFeed, step.line, found, allowed);
@@ -116,7 +115,9 @@ impl Paced<'_> {
             self.on_time(step, stopped);
         }
         let motion = self.rules.motion;
-        let lowest = step.path.and_then(|path| lowest_speed(motion, &path, step.to.z - step.from.z));
+        let is_steady = (feed - speed).abs() <= ROUNDING * speed;
+        let lowest_of = |way| if is_steady { motion.lowest_speed(way) } else { motion.lowest_stroke(way) };
+        let lowest = step.path.and_then(|path| lowest_along(&path, step.to.z - step.from.z, lowest_of));
         if let Some(lowest) = lowest.filter(|lowest| feed < lowest * (1.0 - ROUNDING)) {
             let found = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
             self.findings.add(
@@ -178,12 +179,13 @@ impl Paced<'_> {
     }
 }
 
-/// The lowest speed that the controller holds all along `path`, on an arc looked at in seventeen places of it.
-fn lowest_speed(motion: &Motion, path: &Segment, rise: f64) -> Option<f64> {
+/// The lowest speed that the controller holds all along `path`, on an arc looked at in seventeen places of it; `lowest_of` is
+/// that of a displacement.
+fn lowest_along(path: &Segment, rise: f64, lowest_of: impl Fn([f64; 3]) -> Option<f64>) -> Option<f64> {
     let length = path.length();
     let at = |t: f64| {
         let u = path.tangent(t);
-        motion.lowest_speed([u.x * length, u.y * length, rise])
+        lowest_of([u.x * length, u.y * length, rise])
     };
     let places = if matches!(path, Segment::Line(_)) { 0 } else { 16 };
     (0..=places).map(|i| at(f64::from(i) / 16.0)).try_fold(0.0, |worst: f64, lowest| Some(worst.max(lowest?)))
@@ -193,7 +195,7 @@ fn lowest_speed(motion: &Motion, path: &Segment, rise: f64) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::geom::{Line, Point};
-    use crate::spec::StepRate;
+    use crate::spec::{Motion, StepRate};
     use crate::units::Acceleration;
     use crate::verify::judge::stroke::stroke_seconds;
 
@@ -225,7 +227,7 @@ mod tests {
             ..Motion::UNKNOWN
         };
         let line: Segment = Line::new(Point::ORIGIN, Point::polar(4.0, 30_f64.to_radians())).into();
-        let found = |rise: f64| lowest_speed(&motion, &line, rise).expect("known");
+        let found = |rise: f64| lowest_along(&line, rise, |way| motion.lowest_speed(way)).expect("known");
         close(found(3.0), 30.52 * 5.0 / 1200.0);
         close(found(-3.0), found(3.0));
         // Level, it is X: 80 x 4 cos 30 times in 4 mm, more often than Y.

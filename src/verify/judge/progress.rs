@@ -23,6 +23,7 @@ fn habits(dialect: spec::Dialect) -> Habits {
         spec::Dialect::Klipper => (false, false, 5.0),
         spec::Dialect::Marlin => (false, false, 0.0),
         spec::Dialect::RepRapFirmware => (false, true, 10.0),
+        spec::Dialect::Generic => (false, true, 0.0),
         _ => (true, true, 0.0),
     }
 }

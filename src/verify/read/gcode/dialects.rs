@@ -85,10 +85,11 @@ impl Dialect {
     ///
     /// Parentheses are refused (some controllers end a comment at the first `)`), and so are `!`, `~` and `?`,
     /// which GRBL obeys even inside comments. The line length is GRBL's 80 with a reserve. G61 is left out. Arcs, and
-    /// G91.1 with them, are read only for a profile that says that its controller draws them.
+    /// G91.1 with them, are read only for a profile that says that its controller draws them. G0 is read as G1, at the feed in
+    /// force, as three of the controllers do.
     pub const GENERIC: Self = Self {
         name: "generic",
-        line_length: 70,
+        line_length: 72,
         codes: &RS274,
         except: &[C::ExactPath],
         draws_arcs: true,
@@ -98,15 +99,21 @@ impl Dialect {
         parameters: "XYZIJFP",
         comments: CommentMark::Semicolon,
         forbidden: "()!~?",
-        travel_at_feed: false,
+        travel_at_feed: true,
         dwell: DwellUnit::Seconds,
         dwell_step: 0.0,
         arcs: STRICTEST,
     };
 
     /// LinuxCNC: lines up to 255.
-    pub const LINUXCNC: Self =
-        Self { name: "linuxcnc", line_length: 255, except: &[], subcodes: true, ..Self::GENERIC };
+    pub const LINUXCNC: Self = Self {
+        name: "linuxcnc",
+        line_length: 255,
+        except: &[],
+        subcodes: true,
+        travel_at_feed: false,
+        ..Self::GENERIC
+    };
 
     /// GRBL 1.1: lines up to 80 (protocol.h), no G90.1, arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
     pub const GRBL: Self = Self {
@@ -114,6 +121,7 @@ impl Dialect {
         line_length: 80,
         except: &[C::CentersAbsolute],
         subcodes: true,
+        travel_at_feed: false,
         dwell_step: 0.05,
         arcs: ArcTolerance { free: 0.005, relative: 0.001, limit: 0.5 },
         ..Self::GENERIC

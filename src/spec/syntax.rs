@@ -1,0 +1,193 @@
+//! What is wrong with a text that is no TOML, in a person's words.
+
+use std::ops::Range;
+
+use crate::spec::FaultCode;
+use crate::spec::fault::{Fault, quoted};
+use crate::spec::value::{RawKind, RawTable, RawValue};
+
+/// Syntax errors from which a text is no spec with slips, but something else.
+pub(super) const FLOOD: usize = 13;
+
+/// Errors that are reported of a flood: the first says what is wrong.
+const REPORTED: usize = 3;
+
+/// Quotes of typographers, and the plain ones that TOML has.
+const QUOTES: [(char, char); 7] = [
+    ('\u{201c}', '"'),
+    ('\u{201d}', '"'),
+    ('\u{201e}', '"'),
+    ('\u{2018}', '\''),
+    ('\u{2019}', '\''),
+    ('\u{ab}', '"'),
+    ('\u{bb}', '"'),
+];
+
+/// A fault for each of `errors`, which the parser found in `text` and between which it read `root`; of a flood the first few.
+pub(super) fn faults(errors: &[toml::de::Error], text: &str, root: &RawTable) -> Vec<Fault> {
+    if errors.len() < FLOOD {
+        return errors.iter().map(|error| fault(error, text, root)).collect();
+    }
+    let mut faults: Vec<Fault> = errors.iter().take(REPORTED).map(|error| fault(error, text, root)).collect();
+    if let Some(last) = faults.last_mut() {
+        let note =
+            format!("there are {} more syntax errors: is this the right file?", errors.len() - REPORTED);
+        last.help = Some(last.help.take().map_or(note.clone(), |help| format!("{help}; {note}")));
+    }
+    faults
+}
+
+/// The parser says "found, expected allowed".
+fn fault(error: &toml::de::Error, text: &str, root: &RawTable) -> Fault {
+    let span = error.span().unwrap_or(0..0);
+    let line = line_of(text, span.start);
+    let as_error = |found: &str, span: &Range<usize>| Fault::error(FaultCode::Syntax, span.clone(), found);
+    if let Some((curly, plain)) = QUOTES.into_iter().find(|(curly, _)| is_value_in(line, *curly)) {
+        let right = QUOTES
+            .iter()
+            .fold(line.to_owned(), |line, (curly, plain)| line.replace(*curly, &plain.to_string()));
+        let found = format!("the quotes are typographer's, {curly} is U+{:04X}", u32::from(curly));
+        return as_error(&found, &span)
+            .label(format!("plain quotes are needed: {plain}"))
+            .help(format!("write {}", right.trim()));
+    }
+    if let Some(right) = with_point(line) {
+        return as_error("a number with a decimal comma", &span)
+            .label("a decimal point is needed")
+            .help(format!("write {right}"));
+    }
+    match error.message().split_once(", expected ") {
+        // A quantity without quotes.
+        Some((found, "literal string")) => as_error(found, &span).label("write it in quotes: \"...\""),
+        Some((found, allowed)) => as_error(found, &span).label(format!("expected {allowed}")),
+        None if error.message() == "duplicate key" => duplicate(text, &span, root),
+        None => as_error(error.message(), &span),
+    }
+}
+
+/// A key that is written twice, and where first.
+fn duplicate(text: &str, span: &Range<usize>, root: &RawTable) -> Fault {
+    let key = text.get(span.clone()).unwrap_or_default();
+    let message = format!("duplicate key {}", quoted(key));
+    let fault = Fault::error(FaultCode::Syntax, span.clone(), message);
+    let name = key.trim_matches(['"', '\'']);
+    // Sections do not interleave: the latest one of this name before is the one of this section.
+    match latest(root, name, span.start) {
+        Some(at) => {
+            let line = 1 + text[..at].matches('\n').count();
+            fault.label(format!("line {line} says it already")).help("delete one of the two")
+        }
+        None => fault.label("this was written before"),
+    }
+}
+
+/// The last place before `end` at which a key `name` is written.
+fn latest(table: &RawTable, name: &str, end: usize) -> Option<usize> {
+    let mut found = None;
+    for entry in &table.0 {
+        if entry.key == name && entry.key_span.start < end {
+            found = found.max(Some(entry.key_span.start));
+        }
+        found = found.max(within(&entry.value, name, end));
+    }
+    found
+}
+
+fn within(value: &RawValue, name: &str, end: usize) -> Option<usize> {
+    match &value.kind {
+        RawKind::Table(table) => latest(table, name, end),
+        RawKind::List(list) => list.iter().filter_map(|item| within(item, name, end)).max(),
+        _ => None,
+    }
+}
+
+/// The line around byte `at`.
+fn line_of(text: &str, at: usize) -> &str {
+    let at = (0..=at.min(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+    let start = text[..at].rfind('\n').map_or(0, |end| end + 1);
+    let end = text[at..].find('\n').map_or(text.len(), |length| at + length);
+    &text[start..end]
+}
+
+/// Whether the value of the line begins with `quote`.
+fn is_value_in(line: &str, quote: char) -> bool {
+    line.split_once('=').is_some_and(|(_, value)| value.trim_start().starts_with(quote))
+}
+
+/// The line with a point, if its value is a bare number with a decimal comma.
+fn with_point(line: &str) -> Option<String> {
+    let (key, value) = line.split_once('=')?;
+    let value = value.split('#').next()?.trim();
+    let (whole, part) = value.split_once(',')?;
+    let is_number = |text: &str| !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit());
+    let sound = is_number(whole.trim_start_matches(['+', '-'])) && is_number(part);
+    sound.then(|| format!("{} = {whole}.{part}", key.trim()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::raw::RawSpec;
+
+    fn first(text: &str) -> Fault {
+        RawSpec::parse(text).1.into_iter().next().unwrap_or_else(|| panic!("no fault in {text}"))
+    }
+
+    #[test]
+    fn typographers_quotes_are_named_with_what_to_write() {
+        for text in
+            ["a = 1\nb = \u{201c}50 mm\u{201d}\n", "b = \u{201e}50 mm\u{201c}", "b = \u{ab}50 mm\u{bb}"]
+        {
+            let fault = first(text);
+            assert!(fault.message.contains("typographer's") && fault.message.contains("U+"), "{fault:?}");
+            assert_eq!(
+                fault.help.as_deref().map(|help| help.split(';').next().unwrap_or_default()),
+                Some("write b = \"50 mm\"")
+            );
+        }
+    }
+
+    #[test]
+    fn a_decimal_comma_is_named_with_what_to_write() {
+        let fault = first("[load]\nfriction = 0,5 # bare\n");
+        assert!(fault.message.contains("decimal comma"), "{fault:?}");
+        assert!(fault.help.is_some_and(|help| help.starts_with("write friction = 0.5")));
+        assert_eq!(with_point("a = [1,2]"), None);
+        assert_eq!(with_point("a = 1,2,3"), None);
+    }
+
+    #[test]
+    fn a_duplicate_says_where_the_first_is() {
+        let text = "kerf = 1\n[cut]\nkerf = 2\n[frame]\nx = 1\nkerf = 3\ny = 2\nkerf = 4\n[cut]\n";
+        let (_, faults) = RawSpec::parse(text);
+        assert_eq!(faults.len(), 2, "{faults:?}");
+        assert_eq!(
+            (faults[0].message.as_str(), faults[0].label.as_str()),
+            ("duplicate key `kerf`", "line 6 says it already")
+        );
+        assert_eq!(
+            (faults[1].message.as_str(), faults[1].label.as_str()),
+            ("duplicate key `cut`", "line 2 says it already")
+        );
+    }
+
+    #[test]
+    fn a_flood_is_counted() {
+        let (_, faults) = RawSpec::parse(&"?\n".repeat(50));
+        assert_eq!(faults.len(), REPORTED);
+        assert!(
+            faults
+                .last()
+                .and_then(|fault| fault.help.as_ref())
+                .is_some_and(|help| help.contains("more syntax errors"))
+        );
+    }
+
+    #[test]
+    fn a_line_is_found_wherever_one_asks() {
+        for at in 0..20 {
+            let _ = line_of("µ = é\r\n€\n", at);
+        }
+        assert_eq!(line_of("a\nbc\nd", 3), "bc");
+    }
+}

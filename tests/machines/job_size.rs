@@ -1,0 +1,43 @@
+//! Jobs that nobody means are refused in words, before anything large is made.
+
+use stargrip_cam::design::{Refusal, RefusalCode};
+use stargrip_cam::pipeline::Designed;
+use stargrip_cam::spec::{Source, key, read, read_machine};
+
+use crate::profile;
+
+fn refusal(radius: f64, rest: &str, machine: &str) -> Option<Refusal> {
+    let text = format!(
+        "schema = 1\nname = \"large\"\n[star]\npoints = 5\ninner_radius = \"{radius} m\"\ntube_width = \"30 mm\"\n\
+         tip_angle = \"30 deg\"\n{rest}"
+    );
+    let spec = read(&Source::new("spec", &text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
+    let machine = read_machine(&Source::new("machine", machine)).unwrap_or_else(|faults| panic!("{faults}"));
+    let planned = Designed::new(spec, machine).and_then(Designed::plan);
+    planned.err().map(|refusals| refusals.first().expect("a reason").clone())
+}
+
+#[test]
+fn a_program_of_weeks_is_refused() {
+    let found = refusal(3.0, "", profile("generic")).expect("1.4e6 s");
+    assert_eq!((found.key, found.code), (key::seal::SPEED, RefusalCode::JobTooLarge));
+    assert!(
+        found.found.starts_with("a program takes 37") && found.remedy.contains("less than 278 h"),
+        "{found}"
+    );
+    assert_eq!(refusal(2.0, "", profile("generic")), None);
+}
+
+#[test]
+fn so_many_strokes_are_refused_and_as_many_smooth_moves_are_not() {
+    let chopped = "[stack]\ncount = 16\n[machine]\nfeed_floor = \"chop\"\n";
+    let found = refusal(1.0, chopped, profile("grbl")).expect("16 stars of 45 m in strokes of 0.154 mm");
+    assert_eq!((found.key, found.code), (key::stack::COUNT, RefusalCode::JobTooLarge));
+    assert_eq!(refusal(1.0, "[stack]\ncount = 16\n", profile("generic")), None);
+}
+
+#[test]
+fn a_fast_seal_may_not_be_without_end() {
+    let found = refusal(50.0, "[seal]\nspeed = \"10 mm/s\"\n", profile("generic")).expect("1.1 km");
+    assert_eq!((found.key, found.code), (key::star::INNER_RADIUS, RefusalCode::JobTooLarge));
+}

@@ -1,0 +1,211 @@
+//! The first screen of `check` and `build`: what it says, on which stream, how much of it, and what it refuses.
+
+mod support;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use support::program::{run, stderr, stdout};
+
+const GRIPPER: &str = include_str!("../designs/paper-gripper.toml");
+
+/// A folder with the paper's gripper, of which some text is replaced.
+fn folder(changes: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let spec = changes.iter().fold(GRIPPER.to_owned(), |spec, (old, new)| {
+        assert!(spec.contains(old), "{old}: {spec}");
+        spec.replace(old, new)
+    });
+    fs::write(folder.path().join("star.toml"), spec).expect("written");
+    folder
+}
+
+fn with_zone(dir: &Path, zone: &str, args: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"));
+    command.current_dir(dir).env("TZ", zone).args(args).output().expect("it runs")
+}
+
+/// The lines of both streams, as a terminal shows them.
+fn screen(output: &Output) -> Vec<String> {
+    let both = stdout(output) + &stderr(output);
+    both.lines().map(str::to_owned).collect()
+}
+
+#[test]
+fn the_answer_comes_first_and_fits_a_screen() {
+    let folder = folder(&[]);
+    for command in ["check", "build"] {
+        let output = run(folder.path(), &[command, "star.toml"]);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let said = stdout(&output);
+        let lines: Vec<&str> = said.lines().collect();
+        assert_eq!(lines[0], "paper gripper, three stars");
+        assert_eq!(
+            lines[1],
+            "3 equal stars: 5 points, inner radius 50 mm, tube width 30 mm, tip angle 30 deg"
+        );
+        let verdict = "holds an object of radius 40 mm at 37 kPa with ";
+        assert!(
+            lines[2].starts_with(verdict) && lines[2].contains(" N each; with a friction of 0.3 it carries "),
+            "{said}"
+        );
+        assert!(screen(&output).len() <= 20, "{command}: {:#?}", screen(&output));
+        for symbol in ["rho_0", "phi_i0", " W ", "p W"] {
+            assert!(!lines.iter().any(|line| line.contains(symbol)), "{symbol}: {said}");
+        }
+    }
+}
+
+#[test]
+fn what_to_look_at_and_what_to_run_is_there() {
+    let folder = folder(&[]);
+    let said = stdout(&run(folder.path(), &["build", "star.toml"]));
+    let beside = |label: &str| {
+        said.lines().find_map(|line| line.strip_prefix(label)).map(str::trim).unwrap_or_default()
+    };
+    let picture = folder.path().join(beside("look at"));
+    assert!(picture.is_file(), "{said}");
+    let run = beside("run");
+    assert!(run.starts_with("star-1-trace.gcode first"), "{said}");
+    for name in run.split([' ', ',', ';']).filter(|word| word.ends_with(".gcode")) {
+        assert!(folder.path().join("out/star").join(name).is_file(), "{name}");
+    }
+}
+
+#[test]
+fn nothing_is_said_twice() {
+    let folder = folder(&[("[star]", "[fabric]\nseal_strength = \"1 N/mm\"\n[star]"), ("40 mm", "60 mm")]);
+    for args in [&["check", "star.toml", "--anyway"][..], &["build", "star.toml", "--anyway"]] {
+        let output = run(folder.path(), args);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+        let lines = screen(&output);
+        for (i, line) in lines.iter().enumerate() {
+            assert!(!lines[..i].contains(line), "{line}");
+        }
+        let heard = stderr(&output);
+        for words in ["does not enter", "burst", "lowest feed"] {
+            assert_eq!(heard.matches(words).count(), 1, "{words}: {heard}");
+        }
+    }
+}
+
+#[test]
+fn what_to_see_to_goes_to_standard_error_and_the_rest_does_not() {
+    let folder = folder(&[]);
+    let output = run(folder.path(), &["check", "star.toml"]);
+    let (said, heard) = (stdout(&output), stderr(&output));
+    assert!(heard.starts_with("before you seal\n  - ") && !said.contains("before you seal"), "{heard}");
+    for words in
+        ["lowest feed of this machine is unknown", "M0 must stop the machine", "the seal bears 4.22 N/mm"]
+    {
+        assert!(heard.contains(words) && !said.contains(words), "{words}: {heard}");
+    }
+    assert!(!heard.contains('\u{1b}') && !said.contains('\u{1b}'), "no terminal, no colours");
+}
+
+#[test]
+fn a_quiet_command_says_nothing_and_does_its_work() {
+    let folder = folder(&[]);
+    for args in [&["check", "star.toml", "-q"][..], &["build", "star.toml", "--quiet"]] {
+        let output = run(folder.path(), args);
+        assert_eq!((output.status.code(), screen(&output)), (Some(0), vec![]));
+    }
+    assert!(folder.path().join("out/star/manifest.json").is_file());
+    fs::write(folder.path().join("star.toml"), GRIPPER.replace("points = 5", "points = 9")).expect("written");
+    let refused = run(folder.path(), &["check", "star.toml", "-q"]);
+    assert!(
+        refused.status.code() == Some(1) && stderr(&refused).contains("error[no-arm]"),
+        "{}",
+        stderr(&refused)
+    );
+}
+
+#[test]
+fn the_same_for_programs() {
+    let folder = folder(&[]);
+    for command in ["check", "build"] {
+        let output = run(folder.path(), &[command, "star.toml", "--json"]);
+        let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one object");
+        assert_eq!(stderr(&output), "");
+        assert_eq!((&json["verdict"]["holds"], &json["stars"]), (&true.into(), &3.into()));
+        assert!(json["sealing_time_s"].as_f64().is_some_and(|seconds| seconds > 3600.0), "{json}");
+        assert!(json["before_you_seal"].as_array().is_some_and(|list| list.len() > 2), "{json}");
+        let force = json["prediction"]["object_force_N"].as_f64().expect("a force");
+        assert!(force > 10.0 && force < 20.0);
+        let run: Vec<&str> = json["written"]["run"]
+            .as_array()
+            .into_iter()
+            .flatten()
+            .filter_map(|name| name.as_str())
+            .collect();
+        assert_eq!(run.len(), if command == "build" { 6 } else { 0 });
+        assert!(run.iter().all(|name| folder.path().join("out/star").join(name).is_file()));
+    }
+}
+
+/// What clocks say is in the zone where the job is run, with its weekday, and in no file.
+#[test]
+fn the_end_is_told_in_local_time() {
+    let folder = folder(&[]);
+    for (zone, name) in [("XYZ-5:30", "XYZ"), ("UTC0", "UTC")] {
+        let said = stdout(&with_zone(folder.path(), zone, &["build", "star.toml"]));
+        let (_, end) = said.split_once("begun now, it ends ").unwrap_or_else(|| panic!("{said}"));
+        let end = end.split(',').next().expect("a part");
+        let days = ["Monday", "Tuesday", "Wednesday", "Thursday", "Friday", "Saturday", "Sunday", "today"];
+        assert!(days.iter().any(|day| end.starts_with(day)) && end.ends_with(name), "{end}");
+    }
+    for entry in fs::read_dir(folder.path().join("out/star")).expect("published") {
+        let bytes = fs::read(entry.expect("an entry").path()).expect("a file");
+        assert!(!String::from_utf8_lossy(&bytes).contains("day at "));
+    }
+}
+
+/// Found, allowed and remedy, and nothing written; what is accepted `--anyway` is proven as everything else.
+#[test]
+fn a_gripper_that_cannot_do_what_it_is_for_is_refused() {
+    let object = |mm: &str| format!("object_radius = \"{mm}\"");
+    for (old, new, code, words) in [
+        (
+            "object_radius = \"40 mm\"",
+            object("51 mm"),
+            "object-too-wide",
+            "at most 50 mm, or an inner_radius of more than 51 mm",
+        ),
+        ("object_radius = \"40 mm\"", object("5 mm"), "object-too-thin", "a smaller inner_radius"),
+        (
+            "[star]",
+            "[fabric]\nseal_strength = \"1 N/mm\"\n[star]".to_owned(),
+            "bursts",
+            "kPa, or tip_radius and corner_radius of at least",
+        ),
+    ] {
+        let folder = folder(&[(old, &new)]);
+        for command in ["check", "build"] {
+            let refused = run(folder.path(), &[command, "star.toml"]);
+            let heard = stderr(&refused);
+            assert_eq!((refused.status.code(), stdout(&refused).as_str()), (Some(1), ""), "{heard}");
+            assert_eq!(heard.matches("error[").count(), 1, "{heard}");
+            assert!(
+                heard.contains(&format!("error[{code}]"))
+                    && heard.contains(words)
+                    && heard.contains("--anyway"),
+                "{heard}"
+            );
+        }
+        assert!(!folder.path().join("out").exists());
+        let built = run(folder.path(), &["build", "star.toml", "--anyway"]);
+        assert_eq!(built.status.code(), Some(0), "{}", stderr(&built));
+        assert_eq!(run(folder.path(), &["verify", "out/star"]).status.code(), Some(0));
+    }
+}
+
+#[test]
+fn every_shipped_design_does_what_it_is_for() {
+    let designs = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs");
+    for entry in fs::read_dir(designs).expect("designs/") {
+        let path = entry.expect("an entry").path();
+        let output = run(Path::new("."), &["check", "-q", path.to_str().expect("a path")]);
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    }
+}
