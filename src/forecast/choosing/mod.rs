@@ -230,5 +230,8 @@ fn is_compared(choice: &Choice) -> bool {
 
 /// In words what is counted on where no shell was compared with a force.
 fn counted_on() -> String {
-    format!("{:.0} % of what the model says, because forces were not compared with shells", 100.0 * UNTRIED)
+    format!(
+        "{:.0} % of what the model says at most, because forces were not compared with shells",
+        100.0 * UNTRIED
+    )
 }

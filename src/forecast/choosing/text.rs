@@ -54,7 +54,7 @@ impl Lines {
         self.comment(&format!(
             "What is held for sure is {} times the mass at least{}.",
             MARGIN,
-            if is_compared(choice) { String::new() } else { format!("; sure means {}", counted_on()) }
+            if is_compared(choice) { String::new() } else { format!("; for sure means {}", counted_on()) }
         ));
         self.comment("The values below were searched; the comments say why each is what it is.");
         self.text.push('\n');
@@ -64,7 +64,8 @@ impl Lines {
         let fabric = &base.fabric;
         self.text += "[fabric]\n";
         self.quantity("thickness", fabric.thickness, "your fabric's: the tube's width goes with it");
-        self.quantity("young_modulus", fabric.young_modulus, "of one sheet");
+        let megapascals = format!("{} MPa", Readable(1e-3 * fabric.young_modulus.0));
+        self.quantity("young_modulus", megapascals, "of one sheet");
         self.value("poisson_ratio", &format!("{}", fabric.poisson_ratio), "of one sheet");
         if let Some(strength) = fabric.seal_strength {
             self.quantity(

@@ -98,7 +98,18 @@ fn most_force(own: &Outcome) -> Option<f64> {
 pub fn sure_payload(point: &Candidate, answer: &Answer) -> Option<f64> {
     match answer.payload_range {
         Some([low, _]) => Some(low),
-        None if is_at_pressure(point.model) => answer.payload.map(|payload| UNTRIED * payload),
+        None if is_at_pressure(point.model) => {
+            let part = answer.outcome.as_ref().map_or(0.0, |own| not_locking(point, own));
+            answer.payload.map(|payload| UNTRIED * part * payload)
+        }
         None => answer.payload,
     }
+}
+
+/// The part of the force on the object that is left where it is taken to grow with the stiffness at rest only, and not with the
+/// lever of arms that are about to lock.
+fn not_locking(point: &Candidate, own: &Outcome) -> f64 {
+    let Some((force, object)) = own.object_force().zip(point.load.object_radius) else { return 1.0 };
+    let linear = own.rest.preload + own.rest.stiffness * (object.metres() - own.rest.radius);
+    if force > linear { (linear / force).max(0.0) } else { 1.0 }
 }
