@@ -83,7 +83,7 @@ fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
 fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
     let charts = charts(spec, design);
-    let verdict = prediction.as_ref().and_then(|prediction| verdict(spec, prediction));
+    let verdict = prediction.as_ref().and_then(|prediction| verdict(spec, &prediction.stars));
     let scene = emit::scene(spec, design, &inflated(forecast))?;
     let bill = Manifest::new(spec, design, programs);
     Some(emit::report(&emit::Report {
