@@ -3,7 +3,7 @@
 use crate::spec::name::{NameFault, check_name};
 
 /// The starter, with a placeholder for the name.
-const TEMPLATE: &str = include_str!("../../templates/spec.toml");
+pub(super) const TEMPLATE: &str = include_str!("../../templates/spec.toml");
 /// The placeholder, a whole TOML string so that nothing else in the text can match it.
 const PLACEHOLDER: &str = "\"NAME\"";
 
