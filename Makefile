@@ -3,11 +3,22 @@
 
 CARGO ?= cargo
 
-.PHONY: demo test check deny audit strangers strangers-more mutants fuzz faults bench
+.PHONY: demo install dist test check deny audit strangers strangers-more mutants fuzz faults bench
 
 # Build the paper's star and say what was written, and where.
 demo:
 	$(CARGO) run --release --locked -- build designs/paper-five-points.toml
+
+# Program, completions, manual and examples below PREFIX: `make install PREFIX=~/.local`.
+PREFIX ?= /usr/local
+install:
+	$(CARGO) build --release --locked
+	packaging/lay-out target/release/stargrip-cam $(DESTDIR)$(PREFIX)
+
+# The same as an archive, for TARGET if it is named: `make dist TARGET=x86_64-unknown-linux-musl` is static.
+TARGET ?=
+dist:
+	packaging/dist $(TARGET)
 
 test:
 	$(CARGO) test --locked

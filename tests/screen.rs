@@ -209,3 +209,32 @@ fn every_shipped_design_does_what_it_is_for() {
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     }
 }
+
+#[test]
+fn short_answers_are_for_programs_too_or_for_nobody() {
+    let folder = folder(&[]);
+    let done = |args: &[&str]| {
+        let output = run(folder.path(), args);
+        assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""), "{args:?}");
+        stdout(&output)
+    };
+    let json =
+        |args: &[&str]| -> serde_json::Value { serde_json::from_str(&done(args)).expect("one object") };
+    assert_eq!(done(&["build", "star.toml", "-q"]), "");
+    assert_eq!(done(&["verify", "out/star", "-q"]), "");
+    let check = json(&["feedcheck", "star.toml", "--json"]);
+    assert_eq!(
+        (&check["wrote"], check["line_time_s"].as_f64().map(f64::round)),
+        (&"feedcheck.gcode".into(), Some(100.0))
+    );
+    let resumed =
+        json(&["resume", "out/star/star-1-seal.gcode", "--at", "37%", "--json", "-o", "rest.gcode"]);
+    assert_eq!((&resumed["wrote"], &resumed["named_in_manifest"]), (&"rest.gcode".into(), &true.into()));
+    assert_eq!(done(&["resume", "out/star/star-1-seal.gcode", "--at", "37%", "-q", "-o", "again.gcode"]), "");
+    let machines = json(&["machines", "--json"]);
+    assert!(
+        machines["machines"]
+            .as_array()
+            .is_some_and(|list| list.iter().any(|machine| machine["name"] == "grbl"))
+    );
+}

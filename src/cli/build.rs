@@ -1,22 +1,26 @@
 //! `stargrip-cam build`
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use jiff::Zoned;
+use serde_json::Value;
 
 use crate::artifact::{Asked, Kind};
 use crate::cli::failure::{Failure, say, tell};
-use crate::cli::load::Loaded;
+use crate::cli::harmless::shown;
+use crate::cli::load::{Loaded, is_standard_input};
 use crate::cli::voice::Voice;
-use crate::cli::{glance, publish, summary, watch};
+use crate::cli::{again, each, glance, new, publish, summary, watch};
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The spec to build.
-    spec: PathBuf,
-    /// Where to put the files; default: out/ and the spec's name without its ending.
+    /// The specs to build; - for standard input.
+    #[arg(required = true, value_name = "SPEC")]
+    specs: Vec<PathBuf>,
+    /// Where to put the files; default: out/ and the spec's file name without its ending, of standard input the design's name.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Build only these kinds; the spec, the machine profile and the manifest come always.
@@ -28,6 +32,9 @@ pub(super) struct Args {
     /// Build it even if it bursts, or does not hold the object of its own `load` section.
     #[arg(long)]
     anyway: bool,
+    /// Build again whenever a spec or its machine profile is saved; Ctrl-C ends it.
+    #[arg(long, conflicts_with = "json")]
+    watch: bool,
     #[command(flatten)]
     voice: Voice,
 }
@@ -42,26 +49,70 @@ fn kind_parser(kinds: &[Kind]) -> impl TypedValueParser<Value = Kind> + use<> {
         .try_map(|name| Kind::from_name(&name).ok_or("no such kind"))
 }
 
-/// Builds, proves and publishes.
+/// Builds, proves and publishes each spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let targets = targets(args)?;
+    if args.watch {
+        if args.specs.iter().any(|spec| is_standard_input(spec)) {
+            return Err(Failure::Usage("--watch needs files: standard input is not saved again".to_owned()));
+        }
+        again::on_every_save(&args.specs, || {
+            let _ = each::each(&args.specs, args.voice, |spec| one(args, &targets, spec))
+                .map_err(Failure::report);
+            if !args.voice.quiet {
+                tell("waiting for the next save; Ctrl-C ends it");
+            }
+        });
+    }
+    each::each(&args.specs, args.voice, |spec| one(args, &targets, spec))
+}
+
+/// Where each spec's files go, where its path says so; two specs in one directory are one too many.
+fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
+    if args.output.is_some() && args.specs.len() > 1 {
+        return Err(Failure::Usage(
+            "-o is for one spec: several have a directory each, out/ and the spec's name".to_owned(),
+        ));
+    }
+    let mut targets: BTreeMap<&Path, PathBuf> = BTreeMap::new();
+    for spec in &args.specs {
+        let target = match &args.output {
+            Some(output) => output.clone(),
+            None if is_standard_input(spec) => continue,
+            None => default_output(spec),
+        };
+        if let Some((other, _)) = targets.iter().find(|(_, taken)| **taken == target) {
+            let (one, two, target) = (shown(other), shown(spec), shown(&target));
+            return Err(Failure::Usage(format!(
+                "{one} and {two} would both go to {target}: build them one by one, with -o"
+            )));
+        }
+        let _ = targets.insert(spec, target);
+    }
+    Ok(targets)
+}
+
+/// Builds, proves and publishes one spec; what programs are told, if they are.
+fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<Option<Value>, Failure> {
     let voice = args.voice;
-    let loaded = Loaded::spoken(&args.spec, voice)?;
+    let loaded = Loaded::spoken(spec, voice)?;
     let asked = Asked { only: args.only.clone(), with: args.with.clone() };
     let forecast = loaded.forecast()?;
     loaded.fit(&forecast, args.anyway)?;
-    let list = watch::list(&forecast, &args.spec);
+    let list = watch::list(&forecast, spec);
     let proven = forecast.build(loaded.sources(), &asked).prove().map_err(Failure::Findings)?;
-    let target = args.output.clone().unwrap_or_else(|| default_output(&args.spec));
+    let forecast = &proven.built().forecast;
+    let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
+    let target = targets.get(spec).cloned().unwrap_or_else(named);
     // What became of files that were there is told however quiet one is.
     tell(&publish(&target, &proven)?.to_string());
-    if voice.quiet {
-        return Ok(());
-    }
-    let forecast = &proven.built().forecast;
     if voice.json {
         let mut said = glance::json(forecast, &list);
         said["written"] = glance::written_json(&proven, &target);
-        return say(&format!("{said:#}\n"));
+        return Ok(Some(said));
+    }
+    if voice.quiet {
+        return Ok(None);
     }
     glance::show(&glance::head(forecast))?;
     glance::warn(&list);
@@ -70,7 +121,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         glance::show(&glance::work(forecast, &Zoned::now()))?;
     }
     glance::show(&glance::written(&proven, &target))?;
-    if voice.verbose { say(&summary::built(&proven)) } else { glance::show(&[("details", "-v".to_owned())]) }
+    if voice.verbose {
+        say(&summary::built(&proven))?
+    } else {
+        glance::show(&[("details", "-v".to_owned())])?
+    }
+    Ok(None)
 }
 
 /// `out/` and the spec's file name without its ending.

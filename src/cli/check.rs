@@ -1,19 +1,21 @@
 //! `stargrip-cam check`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use jiff::Zoned;
+use serde_json::Value;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::voice::Voice;
-use crate::cli::{glance, summary, watch};
+use crate::cli::{each, glance, summary, watch};
 
 /// Arguments of `check`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The spec to check.
-    spec: PathBuf,
+    /// The specs to check; - for standard input.
+    #[arg(required = true, value_name = "SPEC")]
+    specs: Vec<PathBuf>,
     /// Accept it even if it bursts, or does not hold the object of its own `load` section.
     #[arg(long)]
     anyway: bool,
@@ -23,23 +25,28 @@ pub(super) struct Args {
 
 /// Goes as far as a build that writes nothing, and says what came out.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    each::each(&args.specs, args.voice, |spec| one(args, spec))
+}
+
+fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let voice = args.voice;
-    let loaded = Loaded::spoken(&args.spec, voice)?;
+    let loaded = Loaded::spoken(spec, voice)?;
     let forecast = loaded.forecast()?;
     loaded.fit(&forecast, args.anyway)?;
-    if voice.quiet {
-        return Ok(());
-    }
-    let list = watch::list(&forecast, &args.spec);
+    let list = watch::list(&forecast, spec);
     if voice.json {
-        return say(&format!("{:#}\n", glance::json(&forecast, &list)));
+        return Ok(Some(glance::json(&forecast, &list)));
+    }
+    if voice.quiet {
+        return Ok(None);
     }
     glance::show(&glance::head(&forecast))?;
     glance::warn(&list);
     glance::show(&glance::work(&forecast, &Zoned::now()))?;
     if voice.verbose {
-        say(&summary::checked(&forecast))
+        say(&summary::checked(&forecast))?
     } else {
-        glance::show(&[("details", "-v".to_owned())])
+        glance::show(&[("details", "-v".to_owned())])?
     }
+    Ok(None)
 }

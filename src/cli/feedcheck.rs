@@ -2,11 +2,14 @@
 
 use std::path::PathBuf;
 
+use serde_json::json;
+
 use crate::artifact::program_ending;
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::write_new;
+use crate::cli::voice::Brief;
 use crate::emit;
 use crate::plan;
 use crate::spec::FeedFloor;
@@ -19,6 +22,8 @@ pub(super) struct Args {
     /// The program to write, never over a file that is there; default: feedcheck.gcode, for LinuxCNC feedcheck.ngc.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    voice: Brief,
 }
 
 /// Writes the program that shows at which speed the machine really goes.
@@ -34,7 +39,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",
         FeedFloor::Refuse => "use `feed_floor = \"chop\"`",
     };
-    say(&format!(
+    let text = format!(
         "wrote {}\neach of its three lines of {} mm (X, Y, 45 deg) must take {seconds:.0} s; if one is faster, the \
          machine cannot go at {}: {remedy}\nat each {} it must stop and wait, at the X, Y and Z that the comment before it \
          says; if it runs on, or stands elsewhere, do not seal with this profile\n",
@@ -42,5 +47,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         plan::CHECK_LENGTH,
         spec.seal.speed,
         machine.script.pause
-    ))
+    );
+    let json = json!({
+        "wrote": output.to_string_lossy(),
+        "line_mm": plan::CHECK_LENGTH,
+        "line_time_s": seconds,
+        "pause": machine.script.pause,
+    });
+    args.voice.report(&text, &json)
 }

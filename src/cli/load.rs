@@ -98,10 +98,20 @@ impl Loaded {
     }
 }
 
-/// Reads a text file, but not more of it than a spec may have.
+/// Whether `path` stands for standard input: "-".
+pub(super) fn is_standard_input(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// Reads a text file, or standard input for "-", but not more of it than a spec may have.
 pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
     let limit = u64::try_from(SIZE_LIMIT).unwrap_or(u64::MAX).saturating_add(1);
     let mut bytes = Vec::new();
+    if is_standard_input(path) {
+        let read = std::io::stdin().lock().take(limit).read_to_end(&mut bytes);
+        let _ = read.map_err(|error| Failure::Message(format!("cannot read standard input: {error}")))?;
+        return Ok(Source::from_bytes("standard input", &bytes)?);
+    }
     let _ = File::open(path)
         .and_then(|file| file.take(limit).read_to_end(&mut bytes))
         .map_err(|error| Failure::file("read", path, &error))?;

@@ -2,16 +2,21 @@
 
 use std::fmt::Write;
 
+use serde_json::json;
+
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
 use crate::spec;
-use crate::spec::{Motion, Source};
+use crate::spec::{Machine, Motion};
 
 /// Arguments of `machines`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
     #[command(subcommand)]
     command: Option<Command>,
+    /// Print one JSON object and nothing else.
+    #[arg(long)]
+    json: bool,
 }
 
 #[derive(clap::Subcommand, Debug)]
@@ -25,7 +30,10 @@ enum Command {
 
 /// Lists the built-in profiles, or prints one.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let Some(Command::Show { name }) = &args.command else { return say(&list()?) };
+    let Some(Command::Show { name }) = &args.command else {
+        let machines = machines()?;
+        return say(&if args.json { json(&machines) } else { list(&machines) });
+    };
     let known: Vec<&str> = spec::builtin_machines().collect();
     let text = spec::builtin_machine(name).ok_or_else(|| {
         Failure::Message(format!(
@@ -40,15 +48,24 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 /// The seal speed of the paper, mm/s: what a machine has to go at, and most cannot.
 const SLOW: f64 = 0.1;
 
-fn list() -> Result<String, Failure> {
+/// Every profile that comes with the program.
+fn machines() -> Result<Vec<Machine>, Failure> {
+    let read = |name| Machine::builtin(name).map_err(|fault| Failure::Message(fault.to_string()));
+    spec::builtin_machines().map(read).collect()
+}
+
+fn list(machines: &[Machine]) -> String {
     let mut out = String::new();
-    for name in spec::builtin_machines() {
-        let text = spec::builtin_machine(name).unwrap_or_default();
-        let machine = spec::read_machine(&Source::new(name, text))?;
-        let _ = writeln!(out, "{name:15} {}", machine.description);
+    for machine in machines {
+        let _ = writeln!(out, "{:15} {}", machine.name, machine.description);
         let _ = writeln!(out, "{:15}   at {SLOW} mm/s: {}", "", ability(&machine.motion));
     }
-    Ok(out)
+    out
+}
+
+fn json(machines: &[Machine]) -> String {
+    let one = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": ability(&machine.motion) });
+    format!("{:#}\n", json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(one).collect::<Vec<_>>() }))
 }
 
 /// What a machine does when it is told to go at 0.1 mm/s.

@@ -4,13 +4,18 @@
 //! standard output, faults to standard error.
 
 mod actuator;
+mod again;
 mod build;
 mod cache;
 mod calibrate;
 mod check;
 mod clock;
+mod completions;
 mod cone;
 mod coupon;
+mod defaults;
+mod each;
+mod explain;
 mod failure;
 mod feedcheck;
 mod figure;
@@ -19,6 +24,7 @@ mod glance;
 mod harmless;
 mod load;
 mod machines;
+mod man;
 mod new;
 mod new_object;
 mod optimize;
@@ -26,6 +32,7 @@ mod predict;
 mod publish;
 mod quantity;
 mod resume;
+mod schema;
 mod shell;
 mod summary;
 mod sweep;
@@ -41,7 +48,7 @@ mod watch;
 use std::env;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand};
 
 use crate::cli::harmless::shown;
 
@@ -89,6 +96,14 @@ enum Command {
     Calibrate(calibrate::Args),
     /// Write a program for the rest of a job that was interrupted.
     Resume(resume::Args),
+    /// Print the JSON Schema of a spec, for editors.
+    Schema(schema::Args),
+    /// Say what the code of a message means, and what to do.
+    Explain(explain::Args),
+    /// Print what makes a shell complete commands and options.
+    Completions(completions::Args),
+    /// Print a page of the manual.
+    Man(man::Args),
 }
 
 /// Runs the program with the arguments of the process.
@@ -114,6 +129,10 @@ pub fn main() -> ExitCode {
         Command::Coupon(args) => coupon::run(&args),
         Command::Calibrate(args) => calibrate::run(&args),
         Command::Resume(args) => resume::run(&args),
+        Command::Schema(args) => schema::run(&args),
+        Command::Explain(args) => explain::run(&args),
+        Command::Completions(args) => completions::run(&args, Cli::command()),
+        Command::Man(args) => man::run(&args, Cli::command()),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -6,6 +6,7 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
 use crate::cli::new_object::{ObjectArgs, chosen};
 use crate::cli::text_file::write_new;
+use crate::cli::{defaults, schema};
 use crate::spec;
 
 /// Arguments of `new`.
@@ -27,13 +28,14 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         None => (starter()?, String::new()),
     };
     let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
-    write_new(&path, &text)?;
+    write_new(&path, &defaults::written_into(text)?)?;
+    schema::write_beside(&path)?;
     let path = shown(&path);
     say(&format!("{said}wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"))
 }
 
 /// The name as a file name anywhere: ASCII letters, digits and dashes.
-fn file_stem(name: &str) -> String {
+pub(super) fn file_stem(name: &str) -> String {
     // Who names the file means the design.
     let name = name.strip_suffix(".toml").unwrap_or(name);
     let mut stem = String::new();

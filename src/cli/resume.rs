@@ -2,9 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::cli::failure::{Failure, say};
+use serde_json::json;
+
+use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::text_file::{read_text, write_new};
+use crate::cli::voice::Brief;
 use crate::geom::Point;
 use crate::manifest::{MANIFEST, Manifest, sha256};
 use crate::resume::{ResumeAt, resume};
@@ -32,6 +35,8 @@ pub(super) struct Args {
     /// a file that is there.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    #[command(flatten)]
+    voice: Brief,
 }
 
 fn share(text: &str) -> Result<f64, String> {
@@ -75,7 +80,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
     let target = args.output.clone().unwrap_or_else(|| target(&args.job, known));
     write_new(&target, &resumed.text)?;
-    say(&format!(
+    let text = format!(
         "wrote {}\ngoes on in line {} of the old program, {:.1} % of its time done; seals {:.1} mm again\n\
          {}\n\
          before you start it: same sheet, same zero, iron above the fabric\n",
@@ -88,7 +93,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         } else {
             "no manifest.json beside the job: that it is the one that was built, nobody knows"
         }
-    ))
+    );
+    let json = json!({
+        "wrote": target.to_string_lossy(),
+        "line": resumed.line,
+        "done": resumed.done,
+        "overlap_mm": resumed.overlap,
+        "named_in_manifest": known,
+    });
+    args.voice.report(&text, &json)
 }
 
 /// Where the program goes by default: beside the job, or where that is in a published directory, beside the directory.

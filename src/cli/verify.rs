@@ -10,7 +10,7 @@ use serde_json::json;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
-use crate::cli::voice::Voice;
+use crate::cli::voice::Brief;
 use crate::cli::{findings, summary};
 use crate::manifest::MANIFEST;
 use crate::pipeline::Claim;
@@ -22,7 +22,7 @@ pub(super) struct Args {
     /// The directory that a build published.
     dir: PathBuf,
     #[command(flatten)]
-    voice: Voice,
+    voice: Brief,
 }
 
 /// Largest file that is read back, bytes, whatever the manifest says: above what a build writes, below what hurts.
@@ -44,8 +44,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let proof = claim.prove(&files);
     let right = proof.findings.is_empty();
     match args.voice {
-        Voice { json: true, .. } => say(&json(&proof))?,
-        Voice { quiet: true, .. } if right => {}
+        Brief { json: true, .. } => say(&json(&proof))?,
+        Brief { quiet: true, .. } if right => {}
         _ => say(&text(&args.dir, &proof))?,
     }
     if right { Ok(()) } else { Err(Failure::Said) }

@@ -193,8 +193,8 @@ mod tests {
             let text = starter("x").expect("a name");
             let text = text.replace("[fabric]", &format!("[fabric]\nseal_strength = \"{strength}\""));
             let text = text.replace(
-                "[star]",
-                &format!("[star]\ntip_radius = \"{radius}\"\ncorner_radius = \"{radius}\""),
+                "\n[star]\n",
+                &format!("\n[star]\ntip_radius = \"{radius}\"\ncorner_radius = \"{radius}\"\n"),
             );
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n");
             let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;

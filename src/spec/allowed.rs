@@ -1,5 +1,7 @@
 //! Ranges of allowed values.
 
+use serde_json::{Value, json};
+
 use crate::units::Readable;
 
 /// Lengths that must be there: 1 um to 100 m, far beyond what fabric and iron can do at both ends.
@@ -37,6 +39,13 @@ impl Allowed {
         let low = if self.low_in { x >= self.low } else { x > self.low };
         let high = if self.high_in { x <= self.high } else { x < self.high };
         low && high
+    }
+
+    /// As JSON Schema.
+    pub(super) fn schema(self) -> Value {
+        let low = if self.low_in { "minimum" } else { "exclusiveMinimum" };
+        let high = if self.high_in { "maximum" } else { "exclusiveMaximum" };
+        json!({ "type": "number", low: self.low, high: self.high })
     }
 
     /// The range in words; `unit` is "" for plain numbers.

@@ -13,6 +13,7 @@ use crate::spec::model::{
 use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
+use crate::spec::shape::Shape;
 use crate::spec::source::Source;
 use crate::spec::{Code, FaultCode, foreign, stars};
 use crate::units::{Length, Percent, Pressure, Speed, Temperature};
@@ -76,7 +77,9 @@ fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault>
 
 /// Reports a `schema` that is not `version`, the only one that is known.
 pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
-    if let Some(found) = root.count("schema", 0, u32::MAX).filter(|found| *found != version) {
+    let found = root.count("schema", 0, u32::MAX);
+    root.narrow("schema", Shape::Count(version, version));
+    if let Some(found) = found.filter(|found| *found != version) {
         let fault = Fault::error(FaultCode::Schema, root.place_of("schema"), format!("`schema` is {found}"))
             .label(format!("must be {version}, the only version this program knows"));
         root.report(fault);
@@ -123,7 +126,7 @@ fn length(section: &mut Section<'_, '_>, key: &'static str, allowed: Allowed, de
     section.quantity(key, allowed).unwrap_or(Length(default))
 }
 
-fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
+pub(super) fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
     Fabric {
         thickness: length(s, "thickness", SIZE, 0.3),
         young_modulus: s.quantity("young_modulus", Allowed::closed(1e-3, 1e9)).unwrap_or(Pressure(128e3)),
@@ -195,7 +198,7 @@ fn read_cut(s: &mut Section<'_, '_>) -> CutSpec {
     }
 }
 
-fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
+pub(super) fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
     Sheet {
         width: s.quantity("width", SIZE),
         height: s.quantity("height", SIZE),
@@ -206,7 +209,7 @@ fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
     }
 }
 
-fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
+pub(super) fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
     let profile = s.text("profile").map(|(profile, span)| {
         if profile.trim().is_empty() || profile.chars().any(misleads) {
             let fault = Fault::error(FaultCode::Profile, span, format!("`profile` is {}", quoted(profile)))

@@ -11,6 +11,7 @@ use crate::spec::fault::{Fault, quoted};
 use crate::spec::message::{article, header, malformed, out_of_range};
 use crate::spec::missing::Missing;
 use crate::spec::raw::RawSpec;
+use crate::spec::shape::Shape;
 use crate::spec::unknown::{self, Known};
 use crate::spec::value::{RawKind, RawTable, RawValue};
 use crate::units::{Length, Quantity, QuantityFault};
@@ -23,6 +24,8 @@ pub(super) struct Reader<'r> {
     pub(super) faults: Vec<Fault>,
     known: Vec<Known<'r>>,
     missing: Vec<Missing>,
+    shapes: Vec<(&'static str, &'static str, Shape)>,
+    required: Vec<(&'static str, &'static str)>,
 }
 
 /// One table of the document, or the lack of it.
@@ -36,7 +39,14 @@ pub(super) struct Section<'a, 'r> {
 impl<'r> Reader<'r> {
     /// Begins to read `raw`.
     pub(super) fn new(raw: &'r RawSpec) -> Self {
-        Self { raw, faults: Vec::new(), known: Vec::new(), missing: Vec::new() }
+        Self {
+            raw,
+            faults: Vec::new(),
+            known: Vec::new(),
+            missing: Vec::new(),
+            shapes: Vec::new(),
+            required: Vec::new(),
+        }
     }
 
     /// The keys that stand before the first section.
@@ -77,6 +87,16 @@ impl<'r> Reader<'r> {
     ) -> Section<'_, 'r> {
         self.known.push(Known { section: name, keys: Vec::new(), table });
         Section { reader: self, name, table, place }
+    }
+
+    /// What each key takes that was asked for so far, by section and key; what a later one of the same key says, holds.
+    pub(super) fn shapes(&self) -> impl Iterator<Item = (&'static str, &'static str, &Shape)> {
+        self.shapes.iter().map(|(section, key, shape)| (*section, *key, shape))
+    }
+
+    /// The keys that are required, by section.
+    pub(super) fn required(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        self.required.iter().copied()
     }
 
     /// Every section and key that was asked for so far.
@@ -129,6 +149,7 @@ impl<'r> Section<'_, 'r> {
 
     /// Adds one fault if some of `required`, pairs of a key and an example value, were not written.
     pub(super) fn require(&mut self, required: &[(&'static str, &'static str)]) {
+        self.reader.required.extend(required.iter().map(|(key, _)| (self.name, *key)));
         let keys: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).copied().collect();
         if !keys.is_empty() {
             let (section, is_written, place) = (self.name, self.table.is_some(), self.place());
@@ -136,8 +157,14 @@ impl<'r> Section<'_, 'r> {
         }
     }
 
-    /// The value of `key`, which becomes a known key.
-    pub(super) fn take(&mut self, key: &'static str) -> Option<&'r RawValue> {
+    /// Says that `key` takes less than it was taken as.
+    pub(super) fn narrow(&mut self, key: &'static str, shape: Shape) {
+        self.reader.shapes.push((self.name, key, shape));
+    }
+
+    /// The value of `key`, which takes what `shape` says; it becomes a known key.
+    pub(super) fn take(&mut self, key: &'static str, shape: Shape) -> Option<&'r RawValue> {
+        self.reader.shapes.push((self.name, key, shape));
         if let Some(known) = self.reader.known.iter_mut().rfind(|known| known.section == self.name) {
             known.keys.push(key);
         }
@@ -146,7 +173,7 @@ impl<'r> Section<'_, 'r> {
 
     /// A quantity in its base unit within `allowed`; `None` if it is absent or faulty.
     pub(super) fn quantity<Q: Quantity>(&mut self, key: &'static str, allowed: Allowed) -> Option<Q> {
-        let value = self.take(key)?;
+        let value = self.take(key, Shape::quantity::<Q>(allowed))?;
         let fault = match &value.kind {
             RawKind::Text(text) => match Q::parse(text) {
                 Ok(found) if allowed.holds(found.base()) => return Some(found),
@@ -189,7 +216,7 @@ impl<'r> Section<'_, 'r> {
     /// Two lengths within `allowed` with an x between, the unit after each or after both: "220 mm x 220 mm"; `None` if
     /// it is absent or faulty.
     pub(super) fn area(&mut self, key: &'static str, allowed: Allowed) -> Option<[Length; 2]> {
-        let (text, span) = self.text(key)?;
+        let (text, span) = self.word(key, Shape::Area(allowed))?;
         let told = |message: String| {
             let label = "must be two lengths with an x between: \"220 mm x 220 mm\"";
             Fault::error(FaultCode::WrongType, span.clone(), message).label(label)
@@ -224,7 +251,7 @@ impl<'r> Section<'_, 'r> {
 
     /// A plain number within `allowed`; `None` if it is absent or faulty.
     pub(super) fn number(&mut self, key: &'static str, allowed: Allowed) -> Option<f64> {
-        let value = self.take(key)?;
+        let value = self.take(key, Shape::Number(allowed))?;
         let RawKind::Number(number) = &value.kind else {
             return self.refuse_type(key, value, "must be a plain number, without quotes and unit");
         };
@@ -237,7 +264,7 @@ impl<'r> Section<'_, 'r> {
 
     /// A whole number from `low` to `high`; `None` if it is absent or faulty.
     pub(super) fn count(&mut self, key: &'static str, low: u32, high: u32) -> Option<u32> {
-        let value = self.take(key)?;
+        let value = self.take(key, Shape::Count(low, high))?;
         let number = match &value.kind {
             RawKind::Number(number) if number.is_integer => number,
             _ => return self.refuse_type(key, value, "must be a whole number, without quotes and unit"),
@@ -252,7 +279,7 @@ impl<'r> Section<'_, 'r> {
 
     /// `true` or `false`; `None` if it is absent or faulty.
     pub(super) fn truth(&mut self, key: &'static str) -> Option<bool> {
-        let value = self.take(key)?;
+        let value = self.take(key, Shape::Truth)?;
         match value.kind {
             RawKind::Truth(found) => Some(found),
             _ => self.refuse_type(key, value, "must be true or false, without quotes"),
@@ -261,7 +288,12 @@ impl<'r> Section<'_, 'r> {
 
     /// A text in quotes and its place; `None` if it is absent or something else.
     pub(super) fn text(&mut self, key: &'static str) -> Option<(&'r str, Range<usize>)> {
-        let value = self.take(key)?;
+        self.word(key, Shape::Text)
+    }
+
+    /// A text of some shape.
+    fn word(&mut self, key: &'static str, shape: Shape) -> Option<(&'r str, Range<usize>)> {
+        let value = self.take(key, shape)?;
         match value.as_text() {
             Some(found) => Some((found, value.span.clone())),
             None => self.refuse_type(key, value, "must be a text in quotes"),
@@ -270,7 +302,7 @@ impl<'r> Section<'_, 'r> {
 
     /// A list of texts, each with its place; `None` if it is absent or something else.
     pub(super) fn texts(&mut self, key: &'static str) -> Option<Vec<(&'r str, Range<usize>)>> {
-        let value = self.take(key)?;
+        let value = self.take(key, Shape::Text)?;
         let label = "must be a list of texts: [\"...\", \"...\"]";
         let Some(list) = value.as_list() else { return self.refuse_type(key, value, label) };
         list.iter()
@@ -282,8 +314,9 @@ impl<'r> Section<'_, 'r> {
     }
 
     /// One of `choices`, a word in quotes; `None` if it is absent or none of them.
-    pub(super) fn choice<T: Copy>(&mut self, key: &'static str, choices: &[(&str, T)]) -> Option<T> {
-        let (word, span) = self.text(key)?;
+    pub(super) fn choice<T: Copy>(&mut self, key: &'static str, choices: &[(&'static str, T)]) -> Option<T> {
+        let shape = Shape::Choice(choices.iter().map(|(name, _)| *name).collect());
+        let (word, span) = self.word(key, shape)?;
         if let Some((_, found)) = choices.iter().find(|(name, _)| *name == word) {
             return Some(*found);
         }

@@ -71,12 +71,14 @@ fn duplicate(text: &str, span: &Range<usize>, root: &RawTable) -> Fault {
     let message = format!("duplicate key {}", quoted(key));
     let fault = Fault::error(FaultCode::Syntax, span.clone(), message);
     let name = key.trim_matches(['"', '\'']);
-    // Sections do not interleave: the latest one of this name before is the one of this section.
-    match latest(root, name, span.start) {
-        Some(at) => {
-            let line = 1 + text[..at].matches('\n').count();
-            fault.label(format!("line {line} says it already")).help("delete one of the two")
-        }
+    // Sections do not interleave: the latest one of this name before is the one of this section. Of a section that is opened
+    // twice the parser keeps the later place.
+    let header = line_of(text, span.start).trim();
+    let written = latest(root, name, span.start).map(|at| 1 + text[..at].matches('\n').count());
+    let opened = || text.lines().position(|line| line.trim() == header).map(|before| 1 + before);
+    let here = 1 + text.get(..span.start).map_or(0, |before| before.matches('\n').count());
+    match written.or_else(opened).filter(|line| *line < here) {
+        Some(line) => fault.label(format!("line {line} says it already")).help("delete one of the two"),
         None => fault.label("this was written before"),
     }
 }

@@ -8,6 +8,7 @@ use crate::spec::name::check_name;
 use crate::spec::profile::known::known;
 use crate::spec::profile::process::HEIGHT;
 use crate::spec::section::{Reader, Section};
+use crate::spec::shape::Shape;
 use crate::units::Length;
 
 /// Reads the bench, from `[work_area]` and each `[[keep_out]]`.
@@ -17,7 +18,7 @@ pub(super) fn read_bench(reader: &mut Reader<'_>) -> Bench {
 
 /// Both sizes, or neither: an absent one and "unknown" mean the same.
 fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
-    let mut side = |key| match s.take(key)?.as_text() {
+    let mut side = |key| match s.take(key, Shape::Text)?.as_text() {
         Some("unknown") => None,
         _ => s.quantity::<Length>(key, SIZE).or(Some(Length(1.0))),
     };

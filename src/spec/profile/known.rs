@@ -2,11 +2,12 @@
 
 use crate::spec::allowed::Allowed;
 use crate::spec::section::Section;
+use crate::spec::shape::Shape;
 use crate::units::Quantity;
 
 /// Whether `key` says the word, which stands for a number that there is not.
 pub(super) fn says(s: &mut Section<'_, '_>, key: &'static str, word: &str) -> bool {
-    s.take(key).and_then(|value| value.as_text()) == Some(word)
+    s.take(key, Shape::Text).and_then(|value| value.as_text()) == Some(word)
 }
 
 /// A plain number, or `None` for "unknown" and for nothing at all.

@@ -1,0 +1,20 @@
+//! `stargrip-cam completions`
+
+use clap::Command;
+use clap_complete::{Shell, generate};
+
+use crate::cli::failure::{Failure, say};
+
+/// Arguments of `completions`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// The shell.
+    shell: Shell,
+}
+
+/// Prints what makes a shell complete the commands of `program`.
+pub(super) fn run(args: &Args, mut program: Command) -> Result<(), Failure> {
+    let (name, mut text) = (program.get_name().to_owned(), Vec::new());
+    generate(args.shell, &mut program, name, &mut text);
+    say(&String::from_utf8_lossy(&text))
+}

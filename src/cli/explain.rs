@@ -1,0 +1,64 @@
+//! `stargrip-cam explain`
+
+use crate::cli::failure::{Failure, say};
+use crate::cli::harmless::shown;
+use crate::spec;
+
+/// Where every code stands with its meaning.
+const PAGE: &str = include_str!("../../docs/codes.md");
+
+/// Arguments of `explain`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    /// The code, as it stands in a message: no-arm. Without it, all codes are listed.
+    code: Option<String>,
+}
+
+/// One code of the page.
+struct Row {
+    /// The heading above it.
+    about: &'static str,
+    code: &'static str,
+    meaning: &'static str,
+}
+
+/// Prints what a code means and what to do about it.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let rows = rows();
+    let Some(code) = &args.code else {
+        return say(&rows.iter().map(|row| format!("{:24} {}\n", row.code, row.meaning)).collect::<String>());
+    };
+    // Who copies it from a message may copy its brackets.
+    let word = code.trim_start_matches("error").trim_start_matches("warning").trim_matches(['[', ']', ':']);
+    match rows.iter().find(|row| row.code == word) {
+        Some(Row { about, code, meaning }) => say(&format!("{code} ({about})\n{meaning}\n")),
+        None => {
+            let near = spec::nearest(&word.replace('-', "_"), rows.iter().map(|row| row.code));
+            let near = near.or_else(|| {
+                rows.iter().map(|row| row.code).find(|code| code.contains(word) && word.len() > 3)
+            });
+            let hint = near.map_or_else(String::new, |near| format!("did you mean {near}? "));
+            Err(Failure::Message(format!(
+                "no code is called {}; {hint}`stargrip-cam explain` lists all",
+                shown(word)
+            )))
+        }
+    }
+}
+
+/// The rows of the page's tables.
+fn rows() -> Vec<Row> {
+    let mut about = "";
+    let mut rows = Vec::new();
+    for line in PAGE.lines() {
+        if let Some(heading) = line.strip_prefix("## ") {
+            about = heading;
+        }
+        let row = line
+            .strip_prefix("| `")
+            .and_then(|line| line.strip_suffix(" |"))
+            .and_then(|line| line.split_once("` | "));
+        rows.extend(row.map(|(code, meaning)| Row { about, code, meaning }));
+    }
+    rows
+}

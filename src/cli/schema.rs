@@ -1,0 +1,22 @@
+//! `stargrip-cam schema`
+
+use std::path::Path;
+
+use crate::cli::failure::{Failure, say};
+use crate::cli::text_file::write_new;
+use crate::spec;
+
+/// Arguments of `schema`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {}
+
+/// Prints the JSON Schema of a spec.
+pub(super) fn run(_: &Args) -> Result<(), Failure> {
+    say(&spec::schema())
+}
+
+/// Writes the schema beside the spec at `path`, whose first line names it, unless a file of its name is there.
+pub(super) fn write_beside(path: &Path) -> Result<(), Failure> {
+    let file = path.with_file_name(spec::SCHEMA_FILE);
+    if file.exists() { Ok(()) } else { write_new(&file, &spec::schema()) }
+}

@@ -1,0 +1,232 @@
+//! The JSON Schema of a spec, for editors: completion, hints, and slips underlined while one types.
+//!
+//! Each truth keeps its home: which keys there are, and what each takes, is what the reader says when it takes them
+//! ([`Shape`]); what they mean, their defaults and examples are what the starter shows.
+
+use std::collections::BTreeMap;
+
+use serde_json::{Map, Value, json};
+
+use crate::spec::raw::RawSpec;
+use crate::spec::reading::read_spec;
+use crate::spec::section::Reader;
+use crate::spec::shape::Shape;
+use crate::spec::starter::TEMPLATE;
+
+/// The file's name beside a spec: what the first line of the starter names.
+pub const SCHEMA_FILE: &str = "stargrip-cam.schema.json";
+
+/// A section's lists: the one whose keys stand in a list of sections.
+const LIST: &str = "stack.star";
+
+/// The schema, draft 7, as text.
+pub fn schema() -> String {
+    let (raw, _) = RawSpec::parse("[stack]\ncount = 64\n[[stack.star]]\nindex = 1\n");
+    let mut reader = Reader::new(&raw);
+    let _ = read_spec(&mut reader);
+    let notes = Notes::of(TEMPLATE);
+    let mut sections: BTreeMap<&str, Section> = BTreeMap::new();
+    for (section, key, shape) in reader.shapes() {
+        let _ = sections.entry(section).or_default().keys.insert(key, property(section, key, shape, &notes));
+    }
+    for (section, key) in reader.required() {
+        sections.entry(section).or_default().required.push(key);
+    }
+    let mut root = sections.remove("").unwrap_or_default();
+    let list = sections.remove(LIST).unwrap_or_default().object(notes.of_section(LIST));
+    if let Some(stars) = sections.get_mut("stack").and_then(|stack| stack.keys.get_mut("star")) {
+        stars["items"] = list;
+    }
+    for (name, section) in sections {
+        if !section.required.is_empty() {
+            root.required.push(name);
+        }
+        let _ = root.keys.insert(name, section.object(notes.of_section(name)));
+    }
+    let mut object = root.object("What a fabric star gripper is, for stargrip-cam.");
+    object["$schema"] = json!("http://json-schema.org/draft-07/schema#");
+    object["title"] = json!("A specification for stargrip-cam");
+    format!("{object:#}\n")
+}
+
+/// A section on its way to an object.
+#[derive(Default)]
+struct Section {
+    keys: BTreeMap<&'static str, Value>,
+    required: Vec<&'static str>,
+}
+
+impl Section {
+    fn object(self, description: &str) -> Value {
+        let keys: Map<String, Value> =
+            self.keys.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
+        let mut object = json!({ "type": "object", "additionalProperties": false, "properties": keys });
+        if !self.required.is_empty() {
+            object["required"] = json!(self.required);
+        }
+        if !description.is_empty() {
+            object["description"] = json!(description);
+        }
+        object
+    }
+}
+
+fn property(section: &str, key: &str, shape: &Shape, notes: &Notes) -> Value {
+    let (mut value, told) = shape.schema();
+    // What a single star has different means what it means in the section where all stars have it.
+    let homes: &[(&str, &str)] = match (section, key) {
+        (LIST, "inlet_tip") => &[(LIST, "inlet_tip"), ("inlet", "tip")],
+        (LIST, _) => &[(LIST, key), ("star", key), ("stack", key)],
+        _ => &[(section, key)],
+    };
+    let found = homes.iter().filter_map(|home| notes.of_key(*home));
+    let note = found.fold(None, |best: Option<&Note>, note| match best {
+        // The list's own lines are examples without a word on what they mean.
+        Some(best) if !best.meaning.is_empty() && section != LIST => Some(best),
+        _ => Some(note),
+    });
+    let meaning = note.map_or("", |note| note.meaning.as_str());
+    let sentences = [Some(sentence(meaning)), told].into_iter().flatten().filter(|text| !text.is_empty());
+    let description = sentences.collect::<Vec<_>>().join(" ");
+    if !description.is_empty() {
+        value["description"] = json!(description);
+    }
+    match note {
+        Some(note) if note.is_default && section != LIST => value["default"] = note.value.clone(),
+        Some(note) => value["examples"] = json!([note.value]),
+        None => {}
+    }
+    value
+}
+
+fn sentence(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|first| first.to_uppercase().chain(letters).collect::<String>());
+    first.map_or_else(String::new, |text| text + ".")
+}
+
+/// What the starter says of a key.
+struct Note {
+    meaning: String,
+    value: Value,
+    is_default: bool,
+}
+
+/// What the starter says.
+struct Notes {
+    keys: BTreeMap<(String, String), Note>,
+    sections: BTreeMap<String, String>,
+}
+
+impl Notes {
+    /// Reads `text`: sections below the words about them, keys before the words about them.
+    fn of(text: &str) -> Self {
+        let mut notes = Self { keys: BTreeMap::new(), sections: BTreeMap::new() };
+        let (mut section, mut above) = (String::new(), Vec::new());
+        for line in text.lines() {
+            let (is_default, bare) = match line.strip_prefix("## ") {
+                Some(bare) => (false, bare),
+                None => (line.starts_with("# "), line.trim_start_matches("# ")),
+            };
+            let (code, words) = bare.split_once('#').map_or((bare, ""), |(code, words)| (code, words.trim()));
+            if let Some(name) = code.trim().strip_prefix('[').map(|name| name.trim_matches(['[', ']'])) {
+                name.clone_into(&mut section);
+                above.push(words);
+                let about = above.join(" ").trim().to_owned();
+                let _ = notes.sections.insert(section.clone(), about);
+            } else if let Some((key, value)) =
+                code.split_once(" = ").and_then(|(key, value)| Some((key, json_of(value)?)))
+            {
+                let note = Note { meaning: words.to_owned(), value, is_default };
+                let _ = notes.keys.entry((section.clone(), key.to_owned())).or_insert(note);
+            } else if line.starts_with("# ") {
+                above.push(bare);
+                continue;
+            }
+            above.clear();
+        }
+        notes
+    }
+
+    fn of_key(&self, (section, key): (&str, &str)) -> Option<&Note> {
+        self.keys.get(&(section.to_owned(), key.to_owned()))
+    }
+
+    fn of_section(&self, name: &str) -> &str {
+        self.sections.get(name).map_or("", String::as_str)
+    }
+}
+
+/// A value of TOML that JSON writes in the same way; `None` for anything else, such as the words of a sentence.
+fn json_of(value: &str) -> Option<Value> {
+    serde_json::from_str(value.trim()).ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::key;
+
+    fn read() -> Value {
+        serde_json::from_str(&schema()).expect("JSON")
+    }
+
+    /// The property of `key` in `section`.
+    fn at<'s>(schema: &'s Value, section: &str, key: &str) -> &'s Value {
+        let home = if section.is_empty() { schema } else { &schema["properties"][section] };
+        &home["properties"][key]
+    }
+
+    #[test]
+    fn every_key_of_the_reader_is_in_the_schema_and_no_other() {
+        let schema = read();
+        for key in key::ALL {
+            assert!(at(&schema, key.section(), key.key()).is_object(), "{key}");
+        }
+        let count = |object: &Value| object["properties"].as_object().map_or(0, Map::len);
+        let sections: std::collections::BTreeSet<&str> =
+            key::ALL.iter().map(|key| key.section()).filter(|name| !name.is_empty()).collect();
+        let inside: usize = sections.iter().map(|name| count(&schema["properties"][*name])).sum();
+        assert_eq!(count(&schema) - sections.len() + inside, key::ALL.len());
+        let own = key::ALL.iter().filter_map(|key| key.own_name()).chain(["index"]);
+        let stars = &schema["properties"]["stack"]["properties"]["star"]["items"];
+        let mut number = 0;
+        for name in own {
+            assert!(stars["properties"][name].is_object(), "{name}");
+            number += 1;
+        }
+        assert_eq!(count(stars), number);
+        assert_eq!(stars["additionalProperties"], json!(false));
+    }
+
+    #[test]
+    fn every_key_says_what_it_means_and_has_a_default_or_an_example() {
+        let schema = read();
+        for key in key::ALL.iter().filter(|key| key.to_string() != "stack.star") {
+            let property = at(&schema, key.section(), key.key());
+            assert!(
+                property["description"].as_str().is_some_and(|text| text.len() > 10),
+                "{key}: {property}"
+            );
+            assert!(
+                property.get("default").is_some() != property.get("examples").is_some(),
+                "{key}: {property}"
+            );
+        }
+        assert_eq!(at(&schema, "seal", "speed")["default"], json!("0.1 mm/s"));
+        assert_eq!(at(&schema, "load", "pressure")["examples"], json!(["37 kPa"]));
+        assert_eq!(schema["required"], json!(["schema", "name", "star"]));
+        assert_eq!(at(&schema, "machine", "program")["enum"], json!(["star", "sheet"]));
+        assert_eq!(at(&schema, "fabric", "poisson_ratio")["exclusiveMinimum"], json!(-1.0));
+        assert!(
+            schema["properties"]["star"]["description"]
+                .as_str()
+                .is_some_and(|text| text.starts_with("One flat star"))
+        );
+    }
+
+    #[test]
+    fn the_starter_names_the_schema() {
+        assert_eq!(TEMPLATE.lines().next(), Some(format!("#:schema ./{SCHEMA_FILE}").as_str()));
+    }
+}

@@ -1,0 +1,95 @@
+//! What a key takes, as the reader says that takes it: the schema is made of this, so that the two cannot disagree.
+
+use serde_json::{Value, json};
+
+use crate::spec::allowed::Allowed;
+use crate::spec::message::article;
+use crate::units::{Length, Quantity};
+
+/// A decimal number, as a JSON Schema's pattern: what `units` reads before a unit.
+const NUMBER: &str = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
+
+/// What a key takes.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Shape {
+    /// A number and a unit in quotes.
+    Quantity {
+        /// "length".
+        kind: &'static str,
+        /// Every spelling of every unit, the base unit first.
+        units: Vec<&'static str>,
+        /// In the base unit.
+        allowed: Allowed,
+    },
+    /// Two lengths with an x between.
+    Area(Allowed),
+    /// A plain number.
+    Number(Allowed),
+    /// A whole number with its ends.
+    Count(u32, u32),
+    /// true or false.
+    Truth,
+    /// Any text.
+    Text,
+    /// One of these words.
+    Choice(Vec<&'static str>),
+    /// A list of sections.
+    Sections,
+}
+
+impl Shape {
+    /// The shape of a quantity.
+    pub(super) fn quantity<Q: Quantity>(allowed: Allowed) -> Self {
+        Self::Quantity { kind: Q::KIND, units: Q::UNITS.iter().map(|(name, _)| *name).collect(), allowed }
+    }
+
+    /// As JSON Schema, and what cannot be said in it in words.
+    pub(super) fn schema(&self) -> (Value, Option<String>) {
+        let told = match self {
+            Self::Quantity { kind, units, allowed } => {
+                let range = allowed.in_words(units.first().copied().unwrap_or_default());
+                let typed: Vec<&str> = units.iter().copied().filter(|unit| unit.is_ascii()).collect();
+                Some(format!("{} with its unit ({}); {range}.", capital(&article(kind)), typed.join(", ")))
+            }
+            Self::Area(allowed) => {
+                let range = allowed.in_words(Length::UNITS[0].0);
+                Some(format!("Two lengths with an x between; each {range}."))
+            }
+            Self::Number(allowed) => Some(format!("A plain number; {}.", allowed.in_words(""))),
+            Self::Count(low, high) if low == high => Some(format!("Always {low}.")),
+            Self::Count(low, high) => Some(format!("A whole number from {low} to {high}.")),
+            Self::Choice(words) => Some(format!("One of {}.", words.join(", "))),
+            Self::Truth | Self::Text | Self::Sections => None,
+        };
+        let schema = match self {
+            Self::Quantity { units, .. } => {
+                json!({ "type": "string", "pattern": format!(r"^\s*{NUMBER}\s*({})\s*$", alternatives(units)) })
+            }
+            Self::Area(_) => {
+                let units: Vec<&str> = Length::UNITS.iter().map(|(name, _)| *name).collect();
+                let unit = alternatives(&units);
+                let pattern = format!("^\\s*{NUMBER}\\s*({unit})?\\s*[x\u{d7}]\\s*{NUMBER}\\s*({unit})\\s*$");
+                json!({ "type": "string", "pattern": pattern })
+            }
+            Self::Number(allowed) => allowed.schema(),
+            Self::Count(low, high) => json!({ "type": "integer", "minimum": low, "maximum": high }),
+            Self::Truth => json!({ "type": "boolean" }),
+            Self::Text => json!({ "type": "string" }),
+            Self::Choice(words) => json!({ "type": "string", "enum": words }),
+            Self::Sections => json!({ "type": "array" }),
+        };
+        (schema, told)
+    }
+}
+
+/// Units as a pattern; the longest first, so that no unit hides another that begins with it.
+fn alternatives(units: &[&str]) -> String {
+    let mut units = units.to_vec();
+    units.sort_by_key(|unit| std::cmp::Reverse(unit.len()));
+    units.join("|").replace('^', r"\^")
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

@@ -1,0 +1,237 @@
+//! What editors and shells are given: the schema, explanations, completions, pages of the manual; specs from a pipe, several at once,
+//! built again when they are saved; and one's own defaults in a new spec.
+
+mod support;
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use stargrip_cam::design::RefusalCode;
+use stargrip_cam::spec::{Code, FaultCode};
+use stargrip_cam::verify::FindingCode;
+use support::program::{run, stderr, stdout, workshop};
+
+#[track_caller]
+fn done(dir: &Path, args: &[&str]) -> String {
+    let output = run(dir, args);
+    assert_eq!(output.status.code(), Some(0), "{args:?}: {}", stderr(&output));
+    stdout(&output)
+}
+
+/// Runs the program with `text` on its standard input, and the environment's directory for settings at `config`.
+fn fed(dir: &Path, text: &str, args: &[&str]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+        .current_dir(dir)
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    child.stdin.take().expect("a pipe").write_all(text.as_bytes()).expect("it is read");
+    child.wait_with_output().expect("it ends")
+}
+
+#[test]
+fn a_new_spec_names_the_schema_that_lies_beside_it() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let _ = done(dir.path(), &["new", "wine-bottle.toml"]);
+    let spec = fs::read_to_string(dir.path().join("wine-bottle.toml")).expect("written");
+    let named = spec.lines().next().and_then(|line| line.strip_prefix("#:schema ")).expect("a directive");
+    let schema = fs::read_to_string(dir.path().join(named)).expect("beside it");
+    assert_eq!(schema, done(dir.path(), &["schema"]));
+    assert!(spec.contains("name = \"wine-bottle\""), "{spec}");
+    // One that is there already stays.
+    fs::write(dir.path().join(named), "{}").expect("written");
+    let _ = done(dir.path(), &["new", "egg"]);
+    assert_eq!(fs::read_to_string(dir.path().join(named)).expect("kept"), "{}");
+}
+
+#[test]
+fn every_code_is_explained_and_a_misspelt_one_is_found() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let all = done(dir.path(), &["explain"]);
+    let lines = |code: &str| all.lines().filter(|line| line.split(' ').next() == Some(code)).count();
+    let mut number = 0;
+    let mut there = |code: &str, meaning: &str| {
+        number += 1;
+        assert!(lines(code) >= 1 && all.contains(meaning), "{code}");
+    };
+    FaultCode::ALL.iter().for_each(|code| there(code.as_str(), code.meaning()));
+    RefusalCode::ALL.iter().for_each(|code| there(code.as_str(), code.meaning()));
+    FindingCode::ALL.iter().for_each(|code| there(code.as_str(), code.meaning()));
+    assert_eq!(all.lines().count(), number, "none else");
+    for word in ["no-arm", "error[no-arm]"] {
+        let said = done(dir.path(), &["explain", word]);
+        assert!(said.contains(RefusalCode::NoArm.meaning()) && said.starts_with("no-arm ("), "{said}");
+    }
+    let refused = run(dir.path(), &["explain", "no-amr"]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(stderr(&refused).contains("did you mean no-arm?"), "{}", stderr(&refused));
+}
+
+#[test]
+fn shells_and_manuals_know_every_command() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let help = done(dir.path(), &["--help"]);
+    let (_, commands) = help.split_once("Commands:\n").expect("commands");
+    let commands: Vec<&str> = commands
+        .lines()
+        .map_while(|line| line.strip_prefix("  "))
+        .filter(|line| !line.starts_with(' '))
+        .filter_map(|line| line.split(' ').next())
+        .collect();
+    assert!(commands.len() > 15, "{commands:?}");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = done(dir.path(), &["completions", shell]);
+        for command in &commands {
+            assert!(script.contains(command), "{shell}: {command}");
+        }
+    }
+    assert!(done(dir.path(), &["man"]).starts_with(".ie"));
+    assert!(done(dir.path(), &["man", "build"]).contains("\\-\\-anyway"));
+    assert_eq!(run(dir.path(), &["man", "brew"]).status.code(), Some(1));
+    let _ = done(dir.path(), &["man", "--dir", "man1"]);
+    for command in commands.iter().filter(|command| **command != "help") {
+        assert!(dir.path().join(format!("man1/stargrip-cam-{command}.1")).is_file(), "{command}");
+    }
+    assert!(dir.path().join("man1/stargrip-cam.1").is_file());
+}
+
+#[test]
+fn a_spec_comes_from_a_pipe() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let checked = fed(dir.path(), support::PAPER, &["check", "-"]);
+    assert_eq!(checked.status.code(), Some(0), "{}", stderr(&checked));
+    let refused = fed(dir.path(), &support::PAPER.replace("points = 5", "points = 9"), &["check", "-"]);
+    assert!(stderr(&refused).contains("--> standard input:6:"), "{}", stderr(&refused));
+    let built = fed(dir.path(), support::PAPER, &["build", "-", "-q", "--only", "seal-svg"]);
+    assert_eq!(built.status.code(), Some(0), "{}", stderr(&built));
+    let copy = fs::read_to_string(dir.path().join("out/paper-star-5-points/spec.toml")).expect("by its name");
+    assert_eq!(copy, support::PAPER);
+}
+
+#[test]
+fn of_several_specs_each_has_its_answer() {
+    let dir = workshop();
+    fs::write(dir.path().join("bad.toml"), support::PAPER.replace("points = 5", "points = 9"))
+        .expect("written");
+    fs::write(dir.path().join("other.toml"), support::PAPER.replace("\"50 mm\"", "\"55 mm\""))
+        .expect("written");
+    let output =
+        run(dir.path(), &["build", "star.toml", "bad.toml", "other.toml", "--only", "seal-svg", "--json"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("error[no-arm]"), "{}", stderr(&output));
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one object");
+    assert_eq!(json["results"].as_array().map(Vec::len), Some(2));
+    assert!(dir.path().join("out/star").is_dir() && dir.path().join("out/other").is_dir());
+    let both = done(dir.path(), &["check", "star.toml", "other.toml"]);
+    assert_eq!(both.matches("sealing ").count(), 2, "{both}");
+    fs::create_dir(dir.path().join("b")).expect("made");
+    let _ = fs::copy(dir.path().join("other.toml"), dir.path().join("b/star.toml")).expect("copied");
+    for args in [
+        &["build", "star.toml", "b/star.toml"][..],
+        &["build", "star.toml", "other.toml", "-o", "x"],
+        &["build"],
+    ] {
+        assert_eq!(run(dir.path(), args).status.code(), Some(2), "{args:?}");
+    }
+}
+
+#[test]
+fn a_watched_spec_is_built_again_when_it_is_saved() {
+    let dir = workshop();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+        .current_dir(dir.path())
+        .args(["build", "star.toml", "--watch", "-q", "--only", "seal-svg"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("it starts");
+    let copy = dir.path().join("out/star/spec.toml");
+    let wait_for = |words: &str| {
+        let begin = Instant::now();
+        while !fs::read_to_string(&copy).is_ok_and(|text| text.contains(words)) {
+            assert!(begin.elapsed() < Duration::from_secs(120), "not built: {words}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    };
+    wait_for("\"50 mm\"");
+    // A faulty save keeps what was built, and does not end it.
+    fs::write(dir.path().join("star.toml"), "points =").expect("saved");
+    std::thread::sleep(Duration::from_millis(600));
+    fs::write(dir.path().join("star.toml"), support::PAPER.replace("\"50 mm\"", "\"55.5 mm\""))
+        .expect("saved");
+    wait_for("\"55.5 mm\"");
+    assert!(child.try_wait().expect("asked").is_none(), "it goes on");
+    child.kill().expect("ended");
+    let _ = child.wait().expect("it ends");
+    assert_eq!(run(dir.path(), &["build", "-", "--watch"]).status.code(), Some(2));
+}
+
+#[test]
+fn defaults_of_ones_own_are_in_a_new_spec_and_nowhere_else() {
+    let dir = workshop();
+    let config = dir.path().join("settings/stargrip-cam");
+    fs::create_dir_all(&config).expect("made");
+    let told = |args: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"));
+        let settings = dir.path().join("settings");
+        command.current_dir(dir.path()).env("XDG_CONFIG_HOME", settings).args(args).output().expect("it runs")
+    };
+    let sound = "[machine]\nprofile = \"grbl\"\nfeed_floor = \"chop\"\n[sheet]\nwidth = \"400 mm\"\nheight = \"400 mm\"\n";
+    fs::write(config.join("config.toml"), sound).expect("written");
+    assert_eq!(told(&["new", "mine"]).status.code(), Some(0));
+    let spec = fs::read_to_string(dir.path().join("mine.toml")).expect("written");
+    assert!(spec.contains("\nprofile = \"grbl\" ") && spec.contains("\nwidth = \"400 mm\" "), "{spec}");
+    // Without the settings it means the same.
+    let json: serde_json::Value =
+        serde_json::from_str(&done(dir.path(), &["check", "mine.toml", "--json"])).expect("JSON");
+    assert_eq!(
+        (&json["machine"], &json["sheets_mm"][0]),
+        (&"grbl".into(), &serde_json::json!([400.0, 400.0]))
+    );
+    let other: serde_json::Value =
+        serde_json::from_slice(&told(&["check", "star.toml", "--json"]).stdout).expect("JSON");
+    assert_eq!(other["machine"], "generic");
+    fs::write(config.join("config.toml"), "[machin]\n").expect("written");
+    let refused = told(&["new", "other"]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(
+        stderr(&refused).contains("did you mean [machine]?") && !dir.path().join("other.toml").exists(),
+        "{}",
+        stderr(&refused)
+    );
+}
+
+/// What `make install` and `make dist` lay out: everything but the program comes from the program.
+#[cfg(unix)]
+#[test]
+fn an_installation_is_whole() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let home = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let laid = Command::new(home.join("packaging/lay-out"))
+        .current_dir(home)
+        .args([env!("CARGO_BIN_EXE_stargrip-cam").as_ref(), dir.path()])
+        .output()
+        .expect("it runs");
+    assert_eq!(laid.status.code(), Some(0), "{}", stderr(&laid));
+    for file in [
+        "bin/stargrip-cam",
+        "share/bash-completion/completions/stargrip-cam",
+        "share/zsh/site-functions/_stargrip-cam",
+        "share/fish/vendor_completions.d/stargrip-cam.fish",
+        "share/man/man1/stargrip-cam-build.1",
+        "share/stargrip-cam/stargrip-cam.schema.json",
+        "share/doc/stargrip-cam/examples/paper-gripper.toml",
+        "share/doc/stargrip-cam/LICENSE-MIT",
+    ] {
+        assert!(dir.path().join(file).metadata().is_ok_and(|file| file.len() > 100), "{file}");
+    }
+    let installed =
+        Command::new(dir.path().join("bin/stargrip-cam")).arg("--version").output().expect("it runs");
+    assert!(stdout(&installed).starts_with("stargrip-cam "));
+}
