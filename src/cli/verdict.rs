@@ -24,7 +24,8 @@ pub(super) fn in_words(forecast: &Forecast) -> String {
     let payload = payload.zip(load.friction).map_or_else(String::new, |((kg, range), friction)| {
         format!("; with a friction of {friction} it carries {}", with(kg, range, "kg"))
     });
-    let why = if verdict.reasons.is_empty() { String::new() } else { format!(": {}", verdict.reasons.join("; ")) };
+    let why =
+        if verdict.reasons.is_empty() { String::new() } else { format!(": {}", verdict.reasons.join("; ")) };
     format!("{}{object}{pressure}{payload}{why}", verdict.line())
 }
 

@@ -166,7 +166,8 @@ mod tests {
 
     #[test]
     fn an_object_that_is_too_heavy_is_not_held() {
-        let load = "[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.3\nmass = \"90 kg\"\n";
+        let load =
+            "[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.3\nmass = \"90 kg\"\n";
         let heavy = forecast(load);
         assert_eq!((holds(&heavy), codes(&heavy)), (Some(Holds::No), vec!["object-not-held".to_owned()]));
     }
