@@ -13,7 +13,7 @@ use crate::units::{Least, Length, Most, Pressure};
 impl Forecast {
     /// What becomes of the object; `None` where the spec does not ask.
     pub fn verdict(&self) -> Option<Verdict> {
-        verdict(&self.spec, self.prediction.as_ref()?)
+        verdict(&self.spec, &self.prediction.as_ref()?.stars)
     }
 
     /// Why the gripper is unfit, star by star; empty if it is fit, if nothing is asked, or if that is not known.
