@@ -7,7 +7,6 @@ use crate::emit::Inflated;
 use crate::forecast::charts::charts;
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::shut::shut;
-use crate::forecast::verdict::verdict;
 use crate::manifest::Manifest;
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
@@ -83,7 +82,6 @@ fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
 fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
     let charts = charts(spec, design);
-    let verdict = prediction.as_ref().and_then(|prediction| verdict(spec, &prediction.stars));
     let scene = emit::scene(spec, design, &inflated(forecast))?;
     let bill = Manifest::new(spec, design, programs);
     Some(emit::report(&emit::Report {
@@ -93,7 +91,6 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
         design,
         programs,
         prediction: prediction.as_ref(),
-        verdict: verdict.as_ref(),
         charts: &charts,
         bill: &bill,
         scene: &scene,

@@ -27,11 +27,12 @@ function totalTime() {
 
 /** What becomes of the object: how sure, in one sentence, and why. */
 function verdict() {
-  const { prediction, load, verdict: found } = data;
+  const { prediction, load } = data;
   if (!prediction) {
     return ["plain", "Nothing is predicted", "The spec has no [load]: write a pressure, and the radius of an object, and this page says whether it is held."];
   }
   const { pressure_kPa: pressure, object_radius_mm: object } = load;
+  const found = prediction.verdict;
   if (!pressure) {
     return ["plain", "No verdict without a pressure", "The spec's [load] names no pressure, on which everything depends that a star does."];
   }

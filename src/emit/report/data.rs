@@ -36,7 +36,6 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         "name": spec.name,
         "bill": bill,
         "prediction": prediction,
-        "verdict": report.verdict,
         "load": load,
         "settings": settings(&Source::new("spec.toml", report.source)),
         "machine": machine(report.machine),

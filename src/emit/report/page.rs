@@ -4,6 +4,8 @@
 //! can end the place they stand in, and no address of a network can be read out of them. A policy in the head lets the browser run
 //! the page's own scripts and styles, which it names by their hashes, and fetch nothing at all.
 
+use std::fmt::Write;
+
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use miniz_oxide::deflate::compress_to_vec_zlib;
@@ -82,7 +84,9 @@ fn text(words: &str) -> String {
     let mut out = String::with_capacity(words.len());
     for c in words.chars() {
         match c {
-            '&' | '<' | '>' | '"' | '\'' | '/' | '`' => out.push_str(&format!("&#{};", u32::from(c))),
+            '&' | '<' | '>' | '"' | '\'' | '/' | '`' => {
+                let _ = write!(out, "&#{};", u32::from(c));
+            }
             c => out.push(c),
         }
     }
@@ -97,7 +101,7 @@ fn block(data: &Value) -> String {
     for c in plain.chars() {
         match c {
             '<' | '>' | '&' | '/' | '\u{2028}' | '\u{2029}' => {
-                out.push_str(&format!("\\u{:04x}", u32::from(c)))
+                let _ = write!(out, "\\u{:04x}", u32::from(c));
             }
             c => out.push(c),
         }

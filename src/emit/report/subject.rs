@@ -3,7 +3,6 @@
 use crate::design::Design;
 use crate::forecast::charts::Charts;
 use crate::forecast::prediction::Prediction;
-use crate::forecast::verdict::Verdict;
 use crate::manifest::Manifest;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
@@ -23,8 +22,6 @@ pub struct Report<'a> {
     pub programs: &'a [Program],
     /// What it will do; `None` for a spec without a load.
     pub prediction: Option<&'a Prediction>,
-    /// Whether it holds its object; `None` without one.
-    pub verdict: Option<&'a Verdict>,
     /// The same by pressure, object and number of points.
     pub charts: &'a [Charts],
     /// The bill of materials; its files do not matter.
