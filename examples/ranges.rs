@@ -37,6 +37,9 @@ pub fn tables() -> String {
         let most = parts.iter().fold(0.0_f64, |most, part| most.max(part.abs()));
         let _ = writeln!(out, "| {} | {:.1} % | {:.1} % |", set.name(), 100.0 * rms(&parts), 100.0 * most);
     }
+    if all.iter().all(|one| one.forces.is_empty()) {
+        return out;
+    }
     out.push('\n');
     out += "| set | opening by W | forces | 2.5 % | median | 97.5 % of shell over prediction |\n|---|---|---|---|---|---|\n";
     for set in Set::ALL {

@@ -120,9 +120,9 @@ impl Judged {
             }
             (_, None, Some(force)) => {
                 let said =
-                    needed.map_or(String::new(), |needed| format!(" of {needed:.1} N that friction needs"));
+                    needed.map_or(String::new(), |needed| format!(" and friction needs {needed:.1} N,"));
                 self.doubt(format!(
-                    "by the model it presses with {force:.1} N{said}; how far that is off is not known"
+                    "by the model it presses with {force:.1} N,{said} but how far that is off is not known"
                 ));
             }
             _ => {}
