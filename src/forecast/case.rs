@@ -1,12 +1,21 @@
 //! What a spec asks about one star, in SI units: the one place where mm become m and kPa become Pa.
 
 use crate::design::Star;
-use crate::forecast::prediction::Hinges;
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::star::{Correction, Mechanism};
 use crate::mechanics::strength::ElasticSheet;
 use crate::spec::{Fabric, Load, Seal, Spec};
 use crate::units::{Length, LineForce, Pressure};
+use serde::Serialize;
+
+/// One value for the tips, one for the reentrant corners.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Hinges<T> {
+    /// Of the tips.
+    pub tip: T,
+    /// Of the reentrant corners.
+    pub corner: T,
+}
 
 /// One star with all that its answer depends on; SI units. `None` where the spec says nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]

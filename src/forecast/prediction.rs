@@ -1,18 +1,10 @@
 //! The answer: what one spec's stars do, with the evidence for it. Lengths in mm, angles in deg.
 
+pub use crate::forecast::case::Hinges;
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, StarRanges, scaled, shown};
 use crate::mechanics::star::Correction;
 use serde::Serialize;
-
-/// One value for the tips, one for the reentrant corners.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Hinges<T> {
-    /// Of the tips.
-    pub tip: T,
-    /// Of the reentrant corners.
-    pub corner: T,
-}
 
 /// What a gripper does. The keys at the top speak of star 1, `stars` of each.
 #[derive(Clone, Debug, PartialEq, Serialize)]

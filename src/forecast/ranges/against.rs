@@ -2,10 +2,9 @@
 //! and whether ranges hold.
 
 use crate::design::Star;
-use crate::forecast::case::{Case, mechanism};
+use crate::forecast::case::{Case, Hinges, mechanism};
 use crate::forecast::choice::{corrected, tabled};
 use crate::forecast::outcome::Outcome;
-use crate::forecast::prediction::Hinges;
 use crate::forecast::ranges::Interval;
 use crate::forecast::stars::computed::{Computed, Found};
 use crate::forecast::stars::draw::{Drawn, POISSON, Set, YOUNG};

@@ -6,18 +6,16 @@
 
 pub mod against;
 pub mod errors;
+mod interval;
 pub mod shown;
 
-use crate::forecast::case::Case;
-use crate::forecast::prediction::Hinges;
+pub use interval::{Interval, mm, scaled, sum};
+
+use crate::forecast::case::{Case, Hinges};
 use crate::mechanics::hinge::{HingeModel, Level};
 use crate::mechanics::star::response::{Inflated, Rest};
-use crate::units::Length;
 use serde::Serialize;
 use std::f64::consts::PI;
-
-/// From the least to the largest value in which the truth lies in at least 95 % of cases.
-pub type Interval = [f64; 2];
 
 /// What is known of stars like this one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -137,19 +135,4 @@ pub struct StarRanges {
     pub payload_kg: Option<Interval>,
     /// Of the burst pressure: nothing was compared with it yet.
     pub burst_pressure_kPa: Option<Interval>,
-}
-
-/// A range of lengths in mm.
-pub fn mm(range: Interval) -> Interval {
-    range.map(|metres| Length::from_metres(metres).0)
-}
-
-/// A range scaled by a factor of 0 or more.
-pub fn scaled(range: Interval, factor: f64) -> Interval {
-    range.map(|end| factor * end)
-}
-
-/// The sum of ranges: errors of equal stars are the same, so that ends add up; `None` if one of them is not known.
-pub fn sum(ranges: impl IntoIterator<Item = Option<Interval>>) -> Option<Interval> {
-    ranges.into_iter().try_fold([0.0, 0.0], |[low, high], range| range.map(|[a, b]| [low + a, high + b]))
 }
