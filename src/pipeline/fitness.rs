@@ -39,10 +39,8 @@ impl Forecast {
         let stars = self.prediction.iter().flat_map(|prediction| &prediction.stars);
         let holding: Vec<usize> = (1..).zip(stars).filter(|(_, star)| holds(star)).map(|(i, _)| i).collect();
         match self.prediction.as_ref().map(|prediction| &prediction.first.evidence) {
-            _ if holding.is_empty() => match self.not_held().is_empty() {
-                true => Verdict::Unknown,
-                false => Verdict::DoesNotHold,
-            },
+            _ if holding.is_empty() && self.not_held().is_empty() => Verdict::Unknown,
+            _ if holding.is_empty() => Verdict::DoesNotHold,
             Some(evidence) if evidence.stiffness_error.is_some_and(|error| error >= NOTHING_KNOWN) => {
                 Verdict::Unknown
             }
