@@ -60,9 +60,15 @@ fn every_code_is_explained_and_a_misspelt_one_is_found() {
         number += 1;
         assert!(lines(code) >= 1 && all.contains(meaning), "{code}");
     };
-    FaultCode::ALL.iter().for_each(|code| there(code.as_str(), code.meaning()));
-    RefusalCode::ALL.iter().for_each(|code| there(code.as_str(), code.meaning()));
-    FindingCode::ALL.iter().for_each(|code| there(code.as_str(), code.meaning()));
+    for code in FaultCode::ALL {
+        there(code.as_str(), code.meaning());
+    }
+    for code in RefusalCode::ALL {
+        there(code.as_str(), code.meaning());
+    }
+    for code in FindingCode::ALL {
+        there(code.as_str(), code.meaning());
+    }
     assert_eq!(all.lines().count(), number, "none else");
     for word in ["no-arm", "error[no-arm]"] {
         let said = done(dir.path(), &["explain", word]);

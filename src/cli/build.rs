@@ -122,9 +122,9 @@ fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<O
     }
     glance::show(&glance::written(&proven, &target))?;
     if voice.verbose {
-        say(&summary::built(&proven))?
+        say(&summary::built(&proven))?;
     } else {
-        glance::show(&[("details", "-v".to_owned())])?
+        glance::show(&[("details", "-v".to_owned())])?;
     }
     Ok(None)
 }

@@ -44,9 +44,9 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     glance::warn(&list);
     glance::show(&glance::work(&forecast, &Zoned::now()))?;
     if voice.verbose {
-        say(&summary::checked(&forecast))?
+        say(&summary::checked(&forecast))?;
     } else {
-        glance::show(&[("details", "-v".to_owned())])?
+        glance::show(&[("details", "-v".to_owned())])?;
     }
     Ok(None)
 }

@@ -26,24 +26,20 @@ struct Row {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let rows = rows();
     let Some(code) = &args.code else {
-        return say(&rows.iter().map(|row| format!("{:24} {}\n", row.code, row.meaning)).collect::<String>());
+        let lines: Vec<String> = rows.iter().map(|row| format!("{:24} {}", row.code, row.meaning)).collect();
+        return say(&(lines.join("\n") + "\n"));
     };
     // Who copies it from a message may copy its brackets.
     let word = code.trim_start_matches("error").trim_start_matches("warning").trim_matches(['[', ']', ':']);
-    match rows.iter().find(|row| row.code == word) {
-        Some(Row { about, code, meaning }) => say(&format!("{code} ({about})\n{meaning}\n")),
-        None => {
-            let near = spec::nearest(&word.replace('-', "_"), rows.iter().map(|row| row.code));
-            let near = near.or_else(|| {
-                rows.iter().map(|row| row.code).find(|code| code.contains(word) && word.len() > 3)
-            });
-            let hint = near.map_or_else(String::new, |near| format!("did you mean {near}? "));
-            Err(Failure::Message(format!(
-                "no code is called {}; {hint}`stargrip-cam explain` lists all",
-                shown(word)
-            )))
-        }
+    if let Some(Row { about, code, meaning }) = rows.iter().find(|row| row.code == word) {
+        return say(&format!("{code} ({about})\n{meaning}\n"));
     }
+    let codes = || rows.iter().map(|row| row.code);
+    let near = spec::nearest(&word.replace('-', "_"), codes());
+    let near = near.or_else(|| codes().find(|code| code.contains(word) && word.len() > 3));
+    let hint = near.map_or_else(String::new, |near| format!("did you mean {near}? "));
+    let text = format!("no code is called {}; {hint}`stargrip-cam explain` lists all", shown(word));
+    Err(Failure::Message(text))
 }
 
 /// The rows of the page's tables.

@@ -1,6 +1,7 @@
 //! The first screen of `check` and `build`: what it is, whether it does what is asked of it, what to see to before sealing, when
 //! it would be done, and where to begin.
 
+use std::fmt::Write;
 use std::io::{stderr, stdout};
 use std::path::Path;
 
@@ -59,7 +60,8 @@ fn in_words(star: &StarSpec) -> String {
         format!("{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {angle}");
     for (what, radius) in [("tip radius", tip_radius), ("corner radius", corner_radius)] {
         if *radius != Length(0.0) {
-            text += &format!(", {what} {radius}");
+            // A String takes everything.
+            let _ = write!(text, ", {what} {radius}");
         }
     }
     text

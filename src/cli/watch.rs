@@ -41,11 +41,11 @@ pub(super) fn list(forecast: &Forecast, path: &Path) -> Vec<String> {
         ));
     }
     let mut once = Vec::new();
-    list.into_iter().for_each(|text| {
+    for text in list {
         if !once.contains(&text) {
-            once.push(text)
+            once.push(text);
         }
-    });
+    }
     once
 }
 

@@ -24,7 +24,6 @@ codes! {
         NoPrediction "no-prediction" "The mechanics has no answer for this spec; change the key shown, or delete its `load` section.",
         NoRoomForHoles "no-room-for-holes" "The registration holes do not fit on a tip; make them smaller, or 0.",
         NoWindow "no-window" "Creep leaves nothing of the coating windows; make it smaller.",
-        ObjectNotHeld "object-not-held" "The gripper does not hold the object of its own [load]; ask `optimize` for one that does, or say `--anyway`.",
         ObjectTooThin "object-too-thin" "The inflated star does not reach the object of `load`; make inner_radius smaller, or use `--anyway`.",
         ObjectTooWide "object-too-wide" "The object of `load` does not enter the star, or is not closed around; see the remedy, or use `--anyway`.",
         OutOfReach "out-of-reach" "The machine does not reach all of a part or a coupon; make it smaller, or take a larger machine.",

@@ -40,17 +40,29 @@ fn needed_force(load: &Load) -> Option<f64> {
 #[derive(Default)]
 struct Judged {
     refuted: bool,
+    /// Distinct stars, and those of them that do not touch the object: one that does will do.
+    stars: usize,
+    idle: usize,
     doubted: bool,
     reasons: Vec<String>,
 }
 
 impl Judged {
     fn holds(&self) -> Holds {
-        match (self.refuted, self.doubted) {
+        match (self.is_refuted(), self.doubted) {
             (true, _) => Holds::No,
             (_, true) => Holds::Unknown,
             _ => Holds::Yes,
         }
+    }
+
+    fn is_refuted(&self) -> bool {
+        self.refuted || self.idle == self.stars
+    }
+
+    fn pass(&mut self, why: String) {
+        self.idle += 1;
+        self.reasons.push(why);
     }
 
     fn refute(&mut self, why: String) {
@@ -65,6 +77,7 @@ impl Judged {
 
     fn star(&mut self, number: usize, star: &StarPrediction, object: f64, bears: Option<Force>) {
         let of = |what: String| format!("star {number}: {what}");
+        self.stars += 1;
         if let Some(margin) = star.burst_margin.filter(|margin| *margin < 1.0) {
             self.refute(of(format!("it bursts at {:.2} of the pressure", margin)));
         }
@@ -72,12 +85,12 @@ impl Judged {
             return self.doubt(of(format!("nothing is known of it: {}", star.evidence.choice)));
         };
         if object > most {
-            return self.refute(of(format!("the object does not go in: it opens to {most:.1} mm")));
+            return self.pass(of(format!("the object does not go in: it opens to {most:.1} mm")));
         }
         match star.ranges.final_radius_mm {
             Some([low, _]) if object < low => {
                 return self
-                    .refute(of(format!("it closes to {least:.1} mm only and does not reach the object")));
+                    .pass(of(format!("it closes to {least:.1} mm only and does not reach the object")));
             }
             Some([_, high]) if object < high => {
                 self.doubt(of(format!("it may close to {high:.1} mm only, and not reach the object")));
@@ -85,7 +98,7 @@ impl Judged {
             Some(_) => {}
             None if object < least => {
                 return self
-                    .refute(of(format!("it closes to {least:.1} mm only and does not reach the object")));
+                    .pass(of(format!("it closes to {least:.1} mm only and does not reach the object")));
             }
             None => {}
         }
@@ -108,7 +121,7 @@ impl Judged {
     }
 
     fn mass(&mut self, force: Option<f64>, range: Option<Interval>, needed: Option<f64>) {
-        if self.refuted {
+        if self.is_refuted() {
             return;
         }
         match (needed, range, force) {

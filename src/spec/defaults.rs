@@ -16,7 +16,7 @@ const SECTIONS: [&str; 3] = ["fabric", "sheet", "machine"];
 /// # Errors
 /// All faults of `config`, by the rules of a spec.
 pub fn with_defaults(spec: &str, config: &Source) -> Result<String, Faults> {
-    let (_, _, raw) = read_with(config, |reader| {
+    let ((), _, raw) = read_with(config, |reader| {
         let _ = reader.root();
         let _ = read_fabric(&mut reader.section("fabric"));
         let _ = read_sheet(&mut reader.section("sheet"));

@@ -28,7 +28,7 @@ impl Missing {
             known.iter().filter(|one| one.section == section).any(|one| {
                 let words = one.table.into_iter().flat_map(|table| &table.0).map(|entry| entry.key.as_str());
                 let mut unknown =
-                    words.filter(|word| !one.keys.contains(word) && !(section.is_empty() && is_known(word)));
+                    words.filter(|word| !(one.keys.contains(word) || section.is_empty() && is_known(word)));
                 unknown.any(|word| nearest(word, [key]).is_some())
             })
         };

@@ -109,7 +109,7 @@ impl<'r> Reader<'r> {
     pub(super) fn finish(mut self) -> Vec<Fault> {
         // Who misspelt a key is told so, and not that the key is missing as well.
         let missing = self.missing.into_iter().filter_map(|missing| missing.but_for(&self.known));
-        self.faults.extend(missing.map(|missing| missing.fault()));
+        self.faults.extend(missing.map(Missing::fault));
         self.faults.extend(unknown::faults(&self.known));
         self.faults
     }
