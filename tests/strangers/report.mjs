@@ -258,7 +258,7 @@ try {
         for (const scheme of ["light", "dark"]) {
             const page = await opened(browser, size, scheme);
             await fits(page, `${size}, ${scheme}`);
-            await page.screenshot({ path: join(out, `${name}-${size}-${scheme}.png`), fullPage: true, timeout: 120000 });
+            await page.screenshot({ path: join(out, `${name}-${size}-${scheme}.png`), fullPage: scheme === "light", timeout: 120000 });
             await accessible(page, `${size}, ${scheme}`);
             if (scheme === "light") {
                 await figures(page);
@@ -266,7 +266,7 @@ try {
                 await player(page, size);
                 await solid(page);
                 await fits(page, `${size}, afterwards`);
-                await page.screenshot({ path: join(out, `${name}-${size}-worked.png`), fullPage: true, timeout: 120000 });
+                await page.screenshot({ path: join(out, `${name}-${size}-worked.png`), timeout: 120000 });
             }
             if (size === "desktop" && scheme === "dark") await printed(page);
             await page.context().close();
