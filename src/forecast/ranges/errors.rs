@@ -1,17 +1,16 @@
 //! How far `section` is from stars computed as shells: the constants that ranges are made of, and where they were taken.
 //!
-//! Each pair is what holds 95 % of the stars of the second set (docs/ranges.md), the mesh errors of their shells included: of 48 stars
-//! the least error less its mesh error, and the largest with it, between which a further star falls with a probability of 47/49. The
+//! Each pair is what holds 95 % of the stars of the second set (docs/ranges.md), the mesh errors of their shells included. The
 //! hinges' are of single hinges that the table of arms does not hold (docs/models.md).
 
 use crate::forecast::ranges::Interval;
 
 /// The shell's radius less the predicted one, over W / sin(pi/n).
-pub const RADIUS: Interval = [-0.041, 0.0465];
+pub const RADIUS: Interval = [-0.03, 0.035];
 /// The shell's angle of the tips at rest less the predicted one, rad, over W / l.
-pub const ANGLE: Interval = [-0.12, 0.107];
+pub const ANGLE: Interval = [-0.079, 0.047];
 /// The shell's radial stiffness over the predicted one.
-pub const STIFFNESS: Interval = [0.757, 1.505];
+pub const STIFFNESS: Interval = [0.85, 1.45];
 /// The shell's stiffness of a hinge over the predicted one.
 pub const HINGE: Interval = [0.8, 1.03];
 /// The shell's angle of a V-actuator less the predicted one, rad.
