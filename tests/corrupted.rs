@@ -156,7 +156,9 @@ fn a_changed_byte_is_found_by_its_hash_in_every_file() {
         replace(&mut files, file, bytes);
         let findings = prove_files(&files).findings;
         assert!(!findings.is_empty(), "{file}");
-        if file != MANIFEST {
+        // A profile that means nothing any more is not even compared.
+        let is_unread = findings.iter().any(|finding| finding.code == "unreadable" && finding.file == *file);
+        if file != MANIFEST && !is_unread {
             assert_found(&findings, "hash", file);
         }
     }

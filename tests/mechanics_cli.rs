@@ -273,7 +273,7 @@ fn a_sweep_has_the_fabric_that_check_has() {
         let fabric: f64 = row.split(',').nth(column).and_then(|cell| cell.parse().ok()).expect("a number");
         let spec = SPEC.replace("points = 5", &format!("points = {points}"));
         fs::write(dir.path().join("one.toml"), spec).expect("written");
-        let check = text(&run(dir.path(), &["check", "one.toml"]).stdout);
+        let check = text(&run(dir.path(), &["check", "-v", "--anyway", "one.toml"]).stdout);
         assert!(check.contains(&format!("fabric {fabric:.0} cm2 in both sheets")), "{fabric}: {check}");
     }
 }

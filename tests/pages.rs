@@ -11,7 +11,6 @@ mod paper;
 #[path = "../examples/ranges.rs"]
 mod ranges;
 
-#[allow(dead_code, unreachable_pub, reason = "shared by all tests")]
 mod support;
 
 fn stands_on(page: &str, tables: &str) {

@@ -89,7 +89,9 @@ fn arms_keep_their_length() {
             rim.windows(2).map(side).fold(0.0, f64::max)
         };
         assert!(longest(&tube.points) > 20.0);
-        assert!((longest(&tube.points) - longest(&tube.inflated)).abs() < 5e-3);
+        let [flat, inflated] = [&tube.points, &tube.inflated].map(|points| longest(points));
+        // The width of an inflated tube is not quite that of its flat ends.
+        assert!((flat - inflated).abs() < 1e-3 * flat, "{flat} {inflated}");
     }
 }
 

@@ -45,9 +45,10 @@ fn the_answer_comes_first_and_fits_a_screen() {
             lines[1],
             "3 equal stars: 5 points, inner radius 50 mm, tube width 30 mm, tip angle 30 deg"
         );
-        let verdict = "holds an object of radius 40 mm at 37 kPa with ";
+        // Of forces no range is known, so that nothing is promised.
+        let verdict = "may hold the object of radius 40 mm at 37 kPa: by the model it presses with ";
         assert!(
-            lines[2].starts_with(verdict) && lines[2].contains(" N each; with a friction of 0.3 it carries "),
+            lines[2].starts_with(verdict) && lines[2].ends_with("how far that is off is not known"),
             "{said}"
         );
         assert!(screen(&output).len() <= 20, "{command}: {:#?}", screen(&output));
@@ -68,7 +69,7 @@ fn what_to_look_at_and_what_to_run_is_there() {
     assert!(picture.is_file(), "{said}");
     let run = beside("run");
     assert!(run.starts_with("star-1-trace.gcode first"), "{said}");
-    for name in run.split([' ', ',', ';']).filter(|word| word.ends_with(".gcode")) {
+    for name in run.split([' ', ',', ';']).filter(|word| word.rsplit('.').next() == Some("gcode")) {
         assert!(folder.path().join("out/star").join(name).is_file(), "{name}");
     }
 }
@@ -128,7 +129,7 @@ fn the_same_for_programs() {
         let output = run(folder.path(), &[command, "star.toml", "--json"]);
         let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one object");
         assert_eq!(stderr(&output), "");
-        assert_eq!((&json["verdict"]["holds"], &json["stars"]), (&true.into(), &3.into()));
+        assert_eq!((&json["verdict"]["holds"], &json["stars"]), (&serde_json::Value::Null, &3.into()));
         assert!(json["sealing_time_s"].as_f64().is_some_and(|seconds| seconds > 3600.0), "{json}");
         assert!(json["before_you_seal"].as_array().is_some_and(|list| list.len() > 2), "{json}");
         let force = json["prediction"]["object_force_N"].as_f64().expect("a force");

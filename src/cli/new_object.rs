@@ -33,7 +33,7 @@ pub(super) struct ObjectArgs {
     /// Largest radial force of one star that the object bears: "20 N".
     #[arg(long, value_name = "FORCE", value_parser = quantity::<Force>(Allowed::above(0.0, 1e6)), requires = "object")]
     fragile: Option<Force>,
-    /// "paper", or a spec whose [fabric] is taken.
+    /// "paper", or a spec whose `[fabric]` is taken.
     #[arg(long, value_name = "NAME", requires = "object")]
     fabric: Option<String>,
     /// A built-in machine profile's name; default: generic.

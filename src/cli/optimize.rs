@@ -13,6 +13,7 @@ use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
     Bounds, Constraints, Evaluated, Goal, ROUNDING, is_at_pressure, search, shortfalls, thinned,
 };
+use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{mm, shown};
 use crate::forecast::star_by_shell;
 use crate::forecast::star_by_shell::Refusal;
@@ -30,7 +31,7 @@ const SHOWN: usize = 12;
 pub(super) struct Args {
     /// The spec to start from; what is not searched stays as it says.
     spec: PathBuf,
-    /// What is wanted most; default: to hold the object of [load] where there is one, else contraction.
+    /// What is wanted most; default: to hold the object of `[load]` where there is one, else contraction.
     #[arg(long, value_enum)]
     goal: Option<GoalArg>,
     /// Numbers of points, "3..8" or one.
@@ -63,7 +64,7 @@ pub(super) struct Args {
     /// Payload of the stack in kg, with the pressure, object and friction of `[load]`.
     #[arg(long, value_name = "KG", value_parser = number(Allowed::above(0.0, 1e6)))]
     payload: Option<f64>,
-    /// Largest radial force of one star, N; default: the [load]'s largest_force.
+    /// Largest radial force of one star, N; default: the `[load]`'s largest_force.
     #[arg(long, value_name = "N", value_parser = number(Allowed::above(0.0, 1e6)))]
     largest_force: Option<f64>,
     /// Least burst pressure over pressure; default: 1 where the seal's strength is known.
@@ -245,7 +246,7 @@ fn rows(candidates: &[Evaluated], constraints: &Constraints) -> String {
             ranged(radius, own.and_then(|own| own.ranges.radius).map(mm)),
             own.map_or("-".to_owned(), |own| format!("{:.2}", 1e3 * own.graspable[1])),
             own.and_then(|own| own.stiffness).map_or("-".to_owned(), |k| format!("{k:.0}")),
-            ranged(own.and_then(|own| own.object_force()), own.and_then(|own| own.force_range)),
+            ranged(own.and_then(Outcome::object_force), own.and_then(|own| own.force_range)),
             ranged(answer.payload, answer.payload_range),
             // mm^2 to cm^2.
             answer.fabric.map_or("-".to_owned(), |area| format!("{:.1}", area / 100.0)),

@@ -41,7 +41,7 @@ pub(super) fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     rows.push(("closes", closings.join("; ")));
     let weakest = prediction.stars.iter().filter_map(|star| star.burst_pressure_kPa).reduce(f64::min);
     if let Some(burst) = weakest {
-        let range = prediction.stars.iter().filter_map(|star| star.ranges.burst_pressure_kPa).next();
+        let range = prediction.stars.iter().find_map(|star| star.ranges.burst_pressure_kPa);
         let times = rounded(burst / pressure.0);
         rows.push(("bursts", format!("at {}; {times} times its pressure", known(Some(burst), range, "kPa"))));
     }

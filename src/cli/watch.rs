@@ -93,15 +93,11 @@ fn speed(forecast: &Forecast, path: &Path) -> Vec<String> {
             }),
             command("feedcheck")
         )),
-        _ if machine.motion.speed_range().is_none() => {
-            if speed < SLOW {
-                list.push(format!(
-                    "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
-                     without a word: time what {} writes",
-                    command("feedcheck")
-                ));
-            }
-        }
+        _ if machine.motion.speed_range().is_none() && speed < SLOW => list.push(format!(
+            "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
+             without a word: time what {} writes",
+            command("feedcheck")
+        )),
         _ => {}
     }
     if speed > FAST {

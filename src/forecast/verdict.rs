@@ -79,7 +79,7 @@ impl Judged {
         let of = |what: String| format!("star {number}: {what}");
         self.stars += 1;
         if let Some(margin) = star.burst_margin.filter(|margin| *margin < 1.0) {
-            self.refute(of(format!("it bursts at {:.2} of the pressure", margin)));
+            self.refute(of(format!("it bursts at {margin:.2} of the pressure")));
         }
         let Some([least, most]) = star.graspable_radius_mm else {
             return self.doubt(of(format!("nothing is known of it: {}", star.evidence.choice)));
@@ -95,12 +95,11 @@ impl Judged {
             Some([_, high]) if object < high => {
                 self.doubt(of(format!("it may close to {high:.1} mm only, and not reach the object")));
             }
-            Some(_) => {}
             None if object < least => {
                 return self
                     .pass(of(format!("it closes to {least:.1} mm only and does not reach the object")));
             }
-            None => {}
+            Some(_) | None => {}
         }
         match (bears, star.ranges.object_force_N, star.object_force_N) {
             (Some(Force(bears)), Some([low, _]), _) if low > bears => {

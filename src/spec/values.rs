@@ -152,14 +152,11 @@ mod tests {
             let Some(value) = &setting.value else { continue };
             if setting.section != section {
                 section.clone_from(&setting.section);
-                text += &format!("[{section}]\n");
+                text.extend(["[", &section, "]\n"]);
             }
             let plain = value == "true" || value == "false" || value.parse::<f64>().is_ok();
-            text += &if plain {
-                format!("{} = {value}\n", setting.key)
-            } else {
-                format!("{} = \"{value}\"\n", setting.key)
-            };
+            let quote = if plain { "" } else { "\"" };
+            text.extend([setting.key.as_ref(), " = ", quote, value, quote, "\n"]);
         }
         let spec =
             |text: String| read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;

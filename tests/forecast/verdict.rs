@@ -32,11 +32,12 @@ fn without_an_object_there_is_no_verdict() {
 
 #[test]
 fn what_cannot_be_is_refuted_with_its_reason() {
-    let cases: [(&dyn Fn(&mut Spec), &str); 4] = [
-        (&|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(5.0)), "does not reach"),
-        (&|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(51.0)), "does not go in"),
-        (&|spec| spec.fabric.seal_strength.as_mut().expect("given").0 = 0.1, "bursts at"),
-        (&|spec| spec.load.as_mut().expect("given").mass = Some(Mass(1e3)), "friction needs"),
+    type Change = fn(&mut Spec);
+    let cases: [(Change, &str); 4] = [
+        (|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(5.0)), "does not reach"),
+        (|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(51.0)), "does not go in"),
+        (|spec| spec.fabric.seal_strength.as_mut().expect("given").0 = 0.1, "bursts at"),
+        (|spec| spec.load.as_mut().expect("given").mass = Some(Mass(1e3)), "friction needs"),
     ];
     for (i, (change, why)) in cases.into_iter().enumerate() {
         let found = judged(change);

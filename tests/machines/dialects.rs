@@ -92,11 +92,12 @@ fn printers_say_what_has_to_be_true() {
     }
 }
 
-/// Klipper, Marlin and RepRapFirmware run G0 at the feed in force: without an F a travel would crawl at the seal's.
+/// Klipper, Marlin and RepRapFirmware run G0 at the feed in force: without an F a travel would crawl at the seal's. Who reads
+/// a generic program, nobody knows.
 #[test]
 fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
     for name in PROFILES {
-        let printer = ["marlin", "klipper", "reprapfirmware"].contains(&name);
+        let printer = ["generic", "marlin", "klipper", "reprapfirmware"].contains(&name);
         let rest = if can_go_slowly(name) { "" } else { CHOP };
         let build = built(&spec_text(rest), profile(name));
         for file in ["star-1-seal.gcode", "star-1-trace.gcode"] {

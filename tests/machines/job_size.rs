@@ -35,9 +35,3 @@ fn so_many_strokes_are_refused_and_as_many_smooth_moves_are_not() {
     assert_eq!((found.key, found.code), (key::stack::COUNT, RefusalCode::JobTooLarge));
     assert_eq!(refusal(1.0, "[stack]\ncount = 16\n", profile("generic")), None);
 }
-
-#[test]
-fn a_fast_seal_may_not_be_without_end() {
-    let found = refusal(50.0, "[seal]\nspeed = \"10 mm/s\"\n", profile("generic")).expect("1.1 km");
-    assert_eq!((found.key, found.code), (key::star::INNER_RADIUS, RefusalCode::JobTooLarge));
-}

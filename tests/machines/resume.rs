@@ -268,7 +268,8 @@ fn with_line(name: &str, before: &str, line: &str) -> (String, usize) {
 #[test]
 fn a_job_that_plunges_or_changes_settings_is_not_resumed() {
     for (name, before, line, code) in [
-        ("generic", "G0 Z30", "G0 Z-50", "blind-move"),
+        ("generic", "G0 Z30", "G0 Z-50 F1200", "blind-move"),
+        ("linuxcnc", "G0 Z30", "G0 Z-50", "blind-move"),
         ("klipper", "G0 Z30", "G0 Z-50 F1200", "blind-move"),
         ("reprapfirmware", "G1 ", "M203 I600", "profile-line"),
         ("klipper", "G1 ", "SET_IDLE_TIMEOUT TIMEOUT=1", "profile-line"),

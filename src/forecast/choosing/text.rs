@@ -15,7 +15,7 @@ use std::fmt::Write;
 pub fn spec_text(name: &str, choice: &Choice, base: &Spec) -> Result<String, NameFault> {
     let mut out = Lines { text: String::new() };
     out.head(choice);
-    out.text += &format!("schema = 1\nname = {}\n\n", quoted(name)?);
+    let _ = write!(out.text, "schema = 1\nname = {}\n\n", quoted(name)?);
     out.fabric(base);
     out.star(choice);
     out.stack(choice);
@@ -181,7 +181,7 @@ impl Lines {
             &format!("{}", wish.friction),
             "between the corners and the object; coat the corners for more",
         );
-        let sure = sure_payload(point, answer).map_or(String::new(), |payload| format!("{:.2} kg", payload));
+        let sure = sure_payload(point, answer).map_or(String::new(), |payload| format!("{payload:.2} kg"));
         self.quantity("mass", wish.mass, &format!("held for sure: {sure}{}", all_of(answer.payload_range)));
         if let Some(force) = wish.largest_force {
             self.quantity("largest_force", force, "what the object bears of one star, all corners together");

@@ -124,7 +124,7 @@ mod tests {
     use super::*;
     use crate::mechanics::hinge::section::Section;
 
-    fn pair<'a>(table: &'a SectionTable, scales: [f64; 3], r_star: f64) -> (Tabled<'a>, Section) {
+    fn pair(table: &SectionTable, scales: [f64; 3], r_star: f64) -> (Tabled<'_>, Section) {
         let tabled = Tabled::new(table, scales, [r_star, r_star]).expect("in range");
         (tabled, Section::new(scales[0], scales[1], scales[2]).expect("in range"))
     }
