@@ -167,7 +167,7 @@ impl Wish {
         let nearest = most.and_then(|most| {
             let payload = sure_payload(&most.point, &most.answer)? / MARGIN;
             Some(format!(
-                "{MOST_STARS} stars of {} points, {} wide, at {}, hold {} kg of this object",
+                "{MOST_STARS} stars of {} points, {} wide, at {}: {} kg of this object are counted on",
                 most.point.star.points,
                 Length((most.point.star.tube_width.0 * 10.0).round() / 10.0),
                 most.point
@@ -184,7 +184,7 @@ impl Wish {
         let percent = (1000.0 * part).ceil() / 10.0;
         match *what {
             "payload" => {
-                format!("what is held for sure is {percent:.1} % short of {} with its margin", self.mass)
+                format!("what is counted on is {percent:.1} % short of {} with its margin", self.mass)
             }
             "sheet" => format!(
                 "the star is {percent:.1} % larger than the sheet or the machine: a larger one, --sheet"

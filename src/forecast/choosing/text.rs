@@ -46,16 +46,14 @@ impl Lines {
     fn head(&mut self, choice: &Choice) {
         let wish = &choice.wish;
         self.comment(&format!(
-            "Holds an object {} across and of {}, with friction {}: `stargrip-cam predict` says how it does that.",
+            "{} an object {} across and of {}, with friction {}: `stargrip-cam predict` says how it does that.",
+            if is_compared(choice) { "Holds" } else { "Is to hold" },
             Length(2.0 * wish.object.0),
             wish.mass,
             Readable(wish.friction)
         ));
-        self.comment(&format!(
-            "What is held for sure is {} times the mass at least{}.",
-            MARGIN,
-            if is_compared(choice) { String::new() } else { format!("; for sure means {}", counted_on()) }
-        ));
+        let what = if is_compared(choice) { "the lower end of the range".to_owned() } else { counted_on() };
+        self.comment(&format!("Counted on is {MARGIN} times the mass at least: {what}."));
         self.comment("The values below were searched; the comments say why each is what it is.");
         self.text.push('\n');
     }
@@ -182,7 +180,7 @@ impl Lines {
             "between the corners and the object; coat the corners for more",
         );
         let sure = sure_payload(point, answer).map_or(String::new(), |payload| format!("{payload:.2} kg"));
-        self.quantity("mass", wish.mass, &format!("held for sure: {sure}{}", all_of(answer.payload_range)));
+        self.quantity("mass", wish.mass, &format!("counted on: {sure}{}", all_of(answer.payload_range)));
         if let Some(force) = wish.largest_force {
             self.quantity("largest_force", force, "what the object bears of one star, all corners together");
         }
