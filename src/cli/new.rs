@@ -24,11 +24,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
     let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
     let (text, said) = match chosen(name, &args.object)? {
-        Some(chosen) => chosen,
-        None => (starter()?, String::new()),
+        // One's own defaults were part of the search.
+        Some((text, said)) => (format!("#:schema ./{}\n{text}", spec::SCHEMA_FILE), said),
+        None => (defaults::written_into(starter()?)?, String::new()),
     };
     let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
-    write_new(&path, &defaults::written_into(text)?)?;
+    write_new(&path, &text)?;
     schema::write_beside(&path)?;
     let path = shown(&path);
     say(&format!("{said}wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"))

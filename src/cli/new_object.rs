@@ -3,6 +3,7 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use crate::cli::defaults;
 use crate::cli::failure::Failure;
 use crate::cli::load::read_source;
 use crate::cli::quantity::{SIZE, number, quantity};
@@ -101,6 +102,7 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<(String, St
 /// Fabric, machine, sheet and radii of curvature: what the search does not change.
 fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
     let text = spec::starter("base").map_err(|fault| Failure::Message(fault.to_string()))?;
+    let text = defaults::written_into(text)?;
     let mut base = spec::read(&Source::new("starter", text))?.spec;
     if let Some(fabric) = args.fabric.as_deref().filter(|fabric| *fabric != "paper") {
         base.fabric = spec::read(&read_source(Path::new(fabric))?)?.spec.fabric;
@@ -108,8 +110,9 @@ fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
     if let Some(machine) = &args.machine {
         base.machine.profile.clone_from(machine);
     }
-    [base.sheet.width, base.sheet.height] =
-        args.sheet.map_or([None; 2], |[width, height]| [Some(width), Some(height)]);
+    if let Some([width, height]) = args.sheet {
+        [base.sheet.width, base.sheet.height] = [Some(width), Some(height)];
+    }
     for star in &mut base.stars {
         (star.tip_radius, star.corner_radius) = (ROUND, ROUND);
     }

@@ -9,7 +9,8 @@ pub use self::text::spec_text;
 
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Bounds, Constraints, Effort, Evaluated, Goal, Search, Short, UNTRIED, search, shortfalls, sure_payload,
+    Bounds, Constraints, Effort, Evaluated, Found, Goal, Search, Short, UNTRIED, search, shortfalls,
+    sure_payload,
 };
 use crate::forecast::ranges::errors;
 use crate::mechanics::hinge::ring::RingTable;
@@ -47,6 +48,8 @@ const CLOSING: f64 = 0.95;
 const ROOM: f64 = 0.05;
 /// See [`ROOM`].
 const LEAST_ROOM: Length = Length(2.0);
+/// By which part of it the radii that the star closes and opens to are taken farther apart where round values do not do.
+const INSIDE: f64 = 0.01;
 /// Most stars on top of each other.
 const MOST_STARS: u32 = 8;
 /// Points that were tried.
@@ -83,12 +86,24 @@ pub struct Miss {
 pub fn choose(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Choice>, Miss> {
     let base = Candidate { load: wish.load(), stars: 1, ..base.clone() };
     let Some(bounds) = wish.bounds(&base) else { return Err(no_tube(&base)) };
+    let kept = wish.constraints(&base, MARGIN);
+    let round = |found: &Found| -> Vec<Evaluated> {
+        let met = found.best.iter().filter(|one| one.violation == 0.0);
+        met.filter_map(|one| rounded(one, &kept, ring)).collect()
+    };
     let asked = wish.constraints(&base, SEARCHED_MARGIN);
     let found = search(&base, &bounds, &asked, Goal::Fabric, ring);
-    let kept = wish.constraints(&base, MARGIN);
-    let met =
-        found.best.iter().filter(|one| one.violation == 0.0).filter_map(|one| rounded(one, &kept, ring));
-    let mut met: Vec<Evaluated> = met.collect();
+    let mut met = round(&found);
+    if met.is_empty() {
+        // The best lies where an object just fits in: round values may not. A little inside of that they do.
+        let inside = Constraints {
+            grasp: asked
+                .grasp
+                .map(|[least, most]| [Length(least.0 * (1.0 - INSIDE)), Length(most.0 * (1.0 + INSIDE))]),
+            ..asked
+        };
+        met = round(&search(&base, &bounds, &inside, Goal::Fabric, ring));
+    }
     met.sort_by(|a, b| a.fabric().total_cmp(&b.fabric()));
     let mut others: Vec<(u32, f64)> = met.iter().map(|one| (one.point.star.points, one.fabric())).collect();
     others.sort_by_key(|(points, _)| *points);
@@ -151,7 +166,10 @@ impl Wish {
         let short = best.map_or(Vec::new(), |best| {
             shortfalls(&best.point, &best.answer, &self.constraints(base, SEARCHED_MARGIN))
         });
-        let reasons = short.iter().map(|short| self.in_words(short)).collect();
+        let mut reasons: Vec<String> = short.iter().map(|short| self.in_words(short)).collect();
+        if reasons.is_empty() {
+            reasons.push("the room between closing and opening is less than a tenth of a millimetre: more pressure, or a larger sheet".to_owned());
+        }
         // The most that can be held with all other wishes granted.
         let without = Constraints { payload: None, ..self.constraints(base, 1.0) };
         let all = Bounds { stars: MOST_STARS..=MOST_STARS, ..bounds.clone() };
