@@ -147,7 +147,7 @@ fn a_wish_that_cannot_be_is_told_by_its_reason() {
         let said = text(&output.stderr);
         assert!(output.status.code() == Some(1) && said.contains(why), "{why}: {said}");
     };
-    refused(&["1000 kg"], "hold");
+    refused(&["1000 kg"], "counted on");
     refused(&["1 kg", "--sheet", "90x90"], "larger than the sheet");
     refused(&["1 kg", "--machine", "loom"], "no machine profile");
     for wrong in [

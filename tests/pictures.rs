@@ -224,6 +224,16 @@ fn pixels_show_the_design_and_no_other() {
     assert!(findings.iter().any(|finding| finding.code == "other-picture"), "{findings:?}");
 }
 
+/// Of every shipped design, whose bands are three pixels wide on the largest sheets.
+#[test]
+fn pixels_of_every_shipped_design_are_proven() {
+    for file in fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/designs")).expect("designs/") {
+        let path = file.expect("a file").path();
+        let build = built(&fs::read_to_string(&path).expect("a spec"), "generic");
+        assert_eq!(build.proof().findings, [], "{}", path.display());
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, cases: 24, ..ProptestConfig::default() })]
 

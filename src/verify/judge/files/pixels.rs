@@ -39,7 +39,7 @@ pub(in crate::verify) fn check(bytes: &[u8], expected: &Expected<'_>, sheet: usi
     };
     for star in expected.design.on_sheet(sheet) {
         for (what, color, points) in signs(expected.design.part(star), star, seen.scale) {
-            let right = points.iter().filter(|point| seen.color(**point) == Some(color)).count();
+            let right = points.iter().filter(|point| seen.shows(**point, color)).count();
             #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
             let share = right as f64 / points.len().max(1) as f64;
             if !points.is_empty() && share < MOST {
@@ -88,9 +88,18 @@ impl<'a> Seen<'a> {
         alike.then_some(Self { raster, scale, corner: (x, y + h) })
     }
 
-    /// Which of the four colours the pixel at a point of the sheet is nearest to.
-    fn color(&self, p: Point) -> Option<[u8; 3]> {
-        let (x, y) = (self.corner.0 + p.x * self.scale, self.corner.1 - p.y * self.scale);
+    /// Whether a point of the sheet has this colour, or one that lies half a pixel beside it: where the sheet begins is known
+    /// to a pixel, and of a band that is three pixels wide the outer ones are smoothed.
+    fn shows(&self, p: Point, color: [u8; 3]) -> bool {
+        let half = 0.5;
+        let places = [(0.0, 0.0), (half, 0.0), (-half, 0.0), (0.0, half), (0.0, -half)];
+        places.iter().any(|shift| self.color(p, *shift) == Some(color))
+    }
+
+    /// Which of the four colours the pixel at a point of the sheet, moved by some pixels, is nearest to.
+    fn color(&self, p: Point, (right, down): (f64, f64)) -> Option<[u8; 3]> {
+        let x = self.corner.0 + p.x * self.scale + right;
+        let y = self.corner.1 - p.y * self.scale + down;
         if x < 0.0 || y < 0.0 {
             return None;
         }
