@@ -94,7 +94,7 @@ pub(super) fn written(proven: &Proven, target: &Path) -> Vec<Row> {
     if let Some(picture) = to_look_at(proven) {
         rows.push(("look at", shown(target.join(picture))));
     }
-    let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| programs(proven, kind));
+    let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));
     let run = match (traces.first(), seals.first()) {
         (Some(trace), Some(seal)) => {
             Some(format!("{trace} first, which seals nothing; then {seal}{}", more(&seals)))
@@ -108,14 +108,13 @@ pub(super) fn written(proven: &Proven, target: &Path) -> Vec<Row> {
 
 /// The page that shows most of the gripper, by its file's name.
 fn to_look_at(proven: &Proven) -> Option<String> {
-    ["report", "preview-png", "preview-svg"].into_iter().find_map(|kind| {
-        let files = &proven.built().artifacts;
-        files.iter().find(|file| file.output.kind.name() == kind).map(|file| file.name.clone())
-    })
+    [Kind::Report, Kind::PreviewPng, Kind::PreviewSvg]
+        .into_iter()
+        .find_map(|kind| named(proven, kind).into_iter().next())
 }
 
-/// The programs of one kind.
-fn programs(proven: &Proven, kind: Kind) -> Vec<String> {
+/// The files of one kind, by name.
+fn named(proven: &Proven, kind: Kind) -> Vec<String> {
     let files = proven.built().artifacts.iter().filter(|file| file.output.kind == kind);
     files.map(|file| file.name.clone()).collect()
 }
@@ -170,7 +169,7 @@ pub(super) fn json(forecast: &Forecast, list: &[String]) -> Value {
 pub(super) fn written_json(proven: &Proven, target: &Path) -> Value {
     let files: Vec<Value> =
         proven.built().files().map(|(name, bytes)| json!({ "path": name, "bytes": bytes.len() })).collect();
-    let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| programs(proven, kind));
+    let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));
     json!({
         "directory": target.to_string_lossy(),
         "files": files,

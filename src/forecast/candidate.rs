@@ -2,7 +2,7 @@
 
 use crate::design::{SHEETS, Star, cut_area};
 use crate::forecast::case::Case;
-use crate::forecast::choice::{corrected, tabled};
+use crate::forecast::choice::tabled;
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{Interval, scaled};
 use crate::forecast::seal_load::burst;
@@ -10,7 +10,6 @@ use crate::mechanics::fault::{HingeFault, StarFault};
 use crate::mechanics::hinge::fit::Fit;
 use crate::mechanics::hinge::ring::{Ring, RingTable};
 use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level};
-use crate::mechanics::star::response::Inflated;
 use crate::spec::{Fabric, Inlet, Load, ModelChoice, Seal, Spec, StarSpec};
 use crate::units::{Length, Pressure};
 
@@ -119,8 +118,8 @@ impl Candidate {
         let case = case.map_err(|fault| fault.to_string())?;
         let ring = TableRing(ring);
         let known = match self.model {
-            ModelChoice::Ring => outcome(&case, &ring).map(Some),
-            ModelChoice::Fit => outcome(&case, &Fit).map(Some),
+            ModelChoice::Ring => Outcome::of(&case, &ring).map(Some),
+            ModelChoice::Fit => Outcome::of(&case, &Fit).map(Some),
             ModelChoice::Auto | ModelChoice::Section | ModelChoice::Shell | ModelChoice::Bvp => {
                 by_section(&case)
             }
@@ -157,19 +156,11 @@ impl Answer {
     }
 }
 
-/// What the star of `case` does by `model`.
-fn outcome(case: &Case, model: &dyn HingeModel) -> Result<(Case, Outcome), StarFault> {
-    let case = corrected(case, model)?;
-    let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
-    let outcome = Outcome::linear(&case, &inflated);
-    Ok((case, outcome))
-}
-
-/// The same by `section`; `None` where it does not know the star.
+/// What the star of `case` does by `section`; `None` where it does not know the star.
 fn by_section(case: &Case) -> Result<Option<(Case, Outcome)>, StarFault> {
     let Some(pressure) = case.pressure else { return Ok(None) };
     match tabled(case, pressure) {
-        Ok(model) => outcome(case, &model).map(Some),
+        Ok(model) => Outcome::of(case, &model).map(Some),
         Err(StarFault::Hinge(HingeFault::Scale { .. } | HingeFault::RStar { .. })) => Ok(None),
         Err(fault) => Err(fault),
     }

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use crate::design::{Design, PlacedStar, Star};
 use crate::forecast::case::Case;
-use crate::forecast::choice::{corrected, hinge_model, tabled};
+use crate::forecast::choice::{corrected, hinge_model, named, tabled};
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{Interval, mm};
 use crate::forecast::shut::{at_angle, held};
@@ -117,7 +117,7 @@ pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
         let own = Question { chosen: spec.accuracy.model, case: Case::of(spec, star).ok()?, star };
         Some(Charts {
             star: placed.index,
-            model: own.level().unwrap_or(Level::Section).name(),
+            model: named(own.chosen).unwrap_or(Level::Section).name(),
             by_pressure: (1..=PRESSURES).filter_map(|k| own.at_pressure(k)).collect(),
             by_radius: own.by_radius().unwrap_or_default(),
             by_points: own.by_points(spec, asked).unwrap_or_default(),
@@ -139,21 +139,9 @@ struct Question<'a> {
 }
 
 impl Question<'_> {
-    /// The model that was asked for by name; `None` where the program chooses.
-    fn level(&self) -> Option<Level> {
-        match self.chosen {
-            ModelChoice::Fit => Some(Level::Fit),
-            ModelChoice::Ring => Some(Level::Ring),
-            ModelChoice::Bvp => Some(Level::Bvp),
-            ModelChoice::Section => Some(Level::Section),
-            // What a prediction takes for them.
-            ModelChoice::Auto | ModelChoice::Shell => None,
-        }
-    }
-
     /// The model at a pressure, Pa; `None` where it does not cover the star.
     fn model(&self, pressure: f64) -> Option<Box<dyn HingeModel>> {
-        let Some(level) = self.level() else {
+        let Some(level) = named(self.chosen) else {
             return tabled(&self.case, pressure).ok().map(|model| Box::new(model) as Box<dyn HingeModel>);
         };
         let mechanism = &self.case.mechanism;
@@ -168,8 +156,7 @@ impl Question<'_> {
     fn at_pressure(&self, k: u32) -> Option<AtPressure> {
         let pressure = self.case.pressure? * (f64::from(k) / f64::from(OWN));
         let model = self.model(pressure)?;
-        let case = corrected(&Case { pressure: Some(pressure), ..self.case }, &*model).ok()?;
-        let outcome = Outcome::linear(&case, &Inflated::new(&case.mechanism, &*model, pressure).ok()?);
+        let (case, outcome) = Outcome::of(&Case { pressure: Some(pressure), ..self.case }, &*model).ok()?;
         let rest = outcome.rest.angle;
         let object = case.object.map(Length::from_metres);
         let shown = held(&case.mechanism, rest, object).unwrap_or(rest);
@@ -209,16 +196,11 @@ impl Question<'_> {
         let model = self.model(pressure)?;
         let at = |points: u32| {
             let star = Star::new(&StarSpec { points, inlet_tip: 1, ..asked.clone() }).ok()?;
-            let case = corrected(&Case::of(spec, &star).ok()?, &*model).ok()?;
-            let outcome = Outcome::linear(&case, &Inflated::new(&case.mechanism, &*model, pressure).ok()?);
-            let contraction = |radius: f64| 1.0 - radius / case.inner_radius;
+            let (case, outcome) = Outcome::of(&Case::of(spec, &star).ok()?, &*model).ok()?;
             Some(AtPoints {
                 points,
                 contraction: outcome.contraction,
-                contraction_range: outcome
-                    .ranges
-                    .radius
-                    .map(|[low, high]| [contraction(high), contraction(low)]),
+                contraction_range: outcome.contraction_range(&case),
                 object_force_N: outcome.object_force(),
             })
         };

@@ -9,6 +9,7 @@ use crate::mechanics::hinge::section::{Section, SectionTable, Tabled};
 use crate::mechanics::hinge::{HingeModel, Level, fit};
 use crate::mechanics::star::Correction;
 use crate::mechanics::strength::{ElasticSheet, FULL_ACTUATION, INEXTENSIBLE};
+use crate::spec::ModelChoice;
 use std::sync::LazyLock;
 
 /// Beta of the `bvp` level; its distance from the exact ring is about ln(beta)/beta.
@@ -54,6 +55,18 @@ pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault
         corrected.mechanism.correction = Correction::new(&case.mechanism, edges.width, thickness);
     }
     Ok(corrected)
+}
+
+/// The model that was asked for by name; `None` where the program chooses, and for shells: a build's files are the same on every
+/// machine, and shells are not.
+pub fn named(chosen: ModelChoice) -> Option<Level> {
+    match chosen {
+        ModelChoice::Fit => Some(Level::Fit),
+        ModelChoice::Ring => Some(Level::Ring),
+        ModelChoice::Bvp => Some(Level::Bvp),
+        ModelChoice::Section => Some(Level::Section),
+        ModelChoice::Auto | ModelChoice::Shell => None,
+    }
 }
 
 /// The model of `level` for hinges of `sheet` (tube width `width`, m) at the gauge pressure `pressure` (Pa).

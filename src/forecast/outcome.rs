@@ -1,8 +1,10 @@
 //! What an inflated star does with its load: one set of closed forms, with their ranges, for predictions, sweeps and searches.
 
 use crate::forecast::case::Case;
+use crate::forecast::choice::corrected;
 use crate::forecast::ranges::{Interval, Ranges, scaled};
 use crate::mechanics::fault::StarFault;
+use crate::mechanics::hinge::HingeModel;
 use crate::mechanics::star::response::{Inflated, Rest};
 use crate::mechanics::strength::payload;
 use crate::units::Length;
@@ -59,6 +61,23 @@ pub enum Hold {
 }
 
 impl Outcome {
+    /// What the star of `case` does by `model`, with linear hinges and ranges; and the case as the model sees it.
+    ///
+    /// # Errors
+    /// If the model refuses a hinge, or the star has no equilibrium.
+    pub fn of(case: &Case, model: &dyn HingeModel) -> Result<(Case, Self), StarFault> {
+        let case = corrected(case, model)?;
+        // Angles and radii of a limit do not depend on the pressure: without one, any will do.
+        let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
+        let outcome = Self::linear(&case, &inflated);
+        Ok((case, outcome))
+    }
+
+    /// The range of the contraction; `case` is the one that was answered.
+    pub fn contraction_range(&self, case: &Case) -> Option<Interval> {
+        self.ranges.radius.map(|[low, high]| [high, low].map(|radius| 1.0 - radius / case.inner_radius))
+    }
+
     /// With linear hinges, and with ranges where there are any.
     pub fn linear(case: &Case, inflated: &Inflated<'_>) -> Self {
         let own = Self::at(case, inflated.linear_rest(), |rho, rest| inflated.linear_force(rho, rest));

@@ -2,7 +2,7 @@
 
 use crate::design::{Design, StarDesign};
 use crate::forecast::case::Case;
-use crate::forecast::choice::{corrected, hinge_model, limits_of_validity, tabled};
+use crate::forecast::choice::{corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::forecast::outcome::{Outcome, SHORTEST_ARM};
 use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Nonlinear, Prediction, StarPrediction};
 use crate::forecast::pressures::rows;
@@ -107,14 +107,7 @@ fn predict_star(spec: &Spec, part: &StarDesign) -> Result<StarPrediction, StarFa
     let case = Case::of(spec, &part.star)?;
     let asked = Asked { spec, part, case, seal: Seal::new(&case) };
     let width = case.mechanism.width;
-    let level = match spec.accuracy.model {
-        // A build's files are the same on every machine, and shells are not.
-        ModelChoice::Auto | ModelChoice::Shell => return asked.automatic(),
-        ModelChoice::Fit => Level::Fit,
-        ModelChoice::Ring => Level::Ring,
-        ModelChoice::Bvp => Level::Bvp,
-        ModelChoice::Section => Level::Section,
-    };
+    let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
     let model = hinge_model(level, &case.sheet, case.pressure, width)?;
     asked.by(model.as_ref(), format!("{} was asked for", level.name()))
 }
@@ -164,6 +157,7 @@ impl Asked<'_> {
         let Self { case, part, spec, seal } = self;
         let bursts = seal.burst.map(|p| Pressure::from_pascals(p).0);
         let width = case.mechanism.width;
+        let stretch = case.pressure.map(|p| case.sheet.stretch(p, width));
         let mut warnings: Vec<String> = seal.warning(case).into_iter().collect();
         if spec.accuracy.model == ModelChoice::Shell {
             warnings.push(
@@ -199,7 +193,7 @@ impl Asked<'_> {
             burst_pressure_kPa: bursts,
             mass_g: part.mass(&spec.fabric),
             payload_kg: None,
-            stretch: case.pressure.map(|p| case.sheet.stretch(p, width)),
+            stretch,
             burst_margin: seal.burst.zip(case.pressure).map(|(burst, p)| burst / p),
             ranges: StarRanges::default(),
             pressures: None,
@@ -209,7 +203,7 @@ impl Asked<'_> {
                 residual: 0.0,
                 iterations: 0,
                 numerical_error: 0.0,
-                stretch: case.pressure.map(|p| case.sheet.stretch(p, width)),
+                stretch,
                 hinge_width: Hinges::default(),
                 safe_radius_mm: seal.safe.map(|radius| radius.0),
                 warnings,
@@ -279,7 +273,7 @@ fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> Sta
     let hinge = |of: fn(&Hinges<f64>) -> f64| Some(scaled(own.hinge?, of(stiffness.as_ref()?)));
     StarRanges {
         final_radius_mm: own.radius.map(|range| range.map(mm)),
-        contraction: own.radius.map(|[low, high]| [high, low].map(|radius| 1.0 - radius / case.inner_radius)),
+        contraction: outcome.contraction_range(case),
         tip_equilibrium_angle_deg: own.angle.map(|range| range.map(f64::to_degrees)),
         hinge_stiffness_Nm: Hinges { tip: hinge(|of| of.tip), corner: hinge(|of| of.corner) },
         radial_stiffness_N_per_m: own.stiffness,

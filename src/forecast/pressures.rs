@@ -1,11 +1,10 @@
 //! What a star does at several pressures: the answer to a spec that names none.
 
 use crate::forecast::case::Case;
-use crate::forecast::choice::{corrected, tabled};
+use crate::forecast::choice::tabled;
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{Interval, mm};
 use crate::mechanics::fault::StarFault;
-use crate::mechanics::star::response::Inflated;
 use crate::units::{Length, Pressure};
 use serde::Serialize;
 
@@ -69,9 +68,7 @@ fn merit(row: &PressureRow) -> f64 {
 fn row(case: &Case, burst: Option<f64>, kpa: f64) -> Result<Option<PressureRow>, StarFault> {
     let pressure = Pressure(kpa).pascals();
     let model = tabled(case, pressure)?;
-    let case = corrected(&Case { pressure: Some(pressure), ..*case }, &model)?;
-    let inflated = Inflated::new(&case.mechanism, &model, pressure)?;
-    let outcome = Outcome::linear(&case, &inflated);
+    let (case, outcome) = Outcome::of(&Case { pressure: Some(pressure), ..*case }, &model)?;
     let Some(radius) = outcome.ranges.radius else { return Ok(None) };
     Ok(Some(PressureRow {
         pressure_kPa: kpa,

@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 use crate::spec::raw::RawSpec;
 use crate::spec::reading::read_spec;
 use crate::spec::section::Reader;
-use crate::spec::shape::Shape;
+use crate::spec::shape::{Shape, capital};
 use crate::spec::starter::TEMPLATE;
 
 /// The file's name beside a spec: what the first line of the starter names.
@@ -100,9 +100,7 @@ fn property(section: &str, key: &str, shape: &Shape, notes: &Notes) -> Value {
 }
 
 fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let first = letters.next().map(|first| first.to_uppercase().chain(letters).collect::<String>());
-    first.map_or_else(String::new, |text| text + ".")
+    if text.is_empty() { String::new() } else { capital(text) + "." }
 }
 
 /// What the starter says of a key.

@@ -89,7 +89,8 @@ fn alternatives(units: &[&str]) -> String {
     units.join("|").replace('^', r"\^")
 }
 
-fn capital(text: &str) -> String {
+/// `text` with a capital letter first.
+pub(super) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }

@@ -1,7 +1,7 @@
 //! How far `section` is from stars computed as shells: the constants that ranges are made of, and where they were taken.
 //!
-//! Each pair is what holds 95 % of the stars of the second set (docs/ranges.md), the mesh errors of their shells included. The
-//! hinges' are of single hinges that the table of arms does not hold (docs/models.md).
+//! Each pair of radius, angle and stiffness was chosen so that at least 95 % of the stars of the second set (docs/ranges.md) lie
+//! within it, a shell's number counted with its mesh error. The hinges' are of single hinges that the table of arms does not hold (docs/models.md).
 
 use crate::forecast::ranges::Interval;
 
