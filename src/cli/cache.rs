@@ -6,8 +6,10 @@
 use std::env;
 use std::fmt::Write;
 use std::fs;
+use std::io;
 use std::path::PathBuf;
 use std::process;
+use std::sync::OnceLock;
 
 use sha2::{Digest, Sha256};
 
@@ -28,7 +30,7 @@ impl Cache {
     pub(super) fn key(&self, question: &[&str]) -> String {
         let mut hash = Sha256::new();
         if self.dir.is_some() {
-            hash.update(env::current_exe().and_then(fs::read).unwrap_or_default());
+            hash.update(program().and_then(fs::read).unwrap_or_default());
         }
         for part in [env!("CARGO_PKG_VERSION")].iter().chain(question) {
             hash.update(part.len().to_le_bytes());
@@ -60,6 +62,19 @@ impl Cache {
             let _ = fs::remove_file(&partial);
         }
     }
+}
+
+/// Where the code of this program is, if it is not in the process's own file.
+static ELSEWHERE: OnceLock<PathBuf> = OnceLock::new();
+
+/// Says that the code of this program is in `file`, a library that another program has loaded: answers are kept for it, not for
+/// that program. The first word holds.
+pub(super) fn code_is_in(file: PathBuf) {
+    let _ = ELSEWHERE.set(file);
+}
+
+fn program() -> io::Result<PathBuf> {
+    ELSEWHERE.get().map_or_else(env::current_exe, |file| Ok(file.clone()))
 }
 
 fn hex(bytes: &[u8]) -> String {

@@ -3,7 +3,6 @@
 use std::io;
 use std::io::Write;
 use std::path::Path;
-use std::process::ExitCode;
 
 use crate::cli::harmless::{harmless, shown};
 use crate::cli::terminal::has_colours;
@@ -13,7 +12,7 @@ use crate::verify::Finding;
 
 /// Why a command did not do what it was asked for. All of them end with exit code 1.
 #[derive(Debug)]
-pub(super) enum Failure {
+pub enum Failure {
     /// The spec, the profile or the design is refused.
     Faults(Faults),
     /// Outputs do not say what the design says.
@@ -38,12 +37,12 @@ impl Failure {
         Self::Message(format!("cannot {what} {}: {error}", shown(path)))
     }
 
-    /// Prints it to standard error.
-    pub(super) fn report(self) -> ExitCode {
+    /// Prints it to standard error, and says with which code the process shall end.
+    pub(super) fn report(self) -> u8 {
         let text = match self {
             Self::Faults(faults) => {
                 tell_faults(&faults);
-                return ExitCode::FAILURE;
+                return 1;
             }
             Self::Findings(findings) => {
                 let lines = findings::lines(&findings).join("\n");
@@ -53,17 +52,17 @@ impl Failure {
             Self::Message(text) => format!("error: {text}"),
             Self::Usage(text) => {
                 tell(&format!("error: {text}"));
-                return ExitCode::from(2);
+                return 2;
             }
             Self::Interrupted => {
                 tell("stopped; nothing was written");
-                return ExitCode::from(130);
+                return 130;
             }
-            Self::Said => return ExitCode::FAILURE,
-            Self::Pipe => return ExitCode::SUCCESS,
+            Self::Said => return 1,
+            Self::Pipe => return 0,
         };
         tell(&text);
-        ExitCode::FAILURE
+        1
     }
 }
 

@@ -11,7 +11,7 @@ use crate::design::{Refusal, Refusals, Warning};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Sources};
 use crate::spec;
-use crate::spec::{Fault, FaultCode, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
+use crate::spec::{Fault, FaultCode, Faults, Machine, RawSpec, Reading, SIZE_LIMIT, Source, key};
 
 /// The profile's name in a published directory.
 const MACHINE: &str = "machine.toml";
@@ -43,6 +43,11 @@ impl Loaded {
         }
         let machine = spec::read_machine(&profile)?;
         Ok(Self { reading, source, machine, machine_text: profile.text, quiet: voice.quiet })
+    }
+
+    /// What was read elsewhere; nothing is printed.
+    pub(super) fn quiet(source: Source, reading: Reading, machine: Machine, machine_text: String) -> Self {
+        Self { reading, source, machine, machine_text, quiet: true }
     }
 
     /// The texts as read.
@@ -82,20 +87,25 @@ impl Loaded {
 
     /// Refusals of the design as faults at the keys they speak of.
     pub(super) fn refused(&self, refusals: Refusals) -> Failure {
-        let faults = refusals.into_iter().map(|refusal| {
-            let (key, raw) = (refusal.key, &self.reading.raw);
-            let fault = Fault::error(refusal.code, raw.span_of(key), refusal.found).label(refusal.remedy);
-            if raw.find(key).is_some() {
-                return fault;
-            }
-            fault.help(format!(
-                "`{}` in [{}] is not written: this is about its default",
-                key.key(),
-                key.section()
-            ))
-        });
-        Failure::Faults(Faults::new(&self.source, faults.collect()))
+        Failure::Faults(refused(&self.source, &self.reading.raw, refusals))
     }
+}
+
+/// Refusals of the design of `raw`, read from `source`, as faults at the keys they speak of.
+pub(super) fn refused(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
+    let faults = refusals.into_iter().map(|refusal| {
+        let key = refusal.key;
+        let fault = Fault::error(refusal.code, raw.span_of(key), refusal.found).label(refusal.remedy);
+        if raw.find(key).is_some() {
+            return fault;
+        }
+        fault.help(format!(
+            "`{}` in [{}] is not written: this is about its default",
+            key.key(),
+            key.section()
+        ))
+    });
+    Faults::new(source, faults.collect())
 }
 
 /// Whether `path` stands for standard input: "-".
@@ -127,7 +137,7 @@ fn published_profile(path: &Path) -> Option<PathBuf> {
 
 /// The machine profile that the spec at `path` names: a built-in one, or a file relative to the spec; and what is to be noted of
 /// where it was found.
-fn machine_source(
+pub(super) fn machine_source(
     path: &Path,
     source: &Source,
     reading: &Reading,

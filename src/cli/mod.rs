@@ -15,6 +15,7 @@ mod cone;
 mod coupon;
 mod defaults;
 mod each;
+pub mod embedded;
 mod explain;
 mod failure;
 mod feedcheck;
@@ -46,6 +47,7 @@ mod voice;
 mod watch;
 
 use std::env;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -108,9 +110,15 @@ enum Command {
 
 /// Runs the program with the arguments of the process.
 pub fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    ExitCode::from(run(env::args_os().collect()))
+}
+
+/// Runs the program with `args`, of which the first is its name, and says with which code the process shall end. `build --watch`
+/// does not return: Ctrl-C ends it.
+pub fn run(args: Vec<OsString>) -> u8 {
+    let cli = match Cli::try_parse_from(&args) {
         Ok(cli) => cli,
-        Err(fault) => misused(fault),
+        Err(fault) => return misused(args, fault),
     };
     let result = match cli.command {
         Command::Build(args) => build::run(&args),
@@ -135,12 +143,15 @@ pub fn main() -> ExitCode {
         Command::Man(args) => man::run(&args, Cli::command()),
     };
     match result {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(()) => 0,
         Err(failure) => failure.report(),
     }
 }
 
-/// Ends with what `clap` has to say: help, or wrong usage. It quotes arguments, so it gets to see harmless ones.
-fn misused(fault: clap::Error) -> ! {
-    Cli::try_parse_from(env::args_os().map(shown)).err().unwrap_or(fault).exit()
+/// Prints what `clap` has to say: help, or wrong usage. It quotes arguments, so it gets to see harmless ones.
+fn misused(args: Vec<OsString>, fault: clap::Error) -> u8 {
+    let fault = Cli::try_parse_from(args.into_iter().map(shown)).err().unwrap_or(fault);
+    // Nobody is left to tell if it cannot be printed.
+    let _ = fault.print();
+    u8::try_from(fault.exit_code()).unwrap_or(2)
 }

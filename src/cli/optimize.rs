@@ -11,7 +11,7 @@ use crate::design::Design;
 use crate::forecast::by_shell::Detail;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Bounds, Constraints, Evaluated, Goal, ROUNDING, is_at_pressure, search, shortfalls, thinned,
+    Bounds, Constraints, Evaluated, Found, Goal, ROUNDING, is_at_pressure, search, shortfalls, thinned,
 };
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{mm, shown};
@@ -106,18 +106,39 @@ fn whole(text: &str, what: &str, [least, most]: [u32; 2]) -> Result<(u32, u32), 
     if from >= least && to <= most && from <= to { Ok((from, to)) } else { Err(fault()) }
 }
 
-/// Searches, and prints the candidates, the front, and the best one's spec.
-pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::new(&args.spec)?;
+/// What a search has come to.
+pub(super) struct Answered {
+    /// All that was found.
+    pub(super) found: Found,
+    /// What must hold.
+    pub(super) constraints: Constraints,
+    /// The spec's text with the best that can be built, that design, and which it is; `None` if none of the best can be.
+    pub(super) best: Option<(String, Design, Evaluated)>,
+}
+
+/// Searches around the spec that was `loaded`.
+pub(super) fn answer(args: &Args, loaded: &Loaded) -> Result<Answered, Failure> {
     let read = &loaded.reading.spec;
     let base = Candidate::of(read).ok_or_else(|| message("the spec has no star"))?;
     // Whether the text can take a star is known before the search.
     if let Some(star) = read.stars.first() {
         let _ = with_star(&loaded.source, &StarEdit::of(star))?;
     }
-    let (goal, constraints) = wanted(args, &loaded, &base)?;
+    let (goal, constraints) = wanted(args, loaded, &base)?;
     let table = RingTable::new().map_err(|fault| message(&fault.to_string()))?;
     let found = search(&base, &bounds(args, &base), &constraints, goal, &table);
+    // Other values in the spec may forbid a star: four points have no inlet at tip 5.
+    let best = found.best.iter().filter(|candidate| candidate.violation == 0.0).find_map(|candidate| {
+        let text = edited(loaded, candidate).ok()?;
+        let design = buildable(loaded, &text)?;
+        Some((text, design, candidate.clone()))
+    });
+    Ok(Answered { found, constraints, best })
+}
+
+/// Searches, and prints the candidates, the front, and the best one's spec.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    let Answered { found, constraints, best } = answer(args, &Loaded::new(&args.spec)?)?;
     let mut out = String::new();
     let _ = writeln!(out, "# {} designs computed; the best for each number of points:", found.computed);
     out.push_str(&rows(&found.best, &constraints));
@@ -132,19 +153,16 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         found.front.len()
     );
     out.push_str(&rows(&thinned(&found.front, SHOWN), &constraints));
-    let met = found.best.iter().filter(|candidate| candidate.violation == 0.0);
-    for candidate in met {
-        // Other values in the spec may forbid this star: four points have no inlet at tip 5.
-        let Ok(text) = edited(&loaded, candidate) else { continue };
-        if let Some(design) = buildable(&loaded, &text) {
-            if args.confirm {
-                out.push_str(&confirmed(&text, &design, candidate)?);
-            }
-            let _ = writeln!(out, "# the best that can be built:\n{text}");
-            return say(&out);
-        }
+    let Some((text, design, candidate)) = best else {
+        return Err(message(&format!(
+            "{out}# none of the best designs can be sealed and cut as the spec asks for"
+        )));
+    };
+    if args.confirm {
+        out.push_str(&confirmed(&text, &design, &candidate)?);
     }
-    Err(message(&format!("{out}# none of the best designs can be sealed and cut as the spec asks for")))
+    let _ = writeln!(out, "# the best that can be built:\n{text}");
+    say(&out)
 }
 
 fn message(text: &str) -> Failure {

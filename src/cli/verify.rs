@@ -52,7 +52,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// Refuses a directory in which nobody published, if others in it say that they were: it is the one above.
-fn holds_a_build(dir: &Path) -> Result<(), Failure> {
+pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     if SOURCES.iter().any(|name| dir.join(name).exists()) {
         return Ok(());
     }
@@ -77,7 +77,7 @@ fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     Err(Failure::Message(format!("{} is no build, but {what}:{}{more}", shown(dir), list.concat())))
 }
 
-fn json(proof: &Proof) -> String {
+pub(super) fn json(proof: &Proof) -> String {
     let deviation: serde_json::Map<String, serde_json::Value> =
         proof.files.iter().map(|file| (file.path.clone(), json!(file.deviation))).collect();
     let proven: Vec<serde_json::Value> =
@@ -109,7 +109,7 @@ fn text(dir: &Path, proof: &Proof) -> String {
 
 /// The files of a directory, of which only those are read that its design asks for, and no more of them than their manifest
 /// says; of all others nothing but the name is known.
-fn read_directory(dir: &Path) -> Result<(Claim, OutputFiles<'static>), Failure> {
+pub(super) fn read_directory(dir: &Path) -> Result<(Claim, OutputFiles<'static>), Failure> {
     let mut names = Vec::new();
     for entry in fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))? {
         let entry = entry.map_err(|error| Failure::file("read", dir, &error))?;

@@ -4,7 +4,7 @@ use crate::geom::{Path, Point, Segment};
 
 /// The corners of `path` as a polygon that leaves it by `within` (mm) at most; no two neighbours are the same. The end of an open
 /// path is its last corner.
-pub(super) fn chords(path: &Path, within: f64) -> Vec<Point> {
+pub fn chords(path: &Path, within: f64) -> Vec<Point> {
     let mut corners: Vec<Point> = Vec::new();
     for segment in &path.segments {
         let count = pieces(segment, within);

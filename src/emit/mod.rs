@@ -14,6 +14,7 @@ mod stl;
 mod svg;
 mod text;
 
+pub use chords::chords;
 pub use dxf::dxf;
 pub use gcode::{Facts, feed_check, gcode, write_gcode, write_steps};
 pub use number::Decimals;

@@ -101,22 +101,45 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
 /// # Errors
 /// If `source`, the value or the result is refused.
 pub fn with_value(source: &Source, key: KeyPath, value: &str) -> Result<String, Faults> {
+    with_values(source, &[(key, Some(value))])
+}
+
+/// The same with several values, of which only all together need be valid; `None` takes a key away, so that its default holds.
+///
+/// # Errors
+/// If `source`, a value or the result is refused.
+pub fn with_values(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
     let raw = read(source)?.raw;
     let refused = |fault: Fault| Faults::new(source, vec![fault]);
     let syntax = |error: toml_edit::TomlError| {
         refused(Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message()))
     };
     let mut document: DocumentMut = source.text.parse().map_err(syntax)?;
-    let value: Value = value.parse().map_err(syntax)?;
-    let item = document.entry(key.section()).or_insert_with(toml_edit::table);
-    let inline = item.is_inline_table();
-    let Some(section) = item.as_table_like_mut() else {
-        let fault = Fault::error(FaultCode::Edit, raw.span_of(key), "the section cannot be edited here");
-        return Err(refused(
-            fault.label("must take a new value").help("write it as a section with one key a line"),
-        ));
-    };
-    set(section, inline, key.key(), value);
+    for (key, value) in values {
+        let Some(value) = value else {
+            let root = document.as_table_mut();
+            let section: Option<&mut dyn TableLike> = match key.section() {
+                "" => Some(root),
+                name => root.get_mut(name).and_then(Item::as_table_like_mut),
+            };
+            let _ = section.and_then(|section| section.remove(key.key()));
+            continue;
+        };
+        let value: Value = value.parse().map_err(syntax)?;
+        if key.section().is_empty() {
+            set(document.as_table_mut(), false, key.key(), value);
+            continue;
+        }
+        let item = document.entry(key.section()).or_insert_with(toml_edit::table);
+        let inline = item.is_inline_table();
+        let Some(section) = item.as_table_like_mut() else {
+            let fault = Fault::error(FaultCode::Edit, raw.span_of(*key), "the section cannot be edited here");
+            return Err(refused(
+                fault.label("must take a new value").help("write it as a section with one key a line"),
+            ));
+        };
+        set(section, inline, key.key(), value);
+    }
     let edited = Source::new(format!("{}, edited", source.name), document.to_string());
     let _ = read(&edited)?;
     Ok(edited.text)
@@ -199,6 +222,25 @@ mod tests {
             .replace("30 mm", "28.125 mm")
             .replace("\"30 deg\"\n", "\"31.5 deg\"\ntip_radius = \"2 mm\"\ncorner_radius = \"0 mm\"\n");
         assert_eq!(edited(TEXT, &EDIT), expected);
+    }
+
+    #[test]
+    fn several_values_are_judged_together_and_a_key_without_one_gets_its_default() {
+        let source = Source::new("x", format!("{TEXT}[inlet]\ntip = 5\nlength = \"9 mm\"\n"));
+        let four = (key::star::POINTS, Some("4"));
+        assert!(with_values(&source, &[four]).is_err(), "four points have no tip 5");
+        let changes = [
+            four,
+            (key::inlet::TIP, Some("4")),
+            (key::inlet::LENGTH, None),
+            (key::root::NAME, Some("\"y\"")),
+        ];
+        let text = with_values(&source, &changes).expect("valid together");
+        assert!(text.starts_with("schema = 1\nname = \"y\"\n"), "{text}");
+        let spec = read(&Source::new("back", text)).expect("valid").spec;
+        assert_eq!((spec.stars[0].points, spec.inlet.map(|inlet| inlet.length)), (4, Some(Length(20.0))));
+        let untouched = with_values(&source, &[(key::load::MASS, None)]).expect("was not there");
+        assert_eq!(untouched, source.text);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use crate::spec::fault::{Fault, Severity};
+use crate::spec::raw::RawSpec;
 use crate::spec::render;
 use crate::spec::source::{Source, boundary};
 
@@ -27,6 +28,16 @@ impl Faults {
     /// The faults in the order of their places.
     pub fn list(&self) -> &[Fault] {
         &self.list
+    }
+
+    /// The key at which `fault` points, or its section: "star.points", "stack.star[2].pitch", "star"; `None` if it is at neither.
+    pub fn key_of(&self, fault: &Fault) -> Option<String> {
+        RawSpec::parse(&self.source.text).0.key_at(&fault.span)
+    }
+
+    /// The line of the text in which `fault` begins, from 1.
+    pub fn line_of(&self, fault: &Fault) -> usize {
+        1 + self.source.text.bytes().take(fault.span.start).filter(|byte| *byte == b'\n').count()
     }
 
     /// The text they speak of.
@@ -74,6 +85,26 @@ mod tests {
             assert!(source.text.get(fault.span.clone()).is_some(), "{:?}", fault.span);
         }
         assert!(!faults.to_string().is_empty());
+    }
+
+    #[test]
+    fn a_fault_is_at_a_key_or_a_section_and_in_a_line() {
+        let text = "schema = 2\n[star]\npoints = 2\nwdith = 3\n[[stack.star]]\nindex = 1\n[[stack.star]]\nindex = 2\n\
+                    pitch = 4\n[fog]\n";
+        let faults = crate::spec::read(&Source::new("a", text)).expect_err("many");
+        let found: Vec<_> = faults
+            .list()
+            .iter()
+            .map(|fault| (faults.line_of(fault), faults.key_of(fault).unwrap_or_default()))
+            .collect();
+        let has =
+            |line: usize, key: &str| assert!(found.contains(&(line, key.to_owned())), "{key}: {found:?}");
+        has(1, "schema");
+        has(2, "star"); // what it lacks
+        has(3, "star.points");
+        has(4, "star.wdith");
+        has(9, "stack.star[2].pitch");
+        has(10, "fog");
     }
 
     #[test]

@@ -69,9 +69,34 @@ impl RawSpec {
         })
     }
 
+    /// The key whose name or value is at `span`, or the section: "star.points", "stack.star[2].pitch", "star"; `None` if none is.
+    pub(super) fn key_at(&self, span: &Range<usize>) -> Option<String> {
+        key_at(&self.root, span, "")
+    }
+
     /// The elements of `[[stack.star]]`.
     pub(super) fn overrides(&self) -> &[RawValue] {
         let stack = self.root.get("stack").and_then(RawValue::as_table);
         stack.and_then(|table| table.get("star")).and_then(RawValue::as_list).unwrap_or_default()
     }
+}
+
+/// The deepest key of `table`, which is `path`, whose name or value holds `span`.
+fn key_at(table: &RawTable, span: &Range<usize>, path: &str) -> Option<String> {
+    let within =
+        |place: &Range<usize>| place.start <= span.start && span.end <= place.end && !place.is_empty();
+    table.0.iter().find_map(|entry| {
+        let dot = if path.is_empty() { "" } else { "." };
+        let name = format!("{path}{dot}{}", entry.key);
+        let elements = entry.value.as_list().unwrap_or_default();
+        let inside = entry.value.as_table().and_then(|table| key_at(table, span, &name)).or_else(|| {
+            let tables = elements.iter().zip(1..).filter_map(|(item, i)| Some((item.as_table()?, item, i)));
+            let mut found = tables.map(|(table, item, i)| {
+                let name = format!("{name}[{i}]");
+                key_at(table, span, &name).or_else(|| within(&item.span).then_some(name))
+            });
+            found.find_map(|found| found)
+        });
+        inside.or_else(|| (within(&entry.key_span) || within(&entry.value.span)).then_some(name))
+    })
 }
