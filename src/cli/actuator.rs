@@ -6,6 +6,8 @@ use crate::cli::quantity::{EXTRA, SIZE, evenly, number, quantity, range};
 use crate::cli::shell::{ShellArgs, Shown, refused};
 use crate::forecast::actuator::{Actuator, actuate};
 use crate::forecast::by_shell;
+use crate::forecast::by_shell::Detail;
+use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::Level;
 use crate::mechanics::strength::ElasticSheet;
 use crate::spec::Allowed;
@@ -60,29 +62,53 @@ pub(super) struct Args {
 #[derive(Clone, Debug, PartialEq)]
 struct Angles(Vec<f64>);
 
+impl Args {
+    /// The actuator that is asked about.
+    pub(super) fn actuator(&self) -> Result<Actuator, Failure> {
+        let young_modulus = self.young_modulus.pascals();
+        let sheet = ElasticSheet::new(self.thickness.metres(), young_modulus, self.poisson_ratio);
+        Ok(Actuator {
+            width: self.tube_width.metres(),
+            radius: self.radius.metres(),
+            arm: self.arm_length.metres(),
+            angle: self.angle.rad(),
+            pressure: self.pressure.pascals(),
+            sheet: sheet.map_err(refused_by_model)?,
+        })
+    }
+
+    /// The angles at which it is held, rad.
+    pub(super) fn angles(&self) -> &[f64] {
+        self.angles.as_ref().map_or(&[], |angles| &angles.0)
+    }
+
+    /// The model of the hinge that answers; `None` for the shell.
+    pub(super) fn level(&self) -> Option<Level> {
+        match self.model {
+            Model::Fit => Some(Level::Fit),
+            Model::Ring => Some(Level::Ring),
+            Model::Bvp => Some(Level::Bvp),
+            Model::Section | Model::Auto => Some(Level::Section),
+            Model::Shell => None,
+        }
+    }
+
+    /// How fine a shell's meshes are.
+    pub(super) fn detail(&self) -> Detail {
+        self.shell.detail()
+    }
+}
+
+fn refused_by_model(fault: StarFault) -> Failure {
+    Failure::Message(fault.to_string())
+}
+
 /// Predicts, and prints the answer.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let message = |fault: crate::mechanics::fault::StarFault| Failure::Message(fault.to_string());
-    let young_modulus = args.young_modulus.pascals();
-    let sheet = ElasticSheet::new(args.thickness.metres(), young_modulus, args.poisson_ratio);
-    let actuator = Actuator {
-        width: args.tube_width.metres(),
-        radius: args.radius.metres(),
-        arm: args.arm_length.metres(),
-        angle: args.angle.rad(),
-        pressure: args.pressure.pascals(),
-        sheet: sheet.map_err(message)?,
-    };
-    let angles = args.angles.as_ref().map_or(&[][..], |angles| &angles.0);
-    let level = match args.model {
-        Model::Fit => Level::Fit,
-        Model::Ring => Level::Ring,
-        Model::Bvp => Level::Bvp,
-        Model::Section | Model::Auto => Level::Section,
-        Model::Shell => return run_shell(args, &actuator, angles),
-    };
+    let (actuator, angles) = (args.actuator()?, args.angles());
+    let Some(level) = args.level() else { return run_shell(args, &actuator, angles) };
     args.shell.not_by_others()?;
-    let prediction = actuate(&actuator, level, angles).map_err(message)?;
+    let prediction = actuate(&actuator, level, angles).map_err(refused_by_model)?;
     say(&if args.json { prediction.to_json() } else { prediction.to_text() })
 }
 

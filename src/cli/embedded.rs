@@ -6,15 +6,18 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use clap::{Args as _, Command, FromArgMatches};
+use clap::{Command, ValueEnum};
 
 use crate::cli::load::{Loaded, machine_source, read_source, refused};
-use crate::cli::{cache, optimize, verify};
+use crate::cli::{actuator, cache, optimize, predict, verify};
 use crate::design::{Design, Refusals};
+use crate::forecast::actuator::Actuator;
+use crate::forecast::by_shell::Detail;
 use crate::forecast::optimize::{Evaluated, Found, shortfalls};
+use crate::mechanics::hinge::Level;
 use crate::pipeline::Claim;
 use crate::spec;
-use crate::spec::{Faults, Machine, Reading, Source};
+use crate::spec::{Faults, Machine, ModelChoice, Reading, Source};
 use crate::verify::{OutputFiles, Proof};
 
 pub use crate::cli::failure::Failure;
@@ -93,11 +96,7 @@ pub struct Optimum {
 /// # Errors
 /// If an option is wrong, or two do not go together.
 pub fn optimum(given: &Given, options: &[String]) -> Result<Optimum, Failure> {
-    let command = optimize::Args::augment_args(Command::new("optimize").no_binary_name(true));
-    let arguments = options.iter().map(OsString::from).chain(["-".into()]);
-    let usage = |fault: clap::Error| Failure::Usage(without_advice(&fault));
-    let matches = command.try_get_matches_from(arguments).map_err(usage)?;
-    let args = optimize::Args::from_arg_matches(&matches).map_err(usage)?;
+    let args: optimize::Args = parsed(options, Some(Path::new("-")))?;
     let Given { source, reading, machine, machine_text, .. } = given.clone();
     let loaded = Loaded::quiet(source, reading, machine, machine_text);
     let optimize::Answered { found, constraints, best } = optimize::answer(&args, &loaded)?;
@@ -106,11 +105,78 @@ pub fn optimum(given: &Given, options: &[String]) -> Result<Optimum, Failure> {
     Ok(Optimum { short: short.collect(), best: best.map(|(text, design, _)| (text, design)), found })
 }
 
-/// The first line of a fault of arguments, without "error: ": what follows is advice for a command line.
-fn without_advice(fault: &clap::Error) -> String {
+/// What is asked about stars beside their spec.
+#[derive(Clone, Debug)]
+pub struct StarQuestion {
+    /// The model that is asked for; `None` for the spec's own.
+    pub model: Option<ModelChoice>,
+    /// Radii of round objects, m.
+    pub radii: Vec<f64>,
+    /// How fine a shell's meshes are.
+    pub detail: Detail,
+}
+
+/// The question that the options of `predict` put ("--model", "ring"), without the spec.
+///
+/// # Errors
+/// If an option is wrong.
+pub fn star_question(options: &[String]) -> Result<StarQuestion, Failure> {
+    let args: predict::Args = parsed(options, Some(Path::new("-")))?;
+    Ok(StarQuestion { model: args.model(), radii: args.radii().to_vec(), detail: args.detail() })
+}
+
+/// The model of this name: "ring"; `None` if there is none.
+pub fn model(name: &str) -> Option<ModelChoice> {
+    predict::Model::from_str(name, false).ok().map(predict::Model::choice)
+}
+
+/// What is asked about a V-actuator.
+#[derive(Clone, Debug)]
+pub struct ActuatorQuestion {
+    /// The actuator.
+    pub actuator: Actuator,
+    /// The angles at which it is held, rad.
+    pub angles: Vec<f64>,
+    /// The model of the hinge that answers; `None` for the shell.
+    pub level: Option<Level>,
+    /// How fine a shell's meshes are.
+    pub detail: Detail,
+}
+
+/// The question that the options of `actuator` put.
+///
+/// # Errors
+/// If an option is wrong or missing.
+pub fn actuator_question(options: &[String]) -> Result<ActuatorQuestion, Failure> {
+    let args: actuator::Args = parsed(options, None)?;
+    Ok(ActuatorQuestion {
+        actuator: args.actuator()?,
+        angles: args.angles().to_vec(),
+        level: args.level(),
+        detail: args.detail(),
+    })
+}
+
+/// The arguments of a command from its options and the spec's path, if it takes one.
+fn parsed<A: clap::Args>(options: &[String], spec: Option<&Path>) -> Result<A, Failure> {
+    let usage = |fault: clap::Error| Failure::Usage(without_dashes(&fault));
+    let command = A::augment_args(Command::new("stargrip-cam").no_binary_name(true));
+    let arguments = options.iter().map(OsString::from).chain(spec.map(OsString::from));
+    A::from_arg_matches(&command.try_get_matches_from(arguments).map_err(usage)?).map_err(usage)
+}
+
+/// The first line of a fault of arguments as one who calls a function reads it: "invalid value '3' for tube_width: ...". What
+/// follows is advice for a command line.
+fn without_dashes(fault: &clap::Error) -> String {
     let text = fault.to_string();
     let line = text.lines().next().unwrap_or_default();
-    line.strip_prefix("error: ").unwrap_or(line).to_owned()
+    let mut line = line.strip_prefix("error: ").unwrap_or(line).to_owned();
+    while let Some((before, rest)) = line.split_once("'--") {
+        let Some((option, after)) = rest.split_once('\'') else { break };
+        let name = option.split([' ', '=']).next().unwrap_or_default().replace('-', "_");
+        line = format!("{before}{name}{after}");
+    }
+    line
 }
 
 /// Says that the program's code is in the library `file`: kept answers of shells are its, not the loading program's.

@@ -7,6 +7,7 @@ use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, evenly, range};
 use crate::cli::shell::{ShellArgs, Shown};
 use crate::design::Design;
+use crate::forecast::by_shell::Detail;
 use crate::forecast::predict::{PredictFault, add_curve, predict};
 use crate::forecast::report;
 use crate::forecast::star_by_shell;
@@ -64,6 +65,23 @@ impl Model {
             Self::Shell => ModelChoice::Shell,
             Self::Auto => ModelChoice::Auto,
         }
+    }
+}
+
+impl Args {
+    /// The model that is asked for.
+    pub(super) fn model(&self) -> Option<ModelChoice> {
+        self.model.map(Model::choice)
+    }
+
+    /// The radii of round objects, m.
+    pub(super) fn radii(&self) -> &[f64] {
+        self.radii.as_ref().map_or(&[], |radii| &radii.0)
+    }
+
+    /// How fine a shell's meshes are.
+    pub(super) fn detail(&self) -> Detail {
+        self.shell.detail()
     }
 }
 

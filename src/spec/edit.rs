@@ -101,14 +101,14 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
 /// # Errors
 /// If `source`, the value or the result is refused.
 pub fn with_value(source: &Source, key: KeyPath, value: &str) -> Result<String, Faults> {
-    with_values(source, &[(key, Some(value))])
+    with_changes(source, &[(key, Some(value))])
 }
 
 /// The same with several values, of which only all together need be valid; `None` takes a key away, so that its default holds.
 ///
 /// # Errors
 /// If `source`, a value or the result is refused.
-pub fn with_values(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
+pub fn with_changes(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
     let raw = read(source)?.raw;
     let refused = |fault: Fault| Faults::new(source, vec![fault]);
     let syntax = |error: toml_edit::TomlError| {
@@ -228,18 +228,18 @@ mod tests {
     fn several_values_are_judged_together_and_a_key_without_one_gets_its_default() {
         let source = Source::new("x", format!("{TEXT}[inlet]\ntip = 5\nlength = \"9 mm\"\n"));
         let four = (key::star::POINTS, Some("4"));
-        assert!(with_values(&source, &[four]).is_err(), "four points have no tip 5");
+        assert!(with_changes(&source, &[four]).is_err(), "four points have no tip 5");
         let changes = [
             four,
             (key::inlet::TIP, Some("4")),
             (key::inlet::LENGTH, None),
             (key::root::NAME, Some("\"y\"")),
         ];
-        let text = with_values(&source, &changes).expect("valid together");
+        let text = with_changes(&source, &changes).expect("valid together");
         assert!(text.starts_with("schema = 1\nname = \"y\"\n"), "{text}");
         let spec = read(&Source::new("back", text)).expect("valid").spec;
         assert_eq!((spec.stars[0].points, spec.inlet.map(|inlet| inlet.length)), (4, Some(Length(20.0))));
-        let untouched = with_values(&source, &[(key::load::MASS, None)]).expect("was not there");
+        let untouched = with_changes(&source, &[(key::load::MASS, None)]).expect("was not there");
         assert_eq!(untouched, source.text);
     }
 

@@ -1,0 +1,74 @@
+"""Fabrication CAM for fabric star soft grippers: design, predict, build and prove them.
+
+A specification is TOML text, read into a `Spec`. From a spec come its exact geometry (`design`), what it does (`predict`), the
+files that make it (`build`), and other specs (`Spec.replace`, `optimize`); `sweep` computes many at once. Quantities that you
+give are strings with a unit, "50 mm"; numbers that you get carry their unit in their name: lengths mm, angles deg, forces N.
+
+    >>> import stargrip_cam as sg
+    >>> spec = sg.Spec.starter("my star").replace({"load.pressure": "37 kPa"})
+    >>> round(sg.predict(spec).final_radius_mm, 1)
+    16.1
+"""
+
+from __future__ import annotations
+
+from stargrip_cam._native import (
+    ActuatorPrediction,
+    Arc,
+    Build,
+    Contour,
+    Design,
+    Line,
+    Mesh,
+    Optimum,
+    Prediction,
+    Spec,
+    Star,
+    __version__,
+    actuator,
+    build,
+    design,
+    optimize,
+    predict,
+)
+from stargrip_cam._proof import Proof, verify
+from stargrip_cam.errors import (
+    DesignError,
+    Error,
+    Fault,
+    PredictionError,
+    ProofError,
+    PublishError,
+    SpecError,
+    UsageError,
+)
+
+__all__ = [
+    "ActuatorPrediction",
+    "Arc",
+    "Build",
+    "Contour",
+    "Design",
+    "DesignError",
+    "Error",
+    "Fault",
+    "Line",
+    "Mesh",
+    "Optimum",
+    "Prediction",
+    "PredictionError",
+    "Proof",
+    "ProofError",
+    "PublishError",
+    "Spec",
+    "SpecError",
+    "Star",
+    "UsageError",
+    "__version__",
+    "actuator",
+    "build",
+    "design",
+    "optimize",
+    "predict",
+    "verify",
+]

@@ -1,0 +1,152 @@
+//! `Build`: files that have been read back, in memory; and the proof of a directory.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyBytes, PyDict};
+use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::cli::embedded;
+use stargrip_cam::cli::embedded::Given;
+use stargrip_cam::cli::publish;
+use stargrip_cam::design::Refusals;
+use stargrip_cam::pipeline::{Forecast, Proven, Sources};
+use stargrip_cam::verify::Finding;
+
+use crate::faults::{of_design, of_failure, of_findings, plain, usage};
+use crate::prediction::Prediction;
+use crate::spec::Spec;
+use crate::waiting::{Line, wait};
+
+/// All files of a gripper, in memory. They have been read back and say what the design says: nothing else can be written.
+#[pyclass(frozen, module = "stargrip_cam")]
+pub(crate) struct Build {
+    given: Arc<Given>,
+    proven: Proven,
+    files: PyOnceLock<Py<PyDict>>,
+}
+
+/// Why there is no build.
+enum Stopped {
+    Refused(Refusals),
+    Wrong(Vec<Finding>),
+}
+
+/// Builds `spec` and proves every file. `only` names the kinds to make, `with_` those to make beside the default ones
+/// ("preview-png", "scene-glb", "report"); `anyway` takes a gripper that bursts, or does not hold its own object.
+#[pyfunction]
+#[pyo3(signature = (spec, *, only = None, with_ = None, anyway = false, progress = None))]
+pub(crate) fn build(
+    py: Python<'_>,
+    spec: &Spec,
+    only: Option<Vec<String>>,
+    with_: Option<Vec<String>>,
+    anyway: bool,
+    progress: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Build> {
+    let asked = Asked { only: kinds(py, only)?, with: kinds(py, with_)? };
+    let given = Arc::clone(&spec.given);
+    let made = wait(py, progress, move |line| made(&given, &asked, anyway, line))?;
+    let given = Arc::clone(&spec.given);
+    match made {
+        Ok(proven) => Ok(Build { given, proven, files: PyOnceLock::new() }),
+        Err(Stopped::Refused(refusals)) => Err(of_design(py, &given, refusals)),
+        Err(Stopped::Wrong(findings)) => Err(of_findings(py, &findings)),
+    }
+}
+
+fn made(given: &Given, asked: &Asked, anyway: bool, line: &Line) -> Result<Proven, Stopped> {
+    line.tell(0.0, "design, plan and prediction");
+    let forecast = Forecast::of(given.reading.spec.clone(), given.machine.clone()).map_err(Stopped::Refused)?;
+    if !anyway {
+        forecast.unfit().or(()).map_err(Stopped::Refused)?;
+    }
+    line.tell(0.2, "files");
+    let built = forecast.build(Sources { spec: &given.source.text, machine: &given.machine_text }, asked);
+    line.tell(0.5, "reading them back");
+    built.prove().map_err(Stopped::Wrong)
+}
+
+fn kinds(py: Python<'_>, names: Option<Vec<String>>) -> PyResult<Vec<Kind>> {
+    let known = || Kind::ALL.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(", ");
+    let kind = |name: String| {
+        Kind::from_name(&name).ok_or_else(|| usage(py, format!("`{name}` is no kind of file; there are {}", known())))
+    };
+    names.unwrap_or_default().into_iter().map(kind).collect()
+}
+
+#[pymethods]
+impl Build {
+    /// Name and content of every file, the manifest last: the bytes that the command writes.
+    #[getter]
+    fn files<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let files = self.files.get_or_try_init(py, || {
+            let files = PyDict::new(py);
+            for (name, bytes) in self.proven.built().files() {
+                files.set_item(name, PyBytes::new(py, &bytes))?;
+            }
+            Ok::<_, PyErr>(files.unbind())
+        })?;
+        files.bind(py).copy()
+    }
+
+    /// The manifest, as `manifest.json` has it.
+    #[getter]
+    fn manifest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        Ok(pythonize::pythonize(py, &self.proven.built().manifest)?)
+    }
+
+    /// What the gripper does; None if the spec has no [load].
+    #[getter]
+    fn prediction(&self) -> Option<Prediction> {
+        let prediction = self.proven.built().forecast.prediction.clone()?;
+        Some(Prediction::of_star(Arc::clone(&self.given), prediction))
+    }
+
+    /// Of every file that was measured, how far it is from the exact design at most, mm.
+    #[getter]
+    fn deviation_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        for file in &self.proven.proof().files {
+            all.set_item(&file.path, file.deviation)?;
+        }
+        Ok(all)
+    }
+
+    /// Writes the files into the directory `path`, whole or not at all, as the command does. Returns what a person should know: a line
+    /// each, "" if all is as usual. Raises PublishError, and leaves what was there as it was.
+    fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<String> {
+        let published = py.detach(|| publish(&path, &self.proven));
+        let published = published.map_err(|fault| plain(py, "PublishError", "publish", &fault.to_string()))?;
+        Ok(published.to_string())
+    }
+
+    /// The preview of its first sheet; None if none was built.
+    fn _repr_svg_(&self) -> Option<String> {
+        let mut files = self.proven.built().artifacts.iter();
+        let preview = files.find(|file| file.output.kind == Kind::PreviewSvg)?;
+        String::from_utf8(preview.bytes.clone()).ok()
+    }
+
+    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("stargrip_cam._shown")?.getattr("build")?.call1((slf,))
+    }
+
+    fn __repr__(&self) -> String {
+        let built = self.proven.built();
+        format!("<Build {:?}: {} files>", built.manifest.name, built.artifacts.len() + 1)
+    }
+}
+
+/// The proof of the build in the directory `path`, as `verify --json` prints it.
+#[pyfunction]
+pub(crate) fn prove<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let proof = wait(py, progress, move |_| embedded::prove(&path))?;
+    let proof = proof.map_err(|failure| of_failure(py, &failure))?;
+    py.import("json")?.call_method1("loads", (embedded::proof_json(&proof),))
+}

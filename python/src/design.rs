@@ -1,0 +1,256 @@
+//! `Design`: the exact geometry of a spec's stars.
+
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList};
+use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::cli::embedded::Given;
+use stargrip_cam::design as exact;
+use stargrip_cam::design::{Contour as Trimmed, Part, PlacedStar, Side, StarDesign};
+use stargrip_cam::geom::{Path, Point};
+use stargrip_cam::pipeline::{Forecast, Sources};
+
+use crate::arrays::{floats, rows};
+use crate::faults::of_design;
+use crate::shapes::{Contour, TOLERANCE, polygon};
+use crate::spec::Spec;
+
+/// The exact flat geometry of a gripper. Lengths in mm, angles in degrees; everything counts counterclockwise seen from above.
+#[pyclass(frozen, module = "stargrip_cam")]
+pub(crate) struct Design {
+    given: Arc<Given>,
+    design: Arc<exact::Design>,
+}
+
+/// One star of a design, in its own frame: the axis at the origin, corner 1 on +X.
+#[pyclass(frozen, module = "stargrip_cam")]
+pub(crate) struct Star {
+    design: Arc<exact::Design>,
+    placed: PlacedStar,
+}
+
+/// The design of `spec`, or DesignError with every reason for which there is none.
+#[pyfunction]
+pub(crate) fn design(py: Python<'_>, spec: &Spec) -> PyResult<Design> {
+    let given = Arc::clone(&spec.given);
+    let made = py.detach(|| exact::Design::new(&given.reading.spec, &given.machine));
+    let design = made.map_err(|refusals| of_design(py, &given, refusals))?;
+    Ok(Design { given, design: Arc::new(design) })
+}
+
+#[pymethods]
+impl Design {
+    /// Its stars, bottom first.
+    #[getter]
+    fn stars(&self) -> Vec<Star> {
+        let star = |placed: &PlacedStar| Star { design: Arc::clone(&self.design), placed: *placed };
+        self.design.stars.iter().map(star).collect()
+    }
+
+    /// The sheets: dicts of `width_mm` and `height_mm`.
+    #[getter]
+    fn sheets<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let all = self.design.sheets.iter().map(|sheet| {
+            let one = PyDict::new(py);
+            one.set_item("index", sheet.index)?;
+            one.set_item("width_mm", sheet.width)?;
+            one.set_item("height_mm", sheet.height)?;
+            Ok(one)
+        });
+        PyList::new(py, all.collect::<PyResult<Vec<_>>>()?)
+    }
+
+    /// What a person should know before making it: dicts of code, key, found and remedy.
+    #[getter]
+    fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let all = self.design.warnings.iter().map(|warning| {
+            let one = PyDict::new(py);
+            one.set_item("code", warning.code.to_string())?;
+            one.set_item("key", warning.key.to_string())?;
+            one.set_item("found", &warning.found)?;
+            one.set_item("remedy", &warning.remedy)?;
+            Ok(one)
+        });
+        PyList::new(py, all.collect::<PyResult<Vec<_>>>()?)
+    }
+
+    /// The preview of its first sheet, for notebooks: None where the machine cannot seal it.
+    fn _repr_svg_(&self) -> Option<String> {
+        let Given { source, reading, machine, machine_text, .. } = self.given.as_ref();
+        let forecast = Forecast::of(reading.spec.clone(), machine.clone()).ok()?;
+        let sources = Sources { spec: &source.text, machine: machine_text };
+        let built = forecast.build(sources, &Asked::only(&[Kind::PreviewSvg]));
+        let preview = built.artifacts.into_iter().find(|file| file.output.kind == Kind::PreviewSvg)?;
+        String::from_utf8(preview.bytes).ok()
+    }
+
+    fn __repr__(&self) -> String {
+        let Given { reading, .. } = self.given.as_ref();
+        format!("<Design {:?}: {} stars, {} sheets>", reading.spec.name, self.design.stars.len(), self.design.sheets.len())
+    }
+}
+
+impl Star {
+    fn part(&self) -> &StarDesign {
+        self.design.part(&self.placed)
+    }
+
+    fn flat(&self) -> &exact::Star {
+        &self.part().star
+    }
+
+    fn centers<'py>(&self, py: Python<'py>, of: impl Fn(u32) -> Point) -> PyResult<Bound<'py, PyAny>> {
+        let all: Vec<[f64; 2]> = (1..=self.flat().n).map(of).map(|point| [point.x, point.y]).collect();
+        rows(py, &all, 1.0)
+    }
+}
+
+fn both(paths: [&Path; 2]) -> (Contour, Contour) {
+    (Contour(paths[0].clone()), Contour(paths[1].clone()))
+}
+
+#[pymethods]
+impl Star {
+    /// Its number, 1 = bottom.
+    #[getter]
+    fn index(&self) -> usize {
+        self.placed.index
+    }
+
+    /// Number of its sheet, from 1.
+    #[getter]
+    fn sheet(&self) -> usize {
+        self.placed.sheet
+    }
+
+    /// From the star's frame to its sheet's: an array of shape (2, 3), `xy_sheet = placement[:, :2] @ xy + placement[:, 2]`.
+    #[getter]
+    fn placement<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let [o, x, y] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| self.placed.placement.point(Point::new(x, y)));
+        floats(py, &[x.x - o.x, y.x - o.x, o.x, x.y - o.y, y.y - o.y, o.y], &[2, 3])
+    }
+
+    /// Number of points n.
+    #[getter]
+    fn points(&self) -> u32 {
+        self.flat().n
+    }
+
+    /// Inner radius rho_0, mm.
+    #[getter]
+    fn inner_radius_mm(&self) -> f64 {
+        self.flat().rho_0
+    }
+
+    /// Tube width W between the inner edges of the bands, mm.
+    #[getter]
+    fn tube_width_mm(&self) -> f64 {
+        self.flat().w
+    }
+
+    /// Internal angle phi_i0 of the tips, degrees.
+    #[getter]
+    fn tip_angle_deg(&self) -> f64 {
+        self.flat().phi_i.to_degrees()
+    }
+
+    /// External angle phi_e0 of the reentrant corners, degrees.
+    #[getter]
+    fn corner_angle_deg(&self) -> f64 {
+        self.flat().phi_e.to_degrees()
+    }
+
+    /// Arm length l, mm.
+    #[getter]
+    fn arm_length_mm(&self) -> f64 {
+        self.flat().l
+    }
+
+    /// Fabric of both sheets, mm^2.
+    #[getter]
+    fn fabric_mm2(&self) -> f64 {
+        self.part().fabric()
+    }
+
+    /// Centres of the tips' arcs: (n, 2), mm, tip 1 first.
+    #[getter]
+    fn tip_centers_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.centers(py, |k| self.flat().tip_center(k))
+    }
+
+    /// Centres of the corners' arcs: (n, 2), mm, corner 1 first.
+    #[getter]
+    fn corner_centers_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.centers(py, |k| self.flat().corner_center(k))
+    }
+
+    /// The straight tubes as rectangles: (2n, 4, 2), mm. Arm 2k - 1 runs from corner k to tip k, arm 2k on to corner k + 1; of each
+    /// the start and the end of its edge towards the hole, then the end and the start of the outer one.
+    #[getter]
+    fn arms_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let edge = |side| self.flat().contour(side, 0.0, 0.0).unwrap_or_default();
+        let (hole, outside) = (edge(Side::Hole), edge(Side::Outside));
+        let ends = |of: &Trimmed, arm: u32| {
+            let found = of.parts.iter().find(|(part, _)| *part == Part::Arm(arm)).map(|(_, segment)| segment);
+            found.map_or([[f64::NAN; 2]; 2], |found| [found.start(), found.end()].map(|p| [p.x, p.y]))
+        };
+        let all = (1..=2 * self.flat().n).flat_map(|arm| {
+            let ([a, b], [d, c]) = (ends(&hole, arm), ends(&outside, arm));
+            [a, b, c, d]
+        });
+        let all: Vec<f64> = all.flatten().collect();
+        floats(py, &all, &[all.len() / 8, 4, 2])
+    }
+
+    /// The tube's edges as drawn, towards the hole and outside; that one is open where the inlet is.
+    #[getter]
+    fn edges(&self) -> (Contour, Contour) {
+        both(self.part().edges.each_ref())
+    }
+
+    /// The iron's paths, inner and outer loop: the centre lines of the bands, without overlap.
+    #[getter]
+    fn seams(&self) -> (Contour, Contour) {
+        both(self.part().seams.each_ref().map(|seam| &seam.center_line))
+    }
+
+    /// Where the fabric is cut: around the star and around the hole.
+    #[getter]
+    fn outline(&self) -> (Contour, Contour) {
+        let outline = &self.part().outline;
+        both([&outline.outside, &outline.hole])
+    }
+
+    /// The windows of the coating mask.
+    #[getter]
+    fn windows(&self) -> Vec<Contour> {
+        self.part().mask.windows.iter().cloned().map(Contour).collect()
+    }
+
+    /// Registration holes: (m, 3), centre and diameter, mm.
+    #[getter]
+    fn registration_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let holes = self.part().outline.registration.iter();
+        let holes: Vec<[f64; 3]> = holes.map(|hole| [hole.center.x, hole.center.y, hole.diameter]).collect();
+        rows(py, &holes, 1.0)
+    }
+
+    /// The cut fabric as a GeoJSON polygon with its hole, within `tolerance_mm`: shapely.geometry.shape(star.polygon()).
+    #[pyo3(signature = (tolerance_mm = TOLERANCE))]
+    fn polygon<'py>(&self, py: Python<'py>, tolerance_mm: f64) -> PyResult<Bound<'py, PyDict>> {
+        let outline = &self.part().outline;
+        polygon(py, &[outline.outside.clone(), outline.hole.clone()], tolerance_mm)
+    }
+
+    /// The same within 0.01 mm: shapely.geometry.shape(star).
+    #[getter]
+    fn __geo_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.polygon(py, TOLERANCE)
+    }
+
+    fn __repr__(&self) -> String {
+        let star = self.flat();
+        format!("<Star {}: {} points, arms of {:.3} mm, on sheet {}>", self.placed.index, star.n, star.l, self.placed.sheet)
+    }
+}

@@ -1,0 +1,64 @@
+//! `stargrip_cam._native`: the package's own face of the crate. It converts, waits and raises; it computes nothing.
+//!
+//! | room | what it hands over |
+//! |---|---|
+//! | `spec` | `Spec`: a text, read and valid |
+//! | `toml` | Python's dicts and values as TOML, and back |
+//! | `faults` | what is refused, as exceptions |
+//! | `waiting` | long calls: without the GIL, with progress, until Ctrl-C |
+//! | `arrays` | NumPy arrays, each by one copy of memory |
+//! | `shapes`, `design` | `Line`, `Arc`, `Contour`, `Star`, `Design` |
+//! | `build` | `Build`, and the proof of a directory |
+//! | `prediction`, `mesh` | `Prediction`, `ActuatorPrediction`, `Mesh` |
+//! | `options`, `actuator` | a single hinge |
+//! | `optimum` | the best star |
+//! | `command` | the command `stargrip-cam` |
+
+#![allow(missing_docs, reason = "what macros make of a module has none; the rooms have theirs")]
+
+mod actuator;
+mod arrays;
+mod build;
+mod command;
+mod design;
+mod faults;
+mod mesh;
+mod optimum;
+mod options;
+mod prediction;
+mod shapes;
+mod spec;
+mod toml;
+mod waiting;
+
+use pyo3::prelude::*;
+
+/// Fabrication CAM for fabric star soft grippers.
+#[pymodule]
+mod _native {
+    use pyo3::prelude::*;
+
+    #[pymodule_export]
+    use super::actuator::actuator;
+    #[pymodule_export]
+    use super::build::{Build, build, prove};
+    #[pymodule_export]
+    use super::command::run;
+    #[pymodule_export]
+    use super::design::{Design, Star, design};
+    #[pymodule_export]
+    use super::mesh::Mesh;
+    #[pymodule_export]
+    use super::optimum::{Optimum, optimize};
+    #[pymodule_export]
+    use super::prediction::{ActuatorPrediction, Prediction, predict};
+    #[pymodule_export]
+    use super::shapes::{Arc, Contour, Line};
+    #[pymodule_export]
+    use super::spec::Spec;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", stargrip_cam::manifest::Tool::this().version)
+    }
+}

@@ -1,0 +1,75 @@
+//! The inflated sheet in triangles, as arrays.
+
+use pyo3::prelude::*;
+use stargrip_cam::shell::cases::Shape;
+
+use crate::arrays::{floats, integers, rows};
+use crate::faults::plain;
+
+/// The sheet that a shell has modelled, at rest under pressure, on its finest mesh: N nodes, M triangles. Of a star it is one of the
+/// two sheets of half a sector beside corner 1, of a V-actuator one of half: the rest of the tube is its mirror images.
+#[pyclass(frozen, module = "stargrip_cam")]
+pub(crate) struct Mesh(pub(crate) Shape);
+
+#[pymethods]
+impl Mesh {
+    /// Where the nodes are: (N, 3), mm; the axis of a star is z.
+    #[getter]
+    fn nodes_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        rows(py, &self.0.points, 1e3)
+    }
+
+    /// Where the nodes were on the flat sheet: (N, 2), mm.
+    #[getter]
+    fn flat_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        rows(py, &self.0.flat, 1e3)
+    }
+
+    /// The nodes of each triangle: (M, 3), int64, from 0.
+    #[getter]
+    fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let nodes = self.0.triangles.as_flattened().iter();
+        // A mesh has far fewer nodes than there are numbers.
+        let nodes: Vec<i64> = nodes.map(|node| i64::try_from(*node).unwrap_or(i64::MAX)).collect();
+        integers(py, &nodes, &[self.0.triangles.len(), 3])
+    }
+
+    /// Principal tensions of each triangle, the larger first: (M, 2), N/mm. Below 0 it is compressed.
+    #[getter]
+    fn tension_N_per_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        rows(py, &self.0.tension, 1e-3)
+    }
+
+    /// Stretches of each triangle along the principal tensions: (M, 2); 0.01 is one per cent longer.
+    #[getter]
+    fn stretch<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        rows(py, &self.0.stretch, 1.0)
+    }
+
+    /// Principal curvatures of each triangle: (M, 2), 1/mm.
+    #[getter]
+    fn curvature_per_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        rows(py, &self.0.curvature, 1e-3)
+    }
+
+    /// Largest stretch of each node's triangles: (N,), for plots that colour nodes.
+    #[getter]
+    fn node_stretch<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let mut largest = vec![f64::NEG_INFINITY; self.0.points.len()];
+        for (nodes, stretch) in self.0.triangles.iter().zip(&self.0.stretch) {
+            for node in nodes {
+                largest[*node] = largest[*node].max(stretch[0]);
+            }
+        }
+        floats(py, &largest, &[largest.len()])
+    }
+
+    /// The same as the text of a VTU file, which ParaView reads.
+    fn vtu(&self, py: Python<'_>) -> PyResult<String> {
+        self.0.vtu().map_err(|fault| plain(py, "Error", "vtu", &fault.to_string()))
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Mesh: {} nodes, {} triangles>", self.0.points.len(), self.0.triangles.len())
+    }
+}

@@ -1,0 +1,169 @@
+//! Lines, arcs and what is made of them, exactly; as polygons where a tolerance is named.
+
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple};
+use stargrip_cam::emit::chords;
+use stargrip_cam::geom;
+use stargrip_cam::geom::{Path, Point, Segment};
+
+use crate::arrays::rows;
+use crate::faults::usage;
+
+/// Largest distance of a polygon from its curve where none is named, mm: a tenth of what a laser cuts.
+pub(crate) const TOLERANCE: f64 = 0.01;
+
+/// A straight piece of a contour, from `start` to `end`: (x, y) in mm.
+#[pyclass(frozen, get_all, eq, skip_from_py_object, module = "stargrip_cam")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Line {
+    start: (f64, f64),
+    end: (f64, f64),
+}
+
+#[pymethods]
+impl Line {
+    fn __repr__(&self) -> String {
+        format!("Line(start={:?}, end={:?})", self.start, self.end)
+    }
+}
+
+/// A circular piece of a contour: around `center`, (x, y) in mm, from the direction `start_angle_deg`, turning by `sweep_deg`,
+/// counterclockwise if positive.
+#[pyclass(frozen, get_all, eq, skip_from_py_object, module = "stargrip_cam")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Arc {
+    center: (f64, f64),
+    radius_mm: f64,
+    start_angle_deg: f64,
+    sweep_deg: f64,
+}
+
+#[pymethods]
+impl Arc {
+    /// First point, (x, y) in mm.
+    #[getter]
+    fn start(&self) -> (f64, f64) {
+        pair(self.exact().start())
+    }
+
+    /// Last point, (x, y) in mm.
+    #[getter]
+    fn end(&self) -> (f64, f64) {
+        pair(self.exact().end())
+    }
+
+    fn __repr__(&self) -> String {
+        let Self { center, radius_mm, start_angle_deg, sweep_deg } = self;
+        format!(
+            "Arc(center={center:?}, radius_mm={radius_mm}, start_angle_deg={start_angle_deg}, sweep_deg={sweep_deg})"
+        )
+    }
+}
+
+impl Arc {
+    fn exact(&self) -> geom::Arc {
+        let (start, sweep) = (self.start_angle_deg.to_radians(), self.sweep_deg.to_radians());
+        geom::Arc::new(Point::new(self.center.0, self.center.1), self.radius_mm, start, sweep)
+    }
+}
+
+/// A chain of lines and arcs, exact, in mm.
+#[pyclass(frozen, eq, skip_from_py_object, module = "stargrip_cam")]
+#[derive(Clone, PartialEq)]
+pub(crate) struct Contour(pub(crate) Path);
+
+#[pymethods]
+impl Contour {
+    /// Its pieces in order, each a Line or an Arc.
+    #[getter]
+    fn segments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let pieces = self.0.segments.iter().map(|segment| match segment {
+            Segment::Line(line) => {
+                Ok(Line { start: pair(line.start), end: pair(line.end) }.into_pyobject(py)?.into_any())
+            }
+            Segment::Arc(arc) => Ok(Arc {
+                center: pair(arc.center),
+                radius_mm: arc.radius,
+                start_angle_deg: arc.start_angle.to_degrees(),
+                sweep_deg: arc.sweep.to_degrees(),
+            }
+            .into_pyobject(py)?
+            .into_any()),
+        });
+        PyTuple::new(py, pieces.collect::<PyResult<Vec<_>>>()?)
+    }
+
+    /// Whether it ends where it begins.
+    #[getter]
+    fn closed(&self) -> bool {
+        self.0.closed
+    }
+
+    /// Its length, mm.
+    #[getter]
+    fn length_mm(&self) -> f64 {
+        self.0.length()
+    }
+
+    /// The area that it encloses, mm^2, positive if it runs counterclockwise; None if it is open.
+    #[getter]
+    fn area_mm2(&self) -> Option<f64> {
+        self.0.closed.then(|| self.0.area())
+    }
+
+    /// Its corners as a polygon that leaves it by `tolerance_mm` at most: an array of shape (N, 2), mm. A closed one does not
+    /// repeat its first point.
+    #[pyo3(signature = (tolerance_mm = TOLERANCE))]
+    fn points<'py>(&self, py: Python<'py>, tolerance_mm: f64) -> PyResult<Bound<'py, PyAny>> {
+        rows(py, &corners(py, &self.0, tolerance_mm)?, 1.0)
+    }
+
+    /// As GeoJSON, within 0.01 mm: what shapely.geometry.shape and others take.
+    #[getter]
+    fn __geo_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        if self.0.closed { polygon(py, std::slice::from_ref(&self.0), TOLERANCE) } else { line(py, &self.0) }
+    }
+
+    fn __repr__(&self) -> String {
+        let kind = if self.0.closed { "closed" } else { "open" };
+        format!("<Contour: {kind}, {} segments, {:.3} mm>", self.0.segments.len(), self.0.length())
+    }
+}
+
+/// The corners of `path` within `tolerance`, mm.
+pub(crate) fn corners(py: Python<'_>, path: &Path, tolerance: f64) -> PyResult<Vec<[f64; 2]>> {
+    if !(1e-6..=1e3).contains(&tolerance) {
+        return Err(usage(py, format!("tolerance_mm is {tolerance}; allowed are 1e-6 to 1000 mm")));
+    }
+    Ok(chords(path, tolerance).into_iter().map(|point| [point.x, point.y]).collect())
+}
+
+/// Closed paths as a GeoJSON polygon: the first is its edge, the others are its holes.
+pub(crate) fn polygon<'py>(py: Python<'py>, paths: &[Path], tolerance: f64) -> PyResult<Bound<'py, PyDict>> {
+    let rings = paths.iter().zip(0..).map(|(path, hole)| {
+        let mut ring: Vec<(f64, f64)> = corners(py, path, tolerance)?.into_iter().map(|[x, y]| (x, y)).collect();
+        // GeoJSON wants edges counterclockwise, holes clockwise, and every ring closed.
+        if (path.area() > 0.0) != (hole == 0) {
+            ring.reverse();
+        }
+        ring.extend(ring.first().copied());
+        PyTuple::new(py, ring)
+    });
+    geometry(py, "Polygon", PyTuple::new(py, rings.collect::<PyResult<Vec<_>>>()?)?)
+}
+
+fn line<'py>(py: Python<'py>, path: &Path) -> PyResult<Bound<'py, PyDict>> {
+    let points: Vec<(f64, f64)> = corners(py, path, TOLERANCE)?.into_iter().map(|[x, y]| (x, y)).collect();
+    geometry(py, "LineString", PyTuple::new(py, points)?)
+}
+
+fn geometry<'py>(py: Python<'py>, kind: &str, coordinates: Bound<'py, PyTuple>) -> PyResult<Bound<'py, PyDict>> {
+    let geometry = PyDict::new(py);
+    geometry.set_item("type", kind)?;
+    geometry.set_item("coordinates", coordinates)?;
+    Ok(geometry)
+}
+
+pub(crate) fn pair(point: Point) -> (f64, f64) {
+    (point.x, point.y)
+}

@@ -1,0 +1,120 @@
+//! Long calls: the work goes on in a thread of its own without the GIL, while the caller's thread hands progress to Python and looks
+//! for Ctrl-C. Who interrupts gets the exception at once; the work is told to stop and its answer dropped.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+
+/// Between two looks for signals: nobody who presses Ctrl-C notices it, and it costs nothing.
+const LOOK: Duration = Duration::from_millis(50);
+/// Least time between two words to Python.
+const PAUSE: Duration = Duration::from_millis(100);
+/// Stack of the thread: that of a main thread, as the command has it.
+const STACK: usize = 8 << 20;
+
+/// What the work tells and hears.
+pub(crate) struct Line {
+    told: Box<dyn Fn(f64, &str) + Send>,
+    /// Raised when nobody waits any more.
+    pub(crate) cancel: Arc<AtomicBool>,
+}
+
+impl Line {
+    /// Says which part is done, 0 to 1, and what is being done.
+    pub(crate) fn tell(&self, part: f64, what: &str) {
+        (self.told)(part, what);
+    }
+
+    /// Whether the answer is still wanted.
+    pub(crate) fn wanted(&self) -> bool {
+        !self.cancel.load(Ordering::Relaxed)
+    }
+}
+
+enum Message<T> {
+    Told(f64, String),
+    Done(T),
+}
+
+/// The answer of `work`; `progress` is what the user has given: None, a bool or a callable of part and words.
+pub(crate) fn wait<T: Send + 'static>(
+    py: Python<'_>,
+    progress: Option<&Bound<'_, PyAny>>,
+    work: impl FnOnce(&Line) -> T + Send + 'static,
+) -> PyResult<T> {
+    let hook = hook(py, progress)?;
+    let (sender, receiver) = channel();
+    let cancel = Arc::new(AtomicBool::new(false));
+    let line = line(sender.clone(), hook.is_some(), Arc::clone(&cancel));
+    let body = move || {
+        let answer = work(&line);
+        // Nobody may wait any more.
+        let _ = sender.send(Message::Done(answer));
+    };
+    let _ = thread::Builder::new().stack_size(STACK).spawn(body)?;
+    let answer = listen(py, hook.as_ref(), receiver);
+    if answer.is_err() {
+        cancel.store(true, Ordering::Relaxed);
+    }
+    answer
+}
+
+fn line<T: Send + 'static>(sender: Sender<Message<T>>, heard: bool, cancel: Arc<AtomicBool>) -> Line {
+    let told = move |part: f64, what: &str| {
+        if heard {
+            let _ = sender.send(Message::Told(part, what.to_owned()));
+        }
+    };
+    Line { told: Box::new(told), cancel }
+}
+
+fn listen<T: Send>(
+    py: Python<'_>,
+    hook: Option<&Py<PyAny>>,
+    mut receiver: Receiver<Message<T>>,
+) -> PyResult<T> {
+    let mut last: Option<Instant> = None;
+    loop {
+        let (back, message) = py.detach(move || {
+            let message = receiver.recv_timeout(LOOK);
+            (receiver, message)
+        });
+        receiver = back;
+        py.check_signals()?;
+        match message {
+            Ok(Message::Done(answer)) => {
+                if let Some(hook) = hook {
+                    let _ = hook.call1(py, (1.0, "done"))?;
+                }
+                return Ok(answer);
+            }
+            Ok(Message::Told(part, what)) => {
+                if let Some(hook) = hook.filter(|_| last.is_none_or(|last| last.elapsed() >= PAUSE)) {
+                    let _ = hook.call1(py, (part, what))?;
+                    last = Some(Instant::now());
+                }
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => {
+                return Err(PyRuntimeError::new_err("a fault of stargrip-cam: the computation broke off"));
+            }
+        }
+    }
+}
+
+/// What progress is told to: of `True` a line on the terminal or in the notebook.
+fn hook(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Py<PyAny>>> {
+    match progress {
+        None => Ok(None),
+        Some(given) => match given.extract::<bool>() {
+            Ok(false) => Ok(None),
+            Ok(true) => py.import("stargrip_cam._progress")?.getattr("Line")?.call0().map(|l| Some(l.unbind())),
+            Err(_) => Ok(Some(given.clone().unbind())),
+        },
+    }
+}
