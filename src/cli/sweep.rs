@@ -7,8 +7,8 @@ use std::path::PathBuf;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::quantity::part;
-use crate::forecast::candidate::Candidate;
-use crate::forecast::sweep::{Axis, Sweep};
+use crate::forecast::study::{Study, csv};
+use crate::spec::study::Lane;
 
 /// Arguments of `sweep`.
 #[derive(clap::Args, Debug)]
@@ -35,10 +35,8 @@ pub(super) struct Args {
 /// Computes the rows and writes them in order.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::new(&args.spec)?;
-    let base = Candidate::of(&loaded.reading.spec)
-        .ok_or_else(|| Failure::Message("the spec has no star".to_owned()))?;
-    let axes = args.vary.iter().map(|text| Axis::parse(text)).collect::<Result<Vec<_>, _>>();
-    let sweep = axes.and_then(|axes| Sweep::new(base, axes)).map_err(Failure::Message)?;
+    let lanes = args.vary.iter().map(|text| Lane::parse(text)).collect::<Result<Vec<_>, _>>();
+    let sweep = Study::vary(&loaded.source, lanes.map_err(Failure::Message)?)?.map_err(Failure::Message)?;
     if let Some(threads) = args.threads {
         rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
@@ -48,7 +46,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let (k, n) = args.part.unwrap_or((1, 1));
     let rows = sweep.part(k, n);
     match &args.output {
-        None => write_rows(&sweep, rows, k == 1, std::io::stdout().lock()),
+        None => write_rows(&sweep, rows, k == 1, std::io::stdout()),
         Some(path) => {
             let file = File::create(path).map_err(|error| Failure::file("create", path, &error))?;
             write_rows(&sweep, rows, k == 1, BufWriter::new(file))
@@ -57,18 +55,19 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 fn write_rows(
-    sweep: &Sweep,
+    sweep: &Study,
     rows: std::ops::Range<usize>,
     header: bool,
-    mut out: impl Write,
+    mut out: impl Write + Send,
 ) -> Result<(), Failure> {
     let total = rows.len();
     let show = std::io::stderr().is_terminal();
-    let mut result = if header { out.write_all(sweep.header().as_bytes()) } else { Ok(()) };
+    let mut result = if header { out.write_all(csv::header(sweep.columns(), false).as_bytes()) } else { Ok(()) };
     let mut done = 0;
-    sweep.run(rows, |text, count| {
+    let never = std::sync::atomic::AtomicBool::new(false);
+    let _ = sweep.run(rows, &never, |batch| csv::lines(&batch), |text, count| {
         if result.is_ok() {
-            result = out.write_all(text.as_bytes());
+            result = out.write_all(&text);
         }
         done += count;
         if show {
