@@ -1,9 +1,10 @@
 # Everything a person or CI does here. Only cargo is needed, except for `strangers` and `strangers-more`, which install their own readers, and
+# `wheel` and `python`, which want Python 3 and fetch from PyPI what python/requirements.txt names, and
 # for `deny`, `audit`, `mutants` and `fuzz`, which say what to install.
 
 CARGO ?= cargo
 
-.PHONY: demo install dist test check deny audit strangers strangers-more mutants fuzz faults bench
+.PHONY: demo install dist wheel python test check deny audit strangers strangers-more mutants fuzz faults bench
 
 # Build the paper's star and say what was written, and where.
 demo:
@@ -19,6 +20,12 @@ install:
 TARGET ?=
 dist:
 	packaging/dist $(TARGET)
+
+# The Python package (docs/python.md): the wheel in target/wheels; and that wheel in a virtual environment below target/, tested.
+wheel:
+	python/run wheel
+python:
+	python/run check
 
 test:
 	$(CARGO) test --locked
@@ -37,12 +44,12 @@ check:
 # Licences, doubled versions and sources of all dependencies, by deny.toml. It asks no one and takes a second.
 deny:
 	@$(call needs,deny,cargo-deny)
-	$(CARGO) deny --locked check licenses bans sources
+	$(CARGO) deny --workspace --locked check licenses bans sources
 
 # Known faults of the dependencies. Not in `check`: it asks a list that others change, so it can fail on any day.
 audit:
 	@$(call needs,deny,cargo-deny)
-	$(CARGO) deny --locked check advisories
+	$(CARGO) deny --workspace --locked check advisories
 
 # Mutants of some files, and which of them no test notices (docs/testing.md): `make mutants FILES='src/plan/*.rs' SHARD=0/8`.
 FILES ?= src/plan/*.rs

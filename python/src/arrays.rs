@@ -17,9 +17,8 @@ fn array<'py, const N: usize, T>(
         }
         Ok(())
     })?;
-    let ndarray = NDARRAY
-        .get_or_try_init(py, || py.import("numpy")?.getattr("ndarray").map(Bound::unbind))?
-        .bind(py);
+    let ndarray =
+        NDARRAY.get_or_try_init(py, || py.import("numpy")?.getattr("ndarray").map(Bound::unbind))?.bind(py);
     ndarray.call1((PyTuple::new(py, shape)?, kind, buffer))
 }
 

@@ -58,7 +58,8 @@ pub(crate) fn build(
 
 fn made(given: &Given, asked: &Asked, anyway: bool, line: &Line) -> Result<Proven, Stopped> {
     line.tell(0.0, "design, plan and prediction");
-    let forecast = Forecast::of(given.reading.spec.clone(), given.machine.clone()).map_err(Stopped::Refused)?;
+    let forecast =
+        Forecast::of(given.reading.spec.clone(), given.machine.clone()).map_err(Stopped::Refused)?;
     if !anyway {
         forecast.unfit().or(()).map_err(Stopped::Refused)?;
     }
@@ -71,7 +72,8 @@ fn made(given: &Given, asked: &Asked, anyway: bool, line: &Line) -> Result<Prove
 fn kinds(py: Python<'_>, names: Option<Vec<String>>) -> PyResult<Vec<Kind>> {
     let known = || Kind::ALL.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(", ");
     let kind = |name: String| {
-        Kind::from_name(&name).ok_or_else(|| usage(py, format!("`{name}` is no kind of file; there are {}", known())))
+        Kind::from_name(&name)
+            .ok_or_else(|| usage(py, format!("`{name}` is no kind of file; there are {}", known())))
     };
     names.unwrap_or_default().into_iter().map(kind).collect()
 }
@@ -118,7 +120,8 @@ impl Build {
     /// each, "" if all is as usual. Raises PublishError, and leaves what was there as it was.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<String> {
         let published = py.detach(|| publish(&path, &self.proven));
-        let published = published.map_err(|fault| plain(py, "PublishError", "publish", &fault.to_string()))?;
+        let published =
+            published.map_err(|fault| plain(py, "PublishError", "publish", &fault.to_string()))?;
         Ok(published.to_string())
     }
 

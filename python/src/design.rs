@@ -87,7 +87,12 @@ impl Design {
 
     fn __repr__(&self) -> String {
         let Given { reading, .. } = self.given.as_ref();
-        format!("<Design {:?}: {} stars, {} sheets>", reading.spec.name, self.design.stars.len(), self.design.sheets.len())
+        format!(
+            "<Design {:?}: {} stars, {} sheets>",
+            reading.spec.name,
+            self.design.stars.len(),
+            self.design.sheets.len()
+        )
     }
 }
 
@@ -127,7 +132,8 @@ impl Star {
     /// From the star's frame to its sheet's: an array of shape (2, 3), `xy_sheet = placement[:, :2] @ xy + placement[:, 2]`.
     #[getter]
     fn placement<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let [o, x, y] = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| self.placed.placement.point(Point::new(x, y)));
+        let [o, x, y] =
+            [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0)].map(|(x, y)| self.placed.placement.point(Point::new(x, y)));
         floats(py, &[x.x - o.x, y.x - o.x, o.x, x.y - o.y, y.y - o.y, o.y], &[2, 3])
     }
 
@@ -251,6 +257,9 @@ impl Star {
 
     fn __repr__(&self) -> String {
         let star = self.flat();
-        format!("<Star {}: {} points, arms of {:.3} mm, on sheet {}>", self.placed.index, star.n, star.l, self.placed.sheet)
+        format!(
+            "<Star {}: {} points, arms of {:.3} mm, on sheet {}>",
+            self.placed.index, star.n, star.l, self.placed.sheet
+        )
     }
 }

@@ -12,6 +12,7 @@
 //! | `prediction`, `mesh` | `Prediction`, `ActuatorPrediction`, `Mesh` |
 //! | `options`, `actuator` | a single hinge |
 //! | `optimum` | the best star |
+//! | `sweep` | many designs, a column an array |
 //! | `command` | the command `stargrip-cam` |
 
 #![allow(missing_docs, reason = "what macros make of a module has none; the rooms have theirs")]
@@ -28,6 +29,7 @@ mod options;
 mod prediction;
 mod shapes;
 mod spec;
+mod sweep;
 mod toml;
 mod waiting;
 
@@ -51,11 +53,13 @@ mod _native {
     #[pymodule_export]
     use super::optimum::{Optimum, optimize};
     #[pymodule_export]
-    use super::prediction::{ActuatorPrediction, Prediction, predict};
+    use super::prediction::{ActuatorPrediction, Prediction, predict, seconds_alone};
     #[pymodule_export]
     use super::shapes::{Arc, Contour, Line};
     #[pymodule_export]
     use super::spec::Spec;
+    #[pymodule_export]
+    use super::sweep::sweep;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -127,7 +127,11 @@ pub(crate) struct ActuatorPrediction {
 
 impl ActuatorPrediction {
     pub(crate) fn new(py: Python<'_>, answer: Actuated, shape: Option<Shape>) -> PyResult<Self> {
-        Ok(Self { answer, fields: Fields::new(), mesh: shape.map(|shape| Py::new(py, Mesh(shape))).transpose()? })
+        Ok(Self {
+            answer,
+            fields: Fields::new(),
+            mesh: shape.map(|shape| Py::new(py, Mesh(shape))).transpose()?,
+        })
     }
 }
 
@@ -206,8 +210,23 @@ pub(crate) fn predict(
     Ok(Prediction { given, answer, fields: Fields::new(), mesh })
 }
 
+/// Seconds that the computation of `predict` takes by itself, on average over `times`: for python/tests/overhead.py.
+#[pyfunction]
+pub(crate) fn seconds_alone(py: Python<'_>, spec: &Spec, model: Option<&str>, times: u32) -> PyResult<f64> {
+    let asked = question(model, None, None).map_err(|failure| of_failure(py, &failure))?;
+    let began = std::time::Instant::now();
+    for _ in 0..times {
+        let _ = std::hint::black_box(by_others(&spec.given, &asked));
+    }
+    Ok(began.elapsed().as_secs_f64() / f64::from(times))
+}
+
 /// The question in the command's own words; those of a model alone need no reading.
-fn question(model: Option<&str>, radii: Option<&str>, fineness: Option<&str>) -> Result<StarQuestion, embedded::Failure> {
+fn question(
+    model: Option<&str>,
+    radii: Option<&str>,
+    fineness: Option<&str>,
+) -> Result<StarQuestion, embedded::Failure> {
     let known = model.map(embedded::model);
     if radii.is_none() && fineness.is_none() && known != Some(None) {
         return Ok(StarQuestion { model: known.flatten(), radii: Vec::new(), detail: Detail::Medium });

@@ -141,7 +141,8 @@ pub(crate) fn corners(py: Python<'_>, path: &Path, tolerance: f64) -> PyResult<V
 /// Closed paths as a GeoJSON polygon: the first is its edge, the others are its holes.
 pub(crate) fn polygon<'py>(py: Python<'py>, paths: &[Path], tolerance: f64) -> PyResult<Bound<'py, PyDict>> {
     let rings = paths.iter().zip(0..).map(|(path, hole)| {
-        let mut ring: Vec<(f64, f64)> = corners(py, path, tolerance)?.into_iter().map(|[x, y]| (x, y)).collect();
+        let mut ring: Vec<(f64, f64)> =
+            corners(py, path, tolerance)?.into_iter().map(|[x, y]| (x, y)).collect();
         // GeoJSON wants edges counterclockwise, holes clockwise, and every ring closed.
         if (path.area() > 0.0) != (hole == 0) {
             ring.reverse();
@@ -157,7 +158,11 @@ fn line<'py>(py: Python<'py>, path: &Path) -> PyResult<Bound<'py, PyDict>> {
     geometry(py, "LineString", PyTuple::new(py, points)?)
 }
 
-fn geometry<'py>(py: Python<'py>, kind: &str, coordinates: Bound<'py, PyTuple>) -> PyResult<Bound<'py, PyDict>> {
+fn geometry<'py>(
+    py: Python<'py>,
+    kind: &str,
+    coordinates: Bound<'py, PyTuple>,
+) -> PyResult<Bound<'py, PyDict>> {
     let geometry = PyDict::new(py);
     geometry.set_item("type", kind)?;
     geometry.set_item("coordinates", coordinates)?;

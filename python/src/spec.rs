@@ -141,9 +141,7 @@ impl Spec {
         format!("<Spec {:?}>", self.given.reading.spec.name)
     }
 
-    fn __reduce__<'py>(
-        slf: &Bound<'py, Self>,
-    ) -> PyResult<(Bound<'py, PyAny>, (String, String, PathBuf))> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String, String, PathBuf))> {
         let Given { source, path, .. } = slf.get().given.as_ref();
         Ok((slf.get_type().getattr("_restored")?, (source.text.clone(), source.name.clone(), path.clone())))
     }

@@ -26,9 +26,9 @@ pub(crate) fn value(found: &Bound<'_, PyAny>) -> PyResult<Value> {
     // NumPy's integers are no ints, but they are indices; its floats are floats.
     let whole = found.call_method0("__index__").and_then(|index| index.extract::<i64>());
     let kind = found.get_type().name()?;
-    whole
-        .map(Value::from)
-        .map_err(|_| PyTypeError::new_err(format!("a value of a spec is a str, int, float, bool or list, not {kind}")))
+    whole.map(Value::from).map_err(|_| {
+        PyTypeError::new_err(format!("a value of a spec is a str, int, float, bool or list, not {kind}"))
+    })
 }
 
 /// The TOML text of a dict of sections.
@@ -69,7 +69,8 @@ fn tables(found: &Bound<'_, PyAny>) -> PyResult<Option<ArrayOfTables>> {
 
 /// The dict of a TOML text.
 pub(crate) fn dict<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyDict>> {
-    let document: DocumentMut = text.parse().map_err(|error: toml_edit::TomlError| usage(py, error.message()))?;
+    let document: DocumentMut =
+        text.parse().map_err(|error: toml_edit::TomlError| usage(py, error.message()))?;
     section(py, document.as_table())
 }
 
@@ -102,4 +103,3 @@ fn plain<'py>(py: Python<'py>, found: &Value) -> PyResult<Bound<'py, PyAny>> {
         Value::InlineTable(inner) => section(py, inner)?.into_any(),
     })
 }
-

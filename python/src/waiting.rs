@@ -19,7 +19,7 @@ const STACK: usize = 8 << 20;
 
 /// What the work tells and hears.
 pub(crate) struct Line {
-    told: Box<dyn Fn(f64, &str) + Send>,
+    told: Box<dyn Fn(f64, &str) + Send + Sync>,
     /// Raised when nobody waits any more.
     pub(crate) cancel: Arc<AtomicBool>,
 }
@@ -28,11 +28,6 @@ impl Line {
     /// Says which part is done, 0 to 1, and what is being done.
     pub(crate) fn tell(&self, part: f64, what: &str) {
         (self.told)(part, what);
-    }
-
-    /// Whether the answer is still wanted.
-    pub(crate) fn wanted(&self) -> bool {
-        !self.cancel.load(Ordering::Relaxed)
     }
 }
 
@@ -113,7 +108,9 @@ fn hook(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Option<
         None => Ok(None),
         Some(given) => match given.extract::<bool>() {
             Ok(false) => Ok(None),
-            Ok(true) => py.import("stargrip_cam._progress")?.getattr("Line")?.call0().map(|l| Some(l.unbind())),
+            Ok(true) => {
+                py.import("stargrip_cam._progress")?.getattr("Line")?.call0().map(|l| Some(l.unbind()))
+            }
             Err(_) => Ok(Some(given.clone().unbind())),
         },
     }

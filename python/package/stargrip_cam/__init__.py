@@ -30,6 +30,7 @@ from stargrip_cam._native import (
     design,
     optimize,
     predict,
+    sweep,
 )
 from stargrip_cam._proof import Proof, verify
 from stargrip_cam.errors import (
@@ -70,5 +71,6 @@ __all__ = [
     "design",
     "optimize",
     "predict",
+    "sweep",
     "verify",
 ]

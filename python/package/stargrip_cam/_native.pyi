@@ -264,5 +264,16 @@ def actuator(
     fineness: _Fineness | None = None,
     progress: _Progress = None,
 ) -> ActuatorPrediction: ...
+def sweep(
+    spec: Spec,
+    vary: Mapping[str, str | Sequence[Any]] | None = None,
+    *,
+    study: str | None = None,
+    outputs: Sequence[str] | None = None,
+    part: tuple[int, int] | None = None,
+    threads: int | None = None,
+    progress: _Progress = None,
+) -> dict[str, NDArray[Any]]: ...
+def seconds_alone(spec: Spec, model: _Model | None, times: int) -> float: ...
 def prove(path: str, progress: _Progress) -> dict[str, Any]: ...
 def run(args: Sequence[str], file: str) -> int: ...

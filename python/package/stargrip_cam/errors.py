@@ -42,33 +42,34 @@ class Error(Exception):
     def __reduce__(self) -> tuple[Any, ...]:
         return type(self), (str(self), [vars(fault) for fault in self.faults])
 
-    def _first(self, name: str) -> Any:
-        return getattr(self.faults[0], name) if self.faults else None
+    @property
+    def _first(self) -> Fault | None:
+        return self.faults[0] if self.faults else None
 
     @property
     def code(self) -> str | None:
         """Word of the first fault for scripts."""
-        return self._first("code")
+        return self._first.code if self._first else None
 
     @property
     def key(self) -> str | None:
         """Key of the spec at which the first fault points."""
-        return self._first("key")
+        return self._first.key if self._first else None
 
     @property
     def line(self) -> int | None:
         """Line of the first fault, from 1."""
-        return self._first("line")
+        return self._first.line if self._first else None
 
     @property
     def found(self) -> str | None:
         """What was found first."""
-        return self._first("found")
+        return self._first.found if self._first else None
 
     @property
     def allowed(self) -> str | None:
         """What would be right there."""
-        return self._first("allowed")
+        return self._first.allowed if self._first else None
 
 
 class SpecError(Error):

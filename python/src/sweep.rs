@@ -1,0 +1,143 @@
+//! `sweep`: many designs at once, as one array a column.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyList, PyString};
+use rayon::ThreadPoolBuilder;
+use stargrip_cam::forecast::study::{Batch, Study, Values};
+use stargrip_cam::spec::Source;
+use stargrip_cam::spec::study::{Block, Lane, StudyFile, Wanted, read_study};
+
+use crate::arrays::{floats, integers};
+use crate::faults::{of_spec, usage};
+use crate::spec::Spec;
+use crate::waiting::{Line, wait};
+
+/// Rows between two words about progress.
+const STEP: usize = 1 << 14;
+
+/// Computes many designs around `spec`: a dict of arrays, one for each column, NaN where nothing is known; the columns of text are
+/// arrays of str and None.
+///
+/// `vary` maps keys to values: a list, or "10 mm..40 mm/31". Every combination is computed, the last key runs fastest. Or `study` is the
+/// text of a study file, whose own `spec` is then not read. `outputs` names the columns that are wanted, all by default. `part` = (k, n)
+/// computes part k of n, from 1: rows are the same whoever computes them. `threads`: all by default.
+#[pyfunction]
+#[pyo3(signature = (spec, vary = None, *, study = None, outputs = None, part = None, threads = None, progress = None))]
+#[expect(clippy::too_many_arguments, reason = "keywords, of which a call names few")]
+pub(crate) fn sweep<'py>(
+    py: Python<'py>,
+    spec: &Spec,
+    vary: Option<&Bound<'py, PyDict>>,
+    study: Option<String>,
+    outputs: Option<Vec<String>>,
+    part: Option<(usize, usize)>,
+    threads: Option<usize>,
+    progress: Option<&Bound<'py, PyAny>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let file = match (vary, study) {
+        (Some(vary), None) => varied(vary)?,
+        (None, Some(text)) => {
+            read_study(&Source::new("study", text)).map_err(|faults| of_spec(py, &faults))?
+        }
+        _ => return Err(usage(py, "a sweep takes either `vary` or `study`")),
+    };
+    let wanted = outputs.map(|names| names.into_iter().map(|name| Wanted { name, place: 0..0 }).collect());
+    let file = StudyFile { outputs: wanted.or(file.outputs), ..file };
+    let study = Study::new(&file, &spec.given.source).map_err(|faults| of_spec(py, &faults))?;
+    let (k, n) = part.unwrap_or((1, 1));
+    if !(1..=n).contains(&k) {
+        return Err(usage(py, format!("part is ({k}, {n}); allowed is (k, n) with k from 1 to n")));
+    }
+    let rows = study.part(k, n);
+    let pool = threads.map(|threads| ThreadPoolBuilder::new().num_threads(threads).build()).transpose();
+    let pool = pool.map_err(|error| usage(py, format!("cannot start the threads: {error}")))?;
+    let study = Arc::new(study);
+    let all = {
+        let study = Arc::clone(&study);
+        wait(py, progress, move |line| match pool {
+            Some(pool) => pool.install(|| computed(&study, rows, line)),
+            None => computed(&study, rows, line),
+        })?
+    };
+    let columns = PyDict::new(py);
+    for (column, values) in study.columns().iter().zip(all) {
+        columns.set_item(&column.name, array(py, values)?)?;
+    }
+    Ok(columns)
+}
+
+/// The study of every combination of the values of `vary`.
+fn varied(vary: &Bound<'_, PyDict>) -> PyResult<StudyFile> {
+    let py = vary.py();
+    let mut blocks = Vec::new();
+    for (key, values) in vary {
+        let list = if values.is_instance_of::<PyString>() {
+            values.to_string()
+        } else {
+            let items = values.try_iter()?.map(|item| Ok(item?.str()?.to_string()));
+            items.collect::<PyResult<Vec<_>>>()?.join(",")
+        };
+        let lane = Lane::parse(&format!("{key}={list}")).map_err(|text| usage(py, text))?;
+        let block = Block::new(vec![lane]);
+        blocks.push(block.ok_or_else(|| usage(py, format!("`{key}` is given no values")))?);
+    }
+    let source = Source::new("vary", "");
+    Ok(StudyFile { source, spec: String::new(), model: None, set: Vec::new(), blocks, outputs: None })
+}
+
+/// The columns of `rows`; fewer rows if nobody wants them any more.
+fn computed(study: &Study, rows: Range<usize>, line: &Line) -> Vec<Values> {
+    let total = rows.len();
+    let mut all: Vec<Values> = Vec::new();
+    let (mut done, mut told) = (0, 0);
+    let take = |batch: Batch, count: usize| {
+        done += count;
+        if all.is_empty() {
+            all = batch.columns.iter().map(|values| empty(values, total)).collect();
+        }
+        for (own, more) in all.iter_mut().zip(batch.columns) {
+            append(own, more);
+        }
+        if done >= told + STEP {
+            told = done;
+            #[expect(clippy::cast_precision_loss, reason = "a part, for people")]
+            line.tell(done as f64 / total as f64, "designs");
+        }
+        true
+    };
+    let _ = study.run(rows, &line.cancel, |batch| batch, take);
+    all
+}
+
+/// No value yet, with room for `total` of the kind of `values`.
+fn empty(values: &Values, total: usize) -> Values {
+    match values {
+        Values::Real(_) => Values::Real(Vec::with_capacity(total)),
+        Values::Whole(_) => Values::Whole(Vec::with_capacity(total)),
+        Values::Text(_) => Values::Text(Vec::with_capacity(total)),
+    }
+}
+
+fn append(own: &mut Values, more: Values) {
+    match (own, more) {
+        (Values::Real(own), Values::Real(more)) => own.extend(more),
+        (Values::Whole(own), Values::Whole(more)) => own.extend(more),
+        (Values::Text(own), Values::Text(more)) => own.extend(more),
+        _ => {}
+    }
+}
+
+fn array(py: Python<'_>, values: Values) -> PyResult<Bound<'_, PyAny>> {
+    match values {
+        Values::Real(values) => floats(py, &values, &[values.len()]),
+        Values::Whole(values) => integers(py, &values, &[values.len()]),
+        Values::Text(values) => {
+            let list = PyList::new(py, values.iter().map(Option::as_deref))?;
+            let object = py.import("builtins")?.getattr("object")?;
+            py.import("numpy")?.call_method1("array", (list, object))
+        }
+    }
+}

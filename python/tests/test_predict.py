@@ -1,0 +1,98 @@
+"""Predictions: what the command prints, as attributes."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import stargrip_cam as sg
+
+COMMAND = [sys.executable, "-c", "import sys; from stargrip_cam._command import main; sys.exit(main())"]
+V = {"tube_width": "20 mm", "radius": "2 mm", "arm_length": "80 mm", "angle": "60 deg", "pressure": "20 kPa"}
+
+
+def printed(*args: str) -> object:
+    done = subprocess.run([*COMMAND, *args], capture_output=True, check=True, timeout=300)
+    return json.loads(done.stdout)
+
+
+@pytest.mark.parametrize("model", ["fit", "ring", "bvp", "section", "auto"])
+def test_a_prediction_is_what_the_command_prints(root: Path, gripper: sg.Spec, model: str) -> None:
+    path = root / "designs" / "paper-gripper.toml"
+    said = sg.predict(gripper, model=model, radii="20 mm..40 mm/3")  # type: ignore[arg-type]
+    assert said.to_dict() == printed("predict", str(path), "--json", "--model", model, "--radii", "20 mm..40 mm/3")
+
+
+def test_attributes_are_the_keys(gripper: sg.Spec) -> None:
+    said = sg.predict(gripper)
+    everything = said.to_dict()
+    assert {name: getattr(said, name) for name in everything} == everything
+    assert set(dir(said)) == {*everything, "mesh", "to_dict"}
+    everything["model"] = "mine"
+    assert said.model == "section" and said.mesh is None
+    with pytest.raises(AttributeError, match="final_raduis"):
+        said.final_raduis
+    assert "payload of the whole stack" in str(said)
+
+
+def test_the_stubs_name_what_there_is(gripper: sg.Spec) -> None:
+    stubs = Path(inspect.getfile(sg)).with_name("_native.pyi").read_text()
+    classes = {node.name: node for node in ast.parse(stubs).body if isinstance(node, ast.ClassDef)}
+    answers = {"Prediction": sg.predict(gripper), "ActuatorPrediction": sg.actuator(**V)}
+    for name, answer in answers.items():
+        fields = [node.target.id for node in classes[name].body  # type: ignore[union-attr]
+                  if isinstance(node, ast.AnnAssign)]
+        assert len(fields) > 8 and set(fields) <= set(answer.to_dict())
+
+
+def test_a_notebook_shows_numbers_with_ranges(gripper: sg.Spec) -> None:
+    said = sg.predict(gripper)
+    page = said._repr_html_()
+    low, high = said.ranges["final_radius_mm"]
+    assert "final_radius_mm" in page and f"{low:.5g} to {high:.5g}" in page
+
+
+def test_an_actuator_is_what_the_command_prints() -> None:
+    options = [f"--{name.replace('_', '-')}={value}" for name, value in V.items()]
+    said = sg.actuator(**V, angles="20 deg..60 deg/3", poisson_ratio=0.3)
+    assert said.to_dict() == printed("actuator", *options, "--angles=20 deg..60 deg/3", "--poisson-ratio=0.3", "--json")
+    with pytest.raises(sg.UsageError, match="'3' for tube_width: .*mm, cm"):
+        sg.actuator(**{**V, "tube_width": "3"})
+
+
+def test_a_shell_has_a_mesh_in_equilibrium_with_itself() -> None:
+    told: list[tuple[float, str]] = []
+    said = sg.actuator(**V, model="shell", fineness="coarse", progress=lambda part, what: told.append((part, what)))
+    mesh = said.mesh
+    assert mesh is not None
+    nodes, flat, triangles = mesh.nodes_mm, mesh.flat_mm, mesh.triangles
+    assert nodes.shape == (len(flat), 3) and flat.shape == (len(nodes), 2) and triangles.shape[1] == 3
+    assert triangles.dtype == np.int64 and triangles.min() == 0 and triangles.max() == len(nodes) - 1
+    assert mesh.tension_N_per_mm.shape == mesh.stretch.shape == mesh.curvature_per_mm.shape == (len(triangles), 2)
+    # The modelled quarter of the flat tube: half of both arms with their hinge, one sheet.
+    a, b, c = (flat[triangles[:, k]] for k in range(3))
+    area = 0.5 * np.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]).sum()
+    hinge = 0.5 * np.deg2rad(180 - 60) * (22.0**2 - 2.0**2)
+    assert 2 * area == pytest.approx(2 * 80 * 20 + hinge, rel=0.01)
+    # It is inflated: the volume is that under the sheet.
+    assert np.ptp(nodes[:, 2]) > 5.0 and said.volume_mm3 is not None and said.volume_mm3 > 0
+    assert mesh.vtu().startswith("<?xml") or "<VTKFile" in mesh.vtu()
+    assert told[-1] == (1.0, "done") and len(told) > 1
+
+
+def test_an_optimum_meets_its_constraints() -> None:
+    spec = sg.Spec.starter("x").replace({"load.pressure": "37 kPa", "load.object_radius": "30 mm", "load.friction": 0.5})
+    found = sg.optimize(spec, goal="fabric", points=(4, 5), payload=0.3)
+    assert found.spec is not None and found.computed > 1000
+    assert set(found.best["points"]) == {4.0, 5.0} and found.best["violation"][0] == 0.0
+    assert np.all(np.diff(found.front["contraction"]) <= 0)
+    payload = sg.predict(found.spec).payload_kg
+    assert payload is not None and payload >= 0.3
+    assert sg.build(found.spec, only=["seal-gcode"]).files
