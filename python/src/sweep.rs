@@ -112,8 +112,9 @@ fn computed(study: &Study, rows: Range<usize>, line: &Line) -> Vec<Values> {
     all
 }
 
-/// No value yet, with room for `total` of the kind of `values`.
+/// No value yet, with room for `total` of the kind of `values`; of very many only a part is asked for at once.
 fn empty(values: &Values, total: usize) -> Values {
+    let total = total.min(1 << 22);
     match values {
         Values::Real(_) => Values::Real(Vec::with_capacity(total)),
         Values::Whole(_) => Values::Whole(Vec::with_capacity(total)),

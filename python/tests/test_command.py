@@ -55,9 +55,11 @@ def test_a_reader_that_leaves_ends_it_quietly(root: Path) -> None:
         assert process.wait(timeout=60) == 0 and process.stderr.read() == b""
 
 
-def test_ctrl_c_kills_it_as_it_kills_the_program(root: Path) -> None:
-    watch = [COMMAND, "build", str(root / "designs" / "paper-five-points.toml"), "--watch", "-o", "/nonexistent/x"]
+def test_ctrl_c_kills_it_as_it_kills_the_program(root: Path, tmp_path: Path) -> None:
+    watch = [COMMAND, "build", str(root / "designs" / "paper-five-points.toml"), "--watch", "-o", str(tmp_path / "x")]
     process = subprocess.Popen(watch, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    time.sleep(2.0)
+    while not (tmp_path / "x").exists():
+        assert process.poll() is None
+        time.sleep(0.05)
     process.send_signal(signal.SIGINT)
     assert process.wait(timeout=30) == -signal.SIGINT

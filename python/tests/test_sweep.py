@@ -29,7 +29,7 @@ def test_columns_are_arrays_of_all_rows(whole: dict[str, np.ndarray]) -> None:
 
 def test_a_row_is_what_a_prediction_says(gripper: sg.Spec, whole: dict[str, np.ndarray]) -> None:
     row = 2 * 14 + 3
-    values = {"star.points": 5, "star.tube_width": f"{whole['star.tube_width_mm'][row]!r} mm".replace("np.float64(", "").replace(")", ""),
+    values = {"star.points": 5, "star.tube_width": f"{float(whole['star.tube_width_mm'][row])!r} mm",
               "load.pressure": "40 kPa"}
     said = sg.predict(gripper.replace(values))
     for name in ("final_radius_mm", "contraction", "radial_stiffness_N_per_m", "object_force_N", "payload_kg", "bendability"):

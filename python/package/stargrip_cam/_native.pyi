@@ -16,7 +16,7 @@ _Progress = Union[bool, Callable[[float, str], object], None]
 _Model = Literal["fit", "ring", "bvp", "section", "shell", "auto"]
 _Fineness = Literal["coarse", "medium", "fine"]
 _Range = Union[str, tuple[str, str], None]
-_Interval = Union[list[float], None]
+_Interval = Union[tuple[float, float], None]
 
 @final
 class Spec:
