@@ -53,7 +53,7 @@ mod _native {
     #[pymodule_export]
     use super::optimum::{Optimum, optimize};
     #[pymodule_export]
-    use super::prediction::{ActuatorPrediction, Prediction, predict, seconds_alone};
+    use super::prediction::{ActuatorPrediction, Prediction, predict, repeat};
     #[pymodule_export]
     use super::shapes::{Arc, Contour, Line};
     #[pymodule_export]
