@@ -243,7 +243,7 @@ impl Star {
     }
 
     /// The cut fabric as a GeoJSON polygon with its hole, within `tolerance_mm`: shapely.geometry.shape(star.polygon()).
-    #[pyo3(signature = (tolerance_mm = TOLERANCE))]
+    #[pyo3(signature = (tolerance_mm = 0.01))]
     fn polygon<'py>(&self, py: Python<'py>, tolerance_mm: f64) -> PyResult<Bound<'py, PyDict>> {
         let outline = &self.part().outline;
         polygon(py, &[outline.outside.clone(), outline.hole.clone()], tolerance_mm)

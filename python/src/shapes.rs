@@ -113,7 +113,7 @@ impl Contour {
 
     /// Its corners as a polygon that leaves it by `tolerance_mm` at most: an array of shape (N, 2), mm. A closed one does not
     /// repeat its first point.
-    #[pyo3(signature = (tolerance_mm = TOLERANCE))]
+    #[pyo3(signature = (tolerance_mm = 0.01))]
     fn points<'py>(&self, py: Python<'py>, tolerance_mm: f64) -> PyResult<Bound<'py, PyAny>> {
         rows(py, &corners(py, &self.0, tolerance_mm)?, 1.0)
     }
