@@ -1,6 +1,6 @@
 //! Drawings: paths lost, doubled, opened, and formats that disagree.
 
-use super::{assert_found, forged, replace, text};
+use super::{assert_found, forged};
 
 #[test]
 fn drawings_with_lost_doubled_or_opened_paths_are_found() {
