@@ -1,6 +1,6 @@
 //! Searches against grids: problems at random, the winner of each against 10^5 designs of a grid that meet the same constraints.
 //!
-//! `cargo run --release --example optimum -- 200`
+//! `cargo run --release --example optimum -- 200`; with a second number, that problem alone.
 
 use rayon::prelude::*;
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
@@ -121,13 +121,17 @@ impl Problem {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let wanted: u32 = env::args().nth(1).unwrap_or("20".to_owned()).parse()?;
+    let numbers: Vec<u32> = env::args().skip(1).map(|word| word.parse()).collect::<Result<_, _>>()?;
+    let wanted = numbers.first().copied().unwrap_or(20);
     let paper = Candidate::of(&read(&Source::new("starter", starter("x")?))?.spec).ok_or("no star")?;
     let table = RingTable::new()?;
     let mut dice = Dice(11);
     let (mut solved, mut none, mut missed, mut worst) = (0, 0, 0, 0.0_f64);
     for number in 1..=wanted {
         let problem = Problem::drawn(&mut dice, &paper);
+        if numbers.get(1).is_some_and(|only| *only != number) {
+            continue;
+        }
         let found = search(&problem.base, &problem.bounds, &problem.constraints, problem.goal, &table);
         let winner = found.best.first().filter(|best| best.violation == 0.0);
         let own = winner.and_then(|best| problem.worth(&best.point, &best.answer));

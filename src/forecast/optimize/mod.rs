@@ -104,18 +104,21 @@ pub struct Effort {
     pub scanned: u32,
     /// Places that are followed down.
     pub followed: usize,
-    /// Polls of one place: 80 halve and double a step often enough to end at its least.
+    /// Polls of one place: 120 halve and double a step often enough to end at its least.
     pub polls: u32,
 }
 
 impl Default for Effort {
     fn default() -> Self {
-        Self { scanned: 1024, followed: 4, polls: 80 }
+        Self { scanned: 1024, followed: 4, polls: 120 }
     }
 }
 
 /// Smallest step of a search, of the box's side.
 const SMALLEST_STEP: f64 = 1e-4;
+/// Polls, each in other directions, that must fail before a step is halved: where two constraints meet at a sharp angle only some directions
+/// help.
+const FAILURES: u32 = 3;
 
 /// Searches around `base`, whose other values are kept.
 pub fn search(
@@ -226,7 +229,7 @@ impl Search<'_> {
     /// The search downwards from `start`; all designs on the way go to `all`.
     fn descend(&self, points: u32, start: (Place, Evaluated), varied: &[usize], all: &mut Vec<Evaluated>) {
         let (mut place, mut here) = start;
-        let mut step = 0.1;
+        let (mut step, mut failed) = (0.1, 0);
         for round in 0..self.effort.polls {
             let mut moved = false;
             for trial in polled(place, step, varied, round) {
@@ -237,7 +240,12 @@ impl Search<'_> {
                     break;
                 }
             }
-            step = if moved { (2.0 * step).min(0.2) } else { 0.5 * step };
+            failed = if moved { 0 } else { failed + 1 };
+            if moved {
+                step = (2.0 * step).min(0.2);
+            } else if failed % FAILURES == 0 {
+                step *= 0.5;
+            }
             if step < SMALLEST_STEP {
                 break;
             }
