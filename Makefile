@@ -3,7 +3,7 @@
 
 CARGO ?= cargo
 
-.PHONY: demo install dist test check deny audit strangers strangers-more mutants fuzz faults bench
+.PHONY: demo install dist test check docs deny audit strangers strangers-more mutants fuzz faults bench
 
 # Build the paper's star and say what was written, and where.
 demo:
@@ -33,6 +33,13 @@ check:
 	$(CARGO) tree --manifest-path fuzz/Cargo.toml --locked >/dev/null
 	$(CARGO) test --locked --release --test golden
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items
+
+# The pages of docs/ as a book, target/book/index.html. `make test` holds its list, links and pictures, so CI does not build it.
+MDBOOK = $(shell PATH="$$PATH:target/ci-tools/bin" command -v mdbook)
+docs:
+	@test -n "$(MDBOOK)" || { echo "mdbook is missing: run \`cargo install --locked mdbook\`" >&2; exit 1; }
+	$(MDBOOK) build
+	@echo "open target/book/index.html"
 
 # Licences, doubled versions and sources of all dependencies, by deny.toml. It asks no one and takes a second.
 deny:

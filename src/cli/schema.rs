@@ -8,11 +8,15 @@ use crate::spec;
 
 /// Arguments of `schema`.
 #[derive(clap::Args, Debug)]
-pub(super) struct Args {}
+pub(super) struct Args {
+    /// That of a machine profile instead.
+    #[arg(long)]
+    machine: bool,
+}
 
-/// Prints the JSON Schema of a spec.
-pub(super) fn run(_: &Args) -> Result<(), Failure> {
-    say(&spec::schema())
+/// Prints the JSON Schema of a spec, or of a machine profile.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    say(&if args.machine { spec::machine_schema() } else { spec::schema() })
 }
 
 /// Writes the schema beside the spec at `path`, whose first line names it, unless a file of its name is there.

@@ -1,12 +1,14 @@
-//! The JSON Schema of a spec, for editors: completion, hints, and slips underlined while one types.
+//! The JSON Schemas of a spec and of a machine profile, for editors: completion, hints, and slips underlined while one types.
 //!
 //! Each truth keeps its home: which keys there are, and what each takes, is what the reader says when it takes them
-//! ([`Shape`]); what they mean, their defaults and examples are what the starter shows.
+//! ([`Shape`]); what they mean, their defaults and examples are what the starter shows, and the profile `generic`.
 
 use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
+use crate::spec::builtin_machine;
+use crate::spec::profile::read_profile;
 use crate::spec::raw::RawSpec;
 use crate::spec::reading::read_spec;
 use crate::spec::section::Reader;
@@ -16,36 +18,96 @@ use crate::spec::starter::TEMPLATE;
 /// The file's name beside a spec: what the first line of the starter names.
 pub const SCHEMA_FILE: &str = "stargrip-cam.schema.json";
 
-/// A section's lists: the one whose keys stand in a list of sections.
+/// A section's list: the one whose keys stand in a list of sections.
 const LIST: &str = "stack.star";
+/// The profile's list, which stands in no section.
+const CLAMPS: &str = "keep_out";
 
-/// The schema, draft 7, as text.
+/// What the profile `generic` leaves unsaid.
+const MORE: &str = r#"
+schema = 1  # the version of this format
+name = "my-machine"  # what programs and messages call it
+description = "GRBL on a router"  # one line for `stargrip-cam machines`
+[motion]
+x_steps_per_mm = 80  # steps of this axis for a millimetre; say all three axes, or none
+y_steps_per_mm = 80  # steps of this axis for a millimetre; say all three axes, or none
+z_steps_per_mm = 400  # steps of this axis for a millimetre; say all three axes, or none
+min_feed = "1 mm/min"  # the controller raises any lower feed to this
+acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
+[keep_out]
+name = "left clamp"  # what messages and the preview call it
+x = "0 mm"  # its lower left corner, from the sheet's
+y = "100 mm"  # its lower left corner, from the sheet's
+"#;
+
+/// The schema of a spec, draft 7, as text.
 pub fn schema() -> String {
     let (raw, _) = RawSpec::parse("[stack]\ncount = 64\n[[stack.star]]\nindex = 1\n");
     let mut reader = Reader::new(&raw);
     let _ = read_spec(&mut reader);
     let notes = Notes::of(TEMPLATE);
-    let mut sections: BTreeMap<&str, Section> = BTreeMap::new();
-    for (section, key, shape) in reader.shapes() {
-        let _ = sections.entry(section).or_default().keys.insert(key, property(section, key, shape, &notes));
-    }
-    for (section, key) in reader.required() {
-        sections.entry(section).or_default().required.push(key);
-    }
-    let mut root = sections.remove("").unwrap_or_default();
+    let mut sections = sections_of(&reader, &notes);
     let list = sections.remove(LIST).unwrap_or_default().object(notes.of_section(LIST));
     if let Some(stars) = sections.get_mut("stack").and_then(|stack| stack.keys.get_mut("star")) {
         stars["items"] = list;
     }
+    text_of(
+        sections,
+        &notes,
+        ("A specification for stargrip-cam", "What a fabric star gripper is, for stargrip-cam."),
+    )
+}
+
+/// The schema of a machine profile, draft 7, as text. It says no defaults: what a profile leaves out is not known.
+pub fn machine_schema() -> String {
+    let (raw, _) = RawSpec::parse("[[keep_out]]\n");
+    let mut reader = Reader::new(&raw);
+    let _ = read_profile(&mut reader);
+    let mut notes = Notes::of(builtin_machine("generic").unwrap_or_default());
+    notes.keys.extend(Notes::of(MORE).keys);
+    notes.keys.values_mut().for_each(|note| note.is_default = false);
+    let mut sections = sections_of(&reader, &notes);
+    let clamps = sections.remove(CLAMPS).unwrap_or_default().object("");
+    let about = notes.of_section(CLAMPS);
+    let mut root = sections.remove("").unwrap_or_default();
+    let list = json!({ "type": "array", "description": about, "items": clamps });
+    let _ = root.keys.insert(CLAMPS, list);
+    let _ = sections.insert("", root);
+    text_of(
+        sections,
+        &notes,
+        ("A machine profile for stargrip-cam", "What stargrip-cam must know of one controller and its iron."),
+    )
+}
+
+/// What `reader` took, by section.
+fn sections_of(reader: &Reader<'_>, notes: &Notes) -> BTreeMap<&'static str, Section> {
+    let mut sections: BTreeMap<&str, Section> = BTreeMap::new();
+    for (section, key, shape) in reader.shapes() {
+        let _ = sections.entry(section).or_default().keys.insert(key, property(section, key, shape, notes));
+    }
+    for (section, key) in reader.required() {
+        sections.entry(section).or_default().required.push(key);
+    }
+    sections
+}
+
+/// `sections` as one object with a title and a description, the keys before the first section outside of them.
+fn text_of(
+    mut sections: BTreeMap<&'static str, Section>,
+    notes: &Notes,
+    (title, about): (&str, &str),
+) -> String {
+    let mut root = sections.remove("").unwrap_or_default();
     for (name, section) in sections {
         if !section.required.is_empty() {
             root.required.push(name);
         }
         let _ = root.keys.insert(name, section.object(notes.of_section(name)));
     }
-    let mut object = root.object("What a fabric star gripper is, for stargrip-cam.");
+    let mut object = root.object(about);
     object["$schema"] = json!("http://json-schema.org/draft-07/schema#");
-    object["title"] = json!("A specification for stargrip-cam");
+    object["title"] = json!(title);
     format!("{object:#}\n")
 }
 
@@ -117,7 +179,7 @@ struct Notes {
 }
 
 impl Notes {
-    /// Reads `text`: sections below the words about them, keys before the words about them.
+    /// Reads `text`: sections below the words about them, keys before or below theirs.
     fn of(text: &str) -> Self {
         let mut notes = Self { keys: BTreeMap::new(), sections: BTreeMap::new() };
         let (mut section, mut above) = (String::new(), Vec::new());
@@ -135,7 +197,8 @@ impl Notes {
             } else if let Some((key, value)) =
                 code.split_once(" = ").and_then(|(key, value)| Some((key, json_of(value)?)))
             {
-                let note = Note { meaning: words.to_owned(), value, is_default };
+                let meaning = if words.is_empty() { above.join(" ") } else { words.to_owned() };
+                let note = Note { meaning: meaning.trim_end_matches('.').to_owned(), value, is_default };
                 let _ = notes.keys.entry((section.clone(), key.to_owned())).or_insert(note);
             } else if line.starts_with("# ") {
                 above.push(bare);
@@ -221,6 +284,35 @@ mod tests {
                 .as_str()
                 .is_some_and(|text| text.starts_with("One flat star"))
         );
+    }
+
+    #[test]
+    fn every_key_of_a_profile_says_what_it_means() {
+        let schema: Value = serde_json::from_str(&machine_schema()).expect("JSON");
+        let mut number = 0;
+        let mut looked_at = |keys: &Value| {
+            for (key, property) in keys["properties"].as_object().expect("keys") {
+                let told = property["description"].as_str();
+                assert!(told.is_some_and(|text| text.len() > 10), "{key}: {property}");
+                if property["type"] != "object" && key != CLAMPS {
+                    assert!(property["examples"].is_array() && property.get("default").is_none(), "{key}");
+                    number += 1;
+                }
+            }
+        };
+        looked_at(&schema);
+        for section in ["work_area", "heights", "speeds", "motion", "dwell", "program"] {
+            looked_at(&schema["properties"][section]);
+        }
+        looked_at(&schema["properties"][CLAMPS]["items"]);
+        assert!(number > 35, "{number}");
+        assert_eq!(schema["required"], json!(["schema", "name", "dialect", "heights", "program"]));
+        let x = at(&schema, "work_area", "x");
+        assert!(
+            x["anyOf"].as_array().is_some_and(|ways| ways.contains(&json!({ "const": "unknown" }))),
+            "{x}"
+        );
+        assert_eq!(at(&schema, "program", "start")["type"], json!("array"));
     }
 
     #[test]
