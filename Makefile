@@ -3,7 +3,7 @@
 
 CARGO ?= cargo
 
-.PHONY: demo install dist test check docs deny audit strangers strangers-more mutants fuzz faults bench
+.PHONY: demo install dist portable test check docs deny audit strangers strangers-more mutants fuzz faults bench
 
 # Build the paper's star and say what was written, and where.
 demo:
@@ -15,10 +15,14 @@ install:
 	$(CARGO) build --release --locked
 	packaging/lay-out target/release/stargrip-cam $(DESTDIR)$(PREFIX)
 
-# The same as an archive, for TARGET if it is named: `make dist TARGET=x86_64-unknown-linux-musl` is static.
+# The same as an archive, for TARGET if it is named. For Linux the program in it is static.
 TARGET ?=
 dist:
 	packaging/dist $(TARGET)
+
+# Whether it compiles for Windows and macOS, as far as their standard libraries are here; TARGETS names others.
+portable:
+	packaging/portable $(TARGETS)
 
 test:
 	$(CARGO) test --locked

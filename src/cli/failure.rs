@@ -6,8 +6,8 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use crate::cli::harmless::{harmless, shown};
-use crate::cli::terminal::has_colours;
-use crate::cli::{PublishFault, findings};
+use crate::cli::terminal::{fitted, has_colours, width};
+use crate::cli::{PublishFault, findings, interrupt};
 use crate::spec::Faults;
 use crate::verify::Finding;
 
@@ -52,17 +52,17 @@ impl Failure {
             Self::Publish(error) => format!("error: {error}"),
             Self::Message(text) => format!("error: {text}"),
             Self::Usage(text) => {
-                tell(&format!("error: {text}"));
+                tell(&fitted(&format!("error: {text}"), width(&io::stderr())));
                 return ExitCode::from(2);
             }
             Self::Interrupted => {
                 tell("stopped; nothing was written");
-                return ExitCode::from(130);
+                return ExitCode::from(interrupt::EXIT);
             }
             Self::Said => return ExitCode::FAILURE,
             Self::Pipe => return ExitCode::SUCCESS,
         };
-        tell(&text);
+        tell(&fitted(&text, width(&io::stderr())));
         ExitCode::FAILURE
     }
 }

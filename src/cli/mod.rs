@@ -8,6 +8,7 @@ mod again;
 mod build;
 mod cache;
 mod calibrate;
+mod candidates;
 mod check;
 mod clock;
 mod completions;
@@ -22,6 +23,7 @@ mod figure;
 mod findings;
 mod glance;
 mod harmless;
+mod interrupt;
 mod load;
 mod machines;
 mod man;
@@ -29,6 +31,7 @@ mod new;
 mod new_object;
 mod optimize;
 mod predict;
+mod progress;
 mod publish;
 mod quantity;
 mod resume;
@@ -143,4 +146,27 @@ pub fn main() -> ExitCode {
 /// Ends with what `clap` has to say: help, or wrong usage. It quotes arguments, so it gets to see harmless ones.
 fn misused(fault: clap::Error) -> ! {
     Cli::try_parse_from(env::args_os().map(shown)).err().unwrap_or(fault).exit()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Commands that have no other answer than a document for other programs, whole and always the same.
+    const DOCUMENTS: [&str; 3] = ["schema", "completions", "man"];
+    /// Commands that compute for hours and whose answers are files, a row or a file for each.
+    const FILES: [&str; 2] = ["sweep", "table"];
+
+    #[test]
+    fn every_command_that_reports_speaks_as_loud_as_one_likes() {
+        let program = Cli::command();
+        for command in program.get_subcommands() {
+            let name = command.get_name();
+            let has = |option: &str| command.get_arguments().any(|arg| arg.get_long() == Some(option));
+            let all = ["quiet", "verbose", "json"].into_iter().filter(|option| has(option)).count();
+            let excepted = DOCUMENTS.contains(&name) || FILES.contains(&name);
+            assert!(all == 3 || (excepted && all == 0), "{name} has {all} of --quiet, --verbose, --json");
+        }
+        program.debug_assert();
+    }
 }
