@@ -322,9 +322,9 @@ mod tests {
         let mut number = 0;
         let mut looked_at = |keys: &Value| {
             for (key, property) in keys["properties"].as_object().expect("keys") {
-                let told = property["description"].as_str();
-                assert!(told.is_some_and(|text| text.len() > 10), "{key}: {property}");
                 if property["type"] != "object" && key != CLAMPS {
+                    let told = property["description"].as_str();
+                    assert!(told.is_some_and(|text| text.len() > 10), "{key}: {property}");
                     assert!(property["examples"].is_array() != property.get("default").is_some(), "{key}");
                     number += 1;
                 }
