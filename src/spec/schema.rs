@@ -23,19 +23,35 @@ const LIST: &str = "stack.star";
 /// The profile's list, which stands in no section.
 const CLAMPS: &str = "keep_out";
 
-/// What the profile `generic` leaves unsaid.
+/// What the profile `generic` leaves unsaid; a line that begins with `# ` is a default, and says what `generic` says where it has no words.
 const MORE: &str = r#"
 schema = 1  # the version of this format
 name = "my-machine"  # what programs and messages call it
 description = "GRBL on a router"  # one line for `stargrip-cam machines`
+# heating = "operator"
+# line_length = 72
+# comments = "semicolon"
+# thumbnails = false
+# arcs = true
+# ramp = "3 mm"
+[work_area]
+x = "unknown"  # along X; say both, or none
+y = "unknown"  # along Y; say both, or none
+[speeds]
+# travel = "20 mm/s"
+# trace = "20 mm/s"
 [motion]
 x_steps_per_mm = 80  # steps of this axis for a millimetre; say all three axes, or none
 y_steps_per_mm = 80  # steps of this axis for a millimetre; say all three axes, or none
 z_steps_per_mm = 400  # steps of this axis for a millimetre; say all three axes, or none
-min_feed = "1 mm/min"  # the controller raises any lower feed to this
+# min_feed = "0 mm/s"  # the controller raises any lower feed to this
 acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
+# start_delay = "0 s"
+[dwell]
+# unit = "s"
+# step = "1 ms"
 [keep_out]
-name = "left clamp"  # what messages and the preview call it
+# name = "clamp"  # what messages and the preview call it
 x = "0 mm"  # its lower left corner, from the sheet's
 y = "100 mm"  # its lower left corner, from the sheet's
 "#;
@@ -58,14 +74,12 @@ pub fn schema() -> String {
     )
 }
 
-/// The schema of a machine profile, draft 7, as text. It says no defaults: what a profile leaves out is not known.
+/// The schema of a machine profile, draft 7, as text.
 pub fn machine_schema() -> String {
     let (raw, _) = RawSpec::parse("[[keep_out]]\n");
     let mut reader = Reader::new(&raw);
     let _ = read_profile(&mut reader);
-    let mut notes = Notes::of(builtin_machine("generic").unwrap_or_default());
-    notes.keys.extend(Notes::of(MORE).keys);
-    notes.keys.values_mut().for_each(|note| note.is_default = false);
+    let notes = profile_notes();
     let mut sections = sections_of(&reader, &notes);
     let clamps = sections.remove(CLAMPS).unwrap_or_default().object("");
     let about = notes.of_section(CLAMPS);
@@ -78,6 +92,20 @@ pub fn machine_schema() -> String {
         &notes,
         ("A machine profile for stargrip-cam", "What stargrip-cam must know of one controller and its iron."),
     )
+}
+
+/// What is said of a profile's keys.
+fn profile_notes() -> Notes {
+    let mut notes = Notes::of(builtin_machine("generic").unwrap_or_default());
+    // What stands there is one machine's own.
+    notes.keys.values_mut().for_each(|note| note.is_default = false);
+    for (key, mut more) in Notes::of(MORE).keys {
+        if let Some(note) = notes.keys.get_mut(&key).filter(|_| more.meaning.is_empty()) {
+            more.meaning = std::mem::take(&mut note.meaning);
+        }
+        let _ = notes.keys.insert(key, more);
+    }
+    notes
 }
 
 /// What `reader` took, by section.
@@ -189,6 +217,8 @@ impl Notes {
                 None => (line.starts_with("# "), line.trim_start_matches("# ")),
             };
             let (code, words) = bare.split_once('#').map_or((bare, ""), |(code, words)| (code, words.trim()));
+            // What is indented is an example inside of a sentence.
+            let code = if bare.starts_with(' ') { "" } else { code };
             if let Some(name) = code.trim().strip_prefix('[').map(|name| name.trim_matches(['[', ']'])) {
                 name.clone_into(&mut section);
                 above.push(words);
@@ -226,7 +256,7 @@ fn json_of(value: &str) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spec::key;
+    use crate::spec::{Source, key, read_machine};
 
     fn read() -> Value {
         serde_json::from_str(&schema()).expect("JSON")
@@ -292,10 +322,10 @@ mod tests {
         let mut number = 0;
         let mut looked_at = |keys: &Value| {
             for (key, property) in keys["properties"].as_object().expect("keys") {
-                let told = property["description"].as_str();
-                assert!(told.is_some_and(|text| text.len() > 10), "{key}: {property}");
                 if property["type"] != "object" && key != CLAMPS {
-                    assert!(property["examples"].is_array() && property.get("default").is_none(), "{key}");
+                    let told = property["description"].as_str();
+                    assert!(told.is_some_and(|text| text.len() > 10), "{key}: {property}");
+                    assert!(property["examples"].is_array() != property.get("default").is_some(), "{key}");
                     number += 1;
                 }
             }
@@ -313,6 +343,36 @@ mod tests {
             "{x}"
         );
         assert_eq!(at(&schema, "program", "start")["type"], json!("array"));
+    }
+
+    #[test]
+    fn a_profile_without_the_defaults_means_the_same() {
+        let bare = "schema = 1\nname = \"m\"\ndialect = \"grbl\"\n";
+        let rest = "[heights]\ncontact = \"0 mm\"\ntravel = \"5 mm\"\npark = \"30 mm\"\n\
+                    [program]\nstart = []\npause = \"M0\"\nend = []\n\
+                    [[keep_out]]\nx = \"0 mm\"\ny = \"0 mm\"\nwidth = \"9 mm\"\ndepth = \"9 mm\"\n";
+        let defaults: Vec<&str> = MORE
+            .lines()
+            .filter_map(|line| line.strip_prefix("# ").or_else(|| line.starts_with('[').then_some(line)))
+            .filter(|line| *line != "[work_area]")
+            .collect();
+        assert!(defaults.len() > 14, "{defaults:?}");
+        let (root, sections): (Vec<&str>, Vec<&str>) = {
+            let end = defaults.iter().position(|line| line.starts_with('[')).expect("a section");
+            (defaults[..end].to_vec(), defaults[end..].to_vec())
+        };
+        let clamp = sections.iter().position(|line| *line == "[keep_out]").expect("clamps");
+        let written = format!(
+            "{bare}{}\n{}\n{rest}{}\n",
+            root.join("\n"),
+            sections[..clamp].join("\n"),
+            sections[clamp + 1..].join("\n")
+        );
+        let read = |text: &str| {
+            read_machine(&Source::new("profile", text)).unwrap_or_else(|why| panic!("{why}\n{text}"))
+        };
+        assert_eq!(read(&format!("{bare}{rest}")), read(&written));
+        assert_ne!(read(&format!("{bare}{rest}")), read(&written.replace("arcs = true", "arcs = false")));
     }
 
     #[test]

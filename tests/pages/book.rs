@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use crate::home;
-use crate::page::{Page, Piece};
+use crate::page::{Page, Piece, ends_in};
 
 /// What a picture may weigh, in bytes.
 const LARGEST: u64 = 100_000;
@@ -63,7 +63,7 @@ fn every_picture_is_shown_small_and_said_in_words() {
     let mut there = BTreeSet::new();
     for file in files {
         let name = file.file_name().into_string().expect("ASCII");
-        if name.ends_with(".svg") || name.ends_with(".png") {
+        if ends_in(&name, "svg") || ends_in(&name, "png") {
             assert!(file.metadata().expect("a file").len() < LARGEST, "{name} is too large");
             let _ = there.insert(name);
         }

@@ -1,8 +1,14 @@
 //! A page of Markdown in pieces: headings, fenced blocks, pictures, links.
 
 use std::fs;
+use std::path::Path;
 
 use crate::home;
+
+/// Whether a file's name has this ending.
+pub(crate) fn ends_in(name: &str, ending: &str) -> bool {
+    Path::new(name).extension().is_some_and(|found| found == ending)
+}
 
 /// A page.
 pub(crate) struct Page {
@@ -55,7 +61,7 @@ impl Page {
         let files = fs::read_dir(home().join("docs")).expect("a directory");
         let mut names: Vec<String> = files
             .map(|file| file.expect("a file").file_name().into_string().expect("ASCII"))
-            .filter(|name| name.ends_with(".md") && name != "SUMMARY.md")
+            .filter(|name| ends_in(name, "md") && name != "SUMMARY.md")
             .map(|name| format!("docs/{name}"))
             .collect();
         names.push("README.md".to_owned());

@@ -17,8 +17,7 @@ matter first, and why, is said in [choosing.md](choosing.md). A quantity is a te
 const PROFILE: &str = "# Every key of a machine profile
 
 This page is made of `stargrip-cam schema --machine`, which is made of what the reader takes. `stargrip-cam machines show grbl` prints a profile to start from;
-[machines.md](machines.md) says what the figures are for, and where to find them. What is left out is not known, and so not checked; the examples are those of the
-profile `generic`, or of GRBL where that one knows nothing.
+[machines.md](machines.md) says what the figures are for, and where to find them. What has no default and is left out, or \"unknown\", is not checked.
 ";
 
 #[test]
@@ -53,16 +52,12 @@ fn page(head: &str, schema: &str, template: &str) -> String {
         properties(&schema).filter(|(_, value)| is_section(value)).collect();
     sections.sort_by_key(|(name, _)| place(template, name, ""));
     for (name, section) in sections {
-        match section.get("items") {
-            Some(items) => {
-                let about = section["description"].as_str().unwrap_or_default();
-                out += &table(&format!("[[{name}]]"), about, items, &|_, key| order(name, key), &mut units);
-            }
-            None => {
-                let about = section["description"].as_str().unwrap_or_default();
-                out += &table(&format!("[{name}]"), about, section, &|_, key| order(name, key), &mut units);
-            }
-        }
+        let about = section["description"].as_str().unwrap_or_default();
+        let (heading, object) = match section.get("items") {
+            Some(items) => (format!("[[{name}]]"), items),
+            None => (format!("[{name}]"), section),
+        };
+        out += &table(&heading, about, object, &|_, key| order(name, key), &mut units);
         for (key, list) in properties(section).filter(|(_, value)| is_section(value)) {
             let about = list["items"]["description"].as_str().unwrap_or_default();
             let inner = format!("{name}.{key}");
@@ -96,7 +91,9 @@ fn place(template: &str, section: &str, key: &str) -> usize {
     let mut here = "";
     let mut found = usize::MAX;
     for (line, number) in template.lines().zip(1..) {
-        let bare = line.trim_start_matches(['#', ' ']);
+        // What is indented is an example inside of a sentence.
+        let bare = line.trim_start_matches('#');
+        let bare = bare.strip_prefix(' ').unwrap_or(bare);
         if let Some((name, _)) =
             bare.strip_prefix('[').and_then(|rest| rest.trim_start_matches('[').split_once(']'))
         {
@@ -122,7 +119,9 @@ fn table(
     keys.sort_by_key(|(key, _)| order("", key));
     let mut out = format!("\n## {heading}\n\n");
     if !about.is_empty() {
-        let _ = writeln!(out, "{about}\n");
+        let mut about = about.to_owned();
+        about[..1].make_ascii_uppercase();
+        let _ = writeln!(out, "{}.\n", about.trim_end_matches('.'));
     }
     out += "| key | what it is | takes | default |\n|---|---|---|---|\n";
     let required = object["required"].as_array();
@@ -133,6 +132,7 @@ fn table(
         let default = match property.get("default") {
             Some(default) => format!("`{default}`"),
             None if is_required => format!("required; such as `{example}`"),
+            None if heading == "[[stack.star]]" => "that of the others".to_owned(),
             None => format!("none; such as `{example}`"),
         };
         let _ = writeln!(out, "| `{key}` | {meaning} | {takes} | {default} |");
@@ -160,7 +160,7 @@ fn told(property: &Value, units: &mut BTreeMap<String, String>) -> (String, Stri
         text[..at].rfind(". ").map_or(if text[at..].starts_with(' ') { 0 } else { at }, |stop| stop + 2)
     });
     let (meaning, takes) = text.split_at(begin.unwrap_or(text.len()));
-    let meaning = meaning.trim().trim_end_matches('.').replace('|', "\\|");
+    let meaning = small(&meaning.trim().trim_end_matches('.').replace('|', "\\|"));
     let takes = takes.trim().trim_end_matches('.');
     if let Some((kind, rest)) = takes.split_once(" with its unit (") {
         let kind = kind.split_once(' ').map_or(kind, |(_, kind)| kind).to_owned();
@@ -191,9 +191,25 @@ fn short(range: &str) -> String {
         .replace("must be ", "")
         .replace(" and at most ", " to ")
         .replace(" and less than ", " to below ");
-    range
-        .replace("at least ", "")
-        .replace("more than ", "above ")
-        .replace(". Or ", ", or ")
-        .replace("mm to ", "to ")
+    let range = range.replace("at least ", "").replace("more than ", "above ").replace(". Or ", ", or ");
+    // The unit once, behind both ends.
+    let Some((low, high)) = range.split_once(" to ") else { return range };
+    let unit = low
+        .rsplit_once(' ')
+        .map(|(_, unit)| unit)
+        .filter(|unit| high.split([' ', ',']).any(|word| word == *unit));
+    let low = unit.map_or(low, |unit| low.trim_end_matches(unit).trim_end());
+    format!("{low} to {high}")
+}
+
+/// `text` as it goes on behind a key: small, unless its first word is a name.
+fn small(text: &str) -> String {
+    let mut letters = text.chars();
+    let rest: String = letters.clone().skip(1).collect();
+    match letters.next() {
+        Some(first) if !rest.starts_with(|c: char| c.is_uppercase() || c.is_ascii_digit()) => {
+            first.to_lowercase().chain(rest.chars()).collect()
+        }
+        _ => text.to_owned(),
+    }
 }
