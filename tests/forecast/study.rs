@@ -11,7 +11,7 @@ use stargrip_cam::spec::study::{Field, Lane, read_study};
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
-const NEVER: AtomicBool = AtomicBool::new(false);
+static NEVER: AtomicBool = AtomicBool::new(false);
 
 /// The paper's gripper, by the membrane's limit.
 fn ring() -> Source {
@@ -53,6 +53,7 @@ fn numbers(study: &Study, batch: &Batch, name: &str) -> Vec<f64> {
     let at = study.columns().iter().position(|column| column.name == name).expect(name);
     match &batch.columns[at] {
         Values::Real(values) => values.clone(),
+        #[expect(clippy::cast_precision_loss, reason = "small numbers")]
         Values::Whole(values) => values.iter().map(|value| *value as f64).collect(),
         Values::Text(_) => panic!("{name} holds words"),
     }
@@ -371,7 +372,7 @@ proptest! {
         prop_assert!(joined == once);
         let batch = study.batch(from..from + len, &NEVER).expect("not stopped");
         let own = String::from_utf8(csv::lines(&batch)).expect("text");
-        let expected: String = once.lines().skip(from).take(len).map(|line| format!("{line}\n")).collect();
+        let expected: String = once.lines().skip(from).take(len).flat_map(|line| [line, "\n"]).collect();
         prop_assert_eq!(own, expected);
     }
 }

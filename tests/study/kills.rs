@@ -33,7 +33,9 @@ fn workers_that_are_killed_go_on_where_they_stopped() {
         state ^= state << 13;
         state ^= state >> 7;
         state ^= state << 17;
-        below.mul_f64((state >> 11) as f64 / (1_u64 << 53) as f64)
+        #[expect(clippy::cast_precision_loss, reason = "53 bits are exact")]
+        let part = (state >> 11) as f64 / (1_u64 << 53) as f64;
+        below.mul_f64(part)
     };
     let (mut kills, mut studies, mut leftovers) = (0, 0, 0);
     while kills < wanted || studies == 0 {
