@@ -2,15 +2,16 @@
 
 use divan::{Bencher, black_box};
 use stargrip_cam::design::Design;
-use stargrip_cam::forecast::candidate::Candidate;
 use stargrip_cam::forecast::predict::predict;
-use stargrip_cam::forecast::sweep::{Axis, Sweep};
+use stargrip_cam::forecast::study::{Study, csv};
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::bvp::Bvp;
 use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
 use stargrip_cam::mechanics::hinge::section::{Section, SectionTable};
 use stargrip_cam::spec;
+use stargrip_cam::spec::study::Lane;
 use stargrip_cam::spec::{Source, Spec, read, starter};
+use std::sync::atomic::AtomicBool;
 
 fn main() {
     divan::main();
@@ -80,15 +81,17 @@ fn bvp_state_at_beta_1000(r_star: f64) -> f64 {
 fn sweep_of_a_million_designs(bencher: Bencher) {
     let axes =
         ["star.points=3,4,5,6", "star.tube_width=10 mm..40 mm/500", "star.tip_angle=15 deg..60 deg/500"];
-    let axes = axes.map(|text| Axis::parse(text).expect("valid")).to_vec();
-    let sweep = Sweep::new(Candidate::of(&star()).expect("a star"), axes).expect("small");
-    assert_eq!(sweep.rows(), 1_000_000);
+    let lanes = axes.map(|text| Lane::parse(text).expect("valid")).to_vec();
+    let study = Study::vary(&source(), lanes).expect("valid").expect("small");
+    assert_eq!(study.rows(), 1_000_000);
     bencher.bench_local(|| {
         let mut bytes = 0;
-        sweep.run(0..sweep.rows(), |text, _| {
+        let never = AtomicBool::new(false);
+        let take = |text: Vec<u8>, _| {
             bytes += text.len();
             true
-        });
+        };
+        assert!(study.run(0..study.rows(), &never, |batch| csv::lines(&batch), take));
         bytes
     });
 }
@@ -104,7 +107,11 @@ fn prediction(bencher: Bencher) {
 }
 
 fn star() -> Spec {
+    read(&source()).expect("valid").spec
+}
+
+fn source() -> Source {
     let load = "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.5\n";
     let text = starter("bench").expect("a name") + load;
-    read(&Source::new("bench", text)).expect("valid").spec
+    Source::new("bench", text)
 }

@@ -26,6 +26,8 @@ pub(super) enum Failure {
     Usage(String),
     /// Ctrl-C.
     Interrupted,
+    /// Ctrl-C, or what a cluster sends before it kills, with what is left.
+    Stopped(String),
     /// It has been said already, on standard output.
     Said,
     /// The reader of our standard output has gone; there is nobody left to tell.
@@ -58,6 +60,10 @@ impl Failure {
             Self::Interrupted => {
                 tell("stopped; nothing was written");
                 return ExitCode::from(interrupt::EXIT);
+            }
+            Self::Stopped(text) => {
+                tell(&text);
+                return ExitCode::from(130);
             }
             Self::Said => return ExitCode::FAILURE,
             Self::Pipe => return ExitCode::SUCCESS,

@@ -37,6 +37,7 @@ mod quantity;
 mod resume;
 mod schema;
 mod shell;
+mod study;
 mod summary;
 mod sweep;
 mod table;
@@ -47,6 +48,7 @@ mod verdict;
 mod verify;
 mod voice;
 mod watch;
+mod whole_file;
 
 use std::env;
 use std::process::ExitCode;
@@ -77,8 +79,10 @@ enum Command {
     Actuator(actuator::Args),
     /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
     Optimize(optimize::Args),
-    /// Compute many designs at once: one CSV row for every combination of values.
+    /// Compute many designs at once: a row for every combination of values, or for every row of a study file.
     Sweep(sweep::Args),
+    /// Show what a study file asks for, or join its parts.
+    Study(study::Args),
     /// Compute the shipped table of what arms add to a hinge anew, or a part of it.
     Table(table::Args),
     /// Measure time and error of every model on this machine.
@@ -122,6 +126,7 @@ pub fn main() -> ExitCode {
         Command::Actuator(args) => actuator::run(&args),
         Command::Optimize(args) => optimize::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Study(args) => study::run(&args),
         Command::Table(args) => table::run(&args),
         Command::Trade(args) => trade::run(&args),
         Command::Cone(args) => cone::run(&args),

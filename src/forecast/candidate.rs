@@ -1,6 +1,6 @@
 //! One design among many: the same closed forms as a prediction's, by the section's table, in a few microseconds.
 
-use crate::design::{SHEETS, Star, cut_area};
+use crate::design::{Refusal, RefusalCode, SHEETS, Star, cut_area};
 use crate::forecast::case::Case;
 use crate::forecast::choice::tabled;
 use crate::forecast::outcome::Outcome;
@@ -10,8 +10,9 @@ use crate::mechanics::fault::{HingeFault, StarFault};
 use crate::mechanics::hinge::fit::Fit;
 use crate::mechanics::hinge::ring::{Ring, RingTable};
 use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level};
-use crate::spec::{Fabric, Inlet, Load, ModelChoice, Seal, Spec, StarSpec};
+use crate::spec::{Code, Fabric, Inlet, Load, ModelChoice, Seal, Spec, StarSpec};
 use crate::units::{Length, Pressure};
+use std::fmt;
 
 /// The exact ring with its targets from the table.
 #[derive(Clone, Copy, Debug)]
@@ -92,6 +93,35 @@ pub struct Answer {
     pub fabric: Option<f64>,
 }
 
+/// Why there is no answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refused {
+    /// The word for scripts, "no-arm": one of docs/codes.md.
+    pub code: &'static str,
+    /// What was found, what is allowed, and the remedy.
+    pub text: String,
+}
+
+impl fmt::Display for Refused {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+impl std::error::Error for Refused {}
+
+impl From<&Refusal> for Refused {
+    fn from(refusal: &Refusal) -> Self {
+        Self { code: refusal.code.as_str(), text: refusal.to_string() }
+    }
+}
+
+impl From<StarFault> for Refused {
+    fn from(fault: StarFault) -> Self {
+        Self { code: RefusalCode::NoPrediction.as_str(), text: fault.to_string() }
+    }
+}
+
 impl Candidate {
     /// The first star of `spec`, with the whole stack's count.
     pub fn of(spec: &Spec) -> Option<Self> {
@@ -111,11 +141,10 @@ impl Candidate {
     /// What it does, with linear hinges; `ring` knows the load on the seal.
     ///
     /// # Errors
-    /// One sentence, if there is no such star.
-    pub fn answer(&self, ring: &RingTable) -> Result<Answer, String> {
-        let star = Star::new(&self.star).map_err(|refusal| refusal.to_string())?;
-        let case = Case::new(&star, &self.fabric, &self.seal, Some(&self.load));
-        let case = case.map_err(|fault| fault.to_string())?;
+    /// If there is no such star, or a model has no answer for it.
+    pub fn answer(&self, ring: &RingTable) -> Result<Answer, Refused> {
+        let star = Star::new(&self.star).map_err(|refusal| Refused::from(&refusal))?;
+        let case = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
         let ring = TableRing(ring);
         let known = match self.model {
             ModelChoice::Ring => Outcome::of(&case, &ring).map(Some),
@@ -124,8 +153,7 @@ impl Candidate {
                 by_section(&case)
             }
         };
-        let (case, outcome) =
-            known.map_err(|fault| fault.to_string())?.map_or((case, None), |(case, own)| (case, Some(own)));
+        let (case, outcome) = known?.map_or((case, None), |(case, own)| (case, Some(own)));
         let inlet = self.inlet.as_ref();
         let area = cut_area(&star, &self.seal, inlet, self.star.inlet_tip, self.hole_diameter.0);
         let one = Answer {

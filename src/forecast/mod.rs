@@ -18,7 +18,7 @@
 //! | [`by_shell`], [`star_by_shell`], [`shell_prediction`] | the same by the shell, which is asked by name only |
 //! | [`arms`] | what arms add to a hinge: ladders of shells, and the table made of them |
 //! | [`stars`] | stars as shells, by which predictions without shells are judged |
-//! | [`candidate`], [`sweep`], [`optimize`] | the same answer for one design among millions |
+//! | [`candidate`], [`mod@study`], [`optimize`] | the same answer for one design among millions |
 //! | [`choosing`] | from an object to a spec |
 //! | [`trade`] | what each model costs, and how far it is off |
 
@@ -43,6 +43,6 @@ pub mod shell_prediction;
 pub mod shut;
 pub mod star_by_shell;
 pub mod stars;
-pub mod sweep;
+pub mod study;
 pub mod trade;
 pub mod verdict;

@@ -122,6 +122,35 @@ pub fn with_value(source: &Source, key: KeyPath, value: &str) -> Result<String, 
     Ok(edited.text)
 }
 
+/// The text of `source`, a valid spec, with every key set to its value, TOML of its own. Lines end with LF. It has not been read
+/// back: the values may not go together.
+///
+/// # Errors
+/// If a value is no TOML, or the section of a key cannot be edited.
+pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<String, Faults> {
+    let syntax = |error: toml_edit::TomlError| {
+        let place = error.span().unwrap_or(0..0);
+        Faults::new(source, vec![Fault::error(FaultCode::Syntax, place, error.message())])
+    };
+    let mut document: DocumentMut = source.text.parse().map_err(syntax)?;
+    for (key, value) in values {
+        let value: Value = value.parse().map_err(syntax)?;
+        if key.section().is_empty() {
+            set(document.as_table_mut(), false, key.key(), value);
+            continue;
+        }
+        let item = document.entry(key.section()).or_insert_with(toml_edit::table);
+        let inline = item.is_inline_table();
+        let Some(section) = item.as_table_like_mut() else {
+            let message = format!("`{key}` cannot be set here");
+            let fault = Fault::error(FaultCode::Edit, 0..0, message).label("must take a new value");
+            return Err(Faults::new(source, vec![fault.help("write its section with one key a line")]));
+        };
+        set(section, inline, key.key(), value);
+    }
+    Ok(document.to_string())
+}
+
 /// Sets `key`; the blanks and comments around an old value stay.
 fn set(section: &mut dyn TableLike, inline: bool, key: &str, mut value: Value) {
     if let Some(old) = section.get_mut(key).and_then(Item::as_value_mut) {

@@ -34,6 +34,7 @@ mod shape;
 mod source;
 mod stars;
 mod starter;
+pub mod study;
 mod syntax;
 mod unknown;
 mod value;

@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::de::DeTable;
 
 use crate::spec::fault::Fault;
-use crate::spec::value::{RawKind, RawTable, RawValue};
+use crate::spec::value::{RawEntry, RawKind, RawTable, RawValue};
 use crate::spec::{KeyPath, syntax};
 
 /// What was written: TOML, nothing decided yet.
@@ -23,6 +23,20 @@ impl RawSpec {
         // What a flood leaves between its errors is chance.
         let kept = if errors.len() < syntax::FLOOD { root } else { RawTable(Vec::new()) };
         (Self { root: kept }, faults)
+    }
+
+    /// A document in which nothing but `key` is written.
+    pub(super) fn of_one(key: KeyPath, value: RawValue) -> Self {
+        let entry = |name: &str, value: RawValue| {
+            RawTable(vec![RawEntry { key: name.to_owned(), key_span: value.span.clone(), value }])
+        };
+        let span = value.span.clone();
+        let own = entry(key.key(), value);
+        let root = match key.section() {
+            "" => own,
+            section => entry(section, RawValue { kind: RawKind::Table(own), span }),
+        };
+        Self { root }
     }
 
     /// The whole document.

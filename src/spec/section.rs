@@ -79,6 +79,20 @@ impl<'r> Reader<'r> {
         self.open(name, table, value.span.clone())
     }
 
+    /// Section `name`, whose keys whoever asks for it judges; `None` if it was not written.
+    pub(super) fn free(&mut self, name: &'static str) -> Option<&'r RawValue> {
+        let value = self.raw.root().get(name);
+        if let Some(value) = value {
+            let _ = self.element(name, value);
+        }
+        if let Some(known) = self.known.last_mut().filter(|known| known.section == name) {
+            known.table = None;
+        } else {
+            self.known.push(Known { section: name, keys: Vec::new(), table: None });
+        }
+        value
+    }
+
     fn open(
         &mut self,
         name: &'static str,

@@ -6,7 +6,7 @@ mod outcome;
 mod page;
 mod ranges;
 mod seal_load;
-mod sweep;
+mod study;
 mod verdict;
 
 use stargrip_cam::design::{Design, Star};

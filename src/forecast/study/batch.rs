@@ -1,0 +1,206 @@
+//! Rows as columns of numbers, computed in parallel, in order.
+
+use crate::forecast::study::Study;
+use crate::forecast::study::columns::Kind;
+use crate::forecast::study::outputs::Row;
+use crate::spec::study::KeyValue;
+use rayon::prelude::*;
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Rows that one task computes: long enough to hide the hand-over, short enough that all threads end together.
+const CHUNK: usize = 1024;
+/// Chunks that are in memory at a time, whatever the size of the study.
+const AT_ONCE: usize = 64;
+
+/// The values of one column.
+#[derive(Clone, Debug)]
+pub enum Values {
+    /// Numbers; NaN where nothing is known.
+    Real(Vec<f64>),
+    /// Whole numbers.
+    Whole(Vec<i64>),
+    /// Words; none where there is nothing to say.
+    Text(Vec<Option<Box<str>>>),
+}
+
+/// Consecutive rows, by column.
+#[derive(Clone, Debug)]
+pub struct Batch {
+    /// Which rows of the study.
+    pub rows: Range<usize>,
+    /// One for each of [`Study::columns`], each as long as `rows`.
+    pub columns: Vec<Values>,
+}
+
+impl Values {
+    fn new(kind: Kind, len: usize) -> Self {
+        match kind {
+            Kind::Real => Self::Real(Vec::with_capacity(len)),
+            Kind::Whole => Self::Whole(Vec::with_capacity(len)),
+            Kind::Text => Self::Text(Vec::with_capacity(len)),
+        }
+    }
+
+    fn push_number(&mut self, value: f64) {
+        match self {
+            Self::Real(values) => values.push(value),
+            #[expect(
+                clippy::cast_possible_truncation,
+                reason = "whole numbers of a spec are below 2^32, rows below 1e9"
+            )]
+            Self::Whole(values) => values.push(value as i64),
+            Self::Text(values) => values.push(None),
+        }
+    }
+
+    fn push(&mut self, value: &KeyValue) {
+        match (value, self) {
+            (KeyValue::Number(number), own) => own.push_number(*number),
+            (KeyValue::Word(word), Self::Text(values)) => values.push(Some(word.as_str().into())),
+            (KeyValue::Truth(truth), Self::Text(values)) => values.push(Some(truth.to_string().into())),
+            (_, own) => own.push_number(f64::NAN),
+        }
+    }
+
+    /// Takes the first `len` values out.
+    #[cfg(feature = "parquet")]
+    pub(super) fn take(&mut self, len: usize) -> Self {
+        fn first<T>(values: &mut Vec<T>, len: usize) -> Vec<T> {
+            let rest = values.split_off(len.min(values.len()));
+            std::mem::replace(values, rest)
+        }
+        match self {
+            Self::Real(values) => Self::Real(first(values, len)),
+            Self::Whole(values) => Self::Whole(first(values, len)),
+            Self::Text(values) => Self::Text(first(values, len)),
+        }
+    }
+
+    /// Adds the values of `other`, which is of the same kind.
+    pub(super) fn append(&mut self, other: Self) {
+        match (self, other) {
+            (Self::Real(own), Self::Real(mut other)) => own.append(&mut other),
+            (Self::Whole(own), Self::Whole(mut other)) => own.append(&mut other),
+            (Self::Text(own), Self::Text(mut other)) => own.append(&mut other),
+            _ => {}
+        }
+    }
+
+    /// Number of values.
+    pub fn len(&self) -> usize {
+        match self {
+            Self::Real(values) => values.len(),
+            Self::Whole(values) => values.len(),
+            Self::Text(values) => values.len(),
+        }
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+impl Study {
+    /// The rows `rows`, those beyond the last left out, computed in parallel; `None` if `cancel` was raised meanwhile.
+    pub fn batch(&self, rows: Range<usize>, cancel: &AtomicBool) -> Option<Batch> {
+        let rows = rows.start.min(self.rows())..rows.end.min(self.rows());
+        let chunks: Vec<Batch> =
+            chunks(&rows).into_par_iter().map(|chunk| self.chunk(chunk, cancel)).collect::<Option<_>>()?;
+        let empty = self.columns.iter().map(|column| Values::new(column.kind, rows.len())).collect();
+        let mut whole = Batch { rows, columns: empty };
+        for chunk in chunks {
+            for (column, more) in whole.columns.iter_mut().zip(chunk.columns) {
+                column.append(more);
+            }
+        }
+        Some(whole)
+    }
+
+    /// Takes `rows` through `make`, in parallel, and hands what it makes in order to `take` with the number of rows, while the next
+    /// are computed; `take` may stop by returning false. Memory does not grow with the study. Returns whether it was done.
+    pub fn run<T: Send>(
+        &self,
+        rows: Range<usize>,
+        cancel: &AtomicBool,
+        make: impl Fn(Batch) -> T + Sync,
+        mut take: impl FnMut(T, usize) -> bool + Send,
+    ) -> bool {
+        let all = chunks(&rows);
+        let compute = |some: &[Range<usize>]| -> Option<Vec<(T, usize)>> {
+            let one = |chunk: &Range<usize>| Some((make(self.chunk(chunk.clone(), cancel)?), chunk.len()));
+            some.par_iter().map(one).collect()
+        };
+        let mut ready: Vec<(T, usize)> = Vec::new();
+        for some in all.chunks(AT_ONCE) {
+            let before = std::mem::take(&mut ready);
+            let (next, goes_on) =
+                rayon::join(|| compute(some), || before.into_iter().all(|(made, count)| take(made, count)));
+            match next {
+                Some(next) if goes_on => ready = next,
+                _ => return false,
+            }
+        }
+        ready.into_iter().all(|(made, count)| take(made, count))
+    }
+
+    /// One chunk, by this thread.
+    fn chunk(&self, rows: Range<usize>, cancel: &AtomicBool) -> Option<Batch> {
+        let mut columns: Vec<Values> =
+            self.columns.iter().map(|column| Values::new(column.kind, rows.len())).collect();
+        let mut place = Vec::new();
+        for row in rows.clone() {
+            if cancel.load(Ordering::Relaxed) {
+                return None;
+            }
+            self.designs.place(row, &mut place);
+            self.fill(row, &place, &mut columns);
+        }
+        Some(Batch { rows, columns })
+    }
+
+    fn fill(&self, row: usize, place: &[usize], columns: &mut [Values]) {
+        let mut columns = columns.iter_mut();
+        let mut next = |with: &dyn Fn(&mut Values)| {
+            if let Some(column) = columns.next() {
+                with(column);
+            }
+        };
+        #[expect(clippy::cast_precision_loss, reason = "at most 1e9 rows")]
+        next(&|column| column.push_number(row as f64));
+        for (b, lane) in self.designs.lanes() {
+            next(&|column| column.push(&lane.value(place[b])));
+        }
+        let answered =
+            self.designs.at(place).and_then(|point| point.answer(&self.ring).map(|answer| (point, answer)));
+        let refused = match &answered {
+            Ok((point, answer)) => {
+                let row = Row { point, answer, all: self.codes };
+                for output in &self.outputs {
+                    next(&|column| column.push_number((output.of)(&row).unwrap_or(f64::NAN)));
+                }
+                None
+            }
+            Err(refused) => {
+                for _ in &self.outputs {
+                    next(&|column| column.push_number(f64::NAN));
+                }
+                Some(refused)
+            }
+        };
+        let word = |column: &mut Values, text: Option<&str>| {
+            if let Values::Text(values) = column {
+                values.push(text.map(Into::into));
+            }
+        };
+        if self.codes {
+            next(&|column| word(column, refused.map(|refused| refused.code)));
+        }
+        next(&|column| word(column, refused.map(|refused| refused.text.as_str())));
+    }
+}
+
+fn chunks(rows: &Range<usize>) -> Vec<Range<usize>> {
+    rows.clone().step_by(CHUNK).map(|from| from..rows.end.min(from + CHUNK)).collect()
+}

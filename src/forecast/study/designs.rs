@@ -1,0 +1,172 @@
+//! Which design each row is.
+//!
+//! Twelve keys of numbers are put straight into the design: they are what most studies vary, in microseconds. Every other key is put
+//! into the text of the spec, which is then read again, so that it means there what it means in a spec, with every range and every
+//! default that depends on it. What these **slow** keys make of the spec is kept while they have few combinations.
+
+use crate::design::RefusalCode;
+use crate::forecast::candidate::{Candidate, Refused};
+use crate::spec::edit::with_values;
+use crate::spec::study::{Block, KeyValue, Lane};
+use crate::spec::{Code, KeyPath, Severity, Source, Spec, key, read};
+use crate::units::{Angle, Length, LineForce, Pressure};
+use std::sync::OnceLock;
+
+/// Most combinations of slow keys that are kept: some megabytes.
+const KEPT: usize = 16_384;
+
+/// Puts a number, in the base unit, into a design.
+type Quick = fn(&mut Candidate, f64);
+
+/// The keys that need no reading.
+const QUICK: [(KeyPath, Quick); 12] = [
+    (key::star::POINTS, |point, value| point.star.points = whole(value)),
+    (key::star::INNER_RADIUS, |point, value| point.star.inner_radius = Length(value)),
+    (key::star::TUBE_WIDTH, |point, value| point.star.tube_width = Length(value)),
+    (key::star::TIP_ANGLE, |point, value| point.star.tip_angle = Angle(value)),
+    (key::star::TIP_RADIUS, |point, value| point.star.tip_radius = Length(value)),
+    (key::star::CORNER_RADIUS, |point, value| point.star.corner_radius = Length(value)),
+    (key::fabric::THICKNESS, |point, value| point.fabric.thickness = Length(value)),
+    (key::fabric::YOUNG_MODULUS, |point, value| point.fabric.young_modulus = Pressure(value)),
+    (key::fabric::SEAL_STRENGTH, |point, value| point.fabric.seal_strength = Some(LineForce(value))),
+    (key::load::PRESSURE, |point, value| point.load.pressure = Some(Pressure(value))),
+    (key::load::OBJECT_RADIUS, |point, value| point.load.object_radius = Some(Length(value))),
+    (key::load::FRICTION, |point, value| point.load.friction = Some(value)),
+];
+
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the reader lets 3 to 64 pass")]
+fn whole(value: f64) -> u32 {
+    value as u32
+}
+
+/// The designs of a study.
+#[derive(Debug)]
+pub(super) struct Designs {
+    base: Candidate,
+    source: Source,
+    spec: Spec,
+    blocks: Vec<Block>,
+    rows: usize,
+    /// By block and lane.
+    quick: Vec<(usize, usize, Quick)>,
+    slow: Vec<(usize, usize)>,
+    /// What combinations of slow keys make of the spec; empty if there are none, or too many.
+    kept: Vec<OnceLock<Result<Candidate, Refused>>>,
+}
+
+impl Designs {
+    /// The combinations of `blocks` around `base`, which is the first star of what was read from a text.
+    pub(super) fn new(base: Candidate, (source, spec): (Source, Spec), blocks: Vec<Block>) -> Self {
+        let (mut quick, mut slow) = (Vec::new(), Vec::new());
+        // Which tips there are to carry an inlet depends on the points: the reader must see both.
+        let lanes = || blocks.iter().flat_map(Block::lanes);
+        let is_tip_varied = lanes().any(|lane| lane.field.key() == key::inlet::TIP);
+        let is_slow = |key: KeyPath| is_tip_varied && key == key::star::POINTS;
+        for (b, block) in blocks.iter().enumerate() {
+            for (l, lane) in block.lanes().iter().enumerate() {
+                match QUICK.iter().find(|(key, _)| *key == lane.field.key() && !is_slow(*key)) {
+                    Some((_, set)) => quick.push((b, l, *set)),
+                    None => slow.push((b, l)),
+                }
+            }
+        }
+        let rows = blocks.iter().map(Block::len).product();
+        let mut designs = Self { base, source, spec, blocks, rows, quick, slow, kept: Vec::new() };
+        let combinations =
+            designs.slow_blocks().try_fold(1_usize, |all, b| all.checked_mul(designs.blocks[b].len()));
+        if !designs.slow.is_empty() && combinations.is_some_and(|all| all <= KEPT) {
+            designs.kept = (0..combinations.unwrap_or(0)).map(|_| OnceLock::new()).collect();
+        }
+        designs
+    }
+
+    pub(super) fn rows(&self) -> usize {
+        self.rows
+    }
+
+    /// The lanes in the order of their columns.
+    pub(super) fn lanes(&self) -> impl Iterator<Item = (usize, &Lane)> {
+        self.blocks.iter().enumerate().flat_map(|(b, block)| block.lanes().iter().map(move |lane| (b, lane)))
+    }
+
+    /// Where row `row` is in each block; the last block runs fastest.
+    pub(super) fn place(&self, row: usize, place: &mut Vec<usize>) {
+        place.clear();
+        let mut stride = self.rows;
+        let mut rest = row;
+        for block in &self.blocks {
+            stride /= block.len();
+            place.push((rest / stride).min(block.len() - 1));
+            rest %= stride;
+        }
+    }
+
+    /// The design of row `row`.
+    pub(super) fn design(&self, row: usize) -> Result<Candidate, Refused> {
+        let mut place = Vec::with_capacity(self.blocks.len());
+        self.place(row, &mut place);
+        self.at(&place)
+    }
+
+    /// The design at a place in each block.
+    pub(super) fn at(&self, place: &[usize]) -> Result<Candidate, Refused> {
+        let mut point = self.slowly(place)?;
+        for (b, l, set) in &self.quick {
+            if let KeyValue::Number(number) = *self.blocks[*b].lanes()[*l].value(place[*b]) {
+                set(&mut point, number);
+            }
+        }
+        if point.inlet.is_some() && point.star.inlet_tip > point.star.points {
+            let (tip, points) = (point.star.inlet_tip, point.star.points);
+            let text = format!(
+                "inlet.tip: the inlet is at tip {tip}, the star has {points} points; must be from 1 to {points}"
+            );
+            return Err(Refused { code: "out-of-range", text });
+        }
+        Ok(point)
+    }
+
+    /// What the slow keys make of the spec.
+    fn slowly(&self, place: &[usize]) -> Result<Candidate, Refused> {
+        if self.slow.is_empty() {
+            return Ok(self.base.clone());
+        }
+        let number = self.slow_blocks().fold(0, |number, b| number * self.blocks[b].len() + place[b]);
+        match self.kept.get(number) {
+            Some(kept) => kept.get_or_init(|| self.read(place)).clone(),
+            None => self.read(place),
+        }
+    }
+
+    /// The blocks that have slow keys.
+    fn slow_blocks(&self) -> impl Iterator<Item = usize> {
+        (0..self.blocks.len()).filter(|b| self.slow.iter().any(|(slow, _)| slow == b))
+    }
+
+    /// The spec with the slow keys' values, read again.
+    fn read(&self, place: &[usize]) -> Result<Candidate, Refused> {
+        let value = |(b, l): &(usize, usize)| {
+            let lane = &self.blocks[*b].lanes()[*l];
+            (lane.field.key(), lane.field.toml(&lane.value(place[*b])))
+        };
+        let values: Vec<(KeyPath, String)> = self.slow.iter().map(value).collect();
+        let text = with_values(&self.source, &values);
+        let read = text.and_then(|text| read(&Source::new(self.source.name.as_str(), text)));
+        let spec = read.map(|reading| reading.spec).map_err(|faults| {
+            let mut errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
+            errors.next().map_or(
+                Refused { code: RefusalCode::NoPrediction.as_str(), text: "the spec is refused".to_owned() },
+                |fault| Refused { code: fault.code, text: format!("{}: {}", fault.message, fault.label) },
+            )
+        })?;
+        Candidate::of(&spec).ok_or_else(|| Refused {
+            code: RefusalCode::NoPrediction.as_str(),
+            text: "there is no star".to_owned(),
+        })
+    }
+
+    /// All that the designs depend on, in a text of no other use.
+    pub(super) fn identity(&self) -> String {
+        format!("{:?} {:?}", self.spec, self.blocks)
+    }
+}

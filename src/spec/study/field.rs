@@ -1,0 +1,247 @@
+//! One key of a spec as a study sees it: what it takes, and values of it.
+
+use std::sync::LazyLock;
+
+use crate::spec::FaultCode;
+use crate::spec::allowed::Allowed;
+use crate::spec::fault::Fault;
+use crate::spec::key::{self, KeyPath};
+use crate::spec::raw::RawSpec;
+use crate::spec::reading::read_spec;
+use crate::spec::section::{Reader, Section};
+use crate::spec::shape::Shape;
+use crate::spec::unknown::nearest;
+use crate::spec::value::{RawKind, RawNumber, RawValue};
+use crate::units::{
+    Angle, ArealDensity, Force, Length, LineForce, Mass, Percent, Pressure, Quantity, Speed, Temperature,
+};
+
+/// A key of the spec that a study sets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    key: KeyPath,
+    shape: Shape,
+}
+
+/// A value of a field.
+#[derive(Clone, Debug, PartialEq)]
+pub enum KeyValue {
+    /// Of a quantity in its base unit, a plain number, or a whole one.
+    Number(f64),
+    /// A word, or any other text.
+    Word(String),
+    /// True or false.
+    Truth(bool),
+}
+
+/// What every key takes, as the reader says when it takes it.
+static SHAPES: LazyLock<Vec<(&'static str, &'static str, Shape)>> = LazyLock::new(|| {
+    let (raw, _) = RawSpec::parse("[stack]\ncount = 64\n");
+    let mut reader = Reader::new(&raw);
+    let _ = read_spec(&mut reader);
+    reader.shapes().map(|(section, key, shape)| (section, key, shape.clone())).collect()
+});
+
+impl Field {
+    /// The field of the key `name`, "star.points"; `None` if a study cannot set it: there is no such key, or it is `schema` or the
+    /// list of single stars.
+    pub fn of(name: &str) -> Option<Self> {
+        let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
+        let own = |(section, word, _): &&(&str, &str, Shape)| (*section, *word) == (key.section(), key.key());
+        let (_, _, shape) = SHAPES.iter().find(own)?;
+        (key != key::root::SCHEMA && *shape != Shape::Sections).then(|| Self { key, shape: shape.clone() })
+    }
+
+    /// The key nearest to `name`, if one is near.
+    pub fn near(name: &str) -> Option<String> {
+        let names: Vec<String> = Self::names().collect();
+        let near = nearest(name, names.iter().map(String::as_str));
+        // Who leaves the section out, or takes another, means the key all the same.
+        let word = name.rsplit('.').next().unwrap_or(name);
+        let ends = |known: &&String| known.rsplit('.').next() == Some(word);
+        near.map(str::to_owned).or_else(|| names.iter().find(ends).cloned())
+    }
+
+    /// The names of all fields.
+    pub fn names() -> impl Iterator<Item = String> {
+        key::ALL.iter().map(ToString::to_string).filter(|name| Self::of(name).is_some())
+    }
+
+    /// The key.
+    pub fn key(&self) -> KeyPath {
+        self.key
+    }
+
+    /// The unit of its numbers; `None` if they have none.
+    pub fn unit(&self) -> Option<&'static str> {
+        match &self.shape {
+            Shape::Quantity { units, .. } => units.first().copied(),
+            _ => None,
+        }
+    }
+
+    /// Whether its values are numbers, so that there are some between two of them.
+    pub fn is_number(&self) -> bool {
+        matches!(self.shape, Shape::Quantity { .. } | Shape::Number(_) | Shape::Count(..))
+    }
+
+    /// Whether its values are whole numbers.
+    pub fn is_whole(&self) -> bool {
+        matches!(self.shape, Shape::Count(..))
+    }
+
+    /// The value that `text` says on a command line: "3", "40 mm", "true".
+    ///
+    /// # Errors
+    /// One sentence that says what was found and what is allowed.
+    pub fn parse(&self, text: &str) -> Result<KeyValue, String> {
+        let text = text.trim();
+        let word = || RawKind::Text(text.to_owned());
+        let kind = match &self.shape {
+            Shape::Number(_) | Shape::Count(..) => number(text).map_or_else(word, RawKind::Number),
+            Shape::Truth => text.parse().map_or_else(|_| word(), RawKind::Truth),
+            _ => word(),
+        };
+        let said = |fault: Fault| {
+            let help = fault.help.map(|help| format!("; {help}")).unwrap_or_default();
+            format!("{}: {}{help}", fault.message, fault.label)
+        };
+        self.read(&RawValue { kind, span: 0..0 }).map_err(said)
+    }
+
+    /// The value that was written as `value`, in its range.
+    pub(super) fn read(&self, value: &RawValue) -> Result<KeyValue, Fault> {
+        let raw = RawSpec::of_one(self.key, value.clone());
+        let mut reader = Reader::new(&raw);
+        let mut section = match self.key.section() {
+            "" => reader.root(),
+            name => reader.section(name),
+        };
+        let found = taken(&mut section, self.key.key(), &self.shape);
+        let unread = || Fault::error(FaultCode::WrongType, value.span.clone(), format!("`{}`", self.key));
+        found.ok_or_else(|| reader.faults.pop().unwrap_or_else(unread))
+    }
+
+    /// `value` as a spec writes it.
+    pub fn toml(&self, value: &KeyValue) -> String {
+        match (value, self.unit()) {
+            // `{}` prints the shortest decimals that read back to the same number.
+            (KeyValue::Number(number), Some(unit)) => format!("\"{number} {unit}\""),
+            (KeyValue::Number(number), None) => number.to_string(),
+            (KeyValue::Word(word), _) => toml_edit::Value::from(word.as_str()).to_string(),
+            (KeyValue::Truth(truth), _) => truth.to_string(),
+        }
+    }
+}
+
+/// A plain number as TOML knows it.
+fn number(text: &str) -> Option<RawNumber> {
+    let value: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
+    let whole = text.parse().ok();
+    Some(RawNumber { text: text.to_owned(), value, is_integer: whole.is_some(), whole })
+}
+
+fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &Shape) -> Option<KeyValue> {
+    match shape {
+        Shape::Quantity { kind, allowed, .. } => quantity(section, key, kind, *allowed),
+        Shape::Number(allowed) => section.number(key, *allowed),
+        Shape::Count(low, high) => section.count(key, *low, *high).map(f64::from),
+        Shape::Truth => return section.truth(key).map(KeyValue::Truth),
+        Shape::Text => return section.text(key).map(|(text, _)| KeyValue::Word(text.to_owned())),
+        Shape::Choice(words) => {
+            let choices: Vec<(&'static str, &'static str)> =
+                words.iter().map(|word| (*word, *word)).collect();
+            return section.choice(key, &choices).map(|word| KeyValue::Word(word.to_owned()));
+        }
+        Shape::Area(allowed) => {
+            let sides = section.area(key, *allowed);
+            return sides.map(|[width, depth]| KeyValue::Word(format!("{width} x {depth}")));
+        }
+        Shape::Sections => None,
+    }
+    .map(KeyValue::Number)
+}
+
+type Taker = fn(&mut Section<'_, '_>, &'static str, Allowed) -> Option<f64>;
+
+fn taker<Q: Quantity>() -> (&'static str, Taker) {
+    (Q::KIND, |section, key, allowed| section.quantity::<Q>(key, allowed).map(Q::base))
+}
+
+/// A quantity of some kind in its base unit.
+fn quantity(section: &mut Section<'_, '_>, key: &'static str, kind: &str, allowed: Allowed) -> Option<f64> {
+    let takers = [
+        taker::<Length>(),
+        taker::<Angle>(),
+        taker::<Pressure>(),
+        taker::<Temperature>(),
+        taker::<Speed>(),
+        taker::<LineForce>(),
+        taker::<Mass>(),
+        taker::<Force>(),
+        taker::<ArealDensity>(),
+        taker::<Percent>(),
+    ];
+    takers.iter().find(|(known, _)| *known == kind).and_then(|(_, take)| take(section, key, allowed))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A value that every shape takes.
+    fn example(shape: &Shape) -> String {
+        match shape {
+            Shape::Quantity { units, .. } => format!("0.5 {}", units[0]),
+            Shape::Area(_) => "220 mm x 210 mm".to_owned(),
+            Shape::Number(_) => "0.25".to_owned(),
+            Shape::Count(low, _) => low.to_string(),
+            Shape::Truth => "true".to_owned(),
+            Shape::Choice(words) => words[0].to_owned(),
+            Shape::Text | Shape::Sections => "x".to_owned(),
+        }
+    }
+
+    #[test]
+    fn every_key_takes_a_value_and_gives_it_back() {
+        let mut count = 0;
+        for name in Field::names() {
+            let field = Field::of(&name).expect("a field");
+            let text = example(&field.shape);
+            let value = field.parse(&text).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+            let (raw, _) = RawSpec::parse(&format!("x = {}", field.toml(&value)));
+            let back = field.read(raw.root().get("x").expect("written"));
+            assert_eq!(back.ok(), Some(value), "{name}");
+            count += 1;
+        }
+        assert_eq!(count, key::ALL.len() - 2, "all but `schema` and the list of single stars");
+    }
+
+    #[test]
+    fn values_out_of_range_say_what_is_allowed() {
+        let said = |name: &str, text: &str| Field::of(name).expect("a key").parse(text).expect_err("refused");
+        assert_eq!(said("star.points", "2"), "`points` is 2: must be from 3 to 64");
+        assert_eq!(
+            said("star.points", "4.5"),
+            "`points` in [star] is the number 4.5: must be a whole number, without quotes and unit"
+        );
+        assert_eq!(
+            said("star.tube_width", "0 mm"),
+            "`tube_width` is `0 mm`: must be at least 0.001 mm and at most 100000 mm"
+        );
+        assert!(
+            said("star.tube_width", "3")
+                .starts_with("`tube_width` is `3`, without a unit: a length needs a unit")
+        );
+        assert!(said("accuracy.model", "secton").ends_with("did you mean \"section\"?"));
+        assert!(said("mask.mirror", "yes").contains("must be true or false"));
+    }
+
+    #[test]
+    fn keys_are_known_by_name() {
+        assert_eq!(Field::near("star.tube_widht").as_deref(), Some("star.tube_width"));
+        assert_eq!(Field::near("tube_width").as_deref(), Some("star.tube_width"));
+        assert_eq!(Field::near("colour of the fabric"), None);
+        assert!(Field::of("schema").is_none() && Field::of("stack.star").is_none());
+    }
+}

@@ -1,0 +1,262 @@
+//! From the text of a study file to what it asks for.
+
+use std::ops::Range;
+
+use crate::spec::fault::{Fault, quoted};
+use crate::spec::faults::Faults;
+use crate::spec::key;
+use crate::spec::model::ModelChoice;
+use crate::spec::reading::{read_schema, read_with};
+use crate::spec::section::{Reader, Section};
+use crate::spec::shape::Shape;
+use crate::spec::source::Source;
+use crate::spec::study::draw::Draw;
+use crate::spec::study::field::{Field, KeyValue};
+use crate::spec::study::lane::{Block, Lane, MOST_VALUES, between, counted_out};
+use crate::spec::study::leaves::{Leaf, leaves};
+use crate::spec::value::{RawKind, RawValue};
+use crate::spec::{FaultCode, misleads};
+
+/// What a study asks for.
+#[derive(Clone, Debug)]
+pub struct StudyFile {
+    /// The text, for faults that are found later.
+    pub source: Source,
+    /// The spec around which values are varied: a path relative to the study file.
+    pub spec: String,
+    /// Which model answers; `None`: the spec's.
+    pub model: Option<ModelChoice>,
+    /// What is kept at another value than the spec's.
+    pub set: Vec<(Field, KeyValue)>,
+    /// What varies; the last runs fastest. Never empty.
+    pub blocks: Vec<Block>,
+    /// The columns that are wanted; `None`: all.
+    pub outputs: Option<Vec<Wanted>>,
+}
+
+/// A column that is wanted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wanted {
+    /// Its name.
+    pub name: String,
+    /// Where it was written.
+    pub place: Range<usize>,
+}
+
+/// Most values that are drawn.
+const MOST_DRAWN: u32 = 1_000_000_000;
+
+/// The models that a study can ask.
+const MODELS: [(&str, ModelChoice); 4] = [
+    ("auto", ModelChoice::Auto),
+    ("section", ModelChoice::Section),
+    ("ring", ModelChoice::Ring),
+    ("fit", ModelChoice::Fit),
+];
+
+/// Reads a study file: `schema`, `spec`, `model`, `outputs`, `[set]`, and at least one of `[vary]` (every combination of its
+/// lists), `[rows]` (lists of one length that go on together) and `[draw]` (drawn between two ends).
+///
+/// # Errors
+/// All faults of the text at once.
+pub fn read_study(source: &Source) -> Result<StudyFile, Faults> {
+    read_with(source, |reader| read_file(reader, source)).map(|(file, _, _)| file)
+}
+
+fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
+    let mut root = reader.root();
+    root.require(&[("schema", "1"), ("spec", "\"spec.toml\"")]);
+    read_schema(&mut root, 1);
+    let spec = read_path(&mut root);
+    let model = root.choice("model", &MODELS);
+    let place = root.place_of("model");
+    let outputs = root.texts("outputs");
+    let wanted = |(name, place): (&str, Range<usize>)| Wanted { name: name.to_owned(), place };
+    let mut seen = Seen::default();
+    if model.is_some() {
+        seen.add(&key::accuracy::MODEL.to_string(), place, "model", &mut reader.faults);
+    }
+    let set = read_set(reader, &mut seen);
+    let mut blocks = Vec::new();
+    blocks.extend(read_draw(reader, &mut seen));
+    blocks.extend(read_rows(reader, &mut seen));
+    blocks.extend(read_vary(reader, &mut seen));
+    if blocks.is_empty() && reader.faults.is_empty() {
+        let fault = Fault::error(FaultCode::MissingKey, usize::MAX..usize::MAX, "nothing is varied")
+            .label("a study needs [vary], [rows] or [draw]")
+            .help("write for instance: vary.star.points = [3, 4, 5]");
+        reader.faults.push(fault);
+    }
+    StudyFile {
+        source: source.clone(),
+        spec,
+        model,
+        set,
+        blocks,
+        outputs: outputs.map(|names| names.into_iter().map(wanted).collect()),
+    }
+}
+
+fn read_path(root: &mut Section<'_, '_>) -> String {
+    let Some((path, span)) = root.text("spec") else { return String::new() };
+    if path.trim().is_empty() || path.chars().any(misleads) {
+        let fault = Fault::error(FaultCode::Name, span, format!("`spec` is {}", quoted(path)));
+        root.report(fault.label("must be the path of a spec, relative to this file"));
+    }
+    path.to_owned()
+}
+
+/// The keys that were set so far, with the section that sets them.
+#[derive(Default)]
+struct Seen(Vec<(String, &'static str)>);
+
+impl Seen {
+    /// Adds `name`; a fault if it is there already.
+    fn add(&mut self, name: &str, place: Range<usize>, by: &'static str, faults: &mut Vec<Fault>) {
+        if let Some((_, other)) = self.0.iter().find(|(known, _)| known == name) {
+            let fault = Fault::error(FaultCode::Conflict, place, format!("`{name}` is set twice"));
+            faults.push(fault.label(format!("{other} sets it already")).help("delete one of them"));
+        }
+        self.0.push((name.to_owned(), by));
+    }
+}
+
+/// The leaves of section `name`, each once.
+fn section<'r>(reader: &mut Reader<'r>, name: &'static str, seen: &mut Seen) -> Vec<Leaf<'r>> {
+    let Some(value) = reader.free(name) else { return Vec::new() };
+    let Some(table) = value.as_table() else { return Vec::new() };
+    let found = leaves(table, &mut reader.faults);
+    for leaf in &found {
+        seen.add(&leaf.field.key().to_string(), leaf.place.clone(), name, &mut reader.faults);
+    }
+    found
+}
+
+fn read_set(reader: &mut Reader<'_>, seen: &mut Seen) -> Vec<(Field, KeyValue)> {
+    let mut set = Vec::new();
+    for leaf in section(reader, "set", seen) {
+        match leaf.field.read(leaf.value) {
+            Ok(value) => set.push((leaf.field, value)),
+            Err(fault) => reader.faults.push(fault),
+        }
+    }
+    set
+}
+
+fn read_vary(reader: &mut Reader<'_>, seen: &mut Seen) -> Vec<Block> {
+    let leaves = section(reader, "vary", seen);
+    leaves.into_iter().filter_map(|leaf| Block::new(vec![read_lane(leaf, &mut reader.faults)?])).collect()
+}
+
+fn read_rows(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
+    let mut lanes: Vec<Lane> = Vec::new();
+    for leaf in section(reader, "rows", seen) {
+        let (name, place) = (leaf.field.key(), leaf.value.span.clone());
+        let Some(lane) = read_lane(leaf, &mut reader.faults) else { continue };
+        if let Some(first) = lanes.first().filter(|first| first.len() != lane.len()) {
+            let found = format!("`{name}` has {} values in [rows]", lane.len());
+            let label =
+                format!("must have {}, as `{}`: a row takes one of each", first.len(), first.field.key());
+            reader.faults.push(Fault::error(FaultCode::CellCount, place, found).label(label));
+        }
+        lanes.push(lane);
+    }
+    Block::new(lanes)
+}
+
+/// A list of values, or a range that is counted out.
+fn read_lane(leaf: Leaf<'_>, faults: &mut Vec<Fault>) -> Option<Lane> {
+    let Leaf { field, value, .. } = leaf;
+    let name = field.key();
+    let told = |code, label: &str| {
+        Fault::error(code, value.span.clone(), format!("`{name}` is {}", value.in_words())).label(label)
+    };
+    let label = "must be a list, [a, b, c], or \"FROM..TO/COUNT\"";
+    let values = match &value.kind {
+        RawKind::List(list) if list.is_empty() => {
+            Err(told(FaultCode::OutOfRange, "must hold at least one value"))
+        }
+        RawKind::List(list) if list.len() > usize::try_from(MOST_VALUES).unwrap_or(usize::MAX) => {
+            Err(told(FaultCode::OutOfRange, &format!("must hold at most {MOST_VALUES} values")))
+        }
+        RawKind::List(list) => return read_list(field, list, faults),
+        RawKind::Text(text) if text.contains("..") => {
+            counted_out(&field, text).map_err(|why| told(FaultCode::OutOfRange, &why))
+        }
+        _ => Err(told(FaultCode::WrongType, label).help("one value that is kept belongs in [set]")),
+    };
+    match values {
+        Ok(values) => Some(Lane::listed(field, values)),
+        Err(fault) => {
+            faults.push(fault);
+            None
+        }
+    }
+}
+
+fn read_list(field: Field, list: &[RawValue], faults: &mut Vec<Fault>) -> Option<Lane> {
+    let mut values = Vec::with_capacity(list.len());
+    for value in list {
+        match field.read(value) {
+            Ok(value) => values.push(value),
+            Err(fault) => {
+                // One fault is enough: who errs in the first of a thousand values errs in all.
+                faults.push(fault);
+                return None;
+            }
+        }
+    }
+    Some(Lane::listed(field, values))
+}
+
+fn read_draw(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
+    let mut section = reader.section("draw");
+    if section.is_written() {
+        section.require(&[("count", "1000"), ("between", "{ \"star.tube_width\" = \"10 mm..40 mm\" }")]);
+    }
+    let count = section.count("count", 1, MOST_DRAWN);
+    let seed = section.count("seed", 0, u32::MAX).unwrap_or(1);
+    let method = section.choice("method", &[("latin", true), ("random", false)]).unwrap_or(true);
+    let between_ends = section.take("between", Shape::Sections)?;
+    let Some(table) = between_ends.as_table() else {
+        let fault = Fault::error(FaultCode::WrongType, between_ends.span.clone(), "`between` is no section");
+        reader.faults.push(fault.label("must be a section, [draw.between], of keys with \"FROM..TO\""));
+        return None;
+    };
+    let mut lanes = Vec::new();
+    for (lane, leaf) in (0..).zip(leaves(table, &mut reader.faults)) {
+        let Leaf { field, place, value } = leaf;
+        seen.add(&field.key().to_string(), place, "draw", &mut reader.faults);
+        let ends = match &value.kind {
+            RawKind::Text(text) => between(&field, text),
+            _ => Err("must be a text, \"FROM..TO\"".to_owned()),
+        };
+        let ends = ends.and_then(|[from, to]| {
+            if from <= to {
+                Ok([from, to])
+            } else {
+                Err("the range falls: write the smaller end first".to_owned())
+            }
+        });
+        match ends {
+            Ok([from, to]) => {
+                let count = u64::from(count.unwrap_or(1));
+                let draw = Draw {
+                    from,
+                    to,
+                    whole: field.is_whole(),
+                    seed: u64::from(seed),
+                    lane,
+                    count,
+                    latin: method,
+                };
+                lanes.push(Lane::drawn(field, draw));
+            }
+            Err(why) => {
+                let found = format!("`{}` is {}", field.key(), value.in_words());
+                reader.faults.push(Fault::error(FaultCode::OutOfRange, value.span.clone(), found).label(why));
+            }
+        }
+    }
+    Block::new(lanes)
+}

@@ -1,0 +1,402 @@
+//! A study's rows: which design each is, and that it says what that design alone says.
+
+use crate::{PAPER, candidate, close, paper};
+use proptest::prelude::*;
+use stargrip_cam::forecast::candidate::TableRing;
+use stargrip_cam::forecast::study::{Batch, Kind, Study, Values, csv};
+use stargrip_cam::mechanics::hinge::HingeModel;
+use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
+use stargrip_cam::spec::Source;
+use stargrip_cam::spec::study::{Field, Lane, read_study};
+use std::ops::Range;
+use std::sync::atomic::AtomicBool;
+
+static NEVER: AtomicBool = AtomicBool::new(false);
+
+/// The paper's gripper, by the membrane's limit.
+fn ring() -> Source {
+    Source::new("spec.toml", format!("{PAPER}[accuracy]\nmodel = \"ring\"\n"))
+}
+
+fn vary(spec: &Source, lanes: &[&str]) -> Result<Study, String> {
+    let lanes = lanes.iter().map(|text| Lane::parse(text).expect("valid")).collect();
+    Study::vary(spec, lanes).expect("a valid spec")
+}
+
+fn sweep(lanes: &[&str]) -> Study {
+    vary(&ring(), lanes).expect("small")
+}
+
+/// A study of the paper's gripper at its pressure.
+fn study(text: &str) -> Study {
+    let source = Source::new("study.toml", format!("schema = 1\nspec = \"spec.toml\"\n{text}"));
+    let file = read_study(&source).unwrap_or_else(|faults| panic!("{faults}"));
+    Study::new(&file, &Source::new("spec.toml", PAPER)).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+fn text(study: &Study, rows: Range<usize>) -> String {
+    let mut out = Vec::new();
+    let take = |text: Vec<u8>, _| {
+        out.extend(text);
+        true
+    };
+    assert!(study.run(rows, &NEVER, |batch| csv::lines(&batch), take));
+    String::from_utf8(out).expect("text")
+}
+
+fn lines(study: &Study, rows: Range<usize>) -> Vec<String> {
+    text(study, rows).lines().map(str::to_owned).collect()
+}
+
+/// The numbers of column `name`.
+fn numbers(study: &Study, batch: &Batch, name: &str) -> Vec<f64> {
+    let at = study.columns().iter().position(|column| column.name == name).expect(name);
+    match &batch.columns[at] {
+        Values::Real(values) => values.clone(),
+        #[expect(clippy::cast_precision_loss, reason = "small numbers")]
+        Values::Whole(values) => values.iter().map(|value| *value as f64).collect(),
+        Values::Text(_) => panic!("{name} holds words"),
+    }
+}
+
+fn words(study: &Study, batch: &Batch, name: &str) -> Vec<Option<String>> {
+    let at = study.columns().iter().position(|column| column.name == name).expect(name);
+    match &batch.columns[at] {
+        Values::Text(values) => values.iter().map(|word| word.as_deref().map(str::to_owned)).collect(),
+        _ => panic!("{name} holds numbers"),
+    }
+}
+
+fn whole(study: &Study) -> Batch {
+    study.batch(0..study.rows(), &NEVER).expect("nobody stops it")
+}
+
+/// `sweep spec.toml --vary star.points=3,5,9 --vary "star.tube_width=20 mm..40 mm/3" --vary "load.pressure=0.001 kPa,37 kPa,600 kPa"`
+/// of the version before there were study files.
+#[test]
+fn what_was_swept_before_is_swept_the_same() {
+    let spec = Source::new("spec.toml", PAPER.replace("[seal]\nband = \"1 mm\"\n", ""));
+    let lanes =
+        ["star.points=3,5,9", "star.tube_width=20 mm..40 mm/3", "load.pressure=0.001 kPa,37 kPa,600 kPa"];
+    let study = vary(&spec, &lanes).expect("small");
+    let found = csv::header(study.columns(), false) + &text(&study, 0..study.rows());
+    assert!(found == include_str!("../study/vary.csv").replace("\r\n", "\n"), "{found}");
+}
+
+#[test]
+fn the_last_axis_runs_fastest() {
+    let sweep = sweep(&["star.points=4,5", "star.tube_width=20 mm..30 mm/3", "star.tip_angle=30 deg,40 deg"]);
+    let mut row = 0;
+    for points in [4, 5] {
+        for width in [20.0, 25.0, 30.0] {
+            for angle in [30.0, 40.0] {
+                let star = sweep.design(row).expect("a spec").star;
+                assert_eq!((star.points, star.tube_width.0, star.tip_angle.0), (points, width, angle));
+                let found = &lines(&sweep, row..row + 1)[0];
+                assert!(found.starts_with(&format!("{row},{points},{width},{angle},")), "{found}");
+                row += 1;
+            }
+        }
+    }
+    assert_eq!(sweep.rows(), row);
+    assert_eq!(
+        csv::header(sweep.columns(), false),
+        "row,star.points,star.tube_width_mm,star.tip_angle_deg,arm_length_mm,tip_equilibrium_angle_deg,\
+         final_radius_mm,contraction,operating_pressure_kPa,radial_stiffness_N_per_m,object_force_N,payload_kg,\
+         burst_pressure_kPa,fabric_cm2,bendability,stretch,burst_margin,widest_radius_mm,final_radius_lo_mm,\
+         final_radius_hi_mm,object_force_lo_N,object_force_hi_N,payload_lo_kg,payload_hi_kg,refused\n"
+    );
+}
+
+#[test]
+fn a_row_says_what_its_design_says() {
+    let sweep = sweep(&["star.points=4,5,6", "load.pressure=20 kPa,37 kPa"]);
+    let table = RingTable::new().expect("solved");
+    for (row, line) in lines(&sweep, 0..sweep.rows()).iter().enumerate() {
+        let answer = sweep.design(row).expect("a spec").answer(&table).expect("feasible");
+        let outcome = answer.outcome.as_ref().expect("a limit");
+        let expected = [
+            Some(answer.star.l),
+            Some(outcome.rest.equilibrium.to_degrees()),
+            Some(outcome.rest.radius * 1e3),
+            Some(1.0 - outcome.rest.radius / 0.05),
+            Some(answer.operating_pressure.0),
+            outcome.stiffness,
+            outcome.object_force(),
+            answer.payload,
+            answer.burst.map(|burst| burst.0),
+            answer.fabric.map(|area| area * 0.01),
+        ];
+        let cells: Vec<&str> = line.split(',').collect();
+        // A limit has no ranges.
+        assert!(cells.len() == 24 && cells[17..].iter().all(|cell| cell.is_empty()), "{line}");
+        for (cell, expected) in cells[3..13].iter().zip(expected) {
+            // Nine digits are written.
+            close(cell.parse().expect("a number"), expected.expect("asked for"), 5e-9);
+        }
+        // Three equal stars hold three times what one holds.
+        close(answer.payload.expect("asked for"), 3.0 * outcome.payload.expect("asked for"), 1e-12);
+    }
+}
+
+#[test]
+fn every_key_sets_its_own_value() {
+    let texts = [
+        ("star.points", "7", 7.0),
+        ("star.inner_radius", "61 mm", 61.0),
+        ("star.tube_width", "2.2 cm", 22.0),
+        ("star.tip_angle", "33 deg", 33.0),
+        ("star.tip_radius", "1.5 mm", 1.5),
+        ("star.corner_radius", "2.5 mm", 2.5),
+        ("fabric.thickness", "0.2 mm", 0.2),
+        ("fabric.young_modulus", "90 MPa", 90e3),
+        ("fabric.seal_strength", "2 N/mm", 2.0),
+        ("load.pressure", "21 kPa", 21.0),
+        ("load.object_radius", "31 mm", 31.0),
+        ("load.friction", "0.7", 0.7),
+    ];
+    let base = candidate(&paper(5));
+    for (i, (name, text, value)) in texts.into_iter().enumerate() {
+        let point = sweep(&[&format!("{name} = {text}")]).design(0).expect("a spec");
+        let (star, fabric, load) = (&point.star, &point.fabric, &point.load);
+        let own = [
+            f64::from(star.points),
+            star.inner_radius.0,
+            star.tube_width.0,
+            star.tip_angle.0,
+            star.tip_radius.0,
+            star.corner_radius.0,
+            fabric.thickness.0,
+            fabric.young_modulus.0,
+            fabric.seal_strength.expect("given").0,
+            load.pressure.expect("given").0,
+            load.object_radius.expect("given").0,
+            load.friction.expect("given"),
+        ];
+        close(own[i], value, 1e-12);
+        assert!(point != base, "{name}");
+    }
+}
+
+#[test]
+fn faults_of_a_sweep_say_which_axis() {
+    let new = |lanes: &[&str]| vary(&ring(), lanes).map(|study| study.rows());
+    assert_eq!(new(&[]), Err("nothing is varied".to_owned()));
+    let twice = new(&["star.points=3", "load.friction=1", "star.points=4"]);
+    assert_eq!(twice, Err("`star.points` is varied twice".to_owned()));
+    let thousand =
+        ["load.pressure=1 kPa..2 kPa/1000", "star.tip_angle=30 deg..40 deg/1000", "load.friction=1..2/1000"];
+    assert_eq!(new(&thousand), Ok(1_000_000_000));
+    let more = [&thousand[..2], &["load.friction=1..2/1001"]].concat();
+    assert_eq!(new(&more), Err("more than 1000000000 rows".to_owned()));
+}
+
+#[test]
+fn parts_are_a_partition_of_equal_sizes() {
+    let sweep = sweep(&["star.points=3,4,5,6,7", "load.friction=0.1..1/11"]);
+    for parts in [1, 2, 7, 55, 60] {
+        let cuts: Vec<Range<usize>> = (1..=parts).map(|part| sweep.part(part, parts)).collect();
+        assert_eq!((cuts[0].start, cuts[parts - 1].end), (0, 55));
+        assert!(cuts.windows(2).all(|pair| pair[0].end == pair[1].start));
+        let (least, most) = (55 / parts, 55_usize.div_ceil(parts));
+        assert!(cuts.iter().all(|cut| (least..=most).contains(&cut.len())), "{parts}: {cuts:?}");
+    }
+}
+
+#[test]
+fn a_reader_that_has_enough_stops_the_run() {
+    let sweep = sweep(&["star.tip_angle=30 deg..40 deg/9000"]);
+    let (mut calls, mut rows) = (0, 0);
+    let take = |text: Vec<u8>, count: usize| {
+        assert_eq!(text.split(|byte| *byte == b'\n').count(), count + 1);
+        (calls, rows) = (calls + 1, rows + count);
+        calls < 2
+    };
+    assert!(!sweep.run(0..sweep.rows(), &NEVER, |batch| csv::lines(&batch), take));
+    assert_eq!((calls, rows), (2, 2048));
+    assert!(sweep.batch(0..100, &AtomicBool::new(true)).is_none(), "whoever stops it gets no torn batch");
+}
+
+/// Every key: by hand, the key in the spec; against it, the key varied.
+#[test]
+fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
+    let table = RingTable::new().expect("solved");
+    for name in Field::names() {
+        let field = Field::of(&name).expect("a key");
+        let value = match name.as_str() {
+            "name" => "another",
+            "machine.profile" => "grbl",
+            "machine.program" => "sheet",
+            "machine.feed_floor" => "chop",
+            "cut.colours" => "ordered",
+            "accuracy.model" => "fit",
+            "mask.bed" => "220 mm x 210 mm",
+            "mask.mirror" | "sheet.turn" | "inlet.none" => "true",
+            "star.points" => "4",
+            "frame.posts" => "5",
+            "inlet.tip" | "stack.count" => "2",
+            "fabric.poisson_ratio" | "load.friction" => "0.3",
+            "accuracy.response" => "7 %",
+            "accuracy.path" => "0.01 mm",
+            "seal.temperature" => "190 C",
+            "seal.speed" => "0.2 mm/s",
+            "star.tip_angle" | "stack.rotation" => "35 deg",
+            "fabric.young_modulus" => "90 MPa",
+            "fabric.seal_strength" => "2 N/mm",
+            "fabric.areal_density" => "0.2 kg/m^2",
+            "fabric.thickness" => "0.25 mm",
+            "load.pressure" => "30 kPa",
+            "load.mass" => "1 kg",
+            "load.largest_force" => "9 N",
+            "star.inner_radius" => "55 mm",
+            "star.tube_width" => "28 mm",
+            "load.object_radius" => "29 mm",
+            _ => "3.5 mm",
+        };
+        let spec = Source::new("spec.toml", PAPER);
+        let study = vary(&spec, &[&format!("{name}={value}")]).expect("one row");
+        let varied = study.design(0).unwrap_or_else(|refused| panic!("{name}: {refused}"));
+        let toml = field.toml(&field.parse(value).expect("in range"));
+        let text = stargrip_cam::spec::edit::with_values(&spec, &[(field.key(), toml)]).expect("edited");
+        let by_hand = stargrip_cam::spec::read(&Source::new("by hand", text)).expect("valid").spec;
+        assert!(
+            by_hand != stargrip_cam::spec::read(&spec).expect("valid").spec,
+            "{name} is set to what it is"
+        );
+        assert_eq!(varied, candidate(&by_hand), "{name}");
+        assert_eq!(varied.answer(&table), candidate(&by_hand).answer(&table), "{name}");
+    }
+}
+
+#[test]
+fn rows_go_on_together_and_combine_with_what_varies() {
+    let study = study(
+        "[rows]\nstar.points = [4, 6]\nstar.tip_angle = [\"40 deg\", \"30 deg\"]\n\
+         [vary]\nload.pressure = \"10 kPa..30 kPa/3\"\nmask.mirror = [true, false]\n",
+    );
+    let batch = whole(&study);
+    assert_eq!(numbers(&study, &batch, "row"), [0., 1., 2., 3., 4., 5., 6., 7., 8., 9., 10., 11.]);
+    assert_eq!(numbers(&study, &batch, "star.points"), [4., 4., 4., 4., 4., 4., 6., 6., 6., 6., 6., 6.]);
+    assert_eq!(numbers(&study, &batch, "star.tip_angle_deg")[5..7], [40.0, 30.0]);
+    assert_eq!(numbers(&study, &batch, "load.pressure_kPa")[..5], [10.0, 10.0, 20.0, 20.0, 30.0]);
+    let mirrored = words(&study, &batch, "mask.mirror");
+    assert_eq!(mirrored[..2], [Some("true".to_owned()), Some("false".to_owned())]);
+    // A key that the prediction does not ask about changes nothing.
+    let radius = numbers(&study, &batch, "final_radius_mm");
+    assert!(radius.chunks(2).all(|pair| pair[0] == pair[1]) && radius[0] != radius[2], "{radius:?}");
+}
+
+#[test]
+fn what_is_kept_at_another_value_is_kept_in_every_row() {
+    let study = study(
+        "model = \"ring\"\n[set]\nstar.points = 4\nseal.band = \"1.5 mm\"\n[vary]\nload.pressure = [\"20 kPa\"]\n",
+    );
+    let design = study.design(0).expect("a spec");
+    assert_eq!(
+        (design.star.points, design.seal.band.0, design.model),
+        (4, 1.5, stargrip_cam::spec::ModelChoice::Ring)
+    );
+}
+
+#[test]
+fn refusals_have_their_codes_and_nothing_else() {
+    let study = study(
+        "[vary]\nstar.points = [5, 9]\ninlet.tip = [1, 7]\nseal.temperature = [\"200 C\", \"320 C\"]\n",
+    );
+    let batch = whole(&study);
+    let codes = words(&study, &batch, "refused_code");
+    let ptfe = Some("ptfe".to_owned());
+    let arm = Some("no-arm".to_owned());
+    let tip = Some("out-of-range".to_owned());
+    assert_eq!(codes, [None, ptfe.clone(), tip, ptfe.clone(), arm.clone(), ptfe.clone(), arm, ptfe]);
+    let columns = study.columns();
+    for (i, code) in codes.iter().enumerate() {
+        let text = &words(&study, &batch, "refused")[i];
+        assert_eq!(code.is_some(), text.is_some());
+        for (column, values) in columns.iter().zip(&batch.columns) {
+            let is_answer = column.kind == Kind::Real && !column.name.starts_with("seal.");
+            if let (true, Values::Real(values), Some(_)) = (is_answer, values, code) {
+                assert!(values[i].is_nan(), "{}: {}", column.name, values[i]);
+            }
+        }
+    }
+    assert!(numbers(&study, &batch, "final_radius_mm")[0] > 0.0);
+}
+
+#[test]
+fn columns_are_those_that_are_wanted_in_their_order() {
+    let study = study(
+        "outputs = [\"stretch\", \"bendability\"]\n[vary]\nload.pressure = [\"37 kPa\", \"0.01 kPa\"]\n",
+    );
+    let header = csv::header(study.columns(), true);
+    assert_eq!(header, "row,load.pressure_kPa,stretch,bendability,refused_code,refused\n#-,kPa,-,-,-,-\n");
+    // p W / Y and 12 p W^3 (1 - nu^2) / (E t^3), worked out beside: known where no model answers, too.
+    let (p, w, e, t, nu) = (37e3, 0.03, 128e6, 0.3e-3, 0.39_f64);
+    let batch = whole(&study);
+    close(numbers(&study, &batch, "stretch")[0], p * w / (e * t), 1e-12);
+    let bendability = numbers(&study, &batch, "bendability");
+    close(bendability[0], 12.0 * p * w * w * w * (1.0 - nu * nu) / (e * t * t * t), 1e-12);
+    close(bendability[1], bendability[0] / 3700.0, 1e-9);
+}
+
+#[test]
+fn what_a_study_depends_on_is_in_its_fingerprint() {
+    let base = study("[vary]\nstar.points = [4, 5]\n").fingerprint();
+    assert_eq!(base.len(), 64);
+    assert_eq!(base, study("# the same\nvary = { \"star.points\" = [ 4, 5 ] }\n").fingerprint());
+    for other in [
+        "[vary]\nstar.points = [4, 6]\n",
+        "outputs = [\"stretch\"]\n[vary]\nstar.points = [4, 5]\n",
+        "model = \"ring\"\n[vary]\nstar.points = [4, 5]\n",
+        "[set]\nload.friction = 0.4\n[vary]\nstar.points = [4, 5]\n",
+        "[rows]\nstar.points = [4, 5]\n[vary]\nload.friction = [0.5]\n",
+    ] {
+        assert!(study(other).fingerprint() != base, "{other}");
+    }
+}
+
+const MIXED: &str = "[draw]\ncount = 37\nseed = 3\n[draw.between]\nstar.tube_width = \"10 mm..60 mm\"\nstar.points = \"3..9\"\n\
+                     [vary]\nseal.band = [\"1 mm\", \"3 mm\"]\nload.pressure = \"5 kPa..60 kPa/40\"\n";
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// However a study is split, into parts, batches and threads, its rows are the same bytes.
+    #[test]
+    fn any_split_gives_the_same_rows(parts in 1..30_usize, threads in 1..4_usize, from in 0..2960_usize, len in 0..1500_usize) {
+        let study = study(MIXED);
+        prop_assert_eq!(study.rows(), 37 * 2 * 40);
+        let once = text(&study, 0..study.rows());
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
+        let joined: String = pool.install(|| (1..=parts).map(|k| text(&study, study.part(k, parts))).collect());
+        prop_assert!(joined == once);
+        let batch = study.batch(from..from + len, &NEVER).expect("not stopped");
+        let own = String::from_utf8(csv::lines(&batch)).expect("text");
+        let expected: String = once.lines().skip(from).take(len).flat_map(|line| [line, "\n"]).collect();
+        prop_assert_eq!(own, expected);
+    }
+}
+
+#[test]
+fn the_table_is_the_ring() {
+    let table = RingTable::new().expect("solved");
+    for r_star in [1e-3, 0.1, 1.0, 7.0] {
+        let (fast, exact) = (TableRing(&table), &Ring as &dyn HingeModel);
+        let [a, b] = [fast.target(r_star), exact.target(r_star)].map(|state| state.expect("in range"));
+        let [x, y] = [a, b].map(|state| state.edges.expect("a ring has edges"));
+        let pairs = [
+            (a.lambda, b.lambda),
+            (a.volume.expect("known"), b.volume.expect("known")),
+            (a.curvature, b.curvature),
+            (x.tension, y.tension),
+            (x.angle, y.angle),
+            (x.width, y.width),
+            (x.rim_force, y.rim_force),
+        ];
+        for (fast, exact) in pairs {
+            close(fast, exact, 1e-8);
+        }
+        let [a, b] = [fast.onset(r_star), exact.onset(r_star)].map(|onset| onset.expect("in range"));
+        close(a.expect("known"), b.expect("known"), 1e-8);
+    }
+}
