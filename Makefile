@@ -4,7 +4,7 @@
 
 CARGO ?= cargo
 
-.PHONY: demo install dist wheel python test check deny audit strangers strangers-more mutants fuzz faults bench
+.PHONY: demo install dist portable wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
 
 # Build the paper's star and say what was written, and where.
 demo:
@@ -16,7 +16,7 @@ install:
 	$(CARGO) build --release --locked
 	packaging/lay-out target/release/stargrip-cam $(DESTDIR)$(PREFIX)
 
-# The same as an archive, for TARGET if it is named: `make dist TARGET=x86_64-unknown-linux-musl` is static.
+# The same as an archive, for TARGET if it is named. For Linux the program in it is static.
 TARGET ?=
 dist:
 	packaging/dist $(TARGET)
@@ -26,6 +26,10 @@ wheel:
 	python/run wheel
 python:
 	python/run check
+
+# Whether it compiles for Windows and macOS, as far as their standard libraries are here; TARGETS names others.
+portable:
+	packaging/portable $(TARGETS)
 
 test:
 	$(CARGO) test --locked
@@ -40,6 +44,13 @@ check:
 	$(CARGO) tree --manifest-path fuzz/Cargo.toml --locked >/dev/null
 	$(CARGO) test --locked --release --test golden
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items
+
+# The pages of docs/ as a book, target/book/index.html. `make test` holds its list, links and pictures, so CI does not build it.
+MDBOOK = $(shell PATH="$$PATH:target/ci-tools/bin" command -v mdbook)
+docs:
+	@test -n "$(MDBOOK)" || { echo "mdbook is missing: run \`cargo install --locked mdbook\`" >&2; exit 1; }
+	$(MDBOOK) build
+	@echo "open target/book/index.html"
 
 # Licences, doubled versions and sources of all dependencies, by deny.toml. It asks no one and takes a second.
 deny:

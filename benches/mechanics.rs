@@ -2,7 +2,6 @@
 
 use divan::{Bencher, black_box};
 use stargrip_cam::design::Design;
-use stargrip_cam::forecast::candidate::Candidate;
 use stargrip_cam::forecast::predict::predict;
 use stargrip_cam::forecast::study::{Study, csv};
 use stargrip_cam::mechanics::hinge::HingeModel;
@@ -12,6 +11,7 @@ use stargrip_cam::mechanics::hinge::section::{Section, SectionTable};
 use stargrip_cam::spec;
 use stargrip_cam::spec::study::Lane;
 use stargrip_cam::spec::{Source, Spec, read, starter};
+use std::sync::atomic::AtomicBool;
 
 fn main() {
     divan::main();

@@ -239,7 +239,11 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
             "v-actuator.svg",
         ]
     );
-    assert!(said.contains("wrote coupons/disc.svg") && said.contains("stargrip-cam calibrate"), "{said}");
+    assert!(said.starts_with("wrote 5 programs and 6 drawings to coupons\n"), "{said}");
+    assert!(
+        said.contains("look at coupons/strips.svg") && said.contains("calibrate coupons/results.csv"),
+        "{said}"
+    );
     let table = read(dir.path(), "coupons/results.csv");
     assert_eq!(table.lines().count(), 1 + 6);
     assert!(
@@ -260,7 +264,10 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
     let before = names(&dir.path().join("coupons"));
     let _ = fails(dir.path(), &args, 1, &["coupons exists already; choose another name"]);
     assert_eq!(names(&dir.path().join("coupons")), before);
-    let _ = done(dir.path(), &["coupon", "star.toml", "-o", "again", "--repeats", "1"]);
+    let said = done(dir.path(), &["coupon", "star.toml", "-o", "again", "--repeats", "1", "-v"]);
+    for name in names(&dir.path().join("again")) {
+        assert!(said.contains(&format!("again/{name}")), "{name}: {said}");
+    }
     let _ = fails(dir.path(), &["coupon", "star.toml", "-o", "no/where"], 1, &["cannot create no/where"]);
 }
 

@@ -211,31 +211,128 @@ fn every_shipped_design_does_what_it_is_for() {
     }
 }
 
+/// A folder with the paper's gripper, a filled-in table of a peel test, and a cone test.
+fn bench() -> tempfile::TempDir {
+    let folder = folder(&[]);
+    let peel = (1..=3).map(|strip| format!("{strip},200,0.1,-0.3,{},\n", 74 + strip)).collect::<String>();
+    let head = "strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n";
+    fs::write(folder.path().join("results.csv"), head.to_owned() + &peel).expect("written");
+    fs::write(folder.path().join("cone.csv"), "travel_mm,load_N\n0,0\n10,2.5\n").expect("written");
+    folder
+}
+
+/// Runs what must succeed, with nothing to say on standard error; what it says.
+#[track_caller]
+fn done(folder: &Path, args: &[&str]) -> String {
+    let output = run(folder, args);
+    assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""), "{args:?}");
+    stdout(&output)
+}
+
+#[track_caller]
+fn json(folder: &Path, args: &[&str]) -> serde_json::Value {
+    let json: serde_json::Value =
+        serde_json::from_str(&done(folder, &[args, &["--json"]].concat())).expect("one object");
+    assert!(json.is_object(), "{args:?}");
+    json
+}
+
+const ACTUATOR: [&str; 11] = [
+    "actuator",
+    "--tube-width",
+    "20 mm",
+    "--radius",
+    "2 mm",
+    "--arm-length",
+    "80 mm",
+    "--angle",
+    "60 deg",
+    "--pressure",
+    "14 kPa",
+];
+
 #[test]
 fn short_answers_are_for_programs_too_or_for_nobody() {
-    let folder = folder(&[]);
-    let done = |args: &[&str]| {
-        let output = run(folder.path(), args);
-        assert_eq!((output.status.code(), stderr(&output).as_str()), (Some(0), ""), "{args:?}");
-        stdout(&output)
-    };
-    let json =
-        |args: &[&str]| -> serde_json::Value { serde_json::from_str(&done(args)).expect("one object") };
-    assert_eq!(done(&["build", "star.toml", "-q"]), "");
-    assert_eq!(done(&["verify", "out/star", "-q"]), "");
-    let check = json(&["feedcheck", "star.toml", "--json"]);
+    let folder = bench();
+    let here = folder.path();
+    assert_eq!(done(here, &["build", "star.toml", "-q"]), "");
+    let job = "out/star/star-1-seal.gcode";
+    for args in [
+        &["verify", "out/star"][..],
+        &["resume", job, "--at", "37%", "-o", "again.gcode"],
+        &["feedcheck", "star.toml", "-o", "again.gcode"],
+        &["coupon", "star.toml", "-o", "again"],
+        &["calibrate", "results.csv", "--needed", "1 N/mm"],
+        &["predict", "star.toml"],
+        &["explain", "no-arm"],
+        &["new", "again"],
+        &ACTUATOR,
+    ] {
+        assert_eq!(done(here, &[args, &["-q"]].concat()), "", "{args:?}");
+        let _ = fs::remove_file(here.join("again.gcode"));
+    }
+    let check = json(here, &["feedcheck", "star.toml"]);
     assert_eq!(
         (&check["wrote"], check["line_time_s"].as_f64().map(f64::round)),
         (&"feedcheck.gcode".into(), Some(100.0))
     );
-    let resumed =
-        json(&["resume", "out/star/star-1-seal.gcode", "--at", "37%", "--json", "-o", "rest.gcode"]);
+    let resumed = json(here, &["resume", job, "--at", "37%", "-o", "rest.gcode"]);
     assert_eq!((&resumed["wrote"], &resumed["named_in_manifest"]), (&"rest.gcode".into(), &true.into()));
-    assert_eq!(done(&["resume", "out/star/star-1-seal.gcode", "--at", "37%", "-q", "-o", "again.gcode"]), "");
-    let machines = json(&["machines", "--json"]);
-    assert!(
-        machines["machines"]
-            .as_array()
-            .is_some_and(|list| list.iter().any(|machine| machine["name"] == "grbl"))
-    );
+    assert!(json(here, &["verify", "out/star"])["findings"].as_array().is_some_and(Vec::is_empty));
+    assert!(json(here, &["predict", "star.toml"])["object_force_N"].as_f64() > Some(10.0));
+    assert!(json(here, &ACTUATOR)["angle_deg"].as_f64() < Some(60.0));
+    assert_eq!(json(here, &["explain", "no-arm"])["code"], "no-arm");
+    assert!(json(here, &["explain"])["codes"].as_array().is_some_and(|codes| codes.len() > 50));
+    let new = json(here, &["new", "another"]);
+    assert_eq!((&new["wrote"], &new["verdict"]), (&"another.toml".into(), &serde_json::Value::Null));
+}
+
+#[test]
+fn what_was_measured_and_what_was_written_is_for_programs_too() {
+    let folder = bench();
+    let here = folder.path();
+    let coupons = json(here, &["coupon", "star.toml", "--speeds", "0.5 mm/s", "--repeats", "2"]);
+    assert_eq!((&coupons["strips"], &coupons["speeds_mm_s"][0]), (&2.into(), &0.5.into()));
+    for list in ["programs", "drawings"] {
+        let names = coupons[list].as_array().expect("a list");
+        assert!(names.iter().all(|name| here.join("coupons").join(name.as_str().expect("a name")).is_file()));
+    }
+    let calibration = json(here, &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    // 76 N over 25 mm, less twice 1 N over 25 mm.
+    for (key, value) in [("mean_N_mm", 3.04), ("holds_N_mm", 2.96), ("deviation_N_mm", 0.04)] {
+        let said = calibration["chosen"][key].as_f64().expect(key);
+        assert!((said - value).abs() < 1e-9, "{key}: {said}");
+    }
+    let asked = run(here, &["calibrate", "results.csv", "--json"]);
+    let asked_json: serde_json::Value = serde_json::from_slice(&asked.stdout).expect("one object");
+    assert_eq!((asked.status.code(), &asked_json["chosen"]), (Some(1), &serde_json::Value::Null));
+    assert_eq!(asked_json["settings"].as_array().map(Vec::len), Some(1));
+    // A table that is the answer is printed however quiet one is.
+    let cone = ["cone", "cone.csv", "--contact-radius", "15 mm"];
+    assert_eq!(done(here, &[&cone[..], &["-q"]].concat()), done(here, &cone));
+    let points = json(here, &cone);
+    assert_eq!(points["points"][1]["load_N"], 2.5);
+    assert!(points["points"][1]["force_N"].as_f64().is_some_and(|force| (force - 3.227_761).abs() < 1e-6));
+    let machines = json(here, &["machines"]);
+    let machines = machines["machines"].as_array().expect("a list");
+    assert!(machines.iter().any(|machine| machine["name"] == "grbl"));
+    assert_eq!(done(here, &["machines", "-q"]).lines().count(), machines.len());
+    assert_eq!(run(here, &["machines", "--json", "show", "grbl"]).status.code(), Some(2));
+}
+
+#[test]
+fn a_search_is_for_programs_too_and_its_spec_alone_for_the_quiet() {
+    let folder = bench();
+    let here = folder.path();
+    let optimize = ["optimize", "star.toml", "--points", "5", "--tube-width", "25 mm", "--goal", "fabric"];
+    let spec = done(here, &[&optimize[..], &["-q"]].concat());
+    assert!(!spec.contains("designs computed") && spec.contains("tube_width = \"25 mm\""), "{spec}");
+    assert!(done(here, &optimize).contains(&spec));
+    let found = json(here, &optimize);
+    assert_eq!((&found["spec"], &found["best"][0]["tube_width_mm"]), (&spec.into(), &25.0.into()));
+    assert!(found["best"][0]["short"].as_array().is_some_and(Vec::is_empty), "{found}");
+    let none = run(here, &[&optimize[..], &["--payload", "1000", "--json"]].concat());
+    let found: serde_json::Value = serde_json::from_slice(&none.stdout).expect("one object");
+    assert_eq!((none.status.code(), &found["spec"]), (Some(1), &serde_json::Value::Null));
+    assert_eq!(stderr(&none).lines().count(), 1, "{}", stderr(&none));
 }

@@ -1,6 +1,6 @@
 //! The readers of specs, profiles and tables.
 
-use stargrip_cam::coupon::cone::{Balance, Cone, read_test, reduce};
+use stargrip_cam::coupon::cone::{Balance, Cone, csv, read_test, reduce};
 use stargrip_cam::coupon::{calibrate, listing, read_rows, settings};
 use stargrip_cam::pipeline::Forecast;
 use stargrip_cam::spec;
@@ -79,7 +79,7 @@ fn cone(source: &Source) {
         Err(faults) => return shown::faults(&faults),
     };
     let cone = Cone::new(0.5, 0.1).expect("valid");
-    let reduced = reduce(&test, &cone, Balance::Derived, 0.02, None);
+    let reduced = csv(&reduce(&test, &cone, Balance::Derived, 0.02, None));
     assert!(!reduced.contains("NaN") && !reduced.contains("inf"), "{reduced}");
     assert_eq!(read_test(&Source::new("again", reduced)).expect("a table"), test);
 }

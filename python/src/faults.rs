@@ -95,7 +95,7 @@ pub(crate) fn of_failure(py: Python<'_>, failure: &Failure) -> PyErr {
         Failure::Publish(fault) => plain(py, "PublishError", "publish", &fault.to_string()),
         Failure::Message(text) => plain(py, "Error", "refused", text),
         Failure::Usage(text) => usage(py, text),
-        Failure::Interrupted => pyo3::exceptions::PyKeyboardInterrupt::new_err(()),
+        Failure::Interrupted | Failure::Stopped(_) => pyo3::exceptions::PyKeyboardInterrupt::new_err(()),
         // They end a command that prints, and none does here.
         Failure::Said | Failure::Pipe => plain(py, "Error", "refused", "the output is closed"),
     }

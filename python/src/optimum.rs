@@ -50,7 +50,7 @@ impl Optimum {
     fn spec(&self, py: Python<'_>) -> PyResult<Option<Spec>> {
         let Given { source, path, .. } = self.given.as_ref();
         let best = self.found.best.as_ref();
-        best.map(|(text, _)| of_text(py, text.clone(), &source.name, path)).transpose()
+        best.map(|text| of_text(py, text.clone(), &source.name, path)).transpose()
     }
 
     /// Designs that were computed.

@@ -4,6 +4,7 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::predict::Model;
 use crate::cli::quantity::{EXTRA, SIZE, evenly, number, quantity, range};
 use crate::cli::shell::{ShellArgs, Shown, refused};
+use crate::cli::voice::Voice;
 use crate::forecast::actuator::{Actuator, actuate};
 use crate::forecast::by_shell;
 use crate::forecast::by_shell::Detail;
@@ -53,9 +54,8 @@ pub(super) struct Args {
     angles: Option<Angles>,
     #[command(flatten)]
     shell: ShellArgs,
-    /// Print one JSON object and nothing else.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 /// Evenly spaced angles, rad.
@@ -109,13 +109,13 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(level) = args.level() else { return run_shell(args, &actuator, angles) };
     args.shell.not_by_others()?;
     let prediction = actuate(&actuator, level, angles).map_err(refused_by_model)?;
-    say(&if args.json { prediction.to_json() } else { prediction.to_text() })
+    if args.voice.json { say(&prediction.to_json()) } else { args.voice.remark(&prediction.to_text()) }
 }
 
 /// The same by the shell.
 fn run_shell(args: &Args, actuator: &Actuator, angles: &[f64]) -> Result<(), Failure> {
     let question = format!("actuator {actuator:?} {angles:?}");
-    args.shell.show(&question, args.json, |watch| {
+    args.shell.show(&question, args.voice, |watch| {
         let (prediction, shape) = by_shell::actuate(actuator, angles, args.shell.detail(), watch)
             .map_err(|fault| refused(&fault))?;
         let vtu = args.shell.wants_vtu().then(|| shape.vtu()).transpose();

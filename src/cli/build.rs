@@ -12,7 +12,7 @@ use crate::cli::failure::{Failure, say, tell};
 use crate::cli::harmless::shown;
 use crate::cli::load::{Loaded, is_standard_input};
 use crate::cli::voice::Voice;
-use crate::cli::{again, each, glance, new, publish, summary, watch};
+use crate::cli::{again, each, glance, new, progress, publish, summary, watch};
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]
@@ -100,7 +100,12 @@ fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<O
     let forecast = loaded.forecast()?;
     loaded.fit(&forecast, args.anyway)?;
     let list = watch::list(&forecast, spec);
-    let proven = forecast.build(loaded.sources(), &asked).prove().map_err(Failure::Findings)?;
+    let proven = progress::during(voice, "writing the files", |progress| {
+        let built = forecast.build(loaded.sources(), &asked);
+        progress.tell("proving the files");
+        built.prove()
+    })
+    .map_err(Failure::Findings)?;
     let forecast = &proven.built().forecast;
     let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
     let target = targets.get(spec).cloned().unwrap_or_else(named);

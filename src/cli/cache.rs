@@ -1,6 +1,6 @@
 //! Answers that took long, kept by what they depend on: the question, word for word, and the program that answers.
 //!
-//! The folder is `$XDG_CACHE_HOME/stargrip-cam`, or `~/.cache/stargrip-cam`. It may be deleted at any time and is never needed: what
+//! The folder is `$XDG_CACHE_HOME/stargrip-cam`, or `~/.cache/stargrip-cam`, on Windows in `%LOCALAPPDATA%`. It may be deleted at any time and is never needed: what
 //! cannot be read, or is torn, counts as not there, and what cannot be written is not kept.
 
 use std::env;
@@ -22,7 +22,9 @@ impl Cache {
     /// The user's cache, or none.
     pub(super) fn new(unwanted: bool) -> Self {
         let absolute = |name: &str| env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
-        let base = absolute("XDG_CACHE_HOME").or_else(|| absolute("HOME").map(|home| home.join(".cache")));
+        let home =
+            || if cfg!(windows) { absolute("LOCALAPPDATA") } else { Some(absolute("HOME")?.join(".cache")) };
+        let base = absolute("XDG_CACHE_HOME").or_else(home);
         Self { dir: base.filter(|_| !unwanted).map(|base| base.join(env!("CARGO_PKG_NAME"))) }
     }
 

@@ -1,14 +1,16 @@
 //! `stargrip-cam calibrate`
 
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use crate::cli::failure::{Failure, say};
+use serde_json::{Value, json};
+
+use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{number, quantity};
 use crate::cli::text_file::read_table;
-use crate::coupon::{calibrate, listing, read_rows, settings, steady};
+use crate::cli::voice::Voice;
+use crate::coupon::{Calibration, Row, calibrate, listing, read_rows, settings, steady};
 use crate::design::Design;
 use crate::forecast::case::Case;
 use crate::forecast::seal_load::seal_loads;
@@ -43,6 +45,8 @@ pub(super) struct Args {
     /// The V-actuator's R / W as the band makes it.
     #[arg(long, default_value_t = 1.0 / 30.0, value_parser = number(Allowed::above(0.0, 1e3)))]
     radius_ratio: f64,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 /// Says what the spec should say.
@@ -50,27 +54,53 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let source = Source::new(args.results.display().to_string(), read_table(&args.results)?);
     let settings = settings(&read_rows(&source)?);
     // What the V-actuator tells does not hang on the strips.
-    say(&lambda(args)?)?;
+    let coiling = coiling(args)?;
+    args.voice.remark(&coiling.as_ref().map_or_else(String::new, Coiling::text))?;
     let refused = |fault| Failure::Message(format!("{}: {fault}", shown(&args.results)));
-    let (needed, why) = match (args.needed, &args.spec) {
-        (Some(needed), _) => (needed.0, String::new()),
-        (None, Some(path)) => need_of(path)?,
-        (None, None) => {
-            let _ = steady(&settings).map_err(refused)?;
-            say(&listing(&settings))?;
-            return Err(Failure::Message(
-                "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
-                    .to_owned(),
-            ));
-        }
+    let need = match (args.needed, &args.spec) {
+        (Some(needed), _) => Some((needed.0, String::new())),
+        (None, Some(path)) => Some(need_of(path, args.voice)?),
+        (None, None) => None,
     };
-    let chosen = calibrate(&settings, needed, args.margin).map_err(refused)?;
-    say(&format!("{why}{}", chosen.toml()))
+    let json = |chosen: Option<&Calibration>| {
+        json!({
+            "needed_N_mm": need.as_ref().map(|(needed, _)| needed),
+            "margin": args.margin,
+            "settings": settings.iter().map(setting).collect::<Vec<_>>(),
+            "chosen": chosen.map(setting),
+            "coiling": coiling.as_ref().map(Coiling::json),
+        })
+    };
+    let Some((needed, why)) = &need else {
+        let _ = steady(&settings).map_err(refused)?;
+        args.voice.report(&listing(&settings), &json(None))?;
+        return Err(Failure::Message(
+            "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
+                .to_owned(),
+        ));
+    };
+    let chosen = calibrate(&settings, *needed, args.margin).map_err(refused)?;
+    let all = if args.voice.verbose { listing(&settings) } else { String::new() };
+    args.voice.report(&format!("{all}{why}{}", chosen.toml()), &json(Some(&chosen)))
+}
+
+/// A setting for programs.
+fn setting(found: &Calibration) -> Value {
+    let Row { temperature, speed, height, .. } = found.setting;
+    json!({
+        "temperature_C": temperature,
+        "speed_mm_s": speed,
+        "height_mm": height,
+        "specimens": found.count,
+        "mean_N_mm": found.mean,
+        "deviation_N_mm": Some(found.deviation).filter(|_| found.count > 1),
+        "holds_N_mm": Some(found.strength).filter(|_| found.count > 1),
+    })
 }
 
 /// The largest load on a seal of the spec at `path`, N/mm, and a comment that says where it is.
-fn need_of(path: &Path) -> Result<(f64, String), Failure> {
-    let loaded = Loaded::new(path)?;
+fn need_of(path: &Path, voice: Voice) -> Result<(f64, String), Failure> {
+    let loaded = Loaded::spoken(path, voice)?;
     let spec = &loaded.reading.spec;
     let refused = |why: &str| Failure::Message(format!("{}: {why}", shown(path)));
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
@@ -93,16 +123,32 @@ fn need_of(path: &Path) -> Result<(f64, String), Failure> {
     Ok((force, format!("# at {pressure} the seal has to hold {force:.3} N/mm at the {place}\n")))
 }
 
-/// What the V-actuator's angles tell, as comments; empty without them.
-fn lambda(args: &Args) -> Result<String, Failure> {
-    let Some((flat, inflated)) = args.flat_angle.zip(args.inflated_angle) else { return Ok(String::new()) };
-    let measured = (180.0 - inflated) / (180.0 - flat);
+/// What the V-actuator's angles tell.
+struct Coiling {
+    measured: f64,
+    predicted: f64,
+}
+
+impl Coiling {
+    /// As comments of a spec.
+    fn text(&self) -> String {
+        let Self { measured, predicted } = self;
+        let off = 100.0 * (measured / predicted - 1.0);
+        format!(
+            "# lambda measured: {measured:.3}\n# lambda predicted (ring): {predicted:.3}; measured is {off:+.1} %\n"
+        )
+    }
+
+    fn json(&self) -> Value {
+        json!({ "measured": self.measured, "predicted": self.predicted, "model": "ring" })
+    }
+}
+
+/// What was measured at the V-actuator, and what the exact ring says; `None` if nothing was.
+fn coiling(args: &Args) -> Result<Option<Coiling>, Failure> {
+    let Some((flat, inflated)) = args.flat_angle.zip(args.inflated_angle) else { return Ok(None) };
     let state = Ring
         .target(args.radius_ratio)
         .map_err(|fault| Failure::Message(format!("--radius-ratio: {fault}")))?;
-    let off = 100.0 * (measured / state.lambda - 1.0);
-    let mut out = format!("# lambda measured: {measured:.3}\n");
-    // A String takes everything.
-    let _ = writeln!(out, "# lambda predicted (ring): {:.3}; measured is {off:+.1} %", state.lambda);
-    Ok(out)
+    Ok(Some(Coiling { measured: (180.0 - inflated) / (180.0 - flat), predicted: state.lambda }))
 }

@@ -2,13 +2,17 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say};
+use serde_json::{Value, json};
+
+use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, number, quantity};
 use crate::cli::text_file::read_table;
-use crate::coupon::cone::{Balance, Cone, Overlay, read_test, reduce};
+use crate::cli::voice::{Voice, pretty};
+use crate::coupon::cone::{Balance, Cone, Overlay, Reduced, csv, read_test, reduce};
 use crate::design::Star;
 use crate::forecast::case::mechanism;
+use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::star::response::Inflated;
 use crate::spec::{Allowed, Source};
@@ -34,6 +38,8 @@ pub(super) struct Args {
     /// Lay the prediction for this spec over the data; its `[load]` must give the pressure.
     #[arg(long)]
     spec: Option<PathBuf>,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -53,24 +59,51 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         BalanceArg::Published => Balance::Published,
     };
     let contact = args.contact_radius.map(Length::metres);
-    let reduced = |first: f64, overlay: Option<Overlay<'_>>| reduce(&test, &cone, balance, first, overlay);
+    let reduced = |first: f64, overlay: Option<Overlay<'_>>| {
+        let points = reduce(&test, &cone, balance, first, overlay);
+        show(args, cone.ratio(balance), first, &points)
+    };
     let Some(path) = &args.spec else {
         let first = contact
             .ok_or_else(|| message("give --contact-radius, or a --spec that predicts it".to_owned()))?;
-        return say(&reduced(first, None));
+        return reduced(first, None);
     };
-    let spec = Loaded::new(path)?.reading.spec;
+    let spec = Loaded::spoken(path, args.voice)?.reading.spec;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let pressure = pressure.ok_or_else(|| message("the spec's [load] has no pressure".to_owned()))?;
     let star = spec.stars.first().ok_or_else(|| message("the spec has no star".to_owned()))?;
     let star = mechanism(&Star::new(star).map_err(|refusal| message(refusal.to_string()))?);
-    let text = Inflated::new(&star, &Ring, pressure.pascals())
-        .and_then(|inflated| {
-            let (linear, own) = (inflated.linear_rest(), inflated.rest()?);
-            let overlay =
-                |rho: f64| [inflated.linear_force(rho, &linear).ok(), inflated.force(rho, &own).ok()];
-            Ok(reduced(contact.unwrap_or(linear.radius), Some(&overlay)))
-        })
-        .map_err(|fault| message(fault.to_string()))?;
-    say(&text)
+    let fault = |fault: StarFault| message(fault.to_string());
+    let inflated = Inflated::new(&star, &Ring, pressure.pascals()).map_err(fault)?;
+    let (linear, own) = (inflated.linear_rest(), inflated.rest().map_err(fault)?);
+    let overlay = |rho: f64| [inflated.linear_force(rho, &linear).ok(), inflated.force(rho, &own).ok()];
+    reduced(contact.unwrap_or(linear.radius), Some(&overlay))
+}
+
+/// Prints the points; how they were reduced is told to who asks.
+fn show(args: &Args, ratio: f64, first: f64, points: &[Reduced]) -> Result<(), Failure> {
+    let first = Length::from_metres(first);
+    if args.voice.json {
+        return say(&pretty(&json!({
+            "force_per_load": ratio,
+            "contact_radius_mm": first.0,
+            "points": points.iter().map(point).collect::<Vec<_>>(),
+        })));
+    }
+    if args.voice.verbose {
+        tell(&format!("radial force over load {ratio:.4}; radius at first contact {:.3} mm", first.0));
+    }
+    say(&csv(points))
+}
+
+fn point(point: &Reduced) -> Value {
+    let [linear, nonlinear] = point.predicted.unwrap_or_default();
+    json!({
+        "travel_mm": point.press.travel,
+        "load_N": point.press.load,
+        "radius_mm": point.radius,
+        "force_N": point.force,
+        "linear_N": linear,
+        "nonlinear_N": nonlinear,
+    })
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::Value;
 
 use crate::cli::failure::{Failure, say};
-use crate::cli::voice::Voice;
+use crate::cli::voice::{Voice, pretty};
 
 /// Does `one` for each of `specs`; of what programs are told, prints one object.
 pub(super) fn each(
@@ -15,7 +15,7 @@ pub(super) fn each(
 ) -> Result<(), Failure> {
     if let [spec] = specs {
         let said = one(spec)?;
-        return said.map_or(Ok(()), |said| say(&format!("{said:#}\n")));
+        return said.map_or(Ok(()), |said| say(&pretty(&said)));
     }
     let (mut all, mut refused) = (Vec::new(), false);
     for (number, spec) in specs.iter().enumerate() {
@@ -32,7 +32,7 @@ pub(super) fn each(
         }
     }
     if voice.json {
-        say(&format!("{:#}\n", serde_json::json!({ "results": all })))?;
+        say(&pretty(&serde_json::json!({ "results": all })))?;
     }
     if refused { Err(Failure::Said) } else { Ok(()) }
 }

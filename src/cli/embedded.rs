@@ -10,7 +10,7 @@ use clap::{Command, ValueEnum};
 
 use crate::cli::load::{Loaded, machine_source, read_source, refused};
 use crate::cli::{actuator, cache, optimize, predict, verify};
-use crate::design::{Design, Refusals};
+use crate::design::Refusals;
 use crate::forecast::actuator::Actuator;
 use crate::forecast::by_shell::Detail;
 use crate::forecast::optimize::{Evaluated, Found, shortfalls};
@@ -85,8 +85,8 @@ pub fn proof_json(proof: &Proof) -> String {
 pub struct Optimum {
     /// All that was found.
     pub found: Found,
-    /// The spec's text with the best design that can be built, and that design; `None` if there is none.
-    pub best: Option<(String, Design)>,
+    /// The spec's text with the best design that can be built; `None` if there is none.
+    pub best: Option<String>,
     /// Of each of `found.best` the constraints that it misses, and by which part.
     pub short: Vec<Vec<(&'static str, f64)>>,
 }
@@ -96,13 +96,16 @@ pub struct Optimum {
 /// # Errors
 /// If an option is wrong, or two do not go together.
 pub fn optimum(given: &Given, options: &[String]) -> Result<Optimum, Failure> {
-    let args: optimize::Args = parsed(options, Some(Path::new("-")))?;
+    // No line about progress, and no ear for Ctrl-C: both are the other face's.
+    let options: Vec<String> = options.iter().cloned().chain(["--quiet".to_owned()]).collect();
+    let args: optimize::Args = parsed(&options, Some(Path::new("-")))?;
     let Given { source, reading, machine, machine_text, .. } = given.clone();
     let loaded = Loaded::quiet(source, reading, machine, machine_text);
-    let optimize::Answered { found, constraints, best } = optimize::answer(&args, &loaded)?;
+    let (found, constraints) = optimize::answer(&args, &loaded)?;
+    let best = optimize::best(&args, &loaded, &found)?;
     let short =
         found.best.iter().map(|Evaluated { point, answer, .. }| shortfalls(point, answer, &constraints));
-    Ok(Optimum { short: short.collect(), best: best.map(|(text, design, _)| (text, design)), found })
+    Ok(Optimum { short: short.collect(), best: best.map(|best| best.spec), found })
 }
 
 /// What is asked about stars beside their spec.
@@ -165,12 +168,13 @@ fn parsed<A: clap::Args>(options: &[String], spec: Option<&Path>) -> Result<A, F
     A::from_arg_matches(&command.try_get_matches_from(arguments).map_err(usage)?).map_err(usage)
 }
 
-/// The first line of a fault of arguments as one who calls a function reads it: "invalid value '3' for tube_width: ...". What
-/// follows is advice for a command line.
+/// A fault of arguments as one who calls a function reads it: "invalid value '3' for tube_width: ...". What follows its first
+/// paragraph is advice for a command line.
 fn without_dashes(fault: &clap::Error) -> String {
     let text = fault.to_string();
-    let line = text.lines().next().unwrap_or_default();
-    let mut line = line.strip_prefix("error: ").unwrap_or(line).to_owned();
+    let lines: Vec<&str> = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect();
+    let line = lines.join(" ");
+    let mut line = line.strip_prefix("error: ").unwrap_or(&line).to_owned();
     while let Some((before, rest)) = line.split_once("'--") {
         let Some((option, after)) = rest.split_once('\'') else { break };
         let name = option.split([' ', '=']).next().unwrap_or_default().replace('-', "_");

@@ -1,7 +1,13 @@
 //! `stargrip-cam explain`
 
-use crate::cli::failure::{Failure, say};
+use std::io::stdout;
+
+use serde_json::{Value, json};
+
+use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
+use crate::cli::terminal::{width, wrapped};
+use crate::cli::voice::Voice;
 use crate::spec;
 
 /// Where every code stands with its meaning.
@@ -12,6 +18,8 @@ const PAGE: &str = include_str!("../../docs/codes.md");
 pub(super) struct Args {
     /// The code, as it stands in a message: no-arm. Without it, all codes are listed.
     code: Option<String>,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 /// One code of the page.
@@ -22,17 +30,26 @@ struct Row {
     meaning: &'static str,
 }
 
+impl Row {
+    fn json(&self) -> Value {
+        json!({ "code": self.code, "about": self.about, "meaning": self.meaning })
+    }
+}
+
 /// Prints what a code means and what to do about it.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let rows = rows();
     let Some(code) = &args.code else {
-        let lines: Vec<String> = rows.iter().map(|row| format!("{:24} {}", row.code, row.meaning)).collect();
-        return say(&(lines.join("\n") + "\n"));
+        let line = |row: &Row| wrapped(&format!("{:24} {}", row.code, row.meaning), 25, width(&stdout()));
+        let lines: Vec<String> = rows.iter().map(line).collect();
+        let all = json!({ "codes": rows.iter().map(Row::json).collect::<Vec<_>>() });
+        return args.voice.report(&(lines.join("\n") + "\n"), &all);
     };
     // Who copies it from a message may copy its brackets.
     let word = code.trim_start_matches("error").trim_start_matches("warning").trim_matches(['[', ']', ':']);
-    if let Some(Row { about, code, meaning }) = rows.iter().find(|row| row.code == word) {
-        return say(&format!("{code} ({about})\n{meaning}\n"));
+    if let Some(row) = rows.iter().find(|row| row.code == word) {
+        let Row { about, code, meaning } = row;
+        return args.voice.report(&format!("{code} ({about})\n{meaning}\n"), &row.json());
     }
     let codes = || rows.iter().map(|row| row.code);
     let near = spec::nearest(&word.replace('-', "_"), codes());

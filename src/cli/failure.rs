@@ -5,8 +5,8 @@ use std::io::Write;
 use std::path::Path;
 
 use crate::cli::harmless::{harmless, shown};
-use crate::cli::terminal::has_colours;
-use crate::cli::{PublishFault, findings};
+use crate::cli::terminal::{fitted, has_colours, width};
+use crate::cli::{PublishFault, findings, interrupt};
 use crate::spec::Faults;
 use crate::verify::Finding;
 
@@ -25,6 +25,8 @@ pub enum Failure {
     Usage(String),
     /// Ctrl-C.
     Interrupted,
+    /// Ctrl-C, or what a cluster sends before it kills, with what is left.
+    Stopped(String),
     /// It has been said already, on standard output.
     Said,
     /// The reader of our standard output has gone; there is nobody left to tell.
@@ -51,17 +53,21 @@ impl Failure {
             Self::Publish(error) => format!("error: {error}"),
             Self::Message(text) => format!("error: {text}"),
             Self::Usage(text) => {
-                tell(&format!("error: {text}"));
+                tell(&fitted(&format!("error: {text}"), width(&io::stderr())));
                 return 2;
             }
             Self::Interrupted => {
                 tell("stopped; nothing was written");
+                return interrupt::EXIT;
+            }
+            Self::Stopped(text) => {
+                tell(&text);
                 return 130;
             }
             Self::Said => return 1,
             Self::Pipe => return 0,
         };
-        tell(&text);
+        tell(&fitted(&text, width(&io::stderr())));
         1
     }
 }

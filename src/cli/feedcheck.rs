@@ -9,7 +9,7 @@ use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::write_new;
-use crate::cli::voice::Brief;
+use crate::cli::voice::Voice;
 use crate::emit;
 use crate::plan;
 use crate::spec::FeedFloor;
@@ -23,12 +23,12 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
-    voice: Brief,
+    voice: Voice,
 }
 
 /// Writes the program that shows at which speed the machine really goes.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::new(&args.spec)?;
+    let loaded = Loaded::spoken(&args.spec, args.voice)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     let checks = plan::feed_checks(spec, machine);
     let default = || PathBuf::from("feedcheck").with_extension(program_ending(machine.controller.dialect));

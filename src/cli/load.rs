@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, tell, warn};
 use crate::cli::harmless::shown;
+use crate::cli::progress;
 use crate::cli::voice::Voice;
 use crate::design::{Refusal, Refusals, Warning};
 use crate::manifest::MANIFEST;
@@ -23,7 +24,7 @@ pub(super) struct Loaded {
     pub(super) source: Source,
     pub(super) machine: Machine,
     machine_text: String,
-    quiet: bool,
+    voice: Voice,
 }
 
 impl Loaded {
@@ -42,12 +43,13 @@ impl Loaded {
             tell(&note.unwrap_or_default());
         }
         let machine = spec::read_machine(&profile)?;
-        Ok(Self { reading, source, machine, machine_text: profile.text, quiet: voice.quiet })
+        Ok(Self { reading, source, machine, machine_text: profile.text, voice })
     }
 
     /// What was read elsewhere; nothing is printed.
     pub(super) fn quiet(source: Source, reading: Reading, machine: Machine, machine_text: String) -> Self {
-        Self { reading, source, machine, machine_text, quiet: true }
+        let voice = Voice { quiet: true, ..Voice::default() };
+        Self { reading, source, machine, machine_text, voice }
     }
 
     /// The texts as read.
@@ -57,7 +59,7 @@ impl Loaded {
 
     /// Prints what a person should know about a design, at the keys it speaks of.
     pub(super) fn warn(&self, warnings: &[Warning]) {
-        if self.quiet {
+        if self.voice.quiet {
             return;
         }
         let faults = warnings.iter().map(|warning| {
@@ -69,7 +71,8 @@ impl Loaded {
 
     /// Everything that can be known of it without making its files; prints the design's warnings.
     pub(super) fn forecast(&self) -> Result<Forecast, Failure> {
-        let forecast = Forecast::of(self.reading.spec.clone(), self.machine.clone())
+        let (spec, machine) = (self.reading.spec.clone(), self.machine.clone());
+        let forecast = progress::during(self.voice, "designing", |_| Forecast::of(spec, machine))
             .map_err(|refusals| self.refused(refusals))?;
         self.warn(&forecast.design.warnings);
         Ok(forecast)

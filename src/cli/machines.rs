@@ -6,17 +6,18 @@ use serde_json::json;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
+use crate::cli::voice::{Voice, pretty};
 use crate::spec;
 use crate::spec::{Machine, Motion};
 
 /// Arguments of `machines`.
 #[derive(clap::Args, Debug)]
+#[command(args_conflicts_with_subcommands = true)]
 pub(super) struct Args {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Print one JSON object and nothing else.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 #[derive(clap::Subcommand, Debug)]
@@ -32,7 +33,11 @@ enum Command {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(Command::Show { name }) = &args.command else {
         let machines = machines()?;
-        return say(&if args.json { json(&machines) } else { list(&machines) });
+        return match args.voice {
+            Voice { json: true, .. } => say(&json(&machines)),
+            Voice { quiet: true, .. } => say(&names(&machines)),
+            voice => voice.remark(&list(&machines)),
+        };
     };
     let known: Vec<&str> = spec::builtin_machines().collect();
     let text = spec::builtin_machine(name).ok_or_else(|| {
@@ -54,6 +59,11 @@ fn machines() -> Result<Vec<Machine>, Failure> {
     spec::builtin_machines().map(read).collect()
 }
 
+/// A name a line, for scripts.
+fn names(machines: &[Machine]) -> String {
+    machines.iter().map(|machine| format!("{}\n", machine.name)).collect()
+}
+
 fn list(machines: &[Machine]) -> String {
     let mut out = String::new();
     for machine in machines {
@@ -65,7 +75,7 @@ fn list(machines: &[Machine]) -> String {
 
 fn json(machines: &[Machine]) -> String {
     let one = |machine: &Machine| json!({ "name": machine.name, "description": machine.description, "ability": ability(&machine.motion) });
-    format!("{:#}\n", json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(one).collect::<Vec<_>>() }))
+    pretty(&json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(one).collect::<Vec<_>>() }))
 }
 
 /// What a machine does when it is told to go at 0.1 mm/s.

@@ -8,6 +8,7 @@ mod again;
 mod build;
 mod cache;
 mod calibrate;
+mod candidates;
 mod check;
 mod clock;
 mod completions;
@@ -23,6 +24,7 @@ mod figure;
 mod findings;
 mod glance;
 mod harmless;
+mod interrupt;
 mod load;
 mod machines;
 mod man;
@@ -30,11 +32,13 @@ mod new;
 mod new_object;
 mod optimize;
 mod predict;
+mod progress;
 mod publish;
 mod quantity;
 mod resume;
 mod schema;
 mod shell;
+mod study;
 mod summary;
 mod sweep;
 mod table;
@@ -45,6 +49,7 @@ mod verdict;
 mod verify;
 mod voice;
 mod watch;
+mod whole_file;
 
 use std::env;
 use std::ffi::OsString;
@@ -76,8 +81,10 @@ enum Command {
     Actuator(actuator::Args),
     /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
     Optimize(optimize::Args),
-    /// Compute many designs at once: one CSV row for every combination of values.
+    /// Compute many designs at once: a row for every combination of values, or for every row of a study file.
     Sweep(sweep::Args),
+    /// Show what a study file asks for, or join its parts.
+    Study(study::Args),
     /// Compute the shipped table of what arms add to a hinge anew, or a part of it.
     Table(table::Args),
     /// Measure time and error of every model on this machine.
@@ -127,6 +134,7 @@ pub fn run(args: Vec<OsString>) -> u8 {
         Command::Actuator(args) => actuator::run(&args),
         Command::Optimize(args) => optimize::run(&args),
         Command::Sweep(args) => sweep::run(&args),
+        Command::Study(args) => study::run(&args),
         Command::Table(args) => table::run(&args),
         Command::Trade(args) => trade::run(&args),
         Command::Cone(args) => cone::run(&args),
@@ -154,4 +162,27 @@ fn misused(args: Vec<OsString>, fault: clap::Error) -> u8 {
     // Nobody is left to tell if it cannot be printed.
     let _ = fault.print();
     u8::try_from(fault.exit_code()).unwrap_or(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Commands that have no other answer than a document for other programs, whole and always the same.
+    const DOCUMENTS: [&str; 3] = ["schema", "completions", "man"];
+    /// Commands that compute for hours and whose answers are files, a row or a file for each.
+    const FILES: [&str; 2] = ["sweep", "table"];
+
+    #[test]
+    fn every_command_that_reports_speaks_as_loud_as_one_likes() {
+        let program = Cli::command();
+        for command in program.get_subcommands() {
+            let name = command.get_name();
+            let has = |option: &str| command.get_arguments().any(|arg| arg.get_long() == Some(option));
+            let all = ["quiet", "verbose", "json"].into_iter().filter(|option| has(option)).count();
+            let excepted = DOCUMENTS.contains(&name) || FILES.contains(&name);
+            assert!(all == 3 || (excepted && all == 0), "{name} has {all} of --quiet, --verbose, --json");
+        }
+        program.debug_assert();
+    }
 }

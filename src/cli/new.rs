@@ -2,11 +2,15 @@
 
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say};
+use serde_json::json;
+
+use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::new_object::{ObjectArgs, chosen};
 use crate::cli::text_file::write_new;
-use crate::cli::{defaults, schema};
+use crate::cli::voice::Voice;
+use crate::cli::{defaults, progress, schema};
+use crate::forecast::verdict::Verdict;
 use crate::spec;
 
 /// Arguments of `new`.
@@ -17,22 +21,33 @@ pub(super) struct Args {
     name: String,
     #[command(flatten)]
     object: ObjectArgs,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 /// Writes a starter spec into the current directory; never over a file that is there.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
     let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
-    let (text, said) = match chosen(name, &args.object)? {
+    let found = progress::during(args.voice, "searching for a gripper", |_| chosen(name, &args.object))?;
+    let (text, verdict) = match found {
         // One's own defaults were part of the search.
-        Some((text, said)) => (format!("#:schema ./{}\n{text}", spec::SCHEMA_FILE), said),
-        None => (defaults::written_into(starter()?)?, String::new()),
+        Some((text, verdict)) => (format!("#:schema ./{}\n{text}", spec::SCHEMA_FILE), verdict),
+        None => (defaults::written_into(starter()?)?, None),
     };
     let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
     write_new(&path, &text)?;
-    schema::write_beside(&path)?;
+    let schema = schema::write_beside(&path)?;
+    let json = json!({ "wrote": path, "schema": schema, "verdict": verdict });
     let path = shown(&path);
-    say(&format!("{said}wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"))
+    let said = verdict.map_or_else(String::new, |verdict| said(name, &verdict));
+    args.voice
+        .report(&format!("{said}wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
+}
+
+fn said(name: &str, verdict: &Verdict) -> String {
+    let reasons = verdict.reasons.iter().map(|reason| format!("  {reason}\n"));
+    format!("{name}: {}\n{}", verdict.line(), reasons.collect::<String>())
 }
 
 /// The name as a file name anywhere: ASCII letters, digits and dashes.

@@ -5,11 +5,13 @@ use std::path::Path;
 
 use crate::cli::defaults;
 use crate::cli::failure::Failure;
+use crate::cli::harmless::shown;
 use crate::cli::load::read_source;
 use crate::cli::quantity::{SIZE, number, quantity};
 use crate::design::Refusals;
 use crate::forecast::candidate::Candidate;
-use crate::forecast::choosing::{Choice, Miss, Wish, choose, spec_text};
+use crate::forecast::choosing::{Choice, Miss, Nearest, Room, Wish, choose, spec_text};
+use crate::forecast::verdict::Verdict;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::pipeline::Forecast;
 use crate::spec;
@@ -61,42 +63,101 @@ fn sheet(text: &str) -> Result<[Length; 2], String> {
     Ok([side(width)?, side(height)?])
 }
 
-/// The spec called `name`, and what there is to say about it; `None` without an object.
-pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<(String, String)>, Failure> {
+/// The spec called `name`, and the verdict on its gripper.
+type Made = (String, Option<Verdict>);
+
+/// The spec of a gripper for the object; `None` without an object.
+pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Failure> {
     let Some((object, mass)) = args.object.zip(args.mass) else { return Ok(None) };
     let base = base(args)?;
     let machine = machine(&base.machine.profile)?;
     let _ = spec::quoted(name).map_err(|fault| Failure::Message(fault.to_string()))?;
     // The inlet reaches beyond the tip on one side.
     let inlet = base.inlet.as_ref().map_or(0.0, |inlet| inlet.length.0);
-    let free = |side: Option<Length>, area: Option<Length>| {
-        let side = side.map_or(f64::INFINITY, |side| side.0).min(area.map_or(f64::INFINITY, |side| side.0));
-        side - 2.0 * base.sheet.margin.0 - inlet
-    };
-    let area = machine.bench.work_area;
-    let sides = [free(base.sheet.width, area.map(|(x, _)| x)), free(base.sheet.height, area.map(|(_, y)| y))];
     let wish = Wish {
         object: Length(0.5 * object.0),
         mass,
         pressure: args.pressure,
         friction: args.friction.unwrap_or(FRICTION),
         largest_force: args.fragile,
-        side: Some(Length(sides[0].min(sides[1]))).filter(|side| side.0.is_finite()),
+        room: Room {
+            sheet: smaller(base.sheet.width, base.sheet.height),
+            machine: machine.bench.work_area.and_then(|(x, y)| smaller(Some(x), Some(y))),
+            edge: Length(2.0 * base.sheet.margin.0 + inlet),
+        },
     };
     let ring = RingTable::new().map_err(|fault| Failure::Message(fault.to_string()))?;
     let candidate =
         Candidate::of(&base).ok_or_else(|| Failure::Message("the spec has no star".to_owned()))?;
-    let choices = choose(&wish, &candidate, &ring).map_err(|miss| missed(&miss))?;
-    let mut why = None;
-    for choice in &choices {
-        match buildable(name, choice, &base, &machine) {
-            Ok(made) => return Ok(Some(made)),
-            Err(refusals) => why = why.or(Some(refusals)),
+    let made = |choices: &[Choice], base: &Spec| {
+        let mut why = None;
+        for choice in choices {
+            match buildable(name, choice, base, &machine) {
+                Ok(made) => return Ok(made),
+                Err(refusals) => why = why.or(Some(refusals)),
+            }
+        }
+        Err(why.unwrap_or_default())
+    };
+    let choices = choose(&wish, &candidate, &ring).map_err(|Miss { reasons, nearest }| {
+        // What is named can be had: it is tried as far as a wish is.
+        let nearest = nearest.filter(|nearest| {
+            let mut base = base.clone();
+            if nearest.wish.room.sheet != wish.room.sheet {
+                [base.sheet.width, base.sheet.height] = [nearest.wish.room.sheet; 2];
+            }
+            made(&nearest.choices, &base).is_ok()
+        });
+        missed(&reasons, nearest.and_then(|nearest| in_words(name, args, &wish, &nearest)))
+    })?;
+    made(&choices, &base).map(Some).map_err(|why| {
+        let why: Vec<String> = why.iter().map(|one| format!("{}: {}", one.found, one.remedy)).collect();
+        Failure::Message(format!("the gripper that would hold this cannot be made: {}", why.join("; ")))
+    })
+}
+
+/// The smaller of the sides that have an end.
+fn smaller(width: Option<Length>, height: Option<Length>) -> Option<Length> {
+    [width, height].into_iter().flatten().reduce(|a, b| if b.0 < a.0 { b } else { a })
+}
+
+/// `text` as a shell takes it for one word.
+fn argument(text: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
+    if text.chars().all(is_plain) { text.to_owned() } else { format!("\"{}\"", shown(text)) }
+}
+
+/// What can be had in place of `wish`, and the command that has it.
+fn in_words(name: &str, args: &ObjectArgs, wish: &Wish, nearest: &Nearest) -> Option<String> {
+    let (had, best) = (&nearest.wish, &nearest.choices.first()?.best.point);
+    let stars = if best.stars == 1 { "1 star".to_owned() } else { format!("{} stars", best.stars) };
+    let at = best.load.pressure.map_or(String::new(), |pressure| format!(" at {pressure}"));
+    let mut words = vec![format!("stargrip-cam new {}", argument(name))];
+    let mut word = |option: &str, value: String| words.push(format!("--{option} \"{}\"", shown(value)));
+    word("object", Length(2.0 * had.object.0).to_string());
+    word("mass", had.mass.to_string());
+    for (option, value) in [
+        ("pressure", had.pressure.map(|pressure| pressure.to_string())),
+        ("friction", args.friction.map(|friction| friction.to_string())),
+        ("fragile", had.largest_force.map(|force| force.to_string())),
+        ("fabric", args.fabric.clone()),
+        ("machine", args.machine.clone()),
+    ] {
+        if let Some(value) = value {
+            word(option, value);
         }
     }
-    let why: Vec<String> =
-        why.into_iter().flatten().map(|one| format!("{}: {}", one.found, one.remedy)).collect();
-    Err(Failure::Message(format!("the gripper that would hold this cannot be made: {}", why.join("; "))))
+    let sheet =
+        if had.room.sheet == wish.room.sheet { args.sheet } else { had.room.sheet.map(|side| [side; 2]) };
+    if let Some([width, height]) = sheet {
+        word("sheet", format!("{}x{}", width.0, height.0));
+    }
+    Some(format!(
+        "{stars} of {} points, {} wide{at}:\n  {}",
+        best.star.points,
+        best.star.tube_width,
+        words.join(" ")
+    ))
 }
 
 /// Fabric, machine, sheet and radii of curvature: what the search does not change.
@@ -135,37 +196,25 @@ fn machine(profile: &str) -> Result<Machine, Failure> {
 }
 
 /// The spec of `choice`, if all that `check` does accepts it, with the controller's low feeds chopped where they must be.
-fn buildable(
-    name: &str,
-    choice: &Choice,
-    base: &Spec,
-    machine: &Machine,
-) -> Result<(String, String), Refusals> {
+fn buildable(name: &str, choice: &Choice, base: &Spec, machine: &Machine) -> Result<Made, Refusals> {
     let attempt = |feed_floor: FeedFloor| {
         let mut base = base.clone();
         base.machine.feed_floor = feed_floor;
         let text = spec_text(name, choice, &base).map_err(|_| Refusals::new())?;
         let spec = spec::read(&Source::new("chosen", text.clone())).map_err(|_| Refusals::new())?.spec;
         let forecast = Forecast::of(spec, machine.clone())?;
-        let mut said = String::new();
-        let verdict = forecast.prediction.as_ref().and_then(|prediction| prediction.verdict.as_ref());
-        if let Some(verdict) = verdict {
-            let _ = writeln!(said, "{}: {}", forecast.spec.name, verdict.line());
-            for reason in &verdict.reasons {
-                let _ = writeln!(said, "  {reason}");
-            }
-        }
-        Ok((text, said))
+        Ok((text, forecast.prediction.and_then(|prediction| prediction.verdict)))
     };
     attempt(FeedFloor::Refuse).or_else(|why: Refusals| attempt(FeedFloor::Chop).map_err(|_| why))
 }
 
-fn missed(miss: &Miss) -> Failure {
+fn missed(reasons: &[String], nearest: Option<String>) -> Failure {
     let mut text = String::from("no gripper that was tried does all of this:");
-    for reason in &miss.reasons {
+    for reason in reasons {
+        // A String takes everything.
         let _ = write!(text, "\n  {reason}");
     }
-    if let Some(nearest) = &miss.nearest {
+    if let Some(nearest) = nearest {
         let _ = write!(text, "\nwhat comes nearest: {nearest}");
     }
     Failure::Message(text)

@@ -1,20 +1,21 @@
 //! `stargrip-cam optimize`
 
-use std::fmt::Write;
 use std::path::PathBuf;
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::candidates::{Best, Said};
+use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
+use crate::cli::progress;
+use crate::cli::progress::Progress;
 use crate::cli::quantity::{EXTRA, SIZE, number, range};
-use crate::cli::shell::watched;
+use crate::cli::shell::watched_by;
+use crate::cli::voice::{Voice, pretty};
 use crate::design::Design;
 use crate::forecast::by_shell::Detail;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Bounds, Constraints, Evaluated, Found, Goal, ROUNDING, is_at_pressure, search, shortfalls, thinned,
+    Bounds, Constraints, Evaluated, Found, Goal, ROUNDING, is_at_pressure, search,
 };
-use crate::forecast::outcome::Outcome;
-use crate::forecast::ranges::{mm, shown};
 use crate::forecast::star_by_shell;
 use crate::forecast::star_by_shell::Refusal;
 use crate::mechanics::hinge::ring::RingTable;
@@ -22,9 +23,6 @@ use crate::spec;
 use crate::spec::edit::{StarEdit, with_star, with_value};
 use crate::spec::{Allowed, Source, key};
 use crate::units::{Angle, Length, Mass, Pressure};
-
-/// Rows of the front that are shown.
-const SHOWN: usize = 12;
 
 /// Arguments of `optimize`.
 #[derive(clap::Args, Debug)]
@@ -73,6 +71,8 @@ pub(super) struct Args {
     /// Ask the shell about the winner: seconds to minutes.
     #[arg(long)]
     confirm: bool,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 /// Pressures that a spec may have, kPa.
@@ -106,18 +106,8 @@ fn whole(text: &str, what: &str, [least, most]: [u32; 2]) -> Result<(u32, u32), 
     if from >= least && to <= most && from <= to { Ok((from, to)) } else { Err(fault()) }
 }
 
-/// What a search has come to.
-pub(super) struct Answered {
-    /// All that was found.
-    pub(super) found: Found,
-    /// What must hold.
-    pub(super) constraints: Constraints,
-    /// The spec's text with the best that can be built, that design, and which it is; `None` if none of the best can be.
-    pub(super) best: Option<(String, Design, Evaluated)>,
-}
-
-/// Searches around the spec that was `loaded`.
-pub(super) fn answer(args: &Args, loaded: &Loaded) -> Result<Answered, Failure> {
+/// What is found around the spec that was `loaded`, and what must hold.
+pub(super) fn answer(args: &Args, loaded: &Loaded) -> Result<(Found, Constraints), Failure> {
     let read = &loaded.reading.spec;
     let base = Candidate::of(read).ok_or_else(|| message("the spec has no star"))?;
     // Whether the text can take a star is known before the search.
@@ -126,43 +116,54 @@ pub(super) fn answer(args: &Args, loaded: &Loaded) -> Result<Answered, Failure> 
     }
     let (goal, constraints) = wanted(args, loaded, &base)?;
     let table = RingTable::new().map_err(|fault| message(&fault.to_string()))?;
-    let found = search(&base, &bounds(args, &base), &constraints, goal, &table);
-    // Other values in the spec may forbid a star: four points have no inlet at tip 5.
-    let best = found.best.iter().filter(|candidate| candidate.violation == 0.0).find_map(|candidate| {
-        let text = edited(loaded, candidate).ok()?;
-        let design = buildable(loaded, &text)?;
-        Some((text, design, candidate.clone()))
-    });
-    Ok(Answered { found, constraints, best })
+    let bounds = bounds(args, &base);
+    let search = |_: &Progress| search(&base, &bounds, &constraints, goal, &table);
+    Ok((progress::during(args.voice, "searching", search), constraints))
 }
 
 /// Searches, and prints the candidates, the front, and the best one's spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let Answered { found, constraints, best } = answer(args, &Loaded::new(&args.spec)?)?;
-    let mut out = String::new();
-    let _ = writeln!(out, "# {} designs computed; the best for each number of points:", found.computed);
-    out.push_str(&rows(&found.best, &constraints));
+    let loaded = Loaded::spoken(&args.spec, args.voice)?;
+    let (found, constraints) = answer(args, &loaded)?;
+    let said = Said { found: &found, constraints: &constraints };
+    let best = best(args, &loaded, &found)?;
+    if args.voice.json {
+        say(&pretty(&said.json(best.as_ref())))?;
+    }
+    match (best, args.voice) {
+        (Some(_), Voice { json: true, .. }) => Ok(()),
+        (Some(best), Voice { quiet: true, .. }) => say(&best.spec),
+        (Some(Best { spec, confirmed }), _) => {
+            let confirmed = confirmed.map_or_else(String::new, |confirmed| format!("# {confirmed}\n"));
+            say(&format!("{}{confirmed}# the best that can be built:\n{spec}\n", said.text()))
+        }
+        (None, voice) => {
+            if voice.is_heard() {
+                tell(&said.text());
+            }
+            Err(message(if found.front.is_empty() {
+                "no design meets all constraints; `short` says by how much each misses which"
+            } else {
+                "none of the best designs can be sealed and cut as the spec asks for"
+            }))
+        }
+    }
+}
+
+/// The best one that can be built; `None` if there is none.
+pub(super) fn best(args: &Args, loaded: &Loaded, found: &Found) -> Result<Option<Best>, Failure> {
     if found.front.is_empty() {
-        return Err(message(&format!(
-            "{out}# no design meets all constraints; 'short' says by how much each misses which"
-        )));
+        return Ok(None);
     }
-    let _ = writeln!(
-        out,
-        "# trade-off between contraction, stiffness and fabric, {} designs, every so many shown:",
-        found.front.len()
-    );
-    out.push_str(&rows(&thinned(&found.front, SHOWN), &constraints));
-    let Some((text, design, candidate)) = best else {
-        return Err(message(&format!(
-            "{out}# none of the best designs can be sealed and cut as the spec asks for"
-        )));
-    };
-    if args.confirm {
-        out.push_str(&confirmed(&text, &design, &candidate)?);
+    for candidate in found.best.iter().filter(|candidate| candidate.violation == 0.0) {
+        // Other values in the spec may forbid this star: four points have no inlet at tip 5.
+        let Ok(spec) = edited(loaded, candidate) else { continue };
+        if let Some(design) = buildable(loaded, &spec) {
+            let confirmed = args.confirm.then(|| confirmed(args.voice, (&spec, &design), candidate));
+            return Ok(Some(Best { spec, confirmed: confirmed.transpose()? }));
+        }
     }
-    let _ = writeln!(out, "# the best that can be built:\n{text}");
-    say(&out)
+    Ok(None)
 }
 
 fn message(text: &str) -> Failure {
@@ -231,49 +232,6 @@ fn bounds(args: &Args, base: &Candidate) -> Bounds {
     }
 }
 
-/// Candidates as a table; every line begins with "# ", so that the whole output is a spec.
-fn rows(candidates: &[Evaluated], constraints: &Constraints) -> String {
-    let mut out = String::from(
-        "#   n  stars  p/kPa   rho_0/mm  angle/deg  width/mm  R_i/mm  R_e/mm  arm/mm  rho_f/mm              opens/mm  K/(N/m)  \
-         force/N               payload/kg            fabric/cm2  short\n",
-    );
-    for Evaluated { point, answer, .. } in candidates {
-        let (star, own) = (&point.star, answer.outcome.as_ref());
-        let ranged = |value: Option<f64>, range| match (value, range) {
-            (Some(value), Some(range)) => shown::with(value, range, ""),
-            (Some(value), None) => format!("{value:.3}, range unknown"),
-            (None, _) => "-".to_owned(),
-        };
-        let radius = own.map(|own| Length::from_metres(own.rest.radius).0);
-        let short: Vec<String> = shortfalls(point, answer, constraints)
-            .into_iter()
-            .map(|(what, part)| format!("{what} {:.1} %", 100.0 * part))
-            .collect();
-        let _ = writeln!(
-            out,
-            "# {:3}  {:5}  {:>6}  {:8.2}  {:9.3}  {:8.3}  {:6.3}  {:6.3}  {:6.2}  {:20}  {:>8}  {:>7}  {:20}  {:20}  {:>10}  {}",
-            star.points,
-            point.stars,
-            point.load.pressure.map_or("-".to_owned(), |p| format!("{:.1}", p.0)),
-            star.inner_radius.0,
-            star.tip_angle.0,
-            star.tube_width.0,
-            star.tip_radius.0,
-            star.corner_radius.0,
-            answer.star.l,
-            ranged(radius, own.and_then(|own| own.ranges.radius).map(mm)),
-            own.map_or("-".to_owned(), |own| format!("{:.2}", 1e3 * own.graspable[1])),
-            own.and_then(|own| own.stiffness).map_or("-".to_owned(), |k| format!("{k:.0}")),
-            ranged(own.and_then(Outcome::object_force), own.and_then(|own| own.force_range)),
-            ranged(answer.payload, answer.payload_range),
-            // mm^2 to cm^2.
-            answer.fabric.map_or("-".to_owned(), |area| format!("{:.1}", area / 100.0)),
-            if short.is_empty() { "-".to_owned() } else { short.join(", ") },
-        );
-    }
-    out
-}
-
 /// The spec's text with the candidate's values, rounded to a micrometre, a thousandth of a degree and a Pascal.
 fn edited(loaded: &Loaded, candidate: &Evaluated) -> Result<String, Failure> {
     let Evaluated { point, .. } = candidate;
@@ -310,10 +268,14 @@ fn buildable(loaded: &Loaded, text: &str) -> Option<Design> {
     Design::new(&reading.spec, &loaded.machine).ok()
 }
 
-/// What the shell says of the winner, as comments.
-fn confirmed(text: &str, design: &Design, candidate: &Evaluated) -> Result<String, Failure> {
+/// What the shell says of the winner.
+fn confirmed(
+    voice: Voice,
+    (text, design): (&str, &Design),
+    candidate: &Evaluated,
+) -> Result<String, Failure> {
     let spec = spec::read(&Source::new("optimised", text))?.spec;
-    let (found, _) = watched(|watch| {
+    let (found, _) = watched_by(voice, |watch| {
         star_by_shell::predict((&spec, design), &[], Detail::Medium, watch).map_err(|refusal| match refusal {
             Refusal::Cancelled => Failure::Interrupted,
             Refusal::Fault(fault) => {
@@ -326,7 +288,7 @@ fn confirmed(text: &str, design: &Design, candidate: &Evaluated) -> Result<Strin
     let force =
         |force: Option<f64>| force.map_or(String::new(), |force| format!(", {force:.2} N on the object"));
     Ok(format!(
-        "# confirmed by the shell: it closes to {:.2} mm (predicted {radius:.2}){}\n",
+        "confirmed by the shell: it closes to {:.2} mm (predicted {radius:.2}){}",
         star.final_radius_mm,
         force(star.object_force_N)
     ))

@@ -6,6 +6,7 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, evenly, range};
 use crate::cli::shell::{ShellArgs, Shown};
+use crate::cli::voice::Voice;
 use crate::design::Design;
 use crate::forecast::by_shell::Detail;
 use crate::forecast::predict::{PredictFault, add_curve, predict};
@@ -32,9 +33,8 @@ pub(super) struct Args {
     radii: Option<Radii>,
     #[command(flatten)]
     shell: ShellArgs,
-    /// Print one JSON object and nothing else.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 /// The models, as words of the command line.
@@ -87,7 +87,7 @@ impl Args {
 
 /// Predicts, and prints the answer.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::new(&args.spec)?;
+    let loaded = Loaded::spoken(&args.spec, args.voice)?;
     let mut spec = loaded.reading.spec.clone();
     if let Some(model) = args.model {
         spec.accuracy.model = model.choice();
@@ -103,17 +103,17 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let radii: Vec<Length> = radii.iter().copied().map(Length::from_metres).collect();
         add_curve((&spec, &design), &radii, &mut prediction).map_err(refused)?;
     }
-    if args.json {
+    if args.voice.json {
         return say(&prediction.to_json());
     }
-    say(&report::text(&spec, &prediction))
+    args.voice.remark(&report::text(&spec, &prediction))
 }
 
 /// The same by the shell.
 fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Result<(), Failure> {
     let radii = args.radii.as_ref().map_or(&[][..], |radii| &radii.0);
     let question = format!("predict {spec:?} {radii:?}");
-    args.shell.show(&question, args.json, |watch| {
+    args.shell.show(&question, args.voice, |watch| {
         let found = star_by_shell::predict((spec, design), radii, args.shell.detail(), watch);
         let (prediction, shape) = found.map_err(|refusal| match refusal {
             Refusal::Cancelled => Failure::Interrupted,

@@ -7,7 +7,7 @@ use serde_json::json;
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::text_file::{read_text, write_new};
-use crate::cli::voice::Brief;
+use crate::cli::voice::Voice;
 use crate::geom::Point;
 use crate::manifest::{MANIFEST, Manifest, sha256};
 use crate::resume::{ResumeAt, resume};
@@ -36,7 +36,7 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
-    voice: Brief,
+    voice: Voice,
 }
 
 fn share(text: &str) -> Result<f64, String> {

@@ -1,6 +1,6 @@
 //! `stargrip-cam schema`
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::text_file::write_new;
@@ -8,15 +8,22 @@ use crate::spec;
 
 /// Arguments of `schema`.
 #[derive(clap::Args, Debug)]
-pub(super) struct Args {}
-
-/// Prints the JSON Schema of a spec.
-pub(super) fn run(_: &Args) -> Result<(), Failure> {
-    say(&spec::schema())
+pub(super) struct Args {
+    /// That of a machine profile instead.
+    #[arg(long)]
+    machine: bool,
 }
 
-/// Writes the schema beside the spec at `path`, whose first line names it, unless a file of its name is there.
-pub(super) fn write_beside(path: &Path) -> Result<(), Failure> {
+/// Prints the JSON Schema of a spec, or of a machine profile.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    say(&if args.machine { spec::machine_schema() } else { spec::schema() })
+}
+
+/// Writes the schema beside the spec at `path`, whose first line names it, unless a file of its name is there; its path.
+pub(super) fn write_beside(path: &Path) -> Result<PathBuf, Failure> {
     let file = path.with_file_name(spec::SCHEMA_FILE);
-    if file.exists() { Ok(()) } else { write_new(&file, &spec::schema()) }
+    if !file.exists() {
+        write_new(&file, &spec::schema())?;
+    }
+    Ok(file)
 }

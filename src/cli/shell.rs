@@ -1,17 +1,13 @@
 //! What commands have in common that ask the shell: how fine, how far it is, how it is stopped, what is kept.
 
-use std::cell::Cell;
-use std::io::{IsTerminal, Write, stderr};
 use std::path::PathBuf;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
-use std::time::{Duration, Instant};
-
-use signal_hook::consts::SIGINT;
 
 use crate::cli::cache::Cache;
 use crate::cli::failure::{Failure, say};
+use crate::cli::interrupt::Listening;
+use crate::cli::progress;
 use crate::cli::text_file::replace;
+use crate::cli::voice::Voice;
 use crate::forecast::by_shell::Detail;
 use crate::shell::cases::{ShellFault, Watch};
 
@@ -76,7 +72,7 @@ impl ShellArgs {
     pub(super) fn show(
         &self,
         question: &str,
-        json: bool,
+        voice: Voice,
         compute: impl FnOnce(&Watch<'_>) -> Result<Shown, Failure>,
     ) -> Result<(), Failure> {
         let cache = Cache::new(self.no_cache);
@@ -84,14 +80,14 @@ impl ShellArgs {
         let shown = if let Some(shown) = cache.get(&key).and_then(Shown::from_parts) {
             shown
         } else {
-            let shown = watched(compute)?;
+            let shown = watched_by(voice, compute)?;
             cache.put(&key, &shown.parts());
             shown
         };
         if let (Some(path), Some(vtu)) = (&self.vtu, &shown.vtu) {
             replace(path, vtu)?;
         }
-        say(if json { &shown.json } else { &shown.text })
+        if voice.json { say(&shown.json) } else { voice.remark(&shown.text) }
     }
 }
 
@@ -120,47 +116,17 @@ pub(super) fn refused(fault: &ShellFault) -> Failure {
 
 /// Computes while Ctrl-C is heard, the first time as a wish and the second time as an order, and a terminal is told how far it is.
 pub(super) fn watched<T>(compute: impl FnOnce(&Watch<'_>) -> Result<T, Failure>) -> Result<T, Failure> {
-    let cancel = Arc::new(AtomicBool::new(false));
-    // In this order: the second Ctrl-C finds the flag raised by the first.
-    let second = signal_hook::flag::register_conditional_shutdown(SIGINT, 130, Arc::clone(&cancel));
-    let first = signal_hook::flag::register(SIGINT, Arc::clone(&cancel));
-    let progress = Progress::new();
-    let tell = |part: f64, what: &str| progress.tell(part, what);
-    let found = compute(&Watch { progress: stderr().is_terminal().then_some(&tell), cancel });
-    progress.clear();
-    for registered in [second, first].into_iter().flatten() {
-        let _ = signal_hook::low_level::unregister(registered);
-    }
-    found
+    watched_by(Voice::default(), compute)
 }
 
-/// A line on a terminal that says how far it is.
-struct Progress {
-    began: Instant,
-    told: Cell<Option<Instant>>,
-}
-
-/// Between two lines.
-const PAUSE: Duration = Duration::from_millis(200);
-
-impl Progress {
-    fn new() -> Self {
-        Self { began: Instant::now(), told: Cell::new(None) }
-    }
-
-    fn tell(&self, part: f64, what: &str) {
-        if self.told.get().is_some_and(|told| told.elapsed() < PAUSE) || part <= 0.0 {
-            return;
-        }
-        let left = self.began.elapsed().as_secs_f64() * (1.0 - part) / part;
-        let line = format!("\r\x1b[Kshell: {:.0} %, {what}, about {left:.0} s left", 100.0 * part);
-        let _ = stderr().write_all(line.as_bytes());
-        self.told.set(Some(Instant::now()));
-    }
-
-    fn clear(&self) {
-        if self.told.get().is_some() {
-            let _ = stderr().write_all(b"\r\x1b[K");
-        }
-    }
+/// The same; a terminal is told unless it is not wanted.
+pub(super) fn watched_by<T>(
+    voice: Voice,
+    compute: impl FnOnce(&Watch<'_>) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let listening = Listening::new();
+    progress::listening(voice, "the shell", |progress| {
+        let tell = |part: f64, what: &str| progress.tell_part(part, &format!("shell: {what}"));
+        compute(&Watch { progress: Some(&tell), cancel: listening.flag() })
+    })
 }

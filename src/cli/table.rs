@@ -7,6 +7,7 @@ use crate::cli::failure::{Failure, say, tell};
 use crate::cli::quantity::part;
 use crate::cli::shell::{refused, watched};
 use crate::cli::text_file::{read_table, replace};
+use crate::cli::whole_file::sweep_leftovers;
 use crate::forecast::arms::{Climbed, FINENESS, Ladder, join, ladders};
 use crate::forecast::stars::computed::{self, Computed, FORCE_FINENESS, OPENINGS, in_turn};
 use crate::forecast::stars::draw::{Drawn, Set};
@@ -54,6 +55,7 @@ fn sets(text: &str) -> Result<Sets, String> {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if !args.join {
         fs::create_dir_all(&args.dir).map_err(|error| Failure::file("create", &args.dir, &error))?;
+        sweep_leftovers(&args.dir, |name| Path::new(name).extension().is_some_and(|ending| ending == "txt"));
     }
     match &args.set {
         Some(Sets(sets)) => stars(args, sets),

@@ -20,32 +20,43 @@ pub(super) fn width(stream: &impl IsTerminal) -> Option<usize> {
 /// Whether what goes to `stream` may have colours.
 pub(super) fn has_colours(stream: &impl IsTerminal) -> bool {
     let unwanted = env::var_os("NO_COLOR").is_some_and(|wish| !wish.is_empty());
-    stream.is_terminal() && !unwanted && env::var_os("TERM").is_none_or(|term| term != "dumb")
+    takes_lines_back(stream) && !unwanted
 }
 
-/// `text` in lines of at most `width` columns; all but the first begin with `indent` blanks. A word that is longer stays whole: it
-/// may be a path that somebody wants to copy.
+/// Whether a line on `stream` can be written over: it is a terminal that knows more than paper does.
+pub(super) fn takes_lines_back(stream: &impl IsTerminal) -> bool {
+    stream.is_terminal() && env::var_os("TERM").is_none_or(|term| term != "dumb")
+}
+
+/// `text` in lines of at most `width` columns; all but the first begin with `indent` blanks. Blanks between words are kept where
+/// no line ends. A word that is longer stays whole: it may be a path that somebody wants to copy.
 pub(super) fn wrapped(text: &str, indent: usize, width: Option<usize>) -> String {
     let Some(width) = width.map(|width| width.max(NARROWEST)) else { return text.to_owned() };
-    let (mut out, mut column) = (String::new(), 0);
-    let lead: String = text.chars().take_while(|c| *c == ' ').collect();
-    for word in text.split(' ').filter(|word| !word.is_empty()) {
+    let (mut out, mut column, mut blanks) = (String::new(), 0, 0);
+    for word in text.split(' ') {
         let length = word.chars().count();
-        if out.is_empty() {
-            out.push_str(&lead);
-            column = lead.len();
-        } else if column + 1 + length > width {
+        let is_first = out.trim_start().is_empty();
+        if length > 0 && !is_first && column + blanks + length > width {
             out.push('\n');
-            out.extend(std::iter::repeat_n(' ', indent));
-            column = indent;
-        } else {
-            out.push(' ');
-            column += 1;
+            blanks = indent;
+            column = 0;
         }
-        out.push_str(word);
-        column += length;
+        if length > 0 {
+            out.extend(std::iter::repeat_n(' ', blanks));
+            out.push_str(word);
+            column += blanks + length;
+            blanks = 0;
+        }
+        blanks += 1;
     }
     out
+}
+
+/// Every line of `text` in lines of at most `width` columns; what goes on in the next one stands 2 columns further in.
+pub(super) fn fitted(text: &str, width: Option<usize>) -> String {
+    let indent = |line: &str| line.chars().take_while(|c| *c == ' ').count() + 2;
+    let lines = text.split('\n').map(|line| wrapped(line, indent(line), width));
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]
@@ -64,6 +75,22 @@ mod tests {
             assert!(
                 lines.starts_with("  - the") && lines.lines().skip(1).all(|line| line.starts_with("    "))
             );
+        }
+    }
+
+    #[test]
+    fn columns_stay_where_they_are() {
+        let text = "label      what stands beside it and goes on\n  a  table  row";
+        assert_eq!(fitted(text, Some(80)), text);
+        assert_eq!(fitted(text, None), text);
+        let lines = "label      what stands beside\n  it and goes on\n  a  table  row";
+        assert_eq!(fitted(text, Some(30)), lines);
+        assert_eq!(
+            wrapped("label      what stands beside it", 11, Some(30)),
+            "label      what stands beside\n           it"
+        );
+        for text in ["", " ", "\n", "a\n\nb\n"] {
+            assert_eq!(fitted(text, Some(40)), text.replace("\n ", "\n").trim_matches(' '), "{text:?}");
         }
     }
 

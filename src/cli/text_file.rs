@@ -7,6 +7,7 @@ use std::path::Path;
 
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
+use crate::cli::whole_file::WholeFile;
 
 /// Most bytes of a program: many times what the largest design needs.
 const PROGRAM: u64 = 1 << 28;
@@ -53,11 +54,10 @@ pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
 
 /// Writes a file, or another one in its place: whole, or not at all.
 pub(super) fn replace(path: &Path, text: &str) -> Result<(), Failure> {
-    let mut partial = path.as_os_str().to_owned();
-    partial.push(format!(".{}", std::process::id()));
-    let written = std::fs::write(&partial, text).and_then(|()| std::fs::rename(&partial, path));
-    written.map_err(|error| {
-        let _ = std::fs::remove_file(&partial);
-        Failure::file("write", path, &error)
-    })
+    let written = || -> io::Result<()> {
+        let mut file = WholeFile::begin(path)?;
+        file.write_all(text.as_bytes())?;
+        file.publish()
+    };
+    written().map_err(|error| Failure::file("write", path, &error))
 }

@@ -4,9 +4,15 @@ use std::fs;
 use std::path::PathBuf;
 use std::time::Instant;
 
-use crate::cli::failure::{Failure, say};
+use serde_json::{Value, json};
+
+use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
+use crate::cli::progress;
+use crate::cli::progress::Progress;
+use crate::cli::voice::Voice;
 use crate::forecast::trade;
+use crate::forecast::trade::TradeRow;
 use crate::spec::StarSpec;
 
 /// Arguments of `trade`.
@@ -20,16 +26,20 @@ pub(super) struct Args {
     /// Write a plot of error against time as SVG.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
+    #[command(flatten)]
+    voice: Voice,
 }
 
 /// Measures on this machine, and prints the table.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let base = match &args.spec {
-        Some(path) => Loaded::new(path)?.reading.spec.stars.first().cloned(),
+        Some(path) => Loaded::spoken(path, args.voice)?.reading.spec.stars.first().cloned(),
         None => None,
     };
     let start = Instant::now();
-    let rows = trade::measure(&base.unwrap_or_else(|| StarSpec::paper(5)), &|| start.elapsed().as_secs_f64())
+    let base = base.unwrap_or_else(|| StarSpec::paper(5));
+    let measure = |_: &Progress| trade::measure(&base, &|| start.elapsed().as_secs_f64());
+    let rows = progress::during(args.voice, "measuring every model", measure)
         .map_err(|fault| Failure::Message(fault.to_string()))?;
     for (path, text) in [(&args.csv, trade::csv(&rows)), (&args.svg, trade::plot(&rows))] {
         if let Some(path) = path {
@@ -37,10 +47,27 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         }
     }
     let list = |values: &[f64]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
-    say(&format!(
+    let text = format!(
         "Largest relative error against the exact ring, over R* = {} and stars of {:?} points.\n\n{}",
         list(&trade::R_STARS),
         trade::POINTS,
         trade::table(&rows)
-    ))
+    );
+    args.voice.report(&text, &json!({ "models": rows.iter().map(row).collect::<Vec<_>>() }))
+}
+
+/// A row for programs.
+fn row(row: &TradeRow) -> Value {
+    let [lambda, curvature, seal_load, radius, stiffness] = row.errors;
+    json!({
+        "model": row.model,
+        "time_s": row.time,
+        "relative_error": {
+            "lambda_t": lambda,
+            "d2v_dlambda2": curvature,
+            "seal_load": seal_load,
+            "final_radius_mm": radius,
+            "radial_stiffness_N_per_m": stiffness,
+        },
+    })
 }

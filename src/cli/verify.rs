@@ -3,15 +3,16 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::fs;
-use std::io::Read;
+use std::io::{Read, stdout};
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
-use crate::cli::voice::Brief;
-use crate::cli::{findings, summary};
+use crate::cli::terminal::{fitted, width};
+use crate::cli::voice::Voice;
+use crate::cli::{findings, progress, summary};
 use crate::manifest::MANIFEST;
 use crate::pipeline::Claim;
 use crate::verify::{By, FileProof, OutputFiles, Proof};
@@ -22,7 +23,7 @@ pub(super) struct Args {
     /// The directory that a build published.
     dir: PathBuf,
     #[command(flatten)]
-    voice: Brief,
+    voice: Voice,
 }
 
 /// Largest file that is read back, bytes, whatever the manifest says: above what a build writes, below what hurts.
@@ -41,12 +42,12 @@ const MOST_BUILDS: usize = 10;
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     holds_a_build(&args.dir)?;
     let (claim, files) = read_directory(&args.dir)?;
-    let proof = claim.prove(&files);
+    let proof = progress::during(args.voice, "proving", |_| claim.prove(&files));
     let right = proof.findings.is_empty();
     match args.voice {
-        Brief { json: true, .. } => say(&json(&proof))?,
-        Brief { quiet: true, .. } if right => {}
-        _ => say(&text(&args.dir, &proof))?,
+        Voice { json: true, .. } => say(&json(&proof))?,
+        Voice { quiet: true, .. } if right => {}
+        _ => say(&fitted(&text(&args.dir, &proof), width(&stdout())))?,
     }
     if right { Ok(()) } else { Err(Failure::Said) }
 }

@@ -1,16 +1,19 @@
 //! How much a command says: the answer, all there is to say, nothing, or one JSON object.
 
+use std::io::stdout;
+
 use serde_json::Value;
 
 use crate::cli::failure::{Failure, say};
+use crate::cli::terminal::{fitted, width};
 
-/// Arguments of commands that answer at length.
+/// Arguments of every command that reports.
 #[derive(clap::Args, Clone, Copy, Debug, Default)]
 pub(super) struct Voice {
     /// Say everything there is to say.
     #[arg(short, long)]
     pub(super) verbose: bool,
-    /// Say nothing but what stands in the way.
+    /// Say nothing but what stands in the way; a spec or a table that is the answer is still printed.
     #[arg(short, long, conflicts_with = "verbose")]
     pub(super) quiet: bool,
     /// Print one JSON object and nothing else.
@@ -18,24 +21,24 @@ pub(super) struct Voice {
     pub(super) json: bool,
 }
 
-/// Arguments of commands whose answer is short.
-#[derive(clap::Args, Clone, Copy, Debug, Default)]
-pub(super) struct Brief {
-    /// Say nothing but what stands in the way.
-    #[arg(short, long)]
-    pub(super) quiet: bool,
-    /// Print one JSON object and nothing else.
-    #[arg(long, conflicts_with = "quiet")]
-    pub(super) json: bool,
-}
-
-impl Brief {
+impl Voice {
     /// Prints `text` to people, `json` to programs, or nothing.
     pub(super) fn report(self, text: &str, json: &Value) -> Result<(), Failure> {
-        match self {
-            Self { json: true, .. } => say(&format!("{json:#}\n")),
-            Self { quiet: true, .. } => Ok(()),
-            Self { .. } => say(text),
-        }
+        if self.json { say(&pretty(json)) } else { self.remark(text) }
     }
+
+    /// Prints `text` to people alone, in lines as wide as their terminal.
+    pub(super) fn remark(self, text: &str) -> Result<(), Failure> {
+        if self.is_heard() { say(&fitted(text, width(&stdout()))) } else { Ok(()) }
+    }
+
+    /// Whether a person wants to hear more than what stands in the way.
+    pub(super) fn is_heard(self) -> bool {
+        !(self.json || self.quiet)
+    }
+}
+
+/// One JSON object as it is printed.
+pub(super) fn pretty(json: &Value) -> String {
+    format!("{json:#}\n")
 }

@@ -142,25 +142,51 @@ pub fn read_test(source: &Source) -> Result<Vec<Press>, Faults> {
 /// What a prediction says of a radius (m): the radial force, N, of linear hinges and of the model's own.
 pub type Overlay<'a> = &'a dyn Fn(f64) -> [Option<f64>; 2];
 
-/// Reduces a test to radius and radial force, as CSV.
+/// One point of a test, reduced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reduced {
+    /// What was measured.
+    pub press: Press,
+    /// Radius at which the corners touch the cone, mm.
+    pub radius: f64,
+    /// Radial force of the star, N.
+    pub force: f64,
+    /// The radial force that a prediction has there, N, of linear hinges and of the model's own; `None` where the star cannot be.
+    pub predicted: Option<[Option<f64>; 2]>,
+}
+
+/// Reduces a test to radius and radial force.
 ///
-/// `first` is the radius (m) at first contact, where the travel is 0. With `overlay` two columns of predicted force
-/// are added; they are empty where the star cannot be.
+/// `first` is the radius (m) at first contact, where the travel is 0; with `overlay` each point has its prediction.
 pub fn reduce(
     test: &[Press],
     cone: &Cone,
     balance: Balance,
     first: f64,
     overlay: Option<Overlay<'_>>,
-) -> String {
-    let mut out = String::from("travel_mm,load_N,radius_mm,force_N");
-    out.push_str(if overlay.is_some() { ",linear_N,nonlinear_N\n" } else { "\n" });
+) -> Vec<Reduced> {
     let ratio = cone.ratio(balance);
-    for Press { travel, load } in test {
-        let radius = cone.radius(first, travel * 1e-3);
+    let reduced = |press: &Press| {
+        let radius = cone.radius(first, press.travel * 1e-3);
+        Reduced {
+            press: *press,
+            radius: radius * 1e3,
+            force: ratio * press.load,
+            predicted: overlay.map(|overlay| overlay(radius)),
+        }
+    };
+    test.iter().map(reduced).collect()
+}
+
+/// A reduced test as CSV. The columns of predicted forces are there if there is a prediction.
+pub fn csv(points: &[Reduced]) -> String {
+    let mut out = String::from("travel_mm,load_N,radius_mm,force_N");
+    let is_laid_over = points.iter().any(|point| point.predicted.is_some());
+    out.push_str(if is_laid_over { ",linear_N,nonlinear_N\n" } else { "\n" });
+    for Reduced { press: Press { travel, load }, radius, force, predicted } in points {
         // A String takes everything.
-        let _ = write!(out, "{travel},{load},{:.6},{:.6}", radius * 1e3, ratio * load);
-        for force in overlay.into_iter().flat_map(|overlay| overlay(radius)) {
+        let _ = write!(out, "{travel},{load},{radius:.6},{force:.6}");
+        for force in predicted.iter().flatten() {
             let _ = match force {
                 Some(force) => write!(out, ",{force:.6}"),
                 None => write!(out, ","),
@@ -183,10 +209,10 @@ mod tests {
     fn a_test_is_reduced_line_by_line() {
         let cone = Cone::new(30.0_f64.to_radians(), 0.1).expect("valid");
         let test = test("travel_mm,load_N\n0,0\n10,2.5\n").expect("two rows");
-        let plain = reduce(&test, &cone, Balance::Derived, 0.015, None);
+        let plain = csv(&reduce(&test, &cone, Balance::Derived, 0.015, None));
         assert_eq!(plain.lines().nth(2), Some("10,2.5,20.773503,3.227761"));
         let overlay = |radius: f64| [Some(radius * 100.0), None];
-        let laid = reduce(&test, &cone, Balance::Published, 0.015, Some(&overlay));
+        let laid = csv(&reduce(&test, &cone, Balance::Published, 0.015, Some(&overlay)));
         assert_eq!(laid.lines().next(), Some("travel_mm,load_N,radius_mm,force_N,linear_N,nonlinear_N"));
         assert_eq!(laid.lines().nth(1), Some("0,0,15.000000,0.000000,1.500000,"));
         // What was reduced can be reduced again, with another friction for instance.

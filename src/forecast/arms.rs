@@ -230,20 +230,26 @@ mod tests {
         Climbed::read(&text).expect("whole")
     }
 
+    /// Two of the table's eighteen ladders, R* = 0.15 at two tau: C within a twentieth, of the thicker within a hundredth, or as
+    /// far as coarse meshes leave it open.
     #[test]
     fn the_shipped_table_is_what_shells_say() {
-        // Thick sheets converge on coarse meshes. R* = 0.15.
-        let climbed = coarse(16);
-        let Ladder { tau, r_star, .. } = climbed.ladder;
-        let found = climbed.arms().expect("sections");
-        assert_eq!(found.len(), arms::PRESSURES);
-        for [b, angle, angle_error, give, give_error] in found {
-            let shipped = arms::arms(b, tau, r_star).expect("on the grid");
-            let (delta, g) = (shipped.angle.to_degrees(), shipped.give.to_degrees());
-            assert!((angle - delta).abs() < angle_error.max(0.5), "{b}: {angle} +- {angle_error}, {delta}");
-            assert!((give - g).abs() < give_error.max(2.0), "{b}: {give} +- {give_error}, {g}");
+        for (number, open) in [(10, 10.0), (16, 2.0)] {
+            let climbed = coarse(number);
+            let Ladder { tau, r_star, .. } = climbed.ladder;
+            let found = climbed.arms().expect("sections");
+            assert_eq!(found.len(), arms::PRESSURES);
+            for [b, angle, angle_error, give, give_error] in found {
+                let shipped = arms::arms(b, tau, r_star).expect("on the grid");
+                let (delta, g) = (shipped.angle.to_degrees(), shipped.give.to_degrees());
+                assert!(
+                    (angle - delta).abs() < angle_error.max(0.5),
+                    "{b}: {angle} +- {angle_error}, {delta}"
+                );
+                assert!((give - g).abs() < give_error.max(open), "{b}: {give} +- {give_error}, {g}");
+            }
+            assert_eq!(join(&[climbed]), Err(JoinFault::Missing(1)));
         }
-        assert_eq!(join(&[climbed]), Err(JoinFault::Missing(1)));
     }
 
     #[test]

@@ -23,6 +23,7 @@
 //! | [`trade`] | what each model costs, and how far it is off |
 
 pub mod actuator;
+mod answered;
 pub mod arms;
 pub mod by_shell;
 pub mod candidate;

@@ -1,20 +1,21 @@
 //! From a spec to the answer: chooses the model, asks it about every star, and says how good the answer is.
 
 use crate::design::{Design, StarDesign};
+use crate::forecast::answered::{Answered, mm, of_the_shape};
 use crate::forecast::case::Case;
 use crate::forecast::choice::{corrected, hinge_model, limits_of_validity, named, tabled};
-use crate::forecast::outcome::{Outcome, SHORTEST_ARM};
-use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Nonlinear, Prediction, StarPrediction};
+use crate::forecast::outcome::Outcome;
+use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Prediction, StarPrediction};
 use crate::forecast::pressures::rows;
-use crate::forecast::ranges::{Ranges, Standing, StarRanges, errors, scaled, sum};
+use crate::forecast::ranges::{Ranges, Standing, StarRanges, errors, sum};
 use crate::forecast::seal_load::{burst, factor, remedy, safe_radius};
 use crate::forecast::verdict::verdict;
 use crate::mechanics::fault::{HingeFault, StarFault};
 use crate::mechanics::hinge::ring::Ring;
-use crate::mechanics::hinge::{HingeModel, HingeState, Level};
+use crate::mechanics::hinge::{HingeModel, Level};
 use crate::mechanics::star::response::Inflated;
 use crate::spec::{KeyPath, ModelChoice, Spec, key};
-use crate::units::{Length, Pressure, Readable};
+use crate::units::{Length, Pressure};
 use std::fmt;
 
 /// Why there is no prediction.
@@ -96,13 +97,6 @@ struct Asked<'a> {
     seal: Seal,
 }
 
-/// An answer of one model.
-struct Answered<'a> {
-    model: &'a dyn HingeModel,
-    inflated: Inflated<'a>,
-    outcome: Outcome,
-}
-
 fn predict_star(spec: &Spec, part: &StarDesign) -> Result<StarPrediction, StarFault> {
     let case = Case::of(spec, &part.star)?;
     let asked = Asked { spec, part, case, seal: Seal::new(&case) };
@@ -147,7 +141,7 @@ impl Asked<'_> {
         warnings.extend(self.of_the_ranges(&outcome));
         warnings.extend(of_the_shape(case, &outcome));
         warnings.extend(outcome.object_warning(case));
-        star.nonlinear = self.nonlinear(case, &answered, warnings);
+        star.nonlinear = answered.nonlinear(case, self.spec.accuracy.response, warnings);
         answered.fill(&mut star, case)?;
         Ok(star)
     }
@@ -227,137 +221,6 @@ impl Asked<'_> {
             )),
             _ => None,
         }
-    }
-}
-
-impl Answered<'_> {
-    /// Puts what the model says into `star`.
-    fn fill(&self, star: &mut StarPrediction, case: &Case) -> Result<(), StarFault> {
-        let Self { model, inflated, outcome } = self;
-        let [tip, corner] = [inflated.tip(), inflated.corner()];
-        let angles = inflated.target_angles();
-        let (c_i, c_e) = inflated.hinge_stiffness();
-        let stiffness = case.pressure.map(|_| Hinges { tip: c_i, corner: c_e });
-        star.model = model.level().name();
-        star.lambda_t = Hinges { tip: Some(tip.lambda), corner: Some(corner.lambda) };
-        star.lambda_c = Hinges {
-            tip: model.onset(case.mechanism.tip().r_star)?,
-            corner: model.onset(case.mechanism.corner().r_star)?,
-        };
-        star.d2v_dlambda2 = Hinges { tip: Some(tip.curvature), corner: Some(corner.curvature) };
-        star.tip_target_angle_deg = Some(angles.0.to_degrees());
-        star.corner_target_angle_deg = Some(angles.1.to_degrees());
-        star.tip_equilibrium_angle_deg = Some(outcome.rest.equilibrium.to_degrees());
-        star.final_radius_mm = Some(mm(outcome.rest.radius));
-        star.contraction = Some(outcome.contraction);
-        star.hinge_stiffness_Nm = stiffness;
-        star.radial_stiffness_N_per_m = outcome.stiffness;
-        star.preload_N = outcome.preload;
-        star.graspable_radius_mm = Some(outcome.graspable.map(mm));
-        star.object_force_N = outcome.object_force();
-        star.payload_kg = outcome.payload;
-        star.ranges = ranges(case, outcome, stiffness);
-        star.correction = case.mechanism.correction;
-        let evidence = &mut star.evidence;
-        evidence.residual = tip.effort.residual.max(corner.effort.residual);
-        evidence.iterations = tip.effort.iterations + corner.effort.iterations;
-        evidence.numerical_error = tip.effort.error.max(corner.effort.error);
-        evidence.hinge_width = Hinges { tip: width_of(tip), corner: width_of(corner) };
-        Ok(())
-    }
-}
-
-/// The ranges of `outcome` in the units of a prediction; `stiffness` is that of the hinges.
-fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> StarRanges {
-    let own = &outcome.ranges;
-    let hinge = |of: fn(&Hinges<f64>) -> f64| Some(scaled(own.hinge?, of(stiffness.as_ref()?)));
-    StarRanges {
-        final_radius_mm: own.radius.map(|range| range.map(mm)),
-        contraction: outcome.contraction_range(case),
-        tip_equilibrium_angle_deg: own.angle.map(|range| range.map(f64::to_degrees)),
-        hinge_stiffness_Nm: Hinges { tip: hinge(|of| of.tip), corner: hinge(|of| of.corner) },
-        radial_stiffness_N_per_m: own.stiffness,
-        object_force_N: outcome.force_range,
-        payload_kg: outcome.payload_range,
-        burst_pressure_kPa: None,
-    }
-}
-
-/// mm, as all lengths of a prediction are.
-fn mm(metres: f64) -> f64 {
-    Length::from_metres(metres).0
-}
-
-fn width_of(state: &HingeState) -> Option<f64> {
-    state.edges.map(|edges| edges.width)
-}
-
-/// What is to be said about a star that cannot move as the mechanism thinks.
-fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
-    let star = &case.mechanism;
-    let mut warnings = Vec::new();
-    if outcome.rest.equilibrium < outcome.rest.angle {
-        warnings.push("the arms touch before the hinges are at rest: the star is pressed shut".to_owned());
-    }
-    if star.radius(outcome.rest.angle).slope <= 0.0 {
-        warnings.push("the arms are so short that closing the tips widens the star".to_owned());
-    }
-    if star.arm < SHORTEST_ARM * star.width {
-        warnings.push(format!(
-            "the arms are {} mm long, less than half the tube's width of {} mm: they are no straight tubes, and the \
-             hinges at their ends overlap",
-            Readable(mm(star.arm)),
-            Readable(mm(star.width))
-        ));
-    }
-    warnings
-}
-
-impl Asked<'_> {
-    /// The star with the model's own V_bar; `None` for the fit, whose hinges are linear, for the section, whose linear hinges are nearer to
-    /// shells of stars, or where the model refuses.
-    fn nonlinear(
-        &self,
-        case: &Case,
-        answered: &Answered<'_>,
-        warnings: &mut Vec<String>,
-    ) -> Option<Nonlinear> {
-        let (inflated, linear) = (&answered.inflated, &answered.outcome);
-        if matches!(inflated.level(), Level::Fit | Level::Section) {
-            return None;
-        }
-        // Of its warnings about the object those of the linear star are enough.
-        let own = match Outcome::nonlinear(case, inflated) {
-            Ok(own) => own,
-            Err(fault) => {
-                warnings.push(format!("no equilibrium of the nonlinear hinges: {fault}"));
-                return None;
-            }
-        };
-        if inflated.rim_pushes(own.rest.angle) {
-            warnings.push(
-            "the nonlinear star coils a hinge so far that its inner rim would have to push: a real rim wrinkles, and \
-             the hinge is softer than predicted"
-                .to_owned(),
-        );
-        }
-        let (own_radius, linear_radius) = (own.rest.radius, linear.rest.radius);
-        if (own_radius - linear_radius).abs() > self.spec.accuracy.response.ratio() * linear_radius {
-            warnings.push(format!(
-            "with the membrane's own, asymmetric hinges it would close to {:.2} mm instead of {:.2} mm: the corner's hinge \
-             is coiled far beyond its target, where it is much softer",
-            mm(own_radius),
-            mm(linear_radius)
-        ));
-        }
-        Some(Nonlinear {
-            tip_equilibrium_angle_deg: own.rest.equilibrium.to_degrees(),
-            final_radius_mm: mm(own_radius),
-            contraction: own.contraction,
-            radial_stiffness_N_per_m: own.stiffness,
-            preload_N: own.preload,
-            object_force_N: own.object_force(),
-        })
     }
 }
 

@@ -61,7 +61,7 @@ pub use name::{NAME_LENGTH, NameFault, check_name, misleads};
 pub use profile::{builtin_machine, builtin_machines, read_machine};
 pub use raw::RawSpec;
 pub use reading::{Reading, TOXIC, read};
-pub use schema::{SCHEMA_FILE, schema};
+pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{quoted, starter};
 pub(crate) use unknown::nearest;

@@ -1,12 +1,14 @@
-//! The JSON Schema of a spec, for editors: completion, hints, and slips underlined while one types.
+//! The JSON Schemas of a spec and of a machine profile, for editors: completion, hints, and slips underlined while one types.
 //!
 //! Each truth keeps its home: which keys there are, and what each takes, is what the reader says when it takes them
-//! ([`Shape`]); what they mean, their defaults and examples are what the starter shows.
+//! ([`Shape`]); what they mean, their defaults and examples are what the starter shows, and the profile `generic`.
 
 use std::collections::BTreeMap;
 
 use serde_json::{Map, Value, json};
 
+use crate::spec::builtin_machine;
+use crate::spec::profile::read_profile;
 use crate::spec::raw::RawSpec;
 use crate::spec::reading::read_spec;
 use crate::spec::section::Reader;
@@ -16,36 +18,124 @@ use crate::spec::starter::TEMPLATE;
 /// The file's name beside a spec: what the first line of the starter names.
 pub const SCHEMA_FILE: &str = "stargrip-cam.schema.json";
 
-/// A section's lists: the one whose keys stand in a list of sections.
+/// A section's list: the one whose keys stand in a list of sections.
 const LIST: &str = "stack.star";
+/// The profile's list, which stands in no section.
+const CLAMPS: &str = "keep_out";
 
-/// The schema, draft 7, as text.
+/// What the profile `generic` leaves unsaid; a line that begins with `# ` is a default, and says what `generic` says where it has no words.
+const MORE: &str = r#"
+schema = 1  # the version of this format
+name = "my-machine"  # what programs and messages call it
+description = "GRBL on a router"  # one line for `stargrip-cam machines`
+# heating = "operator"
+# line_length = 72
+# comments = "semicolon"
+# thumbnails = false
+# arcs = true
+# ramp = "3 mm"
+[work_area]
+x = "unknown"  # along X; say both, or none
+y = "unknown"  # along Y; say both, or none
+[speeds]
+# travel = "20 mm/s"
+# trace = "20 mm/s"
+[motion]
+x_steps_per_mm = 80  # steps of this axis for a millimetre; say all three axes, or none
+y_steps_per_mm = 80  # steps of this axis for a millimetre; say all three axes, or none
+z_steps_per_mm = 400  # steps of this axis for a millimetre; say all three axes, or none
+# min_feed = "0 mm/s"  # the controller raises any lower feed to this
+acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
+# start_delay = "0 s"
+[dwell]
+# unit = "s"
+# step = "1 ms"
+[keep_out]
+# name = "clamp"  # what messages and the preview call it
+x = "0 mm"  # its lower left corner, from the sheet's
+y = "100 mm"  # its lower left corner, from the sheet's
+"#;
+
+/// The schema of a spec, draft 7, as text.
 pub fn schema() -> String {
     let (raw, _) = RawSpec::parse("[stack]\ncount = 64\n[[stack.star]]\nindex = 1\n");
     let mut reader = Reader::new(&raw);
     let _ = read_spec(&mut reader);
     let notes = Notes::of(TEMPLATE);
-    let mut sections: BTreeMap<&str, Section> = BTreeMap::new();
-    for (section, key, shape) in reader.shapes() {
-        let _ = sections.entry(section).or_default().keys.insert(key, property(section, key, shape, &notes));
-    }
-    for (section, key) in reader.required() {
-        sections.entry(section).or_default().required.push(key);
-    }
-    let mut root = sections.remove("").unwrap_or_default();
+    let mut sections = sections_of(&reader, &notes);
     let list = sections.remove(LIST).unwrap_or_default().object(notes.of_section(LIST));
     if let Some(stars) = sections.get_mut("stack").and_then(|stack| stack.keys.get_mut("star")) {
         stars["items"] = list;
     }
+    text_of(
+        sections,
+        &notes,
+        ("A specification for stargrip-cam", "What a fabric star gripper is, for stargrip-cam."),
+    )
+}
+
+/// The schema of a machine profile, draft 7, as text.
+pub fn machine_schema() -> String {
+    let (raw, _) = RawSpec::parse("[[keep_out]]\n");
+    let mut reader = Reader::new(&raw);
+    let _ = read_profile(&mut reader);
+    let notes = profile_notes();
+    let mut sections = sections_of(&reader, &notes);
+    let clamps = sections.remove(CLAMPS).unwrap_or_default().object("");
+    let about = notes.of_section(CLAMPS);
+    let mut root = sections.remove("").unwrap_or_default();
+    let list = json!({ "type": "array", "description": about, "items": clamps });
+    let _ = root.keys.insert(CLAMPS, list);
+    let _ = sections.insert("", root);
+    text_of(
+        sections,
+        &notes,
+        ("A machine profile for stargrip-cam", "What stargrip-cam must know of one controller and its iron."),
+    )
+}
+
+/// What is said of a profile's keys.
+fn profile_notes() -> Notes {
+    let mut notes = Notes::of(builtin_machine("generic").unwrap_or_default());
+    // What stands there is one machine's own.
+    notes.keys.values_mut().for_each(|note| note.is_default = false);
+    for (key, mut more) in Notes::of(MORE).keys {
+        if let Some(note) = notes.keys.get_mut(&key).filter(|_| more.meaning.is_empty()) {
+            more.meaning = std::mem::take(&mut note.meaning);
+        }
+        let _ = notes.keys.insert(key, more);
+    }
+    notes
+}
+
+/// What `reader` took, by section.
+fn sections_of(reader: &Reader<'_>, notes: &Notes) -> BTreeMap<&'static str, Section> {
+    let mut sections: BTreeMap<&str, Section> = BTreeMap::new();
+    for (section, key, shape) in reader.shapes() {
+        let _ = sections.entry(section).or_default().keys.insert(key, property(section, key, shape, notes));
+    }
+    for (section, key) in reader.required() {
+        sections.entry(section).or_default().required.push(key);
+    }
+    sections
+}
+
+/// `sections` as one object with a title and a description, the keys before the first section outside of them.
+fn text_of(
+    mut sections: BTreeMap<&'static str, Section>,
+    notes: &Notes,
+    (title, about): (&str, &str),
+) -> String {
+    let mut root = sections.remove("").unwrap_or_default();
     for (name, section) in sections {
         if !section.required.is_empty() {
             root.required.push(name);
         }
         let _ = root.keys.insert(name, section.object(notes.of_section(name)));
     }
-    let mut object = root.object("What a fabric star gripper is, for stargrip-cam.");
+    let mut object = root.object(about);
     object["$schema"] = json!("http://json-schema.org/draft-07/schema#");
-    object["title"] = json!("A specification for stargrip-cam");
+    object["title"] = json!(title);
     format!("{object:#}\n")
 }
 
@@ -117,7 +207,7 @@ struct Notes {
 }
 
 impl Notes {
-    /// Reads `text`: sections below the words about them, keys before the words about them.
+    /// Reads `text`: sections below the words about them, keys before or below theirs.
     fn of(text: &str) -> Self {
         let mut notes = Self { keys: BTreeMap::new(), sections: BTreeMap::new() };
         let (mut section, mut above) = (String::new(), Vec::new());
@@ -127,6 +217,8 @@ impl Notes {
                 None => (line.starts_with("# "), line.trim_start_matches("# ")),
             };
             let (code, words) = bare.split_once('#').map_or((bare, ""), |(code, words)| (code, words.trim()));
+            // What is indented is an example inside of a sentence.
+            let code = if bare.starts_with(' ') { "" } else { code };
             if let Some(name) = code.trim().strip_prefix('[').map(|name| name.trim_matches(['[', ']'])) {
                 name.clone_into(&mut section);
                 above.push(words);
@@ -135,7 +227,8 @@ impl Notes {
             } else if let Some((key, value)) =
                 code.split_once(" = ").and_then(|(key, value)| Some((key, json_of(value)?)))
             {
-                let note = Note { meaning: words.to_owned(), value, is_default };
+                let meaning = if words.is_empty() { above.join(" ") } else { words.to_owned() };
+                let note = Note { meaning: meaning.trim_end_matches('.').to_owned(), value, is_default };
                 let _ = notes.keys.entry((section.clone(), key.to_owned())).or_insert(note);
             } else if line.starts_with("# ") {
                 above.push(bare);
@@ -163,7 +256,7 @@ fn json_of(value: &str) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spec::key;
+    use crate::spec::{Source, key, read_machine};
 
     fn read() -> Value {
         serde_json::from_str(&schema()).expect("JSON")
@@ -221,6 +314,65 @@ mod tests {
                 .as_str()
                 .is_some_and(|text| text.starts_with("One flat star"))
         );
+    }
+
+    #[test]
+    fn every_key_of_a_profile_says_what_it_means() {
+        let schema: Value = serde_json::from_str(&machine_schema()).expect("JSON");
+        let mut number = 0;
+        let mut looked_at = |keys: &Value| {
+            for (key, property) in keys["properties"].as_object().expect("keys") {
+                if property["type"] != "object" && key != CLAMPS {
+                    let told = property["description"].as_str();
+                    assert!(told.is_some_and(|text| text.len() > 10), "{key}: {property}");
+                    assert!(property["examples"].is_array() != property.get("default").is_some(), "{key}");
+                    number += 1;
+                }
+            }
+        };
+        looked_at(&schema);
+        for section in ["work_area", "heights", "speeds", "motion", "dwell", "program"] {
+            looked_at(&schema["properties"][section]);
+        }
+        looked_at(&schema["properties"][CLAMPS]["items"]);
+        assert!(number > 35, "{number}");
+        assert_eq!(schema["required"], json!(["schema", "name", "dialect", "heights", "program"]));
+        let x = at(&schema, "work_area", "x");
+        assert!(
+            x["anyOf"].as_array().is_some_and(|ways| ways.contains(&json!({ "const": "unknown" }))),
+            "{x}"
+        );
+        assert_eq!(at(&schema, "program", "start")["type"], json!("array"));
+    }
+
+    #[test]
+    fn a_profile_without_the_defaults_means_the_same() {
+        let bare = "schema = 1\nname = \"m\"\ndialect = \"grbl\"\n";
+        let rest = "[heights]\ncontact = \"0 mm\"\ntravel = \"5 mm\"\npark = \"30 mm\"\n\
+                    [program]\nstart = []\npause = \"M0\"\nend = []\n\
+                    [[keep_out]]\nx = \"0 mm\"\ny = \"0 mm\"\nwidth = \"9 mm\"\ndepth = \"9 mm\"\n";
+        let defaults: Vec<&str> = MORE
+            .lines()
+            .filter_map(|line| line.strip_prefix("# ").or_else(|| line.starts_with('[').then_some(line)))
+            .filter(|line| *line != "[work_area]")
+            .collect();
+        assert!(defaults.len() > 14, "{defaults:?}");
+        let (root, sections): (Vec<&str>, Vec<&str>) = {
+            let end = defaults.iter().position(|line| line.starts_with('[')).expect("a section");
+            (defaults[..end].to_vec(), defaults[end..].to_vec())
+        };
+        let clamp = sections.iter().position(|line| *line == "[keep_out]").expect("clamps");
+        let written = format!(
+            "{bare}{}\n{}\n{rest}{}\n",
+            root.join("\n"),
+            sections[..clamp].join("\n"),
+            sections[clamp + 1..].join("\n")
+        );
+        let read = |text: &str| {
+            read_machine(&Source::new("profile", text)).unwrap_or_else(|why| panic!("{why}\n{text}"))
+        };
+        assert_eq!(read(&format!("{bare}{rest}")), read(&written));
+        assert_ne!(read(&format!("{bare}{rest}")), read(&written.replace("arcs = true", "arcs = false")));
     }
 
     #[test]

@@ -176,6 +176,18 @@ impl<'r> Section<'_, 'r> {
         self.reader.shapes.push((self.name, key, shape));
     }
 
+    /// Says that `key`, which was taken, takes `word` as well.
+    pub(super) fn or_word(&mut self, key: &'static str, word: &'static str) {
+        let name = self.name;
+        let found =
+            self.reader.shapes.iter_mut().rfind(|(section, other, _)| (*section, *other) == (name, key));
+        match found {
+            Some((_, _, Shape::Or(_, words))) => words.push(word),
+            Some((_, _, shape)) => *shape = Shape::Or(Box::new(shape.clone()), vec![word]),
+            None => {}
+        }
+    }
+
     /// The value of `key`, which takes what `shape` says; it becomes a known key.
     pub(super) fn take(&mut self, key: &'static str, shape: Shape) -> Option<&'r RawValue> {
         self.reader.shapes.push((self.name, key, shape));
@@ -316,7 +328,7 @@ impl<'r> Section<'_, 'r> {
 
     /// A list of texts, each with its place; `None` if it is absent or something else.
     pub(super) fn texts(&mut self, key: &'static str) -> Option<Vec<(&'r str, Range<usize>)>> {
-        let value = self.take(key, Shape::Text)?;
+        let value = self.take(key, Shape::Texts)?;
         let label = "must be a list of texts: [\"...\", \"...\"]";
         let Some(list) = value.as_list() else { return self.refuse_type(key, value, label) };
         list.iter()

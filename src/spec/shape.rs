@@ -31,6 +31,10 @@ pub(super) enum Shape {
     Truth,
     /// Any text.
     Text,
+    /// A list of texts.
+    Texts,
+    /// The same, or one of these words instead.
+    Or(Box<Shape>, Vec<&'static str>),
     /// One of these words.
     Choice(Vec<&'static str>),
     /// A list of sections.
@@ -59,6 +63,12 @@ impl Shape {
             Self::Count(low, high) if low == high => Some(format!("Always {low}.")),
             Self::Count(low, high) => Some(format!("A whole number from {low} to {high}.")),
             Self::Choice(words) => Some(format!("One of {}.", words.join(", "))),
+            Self::Or(shape, words) => {
+                let words: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
+                let (_, told) = shape.schema();
+                Some(format!("{} Or {}.", told.unwrap_or_default(), words.join(" or ")))
+            }
+            Self::Texts => Some("A list of texts.".to_owned()),
             Self::Truth | Self::Text | Self::Sections => None,
         };
         let schema = match self {
@@ -75,6 +85,12 @@ impl Shape {
             Self::Count(low, high) => json!({ "type": "integer", "minimum": low, "maximum": high }),
             Self::Truth => json!({ "type": "boolean" }),
             Self::Text => json!({ "type": "string" }),
+            Self::Texts => json!({ "type": "array", "items": { "type": "string" } }),
+            Self::Or(shape, words) => {
+                let words = words.iter().map(|word| json!({ "const": word }));
+                let ways: Vec<Value> = std::iter::once(shape.schema().0).chain(words).collect();
+                json!({ "anyOf": ways })
+            }
             Self::Choice(words) => json!({ "type": "string", "enum": words }),
             Self::Sections => json!({ "type": "array" }),
         };

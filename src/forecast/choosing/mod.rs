@@ -1,22 +1,23 @@
 //! From an object to a gripper that holds it: which radius, points, width, angle, number of stars and pressure.
 //!
 //! It is the search of `optimize` in a box that is as large as what was tried, for the least fabric; the object is held with a margin
-//! at the bad end of the ranges. Where nothing does, what comes nearest is said.
+//! at the bad end of the ranges. Where nothing does, what comes nearest is said: another wish, which is granted.
 
+mod nearest;
 mod text;
 
+pub use self::nearest::{Miss, Nearest, choose};
 pub use self::text::spec_text;
 
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Bounds, Constraints, Effort, Evaluated, Found, Goal, Search, Short, UNTRIED, search, shortfalls,
-    sure_payload,
+    Bounds, Constraints, Evaluated, Found, Goal, Short, UNTRIED, search, shortfalls,
 };
 use crate::forecast::ranges::errors;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::mechanics::hinge::section::arms;
 use crate::spec::Load;
-use crate::units::{Angle, Force, Length, Mass, Pressure, Readable};
+use crate::units::{Angle, Force, Length, Mass, Pressure};
 use std::ops::RangeInclusive;
 
 /// What a gripper is wanted for.
@@ -32,8 +33,27 @@ pub struct Wish {
     pub friction: f64,
     /// Largest radial force of one star that the object bears.
     pub largest_force: Option<Force>,
-    /// Smaller free side of the sheet, if there is an end to it.
-    pub side: Option<Length>,
+    /// On which it has to lie.
+    pub room: Room,
+}
+
+/// The sheet and the machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Room {
+    /// Smaller side of the sheet, if there is an end to it.
+    pub sheet: Option<Length>,
+    /// Smaller side of what the machine reaches, if it is known.
+    pub machine: Option<Length>,
+    /// What of a side is not free for the star: margins, and the inlet beyond the tip.
+    pub edge: Length,
+}
+
+impl Room {
+    /// The side that is free for the star, if there is an end to it.
+    fn free(&self) -> Option<Length> {
+        let sides = [self.sheet, self.machine].into_iter().flatten();
+        sides.map(|side| side.0).reduce(f64::min).map(|side| Length(side - self.edge.0))
+    }
 }
 
 /// The payload that can be counted on, over the mass.
@@ -50,6 +70,8 @@ const ROOM: f64 = 0.05;
 const LEAST_ROOM: Length = Length(2.0);
 /// By which part of it the radii that the star closes and opens to are taken farther apart where round values do not do.
 const INSIDE: f64 = 0.01;
+/// By how much, in all, a star may miss what was asked for and still be near it.
+const NEAR: f64 = 0.05;
 /// Most stars on top of each other.
 const MOST_STARS: u32 = 8;
 /// Points that were tried.
@@ -70,22 +92,14 @@ pub struct Choice {
     pub others: Vec<(u32, f64)>,
 }
 
-/// A wish that cannot be had, and what comes nearest.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Miss {
-    /// What cannot be had, one sentence each.
-    pub reasons: Vec<String>,
-    /// What can.
-    pub nearest: Option<String>,
-}
-
-/// The grippers for `wish`, the best first, from `base`: its fabric, seal and radii of curvature.
-///
-/// # Errors
-/// If there is none.
-pub fn choose(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Choice>, Miss> {
-    let base = Candidate { load: wish.load(), stars: 1, ..base.clone() };
-    let Some(bounds) = wish.bounds(&base) else { return Err(no_tube(&base)) };
+/// The grippers for `wish`, the best first, or the star that misses least; `None` in place of that where there is no tube at all.
+fn granted(
+    wish: &Wish,
+    base: &Candidate,
+    ring: &RingTable,
+) -> Result<Vec<Choice>, Option<Option<Evaluated>>> {
+    let base = wish.candidate(base);
+    let Some(bounds) = wish.bounds(&base) else { return Err(None) };
     let kept = wish.constraints(&base, MARGIN);
     let round = |found: &Found| -> Vec<Evaluated> {
         let met = found.best.iter().filter(|one| one.violation == 0.0);
@@ -94,7 +108,8 @@ pub fn choose(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Cho
     let asked = wish.constraints(&base, SEARCHED_MARGIN);
     let found = search(&base, &bounds, &asked, Goal::Fabric, ring);
     let mut met = round(&found);
-    if met.is_empty() {
+    // What is far from what was asked stays so a little inside.
+    if met.is_empty() && found.best.first().is_some_and(|best| best.violation < NEAR) {
         // The best lies where an object just fits in: round values may not. A little inside of that they do.
         let inside = Constraints {
             grasp: asked
@@ -108,13 +123,17 @@ pub fn choose(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Cho
     let mut others: Vec<(u32, f64)> = met.iter().map(|one| (one.point.star.points, one.fabric())).collect();
     others.sort_by_key(|(points, _)| *points);
     if met.is_empty() {
-        let nearest = found.best.first();
-        return Err(wish.miss(&base, &bounds, nearest, ring));
+        return Err(Some(found.best.into_iter().next()));
     }
     Ok(met.into_iter().map(|best| Choice { wish: *wish, best, others: others.clone() }).collect())
 }
 
 impl Wish {
+    /// `base` with the object between its corners.
+    fn candidate(&self, base: &Candidate) -> Candidate {
+        Candidate { load: self.load(), stars: 1, ..base.clone() }
+    }
+
     fn load(&self) -> Load {
         Load {
             pressure: self.pressure,
@@ -156,46 +175,20 @@ impl Wish {
             grasp: Some([Length(CLOSING * self.object.0), Length(self.object.0 + room)]),
             payload: Some(margin * self.mass.0),
             largest_force: self.largest_force.map(|force| force.0),
-            sheet: self.side,
+            sheet: self.room.free(),
             burst_margin: base.fabric.seal_strength.map(|_| BURST_MARGIN),
         }
     }
 
-    /// What cannot be had, and what comes nearest.
-    fn miss(&self, base: &Candidate, bounds: &Bounds, best: Option<&Evaluated>, ring: &RingTable) -> Miss {
-        let short = best.map_or(Vec::new(), |best| {
-            shortfalls(&best.point, &best.answer, &self.constraints(base, SEARCHED_MARGIN))
-        });
+    /// Why it cannot be had: what the star that misses least is short of.
+    fn reasons(&self, base: &Candidate, best: Option<&Evaluated>) -> Vec<String> {
+        let constraints = self.constraints(base, SEARCHED_MARGIN);
+        let short = best.map_or(Vec::new(), |best| shortfalls(&best.point, &best.answer, &constraints));
         let mut reasons: Vec<String> = short.iter().map(|short| self.in_words(short)).collect();
         if reasons.is_empty() {
             reasons.push("the room between closing and opening is less than a tenth of a millimetre: more pressure, or a larger sheet".to_owned());
         }
-        // The most that can be held with all other wishes granted.
-        let without = Constraints { payload: None, ..self.constraints(base, 1.0) };
-        let all = Bounds { stars: MOST_STARS..=MOST_STARS, ..bounds.clone() };
-        let search = Search {
-            base,
-            bounds: &all,
-            constraints: &without,
-            goal: Goal::Payload,
-            table: ring,
-            effort: Effort::default(),
-        };
-        let most = search.run().best.into_iter().find(|one| one.violation == 0.0);
-        let nearest = most.and_then(|most| {
-            let payload = sure_payload(&most.point, &most.answer)? / MARGIN;
-            Some(format!(
-                "{MOST_STARS} stars of {} points, {} wide, at {}: {} kg of this object are counted on",
-                most.point.star.points,
-                Length((most.point.star.tube_width.0 * 10.0).round() / 10.0),
-                most.point
-                    .load
-                    .pressure
-                    .map_or(String::new(), |p| Pressure((p.0 * 10.0).round() / 10.0).to_string()),
-                Readable((payload * 1e3).floor() / 1e3)
-            ))
-        });
-        Miss { reasons, nearest }
+        reasons
     }
 
     fn in_words(&self, (what, part): &Short) -> String {
@@ -219,12 +212,12 @@ impl Wish {
     }
 }
 
-fn no_tube(base: &Candidate) -> Miss {
-    let reason = format!(
-        "fabric of {} is too thin or too thick for any tube that was tried, 10 to 60 mm wide: t/W is 0.01 to 0.03",
+fn no_tube(base: &Candidate) -> String {
+    format!(
+        "fabric of {} is too thin or too thick for any tube that was tried, 10 to 60 mm wide: t/W is 0.01 to 0.03; fabric \
+         of 0.3 mm makes tubes 10 to 29 mm wide",
         base.fabric.thickness
-    );
-    Miss { reasons: vec![reason], nearest: Some("fabric of 0.3 mm makes tubes 10 to 29 mm wide".to_owned()) }
+    )
 }
 
 /// The same in round values, if it still keeps what was asked.

@@ -34,6 +34,8 @@ pub struct Pair {
 pub struct Against {
     /// Its set.
     pub set: Set,
+    /// n.
+    pub points: u32,
     /// rho_f, m.
     pub radius: Pair,
     /// The tips' angle at rest, rad; `None` where arms touch.
@@ -80,6 +82,7 @@ pub fn against(star: &Computed) -> Option<Against> {
     );
     Some(Against {
         set: star.star.set,
+        points: star.star.points,
         radius: Pair { error: radius.error / unit, ..radius },
         angle: angle.map(|pair| Pair { error: pair.error * moves.arm / moves.width, ..pair }),
         stiffness: stiffness

@@ -1,8 +1,8 @@
 //! Rows as columns of numbers, computed in parallel, in order.
 
+use crate::forecast::study::Study;
 use crate::forecast::study::columns::Kind;
 use crate::forecast::study::outputs::Row;
-use crate::forecast::study::Study;
 use crate::spec::study::KeyValue;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -45,7 +45,10 @@ impl Values {
     fn push_number(&mut self, value: f64) {
         match self {
             Self::Real(values) => values.push(value),
-            #[expect(clippy::cast_possible_truncation, reason = "whole numbers of a spec are below 2^32, rows below 1e9")]
+            #[expect(
+                clippy::cast_possible_truncation,
+                reason = "whole numbers of a spec are below 2^32, rows below 1e9"
+            )]
             Self::Whole(values) => values.push(value as i64),
             Self::Text(values) => values.push(None),
         }
@@ -60,7 +63,22 @@ impl Values {
         }
     }
 
-    fn append(&mut self, other: Self) {
+    /// Takes the first `len` values out.
+    #[cfg(feature = "parquet")]
+    pub(super) fn take(&mut self, len: usize) -> Self {
+        fn first<T>(values: &mut Vec<T>, len: usize) -> Vec<T> {
+            let rest = values.split_off(len.min(values.len()));
+            std::mem::replace(values, rest)
+        }
+        match self {
+            Self::Real(values) => Self::Real(first(values, len)),
+            Self::Whole(values) => Self::Whole(first(values, len)),
+            Self::Text(values) => Self::Text(first(values, len)),
+        }
+    }
+
+    /// Adds the values of `other`, which is of the same kind.
+    pub(super) fn append(&mut self, other: Self) {
         match (self, other) {
             (Self::Real(own), Self::Real(mut other)) => own.append(&mut other),
             (Self::Whole(own), Self::Whole(mut other)) => own.append(&mut other),
@@ -88,10 +106,8 @@ impl Study {
     /// The rows `rows`, those beyond the last left out, computed in parallel; `None` if `cancel` was raised meanwhile.
     pub fn batch(&self, rows: Range<usize>, cancel: &AtomicBool) -> Option<Batch> {
         let rows = rows.start.min(self.rows())..rows.end.min(self.rows());
-        let chunks: Vec<Batch> = chunks(&rows)
-            .into_par_iter()
-            .map(|chunk| self.chunk(chunk, cancel))
-            .collect::<Option<_>>()?;
+        let chunks: Vec<Batch> =
+            chunks(&rows).into_par_iter().map(|chunk| self.chunk(chunk, cancel)).collect::<Option<_>>()?;
         let empty = self.columns.iter().map(|column| Values::new(column.kind, rows.len())).collect();
         let mut whole = Batch { rows, columns: empty };
         for chunk in chunks {

@@ -29,7 +29,12 @@ pub struct Column {
 
 /// The columns of a study of `blocks`: `row`, a column a lane, `outputs`, and the refusal, with its code if it is wanted.
 pub(super) fn columns(blocks: &[Block], outputs: &[&'static Output], codes: bool) -> Vec<Column> {
-    let text = |name: &str, unit, kind, about: &str| Column { name: name.to_owned(), unit, kind, about: about.to_owned() };
+    let text = |name: &str, unit, kind, about: &str| Column {
+        name: name.to_owned(),
+        unit,
+        kind,
+        about: about.to_owned(),
+    };
     let mut columns = vec![text("row", None, Kind::Whole, "the row's number in the whole study, from 0")];
     columns.extend(blocks.iter().flat_map(Block::lanes).map(|lane| of_field(&lane.field)));
     columns.extend(outputs.iter().map(|output| text(output.name, output.unit, Kind::Real, output.about)));
@@ -71,6 +76,9 @@ mod tests {
         assert_eq!(name("accuracy.response"), "accuracy.response_percent");
         assert_eq!(name("load.friction"), "load.friction");
         let kind = |key: &str| of_field(&Field::of(key).expect("a key")).kind;
-        assert_eq!(["star.points", "load.friction", "mask.mirror"].map(kind), [Kind::Whole, Kind::Real, Kind::Text]);
+        assert_eq!(
+            ["star.points", "load.friction", "mask.mirror"].map(kind),
+            [Kind::Whole, Kind::Real, Kind::Text]
+        );
     }
 }

@@ -58,9 +58,13 @@ impl Designs {
     /// The combinations of `blocks` around `base`, which is the first star of what was read from a text.
     pub(super) fn new(base: Candidate, (source, spec): (Source, Spec), blocks: Vec<Block>) -> Self {
         let (mut quick, mut slow) = (Vec::new(), Vec::new());
+        // Which tips there are to carry an inlet depends on the points: the reader must see both.
+        let lanes = || blocks.iter().flat_map(Block::lanes);
+        let is_tip_varied = lanes().any(|lane| lane.field.key() == key::inlet::TIP);
+        let is_slow = |key: KeyPath| is_tip_varied && key == key::star::POINTS;
         for (b, block) in blocks.iter().enumerate() {
             for (l, lane) in block.lanes().iter().enumerate() {
-                match QUICK.iter().find(|(key, _)| *key == lane.field.key()) {
+                match QUICK.iter().find(|(key, _)| *key == lane.field.key() && !is_slow(*key)) {
                     Some((_, set)) => quick.push((b, l, *set)),
                     None => slow.push((b, l)),
                 }
@@ -68,7 +72,8 @@ impl Designs {
         }
         let rows = blocks.iter().map(Block::len).product();
         let mut designs = Self { base, source, spec, blocks, rows, quick, slow, kept: Vec::new() };
-        let combinations = designs.slow_blocks().try_fold(1_usize, |all, b| all.checked_mul(designs.blocks[b].len()));
+        let combinations =
+            designs.slow_blocks().try_fold(1_usize, |all, b| all.checked_mul(designs.blocks[b].len()));
         if !designs.slow.is_empty() && combinations.is_some_and(|all| all <= KEPT) {
             designs.kept = (0..combinations.unwrap_or(0)).map(|_| OnceLock::new()).collect();
         }
@@ -113,7 +118,9 @@ impl Designs {
         }
         if point.inlet.is_some() && point.star.inlet_tip > point.star.points {
             let (tip, points) = (point.star.inlet_tip, point.star.points);
-            let text = format!("inlet.tip: the inlet is at tip {tip}, the star has {points} points; must be from 1 to {points}");
+            let text = format!(
+                "inlet.tip: the inlet is at tip {tip}, the star has {points} points; must be from 1 to {points}"
+            );
             return Err(Refused { code: "out-of-range", text });
         }
         Ok(point)

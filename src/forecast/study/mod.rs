@@ -29,8 +29,8 @@ use crate::forecast::study::outputs::{OUTPUTS, Output, chosen};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::spec::edit::with_values;
 use crate::spec::study::{Block, Field, KeyValue, Lane, StudyFile};
-use crate::spec::{FaultCode, Faults, ModelChoice, Source, key};
 use crate::spec::{Fault, read};
+use crate::spec::{FaultCode, Faults, ModelChoice, Source, key};
 use sha2::{Digest, Sha256};
 use std::fmt::Write;
 use std::ops::Range;
@@ -133,7 +133,9 @@ impl Study {
     /// the columns. Comments and layout do not matter.
     pub fn fingerprint(&self) -> String {
         let mut hash = Sha256::new();
-        for part in [env!("CARGO_PKG_VERSION").to_owned(), self.designs.identity(), format!("{:?}", self.columns)] {
+        for part in
+            [env!("CARGO_PKG_VERSION").to_owned(), self.designs.identity(), format!("{:?}", self.columns)]
+        {
             hash.update(part.len().to_le_bytes());
             hash.update(part);
         }

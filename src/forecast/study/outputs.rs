@@ -82,25 +82,35 @@ fn force(row: &Row<'_>) -> Option<Interval> {
 /// Every column, in order. Lengths mm, angles deg.
 pub(super) const OUTPUTS: [Output; 33] = [
     plain("arm_length_mm", Some("mm"), "length of the straight arms", |row| Some(row.answer.star.l)),
-    plain("tip_equilibrium_angle_deg", Some("deg"), "angle of the tips at rest, not clamped where arms touch", |row| {
-        row.own().map(|own| own.rest.equilibrium.to_degrees())
+    plain(
+        "tip_equilibrium_angle_deg",
+        Some("deg"),
+        "angle of the tips at rest, not clamped where arms touch",
+        |row| row.own().map(|own| own.rest.equilibrium.to_degrees()),
+    ),
+    plain("final_radius_mm", Some("mm"), "inner radius of the closed star", |row| {
+        row.own().map(|own| mm(own.rest.radius))
     }),
-    plain("final_radius_mm", Some("mm"), "inner radius of the closed star", |row| row.own().map(|own| mm(own.rest.radius))),
     plain("contraction", None, "1 - final radius / inner radius", |row| row.own().map(|own| own.contraction)),
     plain("operating_pressure_kPa", Some("kPa"), "pressure of full actuation", |row| {
         Some(row.answer.operating_pressure.0)
     }),
     plain("radial_stiffness_N_per_m", Some("N/m"), "radial stiffness at rest", |row| row.own()?.stiffness),
-    plain("object_force_N", Some("N"), "radial force on the object, of one star", |row| row.own()?.object_force()),
+    plain("object_force_N", Some("N"), "radial force on the object, of one star", |row| {
+        row.own()?.object_force()
+    }),
     plain("payload_kg", Some("kg"), "mass that friction holds, of the whole stack", |row| row.answer.payload),
-    plain("burst_pressure_kPa", Some("kPa"), "pressure at which the seal peels", |row| row.answer.burst.map(|p| p.0)),
+    plain("burst_pressure_kPa", Some("kPa"), "pressure at which the seal peels", |row| {
+        row.answer.burst.map(|p| p.0)
+    }),
     // mm^2 to cm^2.
     plain("fabric_cm2", Some("cm^2"), "fabric of one star, both sheets, as cut", |row| {
         row.answer.fabric.map(|area| area / 100.0)
     }),
     plain("bendability", None, "1/eps: pressure over what bends the fabric", |row| {
         let case = &row.answer.case;
-        let known = || case.pressure.filter(|_| row.all).map(|p| case.sheet.bendability(p, case.mechanism.width));
+        let known =
+            || case.pressure.filter(|_| row.all).map(|p| case.sheet.bendability(p, case.mechanism.width));
         row.own().map_or_else(known, |own| own.bendability)
     }),
     plain("stretch", None, "p W / Y: how far the fabric stretches", |row| {
@@ -126,10 +136,15 @@ pub(super) const OUTPUTS: [Output; 33] = [
     more("contraction_hi", None, "largest end of its range", |row| high(contraction(row))),
     more("radial_stiffness_lo_N_per_m", Some("N/m"), "least end of its range", |row| low(stiffness(row))),
     more("radial_stiffness_hi_N_per_m", Some("N/m"), "largest end of its range", |row| high(stiffness(row))),
-    more("preload_N", Some("N"), "radial force that is stored in a star that is pressed shut", |row| row.own()?.preload),
-    more("largest_opening_mm", Some("mm"), "inner radius at which the arms of the inflated star lock", |row| {
-        row.own().map(|own| mm(own.rest.widest.radius))
+    more("preload_N", Some("N"), "radial force that is stored in a star that is pressed shut", |row| {
+        row.own()?.preload
     }),
+    more(
+        "largest_opening_mm",
+        Some("mm"),
+        "inner radius at which the arms of the inflated star lock",
+        |row| row.own().map(|own| mm(own.rest.widest.radius)),
+    ),
     more("realised_tip_radius_mm", Some("mm"), "inner radius that the band makes of the tips", |row| {
         Some(mm(row.answer.case.realised.tip))
     }),

@@ -21,6 +21,8 @@ mod star;
 mod tests;
 mod tube;
 mod value;
+#[cfg(test)]
+mod whole;
 
 pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
 pub use cell::{Cell, InflatedCell, cell};

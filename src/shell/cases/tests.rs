@@ -11,7 +11,7 @@ use crate::shell::solver::{Aim, Solver};
 use std::f64::consts::PI;
 
 /// The paper's fabric: t = 0.3 mm, E = 128 MPa, nu = 0.39.
-fn tube(width: f64, pressure: f64) -> Tube {
+pub(super) fn tube(width: f64, pressure: f64) -> Tube {
     let (t, e, nu) = (0.3e-3_f64, 128e6, 0.39);
     let fabric = Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu };
     Tube { width, fabric, pressure }

@@ -5,10 +5,9 @@ use crate::spec::allowed::{Allowed, SIZE};
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::machine::{Bench, KeepOut};
 use crate::spec::name::check_name;
-use crate::spec::profile::known::known;
+use crate::spec::profile::known::{known, known_as};
 use crate::spec::profile::process::HEIGHT;
 use crate::spec::section::{Reader, Section};
-use crate::spec::shape::Shape;
 use crate::units::Length;
 
 /// Reads the bench, from `[work_area]` and each `[[keep_out]]`.
@@ -18,10 +17,9 @@ pub(super) fn read_bench(reader: &mut Reader<'_>) -> Bench {
 
 /// Both sizes, or neither: an absent one and "unknown" mean the same.
 fn read_work_area(s: &mut Section<'_, '_>) -> Option<(Length, Length)> {
-    let mut side = |key| match s.take(key, Shape::Text)?.as_text() {
-        Some("unknown") => None,
-        _ => s.quantity::<Length>(key, SIZE).or(Some(Length(1.0))),
-    };
+    // A faulty side is one that was said.
+    let mut side =
+        |key| known_as(s, key, |s| s.quantity(key, SIZE).or_else(|| s.has(key).then_some(Length(1.0))));
     match (side("x"), side("y")) {
         (Some(x), Some(y)) => Some((x, y)),
         (None, None) => None,

@@ -5,6 +5,9 @@ use crate::spec::section::Section;
 use crate::spec::shape::Shape;
 use crate::units::Quantity;
 
+/// What stands for a value that nobody knows.
+const UNKNOWN: &str = "unknown";
+
 /// Whether `key` says the word, which stands for a number that there is not.
 pub(super) fn says(s: &mut Section<'_, '_>, key: &'static str, word: &str) -> bool {
     s.take(key, Shape::Text).and_then(|value| value.as_text()) == Some(word)
@@ -12,10 +15,24 @@ pub(super) fn says(s: &mut Section<'_, '_>, key: &'static str, word: &str) -> bo
 
 /// A plain number, or `None` for "unknown" and for nothing at all.
 pub(super) fn known_number(s: &mut Section<'_, '_>, key: &'static str, allowed: Allowed) -> Option<f64> {
-    if says(s, key, "unknown") { None } else { s.number(key, allowed) }
+    known_as(s, key, |s| s.number(key, allowed))
 }
 
 /// A quantity, or `None` for "unknown" and for nothing at all.
 pub(super) fn known<Q: Quantity>(s: &mut Section<'_, '_>, key: &'static str, allowed: Allowed) -> Option<Q> {
-    if says(s, key, "unknown") { None } else { s.quantity(key, allowed) }
+    known_as(s, key, |s| s.quantity(key, allowed))
+}
+
+/// What `read` takes of `key`, or `None` for "unknown", which it may say instead.
+pub(super) fn known_as<T>(
+    s: &mut Section<'_, '_>,
+    key: &'static str,
+    read: impl FnOnce(&mut Section<'_, '_>) -> Option<T>,
+) -> Option<T> {
+    if says(s, key, UNKNOWN) {
+        return None;
+    }
+    let found = read(s);
+    s.or_word(key, UNKNOWN);
+    found
 }

@@ -38,7 +38,8 @@ pub fn read_machine(source: &Source) -> Result<Machine, Faults> {
     read_with(source, read_profile).map(|(machine, _, _)| machine)
 }
 
-fn read_profile(reader: &mut Reader<'_>) -> Machine {
+/// Takes a profile's keys out of what `reader` was given.
+pub(in crate::spec) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let mut root = reader.root();
     root.require(&[("schema", "1"), ("name", "\"my machine\""), ("dialect", "\"generic\"")]);
     read_schema(&mut root, 1);

@@ -37,7 +37,9 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
     let step_rate = if says(s, "min_step_rate", "none") {
         StepRate::NoLimit
     } else {
-        known_number(s, "min_step_rate", RATE).map_or(StepRate::Unknown, StepRate::AtLeast)
+        let rate = known_number(s, "min_step_rate", RATE);
+        s.or_word("min_step_rate", "none");
+        rate.map_or(StepRate::Unknown, StepRate::AtLeast)
     };
     if dialect == Dialect::Marlin && step_rate == StepRate::NoLimit {
         refuse_no_floor(s);

@@ -24,11 +24,7 @@ impl Draw {
     pub fn value(&self, i: u64) -> f64 {
         let own = unit(mixed(&[self.seed, self.lane, i]));
         #[expect(clippy::cast_precision_loss, reason = "at most 1e9")]
-        let part = if self.latin {
-            (self.stratum(i) as f64 + own) / self.count as f64
-        } else {
-            own
-        };
+        let part = if self.latin { (self.stratum(i) as f64 + own) / self.count as f64 } else { own };
         if self.whole {
             (self.from + (part * (self.to - self.from + 1.0)).floor()).min(self.to)
         } else {

@@ -149,7 +149,8 @@ fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &Shape) -> Opt
         Shape::Truth => return section.truth(key).map(KeyValue::Truth),
         Shape::Text => return section.text(key).map(|(text, _)| KeyValue::Word(text.to_owned())),
         Shape::Choice(words) => {
-            let choices: Vec<(&'static str, &'static str)> = words.iter().map(|word| (*word, *word)).collect();
+            let choices: Vec<(&'static str, &'static str)> =
+                words.iter().map(|word| (*word, *word)).collect();
             return section.choice(key, &choices).map(|word| KeyValue::Word(word.to_owned()));
         }
         Shape::Area(allowed) => {
@@ -191,7 +192,7 @@ mod tests {
     /// A value that every shape takes.
     fn example(shape: &Shape) -> String {
         match shape {
-            Shape::Quantity { units, .. } => format!("5 {}", units[0]),
+            Shape::Quantity { units, .. } => format!("0.5 {}", units[0]),
             Shape::Area(_) => "220 mm x 210 mm".to_owned(),
             Shape::Number(_) => "0.25".to_owned(),
             Shape::Count(low, _) => low.to_string(),
@@ -228,7 +229,10 @@ mod tests {
             said("star.tube_width", "0 mm"),
             "`tube_width` is `0 mm`: must be at least 0.001 mm and at most 100000 mm"
         );
-        assert!(said("star.tube_width", "3").starts_with("`tube_width` is `3`, without a unit: a length needs a unit"));
+        assert!(
+            said("star.tube_width", "3")
+                .starts_with("`tube_width` is `3`, without a unit: a length needs a unit")
+        );
         assert!(said("accuracy.model", "secton").ends_with("did you mean \"section\"?"));
         assert!(said("mask.mirror", "yes").contains("must be true or false"));
     }

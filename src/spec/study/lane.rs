@@ -70,10 +70,9 @@ impl Lane {
     /// Value number `i`, from 0; beyond the last the last.
     pub fn value(&self, i: usize) -> Cow<'_, KeyValue> {
         match &self.values {
-            Values::Listed(values) => values
-                .get(i)
-                .or(values.last())
-                .map_or(Cow::Owned(KeyValue::Number(f64::NAN)), Cow::Borrowed),
+            Values::Listed(values) => {
+                values.get(i).or(values.last()).map_or(Cow::Owned(KeyValue::Number(f64::NAN)), Cow::Borrowed)
+            }
             Values::Drawn(draw) => Cow::Owned(KeyValue::Number(draw.value(i as u64))),
         }
     }
@@ -81,13 +80,10 @@ impl Lane {
 
 /// What to say of a key that no study can set.
 fn unknown(name: &str) -> String {
-    match Field::near(name) {
-        Some(near) => format!("`{name}` is no key of a spec that can be varied; did you mean `{near}`?"),
-        None => {
-            let known = Field::names().collect::<Vec<_>>().join(", ");
-            format!("`{name}` is no key of a spec that can be varied; these can: {known}")
-        }
-    }
+    let known = || Field::names().collect::<Vec<_>>().join(", ");
+    let hint = Field::near(name)
+        .map_or_else(|| format!("these can: {}", known()), |near| format!("did you mean `{near}`?"));
+    format!("`{name}` is no key of a spec that can be varied; {hint}")
 }
 
 /// Reads `FROM..TO/COUNT`: values at equal distances, both ends included.
@@ -175,9 +171,15 @@ mod tests {
     fn faults_say_what_is_allowed() {
         let faults = [
             ("star.points", "`star.points` is not KEY=VALUES"),
-            ("star.width=1 mm", "`star.width` is no key of a spec that can be varied; did you mean `star.tube_width`?"),
+            (
+                "star.width=1 mm",
+                "`star.width` is no key of a spec that can be varied; did you mean `star.tube_width`?",
+            ),
             ("star.points=2", "`points` is 2: must be from 3 to 64"),
-            ("star.points=x", "`points` in [star] is the text `x`: must be a whole number, without quotes and unit"),
+            (
+                "star.points=x",
+                "`points` in [star] is the text `x`: must be a whole number, without quotes and unit",
+            ),
             ("load.friction=0", "`friction` is 0: must be more than 0 and at most 10"),
             ("load.pressure=1 kPa..2 kPa", "`1 kPa..2 kPa` lacks the number of values: FROM..TO/COUNT"),
             ("load.pressure=1 kPa..2 kPa/x", "`x` is not a number of values"),

@@ -155,7 +155,8 @@ fn read_rows(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
         let Some(lane) = read_lane(leaf, &mut reader.faults) else { continue };
         if let Some(first) = lanes.first().filter(|first| first.len() != lane.len()) {
             let found = format!("`{name}` has {} values in [rows]", lane.len());
-            let label = format!("must have {}, as `{}`: a row takes one of each", first.len(), first.field.key());
+            let label =
+                format!("must have {}, as `{}`: a row takes one of each", first.len(), first.field.key());
             reader.faults.push(Fault::error(FaultCode::CellCount, place, found).label(label));
         }
         lanes.push(lane);
@@ -167,10 +168,14 @@ fn read_rows(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
 fn read_lane(leaf: Leaf<'_>, faults: &mut Vec<Fault>) -> Option<Lane> {
     let Leaf { field, value, .. } = leaf;
     let name = field.key();
-    let told = |code, label: &str| Fault::error(code, value.span.clone(), format!("`{name}` is {}", value.in_words())).label(label);
+    let told = |code, label: &str| {
+        Fault::error(code, value.span.clone(), format!("`{name}` is {}", value.in_words())).label(label)
+    };
     let label = "must be a list, [a, b, c], or \"FROM..TO/COUNT\"";
     let values = match &value.kind {
-        RawKind::List(list) if list.is_empty() => Err(told(FaultCode::OutOfRange, "must hold at least one value")),
+        RawKind::List(list) if list.is_empty() => {
+            Err(told(FaultCode::OutOfRange, "must hold at least one value"))
+        }
         RawKind::List(list) if list.len() > usize::try_from(MOST_VALUES).unwrap_or(usize::MAX) => {
             Err(told(FaultCode::OutOfRange, &format!("must hold at most {MOST_VALUES} values")))
         }
@@ -227,12 +232,24 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
             _ => Err("must be a text, \"FROM..TO\"".to_owned()),
         };
         let ends = ends.and_then(|[from, to]| {
-            if from <= to { Ok([from, to]) } else { Err("the range falls: write the smaller end first".to_owned()) }
+            if from <= to {
+                Ok([from, to])
+            } else {
+                Err("the range falls: write the smaller end first".to_owned())
+            }
         });
         match ends {
             Ok([from, to]) => {
                 let count = u64::from(count.unwrap_or(1));
-                let draw = Draw { from, to, whole: field.is_whole(), seed: u64::from(seed), lane, count, latin: method };
+                let draw = Draw {
+                    from,
+                    to,
+                    whole: field.is_whole(),
+                    seed: u64::from(seed),
+                    lane,
+                    count,
+                    latin: method,
+                };
                 lanes.push(Lane::drawn(field, draw));
             }
             Err(why) => {

@@ -34,9 +34,11 @@ pub(in crate::verify) fn split_number(text: &str, exponent: bool) -> Option<(&st
 /// The value of a number's text; `None` if it is not a number or beyond [`LARGEST`].
 pub(in crate::verify) fn value(text: &str) -> Option<f64> {
     let (number, rest) = split_number(text, true)?;
-    if !rest.is_empty() {
-        return None;
-    }
+    if rest.is_empty() { parsed(number) } else { None }
+}
+
+/// The value of a number that [`split_number`] found; `None` beyond [`LARGEST`].
+pub(in crate::verify) fn parsed(number: &str) -> Option<f64> {
     number.parse().ok().filter(|x: &f64| x.abs() <= LARGEST)
 }
 

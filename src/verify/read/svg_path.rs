@@ -92,7 +92,7 @@ impl Scan<'_> {
 
     fn number(&mut self) -> Result<f64, Fault> {
         let (text, tail) = number::split_number(self.rest, true).ok_or_else(|| self.fault("a number"))?;
-        let value = number::value(text)
+        let value = number::parsed(text)
             .ok_or_else(|| (FindingCode::BadNumber, quote(text), format!("at most {}", number::LARGEST)))?;
         self.rest = tail;
         self.skip(true);

@@ -24,11 +24,14 @@ pub(super) fn cut<'a>(
     words: &mut Vec<Word>,
 ) -> (Option<&'a str>, Option<Fault>) {
     words.clear();
-    if let Some(bad) = line.chars().find(|c| !matches!(c, ' '..='~')) {
+    if !line.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
+        let bad = line.chars().find(|c| !matches!(c, ' '..='~')).unwrap_or_default();
         let fault = (FindingCode::BadCharacter, format!("{bad:?}"), "printable ASCII".to_owned());
         return (None, Some(fault));
     }
-    if let Some(bad) = line.bytes().find(|c| dialect.forbidden.as_bytes().contains(c)) {
+    // One bit for each character: all are printable by now.
+    let forbidden = dialect.forbidden.bytes().fold(0_u128, |set, byte| set | 1 << (byte & 127));
+    if let Some(bad) = line.bytes().find(|byte| forbidden >> byte & 1 == 1) {
         let allowed = format!("no character of {} in {}", dialect.forbidden, dialect.name);
         return (None, Some((FindingCode::BadCharacter, format!("{:?}", char::from(bad)), allowed)));
     }
@@ -36,14 +39,14 @@ pub(super) fn cut<'a>(
         Ok(parts) => parts,
         Err(fault) => return (None, Some(fault)),
     };
-    let mut rest = code.trim_start();
+    let mut rest = code.trim_ascii_start();
     while let Some(letter) = rest.bytes().next() {
         let fault = if letter.is_ascii_uppercase() {
-            match number::split_number(rest[1..].trim_start(), false) {
-                Some((text, tail)) => match number::value(text) {
+            match number::split_number(rest[1..].trim_ascii_start(), false) {
+                Some((text, tail)) => match number::parsed(text) {
                     Some(number) => {
                         words.push(Word { letter, number });
-                        rest = tail.trim_start();
+                        rest = tail.trim_ascii_start();
                         continue;
                     }
                     None => (FindingCode::BadNumber, quote(text), format!("at most {}", number::LARGEST)),

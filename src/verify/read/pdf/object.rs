@@ -208,10 +208,11 @@ impl<'a> Scan<'a> {
 
     fn regular(&mut self) -> &'a str {
         let start = self.at;
-        let ends = |b: u8| is_blank(b) || b"()<>[]{}/%".contains(&b);
-        while self.peek().is_some_and(|b| !ends(b)) {
-            self.at += 1;
-        }
+        let ends = |b: &u8| {
+            is_blank(*b) || matches!(b, b'(' | b')' | b'<' | b'>' | b'[' | b']' | b'{' | b'}' | b'/' | b'%')
+        };
+        let rest = self.bytes.get(start..).unwrap_or_default();
+        self.at += rest.iter().position(ends).unwrap_or(rest.len());
         // What is no text is no word of this tool either.
         std::str::from_utf8(&self.bytes[start..self.at]).unwrap_or("\u{fffd}")
     }

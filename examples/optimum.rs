@@ -1,0 +1,168 @@
+//! Searches against grids: problems at random, the winner of each against 10^5 designs of a grid that meet the same constraints.
+//!
+//! `cargo run --release --example optimum -- 200`; with a second number, that problem alone.
+
+use rayon::prelude::*;
+use stargrip_cam::forecast::candidate::{Answer, Candidate};
+use stargrip_cam::forecast::optimize::{Bounds, Constraints, Goal, search, shortfalls, sure_payload};
+use stargrip_cam::mechanics::hinge::ring::RingTable;
+use stargrip_cam::spec::{Load, Source, read, starter};
+use stargrip_cam::units::{Angle, Length, LineForce, Pressure};
+use std::env;
+use std::error::Error;
+
+/// Places of the grid along two varied values: with ten numbers of points 10^5 designs.
+const PLACES: u32 = 100;
+const POINTS: std::ops::RangeInclusive<u32> = 3..=12;
+/// By how much the winner may be beaten.
+const BEATEN: f64 = 0.005;
+
+/// One problem: what is searched, in which box, and for what.
+struct Problem {
+    base: Candidate,
+    bounds: Bounds,
+    constraints: Constraints,
+    goal: Goal,
+}
+
+/// Numbers between 0 and 1, the same everywhere.
+struct Dice(u64);
+
+impl Dice {
+    fn throw(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        f64::from(u32::try_from(self.0 >> 32).unwrap_or(0)) / 4_294_967_296.0
+    }
+
+    fn even(&mut self, from: f64, to: f64) -> f64 {
+        from + (to - from) * self.throw()
+    }
+
+    fn one_in(&mut self, count: f64) -> bool {
+        self.throw() < 1.0 / count
+    }
+}
+
+impl Problem {
+    /// A star of the paper's fabric or one like it, its tip angle searched with its width, its hole or its pressure.
+    fn drawn(dice: &mut Dice, paper: &Candidate) -> Self {
+        let mut base = paper.clone();
+        let width = dice.even(15.0, 45.0);
+        let hole = width * dice.even(0.8, 4.0);
+        (base.star.tube_width, base.star.inner_radius) = (Length(width), Length(hole));
+        base.fabric.thickness = Length(width * dice.even(0.011, 0.025));
+        base.fabric.seal_strength = Some(LineForce(dice.even(1.0, 8.0)));
+        let round = if dice.one_in(3.0) { 0.0 } else { 0.15 * width };
+        (base.star.tip_radius, base.star.corner_radius) = (Length(round), Length(round));
+        let pressure = dice.even(8.0, 50.0);
+        let object = hole * dice.even(0.4, 0.95);
+        base.load = Load {
+            pressure: Some(Pressure(pressure)),
+            object_radius: Some(Length(object)),
+            friction: Some(dice.even(0.2, 0.9)),
+            ..base.load
+        };
+        let mut bounds = Bounds { points: POINTS, tip_angle: [15.0, 75.0].map(Angle), ..Bounds::just(&base) };
+        match (3.0 * dice.throw()).floor() {
+            0.0 => bounds.inner_radius = [0.7, 1.5].map(|part| Length(part * hole)),
+            1.0 => bounds.pressure = Some([0.5, 1.5].map(|part| Pressure(part * pressure))),
+            _ => bounds.width = [0.6, 1.4].map(|part| Length(part * width)),
+        }
+        let grasp = [hole * dice.even(0.4, 1.0), hole * dice.even(0.7, 1.0)].map(Length);
+        let constraints = Constraints {
+            grasp: dice.one_in(2.0).then_some(grasp),
+            payload: dice.one_in(2.0).then(|| dice.even(0.05, 1.5)),
+            largest_force: dice.one_in(4.0).then(|| dice.even(5.0, 60.0)),
+            sheet: dice.one_in(4.0).then(|| Length(hole * dice.even(4.0, 8.0))),
+            burst_margin: dice.one_in(2.0).then_some(1.0),
+        };
+        let goals = [Goal::Contraction, Goal::Stiffness, Goal::Fabric, Goal::Payload];
+        let goal = goals[usize::from(dice.one_in(2.0)) + 2 * usize::from(dice.one_in(2.0))];
+        Self { base, bounds, constraints, goal }
+    }
+
+    /// What is wanted of a design, more of it being better; `None` if it is not known.
+    fn worth(&self, point: &Candidate, answer: &Answer) -> Option<f64> {
+        let own = answer.outcome.as_ref()?;
+        match self.goal {
+            Goal::Contraction => Some(own.contraction),
+            Goal::Stiffness => own.stiffness,
+            Goal::Payload => sure_payload(point, answer),
+            Goal::Fabric => answer.fabric.map(|area| 1.0 / area),
+        }
+    }
+
+    /// The best of the grid's designs that meet the constraints, and how many do.
+    fn best_of_grid(&self, table: &RingTable) -> (Option<f64>, usize) {
+        let all: Vec<f64> = POINTS
+            .into_par_iter()
+            .flat_map_iter(|points| (0..PLACES * PLACES).map(move |place| (points, place)))
+            .filter_map(|(points, place)| self.at(points, [place / PLACES, place % PLACES], table))
+            .collect();
+        (all.iter().copied().reduce(f64::max), all.len())
+    }
+
+    fn at(&self, points: u32, place: [u32; 2], table: &RingTable) -> Option<f64> {
+        let Bounds { tip_angle, width, inner_radius, pressure, .. } = &self.bounds;
+        let [first, second] = place.map(|k| f64::from(k) / f64::from(PLACES - 1));
+        let between = |[from, to]: [f64; 2], part: f64| from + part * (to - from);
+        let mut point = self.base.clone();
+        point.star.points = points;
+        point.star.tip_angle = Angle(between(tip_angle.map(|end| end.0), first));
+        point.star.tube_width = Length(between(width.map(|end| end.0), second));
+        point.star.inner_radius = Length(between(inner_radius.map(|end| end.0), second));
+        if let Some(ends) = pressure {
+            point.load.pressure = Some(Pressure(between(ends.map(|end| end.0), second)));
+        }
+        let answer = point.answer(table).ok()?;
+        let fits = answer.fabric.is_some() && shortfalls(&point, &answer, &self.constraints).is_empty();
+        self.worth(&point, &answer).filter(|_| fits)
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let numbers: Vec<u32> = env::args().skip(1).map(|word| word.parse()).collect::<Result<_, _>>()?;
+    let wanted = numbers.first().copied().unwrap_or(20);
+    let paper = Candidate::of(&read(&Source::new("starter", starter("x")?))?.spec).ok_or("no star")?;
+    let table = RingTable::new()?;
+    let mut dice = Dice(11);
+    let (mut solved, mut none, mut missed, mut worst) = (0, 0, 0, 0.0_f64);
+    for number in 1..=wanted {
+        let problem = Problem::drawn(&mut dice, &paper);
+        if numbers.get(1).is_some_and(|only| *only != number) {
+            continue;
+        }
+        let found = search(&problem.base, &problem.bounds, &problem.constraints, problem.goal, &table);
+        let winner = found.best.first().filter(|best| best.violation == 0.0);
+        let own = winner.and_then(|best| problem.worth(&best.point, &best.answer));
+        let (grid, meeting) = problem.best_of_grid(&table);
+        match (own, grid) {
+            (_, None) => none += 1,
+            (None, Some(_)) => {
+                missed += 1;
+                println!(
+                    "problem {number} ({:?}): {meeting} designs of the grid, none by the search",
+                    problem.goal
+                );
+            }
+            (Some(own), Some(grid)) => {
+                solved += 1;
+                let beaten = grid / own - 1.0;
+                worst = worst.max(beaten);
+                if beaten > BEATEN {
+                    missed += 1;
+                    println!(
+                        "problem {number} ({:?}): beaten by {:.2} %, {meeting} designs",
+                        problem.goal,
+                        100.0 * beaten
+                    );
+                }
+            }
+        }
+    }
+    println!(
+        "{wanted} problems, {none} without a design on the grid, {solved} solved; beaten by {:.3} % at most; missed {missed}",
+        100.0 * worst
+    );
+    Ok(())
+}

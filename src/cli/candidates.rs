@@ -1,0 +1,200 @@
+//! What a search found: candidates as a table for people and as JSON for programs.
+
+use std::fmt::Write;
+use std::io::stdout;
+
+use serde_json::{Value, json};
+
+use crate::cli::terminal::width;
+use crate::forecast::optimize::{Constraints, Evaluated, Found, shortfalls, thinned};
+use crate::forecast::outcome::Outcome;
+use crate::forecast::ranges::{Interval, mm, shown};
+use crate::units::Length;
+
+/// Rows of the front that are shown to people.
+const SHOWN: usize = 12;
+
+/// The winner.
+pub(super) struct Best {
+    /// Its spec.
+    pub(super) spec: String,
+    /// What the shell says of it, if it was asked.
+    pub(super) confirmed: Option<String>,
+}
+
+/// All that was found.
+pub(super) struct Said<'a> {
+    pub(super) found: &'a Found,
+    pub(super) constraints: &'a Constraints,
+}
+
+impl Said<'_> {
+    /// For people; every line begins with "# ", so that with a spec below it the whole is a spec.
+    pub(super) fn text(&self) -> String {
+        let Found { best, front, computed } = self.found;
+        let mut out = format!("# {computed} designs computed; the best for each number of points:\n");
+        out.push_str(&rows(best, self.constraints));
+        if !front.is_empty() {
+            // A String takes everything.
+            let _ = writeln!(
+                out,
+                "# trade-off between contraction, stiffness and fabric, {} designs, every so many shown:",
+                front.len()
+            );
+            out.push_str(&rows(&thinned(front, SHOWN), self.constraints));
+        }
+        out
+    }
+
+    /// For programs.
+    pub(super) fn json(&self, winner: Option<&Best>) -> Value {
+        let all = |list: &[Evaluated]| list.iter().map(|one| row(one, self.constraints)).collect::<Vec<_>>();
+        json!({
+            "computed": self.found.computed,
+            "best": all(&self.found.best),
+            "front": all(&self.found.front),
+            "spec": winner.map(|winner| &winner.spec),
+            "confirmed": winner.and_then(|winner| winner.confirmed.as_ref()),
+        })
+    }
+}
+
+/// A candidate for programs; null where nothing is known.
+fn row(candidate: &Evaluated, constraints: &Constraints) -> Value {
+    let Evaluated { point, answer, .. } = candidate;
+    let (star, own) = (&point.star, answer.outcome.as_ref());
+    let range = |range: Option<Interval>| range.map(|[low, high]| [low, high]);
+    let short: Vec<Value> = shortfalls(point, answer, constraints)
+        .into_iter()
+        .map(|(what, part)| json!({ "what": what, "part": part }))
+        .collect();
+    json!({
+        "points": star.points,
+        "stars": point.stars,
+        "pressure_kPa": point.load.pressure.map(|pressure| pressure.0),
+        "inner_radius_mm": star.inner_radius.0,
+        "tip_angle_deg": star.tip_angle.0,
+        "tube_width_mm": star.tube_width.0,
+        "tip_radius_mm": star.tip_radius.0,
+        "corner_radius_mm": star.corner_radius.0,
+        "arm_length_mm": answer.star.l,
+        "final_radius_mm": own.map(|own| Length::from_metres(own.rest.radius).0),
+        "graspable_radius_mm": own.map(|own| own.graspable.map(|radius| Length::from_metres(radius).0)),
+        "radial_stiffness_N_per_m": own.and_then(|own| own.stiffness),
+        "object_force_N": own.and_then(Outcome::object_force),
+        "payload_kg": answer.payload,
+        "fabric_mm2": answer.fabric,
+        "ranges": {
+            "final_radius_mm": own.and_then(|own| own.ranges.radius).map(mm),
+            "object_force_N": range(own.and_then(|own| own.force_range)),
+            "payload_kg": range(answer.payload_range),
+        },
+        "short": short,
+    })
+}
+
+/// Columns of the table: heading, width, and how soon it goes where there is little room.
+const COLUMNS: [(&str, usize, u8); 16] = [
+    ("n", 3, 0),
+    ("stars", 5, 1),
+    ("p/kPa", 6, 2),
+    ("rho_0/mm", 8, 4),
+    ("angle/deg", 9, 3),
+    ("width/mm", 8, 3),
+    ("R_i/mm", 6, 9),
+    ("R_e/mm", 6, 9),
+    ("arm/mm", 6, 10),
+    ("rho_f/mm", 20, 6),
+    ("opens/mm", 8, 8),
+    ("K/(N/m)", 7, 11),
+    ("force/N", 20, 7),
+    ("payload/kg", 20, 5),
+    ("fabric/cm2", 10, 4),
+    ("short", 5, 0),
+];
+
+/// Which columns have room in `width`; all where nobody looks at it.
+fn shown_columns(width: Option<usize>) -> [bool; COLUMNS.len()] {
+    let is_shown = |most: u8| COLUMNS.map(|(_, _, rank)| rank <= most);
+    let taken = |shown: &[bool]| {
+        let columns = COLUMNS.iter().zip(shown).filter(|(_, shown)| **shown);
+        columns.map(|((_, width, _), _)| width + 2).sum::<usize>()
+    };
+    let ranks = (0..=u8::MAX).rev();
+    let fits = |most: &u8| width.is_none_or(|width| taken(&is_shown(*most)) <= width);
+    is_shown(ranks.clone().find(fits).unwrap_or(0))
+}
+
+/// Candidates as a table.
+fn rows(candidates: &[Evaluated], constraints: &Constraints) -> String {
+    let columns = shown_columns(width(&stdout()));
+    let line = |cells: [String; COLUMNS.len()]| {
+        let mut line = String::from("#");
+        for (((cell, (_, width, _)), _), i) in
+            cells.iter().zip(COLUMNS).zip(columns).zip(0..).filter(|((_, shown), _)| *shown)
+        {
+            let gap = if i == 0 { " " } else { "  " };
+            // A String takes everything.
+            let _ = write!(line, "{gap}{cell:>width$}");
+        }
+        line.trim_end().to_owned() + "\n"
+    };
+    let head = line(COLUMNS.map(|(heading, _, _)| heading.to_owned()));
+    candidates.iter().fold(head, |table, candidate| table + &line(cells(candidate, constraints)))
+}
+
+/// What stands in the columns.
+fn cells(candidate: &Evaluated, constraints: &Constraints) -> [String; COLUMNS.len()] {
+    let Evaluated { point, answer, .. } = candidate;
+    let (star, own) = (&point.star, answer.outcome.as_ref());
+    let ranged = |value: Option<f64>, range| match (value, range) {
+        (Some(value), Some(range)) => shown::with(value, range, ""),
+        (Some(value), None) => format!("{value:.3}, range unknown"),
+        (None, _) => "-".to_owned(),
+    };
+    let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
+    let radius = own.map(|own| Length::from_metres(own.rest.radius).0);
+    let short: Vec<String> = shortfalls(point, answer, constraints)
+        .into_iter()
+        .map(|(what, part)| format!("{what} {:.1} %", 100.0 * part))
+        .collect();
+    [
+        star.points.to_string(),
+        point.stars.to_string(),
+        or_none(point.load.pressure.map(|p| format!("{:.1}", p.0))),
+        format!("{:.2}", star.inner_radius.0),
+        format!("{:.3}", star.tip_angle.0),
+        format!("{:.3}", star.tube_width.0),
+        format!("{:.3}", star.tip_radius.0),
+        format!("{:.3}", star.corner_radius.0),
+        format!("{:.2}", answer.star.l),
+        ranged(radius, own.and_then(|own| own.ranges.radius).map(mm)),
+        or_none(own.map(|own| format!("{:.2}", 1e3 * own.graspable[1]))),
+        or_none(own.and_then(|own| own.stiffness).map(|k| format!("{k:.0}"))),
+        ranged(own.and_then(Outcome::object_force), own.and_then(|own| own.force_range)),
+        ranged(answer.payload, answer.payload_range),
+        // mm^2 to cm^2.
+        or_none(answer.fabric.map(|area| format!("{:.1}", area / 100.0))),
+        if short.is_empty() { "-".to_owned() } else { short.join(", ") },
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_narrow_terminal_has_the_columns_that_matter_most() {
+        assert!(shown_columns(None).iter().all(|shown| *shown));
+        for width in [60, 80, 120, 200] {
+            let shown = shown_columns(Some(width));
+            let taken = COLUMNS.iter().zip(shown).filter(|(_, shown)| *shown);
+            let taken: usize = taken.map(|((_, width, _), _)| width + 2).sum();
+            assert!(taken <= width && shown[0] && shown[15], "{width}: {taken}");
+        }
+        assert!(
+            shown_columns(Some(80))[13] && !shown_columns(Some(60))[13],
+            "the payload from 80 columns on"
+        );
+    }
+}

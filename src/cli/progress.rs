@@ -1,0 +1,125 @@
+//! Long work on a terminal: one line on standard error that says what is done and how long it takes, and is gone in the end.
+//!
+//! It comes after half a second, where somebody sees it: not in a pipe, not on a terminal that cannot take a line back, not for
+//! who wants it quiet or is a program. Nothing else is printed while it is there. Ctrl-C takes it away before the program ends.
+
+use std::io::stderr;
+use std::process;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use crate::cli::failure::Failure;
+use crate::cli::interrupt::{self, Listening};
+use crate::cli::terminal;
+use crate::cli::voice::Voice;
+
+/// Before it comes: what is over sooner needs no line.
+const PATIENCE: Duration = Duration::from_millis(500);
+/// Between two looks at the clock and at Ctrl-C.
+const PAUSE: Duration = Duration::from_millis(100);
+/// Steps of the whole: finer than any terminal's bar.
+const WHOLE: u64 = 1000;
+
+/// The line, or none where nobody would see it.
+pub(super) struct Progress {
+    bar: ProgressBar,
+    ticker: Option<(Sender<()>, JoinHandle<()>)>,
+}
+
+/// What Ctrl-C does while the line is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum OnInterrupt {
+    /// It ends the program: the work does not listen, and has written nothing.
+    End,
+    /// The work listens.
+    Leave,
+}
+
+/// Does `work`, which writes nothing, under a line that says `what`.
+pub(super) fn during<T>(voice: Voice, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
+    work(&Progress::new(voice, what, OnInterrupt::End))
+}
+
+/// Does `work`, which hears Ctrl-C itself, under a line that says `what`.
+pub(super) fn listening<T>(voice: Voice, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
+    work(&Progress::new(voice, what, OnInterrupt::Leave))
+}
+
+impl Progress {
+    fn new(voice: Voice, what: &str, on_interrupt: OnInterrupt) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+        if !(voice.is_heard() && terminal::takes_lines_back(&stderr())) {
+            return Self { bar, ticker: None };
+        }
+        bar.set_style(style("{spinner} {msg}, {elapsed}"));
+        bar.set_message(what.to_owned());
+        let (stop, stopped) = channel();
+        let shown = bar.clone();
+        let ticker = thread::Builder::new().spawn(move || tick(&shown, &stopped, on_interrupt));
+        Self { bar, ticker: ticker.ok().map(|ticker| (stop, ticker)) }
+    }
+
+    /// Says what is done now.
+    pub(super) fn tell(&self, what: &str) {
+        self.bar.set_message(what.to_owned());
+    }
+
+    /// Says what is done now, and that `part` of the whole, 0 to 1, is over.
+    pub(super) fn tell_part(&self, part: f64, what: &str) {
+        if self.ticker.is_none() || !(0.0..=1.0).contains(&part) {
+            return;
+        }
+        if self.bar.length().is_none() {
+            self.bar.set_length(WHOLE);
+            self.bar.set_style(style("[{bar:20}] {percent} %, {msg}, about {eta} left"));
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "0 to 1000"
+        )]
+        self.bar.set_position((part * WHOLE as f64) as u64);
+        self.tell(what);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        if let Some((stop, ticker)) = self.ticker.take() {
+            drop(stop);
+            let _ = ticker.join();
+        }
+        self.bar.finish_and_clear();
+    }
+}
+
+fn style(template: &str) -> ProgressStyle {
+    let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+    // What every terminal's letters have.
+    style.tick_chars("-\\|/ ").progress_chars("=> ")
+}
+
+/// Shows the line when it is time, and moves it until `stopped` hangs up.
+fn tick(bar: &ProgressBar, stopped: &Receiver<()>, on_interrupt: OnInterrupt) {
+    let listening = (on_interrupt == OnInterrupt::End).then(Listening::new);
+    let began = Instant::now();
+    let mut is_shown = false;
+    while stopped.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
+        if listening.as_ref().is_some_and(Listening::has_heard) {
+            bar.finish_and_clear();
+            let _ = Failure::Interrupted.report();
+            process::exit(i32::from(interrupt::EXIT));
+        }
+        if !is_shown && began.elapsed() >= PATIENCE {
+            bar.set_draw_target(ProgressDrawTarget::stderr());
+            is_shown = true;
+        }
+        if is_shown {
+            bar.tick();
+        }
+    }
+}

@@ -1,0 +1,28 @@
+//! From paths and arguments to a study.
+
+use std::path::Path;
+
+use crate::cli::failure::Failure;
+use crate::cli::load::{Loaded, read_source};
+use crate::forecast::study::Study;
+use crate::spec;
+use crate::spec::study::{Lane, read_study};
+
+/// The study in the file `path`, around the spec that it names.
+pub(in crate::cli) fn loaded(path: &Path) -> Result<Study, Failure> {
+    let source = read_source(path)?;
+    if spec::read(&source).is_ok() {
+        let text = "this is a spec, and nothing is varied: add --vary KEY=VALUES, or name a study file";
+        return Err(Failure::Usage(text.to_owned()));
+    }
+    let file = read_study(&source)?;
+    let around = Loaded::new(&path.parent().unwrap_or(Path::new("")).join(&file.spec))?;
+    Ok(Study::new(&file, &around.source)?)
+}
+
+/// The spec at `path` with the values of `vary`, "KEY=VALUES" each.
+pub(in crate::cli) fn varied(path: &Path, vary: &[String]) -> Result<Study, Failure> {
+    let around = Loaded::new(path)?;
+    let lanes = vary.iter().map(|text| Lane::parse(text)).collect::<Result<Vec<_>, _>>();
+    Study::vary(&around.source, lanes.map_err(Failure::Message)?)?.map_err(Failure::Message)
+}

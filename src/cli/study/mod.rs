@@ -1,0 +1,66 @@
+//! `stargrip-cam study`, and what `sweep` does with a study: its parts, and how they become files.
+
+mod join;
+mod load;
+mod part;
+mod rows;
+mod signals;
+
+pub(super) use load::{loaded, varied};
+pub(super) use part::Parts;
+pub(super) use rows::{Form, Rows};
+pub(super) use signals::Stop;
+
+use std::fmt::Write;
+use std::path::PathBuf;
+
+use crate::cli::failure::{Failure, say};
+use crate::forecast::study::{Kind, Study};
+
+/// Arguments of `study`.
+#[derive(clap::Args, Debug)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(clap::Subcommand, Debug)]
+enum What {
+    /// Say what a study file asks for: rows, and every column with its unit and meaning.
+    Show {
+        /// The study file.
+        study: PathBuf,
+    },
+    /// Join the parts in a directory to one file, or say which are missing, damaged or of another study.
+    #[command(after_help = "Example: stargrip-cam study join parts -o study.csv")]
+    Join {
+        /// The directory that `sweep STUDY --part k/N -o DIR` or `--parts N -o DIR` has filled.
+        dir: PathBuf,
+        /// The file; it appears when it is whole.
+        #[arg(short, long, value_name = "FILE")]
+        output: PathBuf,
+    },
+}
+
+/// Shows a study, or joins its parts.
+pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    match &args.what {
+        What::Show { study } => say(&shown(&loaded(study)?)),
+        What::Join { dir, output } => join::run(dir, output),
+    }
+}
+
+fn shown(study: &Study) -> String {
+    let mut text = format!("{} rows\nfingerprint {}\n\n", study.rows(), study.fingerprint());
+    for column in study.columns() {
+        let kind = match (column.kind, column.unit) {
+            (_, Some(unit)) => unit,
+            (Kind::Real, None) => "number",
+            (Kind::Whole, None) => "whole",
+            (Kind::Text, None) => "text",
+        };
+        // A String takes everything.
+        let _ = writeln!(text, "{:32} {:8} {}", column.name, kind, column.about);
+    }
+    text
+}

@@ -1,0 +1,179 @@
+//! Parts of a study in a directory: each a file that stands alone, with a **ticket** beside it, a line of JSON that says which part
+//! of which study it is, how long it is, and its hash.
+//!
+//! A ticket is written before its part, and both appear whole. So a part with the right ticket is done, and is not computed again;
+//! a part without a ticket, or with another, is not ours, and is not written over.
+
+use std::fs;
+use std::fs::File;
+use std::io;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+use crate::cli::failure::Failure;
+use crate::cli::harmless::shown;
+use crate::cli::study::rows::{Form, Rows};
+use crate::cli::study::signals::Stop;
+use crate::cli::whole_file::{WholeFile, sweep_leftovers};
+use crate::forecast::study::Study;
+
+/// What is known of a part.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Ticket {
+    /// Fingerprint of the study.
+    pub(super) study: String,
+    /// Which part, from 1.
+    pub(super) part: usize,
+    /// Of how many.
+    pub(super) parts: usize,
+    /// Its first row, and the one after its last.
+    pub(super) rows: [usize; 2],
+    /// Whether CSV has a line of units.
+    pub(super) units: bool,
+    /// Its length.
+    pub(super) bytes: u64,
+    /// Its hash.
+    pub(super) sha256: String,
+}
+
+/// The parts of a study in a directory.
+pub(in crate::cli) struct Parts<'a> {
+    pub(in crate::cli) dir: &'a Path,
+    pub(in crate::cli) study: &'a Study,
+    /// How many there are.
+    pub(in crate::cli) of: usize,
+    pub(in crate::cli) form: Form,
+    pub(in crate::cli) units: bool,
+}
+
+/// What there is of a part.
+enum Found {
+    Done,
+    Nothing,
+    Foreign,
+}
+
+impl Parts<'_> {
+    /// Computes the parts `from` to `to` that are not there yet; returns how many were.
+    pub(in crate::cli) fn compute(&self, [from, to]: [usize; 2], stop: &Stop) -> Result<usize, Failure> {
+        let made = fs::create_dir_all(self.dir);
+        made.map_err(|error| Failure::file("create", self.dir, &error))?;
+        sweep_leftovers(self.dir, |name| name.starts_with("part-"));
+        let fingerprint = self.study.fingerprint();
+        let mut there = 0;
+        for part in from..=to {
+            match self.found(part, &fingerprint) {
+                Found::Done => there += 1,
+                Found::Nothing => self.write(part, &fingerprint, stop)?,
+                Found::Foreign => {
+                    let path = shown(self.path(part));
+                    let text = format!(
+                        "{path} is no part of this study, and is not written over; choose another directory"
+                    );
+                    return Err(Failure::Message(text));
+                }
+            }
+        }
+        Ok(there)
+    }
+
+    fn path(&self, part: usize) -> PathBuf {
+        self.dir.join(name(part, self.of, self.form.ending()))
+    }
+
+    fn ticket(&self, part: usize, study: &str, (bytes, sha256): (u64, String)) -> Ticket {
+        let rows = self.study.part(part, self.of);
+        let rows = [rows.start, rows.end];
+        Ticket { study: study.to_owned(), part, parts: self.of, rows, units: self.units, bytes, sha256 }
+    }
+
+    fn found(&self, part: usize, study: &str) -> Found {
+        let path = self.path(part);
+        let Ok(metadata) = fs::symlink_metadata(&path) else { return Found::Nothing };
+        let Some(ticket) = ticket(&path) else { return Found::Foreign };
+        let right = self.ticket(part, study, (metadata.len(), ticket.sha256.clone()));
+        if metadata.is_file() && ticket == right { Found::Done } else { Found::Foreign }
+    }
+
+    fn write(&self, part: usize, study: &str, stop: &Stop) -> Result<(), Failure> {
+        let path = self.path(part);
+        let rows = Rows {
+            study: self.study,
+            range: self.study.part(part, self.of),
+            form: self.form,
+            header: true,
+            units: self.units,
+        };
+        let written = || -> io::Result<()> {
+            let file = WholeFile::begin(&path)?;
+            let hashed = Hashed { out: file, hash: Sha256::new(), bytes: 0 };
+            let written = rows.write(BufWriter::new(hashed), stop)?;
+            let Hashed { out, hash, bytes } = written.into_inner().map_err(io::IntoInnerError::into_error)?;
+            let ticket = self.ticket(part, study, (bytes, hex(&hash.finalize())));
+            let mut beside = WholeFile::begin(&path.with_extension("json"))?;
+            beside.write_all((serde_json::to_string(&ticket)? + "\n").as_bytes())?;
+            beside.publish()?;
+            out.publish()
+        };
+        written().map_err(|error| match error.kind() {
+            io::ErrorKind::Interrupted if stop.is_raised() => {
+                let text = format!(
+                    "stopped in part {part} of {}; the same command goes on where it stopped",
+                    self.of
+                );
+                Failure::Stopped(text)
+            }
+            _ => Failure::file("write", &path, &error),
+        })
+    }
+}
+
+/// The name of a part: names in the order of the alphabet are parts in order.
+pub(super) fn name(part: usize, parts: usize, ending: &str) -> String {
+    let width = parts.to_string().len();
+    format!("part-{part:0width$}-of-{parts}.{ending}")
+}
+
+/// The ticket of the part at `path`.
+pub(super) fn ticket(path: &Path) -> Option<Ticket> {
+    serde_json::from_str(&fs::read_to_string(path.with_extension("json")).ok()?).ok()
+}
+
+/// Whether the file at `path` has the hash of its ticket.
+pub(super) fn is_sound(path: &Path, ticket: &Ticket) -> io::Result<bool> {
+    let mut hashed = Hashed { out: io::sink(), hash: Sha256::new(), bytes: 0 };
+    let _ = io::copy(&mut File::open(path)?, &mut hashed)?;
+    let Hashed { hash, bytes, .. } = hashed;
+    Ok(bytes == ticket.bytes && hex(&hash.finalize()) == ticket.sha256)
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        // A String takes everything.
+        let _ = std::fmt::Write::write_fmt(&mut text, format_args!("{byte:02x}"));
+        text
+    })
+}
+
+/// A writer that knows the hash of what went through it.
+struct Hashed<W> {
+    out: W,
+    hash: Sha256,
+    bytes: u64,
+}
+
+impl<W: Write> Write for Hashed<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let count = self.out.write(bytes)?;
+        self.hash.update(&bytes[..count]);
+        self.bytes += count as u64;
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}

@@ -1,0 +1,138 @@
+//! A file that has its name only when it is whole: written under another, synced, renamed.
+
+use std::fs;
+use std::fs::{File, TryLockError};
+use std::io;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process;
+
+/// How the names of unfinished files end. They begin with a dot and the final name.
+const UNFINISHED: &str = ".partial";
+
+/// A file on its way. Dropped before it is published, it leaves nothing.
+#[derive(Debug)]
+pub(super) struct WholeFile {
+    file: File,
+    unfinished: PathBuf,
+    target: PathBuf,
+}
+
+impl WholeFile {
+    /// Begins the file `target`; a link is followed, so that it stays one.
+    pub(super) fn begin(target: &Path) -> io::Result<Self> {
+        let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
+        let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?.to_string_lossy().into_owned();
+        for number in 0.. {
+            let own = format!(".{name}.{}-{number}{UNFINISHED}", process::id());
+            let unfinished = target.with_file_name(own);
+            match File::create_new(&unfinished) {
+                Ok(file) => {
+                    // Whoever removes leftovers asks for this lock. If he had it before us, the file is gone.
+                    let _ = file.try_lock();
+                    if unfinished.exists() {
+                        return Ok(Self { file, unfinished, target });
+                    }
+                }
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Err(io::ErrorKind::AlreadyExists.into())
+    }
+
+    /// Gives the file its name.
+    pub(super) fn publish(self) -> io::Result<()> {
+        self.file.sync_all()?;
+        fs::rename(&self.unfinished, &self.target)?;
+        // Some systems cannot sync a directory; they go without.
+        if let Some(dir) = self.target.parent() {
+            let dir = if dir.as_os_str().is_empty() { Path::new(".") } else { dir };
+            let _ = File::open(dir).and_then(|dir| dir.sync_all());
+        }
+        Ok(())
+    }
+}
+
+impl Write for WholeFile {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.file.write(bytes)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+impl Drop for WholeFile {
+    fn drop(&mut self) {
+        // Published, it has this name no more.
+        let _ = fs::remove_file(&self.unfinished);
+    }
+}
+
+/// Removes what killed writers left of files in `dir` whose names `is_ours` knows. Who is still at work holds a lock.
+pub(super) fn sweep_leftovers(dir: &Path, is_ours: impl Fn(&str) -> bool) {
+    for entry in fs::read_dir(dir).into_iter().flatten().flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let of = name.strip_prefix('.').and_then(|name| name.strip_suffix(UNFINISHED));
+        let of = of.and_then(|name| name.rsplit_once('.')).map(|(name, _)| name);
+        if !of.is_some_and(&is_ours) || !entry.file_type().is_ok_and(|kind| kind.is_file()) {
+            continue;
+        }
+        let Ok(file) = File::options().write(true).open(entry.path()) else { continue };
+        match file.try_lock() {
+            Ok(()) => {
+                let _ = fs::remove_file(entry.path());
+            }
+            // At work; or a system without locks, where nothing can be known.
+            Err(TryLockError::WouldBlock | TryLockError::Error(_)) => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(dir: &Path) -> Vec<String> {
+        let entries = fs::read_dir(dir).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_file_has_its_name_when_it_is_whole() {
+        let dir = tempfile::tempdir().expect("a folder");
+        let target = dir.path().join("a.csv");
+        fs::write(&target, "old").expect("written");
+        let mut file = WholeFile::begin(&target).expect("begun");
+        file.write_all(b"new").expect("written");
+        assert_eq!(fs::read_to_string(&target).expect("there"), "old");
+        drop(file);
+        assert_eq!(names(dir.path()), ["a.csv"], "given up, it leaves nothing");
+        let mut file = WholeFile::begin(&target).expect("begun");
+        file.write_all(b"new").expect("written");
+        file.publish().expect("published");
+        assert_eq!(
+            (fs::read_to_string(&target).expect("there").as_str(), names(dir.path())),
+            ("new", vec!["a.csv".to_owned()])
+        );
+    }
+
+    #[test]
+    fn leftovers_go_and_what_is_at_work_stays() {
+        let dir = tempfile::tempdir().expect("a folder");
+        for name in [".a.csv.999999-0.partial", ".b.csv.999999-0.partial", ".a.csv.swp", "a.csv.partial"] {
+            fs::write(dir.path().join(name), "half").expect("written");
+        }
+        let at_work = WholeFile::begin(&dir.path().join("a.csv")).expect("begun");
+        sweep_leftovers(dir.path(), |name| name == "a.csv");
+        let left = names(dir.path());
+        assert_eq!(left.len(), 4, "{left:?}");
+        assert!(!left.contains(&".a.csv.999999-0.partial".to_owned()), "{left:?}");
+        drop(at_work);
+        assert_eq!(names(dir.path()), [".a.csv.swp", ".b.csv.999999-0.partial", "a.csv.partial"]);
+    }
+}

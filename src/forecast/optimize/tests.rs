@@ -1,0 +1,125 @@
+//! Searches against grids, their order, and their front.
+
+use super::*;
+use crate::spec::{ModelChoice, Source, read, starter};
+
+fn base() -> Candidate {
+    let load = "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.5\n";
+    let text = starter("x").expect("a name") + load;
+    let base = Candidate::of(&read(&Source::new("x", text)).expect("valid").spec).expect("a star");
+    Candidate { model: ModelChoice::Ring, ..base }
+}
+
+fn bounds() -> Bounds {
+    Bounds { points: 3..=9, ..Bounds::just(&base()) }
+}
+
+fn table() -> RingTable {
+    RingTable::new().expect("solved")
+}
+
+#[test]
+fn the_papers_star_contracts_most_with_four_or_five_points() {
+    let found = search(&base(), &bounds(), &Constraints::default(), Goal::Contraction, &table());
+    assert!([4, 5].contains(&found.best[0].point.star.points), "{:?}", found.best[0].point.star);
+    // n = 8 has arms of 6 mm, too short, and comes after all others; n = 9 has none.
+    assert!(found.best.len() == 6 && found.best[5].violation > 0.0);
+}
+
+#[test]
+fn the_optimum_is_the_best_of_a_dense_grid() {
+    let bounds = Bounds {
+        tip_angle: [20.0, 57.0].map(Angle),
+        width: [15.0, 40.0].map(Length),
+        points: 4..=5,
+        ..bounds()
+    };
+    let constraints =
+        Constraints { payload: Some(0.5), grasp: Some([20.0, 50.0].map(Length)), ..Constraints::default() };
+    let table = table();
+    let found = search(&base(), &bounds, &constraints, Goal::Fabric, &table);
+    let best = found.best[0].clone();
+    assert_eq!(best.violation, 0.0);
+    for n in 4..=5 {
+        for i in 0..=60 {
+            for j in 0..=60 {
+                let mut point = base();
+                point.star.points = n;
+                point.star.tip_angle = Angle(20.0 + 37.0 * f64::from(i) / 60.0);
+                point.star.tube_width = Length(15.0 + 25.0 * f64::from(j) / 60.0);
+                if let Ok(answer) = point.answer(&table)
+                    && shortfalls(&point, &answer, &constraints).is_empty()
+                    && let Some(area) = answer.fabric
+                {
+                    assert!(area > best.fabric() * 0.999, "{point:?} is smaller");
+                }
+            }
+        }
+    }
+}
+
+/// At its pressure, with constraints at the bad end of the ranges, and the number of stars chosen.
+#[test]
+fn at_a_pressure_the_winner_is_the_best_of_a_grid_too() {
+    let mut base = Candidate { model: ModelChoice::Auto, ..base() };
+    (base.star.tip_radius, base.star.corner_radius) = (Length(2.0), Length(2.0));
+    let bounds = Bounds {
+        tip_angle: [20.0, 60.0].map(Angle),
+        width: [12.0, 29.0].map(Length),
+        points: 4..=6,
+        stars: 1..=4,
+        ..Bounds::just(&base)
+    };
+    let constraints =
+        Constraints { payload: Some(0.6), grasp: Some([25.0, 38.0].map(Length)), ..Constraints::default() };
+    let table = table();
+    let found = search(&base, &bounds, &constraints, Goal::Fabric, &table);
+    assert!(found.best[0].violation == 0.0, "{:?}", found.best[0]);
+    for best in found.best.iter().filter(|best| best.violation == 0.0) {
+        for i in 0..=40 {
+            for j in 0..=40 {
+                let mut point = base.clone();
+                point.star.points = best.point.star.points;
+                point.star.tip_angle = Angle(20.0 + f64::from(i));
+                point.star.tube_width = Length(12.0 + 17.0 * f64::from(j) / 40.0);
+                let Ok(answer) = point.answer(&table) else { continue };
+                for stars in 1..=4 {
+                    let (point, answer) = (Candidate { stars, ..point.clone() }, answer.of_stars(stars));
+                    let area = answer.fabric.map_or(f64::INFINITY, |area| f64::from(stars) * area);
+                    let meets = shortfalls(&point, &answer, &constraints).is_empty();
+                    assert!(!meets || area > 0.995 * best.fabric(), "{point:?} is smaller than {best:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn nothing_on_the_front_is_beaten() {
+    let bounds = Bounds {
+        tip_angle: [12.0, 69.0].map(Angle),
+        width: [10.0, 40.0].map(Length),
+        points: 3..=6,
+        ..bounds()
+    };
+    let found = search(&base(), &bounds, &Constraints::default(), Goal::Contraction, &table());
+    assert!(found.front.len() > 10 && found.computed > 1000);
+    for (i, a) in found.front.iter().enumerate().step_by(7) {
+        for (j, b) in found.front.iter().enumerate() {
+            let [x, y] = [a, b].map(|of| of.answer.outcome.expect("a limit"));
+            let beats =
+                y.contraction >= x.contraction && y.stiffness >= x.stiffness && b.fabric() <= a.fabric();
+            assert!(i == j || !beats, "{i} {j}");
+        }
+    }
+    let shown = thinned(&found.front, 5);
+    assert!(shown.len() == 5 && shown[0] == found.front[0] && shown[4] == found.front[found.front.len() - 1]);
+}
+
+#[test]
+fn a_search_is_the_same_in_any_number_of_threads() {
+    let bounds = Bounds { tip_angle: [12.0, 69.0].map(Angle), ..bounds() };
+    let run = || search(&base(), &bounds, &Constraints::default(), Goal::Stiffness, &table());
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
+    assert_eq!(run(), pool.install(run));
+}

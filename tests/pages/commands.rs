@@ -1,0 +1,178 @@
+//! Every fenced block of commands is run, in one directory a page, and the blocks below it are what it says:
+//!
+//! - `sh`: run by a shell. `<!-- not run: why -->` above it keeps it from that; these are listed below, so that none is added unseen.
+//! - `text`, in the same section: all that the commands printed. A line `...` stands for any number of lines, ` ...` at the end of one
+//!   for the rest of it. Where it shows an error, the last command fails.
+//! - `toml` that begins with `# name.toml`: stands in the file of that name.
+//! - `csv` that begins with `# name.csv`: what the reader of the page fills in; it is written.
+//!
+//! The directory holds designs/ and nothing else.
+
+use std::fs;
+use std::path::Path;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::page::{Block, Page, Piece};
+use crate::said::{Said, matches};
+use crate::{home, renews};
+
+/// The blocks that are not run: page, beginning of the first line.
+const NOT_RUN: [(&str, &str); 20] = [
+    ("README.md", "make demo    # builds the program and the paper's five-point"),
+    ("README.md", "cargo install --locked --path .    # or `make install`: docs"),
+    ("README.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
+    ("docs/benchmarks.md", "valgrind --tool=callgrind target/release/stargrip-cam build"),
+    ("docs/benchmarks.md", "cargo bench --bench build --no-run"),
+    ("docs/benchmarks.md", "cargo bench --bench mechanics -- section"),
+    ("docs/hosts.md", "tests/strangers/octoprint        # OctoPrint's analysis of t"),
+    ("docs/install.md", "make install                       # program, completions, m"),
+    ("docs/machines.md", "cargo test --release --locked --test clock -- --ignored --no"),
+    ("docs/models.md", "cargo run --release --example section_table > /tmp/table.txt"),
+    ("docs/models.md", "stargrip-cam table ladders --part 1/2 & stargrip-cam table l"),
+    ("docs/models.md", "stargrip-cam table stars --set all"),
+    ("docs/models.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
+    ("docs/paper.md", "cargo run --release --example paper"),
+    ("docs/ranges.md", "cargo run --release --example ranges"),
+    ("docs/stability.md", "cargo run --release --example extremes"),
+    ("docs/testing.md", "make test        # everything below but the strangers; rando"),
+    ("docs/testing.md", "cargo test --test lyon our_curves -- --nocapture"),
+    ("docs/testing.md", "cargo install --locked cargo-mutants"),
+    ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
+];
+
+#[test]
+fn commands_say_what_the_pages_say() {
+    let pages = Page::all();
+    let (next, faults) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+    let threads = std::thread::available_parallelism().map_or(1, usize::from).min(4);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            let _ = scope.spawn(|| {
+                while let Some(page) = pages.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let found = run(page);
+                    faults.lock().expect("no panic").extend(found);
+                }
+            });
+        }
+    });
+    let faults = faults.into_inner().expect("no panic");
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+#[test]
+fn what_is_not_run_is_known() {
+    let mut found = Vec::new();
+    for page in Page::all() {
+        for piece in page.pieces() {
+            if let Piece::Block(Block { kind, body, not_run: Some(why), .. }) = piece {
+                assert!(kind == "sh" && why.len() > 4, "{}: {why}", page.name);
+                let first = body.lines().next().unwrap_or_default();
+                found.push((page.name.clone(), first.chars().take(60).collect::<String>().trim().to_owned()));
+            }
+        }
+    }
+    let known: Vec<(String, String)> =
+        NOT_RUN.iter().map(|(page, line)| ((*page).to_owned(), (*line).to_owned())).collect();
+    assert_eq!(found, known);
+}
+
+/// Runs the commands of `page`, and says what is otherwise than it says.
+fn run(page: &Page) -> Vec<String> {
+    let pieces = page.pieces();
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::create_dir(dir.path().join("designs")).expect("made");
+    for file in fs::read_dir(home().join("designs")).expect("a directory") {
+        let file = file.expect("a file");
+        let _ = fs::copy(file.path(), dir.path().join("designs").join(file.file_name())).expect("copied");
+    }
+    let mut faults = Vec::new();
+    // What the block above said, if it was run.
+    let mut said: Option<Said> = None;
+    for piece in &pieces {
+        let Piece::Block(block) = piece else {
+            if matches!(piece, Piece::Heading(_)) {
+                faults.extend(said.take().and_then(|said| said.unexpected(page)));
+            }
+            continue;
+        };
+        let at = format!("{}:{}", page.name, block.line);
+        match block.kind.as_str() {
+            "sh" => {
+                faults.extend(said.take().and_then(|said| said.unexpected(page)));
+                if block.not_run.is_none() {
+                    said = Some(Said::of(block, dir.path()));
+                }
+            }
+            "text" => {
+                if let Some(said) = said.take() {
+                    let is_fault = block.body.lines().any(|line| line.starts_with("error"));
+                    if is_fault == said.is_done || !matches(&block.body, &said.text) {
+                        faults.push(format!(
+                            "{at}: the page says\n{}and the commands\n{}",
+                            block.body, said.text
+                        ));
+                    }
+                }
+            }
+            "toml" | "csv" => {
+                let first = block.body.lines().next().and_then(|line| line.strip_prefix("# "));
+                let Some(name) = first.filter(|name| name.ends_with(&format!(".{}", block.kind))) else {
+                    continue;
+                };
+                let path = dir.path().join(name);
+                let rest = block.body.split_once('\n').map_or("", |(_, rest)| rest);
+                if block.kind == "csv" {
+                    fs::create_dir_all(path.parent().expect("a directory")).expect("made");
+                    fs::write(&path, rest).expect("written");
+                } else if !fs::read_to_string(&path).is_ok_and(|file| file.contains(rest)) {
+                    let file = fs::read_to_string(&path).unwrap_or_default();
+                    faults.push(format!("{at}: the page says\n{rest}and {name}\n{file}"));
+                }
+            }
+            _ => {}
+        }
+    }
+    faults.extend(said.and_then(|said| said.unexpected(page)));
+    for piece in &pieces {
+        if let Piece::Picture { file, from, .. } = piece {
+            faults.extend(compare(page, file, from.as_deref(), dir.path()));
+        }
+    }
+    faults
+}
+
+/// What is otherwise in the picture `file` of `page` than in the file `from` in `dir`.
+fn compare(page: &Page, file: &str, from: Option<&str>, dir: &Path) -> Option<String> {
+    // The one whose commands take minutes: `tests/pages/trade.rs`.
+    if file == "trade.svg" {
+        return None;
+    }
+    let Some(from) = from else { return Some(format!("{}: which file is {file}?", page.name)) };
+    let folder = home().join(&page.name);
+    let path = folder.parent().expect("a directory").join(file);
+    let Ok(drawn) = fs::read(dir.join(from)) else {
+        return Some(format!("{}: no command writes {from}", page.name));
+    };
+    if renews() {
+        fs::write(&path, &drawn).expect("written");
+    }
+    let is_same = fs::read(&path).is_ok_and(|picture| picture == drawn);
+    (!is_same).then(|| format!("{}: {file} is another picture than {from}", page.name))
+}
+
+#[test]
+fn a_page_that_says_otherwise_is_found() {
+    let page = |text: &str| Page { name: "docs/trial.md".to_owned(), text: text.to_owned() };
+    let number = |text: &str| run(&page(text)).len();
+    let sound = "```sh\nstargrip-cam explain no-arm\n```\n\n```text\nno-arm ...\n...\n```\n";
+    assert_eq!(number(sound), 0);
+    assert_eq!(number(&sound.replace("```text\nno-arm", "```text\nno-leg")), 1);
+    assert_eq!(number(&sound.replace("explain no-arm", "explain no-leg")), 1);
+    assert_eq!(number("```sh\nstargrip-cam check none.toml\n```\n\nWords.\n"), 1);
+    assert_eq!(number("![words for a picture](none.svg)\n"), 1);
+    assert_eq!(
+        number("```sh\nstargrip-cam new a > /dev/null\n```\n\n```toml\n# a.toml\npoints = 6\n```\n"),
+        1
+    );
+}

@@ -1,0 +1,215 @@
+//! The references of keys are made of the schemas, which are made of the reader.
+
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::fs;
+
+use serde_json::Value;
+
+use crate::{home, renews};
+
+const SPEC: &str = "# Every key of a spec
+
+This page is made of `stargrip-cam schema`, which is made of what the reader takes. `new` writes a spec in which the same keys stand with their defaults; which of them
+matter first, and why, is said in [choosing.md](choosing.md). A quantity is a text with its unit, `\"50 mm\"`; the units of each kind stand at the end.
+";
+
+const PROFILE: &str = "# Every key of a machine profile
+
+This page is made of `stargrip-cam schema --machine`, which is made of what the reader takes. `stargrip-cam machines show grbl` prints a profile to start from;
+[machines.md](machines.md) says what the figures are for, and where to find them. What has no default and is left out, or \"unknown\", is not checked.
+";
+
+#[test]
+fn the_reference_of_the_spec_is_its_schema() {
+    let template = include_str!("../../templates/spec.toml");
+    holds("docs/spec.md", &page(SPEC, &stargrip_cam::spec::schema(), template));
+}
+
+#[test]
+fn the_reference_of_profiles_is_their_schema() {
+    let template = include_str!("../../templates/machines/generic.toml");
+    holds("docs/profile.md", &page(PROFILE, &stargrip_cam::spec::machine_schema(), template));
+}
+
+fn holds(name: &str, page: &str) {
+    let path = home().join(name);
+    if renews() {
+        fs::write(&path, page).expect("written");
+    }
+    let there = fs::read_to_string(&path).unwrap_or_default();
+    assert!(there == page, "{name} is old: INSTA_UPDATE=always cargo test --test pages");
+}
+
+/// The page of a schema, its keys in the order of `template`.
+fn page(head: &str, schema: &str, template: &str) -> String {
+    let schema: Value = serde_json::from_str(schema).expect("JSON");
+    let mut units = BTreeMap::new();
+    let mut out = head.to_owned();
+    let order = |section: &str, key: &str| place(template, section, key);
+    out += &table("Before the first section", "", &schema, &order, &mut units);
+    let mut sections: Vec<(&String, &Value)> =
+        properties(&schema).filter(|(_, value)| is_section(value)).collect();
+    sections.sort_by_key(|(name, _)| place(template, name, ""));
+    for (name, section) in sections {
+        let about = section["description"].as_str().unwrap_or_default();
+        let (heading, object) = match section.get("items") {
+            Some(items) => (format!("[[{name}]]"), items),
+            None => (format!("[{name}]"), section),
+        };
+        out += &table(&heading, about, object, &|_, key| order(name, key), &mut units);
+        for (key, list) in properties(section).filter(|(_, value)| is_section(value)) {
+            let about = list["items"]["description"].as_str().unwrap_or_default();
+            let inner = format!("{name}.{key}");
+            out += &table(
+                &format!("[[{inner}]]"),
+                about,
+                &list["items"],
+                &|_, key| order(&inner, key),
+                &mut units,
+            );
+        }
+    }
+    out += "\n## Units\n\n| kind | units |\n|---|---|\n";
+    for (kind, list) in units {
+        let _ = writeln!(out, "| {kind} | {list} |");
+    }
+    out
+}
+
+fn properties(object: &Value) -> impl Iterator<Item = (&String, &Value)> {
+    object["properties"].as_object().into_iter().flatten()
+}
+
+/// Whether a property is a section or a list of sections.
+fn is_section(property: &Value) -> bool {
+    property["type"] == "object" || property["items"]["type"] == "object"
+}
+
+/// Where `key` of `section`, or the section itself, stands in `template`: a line's number; what is not there comes last.
+fn place(template: &str, section: &str, key: &str) -> usize {
+    let mut here = "";
+    let mut found = usize::MAX;
+    for (line, number) in template.lines().zip(1..) {
+        // What is indented is an example inside of a sentence.
+        let bare = line.trim_start_matches('#');
+        let bare = bare.strip_prefix(' ').unwrap_or(bare);
+        if let Some((name, _)) =
+            bare.strip_prefix('[').and_then(|rest| rest.trim_start_matches('[').split_once(']'))
+        {
+            here = name;
+            found = if key.is_empty() && here == section { found.min(number) } else { found };
+        } else if here == section && !key.is_empty() && bare.starts_with(&format!("{key} = ")) {
+            found = found.min(number);
+        }
+    }
+    found
+}
+
+/// The table of an object's keys, below a heading.
+fn table(
+    heading: &str,
+    about: &str,
+    object: &Value,
+    order: &dyn Fn(&str, &str) -> usize,
+    units: &mut BTreeMap<String, String>,
+) -> String {
+    let mut keys: Vec<(&String, &Value)> =
+        properties(object).filter(|(_, value)| !is_section(value)).collect();
+    keys.sort_by_key(|(key, _)| order("", key));
+    let mut out = format!("\n## {heading}\n\n");
+    if !about.is_empty() {
+        let mut about = about.to_owned();
+        about[..1].make_ascii_uppercase();
+        let _ = writeln!(out, "{}.\n", about.trim_end_matches('.'));
+    }
+    out += "| key | what it is | takes | default |\n|---|---|---|---|\n";
+    let required = object["required"].as_array();
+    for (key, property) in keys {
+        let (meaning, takes) = told(property, units);
+        let is_required = required.is_some_and(|list| list.iter().any(|name| name == key));
+        let example = property["examples"][0].to_string();
+        let default = match property.get("default") {
+            Some(default) => format!("`{default}`"),
+            None if is_required => format!("required; such as `{example}`"),
+            None if heading == "[[stack.star]]" => "that of the others".to_owned(),
+            None => format!("none; such as `{example}`"),
+        };
+        let _ = writeln!(out, "| `{key}` | {meaning} | {takes} | {default} |");
+    }
+    out
+}
+
+/// What a property is, and what it takes.
+fn told(property: &Value, units: &mut BTreeMap<String, String>) -> (String, String) {
+    let text = property["description"].as_str().unwrap_or_default();
+    let begin = [
+        "A plain number; ",
+        "A whole number ",
+        "Always ",
+        "One of ",
+        "Two lengths ",
+        "A list of texts",
+        " with its unit (",
+    ]
+    .iter()
+    .filter_map(|words| text.find(words))
+    .min()
+    // "A length with its unit": the sentence begins before.
+    .map(|at| {
+        text[..at].rfind(". ").map_or(if text[at..].starts_with(' ') { 0 } else { at }, |stop| stop + 2)
+    });
+    let (meaning, takes) = text.split_at(begin.unwrap_or(text.len()));
+    let meaning = small(&meaning.trim().trim_end_matches('.').replace('|', "\\|"));
+    let takes = takes.trim().trim_end_matches('.');
+    if let Some((kind, rest)) = takes.split_once(" with its unit (") {
+        let kind = kind.split_once(' ').map_or(kind, |(_, kind)| kind).to_owned();
+        let (list, range) = rest.split_once("); ").expect("units and a range");
+        let _ = units.insert(kind.clone(), list.to_owned());
+        return (meaning, format!("{kind}, {}", short(range)));
+    }
+    let takes = match (property["type"].as_str(), takes) {
+        (Some("boolean"), _) => "true or false".to_owned(),
+        (Some("string"), "") => "text".to_owned(),
+        (_, words) => {
+            short(&words.replacen("A plain number; ", "number, ", 1).replacen("A whole", "whole", 1))
+        }
+    };
+    (
+        meaning,
+        takes
+            .replacen("One of ", "", 1)
+            .replacen("Always ", "", 1)
+            .replacen("A list", "list", 1)
+            .replacen("Two", "two", 1),
+    )
+}
+
+/// A range in fewer words.
+fn short(range: &str) -> String {
+    let range = range
+        .replace("must be ", "")
+        .replace(" and at most ", " to ")
+        .replace(" and less than ", " to below ");
+    let range = range.replace("at least ", "").replace("more than ", "above ").replace(". Or ", ", or ");
+    // The unit once, behind both ends.
+    let Some((low, high)) = range.split_once(" to ") else { return range };
+    let unit = low
+        .rsplit_once(' ')
+        .map(|(_, unit)| unit)
+        .filter(|unit| high.split([' ', ',']).any(|word| word == *unit));
+    let low = unit.map_or(low, |unit| low.trim_end_matches(unit).trim_end());
+    format!("{low} to {high}")
+}
+
+/// `text` as it goes on behind a key: small, unless its first word is a name.
+fn small(text: &str) -> String {
+    let mut letters = text.chars();
+    let rest: String = letters.clone().skip(1).collect();
+    match letters.next() {
+        Some(first) if !rest.starts_with(|c: char| c.is_uppercase() || c.is_ascii_digit()) => {
+            first.to_lowercase().chain(rest.chars()).collect()
+        }
+        _ => text.to_owned(),
+    }
+}
