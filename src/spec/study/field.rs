@@ -157,7 +157,8 @@ fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &Shape) -> Opt
             let sides = section.area(key, *allowed);
             return sides.map(|[width, depth]| KeyValue::Word(format!("{width} x {depth}")));
         }
-        Shape::Sections => None,
+        Shape::Or(shape, _) => return taken(section, key, shape),
+        Shape::Sections | Shape::Texts => None,
     }
     .map(KeyValue::Number)
 }
@@ -198,7 +199,8 @@ mod tests {
             Shape::Count(low, _) => low.to_string(),
             Shape::Truth => "true".to_owned(),
             Shape::Choice(words) => words[0].to_owned(),
-            Shape::Text | Shape::Sections => "x".to_owned(),
+            Shape::Or(shape, _) => example(shape),
+            Shape::Text | Shape::Texts | Shape::Sections => "x".to_owned(),
         }
     }
 
