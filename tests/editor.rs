@@ -237,7 +237,22 @@ fn an_installation_is_whole() {
     ] {
         assert!(dir.path().join(file).metadata().is_ok_and(|file| file.len() > 100), "{file}");
     }
-    let installed =
-        Command::new(dir.path().join("bin/stargrip-cam")).arg("--version").output().expect("it runs");
-    assert!(stdout(&installed).starts_with("stargrip-cam "));
+    let installed = |args: &[&str]| {
+        let output = Command::new(dir.path().join("bin/stargrip-cam")).args(args).output().expect("it runs");
+        assert_eq!(output.status.code(), Some(0), "{args:?}: {}", stderr(&output));
+        stdout(&output)
+    };
+    assert!(installed(&["--version"]).starts_with("stargrip-cam "));
+    let examples = dir.path().join("share/doc/stargrip-cam/examples");
+    for example in fs::read_dir(examples).expect("examples") {
+        let _ = installed(&["check", "-q", example.expect("a spec").path().to_str().expect("a path")]);
+    }
+    // A shell takes the completions.
+    let script = dir.path().join("share/bash-completion/completions/stargrip-cam");
+    let shell = Command::new("bash")
+        .args(["-c", "source \"$0\" && complete -p stargrip-cam"])
+        .arg(script)
+        .output()
+        .expect("bash");
+    assert!(stdout(&shell).contains("-F"), "{}", stderr(&shell));
 }

@@ -8,7 +8,7 @@ use jiff::Zoned;
 use serde_json::Value;
 
 use crate::artifact::{Asked, Kind};
-use crate::cli::failure::{Failure, say, tell};
+use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
 use crate::cli::load::{Loaded, is_standard_input};
 use crate::cli::voice::Voice;
@@ -127,7 +127,7 @@ fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<O
     }
     glance::show(&glance::written(&proven, &target))?;
     if voice.verbose {
-        say(&summary::built(&proven))?;
+        voice.remark(&summary::built(&proven))?;
     } else {
         glance::show(&[("details", "-v".to_owned())])?;
     }

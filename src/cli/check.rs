@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use jiff::Zoned;
 use serde_json::Value;
 
-use crate::cli::failure::{Failure, say};
+use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::voice::Voice;
 use crate::cli::{each, glance, summary, watch};
@@ -44,7 +44,7 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     glance::warn(&list);
     glance::show(&glance::work(&forecast, &Zoned::now()))?;
     if voice.verbose {
-        say(&summary::checked(&forecast))?;
+        voice.remark(&summary::checked(&forecast))?;
     } else {
         glance::show(&[("details", "-v".to_owned())])?;
     }

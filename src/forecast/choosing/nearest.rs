@@ -26,8 +26,10 @@ pub struct Nearest {
 
 /// Sheets are taken larger by this, mm: they are cut by hand.
 const SHEET: f64 = 10.0;
+/// Parts of the most mass that are tried: near the most there are few grippers, and a search may miss them.
+const RESERVES: [f64; 3] = [0.9, 0.7, 0.4];
 /// Sizes of objects that are tried where nothing else helps, over the one wished for.
-const SIZES: [f64; 6] = [0.7, 0.5, 0.3, 0.15, 1.5, 3.0];
+const SIZES: [f64; 4] = [0.7, 0.4, 0.2, 2.0];
 
 /// The grippers for `wish`, the best first, from `base`: its fabric, seal and radii of curvature.
 ///
@@ -46,45 +48,47 @@ fn nearest(wish: &Wish, base: &Candidate, ring: &RingTable) -> Option<Nearest> {
         let choices = granted(&wish, base, ring).ok()?;
         Some(Nearest { wish, choices })
     };
-    // One thing less, then all of them.
-    let free = Wish { pressure: None, largest_force: None, ..*wish };
-    lighter(wish, base, ring)
-        .and_then(tried)
-        .or_else(|| wish.room.sheet.and_then(|_| on_larger_sheet(wish, base, ring)))
+    if let Some(most) = heaviest(wish, base, ring) {
+        let most = most.min(wish.mass.0);
+        return RESERVES
+            .into_iter()
+            .find_map(|part| tried(Wish { mass: three_digits(part * most)?, ..*wish }));
+    }
+    // It is not the mass: one thing less, then all of them, and then there is the object itself.
+    let endless = Room { sheet: None, ..wish.room };
+    let free = Wish { pressure: None, largest_force: None, room: endless, ..*wish };
+    let of_size = |factor: f64| Wish { object: Length((factor * wish.object.0).round().max(1.0)), ..free };
+    wish.room
+        .sheet
+        .and_then(|_| on_larger_sheet(wish, base, ring))
         .or_else(|| wish.pressure.and_then(|_| tried(Wish { pressure: None, ..*wish })))
         .or_else(|| wish.largest_force.and_then(|_| tried(Wish { largest_force: None, ..*wish })))
-        .or_else(|| on_larger_sheet(&free, base, ring))
-        .or_else(|| lighter(&free, base, ring).and_then(tried))
-        .or_else(|| {
-            let of_size =
-                |factor: f64| Wish { object: Length((factor * wish.object.0).round().max(1.0)), ..*wish };
-            SIZES.into_iter().map(of_size).find_map(tried)
-        })
+        .or_else(|| (free != *wish).then(|| tried(free)).flatten())
+        .or_else(|| SIZES.into_iter().map(of_size).find_map(tried))
 }
 
-/// The same with the most mass that can be counted on with all else granted, in three digits; `None` if there is none, or more
-/// than was wished for.
-fn lighter(wish: &Wish, base: &Candidate, ring: &RingTable) -> Option<Wish> {
+/// The most mass that can be counted on with all else granted, kg; `None` if nothing else is.
+fn heaviest(wish: &Wish, base: &Candidate, ring: &RingTable) -> Option<f64> {
     let base = wish.candidate(base);
     let bounds = Bounds { stars: MOST_STARS..=MOST_STARS, ..wish.bounds(&base)? };
     let constraints = Constraints { payload: None, ..wish.constraints(&base, 1.0) };
-    let effort = Effort::default();
     let search = Search {
         base: &base,
         bounds: &bounds,
         constraints: &constraints,
         goal: Goal::Payload,
         table: ring,
-        effort,
+        effort: Effort::default(),
     };
     let most = search.run().best.into_iter().find(|one| one.violation == 0.0)?;
-    // What is on the edge is left to what is clearly inside.
-    let mass = (0.98 * sure_payload(&most.point, &most.answer)? / SEARCHED_MARGIN).min(0.98 * wish.mass.0);
+    Some(sure_payload(&most.point, &most.answer)? / SEARCHED_MARGIN)
+}
+
+/// A mass rounded down to three digits and whole milligrams; `None` if nothing is left.
+fn three_digits(mass: f64) -> Option<Mass> {
     let digit = 10_f64.powf(mass.log10().floor() - 2.0);
-    let mass = (mass / digit).floor() * digit;
-    // Grams are the least that anybody weighs here.
-    let mass = (mass * 1e6).round() / 1e6;
-    (mass > 0.0).then_some(Wish { mass: Mass(mass), ..*wish })
+    let mass = ((mass / digit).floor() * digit * 1e6).round() / 1e6;
+    (mass > 0.0).then_some(Mass(mass))
 }
 
 /// The same on a sheet that is as large as it must be, as far as the machine reaches.
