@@ -92,14 +92,18 @@ pub struct Choice {
     pub others: Vec<(u32, f64)>,
 }
 
-/// The grippers for `wish`, the best first, or the star that misses least; `None` in place of that where there is no tube at all.
-fn granted(
-    wish: &Wish,
-    base: &Candidate,
-    ring: &RingTable,
-) -> Result<Vec<Choice>, Option<Option<Evaluated>>> {
+/// Why there is no gripper for a wish.
+enum Lack {
+    /// No tube of the fabric was tried.
+    Tube,
+    /// No star does what is asked; the one that misses least.
+    Star(Option<Box<Evaluated>>),
+}
+
+/// The grippers for `wish`, the best first, or what is lacking.
+fn granted(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Choice>, Lack> {
     let base = wish.candidate(base);
-    let Some(bounds) = wish.bounds(&base) else { return Err(None) };
+    let Some(bounds) = wish.bounds(&base) else { return Err(Lack::Tube) };
     let kept = wish.constraints(&base, MARGIN);
     let round = |found: &Found| -> Vec<Evaluated> {
         let met = found.best.iter().filter(|one| one.violation == 0.0);
@@ -123,7 +127,7 @@ fn granted(
     let mut others: Vec<(u32, f64)> = met.iter().map(|one| (one.point.star.points, one.fabric())).collect();
     others.sort_by_key(|(points, _)| *points);
     if met.is_empty() {
-        return Err(Some(found.best.into_iter().next()));
+        return Err(Lack::Star(found.best.into_iter().next().map(Box::new)));
     }
     Ok(met.into_iter().map(|best| Choice { wish: *wish, best, others: others.clone() }).collect())
 }

@@ -1,7 +1,7 @@
 //! Grippers for a wish, or what comes nearest to one that cannot be had: a wish that differs from it in as little as will do, and is granted.
 
 use crate::forecast::candidate::Candidate;
-use crate::forecast::choosing::{Choice, MOST_STARS, Room, SEARCHED_MARGIN, Wish, granted, no_tube};
+use crate::forecast::choosing::{Choice, Lack, MOST_STARS, Room, SEARCHED_MARGIN, Wish, granted, no_tube};
 use crate::forecast::optimize::{Bounds, Constraints, Effort, Goal, Search, sure_payload};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::units::{Length, Mass};
@@ -12,7 +12,7 @@ pub struct Miss {
     /// What cannot be had, one sentence each.
     pub reasons: Vec<String>,
     /// What can; `None` if nothing was found that is near.
-    pub nearest: Option<Nearest>,
+    pub nearest: Option<Box<Nearest>>,
 }
 
 /// A wish that is granted in place of another, and its grippers.
@@ -36,9 +36,12 @@ const SIZES: [f64; 4] = [0.7, 0.4, 0.2, 2.0];
 /// # Errors
 /// If there is none.
 pub fn choose(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Choice>, Miss> {
-    granted(wish, base, ring).map_err(|best| match best {
-        Some(best) => Miss { reasons: wish.reasons(base, best.as_ref()), nearest: nearest(wish, base, ring) },
-        None => Miss { reasons: vec![no_tube(base)], nearest: None },
+    granted(wish, base, ring).map_err(|lack| match lack {
+        Lack::Star(best) => Miss {
+            reasons: wish.reasons(base, best.as_deref()),
+            nearest: nearest(wish, base, ring).map(Box::new),
+        },
+        Lack::Tube => Miss { reasons: vec![no_tube(base)], nearest: None },
     })
 }
 
