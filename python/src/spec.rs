@@ -155,7 +155,7 @@ impl Spec {
 
 /// Whether `text` names a file.
 fn is_path(text: &str) -> bool {
-    !text.contains('\n') && text.trim_end().ends_with(".toml")
+    !text.contains('\n') && Path::new(text.trim_end()).extension().is_some_and(|ending| ending == "toml")
 }
 
 /// The spec of `text`, called `name`, as if it stood at `path`.

@@ -17,9 +17,12 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// Stack of the thread: that of a main thread, as the command has it.
 const STACK: usize = 8 << 20;
 
+/// Takes the part that is done, 0 to 1, and what is being done.
+type Told = dyn Fn(f64, &str) + Send + Sync;
+
 /// What the work tells and hears.
 pub(crate) struct Line {
-    told: Box<dyn Fn(f64, &str) + Send + Sync>,
+    told: Box<Told>,
     /// Raised when nobody waits any more.
     pub(crate) cancel: Arc<AtomicBool>,
 }

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use crate::cli::terminal::width;
 use crate::forecast::optimize::{Constraints, Evaluated, Found, shortfalls, thinned};
 use crate::forecast::outcome::Outcome;
-use crate::forecast::ranges::{Interval, mm, shown};
+use crate::forecast::ranges::{mm, shown};
 use crate::units::Length;
 
 /// Rows of the front that are shown to people.
@@ -63,7 +63,6 @@ impl Said<'_> {
 fn row(candidate: &Evaluated, constraints: &Constraints) -> Value {
     let Evaluated { point, answer, .. } = candidate;
     let (star, own) = (&point.star, answer.outcome.as_ref());
-    let range = |range: Option<Interval>| range.map(|[low, high]| [low, high]);
     let short: Vec<Value> = shortfalls(point, answer, constraints)
         .into_iter()
         .map(|(what, part)| json!({ "what": what, "part": part }))
@@ -86,8 +85,8 @@ fn row(candidate: &Evaluated, constraints: &Constraints) -> Value {
         "fabric_mm2": answer.fabric,
         "ranges": {
             "final_radius_mm": own.and_then(|own| own.ranges.radius).map(mm),
-            "object_force_N": range(own.and_then(|own| own.force_range)),
-            "payload_kg": range(answer.payload_range),
+            "object_force_N": own.and_then(|own| own.force_range),
+            "payload_kg": answer.payload_range,
         },
         "short": short,
     })

@@ -34,11 +34,13 @@ impl Listening {
     }
 
     /// Whether there was a Ctrl-C.
+    #[expect(clippy::unused_self, reason = "only who listens may ask")]
     pub(super) fn has_heard(&self) -> bool {
         HEARD.load(Ordering::SeqCst)
     }
 
     /// What is raised by it.
+    #[expect(clippy::unused_self, reason = "only who listens may ask")]
     pub(super) fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&HEARD)
     }

@@ -61,7 +61,7 @@ fn machines() -> Result<Vec<Machine>, Failure> {
 
 /// A name a line, for scripts.
 fn names(machines: &[Machine]) -> String {
-    machines.iter().map(|machine| format!("{}\n", machine.name)).collect()
+    machines.iter().flat_map(|machine| [machine.name.as_str(), "\n"]).collect()
 }
 
 fn list(machines: &[Machine]) -> String {
