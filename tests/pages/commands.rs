@@ -18,7 +18,7 @@ use crate::said::{Said, matches};
 use crate::{home, renews};
 
 /// The blocks that are not run: page, beginning of the first line.
-const NOT_RUN: [(&str, &str); 22] = [
+const NOT_RUN: [(&str, &str); 23] = [
     ("README.md", "make demo    # builds the program and the paper's five-point"),
     ("README.md", "cargo install --locked --path .    # or `make install`: docs"),
     ("README.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
@@ -38,6 +38,7 @@ const NOT_RUN: [(&str, &str); 22] = [
     ("docs/stability.md", "cargo run --release --example extremes"),
     ("docs/studies.md", "stargrip-cam sweep study.toml -o study.csv"),
     ("docs/testing.md", "make test        # everything below but the strangers; rando"),
+    ("docs/testing.md", "cargo run --release --example optimum -- 200"),
     ("docs/testing.md", "cargo test --test lyon our_curves -- --nocapture"),
     ("docs/testing.md", "cargo install --locked cargo-mutants"),
     ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
