@@ -171,7 +171,7 @@ mod tests {
     /// Commands that have no other answer than a document for other programs, whole and always the same.
     const DOCUMENTS: [&str; 3] = ["schema", "completions", "man"];
     /// Commands that compute for hours and whose answers are files, a row or a file for each.
-    const FILES: [&str; 2] = ["sweep", "table"];
+    const FILES: [&str; 3] = ["study", "sweep", "table"];
 
     #[test]
     fn every_command_that_reports_speaks_as_loud_as_one_likes() {

@@ -11,7 +11,7 @@ pub use self::text::spec_text;
 
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Bounds, Constraints, Evaluated, Found, Goal, Short, UNTRIED, search, shortfalls,
+    Bounds, Constraints, Effort, Evaluated, Found, Goal, Search, Short, UNTRIED, shortfalls,
 };
 use crate::forecast::ranges::errors;
 use crate::mechanics::hinge::ring::RingTable;
@@ -110,7 +110,11 @@ fn granted(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Choice
         met.filter_map(|one| rounded(one, &kept, ring)).collect()
     };
     let asked = wish.constraints(&base, SEARCHED_MARGIN);
-    let found = search(&base, &bounds, &asked, Goal::Fabric, ring);
+    let (base, bounds) = (&base, &bounds);
+    let search = |constraints: &Constraints| {
+        Search { base, bounds, constraints, goal: Goal::Fabric, table: ring, effort: Effort::QUICK }.run()
+    };
+    let found = search(&asked);
     let mut met = round(&found);
     // What is far from what was asked stays so a little inside.
     if met.is_empty() && found.best.first().is_some_and(|best| best.violation < NEAR) {
@@ -121,7 +125,7 @@ fn granted(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Choice
                 .map(|[least, most]| [Length(least.0 * (1.0 - INSIDE)), Length(most.0 * (1.0 + INSIDE))]),
             ..asked
         };
-        met = round(&search(&base, &bounds, &inside, Goal::Fabric, ring));
+        met = round(&search(&inside));
     }
     met.sort_by(|a, b| a.fabric().total_cmp(&b.fabric()));
     let mut others: Vec<(u32, f64)> = met.iter().map(|one| (one.point.star.points, one.fabric())).collect();

@@ -81,7 +81,7 @@ fn heaviest(wish: &Wish, base: &Candidate, ring: &RingTable) -> Option<f64> {
         constraints: &constraints,
         goal: Goal::Payload,
         table: ring,
-        effort: Effort::default(),
+        effort: Effort::QUICK,
     };
     let most = search.run().best.into_iter().find(|one| one.violation == 0.0)?;
     Some(sure_payload(&most.point, &most.answer)? / SEARCHED_MARGIN)
