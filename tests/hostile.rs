@@ -4,6 +4,7 @@
 mod support;
 
 use std::collections::BTreeSet;
+use std::path::Path;
 use std::sync::LazyLock;
 
 use proptest::prelude::*;
@@ -137,8 +138,7 @@ fn bones(file: &str, bytes: &[u8]) -> BTreeSet<String> {
         "gcode" => {
             assert!(text().is_ascii());
             let code = text().lines().filter(|line| !line.starts_with(';'));
-            let word =
-                |line: &str| line.split(|c: char| c == ' ' || c == '.').next().unwrap_or_default().to_owned();
+            let word = |line: &str| line.split([' ', '.']).next().unwrap_or_default().to_owned();
             set(&mut code.map(word).chain([format!("{} comments", text().matches(';').count())]))
         }
         "dxf" => {
@@ -167,7 +167,8 @@ fn keys(value: &Value) -> BTreeSet<String> {
 
 /// The files that the program writes itself: spec and profile are copies of what was read.
 fn written(built: &Built) -> Vec<(String, Vec<u8>)> {
-    let files = built.files().filter(|(name, _)| !name.ends_with(".toml"));
+    let files =
+        built.files().filter(|(name, _)| Path::new(name).extension().is_none_or(|ending| ending != "toml"));
     files.map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
 }
 

@@ -30,7 +30,7 @@ impl Faults {
         &self.list
     }
 
-    /// The key at which `fault` points, or its section: "star.points", "stack.star[2].pitch", "star"; `None` if it is at neither.
+    /// The key at which `fault` points, or its section: `star.points`, `stack.star[2].pitch`, `star`; `None` if it is at neither.
     pub fn key_of(&self, fault: &Fault) -> Option<String> {
         RawSpec::parse(&self.source.text).0.key_at(&fault.span)
     }

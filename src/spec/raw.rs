@@ -83,7 +83,7 @@ impl RawSpec {
         })
     }
 
-    /// The key whose name or value is at `span`, or the section: "star.points", "stack.star[2].pitch", "star"; `None` if none is.
+    /// The key whose name or value is at `span`, or the section: `star.points`, `stack.star[2].pitch`, `star`; `None` if none is.
     pub(super) fn key_at(&self, span: &Range<usize>) -> Option<String> {
         key_at(&self.root, span, "")
     }
