@@ -1,5 +1,7 @@
 //! A spec's text with other values for its star, everything else as it was, comments included.
 
+use std::ops::Range;
+
 use toml_edit::{DocumentMut, Item, TableLike, Value};
 
 use crate::spec::fault::Fault;
@@ -110,6 +112,27 @@ pub fn with_value(source: &Source, key: KeyPath, value: &str) -> Result<String, 
 /// If `source`, a value or the result is refused.
 pub fn with_changes(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Result<String, Faults> {
     let raw = read(source)?.raw;
+    let text = edited(source, values.iter().copied(), |key| raw.span_of(key))?;
+    let edited = Source::new(format!("{}, edited", source.name), text);
+    let _ = read(&edited)?;
+    Ok(edited.text)
+}
+
+/// The text of `source`, a valid spec, with every key set to its value, TOML of its own. Lines end with LF. It has not been read
+/// back: the values may not go together.
+///
+/// # Errors
+/// If a value is no TOML, or the section of a key cannot be edited.
+pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<String, Faults> {
+    edited(source, values.iter().map(|(key, value)| (*key, Some(value.as_str()))), |_| 0..0)
+}
+
+/// The text of `source` with `values`, each TOML of its own; `None` takes a key away. `place` says where a key stands.
+fn edited<'v>(
+    source: &Source,
+    values: impl Iterator<Item = (KeyPath, Option<&'v str>)>,
+    place: impl Fn(KeyPath) -> Range<usize>,
+) -> Result<String, Faults> {
     let refused = |fault: Fault| Faults::new(source, vec![fault]);
     let syntax = |error: toml_edit::TomlError| {
         refused(Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message()))
@@ -133,41 +156,11 @@ pub fn with_changes(source: &Source, values: &[(KeyPath, Option<&str>)]) -> Resu
         let item = document.entry(key.section()).or_insert_with(toml_edit::table);
         let inline = item.is_inline_table();
         let Some(section) = item.as_table_like_mut() else {
-            let fault = Fault::error(FaultCode::Edit, raw.span_of(*key), "the section cannot be edited here");
+            let message = format!("`{key}` cannot be edited here");
+            let fault = Fault::error(FaultCode::Edit, place(key), message);
             return Err(refused(
-                fault.label("must take a new value").help("write it as a section with one key a line"),
+                fault.label("must take a new value").help("write its section with one key a line"),
             ));
-        };
-        set(section, inline, key.key(), value);
-    }
-    let edited = Source::new(format!("{}, edited", source.name), document.to_string());
-    let _ = read(&edited)?;
-    Ok(edited.text)
-}
-
-/// The text of `source`, a valid spec, with every key set to its value, TOML of its own. Lines end with LF. It has not been read
-/// back: the values may not go together.
-///
-/// # Errors
-/// If a value is no TOML, or the section of a key cannot be edited.
-pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<String, Faults> {
-    let syntax = |error: toml_edit::TomlError| {
-        let place = error.span().unwrap_or(0..0);
-        Faults::new(source, vec![Fault::error(FaultCode::Syntax, place, error.message())])
-    };
-    let mut document: DocumentMut = source.text.parse().map_err(syntax)?;
-    for (key, value) in values {
-        let value: Value = value.parse().map_err(syntax)?;
-        if key.section().is_empty() {
-            set(document.as_table_mut(), false, key.key(), value);
-            continue;
-        }
-        let item = document.entry(key.section()).or_insert_with(toml_edit::table);
-        let inline = item.is_inline_table();
-        let Some(section) = item.as_table_like_mut() else {
-            let message = format!("`{key}` cannot be set here");
-            let fault = Fault::error(FaultCode::Edit, 0..0, message).label("must take a new value");
-            return Err(Faults::new(source, vec![fault.help("write its section with one key a line")]));
         };
         set(section, inline, key.key(), value);
     }
