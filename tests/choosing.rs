@@ -110,7 +110,7 @@ fn a_wish_is_granted_or_refused_with_what_comes_nearest() {
 }
 
 #[test]
-#[ignore = "a few minutes"]
+#[ignore = "half a minute"]
 fn two_hundred_wishes() {
     let held = wished(2, 200);
     assert!(held > 60, "{held} of 200");

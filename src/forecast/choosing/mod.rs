@@ -228,18 +228,29 @@ fn no_tube(base: &Candidate) -> String {
     )
 }
 
-/// The same in round values, if it still keeps what was asked.
+/// Values that are rounded: tube width, inner radius, tip angle, pressure.
+const ROUNDED: u32 = 4;
+
+/// The same in round values, if it still keeps what was asked: the nearest tenths, or, where the best lies on an edge, those of the
+/// tenths around it that take the least fabric.
 fn rounded(found: &Evaluated, constraints: &Constraints, ring: &RingTable) -> Option<Evaluated> {
-    let mut point = found.point.clone();
-    let tenths = |value: f64| (10.0 * value).round() / 10.0;
-    let star = &mut point.star;
-    star.tube_width = Length(tenths(star.tube_width.0));
-    star.inner_radius = Length(tenths(star.inner_radius.0));
-    star.tip_angle = Angle(tenths(star.tip_angle.0));
-    point.load.pressure = point.load.pressure.map(|pressure| Pressure(tenths(pressure.0)));
-    let answer = point.answer(ring).ok()?;
-    let missed = shortfalls(&point, &answer, constraints);
-    missed.is_empty().then_some(Evaluated { point, answer, violation: 0.0 })
+    let to = |whole: &dyn Fn(u32, f64) -> f64| {
+        let mut point = found.point.clone();
+        let tenths = |which: u32, value: f64| whole(which, 10.0 * value) / 10.0;
+        let star = &mut point.star;
+        star.tube_width = Length(tenths(0, star.tube_width.0));
+        star.inner_radius = Length(tenths(1, star.inner_radius.0));
+        star.tip_angle = Angle(tenths(2, star.tip_angle.0));
+        point.load.pressure = point.load.pressure.map(|pressure| Pressure(tenths(3, pressure.0)));
+        let answer = point.answer(ring).ok()?;
+        let missed = shortfalls(&point, &answer, constraints);
+        missed.is_empty().then_some(Evaluated { point, answer, violation: 0.0 })
+    };
+    let around = |up: u32| move |which: u32, x: f64| if up >> which & 1 == 1 { x.ceil() } else { x.floor() };
+    to(&|_, x| x.round()).or_else(|| {
+        let all = (0..1 << ROUNDED).filter_map(|up| to(&around(up)));
+        all.min_by(|a, b| a.fabric().total_cmp(&b.fabric()))
+    })
 }
 
 /// Whether the forces of `choice` were compared with shells, or half of what the model says is counted on.
