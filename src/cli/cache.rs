@@ -79,7 +79,8 @@ fn program() -> io::Result<PathBuf> {
     ELSEWHERE.get().map_or_else(env::current_exe, |file| Ok(file.clone()))
 }
 
-fn hex(bytes: &[u8]) -> String {
+/// Bytes in hexadecimal, two digits each.
+pub(super) fn hex(bytes: &[u8]) -> String {
     bytes.iter().fold(String::new(), |mut hex, byte| {
         let _ = write!(hex, "{byte:02x}");
         hex

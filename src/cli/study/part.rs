@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use crate::cli::cache::hex;
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::study::rows::{Form, Rows};
@@ -148,14 +149,6 @@ pub(super) fn is_sound(path: &Path, ticket: &Ticket) -> io::Result<bool> {
     let _ = io::copy(&mut File::open(path)?, &mut hashed)?;
     let Hashed { hash, bytes, .. } = hashed;
     Ok(bytes == ticket.bytes && hex(&hash.finalize()) == ticket.sha256)
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        // A String takes everything.
-        let _ = std::fmt::Write::write_fmt(&mut text, format_args!("{byte:02x}"));
-        text
-    })
 }
 
 /// A writer that knows the hash of what went through it.
