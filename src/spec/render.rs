@@ -55,10 +55,10 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer) -> String {
     let snippet = Snippet::source(shown)
         .line_start(1 + text[..start].matches('\n').count())
         .path(shown_name(source))
-        .annotation(AnnotationKind::Primary.span(before.len()..marked).label(fault.label.as_str()));
-    let mut group = tone.primary_title(fault.message.as_str()).id(fault.code).element(snippet);
+        .annotation(AnnotationKind::Primary.span(before.len()..marked).label(told(&fault.label)));
+    let mut group = tone.primary_title(told(&fault.message)).id(fault.code).element(snippet);
     if let Some(help) = &fault.help {
-        group = group.element(Tone::HELP.message(help.as_str()));
+        group = group.element(Tone::HELP.message(told(help)));
     }
     renderer.render(&[group])
 }
@@ -84,6 +84,12 @@ fn visible(text: &str) -> String {
     text.chars().map(mark).collect()
 }
 
+/// What is said of a fault, which may repeat what stands in the text: all of that is marked.
+fn told(text: &str) -> String {
+    let mark = |c: char| if misleads(c) && c != '\n' { char::REPLACEMENT_CHARACTER } else { c };
+    text.chars().map(mark).collect()
+}
+
 /// The source's name without what would command a terminal.
 fn shown_name(source: &Source) -> String {
     source.name.chars().map(|c| if misleads(c) { '?' } else { c }).collect()
@@ -102,6 +108,11 @@ mod tests {
             let at = source.text.find('1').expect("a digit");
             let faults = [Fault::error(FaultCode::Name, at..at + 1, "m").label("here")];
             let text = plain(&source, &faults);
+            let repeated = faults.map(|fault| Fault {
+                message: format!("m{c}"),
+                ..fault.label(format!("l{c}")).help(format!("h{c}"))
+            });
+            assert!(!plain(&source, &repeated).contains(|c| misleads(c) && c != '\n'), "{c:?}");
             assert!(!text.contains(|c| misleads(c) && c != '\n'), "{text:?}");
             assert!(c.is_ascii() || text.contains("1 | \u{fffd}é = \u{fffd}1\n  |       ^ here"), "{text}");
         }
