@@ -139,6 +139,27 @@ fn arms_that_meet_press_and_do_not_pass() {
     }
 }
 
+/// A corner's rim of R* = 0.003: its smallest triangles have a millionth of W^2. Finer meshes begin from the coarser shape all the same,
+/// and do not climb from flat, which takes several hundred steps.
+#[test]
+fn a_rim_that_is_sharp_and_not_a_point_is_found() {
+    let (t, e, nu) = (0.484e-3_f64, 128e6, 0.39);
+    let fabric = Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu };
+    let case = FlatStar {
+        tube: Tube { width: 0.0293, fabric, pressure: 18.5e3 },
+        points: 3,
+        inner_radius: 0.0349,
+        tip_angle: 23.2_f64.to_radians(),
+        tip_radius: 0.006,
+        corner_radius: 0.0001,
+    };
+    let fineness = Fineness { cells: 4.0, cuts: 2 };
+    let found = star(&case, Objects::Radii(&[]), fineness, &Watch::default()).expect("an equilibrium");
+    let iterations: u32 = found.evidence.efforts.iter().map(|effort| effort.iterations).sum();
+    assert!(iterations < 200, "{iterations}");
+    assert!((0.015..0.025).contains(&found.final_radius.value), "{:?}", found.final_radius);
+}
+
 #[test]
 fn what_no_shell_describes_is_refused_in_words() {
     let run = |case: &VActuator| actuator(case, &[], Fineness { cells: 3.0, cuts: 2 }, &Watch::default());

@@ -60,6 +60,8 @@ const MOST_ITERATIONS: u32 = 80;
 const MOST_HALVINGS: u32 = 12;
 /// Part of the energy's promised fall that must come.
 const ARMIJO: f64 = 1e-4;
+/// Largest shift over the least one: the smallest triangles at a sharp rim have a millionth of W^2, and are as stiff as any.
+const MOST_SHIFT: f64 = 1e14;
 /// Rounding of a sum of energies, relative to its largest part.
 const ROUNDING: f64 = 1e-14;
 
@@ -234,7 +236,8 @@ impl Solver {
         }
         while !self.compute(self.shift) {
             self.shift = (4.0 * self.shift).max(least);
-            if self.shift > 1e9 * least {
+            if self.shift > MOST_SHIFT * least {
+                self.shift = 0.0;
                 return Err(Stop::Shift);
             }
         }
