@@ -121,6 +121,8 @@ quantities! {
     Acceleration("acceleration"): "mm/s^2" = 1.0, "m/s^2" = 1000.0;
     /// A force per length (the strength of a seal); the field is N/mm.
     LineForce("force per length"): "N/mm" = 1.0, "N/m" = 1e-3, "N/cm" = 0.1, "N/15mm" = 1.0 / 15.0, "N/25mm" = 1.0 / 25.0;
+    /// A bending stiffness: moment by length over curvature; the field is N mm.
+    BendingStiffness("bending stiffness"): "N mm" = 1.0, "N m" = 1e3, "mN m" = 1.0, "uN m" = 1e-3;
     /// A mass; the field is kg.
     Mass("mass"): "kg" = 1.0, "g" = 1e-3, "lb" = 0.453_592_37, "oz" = 0.028_349_523_125;
     /// A force; the field is N.
@@ -166,6 +168,18 @@ impl LineForce {
     /// A force per length given in N/m.
     pub fn from_newtons_per_metre(newtons: f64) -> Self {
         Self(newtons * 1e-3)
+    }
+}
+
+impl BendingStiffness {
+    /// The stiffness in N m.
+    pub fn newton_metres(self) -> f64 {
+        self.0 * 1e-3
+    }
+
+    /// A stiffness given in N m.
+    pub fn from_newton_metres(newton_metres: f64) -> Self {
+        Self(newton_metres * 1e3)
     }
 }
 

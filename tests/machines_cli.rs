@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::process::Output;
 
+use serde_json::Value;
 use support::program::{run, stderr, stdout, workshop};
 use tempfile::TempDir;
 
@@ -49,6 +50,10 @@ fn done(dir: &Path, args: &[&str]) -> String {
     assert_eq!(output.status.code(), Some(0), "{args:?}\n{}\n{}", stdout(&output), stderr(&output));
     assert_eq!(stderr(&output), "", "{args:?}");
     stdout(&output)
+}
+
+fn json_of(text: &str) -> Value {
+    serde_json::from_str(text).expect("one object")
 }
 
 /// Runs what must fail with `code`, say nothing on standard output and all of `words` on standard error.
@@ -488,6 +493,54 @@ fn calibrate_names_the_line_it_cannot_read() {
     ] {
         let _ = fails(dir.path(), &[&["calibrate", "results.csv"][..], args].concat(), 2, &[words]);
     }
+}
+
+/// The tip of the paper's star, whose V-actuator has W 30 mm: what `actuator` says of a fabric is what `calibrate` makes of it.
+#[test]
+fn calibrate_finds_the_fabric_that_the_bench_shows() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
+    let spec = support::PAPER.to_owned() + "[load]\npressure = \"20 kPa\"\n";
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let asked = "actuator --model section --json --tube-width 30mm --radius 1mm --angle 60deg --arm-length 120mm --pressure 12kPa";
+    let predicted = json_of(&done(dir.path(), &asked.split(' ').collect::<Vec<_>>()));
+    let angle = predicted["angle_deg"].as_f64().expect("a number").to_string();
+    let bench = ["--flat-angle", "60", "--inflated-angle", &angle, "--angle-pressure", "12 kPa"];
+    let call = [&["calibrate", "results.csv", "--spec", "spec.toml"][..], &bench].concat();
+    let said = done(dir.path(), &call);
+    // B of 0.3 mm at 128 MPa is 0.340 N mm.
+    assert!(said.contains("[fabric]\n# of the V-actuator at 12 kPa; a degree less or more"), "{said}");
+    assert!(
+        said.contains("\nbending_stiffness = \"0.340 N mm\"\n") && said.contains("seal_strength"),
+        "{said}"
+    );
+    assert_eq!(said.matches("[fabric]").count(), 1, "{said}");
+    let disc = ["--disc-width", "77.2 mm", "--disc-pressure", "10 kPa", "--json"];
+    let both = json_of(&done(dir.path(), &[&call[..], &disc].concat()));
+    let stretch = both["fabric"]["stretch_stiffness_N_mm"].as_f64().expect("a number");
+    assert!((5.0..100.0).contains(&stretch), "{both}");
+    // What the bench tells does not hang on the strips.
+    fs::write(dir.path().join("results.csv"), HEAD).expect("written");
+    let thin = run(dir.path(), &call);
+    assert_eq!(thin.status.code(), Some(1));
+    assert!(stdout(&thin).contains("\nbending_stiffness = \"0.340 N mm\"\n"), "{}", stdout(&thin));
+}
+
+#[test]
+fn calibrate_refuses_what_no_bench_shows() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
+    let spec = support::PAPER.to_owned() + "[load]\npressure = \"20 kPa\"\n";
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let refused = |args: &[&str], code: i32, words: &[&str]| {
+        let call = [&["calibrate", "results.csv", "--spec", "spec.toml"][..], args].concat();
+        let _ = fails(dir.path(), &call, code, words);
+    };
+    refused(&["--flat-angle", "30", "--inflated-angle", "31"], 1, &["at most the flat one, 30 deg"]);
+    let wide = ["--flat-angle", "60", "--inflated-angle", "59", "--angle-pressure", "20 kPa"];
+    refused(&wide, 1, &["--inflated-angle", "is no fabric's", "closes to between"]);
+    refused(&["--angle-pressure", "20 kPa"], 2, &["--inflated-angle"]);
+    refused(&["--disc-width", "78 mm"], 2, &["--disc-pressure"]);
+    refused(&["--disc-width", "60 mm", "--disc-pressure", "10 kPa"], 1, &["0.600 of the flat one"]);
+    refused(&["--disc-width", "100 mm", "--disc-pressure", "10 kPa"], 2, &["less than 100 mm"]);
 }
 
 #[test]

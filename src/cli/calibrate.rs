@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
+use crate::cli::bench::{Bench, Coiling, Stiffnesses};
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
@@ -14,8 +15,6 @@ use crate::coupon::{Calibration, Row, calibrate, listing, read_rows, settings, s
 use crate::design::Design;
 use crate::forecast::case::Case;
 use crate::forecast::seal_load::seal_loads;
-use crate::mechanics::hinge::HingeModel;
-use crate::mechanics::hinge::ring::Ring;
 use crate::spec::{Allowed, Source};
 use crate::units::LineForce;
 
@@ -36,15 +35,8 @@ pub(super) struct Args {
     /// How many times that the seal should hold, 1 to 100.
     #[arg(long, default_value_t = 1.5, value_parser = number(Allowed::closed(1.0, 100.0)))]
     margin: f64,
-    /// The V-actuator's angle between its arms, flat, deg.
-    #[arg(long, requires = "inflated_angle", value_parser = number(Allowed::between(0.0, 180.0)))]
-    flat_angle: Option<f64>,
-    /// The same, inflated and free, deg.
-    #[arg(long, requires = "flat_angle", allow_hyphen_values = true, value_parser = number(Allowed::between(-180.0, 180.0)))]
-    inflated_angle: Option<f64>,
-    /// The V-actuator's R / W as the band makes it.
-    #[arg(long, default_value_t = 1.0 / 30.0, value_parser = number(Allowed::above(0.0, 1e3)))]
-    radius_ratio: f64,
+    #[command(flatten)]
+    bench: Bench,
     #[command(flatten)]
     voice: Voice,
 }
@@ -54,8 +46,26 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let source = Source::new(args.results.display().to_string(), read_table(&args.results)?);
     let settings = settings(&read_rows(&source)?);
     // What the V-actuator tells does not hang on the strips.
-    let coiling = coiling(args)?;
+    let coiling = args.bench.coiling()?;
+    let fabric = match &args.spec {
+        Some(path) => args.bench.stiffnesses(path, args.voice)?,
+        None => Stiffnesses::default(),
+    };
     args.voice.remark(&coiling.as_ref().map_or_else(String::new, Coiling::text))?;
+    let chosen = choose(args, &settings, coiling.as_ref(), &fabric);
+    if chosen.is_err() {
+        args.voice.remark(&fabric.section())?;
+    }
+    chosen
+}
+
+/// Chooses a setting, and says it with what the bench told.
+fn choose(
+    args: &Args,
+    settings: &[Calibration],
+    coiling: Option<&Coiling>,
+    fabric: &Stiffnesses,
+) -> Result<(), Failure> {
     let refused = |fault| Failure::Message(format!("{}: {fault}", shown(&args.results)));
     let need = match (args.needed, &args.spec) {
         (Some(needed), _) => Some((needed.0, String::new())),
@@ -68,20 +78,23 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             "margin": args.margin,
             "settings": settings.iter().map(setting).collect::<Vec<_>>(),
             "chosen": chosen.map(setting),
-            "coiling": coiling.as_ref().map(Coiling::json),
+            "coiling": coiling.map(Coiling::json),
+            "fabric": fabric.json(),
         })
     };
     let Some((needed, why)) = &need else {
-        let _ = steady(&settings).map_err(refused)?;
-        args.voice.report(&listing(&settings), &json(None))?;
+        let _ = steady(settings).map_err(refused)?;
+        args.voice.report(&listing(settings), &json(None))?;
         return Err(Failure::Message(
             "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
                 .to_owned(),
         ));
     };
-    let chosen = calibrate(&settings, *needed, args.margin).map_err(refused)?;
-    let all = if args.voice.verbose { listing(&settings) } else { String::new() };
-    args.voice.report(&format!("{all}{why}{}", chosen.toml()), &json(Some(&chosen)))
+    let chosen = calibrate(settings, *needed, args.margin).map_err(refused)?;
+    // One [fabric] in all, so that the lines can be copied as they are.
+    let chosen_toml = chosen.toml().replacen("[fabric]\n", &format!("[fabric]\n{}", fabric.toml()), 1);
+    let all = if args.voice.verbose { listing(settings) } else { String::new() };
+    args.voice.report(&format!("{all}{why}{chosen_toml}"), &json(Some(&chosen)))
 }
 
 /// A setting for programs.
@@ -121,34 +134,4 @@ fn need_of(path: &Path, voice: Voice) -> Result<(f64, String), Failure> {
     }
     let (force, place) = largest;
     Ok((force, format!("# at {pressure} the seal has to hold {force:.3} N/mm at the {place}\n")))
-}
-
-/// What the V-actuator's angles tell.
-struct Coiling {
-    measured: f64,
-    predicted: f64,
-}
-
-impl Coiling {
-    /// As comments of a spec.
-    fn text(&self) -> String {
-        let Self { measured, predicted } = self;
-        let off = 100.0 * (measured / predicted - 1.0);
-        format!(
-            "# lambda measured: {measured:.3}\n# lambda predicted (ring): {predicted:.3}; measured is {off:+.1} %\n"
-        )
-    }
-
-    fn json(&self) -> Value {
-        json!({ "measured": self.measured, "predicted": self.predicted, "model": "ring" })
-    }
-}
-
-/// What was measured at the V-actuator, and what the exact ring says; `None` if nothing was.
-fn coiling(args: &Args) -> Result<Option<Coiling>, Failure> {
-    let Some((flat, inflated)) = args.flat_angle.zip(args.inflated_angle) else { return Ok(None) };
-    let state = Ring
-        .target(args.radius_ratio)
-        .map_err(|fault| Failure::Message(format!("--radius-ratio: {fault}")))?;
-    Ok(Some(Coiling { measured: (180.0 - inflated) / (180.0 - flat), predicted: state.lambda }))
 }

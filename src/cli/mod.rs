@@ -5,6 +5,7 @@
 
 mod actuator;
 mod again;
+mod bench;
 mod build;
 mod cache;
 mod calibrate;

@@ -49,6 +49,8 @@ struct Piece {
     label: Option<Point>,
 }
 
+/// Flat diameter of the disc between its bands, mm.
+pub const DISC: f64 = 100.0;
 /// Height of a number, mm.
 const LABEL: f64 = 5.0;
 
@@ -81,7 +83,7 @@ pub fn coupons(spec: &Spec, machine: &Machine, grid: &Grid) -> Result<Vec<Coupon
         let label = Some(path.bounds().min.lerp(path.bounds().max, 0.4));
         Piece { number, path, height: contact, label }
     };
-    out.push(coupon(spec, machine, "disc", &[place(1, disc(100.0, band), 0.0, 0.0)])?);
+    out.push(coupon(spec, machine, "disc", &[place(1, disc(DISC, band), 0.0, 0.0)])?);
     if let Some(star) = spec.stars.first() {
         // There is one of it, and a number might fall onto its band.
         let seam = Piece { label: None, ..place(1, vee(star, band), 0.0, 0.0) };

@@ -5,7 +5,7 @@ use crate::mechanics::fault::StarFault;
 use crate::mechanics::star::{Correction, Mechanism};
 use crate::mechanics::strength::ElasticSheet;
 use crate::spec::{Fabric, Load, Seal, Spec};
-use crate::units::{Length, LineForce, Pressure};
+use crate::units::{BendingStiffness, Length, LineForce, Pressure};
 use serde::Serialize;
 
 /// One value for the tips, one for the reentrant corners.
@@ -47,12 +47,11 @@ impl Case {
         let band = seal.band.0;
         let realised = [star.realised_tip(band), star.realised_corner(band)];
         let [tip, corner] = realised.map(|hinge| Length(hinge.radius).metres());
-        let thickness = fabric.thickness.metres();
         Ok(Self {
             mechanism: mechanism(star),
             inner_radius: Length(star.rho_0).metres(),
             realised: Hinges { tip, corner },
-            sheet: ElasticSheet::new(thickness, fabric.young_modulus.pascals(), fabric.poisson_ratio)?,
+            sheet: sheet(fabric)?,
             peel: fabric.seal_strength.map(LineForce::newtons_per_metre),
             pressure: load.and_then(|load| load.pressure).map(Pressure::pascals),
             object: load.and_then(|load| load.object_radius).map(Length::metres),
@@ -71,6 +70,32 @@ impl Case {
     /// Pressure from which the hinges are fully coiled, Pa.
     pub fn operating_pressure(&self) -> f64 {
         self.sheet.operating_pressure(self.mechanism.width)
+    }
+}
+
+/// The sheet of `fabric`: what was measured counts more than what follows from E, t and nu.
+///
+/// # Errors
+/// If a property is out of its range; a spec's never is.
+pub fn sheet(fabric: &Fabric) -> Result<ElasticSheet, StarFault> {
+    let (thickness, poisson) = (fabric.thickness.metres(), fabric.poisson_ratio);
+    let even = ElasticSheet::new(thickness, fabric.young_modulus.pascals(), poisson)?;
+    let (bending, stretch) = (fabric.bending_stiffness, fabric.stretch_stiffness);
+    if bending.is_none() && stretch.is_none() {
+        return Ok(even);
+    }
+    let bending = bending.map_or(even.bending_modulus(), BendingStiffness::newton_metres);
+    let stretch = stretch.map_or(even.stretching_modulus(), LineForce::newtons_per_metre);
+    ElasticSheet::of_stiffnesses(bending, stretch, poisson)
+}
+
+/// Which stiffnesses of `fabric` were measured, in words.
+pub fn measured(fabric: &Fabric) -> Option<&'static str> {
+    match (fabric.bending_stiffness, fabric.stretch_stiffness) {
+        (None, None) => None,
+        (Some(_), None) => Some("bending_stiffness as measured, the rest from young_modulus and thickness"),
+        (None, Some(_)) => Some("stretch_stiffness as measured, the rest from young_modulus and thickness"),
+        (Some(_), Some(_)) => Some("bending_stiffness and stretch_stiffness as measured"),
     }
 }
 

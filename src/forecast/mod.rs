@@ -19,6 +19,7 @@
 //! | [`arms`] | what arms add to a hinge: ladders of shells, and the table made of them |
 //! | [`stars`] | stars as shells, by which predictions without shells are judged |
 //! | [`candidate`], [`mod@study`], [`optimize`] | the same answer for one design among millions |
+//! | [`stiffness`] | from bench tests to what a spec says of its fabric |
 //! | [`choosing`] | from an object to a spec |
 //! | [`trade`] | what each model costs, and how far it is off |
 
@@ -43,6 +44,7 @@ pub mod shell_prediction;
 pub mod shut;
 pub mod star_by_shell;
 pub mod stars;
+pub mod stiffness;
 pub mod study;
 pub mod trade;
 pub mod verdict;

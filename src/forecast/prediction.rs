@@ -179,6 +179,9 @@ impl Prediction {
 pub struct Evidence {
     /// Why this model.
     pub choice: String,
+    /// What of the fabric was measured, if anything.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fabric: Option<&'static str>,
     /// Largest residual of the model's equations.
     pub residual: f64,
     /// Newton steps.

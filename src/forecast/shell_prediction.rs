@@ -101,6 +101,9 @@ pub struct Place {
 /// The evidence for a shell's answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShellEvidence {
+    /// What of the fabric was measured, if anything.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fabric: Option<&'static str>,
     /// Residual of the finest mesh by p W^2.
     pub residual: f64,
     /// Newton steps on all meshes.

@@ -3,7 +3,7 @@
 
 use crate::design::{Design, StarDesign};
 use crate::forecast::by_shell::{Detail, SHELL, fabric};
-use crate::forecast::case::Case;
+use crate::forecast::case::{Case, measured};
 use crate::forecast::predict::PredictFault;
 use crate::forecast::prediction::{ForceAt, Hinges};
 use crate::forecast::ranges::StarRanges;
@@ -199,6 +199,7 @@ impl Answered<'_> {
             payload_kg: case.friction.zip(on_object).map(|(mu, force)| payload(mu, [force.value])),
             ranges: StarRanges::default(),
             evidence: ShellEvidence {
+                fabric: measured(&spec.fabric),
                 residual: found.evidence.residual,
                 iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
                 unknowns: found.evidence.unknowns.clone(),

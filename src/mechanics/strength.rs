@@ -4,6 +4,9 @@ use crate::mechanics::fault::StarFault;
 use std::f64::consts::FRAC_1_PI;
 
 /// The fabric of one sheet, in SI units.
+///
+/// The mechanics know it by `B`, `Y` and nu alone. Where B and Y were measured, thickness and modulus are those of an even sheet that has
+/// both ([`ElasticSheet::of_stiffnesses`]).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ElasticSheet {
     /// Thickness t, m, above 0.
@@ -35,6 +38,16 @@ impl ElasticSheet {
         need(young_modulus > 0.0 && young_modulus.is_finite(), "E", young_modulus, "above 0")?;
         need(poisson_ratio > -1.0 && poisson_ratio <= 0.5, "nu", poisson_ratio, "above -1, up to 0.5")?;
         Ok(Self { thickness, young_modulus, poisson_ratio })
+    }
+
+    /// The even sheet of bending stiffness `bending` (B, N m) and stretch stiffness `stretch` (Y, N per m): its thickness is
+    /// `sqrt(12 (1 - nu^2) B / Y)`.
+    ///
+    /// # Errors
+    /// If a property is out of its range.
+    pub fn of_stiffnesses(bending: f64, stretch: f64, poisson_ratio: f64) -> Result<Self, StarFault> {
+        let thickness = (12.0 * (1.0 - poisson_ratio.powi(2)) * bending / stretch).sqrt();
+        Self::new(thickness, stretch / thickness, poisson_ratio)
     }
 
     /// Stretching modulus `Y = E t`, N per m.
@@ -86,6 +99,10 @@ mod tests {
     fn moduli_of_the_papers_fabric() {
         assert!((paper_sheet().bending_modulus() - 3.40e-4).abs() < 1e-6);
         assert_eq!(paper_sheet().stretching_modulus(), 38_400.0);
+        let measured = ElasticSheet::of_stiffnesses(3.4e-4, 38_400.0, 0.39).expect("valid");
+        assert!((measured.bending_modulus() / 3.4e-4 - 1.0).abs() < 1e-12);
+        assert!((measured.stretching_modulus() / 38_400.0 - 1.0).abs() < 1e-12);
+        assert!((measured.thickness / 0.3e-3 - 1.0).abs() < 1e-3);
         // 37 kPa in a tube of 30 mm: bendability 2,900, stretch 3 %.
         assert!((paper_sheet().bendability(37e3, 0.03) / 2940.0 - 1.0).abs() < 0.01);
         assert!((paper_sheet().operating_pressure(0.03) / 12.6e3 - 1.0).abs() < 0.01);

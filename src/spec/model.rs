@@ -1,7 +1,8 @@
 //! The spec itself: one struct a section, every field complete and in range.
 
 use crate::units::{
-    Angle, ArealDensity, Force, Length, LineForce, Mass, Percent, Pressure, Speed, Temperature,
+    Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Percent, Pressure, Speed,
+    Temperature,
 };
 
 /// A complete and valid specification of a gripper.
@@ -46,6 +47,10 @@ pub struct Fabric {
     pub seal_strength: Option<LineForce>,
     /// Mass of one sheet per area.
     pub areal_density: Option<ArealDensity>,
+    /// Measured bending stiffness B of one sheet, in place of E t^3 / [12 (1 - nu^2)].
+    pub bending_stiffness: Option<BendingStiffness>,
+    /// Measured stretch stiffness Y of one sheet, in place of E t.
+    pub stretch_stiffness: Option<LineForce>,
 }
 
 /// One star, flat.

@@ -35,7 +35,8 @@ pub struct Reading {
 /// and fillet 0 to 100 m; `points` and `posts` 3 to 64; `count` 1 to 64; `tip` and `inlet_tip` 1 to the star's points;
 /// `tip_angle` between 0 and 180 deg, both excluded; `rotation` up to 3600 deg either way; `temperature` above 0 C and
 /// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
-/// above -1, to 0.5; `seal_strength` 1e-6 to 1e4 N/mm; `areal_density` 1e-6 to 1e4 kg/m^2; `pressure` 1 Pa to 1 GPa;
+/// above -1, to 0.5; `seal_strength` 1e-6 to 1e4 N/mm; `areal_density` 1e-6 to 1e4 kg/m^2; `bending_stiffness`
+/// 1e-9 to 1e9 N mm; `stretch_stiffness` 1e-6 to 1e9 N/mm; `pressure` 1 Pa to 1 GPa;
 /// `friction` above 0, to 10; `path` 0.0001 to 1 mm; `response` above 0, to 100 %; `name` as [`check_name`] says.
 ///
 /// # Errors
@@ -133,6 +134,8 @@ pub(super) fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
         poisson_ratio: s.number("poisson_ratio", Allowed::above(-1.0, 0.5)).unwrap_or(0.39),
         seal_strength: s.quantity("seal_strength", Allowed::closed(1e-6, 1e4)),
         areal_density: s.quantity("areal_density", Allowed::closed(1e-6, 1e4)),
+        bending_stiffness: s.quantity("bending_stiffness", Allowed::closed(1e-9, 1e9)),
+        stretch_stiffness: s.quantity("stretch_stiffness", Allowed::closed(1e-6, 1e9)),
     }
 }
 

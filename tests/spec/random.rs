@@ -3,7 +3,8 @@
 use proptest::prelude::*;
 use stargrip_cam::spec::{Load, Source, Spec, read, read_machine, starter};
 use stargrip_cam::units::{
-    Angle, ArealDensity, Force, Length, LineForce, Mass, Percent, Pressure, Quantity, Speed, Temperature,
+    Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Percent, Pressure, Quantity,
+    Speed, Temperature,
 };
 
 use crate::{SHORTEST, spec, try_read};
@@ -49,6 +50,12 @@ const KEYS: &[Key] = &[
     }),
     key("fabric", "areal_density", ArealDensity::UNITS, (1e-6, 1e4), |s, x| {
         s.fabric.areal_density = Some(ArealDensity(x));
+    }),
+    key("fabric", "bending_stiffness", BendingStiffness::UNITS, (1e-9, 1e9), |s, x| {
+        s.fabric.bending_stiffness = Some(BendingStiffness(x));
+    }),
+    key("fabric", "stretch_stiffness", LineForce::UNITS, (1e-6, 1e9), |s, x| {
+        s.fabric.stretch_stiffness = Some(LineForce(x));
     }),
     key("star", "tip_radius", LENGTH, EXTRA, |s, x| s.stars[0].tip_radius = Length(x)),
     key("star", "corner_radius", LENGTH, EXTRA, |s, x| s.stars[0].corner_radius = Length(x)),

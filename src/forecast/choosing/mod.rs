@@ -10,6 +10,7 @@ pub use self::nearest::{Miss, Nearest, choose};
 pub use self::text::spec_text;
 
 use crate::forecast::candidate::Candidate;
+use crate::forecast::case::sheet;
 use crate::forecast::optimize::{
     Bounds, Constraints, Effort, Evaluated, Found, Goal, Search, Short, UNTRIED, shortfalls,
 };
@@ -159,7 +160,8 @@ impl Wish {
 
     /// The box of what was tried; `None` if no tube of this fabric lies in it.
     fn bounds(&self, base: &Candidate) -> Option<Bounds> {
-        let (thickness, poisson) = (base.fabric.thickness.0, base.fabric.poisson_ratio);
+        let sheet = sheet(&base.fabric).ok()?;
+        let (thickness, poisson) = (Length::from_metres(sheet.thickness).0, sheet.poisson_ratio);
         let slender = (12.0 * (1.0 - poisson * poisson)).sqrt();
         let [thin, _, thick] = arms::TAUS.map(|tau| thickness / (slender * tau));
         // What is on the last digit's edge is left to what is clearly inside; t/W beyond 0.03 is no thin tube any more.

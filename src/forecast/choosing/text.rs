@@ -1,5 +1,6 @@
 //! A chosen gripper as a spec, each value with the reason why it is what it is.
 
+use crate::forecast::case::sheet;
 use crate::forecast::choosing::{Choice, MARGIN, counted_on, is_compared};
 use crate::forecast::optimize::sure_payload;
 use crate::forecast::ranges::{Interval, mm, shown};
@@ -77,6 +78,12 @@ impl Lines {
         if let Some(density) = fabric.areal_density {
             self.quantity("areal_density", density, "of one sheet");
         }
+        if let Some(stiffness) = fabric.bending_stiffness {
+            self.quantity("bending_stiffness", stiffness, "measured");
+        }
+        if let Some(stiffness) = fabric.stretch_stiffness {
+            self.quantity("stretch_stiffness", stiffness, "measured");
+        }
         self.text.push('\n');
     }
 
@@ -101,7 +108,9 @@ impl Lines {
                 choice.wish.object
             ),
         );
-        let slender = choice.best.point.fabric.thickness.0 / star.tube_width.0;
+        let fabric = &choice.best.point.fabric;
+        let thickness = sheet(fabric).map_or(fabric.thickness, |sheet| Length::from_metres(sheet.thickness));
+        let slender = thickness.0 / star.tube_width.0;
         self.quantity(
             "tube_width",
             star.tube_width,

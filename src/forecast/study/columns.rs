@@ -60,7 +60,7 @@ fn of_field(field: &Field) -> Column {
 
 /// A unit as the end of a column's name.
 fn suffix(unit: &str) -> String {
-    format!("_{}", unit.replace('/', "_per_").replace('^', "").replace('%', "percent"))
+    format!("_{}", unit.replace('/', "_per_").replace(' ', "_").replace('^', "").replace('%', "percent"))
 }
 
 #[cfg(test)]
@@ -73,6 +73,7 @@ mod tests {
         assert_eq!(name("star.tube_width"), "star.tube_width_mm");
         assert_eq!(name("fabric.seal_strength"), "fabric.seal_strength_N_per_mm");
         assert_eq!(name("fabric.areal_density"), "fabric.areal_density_kg_per_m2");
+        assert_eq!(name("fabric.bending_stiffness"), "fabric.bending_stiffness_N_mm");
         assert_eq!(name("accuracy.response"), "accuracy.response_percent");
         assert_eq!(name("load.friction"), "load.friction");
         let kind = |key: &str| of_field(&Field::of(key).expect("a key")).kind;

@@ -13,7 +13,8 @@ use crate::spec::shape::Shape;
 use crate::spec::unknown::nearest;
 use crate::spec::value::{RawKind, RawNumber, RawValue};
 use crate::units::{
-    Angle, ArealDensity, Force, Length, LineForce, Mass, Percent, Pressure, Quantity, Speed, Temperature,
+    Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Percent, Pressure, Quantity,
+    Speed, Temperature,
 };
 
 /// A key of the spec that a study sets.
@@ -181,6 +182,7 @@ fn quantity(section: &mut Section<'_, '_>, key: &'static str, kind: &str, allowe
         taker::<Mass>(),
         taker::<Force>(),
         taker::<ArealDensity>(),
+        taker::<BendingStiffness>(),
         taker::<Percent>(),
     ];
     takers.iter().find(|(known, _)| *known == kind).and_then(|(_, take)| take(section, key, allowed))

@@ -22,7 +22,7 @@ pub const PRESSURES: usize = 6;
 /// Least 1/eps.
 pub const LEAST_BENDABILITY: f64 = 100.0;
 /// Largest 1/eps.
-const MOST_BENDABILITY: f64 = 1e4;
+pub const MOST_BENDABILITY: f64 = 1e4;
 /// Largest p W / Y.
 const MOST_STRETCH: f64 = 0.1;
 /// What is added to R* before its logarithm is taken.

@@ -42,6 +42,8 @@ pub(super) struct Point {
 pub(super) struct Mesh {
     /// R*; at 0 the inner rim is a point on the axis.
     pub(super) r_star: f64,
+    /// Whether that point is none of a seal, but the middle of a disc, which rises.
+    pub(super) is_disc: bool,
     /// Places of the nodes, rising from 0 to 1.
     pub(super) nodes: Vec<f64>,
     /// Gauss points of each element.
@@ -60,7 +62,12 @@ impl Mesh {
         let rule = gauss_legendre::<POINTS>();
         let elements = nodes.windows(2).map(|ends| rule.map(|at| point(r_star, [ends[0], ends[1]], at)));
         let elements = elements.collect();
-        Self { r_star, nodes, elements }
+        Self { r_star, is_disc: false, nodes, elements }
+    }
+
+    /// A disc's radius, of length 1, from its middle.
+    pub(super) fn disc(count: usize) -> Self {
+        Self { is_disc: true, ..Self::new(0.0, count) }
     }
 
     /// Number of unknowns: Q, Q', z, z' at each node.
@@ -68,11 +75,13 @@ impl Mesh {
         4 * self.nodes.len()
     }
 
-    /// Unknowns that are 0: z at both rims; at a point on the axis also Q and the slope.
+    /// Unknowns that are 0: z at both rims, but not in the middle of a disc; at a point on the axis also Q and the slope.
     pub(super) fn pinned(&self) -> impl Iterator<Item = usize> {
         let apex = self.r_star == 0.0;
         let outer = self.unknowns() - 2;
-        [Some(2), Some(outer), apex.then_some(0), apex.then_some(3)].into_iter().flatten()
+        [(!self.is_disc).then_some(2), Some(outer), apex.then_some(0), apex.then_some(3)]
+            .into_iter()
+            .flatten()
     }
 }
 

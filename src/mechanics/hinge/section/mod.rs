@@ -125,6 +125,20 @@ impl Section {
         lambdas.iter().map(at).collect()
     }
 
+    /// Inflated width over the flat one, and thickness over the flat width, of a **disc** sealed around its rim whose flat radius is W.
+    ///
+    /// A disc wrinkles at its rim, so it is one for [`Section::slack`]. Without stretch and bending it is the balloon of W. H. Paulsen,
+    /// "What Is the Shape of a Mylar Balloon?" (1994).
+    ///
+    /// # Errors
+    /// If no shape is found.
+    pub fn disc(&self) -> Result<[f64; 2], HingeFault> {
+        let mut search = Search::new(self.scales, Mesh::disc(self.elements));
+        search.rest_at(1.0).map_err(|lost| unsolved(0.0, lost))?;
+        let shape = &search.shape;
+        Ok([shape[shape.len() - 4], shape[2]])
+    }
+
     /// What arms add to the hinge; `None` outside of their table.
     pub fn arms(&self, r_star: f64) -> Option<Arms> {
         let Scales { bendability, stiffness, .. } = self.scales;

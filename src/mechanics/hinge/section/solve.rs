@@ -105,6 +105,18 @@ impl Search {
         Err(self.lost())
     }
 
+    /// Goes from the beginning to the shape at `lambda`.
+    pub(super) fn rest_at(&mut self, lambda: f64) -> Result<(), Lost> {
+        for angle in STARTS {
+            self.lambda = lambda;
+            self.shape = arc(&self.mesh, lambda, angle);
+            if self.minimise(false).is_ok() {
+                return Ok(());
+            }
+        }
+        Err(self.lost())
+    }
+
     /// Follows the branch of equilibria from the last one to `lambda`.
     pub(super) fn hold(&mut self, lambda: f64) -> Result<(), Lost> {
         let mut most = MOST_TURN;

@@ -110,6 +110,17 @@ fn the_tension_field_tends_to_the_ring() {
     }
 }
 
+/// W. H. Paulsen, "What Is the Shape of a Mylar Balloon?" (1994): of flat radius 1 it is 1/I wide, I = int_0^1 dx / sqrt(1 - x^4), and
+/// its thickness over its flat width is int_0^1 x^2 dx / sqrt(1 - x^4) / I.
+#[test]
+fn a_slack_disc_is_the_mylar_balloon() {
+    let [width, thickness] = section(1e6, 1e6, 0.0, 96).slack().disc().expect("found");
+    assert!((width - 0.762_76).abs() < 2e-4, "{width}");
+    assert!((thickness - 0.456_95).abs() < 2e-4, "{thickness}");
+    let [stiff, flat] = section(100.0, 1e3, 0.0, 96).slack().disc().expect("found");
+    assert!(stiff > width + 0.01 && flat < thickness, "bending keeps it wide: {stiff} {flat}");
+}
+
 #[test]
 fn slope_and_curvature_are_those_of_one_branch() {
     for (bendability, thickness, r_star) in [(330.0, 0.015, 0.0), (2e3, 0.01, 0.1), (50.0, 0.02, 1.0)] {

@@ -1,0 +1,192 @@
+//! What `calibrate` is told of a V-actuator and of a disc on the bench, and what they tell.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::cli::failure::Failure;
+use crate::cli::harmless::shown;
+use crate::cli::load::Loaded;
+use crate::cli::quantity::{number, quantity};
+use crate::cli::voice::Voice;
+use crate::coupon::DISC;
+use crate::forecast::case::sheet;
+use crate::forecast::stiffness::{BenchFault, DiscBench, VBench};
+use crate::mechanics::hinge::ring::Ring;
+use crate::mechanics::hinge::{Hinge, HingeModel};
+use crate::spec::Allowed;
+use crate::units::{BendingStiffness, Length, LineForce, Pressure};
+
+/// Pressures of a bench, kPa: as those of a spec.
+const PRESSURE: Allowed = Allowed::closed(1e-3, 1e6);
+/// By how much a measured angle may be off, deg, and a measured width, m: what is said beside the stiffnesses.
+const OFF_ANGLE: f64 = 1.0;
+const OFF_WIDTH: f64 = 0.2e-3;
+
+/// Arguments about the bench.
+#[derive(clap::Args, Debug)]
+pub(super) struct Bench {
+    /// The V-actuator's angle between its arms, flat, deg.
+    #[arg(long, requires = "inflated_angle", value_parser = number(Allowed::between(0.0, 180.0)))]
+    flat_angle: Option<f64>,
+    /// The same, inflated and free, deg; not above the flat one.
+    #[arg(long, requires = "flat_angle", allow_hyphen_values = true, value_parser = number(Allowed::between(-180.0, 180.0)))]
+    inflated_angle: Option<f64>,
+    /// The V-actuator's pressure, such as "30 kPa": with it and --spec the fabric's bending_stiffness is found.
+    #[arg(long, value_name = "PRESSURE", requires_all = ["inflated_angle", "spec"], value_parser = quantity::<Pressure>(PRESSURE))]
+    angle_pressure: Option<Pressure>,
+    /// The disc's width between its bands, inflated, such as "78.2 mm".
+    #[arg(long, value_name = "LENGTH", requires_all = ["disc_pressure", "spec"], value_parser = quantity::<Length>(Allowed::between(0.0, DISC)))]
+    disc_width: Option<Length>,
+    /// The disc's pressure: with it, its width and --spec the fabric's stretch_stiffness is found.
+    #[arg(long, value_name = "PRESSURE", requires = "disc_width", value_parser = quantity::<Pressure>(PRESSURE))]
+    disc_pressure: Option<Pressure>,
+    /// The V-actuator's R / W as the band makes it.
+    #[arg(long, default_value_t = 1.0 / 30.0, value_parser = number(Allowed::above(0.0, 1e3)))]
+    radius_ratio: f64,
+}
+
+impl Bench {
+    /// What was measured at the V-actuator, and what the exact ring says; `None` if nothing was.
+    pub(super) fn coiling(&self) -> Result<Option<Coiling>, Failure> {
+        let Some((flat, inflated)) = self.flat_angle.zip(self.inflated_angle) else { return Ok(None) };
+        if inflated > flat {
+            return Err(Failure::Message(format!(
+                "--inflated-angle is {inflated} deg; must be: at most the flat one, {flat} deg, because a hinge closes; were the two \
+                 exchanged?"
+            )));
+        }
+        let state = Ring
+            .target(self.radius_ratio)
+            .map_err(|fault| Failure::Message(format!("--radius-ratio: {fault}")))?;
+        Ok(Some(Coiling { measured: (180.0 - inflated) / (180.0 - flat), predicted: state.lambda }))
+    }
+
+    /// The stiffnesses that follow from the bench for the fabric of the spec at `path`, whose V-actuator it was.
+    pub(super) fn stiffnesses(&self, path: &Path, voice: Voice) -> Result<Stiffnesses, Failure> {
+        let mut found = Stiffnesses::default();
+        if self.angle_pressure.is_none() && self.disc_width.is_none() {
+            return Ok(found);
+        }
+        let loaded = Loaded::spoken(path, voice)?;
+        let spec = &loaded.reading.spec;
+        let refused = |what: String| Failure::Message(format!("{}: {what}", shown(path)));
+        let known = sheet(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
+        let (poisson, mut stretch) = (known.poisson_ratio, known.stretching_modulus());
+        if let Some((width, pressure)) = self.disc_width.zip(self.disc_pressure) {
+            let at = |off: f64| {
+                let (flat, inflated) = (Length(DISC).metres(), width.metres() + off);
+                DiscBench { flat, inflated, pressure: pressure.pascals() }
+                    .stretch_stiffness(known.bending_modulus(), poisson)
+            };
+            let named = |fault: BenchFault| Failure::Message(format!("--disc-width: {fault}"));
+            stretch = at(0.0).map_err(named)?;
+            let ends = [at(OFF_WIDTH), at(-OFF_WIDTH)].map(Result::ok);
+            found.stretch = Some(Found { value: stretch, ends, at: pressure });
+        }
+        let star = spec.stars.first();
+        if let Some((pressure, star)) = self.angle_pressure.zip(star) {
+            let degrees = |angle: Option<f64>| angle.unwrap_or_default().to_radians();
+            let (width, rest_angle) = (star.tube_width.metres(), degrees(self.flat_angle));
+            let at = |off: f64| {
+                let hinge = Hinge { r_star: self.radius_ratio, width, rest_angle };
+                let inflated = degrees(self.inflated_angle) + off.to_radians();
+                VBench { hinge, pressure: pressure.pascals(), inflated }.bending_stiffness(stretch, poisson)
+            };
+            let named = |fault: BenchFault| Failure::Message(format!("--inflated-angle: {fault}"));
+            let value = at(0.0).map_err(named)?;
+            let ends = [at(-OFF_ANGLE), at(OFF_ANGLE)].map(Result::ok);
+            found.bending = Some(Found { value, ends, at: pressure });
+        }
+        Ok(found)
+    }
+}
+
+/// What the V-actuator's angles tell.
+pub(super) struct Coiling {
+    measured: f64,
+    predicted: f64,
+}
+
+impl Coiling {
+    /// As comments of a spec.
+    pub(super) fn text(&self) -> String {
+        let Self { measured, predicted } = self;
+        let off = 100.0 * (measured / predicted - 1.0);
+        format!(
+            "# lambda measured: {measured:.3}\n# lambda predicted (ring): {predicted:.3}; measured is {off:+.1} %\n"
+        )
+    }
+
+    /// For programs.
+    pub(super) fn json(&self) -> Value {
+        json!({ "measured": self.measured, "predicted": self.predicted, "model": "ring" })
+    }
+}
+
+/// One stiffness, SI units, with those of a measurement that is off a little to either side, where there are any.
+struct Found {
+    value: f64,
+    ends: [Option<f64>; 2],
+    at: Pressure,
+}
+
+/// Stiffnesses of a fabric, as far as the bench tells them.
+#[derive(Default)]
+pub(super) struct Stiffnesses {
+    stretch: Option<Found>,
+    bending: Option<Found>,
+}
+
+impl Stiffnesses {
+    /// All of `[fabric]`, for where no seal is chosen; empty if nothing was measured.
+    pub(super) fn section(&self) -> String {
+        let lines = self.toml();
+        if lines.is_empty() { lines } else { format!("[fabric]\n{lines}") }
+    }
+
+    /// Lines of `[fabric]`.
+    pub(super) fn toml(&self) -> String {
+        let mut out = String::new();
+        let mut line =
+            |found: &Option<Found>, key: &str, source: &str, off: &str, text: &dyn Fn(f64) -> String| {
+                let Some(Found { value, ends, at }) = found else { return };
+                let ends = ends.map(|end| end.map_or("unknown".to_owned(), text));
+                // A String takes everything.
+                let _ = writeln!(
+                    out,
+                    "# of the {source} at {at}; {off} less or more would make it {}, {}\n{key} = \"{}\"",
+                    ends[0],
+                    ends[1],
+                    text(*value)
+                );
+            };
+        line(&self.stretch, "stretch_stiffness", "disc", "0.2 mm", &|y| {
+            digits(LineForce::from_newtons_per_metre(y).0) + " N/mm"
+        });
+        line(&self.bending, "bending_stiffness", "V-actuator", "a degree", &|b| {
+            digits(BendingStiffness::from_newton_metres(b).0) + " N mm"
+        });
+        out
+    }
+
+    /// For programs.
+    pub(super) fn json(&self) -> Value {
+        let known =
+            |found: &Option<Found>, unit: fn(f64) -> f64| found.as_ref().map(|found| unit(found.value));
+        json!({
+            "stretch_stiffness_N_mm": known(&self.stretch, |y| LineForce::from_newtons_per_metre(y).0),
+            "bending_stiffness_Nmm": known(&self.bending, |b| BendingStiffness::from_newton_metres(b).0),
+        })
+    }
+}
+
+/// Three significant digits, without an exponent.
+fn digits(value: f64) -> String {
+    let before = value.abs().log10().floor();
+    let decimals = if before.is_finite() { (2.0 - before).clamp(0.0, 12.0) } else { 0.0 };
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 12")]
+    let decimals = decimals as usize;
+    format!("{value:.decimals$}")
+}

@@ -1,0 +1,208 @@
+//! From bench tests to the fabric's stiffnesses: B from the angle of a V-actuator, Y from the width of an inflated disc.
+//!
+//! Both turn `section` round. A V-actuator's arms are those of the table, so B is found where that reaches. A disc wrinkles
+//! at its rim, so its section is the tension field's, from its middle to the rim and with a whole turn kept: lambda = 1.
+
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::hinge::section::{Section, arms};
+use crate::mechanics::hinge::{Hinge, HingeModel};
+use crate::numerics::{RootFault, bracketed_root};
+use std::fmt;
+
+/// p W / Y of discs that are looked at.
+const STRETCH: [f64; 2] = [2e-4, 0.1];
+/// Places at which a V-actuator's angle is looked at.
+const PLACES: u32 = 40;
+/// Roots are found to this part.
+const TOLERANCE: f64 = 1e-6;
+
+/// A V-actuator on the bench; SI units, angles in rad.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VBench {
+    /// Its hinge, flat.
+    pub hinge: Hinge,
+    /// Gauge pressure, Pa.
+    pub pressure: f64,
+    /// Angle between its arms, inflated and free.
+    pub inflated: f64,
+}
+
+/// A disc on the bench; SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DiscBench {
+    /// Flat diameter between its bands, m.
+    pub flat: f64,
+    /// Diameter inflated, m.
+    pub inflated: f64,
+    /// Gauge pressure, Pa.
+    pub pressure: f64,
+}
+
+/// A measurement that no stiffness explains.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BenchFault {
+    /// The angle lies outside of what fabrics of the table do: from and to, rad.
+    Angle(f64, [f64; 2]),
+    /// So the disc's part of its flat width: from and to.
+    Disc(f64, [f64; 2]),
+    /// No stiffness in the table's reach makes a hinge of this size at this pressure.
+    Beyond,
+    /// The model refuses.
+    Model(StarFault),
+}
+
+impl fmt::Display for BenchFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Angle(found, range) => {
+                let [low, high] = range.map(f64::to_degrees);
+                write!(
+                    f,
+                    "the V-actuator's {:.1} deg is no fabric's: at this pressure it closes to between {low:.1} and {high:.1} \
+                     deg; is the pressure right, and were both angles measured at the arms' middle?",
+                    found.to_degrees()
+                )
+            }
+            Self::Disc(found, [low, high]) => write!(
+                f,
+                "the disc's inflated width is {found:.3} of the flat one; it is {low:.3} if nothing stretches, and {high:.3} where \
+                 p D / (2 Y) is 0.1; was the width taken across the seam, and at this pressure?"
+            ),
+            Self::Beyond => {
+                f.write_str("no fabric of the table of arms (docs/models.md) has 1/eps of 100 or more at this pressure and width")
+            }
+            Self::Model(fault) => fault.fmt(f),
+        }
+    }
+}
+
+impl From<StarFault> for BenchFault {
+    fn from(fault: StarFault) -> Self {
+        Self::Model(fault)
+    }
+}
+
+impl From<RootFault> for BenchFault {
+    fn from(fault: RootFault) -> Self {
+        Self::Model(fault.into())
+    }
+}
+
+impl VBench {
+    /// Bending stiffness B (N m) with which the hinge rests at its angle, of fabric of stretch stiffness `stretch` (N per m) and
+    /// Poisson ratio `poisson`. Of two the larger one: where fabric stretches much, softer fabric opens again.
+    ///
+    /// # Errors
+    /// If no B of the table's reach makes that angle.
+    pub fn bending_stiffness(&self, stretch: f64, poisson: f64) -> Result<f64, BenchFault> {
+        let Self { hinge, pressure, inflated } = *self;
+        let w = hinge.width;
+        let [least_tau, .., most_tau] = arms::TAUS;
+        // B = Y (W tau)^2, and 1/eps = p W^3 / B is 100 at least and p W / Y = tau^2 / eps.
+        let of_tau = |tau: f64| stretch * (w * tau).powi(2);
+        let most = of_tau(most_tau).min(pressure * w.powi(3) / arms::LEAST_BENDABILITY);
+        let least = of_tau(least_tau).max(pressure * w.powi(3) / arms::MOST_BENDABILITY);
+        // What is on the table's edge is left to what is clearly inside.
+        let (least, most) = (1.001 * least, 0.999 * most);
+        if least.is_nan() || least >= most || pressure * w / stretch > STRETCH[1] {
+            return Err(BenchFault::Beyond);
+        }
+        let excess = |log_b: f64| -> Result<f64, BenchFault> {
+            let bending = log_b.exp();
+            let section =
+                Section::by_ratios(pressure * w.powi(3) / bending, (bending / stretch).sqrt() / w, poisson);
+            if section.arms(hinge.r_star).is_none() {
+                return Err(BenchFault::Beyond);
+            }
+            let rest = section.target(hinge.r_star).map_err(StarFault::from)?;
+            Ok(hinge.angle_of(&section, &rest) - inflated)
+        };
+        let place = |k: u32| most.ln() + f64::from(k) / f64::from(PLACES) * (least / most).ln();
+        let mut before = excess(place(0))?;
+        let mut range = [before, before];
+        for k in 1..=PLACES {
+            let now = excess(place(k))?;
+            if before * now <= 0.0 {
+                let root = bracketed_root(place(k - 1), place(k), TOLERANCE, excess)?;
+                return Ok(root.exp());
+            }
+            range = [range[0].min(now), range[1].max(now)];
+            before = now;
+        }
+        Err(BenchFault::Angle(inflated, range.map(|excess| inflated + excess)))
+    }
+}
+
+impl DiscBench {
+    /// Stretch stiffness Y (N per m) with which the disc is so wide, of fabric of bending stiffness `bending` (N m) and Poisson
+    /// ratio `poisson`.
+    ///
+    /// # Errors
+    /// If no Y makes it so wide.
+    pub fn stretch_stiffness(&self, bending: f64, poisson: f64) -> Result<f64, BenchFault> {
+        let (w, part) = (self.flat / 2.0, self.inflated / self.flat);
+        let excess = |log_stretch: f64| -> Result<f64, BenchFault> {
+            let stretch = self.pressure * w / log_stretch.exp();
+            Ok(self.part(bending, stretch, poisson)? - part)
+        };
+        let [least, most] = STRETCH.map(f64::ln);
+        let [narrow, wide] = [excess(least)?, excess(most)?];
+        if narrow > 0.0 || wide < 0.0 {
+            return Err(BenchFault::Disc(part, [part + narrow, part + wide]));
+        }
+        let root = bracketed_root(least, most, TOLERANCE, excess)?;
+        Ok(self.pressure * w / root.exp())
+    }
+
+    /// Inflated over flat width.
+    fn part(&self, bending: f64, stretch: f64, poisson: f64) -> Result<f64, BenchFault> {
+        let w = self.flat / 2.0;
+        let tau = (bending / stretch).sqrt() / w;
+        let section = Section::by_ratios(self.pressure * w.powi(3) / bending, tau, poisson).slack();
+        let [width, _] = section.disc().map_err(StarFault::from)?;
+        Ok(width)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::FRAC_PI_3;
+
+    fn vee(inflated: f64) -> VBench {
+        let hinge = Hinge { r_star: 0.1, width: 0.02, rest_angle: FRAC_PI_3 };
+        VBench { hinge, pressure: 14e3, inflated }
+    }
+
+    #[test]
+    fn the_angle_that_a_fabric_makes_gives_its_bending_stiffness_back() {
+        let (b, y, nu) = (3.4e-4, 38_400.0_f64, 0.39);
+        let section = Section::by_ratios(14e3 * 8e-6 / b, (b / y).sqrt() / 0.02, nu);
+        let bench = vee(0.0);
+        let rest = section.target(0.1).expect("in range");
+        let found = vee(bench.hinge.angle_of(&section, &rest)).bending_stiffness(y, nu).expect("found");
+        assert!((found / b - 1.0).abs() < 1e-4, "{found}");
+    }
+
+    #[test]
+    fn a_disc_that_does_not_stretch_is_the_published_balloon_and_one_that_does_gives_its_stiffness_back() {
+        let disc = DiscBench { flat: 0.1, inflated: 0.0, pressure: 10e3 };
+        // The part of Paulsen's balloon is 1 / int_0^1 dx / sqrt(1 - x^4), 0.76276.
+        let stiff = disc.part(1e-5, 1e9, 0.39).expect("solved");
+        assert!((stiff - 0.762_76).abs() < 2e-4, "{stiff}");
+        let inflated = 0.1 * disc.part(3.4e-4, 20_000.0, 0.39).expect("solved");
+        let found = DiscBench { inflated, ..disc }.stretch_stiffness(3.4e-4, 0.39).expect("found");
+        assert!((found / 20_000.0 - 1.0).abs() < 1e-3, "{found}");
+    }
+
+    #[test]
+    fn what_no_fabric_does_is_refused_with_what_fabrics_do() {
+        let fault = vee(1.0).bending_stiffness(38_400.0, 0.39).expect_err("too wide");
+        assert!(matches!(fault, BenchFault::Angle(_, [low, high]) if low < high && high < 1.0), "{fault}");
+        let disc = DiscBench { flat: 0.1, inflated: 0.06, pressure: 10e3 };
+        let fault = disc.stretch_stiffness(3.4e-4, 0.39).expect_err("too narrow");
+        assert!(matches!(fault, BenchFault::Disc(_, [low, high]) if low < 0.78 && high > low), "{fault}");
+        let slow = VBench { pressure: 10.0, ..vee(0.7) };
+        assert_eq!(slow.bending_stiffness(38_400.0, 0.39), Err(BenchFault::Beyond));
+    }
+}
