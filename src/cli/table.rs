@@ -25,7 +25,7 @@ use crate::shell::cases::Fineness;
 pub(super) struct Args {
     /// Where each ladder or star is a file; those that are there already are not computed again.
     dir: PathBuf,
-    /// Stars of a set, fit, range, test or all, in place of ladders.
+    /// Stars of a set, fit, range, test, paper or all, in place of ladders.
     #[arg(long, value_name = "SET", value_parser = sets)]
     set: Option<Sets>,
     /// Open the stars by round objects, too.
@@ -37,7 +37,7 @@ pub(super) struct Args {
     /// Edges across the hinge of the coarsest mesh; the shipped ladders have 5, stars 12.
     #[arg(long, hide = true)]
     cells: Option<f64>,
-    /// Compute nothing: print the table of what is there.
+    /// Compute nothing: print the table of what is there, and of stars whose files are not, as they are shipped.
     #[arg(long, conflicts_with = "part")]
     join: bool,
 }
@@ -48,7 +48,7 @@ struct Sets(Vec<Set>);
 
 fn sets(text: &str) -> Result<Sets, String> {
     let meant: Vec<Set> = Set::ALL.into_iter().filter(|set| text == "all" || text == set.name()).collect();
-    if meant.is_empty() { Err("it is fit, range, test or all".to_owned()) } else { Ok(Sets(meant)) }
+    if meant.is_empty() { Err("it is fit, range, test, paper or all".to_owned()) } else { Ok(Sets(meant)) }
 }
 
 /// Computes ladders or stars, or joins them.
@@ -85,7 +85,9 @@ fn all_ladders(args: &Args) -> Result<(), Failure> {
 fn stars(args: &Args, sets: &[Set]) -> Result<(), Failure> {
     let all: Vec<Drawn> = in_turn().into_iter().filter(|star| sets.contains(&star.set)).collect();
     if args.join {
-        return say(&shipped::join(&all.iter().filter_map(|star| both(&args.dir, star)).collect::<Vec<_>>()));
+        let known = shipped::shipped();
+        let joined: Vec<Computed> = all.iter().filter_map(|star| both(&args.dir, star, &known)).collect();
+        return say(&shipped::join(&joined));
     }
     let (openings, fineness) =
         if args.forces { (&OPENINGS[..], FORCE_FINENESS) } else { (&[][..], computed::FINENESS) };
@@ -125,12 +127,13 @@ fn read_star(path: &Path, star: &Drawn) -> Option<Computed> {
     path.exists().then(|| read_table(path).ok()).flatten().and_then(|text| star.read(&text))
 }
 
-/// A star at rest, with its forces where they are there.
-fn both(dir: &Path, star: &Drawn) -> Option<Computed> {
-    let mut rest = read_star(&star_file(dir, star, false), star)?;
+/// A star at rest, as the shipped table has it if it is not there, with its secants where they are there.
+fn both(dir: &Path, star: &Drawn, known: &[Computed]) -> Option<Computed> {
+    let shipped = || known.iter().find(|one| one.star == *star).cloned();
+    let mut rest = read_star(&star_file(dir, star, false), star).or_else(shipped)?;
     let opened = read_star(&star_file(dir, star, true), star).and_then(|opened| opened.found);
     if let (Some(rest), Some(opened)) = (&mut rest.found, opened) {
-        rest.forces = opened.forces;
+        rest.secants = opened.secants;
     }
     Some(rest)
 }

@@ -13,6 +13,8 @@ use crate::cli::progress::Progress;
 use crate::cli::voice::Voice;
 use crate::forecast::trade;
 use crate::forecast::trade::TradeRow;
+use crate::forecast::trade::shells::{ShellRow, against_shells, shell_table};
+use crate::mechanics::fault::StarFault;
 use crate::spec::StarSpec;
 
 /// Arguments of `trade`.
@@ -38,9 +40,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     };
     let start = Instant::now();
     let base = base.unwrap_or_else(|| StarSpec::paper(5));
-    let measure = |_: &Progress| trade::measure(&base, &|| start.elapsed().as_secs_f64());
-    let rows = progress::during(args.voice, "measuring every model", measure)
-        .map_err(|fault| Failure::Message(fault.to_string()))?;
+    let clock = || start.elapsed().as_secs_f64();
+    let measure = |_: &Progress| Ok((trade::measure(&base, &clock)?, against_shells(&clock)?));
+    let (rows, shells) = progress::during(args.voice, "measuring every model", measure)
+        .map_err(|fault: StarFault| Failure::Message(fault.to_string()))?;
     for (path, text) in [(&args.csv, trade::csv(&rows)), (&args.svg, trade::plot(&rows))] {
         if let Some(path) = path {
             fs::write(path, text).map_err(|error| Failure::file("write", path, &error))?;
@@ -48,12 +51,20 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
     let list = |values: &[f64]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     let text = format!(
-        "Largest relative error against the exact ring, over R* = {} and stars of {:?} points.\n\n{}",
+        "Largest relative error against the exact ring, over R* = {} and stars of {:?} points.\n\n{}\n\
+         Against shells: a V-actuator (angle, stiffness), the paper's stars of 3 to 8 points (closing, stiffness, force).\n\n{}",
         list(&trade::R_STARS),
         trade::POINTS,
-        trade::table(&rows)
+        trade::table(&rows),
+        shell_table(&shells)
     );
-    args.voice.report(&text, &json!({ "models": rows.iter().map(row).collect::<Vec<_>>() }))
+    args.voice.report(
+        &text,
+        &json!({
+            "models": rows.iter().map(row).collect::<Vec<_>>(),
+            "against_shells": shells.iter().map(shell_row).collect::<Vec<_>>(),
+        }),
+    )
 }
 
 /// A row for programs.
@@ -68,6 +79,21 @@ fn row(row: &TradeRow) -> Value {
             "seal_load": seal_load,
             "final_radius_mm": radius,
             "radial_stiffness_N_per_m": stiffness,
+        },
+    })
+}
+
+/// A row against shells for programs; relative errors, one a star.
+fn shell_row(row: &ShellRow) -> Value {
+    json!({
+        "model": row.model,
+        "pressure_kPa": row.pressure,
+        "time_s": row.time,
+        "actuator": { "angle_error_deg": row.angle, "stiffness_error": row.bending },
+        "relative_error": {
+            "final_radius_mm": row.radius,
+            "radial_stiffness_N_per_m": row.stiffness,
+            "force_N": row.force,
         },
     })
 }

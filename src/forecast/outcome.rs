@@ -83,7 +83,7 @@ impl Outcome {
         let own = Self::at(case, inflated.linear_rest(), |rho, rest| inflated.linear_force(rho, rest));
         let ranges = Ranges::new(case, inflated, &own.rest);
         let force_range =
-            own.object_force().zip(case.object).and_then(|(force, rho)| ranges.force(force, rho, &own.rest));
+            own.object_force().and(case.object).and_then(|rho| ranges.force(&case.mechanism, rho, &own.rest));
         let payload_range =
             case.friction.zip(force_range).map(|(mu, range)| scaled(range, payload(mu, [1.0])));
         Self { ranges, force_range, payload_range, ..own }
@@ -158,8 +158,11 @@ impl Outcome {
         }
     }
 
-    /// Whether the object is so wide that the arms are about to lock around it.
+    /// Whether the object is so wide that rigid arms are about to lock around it.
     pub fn locks(&self, case: &Case) -> bool {
+        if case.mechanism.correction.gives {
+            return false;
+        }
         let (least, most) = (self.rest.radius, self.rest.widest.radius);
         let slope = |phi: f64| case.mechanism.radius(phi).slope;
         let near = case.object.is_some_and(|rho| most - rho < LOCKING * (most - least));

@@ -101,7 +101,8 @@ impl VBench {
         // B = Y (W tau)^2, and 1/eps = p W^3 / B is 100 at least and p W / Y = tau^2 / eps.
         let of_tau = |tau: f64| stretch * (w * tau).powi(2);
         let most = of_tau(most_tau).min(pressure * w.powi(3) / arms::LEAST_BENDABILITY);
-        let least = of_tau(least_tau).max(pressure * w.powi(3) / arms::MOST_BENDABILITY);
+        let least =
+            of_tau(least_tau * (-arms::SLACK).exp()).max(pressure * w.powi(3) / arms::MOST_BENDABILITY);
         // What is on the table's edge is left to what is clearly inside.
         let (least, most) = (1.001 * least, 0.999 * most);
         if least.is_nan() || least >= most || pressure * w / stretch > STRETCH[1] {

@@ -18,7 +18,7 @@ use crate::said::{Said, matches};
 use crate::{home, renews};
 
 /// The blocks that are not run: page, beginning of the first line.
-const NOT_RUN: [(&str, &str); 23] = [
+const NOT_RUN: [(&str, &str); 24] = [
     ("README.md", "make demo    # builds the program and the paper's five-point"),
     ("README.md", "cargo install --locked --path .    # or `make install`: docs"),
     ("README.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
@@ -33,6 +33,7 @@ const NOT_RUN: [(&str, &str); 23] = [
     ("docs/models.md", "stargrip-cam table stars --set all"),
     ("docs/models.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/paper.md", "cargo run --release --example paper"),
+    ("docs/paper.md", "cargo run --release --example paper_at_pressure"),
     ("docs/python.md", "pip install ./python"),
     ("docs/ranges.md", "cargo run --release --example ranges"),
     ("docs/stability.md", "cargo run --release --example extremes"),

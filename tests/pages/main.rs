@@ -10,6 +10,9 @@ mod extremes;
 #[path = "../../examples/paper.rs"]
 mod paper;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
+#[path = "../../examples/paper_at_pressure.rs"]
+mod paper_at_pressure;
+#[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
 #[path = "../../examples/ranges.rs"]
 mod ranges;
 
@@ -44,6 +47,7 @@ fn stands_on(page: &str, tables: &str) {
 #[test]
 fn the_papers_numbers_are_ours() {
     stands_on(include_str!("../../docs/paper.md"), &paper::tables());
+    stands_on(include_str!("../../docs/paper.md"), &paper_at_pressure::tables());
 }
 
 #[test]

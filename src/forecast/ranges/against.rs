@@ -6,7 +6,7 @@ use crate::forecast::case::{Case, Hinges, mechanism};
 use crate::forecast::choice::{corrected, tabled};
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::Interval;
-use crate::forecast::stars::computed::{Computed, Found};
+use crate::forecast::stars::computed::{Computed, Found, Number};
 use crate::forecast::stars::draw::{Drawn, POISSON, Set, YOUNG};
 use crate::mechanics::star::response::Inflated;
 use crate::mechanics::strength::ElasticSheet;
@@ -42,7 +42,7 @@ pub struct Against {
     pub angle: Option<Pair>,
     /// Radial stiffness, N/m; `None` where arms touch, or where meshes leave a quarter of it open.
     pub stiffness: Option<Pair>,
-    /// Radial forces, N, and the openings by W at which they are; without a range, `error` is their ratio.
+    /// Radial forces, N, on an object that opens the shell so far by W; none where arms touch, or where meshes leave a quarter open.
     pub forces: Vec<(f64, Pair)>,
 }
 
@@ -52,7 +52,7 @@ const SETTLED: f64 = 0.25;
 /// `star` beside its prediction; `None` where the shell refuses it, or nothing is known of it here.
 pub fn against(star: &Computed) -> Option<Against> {
     let found = star.found.as_ref()?;
-    let (case, pressure) = case(&star.star)?;
+    let (case, pressure) = case_of(&star.star)?;
     let model = tabled(&case, pressure).ok()?;
     let case = corrected(&case, &model).ok()?;
     let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
@@ -63,37 +63,38 @@ pub fn against(star: &Computed) -> Option<Against> {
         Some(Pair { shell, mesh, predicted, range: range?, error: shell - predicted })
     };
     let Found { radius, angle, stiffness, .. } = found;
-    let radius = pair(1e-3 * radius.value, 1e-3 * radius.error, own.rest.radius, own.ranges.radius)?;
+    let rest = pair(1e-3 * radius.value, 1e-3 * radius.error, own.rest.radius, own.ranges.radius)?;
     let angle = [angle.value, angle.error].map(f64::to_radians);
     let angle = pair(angle[0], angle[1], own.rest.equilibrium, own.ranges.angle);
     let settled = stiffness.error < SETTLED * stiffness.value;
-    let stiffness =
-        pair(1e3 * stiffness.value, 1e3 * stiffness.error, own.rest.stiffness, own.ranges.stiffness);
-    let forces = found.forces.iter().filter(|(_, force)| force.error < SETTLED * force.value).filter_map(
-        |(part, force)| {
-            let rho = own.rest.radius + part * moves.width;
-            let predicted = inflated.linear_force(rho, &own.rest).ok()?;
-            let error = force.value / predicted;
-            Some((
-                *part,
-                Pair { shell: force.value, mesh: force.error, predicted, range: [0.0, f64::INFINITY], error },
-            ))
-        },
-    );
+    let spring = pair(1e3 * stiffness.value, 1e3 * stiffness.error, own.rest.stiffness, own.ranges.stiffness);
+    let opened = |(part, secant): &(f64, Number)| {
+        let opening = part * moves.width;
+        let shell = secant.value * 1e3 * stiffness.value * opening;
+        let open = secant.error / secant.value + stiffness.error / stiffness.value;
+        // The constant counts forces at the same opening; a range, on the same object.
+        let same = inflated.linear_force(own.rest.radius + opening, &own.rest).ok()?;
+        let object = 1e-3 * radius.value + opening;
+        let predicted =
+            if object < own.rest.radius { 0.0 } else { inflated.linear_force(object, &own.rest).ok()? };
+        let range = own.ranges.force(moves, object, &own.rest)?;
+        let pair = Pair { shell, mesh: open * shell, predicted, range, error: shell / same };
+        (open < SETTLED).then_some((*part, pair))
+    };
+    let touch = own.ranges.angle.is_none() || found.arm_contact.value > 0.0;
+    let forces = found.secants.iter().filter(|_| !touch).filter_map(opened);
     Some(Against {
         set: star.star.set,
         points: star.star.points,
-        radius: Pair { error: radius.error / unit, ..radius },
+        radius: Pair { error: rest.error / unit, ..rest },
         angle: angle.map(|pair| Pair { error: pair.error * moves.arm / moves.width, ..pair }),
-        stiffness: stiffness
-            .filter(|_| settled)
-            .map(|pair| Pair { error: pair.shell / pair.predicted, ..pair }),
+        stiffness: spring.filter(|_| settled).map(|pair| Pair { error: pair.shell / pair.predicted, ..pair }),
         forces: forces.collect(),
     })
 }
 
 /// The case of a drawn star, and its pressure, Pa.
-fn case(drawn: &Drawn) -> Option<(Case, f64)> {
+pub fn case_of(drawn: &Drawn) -> Option<(Case, f64)> {
     let spec = StarSpec {
         inner_radius: Length(drawn.inner_radius),
         tube_width: Length(drawn.width),

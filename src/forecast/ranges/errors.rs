@@ -19,8 +19,11 @@ pub const ACTUATOR: Interval = [-0.0227, 0.0088];
 pub const ARC: Interval = [60.0, 150.0];
 /// Arms by W of the V-actuators that were tried, from the shortest that a shell takes.
 pub const ACTUATOR_ARM: Interval = [2.5, 7.5];
-/// The shell's force over the predicted one, once the range of the radius is taken off; `None` while none were compared.
-pub const FORCE: Option<Interval> = None;
+/// The shell's force over the predicted one, both where they are opened equally far, by up to 0.45 W; the range of the radius comes on top.
+pub const FORCE: Interval = [0.68, 1.55];
+
+/// Openings by W that were tried: 0.45 from the shell's own rest, which may be a little further out than the predicted one.
+pub const OPENING: f64 = 0.5;
 
 /// By how much ranges are wider beyond what was tried: of the paper's stars that of three points with arms of 5.2 W needs it.
 pub const BEYOND: f64 = 4.0;

@@ -13,6 +13,7 @@ pub use interval::{Interval, mm, scaled, sum};
 
 use crate::forecast::case::{Case, Hinges};
 use crate::mechanics::hinge::{HingeModel, Level};
+use crate::mechanics::star::Mechanism;
 use crate::mechanics::star::response::{Inflated, Rest};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -71,19 +72,23 @@ impl Ranges {
         }
     }
 
-    /// Of the radial force `force` (N) on an object of radius `rho` (m) within a star that rests at `rest`; `None` where forces were
-    /// not compared.
-    pub fn force(&self, force: f64, rho: f64, rest: &Rest) -> Option<Interval> {
-        let [radius, parts] = [self.radius?, errors::FORCE?];
-        let wider = if self.standing == Standing::Tried { 1.0 } else { errors::BEYOND };
-        let [low, high] = parts.map(|part| part.powf(wider));
-        if rho <= radius[0] {
-            return Some([0.0, 0.0]);
+    /// Of the radial force on an object of radius `rho` (m) within `star`, which rests at `rest`; `None` where arms touch, and where
+    /// shells were not opened so far.
+    pub fn force(&self, star: &Mechanism, rho: f64, rest: &Rest) -> Option<Interval> {
+        let (radius, _) = self.radius.zip(self.stiffness)?;
+        let opened = (rho - rest.radius) / star.width;
+        if opened > errors::NOT_FAR * errors::OPENING {
+            return None;
         }
+        let tried = self.standing == Standing::Tried && opened <= errors::OPENING;
+        let wider = if tried { 1.0 } else { errors::BEYOND };
+        let [low, high] = errors::FORCE.map(|part| part.powf(wider));
         // Where a star begins to touch is as uncertain as its radius.
-        let later = rest.stiffness * (radius[1] - rest.radius).max(0.0);
-        let sooner = rest.stiffness * (rest.radius.min(rho) - radius[0]).max(0.0);
-        Some([(low * (force - later)).max(0.0), high * (force + sooner)])
+        let from = |radius: f64| {
+            let opening = (rho - radius).max(0.0);
+            rest.stiffness * opening * star.correction.secant(opening / star.width)
+        };
+        Some([low * from(radius[1]), high * from(radius[0])])
     }
 }
 

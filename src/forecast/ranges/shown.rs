@@ -21,9 +21,9 @@ pub fn with(value: f64, [low, high]: Interval, unit: &str) -> String {
     format!("{value}{gap}{unit}, {low} to {high}")
 }
 
-/// The decade that divides a range of this width into two to twenty parts.
+/// The decade that divides a range of this width into five to fifty parts.
 fn step(width: f64) -> f64 {
-    if width > 0.0 && width.is_finite() { 10_f64.powf((0.5 * width).log10().floor()) } else { 1e-3 }
+    if width > 0.0 && width.is_finite() { 10_f64.powf((0.2 * width).log10().floor()) } else { 1e-3 }
 }
 
 fn text(number: f64, step: f64) -> String {
@@ -53,9 +53,9 @@ mod tests {
     fn digits_match_the_range() {
         assert_eq!(with(12.345, [9.4, 14.6], "N"), "12 N, 9 to 15");
         assert_eq!(with(17.3546, [16.91, 17.62], "mm"), "17.4 mm, 16.9 to 17.7");
-        assert_eq!(with(1234.5, [1012.0, 1450.0], "N/m"), "1200 N/m, 1000 to 1500");
-        assert_eq!(with(0.061, [0.0512, 0.0723], "kg"), "0.06 kg, 0.05 to 0.08");
-        assert_eq!(with(0.0, [-0.001, 0.001], ""), "0.000, -0.001 to 0.001");
+        assert_eq!(with(1234.5, [1012.0, 1450.0], "N/m"), "1230 N/m, 1010 to 1450");
+        assert_eq!(with(0.061, [0.0512, 0.0723], "kg"), "0.061 kg, 0.051 to 0.073");
+        assert_eq!(with(0.0, [-0.001, 0.001], ""), "0.0000, -0.0010 to 0.0010");
         assert_eq!(with(0.0, [0.0, 0.0], "N"), "0.000 N, 0.000 to 0.000");
     }
 

@@ -34,8 +34,9 @@ pub struct Found {
     pub stiffness: Number,
     /// Force between the arms of a tip, N.
     pub arm_contact: Number,
-    /// Openings by W, and the radial force, N, that opens the star so far.
-    pub forces: Vec<(f64, Number)>,
+    /// Openings by W, and the **secant** there: the radial force that opens the star so far over the opening times the radial stiffness,
+    /// all of the same mesh. Meshes agree on that ratio where they are far apart in either.
+    pub secants: Vec<(f64, Number)>,
 }
 
 /// A star with what the shell says of it.
@@ -122,18 +123,26 @@ impl Drawn {
         if lines.iter().any(|line| line.starts_with("refused ")) {
             return Some(Computed { star: *self, found: None });
         }
-        let number = |name: &str| {
+        // Value, mesh error, and what the three meshes gave.
+        let numbers = |name: &str| {
             let rest = lines.iter().find_map(|line| line.strip_prefix(name)?.strip_prefix(' '))?;
-            let mut words = rest.split(' ').map(str::parse);
-            Some(Number { value: words.next()?.ok()?, error: words.next()?.ok()? })
+            let numbers: Vec<f64> = rest.split(' ').filter_map(|word| word.parse().ok()).collect();
+            <[f64; 5]>::try_from(numbers).ok()
         };
-        let forces = OPENINGS.iter().filter_map(|part| Some((*part, number(&format!("force {part}"))?)));
+        let number = |name: &str| numbers(name).map(|[value, error, ..]| Number { value, error });
+        let secant = |part: f64| {
+            let ([_, _, forces @ ..], [_, _, stiffness @ ..]) =
+                (numbers(&format!("force {part}"))?, numbers("stiffness")?);
+            let by_mesh = |mesh: usize| forces[mesh] / (stiffness[mesh] * part * self.width);
+            let Value { value, error, .. } = Value::new([0, 1, 2].map(by_mesh));
+            value.is_finite().then_some((part, Number { value, error }))
+        };
         let found = Found {
             radius: number("radius")?,
             angle: number("angle")?,
             stiffness: number("stiffness")?,
             arm_contact: number("arm_contact")?,
-            forces: forces.filter(|(_, force)| force.value.is_finite()).collect(),
+            secants: OPENINGS.into_iter().filter_map(secant).collect(),
         };
         Some(Computed { star: *self, found: Some(found) })
     }
@@ -151,8 +160,8 @@ impl Computed {
         add("angle", found.angle, 2);
         add("stiffness", found.stiffness, 4);
         add("arm_contact", found.arm_contact, 3);
-        for (part, force) in &found.forces {
-            add(&format!("force {part}"), *force, 3);
+        for (part, secant) in &found.secants {
+            add(&format!("secant {part}"), *secant, 3);
         }
         line
     }
@@ -171,13 +180,13 @@ impl Computed {
             let at = words.windows(name.len()).position(|part| part == name)? + name.len();
             Some(Number { value: words.get(at)?.parse().ok()?, error: words.get(at + 1)?.parse().ok()? })
         };
-        let force = |part: &f64| Some((*part, number(&["force", &part.to_string()])?));
+        let secant = |part: f64| Some((part, number(&["secant", &part.to_string()])?));
         let found = Found {
             radius: number(&["radius"])?,
             angle: number(&["angle"])?,
             stiffness: number(&["stiffness"])?,
             arm_contact: number(&["arm_contact"])?,
-            forces: OPENINGS.iter().filter_map(force).collect(),
+            secants: OPENINGS.into_iter().filter_map(secant).collect(),
         };
         Some(Self { star, found: Some(found) })
     }

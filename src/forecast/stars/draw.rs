@@ -1,4 +1,4 @@
-//! Which stars are computed: drawn by seed, the same on every machine, in three sets that have no star in common.
+//! Which stars are computed: drawn by seed, the same on every machine, in three sets that have no star in common; and the paper's.
 
 use std::f64::consts::PI;
 
@@ -14,6 +14,8 @@ pub enum Set {
     Range,
     /// To try both on.
     Test,
+    /// The stars of the paper's figure of n = 3 to 8, at four pressures.
+    Paper,
 }
 
 /// One star of a set.
@@ -57,10 +59,14 @@ const ARM: [f64; 2] = [0.5, 5.0];
 const HOLE: [f64; 2] = [0.5, 6.0];
 /// Largest phi_e0, deg: a corner turns by 20 deg at least.
 const MOST_OPEN: f64 = 160.0;
+/// Points of the stars: each in turn.
+const POINTS: [u32; 6] = [3, 4, 5, 6, 7, 8];
+/// Pressures at which the paper's stars are computed, kPa.
+pub const PAPER_PRESSURES: [f64; 4] = [14.0, 20.0, 37.0, 60.0];
 
 impl Set {
     /// All of them.
-    pub const ALL: [Self; 3] = [Self::Fit, Self::Range, Self::Test];
+    pub const ALL: [Self; 4] = [Self::Fit, Self::Range, Self::Test, Self::Paper];
 
     /// Its name.
     pub const fn name(self) -> &'static str {
@@ -68,6 +74,7 @@ impl Set {
             Self::Fit => "fit",
             Self::Range => "range",
             Self::Test => "test",
+            Self::Paper => "paper",
         }
     }
 
@@ -77,26 +84,49 @@ impl Set {
             Self::Fit => 36,
             Self::Range => 48,
             Self::Test => 60,
+            Self::Paper => 24,
         }
     }
 
-    const fn seed(self) -> u64 {
+    /// Of its dice; `None` if it is not drawn.
+    const fn seed(self) -> Option<u64> {
         match self {
-            Self::Fit => 1,
-            Self::Range => 2,
-            Self::Test => 3,
+            Self::Fit => Some(1),
+            Self::Range => Some(2),
+            Self::Test => Some(3),
+            Self::Paper => None,
         }
     }
 
-    /// Its star number `number`: the points go round from 3 to 8, the rest is drawn.
+    /// Its star number `number`, from 1: the points go round from 3 to 8, the rest is drawn, or the paper's.
     pub fn star(self, number: u32) -> Drawn {
-        let mut dice = Dice((self.seed() << 40) + (u64::from(number) << 20));
-        let points = 3 + (number - 1) % 6;
+        let place = number as usize - 1;
+        let points = POINTS[place % POINTS.len()];
+        let Some(seed) = self.seed() else {
+            return paper(number, points, PAPER_PRESSURES[place / POINTS.len() % PAPER_PRESSURES.len()]);
+        };
+        let mut dice = Dice((seed << 40) + (u64::from(number) << 20));
         loop {
             if let Some(star) = drawn(self, number, points, &mut dice) {
                 return star;
             }
         }
+    }
+}
+
+/// The paper's star of W = 30 mm with `points` points.
+const fn paper(number: u32, points: u32, pressure: f64) -> Drawn {
+    Drawn {
+        set: Set::Paper,
+        number,
+        points,
+        width: 30.0,
+        inner_radius: 50.0,
+        tip_angle: 30.0,
+        tip_radius: 0.0,
+        corner_radius: 0.0,
+        thickness: 0.3,
+        pressure,
     }
 }
 

@@ -12,8 +12,8 @@ pub fn join(computed: &[Computed]) -> String {
     format!(
         "# Stars as shells; read by src/forecast/stars/shipped.rs. E 128 MPa, nu 0.39; lengths mm, p kPa, angles deg.\n\
          # Made by `stargrip-cam table DIR --set all`, the same with --forces, and --join. SHA-256 of the lines below: {hash}\n\
-         # Radius and angle at rest, radial stiffness (N/mm), force between arms (N), radial force (N) at openings by W; each with \
-         its mesh error.\n{body}"
+         # Radius and angle at rest, radial stiffness K (N/mm), force between arms (N), secants at openings by W (force over K times \
+         the opening); each with its mesh error.\n{body}"
     )
 }
 

@@ -11,6 +11,15 @@
 //! by itself, as if on a lever of about W of its own: where rho moves by s with phi_i, the star's stiffness is that of its hinges times
 //! `s^2 / (s^2 + (0.53 W / sin(pi/n))^2)`.
 //!
+//! A round object meets a corner at its rim, which is stiffer than the section moved as a whole, and the more so the further it is opened;
+//! and arms bend before they lock. So the force grows with the opening `o` = rho - rho_f as
+//!
+//! ```text
+//! F = F_0 + K o (1.2 + 1.35 o/W)
+//! ```
+//!
+//! where F_0 is what presses arms that touch, and o/W counts up to 0.45.
+//!
 //! Thin sheets close a star further than the table of their arms says, long arms more than short ones:
 //! by `1.40 deg (0.01 W / t)^2 l / (l + W)`.
 
@@ -50,7 +59,18 @@ const CLOSER: f64 = 0.0245;
 /// See [`CLOSER`].
 const THIN: f64 = 0.01;
 
+/// The force that opens a star over its stiffness at rest times the opening: at first, and by how much more with each W.
+const SECANT: [f64; 2] = [1.2, 1.35];
+/// Openings by W over which the force grows so: as far as shells were opened.
+pub const OPENED: f64 = 0.45;
+
 impl Correction {
+    /// Force that opens a star by `opening` W, over its stiffness at rest times that; 1 without a correction.
+    pub fn secant(&self, opening: f64) -> f64 {
+        let [first, more] = SECANT;
+        if self.gives { first + more * opening.clamp(0.0, OPENED) } else { 1.0 }
+    }
+
     /// Of the star `star` of fabric of thickness t/W = `thickness`, whose hinges, if they were endless, would be `width` W wide when
     /// inflated.
     pub fn new(star: &Mechanism, width: f64, thickness: f64) -> Self {
@@ -104,6 +124,14 @@ mod tests {
         assert!((3..8).all(|n| softness(n + 1) < softness(n)));
         assert!(softness(8) > 0.0 && softness(8) < 0.1 && softness(3) > 0.9 && softness(3) < 1.0);
         assert_eq!(Correction::default().softness(&paper(8), 0.1), 1.0);
+    }
+
+    #[test]
+    fn objects_meet_more_force_the_further_they_open() {
+        let correction = corrected(paper(5)).correction;
+        assert!(correction.secant(0.0) > 1.0 && correction.secant(0.4) > correction.secant(0.1) + 0.2);
+        assert_eq!(correction.secant(0.8), correction.secant(OPENED));
+        assert_eq!(Correction::default().secant(0.4), 1.0);
     }
 
     #[test]

@@ -204,15 +204,20 @@ impl<'a> Inflated<'a> {
         Ok(torque / self.star.radius(phi).slope)
     }
 
-    /// Radial force (N) of linear hinges on an object of radius `rho` (m): `n (C_i + C_e) (phi - phi_eq) dphi/drho`.
+    /// Radial force (N) of linear hinges on an object of radius `rho` (m): `n (C_i + C_e) (phi - phi_eq) dphi/drho`, and with a
+    /// correction what that says of forces.
     ///
     /// # Errors
     /// As for [`Inflated::angle_at`].
     pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         let phi = self.angle_at(rho, rest)?;
         let (tip, corner) = self.hinge_stiffness();
-        let softness = self.star.correction.softness(self.star, rest.angle);
-        let spring = softness * f64::from(self.star.points) * (tip + corner);
+        let correction = &self.star.correction;
+        if correction.gives {
+            let opening = rho - rest.radius;
+            return Ok(rest.preload + rest.stiffness * opening * correction.secant(opening / self.star.width));
+        }
+        let spring = f64::from(self.star.points) * (tip + corner);
         Ok(spring * (phi - rest.equilibrium) / self.star.radius(phi).slope)
     }
 

@@ -14,7 +14,7 @@ use std::sync::LazyLock;
 /// Of thinner sheets these meshes leave delta open by more than a degree, and g by half.
 pub const TAUS: [f64; 3] = [3.162e-3, 5.604e-3, 9.935e-3];
 /// How far beyond the first tau the table is still read, in logarithms: so that t/W = 0.01 at nu = 0.39 is inside.
-const SLACK: f64 = 0.01;
+pub const SLACK: f64 = 0.01;
 /// R* of the grid.
 pub const R_STARS: [f64; 6] = [0.0, 0.02, 0.06, 0.15, 0.4, 1.0];
 /// Pressures of the grid.

@@ -117,8 +117,8 @@ fn a_slack_disc_is_the_mylar_balloon() {
     let [width, thickness] = section(1e6, 1e6, 0.0, 96).slack().disc().expect("found");
     assert!((width - 0.762_76).abs() < 2e-4, "{width}");
     assert!((thickness - 0.456_95).abs() < 2e-4, "{thickness}");
-    let [stiff, flat] = section(100.0, 1e3, 0.0, 96).slack().disc().expect("found");
-    assert!(stiff > width + 0.01 && flat < thickness, "bending keeps it wide: {stiff} {flat}");
+    let [stiff, _] = section(100.0, 1e3, 0.0, 96).slack().disc().expect("found");
+    assert!(stiff > width + 0.01, "bending keeps it wide: {stiff}");
 }
 
 #[test]

@@ -1,6 +1,9 @@
-//! What each model costs and how far it is from the most accurate one: the exact ring.
+//! What each model costs and how far it is off: the limits of high pressure from the exact ring, and all models from shells
+//! ([`shells`]).
 //!
 //! The clock is handed in, so that this room stays a function of its arguments.
+
+pub mod shells;
 
 use crate::design::Star;
 use crate::forecast::candidate::TableRing;
