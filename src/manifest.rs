@@ -184,11 +184,11 @@ impl Manifest {
         }
     }
 
-    /// The same manifest naming `artifacts`, the files that were `asked` for.
+    /// The same manifest naming `files`, those that were `asked` for.
     #[must_use]
-    pub fn with_files(self, artifacts: &[Artifact], asked: &Asked) -> Self {
+    pub fn with_files(self, files: Vec<ManifestFile>, asked: &Asked) -> Self {
         let Asked { only, with } = asked.clone();
-        Self { files: artifacts.iter().map(ManifestFile::of).collect(), only, with, ..self }
+        Self { files, only, with, ..self }
     }
 
     /// What was asked for.
@@ -210,12 +210,17 @@ impl Manifest {
 impl ManifestFile {
     /// The entry of one artifact.
     pub fn of(artifact: &Artifact) -> Self {
+        Self::with_hash(artifact, sha256(&artifact.bytes))
+    }
+
+    /// The same for who knows the hash of its content already.
+    pub fn with_hash(artifact: &Artifact, sha256: String) -> Self {
         let Output { kind, sheet, star, plate, piece, paper, mirrored, .. } = artifact.output;
         Self {
             path: artifact.name.clone(),
             kind,
             bytes: artifact.bytes.len(),
-            sha256: sha256(&artifact.bytes),
+            sha256,
             sheet,
             star,
             plate,

@@ -146,9 +146,13 @@ pub(super) fn read_directory(dir: &Path) -> Result<(Claim, OutputFiles<'static>)
 
 /// At most the first `most` bytes of a file.
 fn read(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
-    let mut bytes = Vec::new();
-    let _ = fs::File::open(path)
-        .and_then(|file| file.take(most).read_to_end(&mut bytes))
-        .map_err(|error| Failure::file("read", path, &error))?;
-    Ok(bytes)
+    let read = || {
+        let file = fs::File::open(path)?;
+        // Room for all of it at once: what grows is copied.
+        let length = file.metadata()?.len().min(most);
+        let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
+        let _ = file.take(most).read_to_end(&mut bytes)?;
+        Ok(bytes)
+    };
+    read().map_err(|error| Failure::file("read", path, &error))
 }

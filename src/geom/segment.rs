@@ -86,7 +86,12 @@ impl Segment {
 
     /// Smallest axis-parallel box that holds the segment.
     pub fn bounds(&self) -> Bounds {
-        let ends = Bounds::of_points([self.start(), self.end()]);
+        self.bounds_of([self.start(), self.end()])
+    }
+
+    /// The same for who knows its ends already: on an arc they cost more than all the rest.
+    pub fn bounds_of(&self, ends: [Point; 2]) -> Bounds {
+        let ends = Bounds::of_points(ends);
         match self {
             Self::Line(_) => ends,
             Self::Arc(arc) => arc.extreme_points().fold(ends, Bounds::including),

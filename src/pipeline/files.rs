@@ -7,26 +7,32 @@ use crate::emit::Inflated;
 use crate::forecast::charts::charts;
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::shut::shut;
-use crate::manifest::Manifest;
+use crate::manifest::{Manifest, ManifestFile};
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
 
 impl Forecast {
     /// The files that are `asked` for.
     pub fn build(self, sources: Sources<'_>, asked: &Asked) -> Built {
-        let artifacts = artifacts(&self, sources, asked);
-        let manifest = Manifest::new(&self.spec, &self.design, &self.programs).with_files(&artifacts, asked);
-        Built { forecast: self, artifacts, manifest }
+        let mut artifacts = Vec::new();
+        self.make(sources, asked, |artifact| artifacts.push(artifact));
+        let entries = artifacts.iter().map(ManifestFile::of).collect();
+        Built { manifest: self.manifest(entries, asked), forecast: self, artifacts }
     }
-}
 
-/// The files that are `asked` for.
-fn artifacts(forecast: &Forecast, sources: Sources<'_>, asked: &Asked) -> Vec<Artifact> {
-    let wanted = outputs(&forecast.spec, forecast.machine.controller.dialect, &forecast.design, asked);
-    let made = wanted
-        .into_iter()
-        .filter_map(|output| content(forecast, sources, &output).map(|bytes| Artifact::new(output, bytes)));
-    made.collect()
+    /// Hands each of the files that are `asked` for to `take`, one after the other, as soon as it is made.
+    pub(super) fn make(&self, sources: Sources<'_>, asked: &Asked, mut take: impl FnMut(Artifact)) {
+        for output in outputs(&self.spec, self.machine.controller.dialect, &self.design, asked) {
+            if let Some(bytes) = content(self, sources, &output) {
+                take(Artifact::new(output, bytes));
+            }
+        }
+    }
+
+    /// The manifest that names `files`, those that were `asked` for.
+    pub(super) fn manifest(&self, files: Vec<ManifestFile>, asked: &Asked) -> Manifest {
+        Manifest::new(&self.spec, &self.design, &self.programs).with_files(files, asked)
+    }
 }
 
 /// The content of one file; `None` for what this gripper does not have.

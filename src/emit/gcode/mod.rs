@@ -143,7 +143,7 @@ impl<'a, W: fmt::Write> Job<'a, W> {
             Step::Seal(pieces) => pieces.iter().try_for_each(|piece| self.seal(piece, None)),
             Step::Trace(pieces) => {
                 let speed = self.facts.process.trace_speed.0;
-                pieces.iter().try_for_each(|piece| self.writer.cut(piece, None, speed))
+                pieces.iter().try_for_each(|piece| self.writer.cut(piece, piece.end(), None, speed))
             }
         }
     }
@@ -170,11 +170,12 @@ impl<'a, W: fmt::Write> Job<'a, W> {
         let unit = facts.controller.dwell.unit;
         let mut written = Ok(());
         pacer.strokes(piece, heights, |stroke| {
+            let end = stroke.piece.end();
             if let Some(whole) = whole {
-                whole.clock.add(stroke.piece.end(), stroke.height, stroke.seconds);
+                whole.clock.add(end, stroke.height, stroke.seconds);
             }
             if written.is_ok() {
-                written = writer.cut(&stroke.piece, stroke.height, stroke.speed);
+                written = writer.cut(&stroke.piece, end, stroke.height, stroke.speed);
             }
             if written.is_ok() && stroke.dwell > 0.0 {
                 written = writer.line(&writer.spelling.dwell(unit, stroke.dwell));

@@ -105,9 +105,9 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
         }
     }
 
-    /// One feed move along `piece`, to height `z` if given, at `speed` mm/s.
-    pub(super) fn cut(&mut self, piece: &Segment, z: Option<f64>, speed: f64) -> fmt::Result {
-        let (from, to) = (self.at, self.round(piece.end()));
+    /// One feed move along `piece` to its `end`, to height `z` if given, at `speed` mm/s.
+    pub(super) fn cut(&mut self, piece: &Segment, end: Point, z: Option<f64>, speed: f64) -> fmt::Result {
+        let (from, to) = (self.at, self.round(end));
         if from == to && z.is_none() {
             return Ok(());
         }
@@ -139,9 +139,11 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
     /// Centre of the arc through the rounded points; `None` where a straight move is as good.
     fn center(&self, piece: &Segment, from: Point, to: Point) -> Option<Point> {
         let Segment::Arc(arc) = piece else { return None };
-        let sagitta = arc.radius * (1.0 - (arc.sweep / 2.0).cos());
         // A quarter of the tolerance; rounding has at most a tenth of it.
-        if sagitta <= self.facts.path.0 / 4.0 {
+        let straight = self.facts.path.0 / 4.0;
+        // `1 - cos x <= x^2 / 2` tells most without a cosine.
+        let at_most = arc.radius * arc.sweep * arc.sweep / 8.0;
+        if at_most <= straight || arc.radius * (1.0 - (arc.sweep / 2.0).cos()) <= straight {
             return None;
         }
         let chord = to - from;

@@ -184,7 +184,7 @@ impl Judge for Comments<'_> {
         if line.is_motion() {
             self.moved = line.number;
         }
-        self.coded |= is_code(line.text.trim());
+        self.coded = self.coded || is_code(line.text.trim());
         self.told.display(line);
         for event in line.events {
             match event {

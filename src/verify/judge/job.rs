@@ -141,9 +141,9 @@ struct FirstWords(Findings);
 
 impl Judge for FirstWords {
     fn see(&mut self, line: &Line<'_>) {
-        let text = line.text.trim();
-        if self.0.is_empty() && text.starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']) {
-            self.0.add(FindingCode::UnusedWord, line.number, quote(text), "G0, G1, G2 or G3 first");
+        if self.0.is_empty() && line.text.trim_start().starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']) {
+            let found = quote(line.text.trim());
+            self.0.add(FindingCode::UnusedWord, line.number, found, "G0, G1, G2 or G3 first");
         }
     }
 

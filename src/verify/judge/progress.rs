@@ -191,10 +191,10 @@ impl<'a> Told<'a> {
 
     /// A line, if it is for the display.
     pub(super) fn display(&mut self, line: &Line<'_>) {
-        let text = line.text.trim_end();
-        if !text.starts_with("M73") {
+        if !line.text.starts_with("M73") {
             return;
         }
+        let text = line.text.trim_end();
         match self.said.last_mut() {
             Some(said) if said.comment.line + 1 == line.number => said.display = Some(text.to_owned()),
             _ => {

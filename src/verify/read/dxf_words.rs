@@ -111,11 +111,11 @@ impl<'a> Tags<'a> {
 
     /// The next tag, which must have this group code.
     fn take(&mut self, code: &str, allowed: &str) -> Result<Tag<'a>, Finding> {
-        let allowed = format!("{code} {allowed}");
+        let said = || format!("{code} {allowed}");
         match self.next()? {
             Some(tag) if tag.code == code => Ok(tag),
-            Some(tag) => Err(wrong(&tag, &allowed)),
-            None => Err(Finding::new(FindingCode::Truncated, self.line, "the end of the file", allowed)),
+            Some(tag) => Err(wrong(&tag, &said())),
+            None => Err(Finding::new(FindingCode::Truncated, self.line, "the end of the file", said())),
         }
     }
 

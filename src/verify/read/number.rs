@@ -3,51 +3,97 @@
 /// Largest magnitude a coordinate in a file may have: a kilometre in mm, so that squares stay exact enough.
 pub(in crate::verify) const LARGEST: f64 = 1e6;
 
-/// Splits `[+-] digits [. digits] [e [+-] digits]` (the exponent only if allowed) off the front of `text`.
+/// So many digits make a whole number that `f64` holds exactly, and so is the power of ten that they are divided by.
+const EXACT: usize = 15;
+
+/// Those powers of ten.
+const TENS: [f64; EXACT + 1] =
+    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+
+/// A number at the front of a text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(in crate::verify) struct Number<'a> {
+    /// What it is worth; `None` beyond [`LARGEST`].
+    pub(in crate::verify) value: Option<f64>,
+    /// How it is written.
+    pub(in crate::verify) text: &'a str,
+    /// What follows it.
+    pub(in crate::verify) rest: &'a str,
+}
+
+/// Reads `[+-] digits [. digits] [e [+-] digits]` (the exponent only if allowed) off the front of `text`.
 ///
-/// At least one digit must stand before or after the point. Returns the number's text and the rest.
-pub(in crate::verify) fn split_number(text: &str, exponent: bool) -> Option<(&str, &str)> {
+/// At least one digit must stand before or after the point. The text is passed once: up to [`EXACT`] digits and the power of
+/// ten are exact, so that their quotient is the nearest number, as `parse` has it; what is longer is left to `parse`.
+pub(in crate::verify) fn read(text: &str, exponent: bool) -> Option<Number<'_>> {
     let bytes = text.as_bytes();
-    let digits = |from: usize| bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
-    let mut at = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
-    let whole = digits(at);
+    let is_negative = bytes.first() == Some(&b'-');
+    let mut at = usize::from(is_negative || bytes.first() == Some(&b'+'));
+    let (whole, mut all) = digits(&bytes[at..], 0);
     at += whole;
     let mut fraction = 0;
     if bytes.get(at) == Some(&b'.') {
-        fraction = digits(at + 1);
-        at += 1 + fraction;
+        at += 1;
+        (fraction, all) = digits(&bytes[at..], all);
+        at += fraction;
     }
     if whole + fraction == 0 {
         return None;
     }
-    if exponent && matches!(bytes.get(at), Some(b'e' | b'E')) {
-        let sign = usize::from(matches!(bytes.get(at + 1), Some(b'+' | b'-')));
-        let power = digits(at + 1 + sign);
-        if power > 0 {
-            at += 1 + sign + power;
-        }
+    let mut is_plain = whole + fraction <= EXACT;
+    if exponent && let Some(power) = power(&bytes[at..]) {
+        at += power;
+        is_plain = false;
     }
     // Only ASCII bytes were passed over, so `at` is a character boundary.
-    Some(text.split_at(at))
+    let (number, rest) = text.split_at(at);
+    let value = if is_plain {
+        #[expect(clippy::cast_precision_loss, reason = "exact, see EXACT")]
+        let value = all as f64 / TENS[fraction];
+        Some(if is_negative { -value } else { value })
+    } else {
+        number.parse().ok()
+    };
+    Some(Number { value: value.filter(|x| x.abs() <= LARGEST), text: number, rest })
+}
+
+/// How many digits are at the front of `bytes`, and what they make of the number `before` them.
+fn digits(bytes: &[u8], before: u64) -> (usize, u64) {
+    let (mut count, mut all) = (0, before);
+    for byte in bytes {
+        let digit = byte.wrapping_sub(b'0');
+        if digit > 9 {
+            break;
+        }
+        // Of more digits than fit nobody takes the number.
+        all = all.wrapping_mul(10).wrapping_add(u64::from(digit));
+        count += 1;
+    }
+    (count, all)
+}
+
+/// How long the exponent is at the front of `bytes`, if there is one.
+fn power(bytes: &[u8]) -> Option<usize> {
+    let (b'e' | b'E', rest) = bytes.split_first()? else { return None };
+    let sign = usize::from(matches!(rest.first(), Some(b'+' | b'-')));
+    let digits = rest[sign..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+    (digits > 0).then_some(1 + sign + digits)
 }
 
 /// The value of a number's text; `None` if it is not a number or beyond [`LARGEST`].
 pub(in crate::verify) fn value(text: &str) -> Option<f64> {
-    let (number, rest) = split_number(text, true)?;
-    if rest.is_empty() { parsed(number) } else { None }
-}
-
-/// The value of a number that [`split_number`] found; `None` beyond [`LARGEST`].
-pub(in crate::verify) fn parsed(number: &str) -> Option<f64> {
-    number.parse().ok().filter(|x: &f64| x.abs() <= LARGEST)
+    read(text, true).filter(|number| number.rest.is_empty())?.value
 }
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
 
     #[test]
     fn grammar() {
+        let split = |text, exponent| read(text, exponent).map(|number| (number.text, number.rest));
         for (text, number, rest) in [
             ("1.5X", "1.5", "X"),
             ("-.5-1", "-.5", "-1"),
@@ -57,11 +103,11 @@ mod tests {
             ("1e+", "1", "e+"),
             ("1.2.3", "1.2", ".3"),
         ] {
-            assert_eq!(split_number(text, true), Some((number, rest)), "{text}");
+            assert_eq!(split(text, true), Some((number, rest)), "{text}");
         }
-        assert_eq!(split_number("1e5", false), Some(("1", "e5")));
+        assert_eq!(split("1e5", false), Some(("1", "e5")));
         for text in ["", "-", ".", "+.", "nan", "inf", "e5", "٣"] {
-            assert_eq!(split_number(text, true), None, "{text}");
+            assert_eq!(split(text, true), None, "{text}");
         }
     }
 
@@ -70,6 +116,14 @@ mod tests {
         assert_eq!(value("1e6"), Some(1e6));
         for text in ["1e7", "-1e999", "NaN", "1 ", "0x10", "infinity"] {
             assert_eq!(value(text), None, "{text}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn the_value_is_the_nearest_to_the_bit(text in "[+-]?[0-9]{0,20}[.]?[0-9]{0,20}(e[+-]?[0-9]{1,2})?") {
+            let right = text.parse::<f64>().ok().filter(|x| x.abs() <= LARGEST);
+            prop_assert_eq!(value(&text).map(f64::to_bits), right.map(f64::to_bits), "{}", text);
         }
     }
 }

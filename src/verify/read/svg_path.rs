@@ -87,14 +87,14 @@ impl Scan<'_> {
     }
 
     fn has_number(&self) -> bool {
-        number::split_number(self.rest, true).is_some()
+        number::read(self.rest, true).is_some()
     }
 
     fn number(&mut self) -> Result<f64, Fault> {
-        let (text, tail) = number::split_number(self.rest, true).ok_or_else(|| self.fault("a number"))?;
-        let value = number::parsed(text)
-            .ok_or_else(|| (FindingCode::BadNumber, quote(text), format!("at most {}", number::LARGEST)))?;
-        self.rest = tail;
+        let number = number::read(self.rest, true).ok_or_else(|| self.fault("a number"))?;
+        let beyond = || (FindingCode::BadNumber, quote(number.text), format!("at most {}", number::LARGEST));
+        let value = number.value.ok_or_else(beyond)?;
+        self.rest = number.rest;
         self.skip(true);
         Ok(value)
     }

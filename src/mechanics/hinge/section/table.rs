@@ -205,14 +205,14 @@ fn indices(mut number: usize) -> [usize; 4] {
 
 /// One line of the table: four orders, eight coefficients in millionths.
 fn term(line: &str) -> Option<([u8; 4], Quantities)> {
-    let mut words = line.split(' ');
+    let mut words = line.split_ascii_whitespace();
     let mut orders = [0; 4];
     for order in &mut orders {
         *order = words.next()?.parse().ok()?;
     }
     let mut coefficients = [0.0; QUANTITIES];
     for c in &mut coefficients {
-        *c = 1e-6 * words.next()?.parse::<f64>().ok()?;
+        *c = 1e-6 * f64::from(words.next()?.parse::<i32>().ok()?);
     }
     Some((orders, coefficients))
 }

@@ -6,25 +6,27 @@
 use crate::artifact::Subject;
 use crate::manifest::MANIFEST;
 use crate::verify::finding::quote;
-use crate::verify::judge::files::proof::{By, FileProof, Proof};
+use crate::verify::judge::files::proof::{By, Proof};
 use crate::verify::{Finding, FindingCode, OutputFiles};
 
-/// Names the first difference of every file of `found` from the one `made` anew; those that are equal are proven by it.
-pub fn compare_bytes(made: &OutputFiles<'_>, found: &OutputFiles<'_>, proof: &mut Proof) {
-    for (name, right) in &made.files {
-        // What is missing is a finding of its own.
-        let Some(bytes) = found.get(name) else { continue };
-        if bytes == right.as_ref() {
-            // Spec and profile are what all else is made of: nothing makes them anew.
-            let made = |file: &&mut FileProof| {
-                file.path == *name && !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine)
-            };
-            proof.files.iter_mut().filter(made).for_each(|file| file.by = By::Bytes);
-        } else if !(name == MANIFEST && proof.findings.iter().any(|finding| finding.file != MANIFEST)) {
-            // The manifest's hashes differ with the files, which have been named.
-            proof.findings.push(first_difference(bytes, right).in_file(name));
+/// Names the first difference of the file `name` of `found` from what is `right`, made anew; if it is equal, it is proven by that,
+/// and its hash is returned if it was taken.
+pub fn compare_bytes(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
+    // What is missing is a finding of its own.
+    let bytes = found.get(name)?;
+    if bytes == right {
+        let file = proof.files.iter_mut().find(|file| file.path == name)?;
+        // Spec and profile are what all else is made of: nothing makes them anew.
+        if !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine) {
+            file.by = By::Bytes;
         }
+        return Some(file.sha256.clone());
     }
+    // The manifest's hashes differ with the files, which have been named.
+    if !(name == MANIFEST && proof.findings.iter().any(|finding| finding.file != MANIFEST)) {
+        proof.findings.push(first_difference(bytes, right).in_file(name));
+    }
+    None
 }
 
 /// Where `found` first differs from what is `right`.

@@ -38,6 +38,8 @@ pub struct FileProof {
     pub output: Output,
     /// How it was looked at.
     pub by: By,
+    /// SHA-256 of its content, lower-case hexadecimal.
+    pub sha256: String,
     /// Its largest deviation from the exact geometry either way, mm; `None` for what has no geometry that was measured.
     pub deviation: Option<f64>,
 }
@@ -66,12 +68,13 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
         let path = output.name();
         let Some(bytes) = files.get(&path) else { continue };
         let mut findings = Findings::default();
+        let sha256 = sha256(bytes);
         if let Some(entry) = entries.get(path.as_str()) {
-            check_hash(entry, bytes, &mut findings);
+            check_hash(entry, bytes, &sha256, &mut findings);
         }
         let (by, deviation) = file(expected, &output, bytes, &mut across, &mut findings);
         proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&path)));
-        proof.files.push(FileProof { path, output, by, deviation });
+        proof.files.push(FileProof { path, output, by, sha256, deviation });
     }
     proof.findings.extend(across.seals.disagreements(expected.spec.accuracy.path.0));
     proof.findings.extend(across.pieces.disagreements(expected.design));
@@ -83,7 +86,7 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     proof
 }
 
-fn check_hash(entry: &ManifestFile, bytes: &[u8], findings: &mut Findings) {
+fn check_hash(entry: &ManifestFile, bytes: &[u8], sha256: &str, findings: &mut Findings) {
     if bytes.len() != entry.bytes {
         findings.add(
             FindingCode::Size,
@@ -92,9 +95,8 @@ fn check_hash(entry: &ManifestFile, bytes: &[u8], findings: &mut Findings) {
             format!("{} bytes", entry.bytes),
         );
     }
-    let hash = sha256(bytes);
-    if hash != entry.sha256 {
-        findings.add(FindingCode::Hash, None, hash, entry.sha256.clone());
+    if sha256 != entry.sha256 {
+        findings.add(FindingCode::Hash, None, sha256, entry.sha256.clone());
     }
 }
 

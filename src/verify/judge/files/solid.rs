@@ -1,7 +1,7 @@
 //! STL files against the plates they should be: closed, of the right volume, with their edges where they belong, and sunk in
 //! where a label is.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use crate::design::{Drawing, Layer};
 use crate::geom::{Path, Point};
@@ -58,7 +58,8 @@ pub(in crate::verify) fn check(
     };
     named(&beside, solid, findings);
     normals(&facets, &beside.normals, solid.thickness, findings);
-    closed(&facets, findings);
+    let corners = numbered(&facets);
+    closed(&corners, findings);
     let paths = |label: bool| -> Vec<Path> {
         let layers = solid.drawing.layers.iter().filter(|(layer, _)| (*layer == Layer::Label) == label);
         layers.flat_map(|(_, shapes)| shapes.iter().flat_map(paths_of)).collect()
@@ -83,7 +84,7 @@ pub(in crate::verify) fn check(
     if (volume - right).abs() > slack {
         findings.add(FindingCode::WrongVolume, None, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
     }
-    let deviation = edges(&facets, &walls, solid.thickness, findings);
+    let deviation = edges(&facets, &corners, &walls, solid.thickness, findings);
     (facets, deviation)
 }
 
@@ -142,20 +143,27 @@ fn single(facets: &[Facet]) -> f64 {
     f64::from(largest) * f64::from(f32::EPSILON)
 }
 
-/// Every edge is passed once each way.
-fn closed(facets: &[Facet], findings: &mut Findings) {
-    let edge = |facet: &Facet, from: usize, to: usize| {
-        let (a, b) = (facet[from].map(bits), facet[to].map(bits));
-        ([a.min(b), a.max(b)], a < b)
+/// The corners of every facet by numbers, which are given in the order in which corners first come.
+fn numbered(facets: &[Facet]) -> Vec<[u32; 3]> {
+    let mut known: HashMap<(u64, u32), u32> = HashMap::with_capacity(facets.len());
+    let mut number = |corner: [f32; 3]| {
+        let [x, y, z] = corner.map(bits);
+        let next = u32::try_from(known.len()).unwrap_or(u32::MAX);
+        *known.entry((u64::from(x) << 32 | u64::from(y), z)).or_insert(next)
     };
-    let mut edges: Vec<([[u32; 3]; 2], bool)> = facets
-        .iter()
-        .flat_map(|facet| [(0, 1), (1, 2), (2, 0)].map(|(from, to)| edge(facet, from, to)))
-        .collect();
+    facets.iter().map(|facet| facet.map(&mut number)).collect()
+}
+
+/// Every edge is passed once each way.
+fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
+    // An edge in one word: its corners, and in the last bit its way. Words are sorted faster than what they stand for.
+    let edge = |a: u32, b: u32| u64::from(a.min(b)) << 33 | u64::from(a.max(b)) << 1 | u64::from(a < b);
+    let edges_of = |[a, b, c]: &[u32; 3]| [edge(*a, *b), edge(*b, *c), edge(*c, *a)];
+    let mut edges: Vec<u64> = corners.iter().flat_map(edges_of).collect();
     edges.sort_unstable();
-    let paired = |uses: &[(_, bool)]| matches!(uses, [(_, false), (_, true)]);
+    let paired = |uses: &[u64]| matches!(uses, [back, forth] if back & 1 == 0 && forth & 1 == 1);
     let (mut open, mut all) = (0_usize, 0_usize);
-    for uses in edges.chunk_by(|a, b| a.0 == b.0) {
+    for uses in edges.chunk_by(|a, b| a >> 1 == b >> 1) {
         all += 1;
         open += usize::from(!paired(uses));
     }
@@ -222,21 +230,31 @@ pub(in crate::verify) fn foot(facet: &Facet) -> Option<[[f64; 3]; 2]> {
 }
 
 /// The walls stand on the exact paths, all along them, from their bottom to the thickness.
-fn edges(facets: &[Facet], walls: &[Walls; 2], thickness: f64, findings: &mut Findings) -> f64 {
+fn edges(
+    facets: &[Facet],
+    corners: &[[u32; 3]],
+    walls: &[Walls; 2],
+    thickness: f64,
+    findings: &mut Findings,
+) -> f64 {
     let mut near = [0, 1].map(|i| Search { targets: &walls[i].targets, last: 0 });
     let (mut largest, mut worst, mut lengths) = (0.0_f64, 0.0_f64, [0.0; 2]);
-    let mut seen: HashSet<[u32; 2]> = HashSet::new();
+    let (mut seen, mut next): (HashSet<[u32; 2]>, u32) = (HashSet::new(), 0);
     let heights = [walls[0].bottom, walls[1].bottom, thickness];
-    for facet in facets {
-        let off = |z: f64| {
-            // Without a label there is no third height.
-            let known = heights.iter().enumerate().filter(|(i, _)| *i != 1 || !walls[1].targets.is_empty());
-            known.map(|(_, height)| (z - height).abs()).fold(f64::INFINITY, f64::min)
-        };
-        for corner in facet {
+    let off = |z: f64| {
+        // Without a label there is no third height.
+        let known = heights.iter().enumerate().filter(|(i, _)| *i != 1 || !walls[1].targets.is_empty());
+        known.map(|(_, height)| (z - height).abs()).fold(f64::INFINITY, f64::min)
+    };
+    for (facet, numbers) in facets.iter().zip(corners) {
+        for (corner, number) in facet.iter().zip(numbers) {
+            if *number < next {
+                continue;
+            }
+            next += 1;
             let [x, y, z] = corner.map(f64::from);
             worst = worst.max(off(z));
-            // Every corner of a face is a corner of walls too, and of several facets.
+            // Walls have two corners above each other.
             if seen.insert([bits(corner[0]), bits(corner[1])]) {
                 let [plate, label] = &mut near;
                 let first = plate.distance(x, y);

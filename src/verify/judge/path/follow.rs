@@ -7,7 +7,7 @@
 
 use crate::geom::{Path, Point, Segment};
 use crate::verify::judge::path::measure::{Farthest, Prepared, furthest};
-use crate::verify::judge::path::track::{TIE, Track};
+use crate::verify::judge::path::track::{Passing, TIE, Track};
 
 /// How far a window reaches beyond one step. Larger than any rounding in a file, far smaller than a band.
 const MARGIN: f64 = 0.05;
@@ -62,9 +62,8 @@ pub(in crate::verify) struct Follower {
     here: Option<Prepared>,
     /// The number by which that is called.
     number: usize,
-    /// Where the last step that was measured ends on the exact path, and how far off.
-    at: f64,
-    off: f64,
+    /// Where the exact path passes the end of the last step that was measured.
+    at: Passing,
     there: Farthest,
     back: Farthest,
     result: Following,
@@ -93,8 +92,7 @@ impl Follower {
             before: None,
             here: None,
             number: 0,
-            at: 0.0,
-            off: 0.0,
+            at: Passing { s: 0.0, place: Point::ORIGIN, distance: 0.0 },
             there,
             back,
             result,
@@ -112,8 +110,8 @@ impl Follower {
             self.measure(Some(&next));
             self.before = self.here;
         } else {
-            (self.at, self.off) = self.start(next.start);
-            self.result.start = self.at;
+            self.at = self.start(next.start);
+            self.result.start = self.at.s;
         }
         (self.here, self.number) = (Some(next), number);
     }
@@ -135,17 +133,17 @@ impl Follower {
             file_to_exact: self.there.distance,
             exact_to_file: self.back.distance,
             at: self.there.max(self.back).at,
-            end: self.at,
+            end: self.at.s,
             ..self.result
         }
     }
 
-    /// Where a run that begins at `p` begins on the exact path, and how far off.
-    fn start(&self, p: Point) -> (f64, f64) {
+    /// Where a run that begins at `p` begins on the exact path.
+    fn start(&self, p: Point) -> Passing {
         let track = &self.track;
         // With an overlap each place near the start comes twice, and a rounded start may lie nearer to the second pass
         // (next to a corner): the first pass within the margin is meant, and then its nearest point.
-        let (roughly, _) = track.project(p, (0.0, track.length), 0.0, MARGIN);
+        let roughly = track.project(p, (0.0, track.length), 0.0, MARGIN).s;
         let around = track.within(roughly - 4.0 * MARGIN, roughly + 4.0 * MARGIN);
         track.project(p, around, roughly, TIE)
     }
@@ -153,12 +151,12 @@ impl Follower {
     /// Measures the step that waits, of which `after` is the next.
     fn measure(&mut self, after: Option<&Prepared>) {
         let Some(step) = self.here else { return };
-        let before = self.off;
+        let before = self.at.place;
         let ((low, high), gap) = self.advance(&step);
         // Most steps cannot be farther off than one was before.
         let least = self.there.distance.min(self.back.distance);
-        let off = self.off.max(before + gap);
-        if gap <= TIE && self.track.bound(&step, (low, high), off).is_some_and(|bound| bound <= least) {
+        let ends = [before, self.at.place];
+        if gap <= TIE && self.track.bound(&step, (low, high), ends).is_some_and(|bound| bound <= least) {
             return;
         }
         let (near_low, near_high) = self.track.within(low - MARGIN, high + MARGIN);
@@ -173,18 +171,17 @@ impl Follower {
 
     /// Goes on to the end of `step`; the part of the exact path that was covered on the way, and the gap before it.
     fn advance(&mut self, step: &Prepared) -> ((f64, f64), f64) {
-        let (track, left) = (&self.track, self.at);
+        let (track, left) = (&self.track, self.at.s);
         let gap = self.before.map_or(0.0, |before| before.end.distance(step.start));
         note_larger(&mut self.result.jump, gap, self.number);
         let mut at = left;
         if gap > TIE {
-            (at, _) = track.project(step.start, track.within(at - gap - MARGIN, at + gap + MARGIN), at, TIE);
+            at = track.project(step.start, track.within(at - gap - MARGIN, at + gap + MARGIN), at, TIE).s;
         }
         let reach = step.length + MARGIN;
-        let (next, off) =
-            track.project(step.end, track.within(at - reach, at + reach), at + step.length, TIE);
+        self.at = track.project(step.end, track.within(at - reach, at + reach), at + step.length, TIE);
+        let next = self.at.s;
         note_larger(&mut self.result.backwards, at - next, self.number);
-        (self.at, self.off) = (next, off);
         ((left.min(at).min(next), left.max(at).max(next)), gap)
     }
 

@@ -39,7 +39,26 @@ impl Prepared {
             Segment::Line(_) => Vec2::default(),
             Segment::Arc(arc) => Vec2::unit(arc.start_angle + 0.5 * arc.sweep),
         };
-        Self { segment, start, end, length: segment.length(), bounds: segment.bounds(), axis }
+        Self { segment, start, end, length: segment.length(), bounds: segment.bounds_of([start, end]), axis }
+    }
+
+    /// The point at fraction `t`.
+    fn point(&self, t: f64) -> Point {
+        match t {
+            0.0 => self.start,
+            1.0 => self.end,
+            _ => self.segment.point(t),
+        }
+    }
+
+    /// The point nearest to `p`, of which is known that it stands at `fraction`.
+    pub(in crate::verify) fn foot(&self, p: Point, fraction: f64) -> Point {
+        match &self.segment {
+            Segment::Arc(arc) if 0.0 < fraction && fraction < 1.0 => {
+                arc.center + (p - arc.center).normalized() * arc.radius
+            }
+            _ => self.point(fraction),
+        }
     }
 
     /// Distance from `p` to the nearest point of the segment.
@@ -162,7 +181,7 @@ pub(in crate::verify) fn furthest<T: Borrow<Prepared>>(
     scratch: &mut Vec<f64>,
 ) -> Farthest {
     let nearest = |t: f64| {
-        let p = probe.segment.point(t);
+        let p = probe.point(t);
         let (mut best, mut index) = (f64::INFINITY, 0);
         for (i, target) in targets.iter().map(Borrow::borrow).enumerate() {
             // The box is worth its price only where there is a choice.

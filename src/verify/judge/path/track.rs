@@ -1,6 +1,6 @@
 //! The exact path as something to be followed: which part of it is near, and what can be said of a step without measuring it.
 
-use crate::geom::{Path, Point, Segment};
+use crate::geom::{Path, Point, Segment, Vec2};
 use crate::verify::judge::path::measure::Prepared;
 
 /// Two places on the exact path that differ by less in their distance are equally near: both passes of an overlap.
@@ -11,6 +11,16 @@ pub(super) struct Track {
     pub(super) targets: Vec<Prepared>,
     pub(super) begins: Vec<f64>,
     pub(super) length: f64,
+}
+
+/// Where the path passes some point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Passing {
+    /// Arc length to there.
+    pub(super) s: f64,
+    /// The place on the path, and how far it is from the point.
+    pub(super) place: Point,
+    pub(super) distance: f64,
 }
 
 impl Track {
@@ -40,37 +50,109 @@ impl Track {
         first..last
     }
 
-    /// The arc length in `[from, to]` of the point nearest to `p`, and its distance; of those within `tie` the one next to
-    /// `expected`.
-    pub(super) fn project(&self, p: Point, (from, to): (f64, f64), expected: f64, tie: f64) -> (f64, f64) {
-        let mut best = (from, f64::INFINITY);
+    /// Where in `[from, to]` the path passes nearest to `p`; of places within `tie` the one next to `expected`.
+    pub(super) fn project(&self, p: Point, (from, to): (f64, f64), expected: f64, tie: f64) -> Passing {
+        let mut best = Passing { s: from, place: p, distance: f64::INFINITY };
         for i in self.between(from, to) {
             let (target, begin) = (&self.targets[i], self.begins[i]);
-            if target.bounds.distance(p) >= best.1 + tie {
+            if target.bounds.distance(p) >= best.distance + tie {
                 continue;
             }
-            let s = (begin + target.segment.nearest_fraction(p) * target.length).clamp(from, to);
-            let distance = target.segment.point((s - begin) / target.length).distance(p);
-            let nearer = distance < best.1 - tie;
-            if nearer || (distance <= best.1 + tie && (s - expected).abs() < (best.0 - expected).abs()) {
-                best = (s, distance);
+            let nearest = target.segment.nearest_fraction(p);
+            let free = begin + nearest * target.length;
+            let s = free.clamp(from, to);
+            let place = if s == free {
+                target.foot(p, nearest)
+            } else {
+                target.segment.point((s - begin) / target.length)
+            };
+            let distance = place.distance(p);
+            let nearer = distance < best.distance - tie;
+            if nearer || (distance <= best.distance + tie && (s - expected).abs() < (best.s - expected).abs())
+            {
+                best = Passing { s, place, distance };
             }
         }
         best
     }
 
-    /// The most by which a straight step may be away from the part of the path between `low` and `high`, either way, if its
-    /// ends are no farther than `off` from those of that part; `None` if the part bends.
-    pub(super) fn bound(&self, step: &Prepared, (low, high): (f64, f64), off: f64) -> Option<f64> {
+    /// The most by which a straight step may be away from the part of the path between `low` and `high`, either way; `ends` are
+    /// those of that part, in the order of the step. `None` if the part bends.
+    pub(super) fn bound(&self, step: &Prepared, (low, high): (f64, f64), ends: [Point; 2]) -> Option<f64> {
         let covered = self.between(low, high);
         let target = self.targets.get(covered.start).filter(|_| covered.len() == 1)?;
+        let off = [step.start - ends[0], step.end - ends[1]];
         match (&step.segment, &target.segment) {
-            (Segment::Line(_), Segment::Line(_)) => Some(off),
-            // Two lines are no farther apart than their ends, and an arc from its chord by no more than its sagitta.
+            // Two lines are no farther apart than their ends.
+            (Segment::Line(_), Segment::Line(_)) => Some(off[0].length().max(off[1].length())),
             (Segment::Line(_), Segment::Arc(arc)) if high - low < arc.radius => {
-                Some(off + (high - low).powi(2) / (8.0 * arc.radius))
+                Some(from_arc(off, ends, arc.center))
             }
             _ => None,
         }
+    }
+}
+
+/// How far a straight step is from an arc around `center` at most, whose `ends` it misses by `off`; the arc is less than 1 rad.
+///
+/// At a part `t` of the way along its chord, the arc is above it by 0 to `4 rise t (1 - t)`, with `rise = a^2 / (2 h)` for half
+/// a chord `a` at a distance `h` from the centre (from `sqrt(h^2 + z) - h <= z / (2 h)`), and the step by what lies evenly
+/// between `off`: their difference is at most the height of a parabola, or one of `off` where the step is above.
+fn from_arc(off: [Vec2; 2], ends: [Point; 2], center: Point) -> f64 {
+    let chord = ends[1] - ends[0];
+    if chord == Vec2::default() {
+        return off[0].length().max(off[1].length());
+    }
+    let along = chord.normalized();
+    let out = ends[0].midpoint(ends[1]) - center;
+    let up = along.perp() * along.perp().dot(out).signum();
+    let rise = chord.dot(chord) / (8.0 * up.dot(out));
+    let [a, b] = off.map(|off| off.dot(up));
+    let below = if (a - b).abs() < 4.0 * rise {
+        rise - 0.5 * (a + b) + (a - b).powi(2) / (16.0 * rise)
+    } else {
+        f64::max(-a, -b)
+    };
+    let [c, d] = off.map(|off| off.dot(along));
+    Vec2::new(below.max(a).max(b), c.abs().max(d.abs())).length()
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::geom::{Arc, Line};
+    use crate::verify::judge::path::measure::furthest;
+
+    proptest! {
+        /// Nothing that is measured is more than the bound, and the bound is hardly more than the sagitta and what the ends miss.
+        #[test]
+        fn no_step_is_farther_from_its_arc_than_the_bound(
+            radius in 0.5..200.0_f64,
+            start in -3.0..3.0_f64,
+            sweep in prop_oneof![-0.99..-1e-6_f64, 1e-6..0.99_f64],
+            off in prop::array::uniform4(-1.0..1.0_f64),
+            size in prop_oneof![Just(0.0), Just(1e-4), Just(0.1)],
+        ) {
+            let arc = Arc::new(Point::new(3.0, -4.0), radius, start, sweep);
+            let ends = [arc.start(), arc.end()];
+            let [a, b, c, d] = off.map(|x| x * size);
+            let line = Line::new(ends[0] + Vec2::new(a, b), ends[1] + Vec2::new(c, d));
+            let (step, exact) = (Prepared::new(line.into()), Prepared::new(arc.into()));
+            let mut scratch = Vec::new();
+            let there = furthest(&step, std::slice::from_ref(&exact), &mut scratch);
+            let back = furthest(&exact, std::slice::from_ref(&step), &mut scratch);
+            let bound = from_arc([line.start - ends[0], line.end - ends[1]], ends, arc.center);
+            prop_assert!(there.max(back).distance <= bound + 1e-12, "{} {}", there.max(back).distance, bound);
+            let sagitta = radius * (1.0 - (0.5 * sweep).cos());
+            prop_assert!(bound <= 1.2 * sagitta + 1.5 * size, "{bound}, a sagitta of {sagitta}");
+        }
+    }
+
+    #[test]
+    fn a_step_on_the_spot_is_as_far_off_as_its_ends() {
+        let at = Point::new(1.0, 0.0);
+        assert_eq!(from_arc([Vec2::new(3.0, 4.0), Vec2::new(0.0, 1.0)], [at; 2], Point::ORIGIN), 5.0);
     }
 }

@@ -5,17 +5,24 @@ use crate::verify::read::gcode::lexer::{Fault, Word};
 use crate::verify::read::gcode::{Command, Dialect};
 
 /// The commands and values of one line.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Block {
     pub(super) commands: Vec<Command>,
-    values: [Option<f64>; 26],
+    /// The letters that have a value, a bit each, and the values of those.
+    given: u32,
+    values: [f64; 26],
+}
+
+/// The bit of a letter; none for what is no capital.
+const fn bit(letter: u8) -> u32 {
+    if letter.is_ascii_uppercase() { 1 << (letter - b'A') } else { 0 }
 }
 
 impl Block {
     /// Reads `words` into this block, replacing what it held; the first fault ends it.
     pub(super) fn read(&mut self, words: &[Word], dialect: &Dialect) -> Result<(), Fault> {
         self.commands.clear();
-        self.values = [None; 26];
+        self.given = 0;
         for (place, word) in words.iter().enumerate() {
             let name = || format!("{}{}", char::from(word.letter), word.number);
             if matches!(word.letter, b'G' | b'M') || (word.letter == b'T' && place == 0) {
@@ -33,17 +40,14 @@ impl Block {
                 self.commands.push(command);
                 continue;
             }
-            let known = dialect.parameters.as_bytes().contains(&word.letter);
-            let slot = word.letter.checked_sub(b'A').and_then(|i| self.values.get_mut(usize::from(i)));
-            match slot.filter(|_| known) {
-                None => {
-                    return Err((FindingCode::UnknownWord, name(), format!("words {}", dialect.parameters)));
-                }
-                Some(Some(_)) => {
-                    return Err((FindingCode::RepeatedWord, name(), "each letter once a line".to_owned()));
-                }
-                Some(slot) => *slot = Some(word.number),
+            if !dialect.parameters.as_bytes().contains(&word.letter) || bit(word.letter) == 0 {
+                return Err((FindingCode::UnknownWord, name(), format!("words {}", dialect.parameters)));
             }
+            if self.given & bit(word.letter) != 0 {
+                return Err((FindingCode::RepeatedWord, name(), "each letter once a line".to_owned()));
+            }
+            self.given |= bit(word.letter);
+            self.values[usize::from(word.letter - b'A')] = word.number;
         }
         self.check()
     }
@@ -51,18 +55,18 @@ impl Block {
     /// This block is the command alone, whatever words of its own follow it.
     pub(super) fn set(&mut self, command: Command) {
         self.commands.clear();
-        self.values = [None; 26];
+        self.given = 0;
         self.commands.push(command);
     }
 
     /// The value of a word.
     pub(super) fn value(&self, letter: u8) -> Option<f64> {
-        letter.checked_sub(b'A').and_then(|i| self.values.get(usize::from(i)).copied().flatten())
+        (self.given & bit(letter) != 0).then(|| self.values[usize::from(letter - b'A')])
     }
 
     /// Whether any of the words is there.
     pub(super) fn has_any(&self, letters: &[u8]) -> bool {
-        letters.iter().any(|letter| self.value(*letter).is_some())
+        letters.iter().any(|letter| self.given & bit(*letter) != 0)
     }
 
     /// Whether the command is there.

@@ -1,7 +1,7 @@
 //! The interpreter: line after line, in constant memory.
 
 use crate::verify::read::gcode::block::Block;
-use crate::verify::read::gcode::lexer::Word;
+use crate::verify::read::gcode::lexer::{Alphabet, Word};
 use crate::verify::read::gcode::machine::{Here, Machine, report};
 use crate::verify::read::gcode::{Command, Comment, CommentMark, Dialect, Event, Pause, lexer};
 use crate::verify::{Finding, FindingCode};
@@ -16,6 +16,7 @@ const SENTINEL: &str = "end of program, ";
 #[derive(Clone, Debug)]
 pub struct Interpreter {
     dialect: Dialect,
+    alphabet: Alphabet,
     machine: Machine,
     block: Block,
     words: Vec<Word>,
@@ -33,6 +34,7 @@ impl Interpreter {
     pub fn new(dialect: Dialect) -> Self {
         Self {
             machine: Machine::new(&dialect),
+            alphabet: Alphabet::new(&dialect),
             dialect,
             block: Block::default(),
             words: Vec::new(),
@@ -66,7 +68,7 @@ impl Interpreter {
             self.block.set(command);
             self.execute(events);
         } else {
-            let (found, fault) = lexer::cut(line, &self.dialect, &mut self.words);
+            let (found, fault) = lexer::cut(line, &self.dialect, &self.alphabet, &mut self.words);
             comment = found;
             let fault = fault.or_else(|| self.block.read(&self.words, &self.dialect).err());
             if let Some((code, found, allowed)) = fault {
@@ -109,13 +111,12 @@ impl Interpreter {
 
     /// The command of a line that is one of the dialect's longer words, with words of its own or without.
     fn whole_word(&self, line: &str) -> Option<Command> {
-        let (name, rest) = line.split_once(' ').unwrap_or((line, ""));
         let plain = |c: char| c.is_ascii_alphanumeric() || "_=. -".contains(c);
-        self.dialect
-            .words
-            .iter()
-            .find(|(word, _)| *word == name && rest.chars().all(plain))
-            .map(|(_, command)| *command)
+        let is = |word: &str| {
+            let rest = line.strip_prefix(word);
+            rest.is_some_and(|rest| (rest.is_empty() || rest.starts_with(' ')) && rest.chars().all(plain))
+        };
+        self.dialect.words.iter().find(|(word, _)| is(word)).map(|(_, command)| *command)
     }
 
     fn execute(&mut self, events: &mut Vec<Event>) {

@@ -4,6 +4,7 @@ use crate::verify::FindingCode;
 use crate::verify::finding::quote;
 use crate::verify::read::gcode::{CommentMark, Dialect};
 use crate::verify::read::number;
+use crate::verify::read::number::Number;
 
 /// A letter with its number, e.g. `X-1.5`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,42 +16,72 @@ pub(super) struct Word {
 /// What is wrong with a line's characters: code, found, allowed.
 pub(super) type Fault = (FindingCode, String, String);
 
-/// The words of `line` into `words` (emptied first), and its comment without the semicolon.
+/// What each byte is in a line of some dialect.
+#[derive(Clone, Debug)]
+pub(super) struct Alphabet([u8; 256]);
+
+/// Must not occur at all: it is not printable, or the dialect forbids it.
+const BAD: u8 = 1;
+/// Begins or ends a comment.
+const MARK: u8 = 2;
+
+impl Alphabet {
+    pub(super) fn new(dialect: &Dialect) -> Self {
+        let mut kinds = [BAD; 256];
+        kinds[usize::from(b' ')..=usize::from(b'~')].fill(0);
+        let marks: &[u8] = match dialect.comments {
+            CommentMark::Semicolon => b";",
+            CommentMark::Parentheses => b"()",
+        };
+        for byte in marks {
+            kinds[usize::from(*byte)] |= MARK;
+        }
+        for byte in dialect.forbidden.bytes() {
+            kinds[usize::from(byte)] |= BAD;
+        }
+        Self(kinds)
+    }
+
+    /// What the bytes of `line` are, taken together.
+    fn of(&self, line: &str) -> u8 {
+        line.bytes().fold(0, |kinds, byte| kinds | self.0[usize::from(byte)])
+    }
+}
+
+/// The words of `line` into `words` (emptied first), and its comment without the semicolon; `alphabet` is that of `dialect`.
 ///
 /// At the first fault the rest of the line is given up, words and all: a controller would not run it either.
 pub(super) fn cut<'a>(
     line: &'a str,
     dialect: &Dialect,
+    alphabet: &Alphabet,
     words: &mut Vec<Word>,
 ) -> (Option<&'a str>, Option<Fault>) {
     words.clear();
-    if !line.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
-        let bad = line.chars().find(|c| !matches!(c, ' '..='~')).unwrap_or_default();
-        let fault = (FindingCode::BadCharacter, format!("{bad:?}"), "printable ASCII".to_owned());
-        return (None, Some(fault));
+    let kinds = alphabet.of(line);
+    if kinds & BAD != 0 {
+        return (None, bad_character(line, dialect));
     }
-    // One bit for each character: all are printable by now.
-    let forbidden = dialect.forbidden.bytes().fold(0_u128, |set, byte| set | 1 << (byte & 127));
-    if let Some(bad) = line.bytes().find(|byte| forbidden >> byte & 1 == 1) {
-        let allowed = format!("no character of {} in {}", dialect.forbidden, dialect.name);
-        return (None, Some((FindingCode::BadCharacter, format!("{:?}", char::from(bad)), allowed)));
-    }
-    let (code, comment) = match split_comment(line, dialect) {
-        Ok(parts) => parts,
-        Err(fault) => return (None, Some(fault)),
+    let (code, comment) = if kinds & MARK == 0 {
+        (line, None)
+    } else {
+        match split_comment(line, dialect) {
+            Ok(parts) => parts,
+            Err(fault) => return (None, Some(fault)),
+        }
     };
     let mut rest = code.trim_ascii_start();
     while let Some(letter) = rest.bytes().next() {
         let fault = if letter.is_ascii_uppercase() {
-            match number::split_number(rest[1..].trim_ascii_start(), false) {
-                Some((text, tail)) => match number::parsed(text) {
-                    Some(number) => {
-                        words.push(Word { letter, number });
-                        rest = tail.trim_ascii_start();
-                        continue;
-                    }
-                    None => (FindingCode::BadNumber, quote(text), format!("at most {}", number::LARGEST)),
-                },
+            match number::read(rest[1..].trim_ascii_start(), false) {
+                Some(Number { value: Some(number), rest: tail, .. }) => {
+                    words.push(Word { letter, number });
+                    rest = tail.trim_ascii_start();
+                    continue;
+                }
+                Some(Number { text, .. }) => {
+                    (FindingCode::BadNumber, quote(text), format!("at most {}", number::LARGEST))
+                }
                 None => {
                     (FindingCode::BadNumber, quote(rest), "a decimal number after each letter".to_owned())
                 }
@@ -62,6 +93,16 @@ pub(super) fn cut<'a>(
         return (comment, Some(fault));
     }
     (comment, None)
+}
+
+/// The first character of `line` that is not printable, or else the first that the dialect forbids.
+fn bad_character(line: &str, dialect: &Dialect) -> Option<Fault> {
+    let fault = |bad: char, allowed| Some((FindingCode::BadCharacter, format!("{bad:?}"), allowed));
+    if let Some(bad) = line.chars().find(|c| !matches!(c, ' '..='~')) {
+        return fault(bad, "printable ASCII".to_owned());
+    }
+    let bad = line.chars().find(|c| dialect.forbidden.contains(*c))?;
+    fault(bad, format!("no character of {} in {}", dialect.forbidden, dialect.name))
 }
 
 /// The line's code, and its comment without the mark.
@@ -94,7 +135,8 @@ mod tests {
 
     fn words(line: &str) -> Result<Vec<(char, f64)>, &'static str> {
         let mut words = Vec::new();
-        match cut(line, &Dialect::GENERIC, &mut words) {
+        let dialect = Dialect::GENERIC;
+        match cut(line, &dialect, &Alphabet::new(&dialect), &mut words) {
             (_, None) => Ok(words.iter().map(|w| (char::from(w.letter), w.number)).collect()),
             (_, Some((code, _, _))) => Err(code.as_str()),
         }

@@ -69,14 +69,17 @@ impl<'a> Object<'a> {
 }
 
 /// Reads objects off the front of bytes.
+#[derive(Clone)]
 pub(in crate::verify) struct Scan<'a> {
     bytes: &'a [u8],
+    /// The same, if all of it is text, as a content is: then no word has to be looked at again.
+    text: &'a str,
     at: usize,
 }
 
 impl<'a> Scan<'a> {
     pub(in crate::verify) fn new(bytes: &'a [u8]) -> Self {
-        Self { bytes, at: 0 }
+        Self { bytes, text: std::str::from_utf8(bytes).unwrap_or_default(), at: 0 }
     }
 
     /// How far it has read, in bytes.
@@ -176,7 +179,7 @@ impl<'a> Scan<'a> {
     /// `n 0 R`, of which `first` has been read.
     fn reference(&mut self, first: &str) -> Option<Object<'a>> {
         let target: u32 = first.parse().ok()?;
-        let mut ahead = Scan { bytes: self.bytes, at: self.at };
+        let mut ahead = self.clone();
         ahead.skip_blanks();
         if ahead.regular() != "0" {
             return None;
@@ -214,7 +217,8 @@ impl<'a> Scan<'a> {
         let rest = self.bytes.get(start..).unwrap_or_default();
         self.at += rest.iter().position(ends).unwrap_or(rest.len());
         // What is no text is no word of this tool either.
-        std::str::from_utf8(&self.bytes[start..self.at]).unwrap_or("\u{fffd}")
+        let word = || std::str::from_utf8(&self.bytes[start..self.at]).unwrap_or("\u{fffd}");
+        self.text.get(start..self.at).unwrap_or_else(word)
     }
 
     /// The bytes of a stream of `length`, whose dictionary and keyword have been read.
