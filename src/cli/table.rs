@@ -89,10 +89,13 @@ fn stars(args: &Args, sets: &[Set]) -> Result<(), Failure> {
         let joined: Vec<Computed> = all.iter().filter_map(|star| both(&args.dir, star, &known)).collect();
         return say(&shipped::join(&joined));
     }
-    let (openings, fineness) =
-        if args.forces { (&OPENINGS[..], FORCE_FINENESS) } else { (&[][..], computed::FINENESS) };
-    let fineness = Fineness { cells: args.cells.unwrap_or(fineness.cells), ..fineness };
     for star in of_part(args, all) {
+        let (openings, fineness) = match star.set {
+            _ if args.forces => (&OPENINGS[..], FORCE_FINENESS),
+            Set::Paper => (&[][..], computed::PAPER_FINENESS),
+            Set::Fit | Set::Range | Set::Test => (&[][..], computed::FINENESS),
+        };
+        let fineness = Fineness { cells: args.cells.unwrap_or(fineness.cells), ..fineness };
         let path = star_file(&args.dir, &star, args.forces);
         if read_star(&path, &star).is_none() {
             let found =
