@@ -11,14 +11,13 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
-use crate::cli::cache::hex;
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::study::rows::{Form, Rows};
 use crate::cli::study::signals::Stop;
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
+use crate::digest::Running;
 use crate::forecast::study::Study;
 
 /// What is known of a part.
@@ -110,10 +109,10 @@ impl Parts<'_> {
         };
         let written = || -> io::Result<()> {
             let file = WholeFile::begin(&path)?;
-            let hashed = Hashed { out: file, hash: Sha256::new(), bytes: 0 };
+            let hashed = Hashed { out: file, hash: Running::default(), bytes: 0 };
             let written = rows.write(BufWriter::new(hashed), stop)?;
             let Hashed { out, hash, bytes } = written.into_inner().map_err(io::IntoInnerError::into_error)?;
-            let ticket = self.ticket(part, study, (bytes, hex(&hash.finalize())));
+            let ticket = self.ticket(part, study, (bytes, hash.finish()));
             let mut beside = WholeFile::begin(&path.with_extension("json"))?;
             beside.write_all((serde_json::to_string(&ticket)? + "\n").as_bytes())?;
             beside.publish()?;
@@ -145,16 +144,16 @@ pub(super) fn ticket(path: &Path) -> Option<Ticket> {
 
 /// Whether the file at `path` has the hash of its ticket.
 pub(super) fn is_sound(path: &Path, ticket: &Ticket) -> io::Result<bool> {
-    let mut hashed = Hashed { out: io::sink(), hash: Sha256::new(), bytes: 0 };
+    let mut hashed = Hashed { out: io::sink(), hash: Running::default(), bytes: 0 };
     let _ = io::copy(&mut File::open(path)?, &mut hashed)?;
     let Hashed { hash, bytes, .. } = hashed;
-    Ok(bytes == ticket.bytes && hex(&hash.finalize()) == ticket.sha256)
+    Ok(bytes == ticket.bytes && hash.finish() == ticket.sha256)
 }
 
 /// A writer that knows the hash of what went through it.
 struct Hashed<W> {
     out: W,
-    hash: Sha256,
+    hash: Running,
     bytes: u64,
 }
 

@@ -23,6 +23,7 @@ pub mod parquet;
 pub use batch::{Batch, Values};
 pub use columns::{Column, Kind};
 
+use crate::digest::of_parts;
 use crate::forecast::candidate::{Candidate, Refused};
 use crate::forecast::study::designs::Designs;
 use crate::forecast::study::outputs::{OUTPUTS, Output, chosen};
@@ -31,8 +32,6 @@ use crate::spec::edit::with_values;
 use crate::spec::study::{Block, Field, KeyValue, Lane, StudyFile};
 use crate::spec::{Fault, read};
 use crate::spec::{FaultCode, Faults, ModelChoice, Source, key};
-use sha2::{Digest, Sha256};
-use std::fmt::Write;
 use std::ops::Range;
 
 /// Most rows of a study: beyond, a row number would not be exact in a spreadsheet, and the file not fit on a disk.
@@ -132,18 +131,7 @@ impl Study {
     /// What tells this study from every other: a hash of the version of this program, the spec as read, what varies, and
     /// the columns. Comments and layout do not matter.
     pub fn fingerprint(&self) -> String {
-        let mut hash = Sha256::new();
-        for part in
-            [env!("CARGO_PKG_VERSION").to_owned(), self.designs.identity(), format!("{:?}", self.columns)]
-        {
-            hash.update(part.len().to_le_bytes());
-            hash.update(part);
-        }
-        hash.finalize().iter().fold(String::new(), |mut text, byte| {
-            // A String takes everything.
-            let _ = write!(text, "{byte:02x}");
-            text
-        })
+        of_parts([env!("CARGO_PKG_VERSION").to_owned(), self.designs.identity(), format!("{:?}", self.columns)])
     }
 }
 
