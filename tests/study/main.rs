@@ -6,6 +6,7 @@ mod faults;
 mod kills;
 mod page;
 mod parts;
+mod slow;
 
 use std::fs;
 use std::path::Path;
