@@ -11,6 +11,7 @@ use stargrip_cam::mechanics::hinge::section::{Section, SectionTable};
 use stargrip_cam::spec;
 use stargrip_cam::spec::study::Lane;
 use stargrip_cam::spec::{Source, Spec, read, starter};
+use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 fn main() {
@@ -86,7 +87,7 @@ fn sweep_of_a_million_designs(bencher: Bencher) {
     assert_eq!(study.rows(), 1_000_000);
     bencher.bench_local(|| {
         let mut bytes = 0;
-        let never = AtomicBool::new(false);
+        let never = Arc::new(AtomicBool::new(false));
         let take = |text: Vec<u8>, _| {
             bytes += text.len();
             true

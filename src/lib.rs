@@ -31,6 +31,8 @@
 
 // In the order in which data flows; imports go up this list only.
 
+pub mod digest;
+
 pub mod units;
 
 pub mod geom;

@@ -2,11 +2,9 @@
 
 mod bill;
 
-use std::fmt::Write;
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
 use crate::artifact::{Artifact, Asked, Format, Kind, NGC, Output};
 use crate::design::{Design, Paper};
@@ -14,6 +12,7 @@ use crate::manifest::bill::thousandths;
 use crate::plan::Program;
 use crate::spec::Spec;
 
+pub use crate::digest::sha256;
 pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
 
 /// The manifest's file name in an output directory.
@@ -237,12 +236,4 @@ impl ManifestFile {
         let ngc = Path::new(&self.path).extension().is_some_and(|ending| ending == NGC);
         Output { kind, sheet, star, plate, piece, paper, mirrored, ngc }
     }
-}
-
-/// SHA-256 of `bytes` in lower-case hexadecimal.
-pub fn sha256(bytes: &[u8]) -> String {
-    Sha256::digest(bytes).iter().fold(String::with_capacity(64), |mut hex, byte| {
-        let _ = write!(hex, "{byte:02x}");
-        hex
-    })
 }

@@ -1,26 +1,13 @@
 //! The commands of the mechanics as a user runs them.
 
+#[path = "support/asked.rs"]
+mod asked;
+
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
-const SPEC: &str = r#"schema = 1
-name = "paper gripper"
-[fabric]
-seal_strength = "3 N/mm"
-areal_density = "0.3 kg/m^2"
-[star]
-points = 5
-inner_radius = "50 mm"
-tube_width = "30 mm"
-tip_angle = "30 deg"
-[stack]
-count = 3
-[load]
-pressure = "37 kPa"
-object_radius = "30 mm"
-friction = 0.5
-"#;
+use asked::{ACTUATOR, GRIPPER};
 
 fn run(dir: &Path, args: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_stargrip-cam")).current_dir(dir).args(args).output().expect("it runs")
@@ -32,7 +19,7 @@ fn text(bytes: &[u8]) -> String {
 
 fn folder() -> tempfile::TempDir {
     let dir = tempfile::tempdir().expect("a folder");
-    fs::write(dir.path().join("spec.toml"), SPEC).expect("written");
+    fs::write(dir.path().join("spec.toml"), GRIPPER).expect("written");
     dir
 }
 
@@ -52,7 +39,7 @@ fn predict_prints_one_json_object() {
 #[test]
 fn refusals_point_at_the_key_and_end_with_one() {
     let dir = folder();
-    fs::write(dir.path().join("spec.toml"), SPEC.replace("points = 5", "points = 9")).expect("written");
+    fs::write(dir.path().join("spec.toml"), GRIPPER.replace("points = 5", "points = 9")).expect("written");
     let output = run(dir.path(), &["predict", "spec.toml"]);
     assert_eq!(output.status.code(), Some(1));
     assert!(text(&output.stderr).contains("spec.toml:7"), "{}", text(&output.stderr));
@@ -252,7 +239,7 @@ fn optimize_writes_into_every_layout() {
         assert_eq!((star.points, star.tube_width.0), (4, 25.0), "{layout}");
         assert_eq!(run(dir.path(), &["check", "best.toml"]).status.code(), Some(0), "{layout}");
     }
-    let own = format!("{SPEC}[[stack.star]]\nindex = 1\ntube_width = \"25 mm\"\n");
+    let own = format!("{GRIPPER}[[stack.star]]\nindex = 1\ntube_width = \"25 mm\"\n");
     fs::write(dir.path().join("spec.toml"), own).expect("written");
     let output = run(dir.path(), &args);
     let said = text(&output.stderr);
@@ -271,7 +258,7 @@ fn a_sweep_has_the_fabric_that_check_has() {
     let column = column.expect("a column");
     for (row, points) in table.lines().skip(1).zip([4, 5]) {
         let fabric: f64 = row.split(',').nth(column).and_then(|cell| cell.parse().ok()).expect("a number");
-        let spec = SPEC.replace("points = 5", &format!("points = {points}"));
+        let spec = GRIPPER.replace("points = 5", &format!("points = {points}"));
         fs::write(dir.path().join("one.toml"), spec).expect("written");
         let check = text(&run(dir.path(), &["check", "-v", "--anyway", "one.toml"]).stdout);
         assert!(check.contains(&format!("fabric {fabric:.0} cm2 in both sheets")), "{fabric}: {check}");
@@ -302,20 +289,6 @@ fn optimize_opens_as_far_as_it_promises() {
     let range = &value["graspable_radius_mm"];
     assert!(range[0].as_f64() <= Some(35.0) && range[1].as_f64() >= Some(42.0), "{range}");
 }
-
-const ACTUATOR: [&str; 11] = [
-    "actuator",
-    "--tube-width",
-    "20 mm",
-    "--radius",
-    "2 mm",
-    "--arm-length",
-    "80 mm",
-    "--angle",
-    "60 deg",
-    "--pressure",
-    "14 kPa",
-];
 
 fn actuator(more: &[&str]) -> Output {
     run(folder().path(), &[&ACTUATOR, more].concat())
@@ -392,11 +365,11 @@ fn predict_takes_the_section_only_with_a_pressure() {
     // 150 deg of arc coil by lambda, and by what the arms add: a few degrees.
     let added = 180.0 - json["tip_target_angle_deg"].as_f64().expect("a number") - 150.0 * lambda;
     assert!((2.0..14.0).contains(&added), "{added}");
-    let thin = SPEC.replace("[fabric]", "[fabric]\nthickness = \"0.1 mm\"").replace("37 kPa", "3 kPa");
+    let thin = GRIPPER.replace("[fabric]", "[fabric]\nthickness = \"0.1 mm\"").replace("37 kPa", "3 kPa");
     fs::write(dir.path().join("thin.toml"), thin).expect("written");
     let thin = run(dir.path(), &["predict", "thin.toml", "--model", "section"]);
     assert!(text(&thin.stdout).contains("without arms"), "{}", text(&thin.stdout));
-    fs::write(dir.path().join("spec.toml"), SPEC.split("[load]").next().expect("text")).expect("written");
+    fs::write(dir.path().join("spec.toml"), GRIPPER.split("[load]").next().expect("text")).expect("written");
     let refused = run(dir.path(), &["predict", "spec.toml", "--model", "section"]);
     assert!(refused.status.code() == Some(1) && text(&refused.stderr).contains("none is given"));
 }

@@ -1,5 +1,9 @@
 //! Predictions from specs: the keys that scripts rely on, the extremes, agreement with the design stage.
 
+#[path = "support/asked.rs"]
+mod asked;
+
+use asked::GRIPPER as PAPER;
 use proptest::prelude::*;
 use serde_json::Value;
 use stargrip_cam::design::{Design, Refusals};
@@ -11,25 +15,6 @@ use stargrip_cam::manifest::Manifest;
 use stargrip_cam::plan;
 use stargrip_cam::spec::{Machine, ModelChoice, Source, Spec, builtin_machine, key, read, read_machine};
 use stargrip_cam::units::{Length, LineForce, Pressure};
-
-const PAPER: &str = r#"
-schema = 1
-name = "paper gripper"
-[fabric]
-seal_strength = "3 N/mm"
-areal_density = "0.3 kg/m^2"
-[star]
-points = 5
-inner_radius = "50 mm"
-tube_width = "30 mm"
-tip_angle = "30 deg"
-[stack]
-count = 3
-[load]
-pressure = "37 kPa"
-object_radius = "30 mm"
-friction = 0.5
-"#;
 
 fn spec(text: &str) -> Spec {
     match read(&Source::new("test", text)) {

@@ -1,11 +1,14 @@
 //! The first screen of `check` and `build`: what it says, on which stream, how much of it, and what it refuses.
 
+#[path = "support/asked.rs"]
+mod asked;
 mod support;
 
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use asked::ACTUATOR;
 use support::program::{run, stderr, stdout};
 
 const GRIPPER: &str = include_str!("../designs/paper-gripper.toml");
@@ -236,20 +239,6 @@ fn json(folder: &Path, args: &[&str]) -> serde_json::Value {
     assert!(json.is_object(), "{args:?}");
     json
 }
-
-const ACTUATOR: [&str; 11] = [
-    "actuator",
-    "--tube-width",
-    "20 mm",
-    "--radius",
-    "2 mm",
-    "--arm-length",
-    "80 mm",
-    "--angle",
-    "60 deg",
-    "--pressure",
-    "14 kPa",
-];
 
 #[test]
 fn short_answers_are_for_programs_too_or_for_nobody() {

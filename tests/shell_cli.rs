@@ -1,8 +1,13 @@
 //! The shell as a user asks it, on coarse meshes: keys, refusals, what is kept, and what an interruption leaves.
 
+#[path = "support/asked.rs"]
+mod asked;
+
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
+
+use asked::ACTUATOR;
 
 const SPEC: &str = r#"schema = 1
 name = "a star for the shell"
@@ -21,23 +26,8 @@ object_radius = "36 mm"
 friction = 0.5
 "#;
 
-const ACTUATOR: [&str; 15] = [
-    "actuator",
-    "--tube-width",
-    "20 mm",
-    "--radius",
-    "2 mm",
-    "--arm-length",
-    "80 mm",
-    "--angle",
-    "60 deg",
-    "--pressure",
-    "14 kPa",
-    "--model",
-    "shell",
-    "--fineness",
-    "coarse",
-];
+/// How the shell is asked about it in seconds.
+const COARSE: [&str; 4] = ["--model", "shell", "--fineness", "coarse"];
 
 fn command(dir: &Path) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"));
@@ -73,7 +63,7 @@ fn kept(dir: &Path) -> Vec<std::path::PathBuf> {
 #[test]
 fn an_actuator_is_a_shell_with_its_mesh_errors() {
     let dir = folder();
-    let args = [&ACTUATOR[..], &["--angles", "40 deg..50 deg/2", "--json"]].concat();
+    let args = [&ACTUATOR[..], &COARSE, &["--angles", "40 deg..50 deg/2", "--json"]].concat();
     let first = run(dir.path(), &args);
     let found = json(&first);
     assert!(found["model"] == "shell" && found["ranges"]["angle_deg"].is_null(), "{found}");
@@ -115,7 +105,7 @@ fn an_actuator_is_a_shell_with_its_mesh_errors() {
 #[test]
 fn its_sheet_is_a_vtu_file() {
     let dir = folder();
-    let args = [&ACTUATOR[..], &["--vtu", "sheet.vtu"]].concat();
+    let args = [&ACTUATOR[..], &COARSE, &["--vtu", "sheet.vtu"]].concat();
     assert!(run(dir.path(), &args).status.success());
     let file = dir.path().join("sheet.vtu");
     let first = fs::read_to_string(&file).expect("written");
@@ -125,9 +115,9 @@ fn its_sheet_is_a_vtu_file() {
     fs::remove_file(&file).expect("removed");
     assert!(run(dir.path(), &args).status.success());
     assert_eq!(fs::read_to_string(&file).expect("written again"), first);
-    let nowhere = run(dir.path(), &[&ACTUATOR[..], &["--vtu", "no/such/folder.vtu"]].concat());
+    let nowhere = run(dir.path(), &[&ACTUATOR[..], &COARSE, &["--vtu", "no/such/folder.vtu"]].concat());
     assert!(nowhere.status.code() == Some(1) && text(&nowhere.stderr).contains("cannot write"));
-    let ring = [&ACTUATOR[..12], &["ring", "--vtu", "sheet.vtu"]].concat();
+    let ring = [&ACTUATOR[..], &["--model", "ring", "--vtu", "sheet.vtu"]].concat();
     assert_eq!(run(dir.path(), &ring).status.code(), Some(2));
 }
 
@@ -172,7 +162,7 @@ fn what_no_shell_answers_is_refused_in_words() {
     assert!(pointed.contains("3 to 16"), "{pointed}");
     let mut short = ACTUATOR;
     short[6] = "30 mm";
-    let short = run(dir.path(), &short);
+    let short = run(dir.path(), &[&short[..], &COARSE].concat());
     assert!(short.status.code() == Some(1) && text(&short.stderr).contains("the arms' length by W"));
     assert!(kept(dir.path()).is_empty(), "refusals are not kept");
     let fine = run(dir.path(), &["predict", "spec.toml", "--vtu", "sheet.vtu"]);
@@ -198,10 +188,8 @@ fn a_build_leaves_the_shell_out_and_says_so() {
 fn an_interruption_leaves_nothing() {
     use std::time::{Duration, Instant};
     let dir = folder();
-    let mut fine = ACTUATOR;
-    fine[14] = "fine";
     let child = command(dir.path())
-        .args([&fine[..], &["--vtu", "sheet.vtu"]].concat())
+        .args([&ACTUATOR[..], &["--model", "shell", "--fineness", "fine", "--vtu", "sheet.vtu"]].concat())
         .stdout(std::process::Stdio::piped())
         .stderr(std::process::Stdio::piped())
         .spawn()

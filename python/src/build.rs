@@ -31,6 +31,7 @@ pub(crate) struct Build {
 enum Stopped {
     Refused(Refusals),
     Wrong(Vec<Finding>),
+    Cancelled,
 }
 
 /// Builds `spec` and proves every file. `only` names the kinds to make, `with_` those to make beside the default ones
@@ -53,6 +54,7 @@ pub(crate) fn build(
         Ok(proven) => Ok(Build { given, proven, files: PyOnceLock::new() }),
         Err(Stopped::Refused(refusals)) => Err(of_design(py, &given, refusals)),
         Err(Stopped::Wrong(findings)) => Err(of_findings(py, &findings)),
+        Err(Stopped::Cancelled) => Err(of_failure(py, &embedded::Failure::Interrupted)),
     }
 }
 
@@ -63,8 +65,10 @@ fn made(given: &Given, asked: &Asked, anyway: bool, line: &Line) -> Result<Prove
     if !anyway {
         forecast.unfit().or(()).map_err(Stopped::Refused)?;
     }
+    line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.2, "files");
     let built = forecast.build(Sources { spec: &given.source.text, machine: &given.machine_text }, asked);
+    line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.5, "reading them back");
     built.prove().map_err(Stopped::Wrong)
 }

@@ -24,7 +24,7 @@ pub(crate) struct Optimum {
 
 /// Searches around `spec` for the best star. The keywords are the options of the command `optimize`: goal, points=(3, 8),
 /// tip_angle=("20 deg", "60 deg"), tube_width, tip_radius, corner_radius, inner_radius, pressure, count, grasp, payload,
-/// largest_force, burst_margin. A search that was interrupted ends by itself in the background.
+/// largest_force, burst_margin. A search that is interrupted stops at its next design.
 #[pyfunction]
 #[pyo3(signature = (spec, *, progress = None, **question))]
 pub(crate) fn optimize(
@@ -37,7 +37,7 @@ pub(crate) fn optimize(
     let given = Arc::clone(&spec.given);
     let found = wait(py, progress, move |line| {
         line.tell(0.0, "searching");
-        embedded::optimum(&given, &options)
+        embedded::optimum(&given, &options, &line.cancel)
     })?;
     let found = found.map_err(|failure| of_failure(py, &failure))?;
     Ok(Optimum { given: Arc::clone(&spec.given), found })

@@ -47,6 +47,43 @@ impl Fields {
     }
 }
 
+/// Methods of a class with `answer`, `fields` and `mesh`, and its own `__str__` and `__repr__`.
+macro_rules! answer {
+    ($class:ident $($own:tt)*) => {
+        #[pymethods]
+        impl $class {
+            /// The sheet as the shell found it; None of every other model.
+            #[getter]
+            fn mesh(&self, py: Python<'_>) -> Option<Py<Mesh>> {
+                self.mesh.as_ref().map(|mesh| mesh.clone_ref(py))
+            }
+
+            /// All of it, as the command prints it with `--json`.
+            fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+                Ok(pythonize::pythonize(py, &self.answer)?)
+            }
+
+            fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+                self.fields.named(py, &self.answer, name)
+            }
+
+            fn __dir__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+                let names = self.fields.dict(py, &self.answer)?.keys();
+                for own in ["mesh", "to_dict"] {
+                    names.append(own)?;
+                }
+                Ok(names)
+            }
+
+            fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+                slf.py().import("stargrip_cam._shown")?.getattr("prediction")?.call1((slf,))
+            }
+
+            $($own)*
+        }
+    };
+}
+
 /// What a gripper does. Every key of `predict --json` is an attribute: lengths in mm, angles in degrees, forces in N, with the unit in
 /// the name; None where something is missing that the answer needs. Those at the top speak of star 1, `stars` of each.
 #[pyclass(frozen, module = "stargrip_cam")]
@@ -70,30 +107,8 @@ impl Prediction {
     }
 }
 
-#[pymethods]
-impl Prediction {
-    /// The sheet as the shell found it; None of every other model.
-    #[getter]
-    fn mesh(&self, py: Python<'_>) -> Option<Py<Mesh>> {
-        self.mesh.as_ref().map(|mesh| mesh.clone_ref(py))
-    }
-
-    /// All of it, as `predict --json` prints it.
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(pythonize::pythonize(py, &self.answer)?)
-    }
-
-    fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        self.fields.named(py, &self.answer, name)
-    }
-
-    fn __dir__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let names = self.fields.dict(py, &self.answer)?.keys();
-        for own in ["mesh", "to_dict"] {
-            names.append(own)?;
-        }
-        Ok(names)
-    }
+answer! {
+    Prediction
 
     /// The page that the command prints.
     fn __str__(&self) -> String {
@@ -102,10 +117,6 @@ impl Prediction {
             Answer::Star(star) => report::text(spec, star),
             Answer::Shell(shell) => shell.to_text(spec),
         }
-    }
-
-    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("stargrip_cam._shown")?.getattr("prediction")?.call1((slf,))
     }
 
     fn __repr__(&self) -> String {
@@ -135,37 +146,12 @@ impl ActuatorPrediction {
     }
 }
 
-#[pymethods]
-impl ActuatorPrediction {
-    /// The sheet as the shell found it; None of every other model.
-    #[getter]
-    fn mesh(&self, py: Python<'_>) -> Option<Py<Mesh>> {
-        self.mesh.as_ref().map(|mesh| mesh.clone_ref(py))
-    }
+answer! {
+    ActuatorPrediction
 
-    /// All of it, as `actuator --json` prints it.
-    fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        Ok(pythonize::pythonize(py, &self.answer)?)
-    }
-
-    fn __getattr__<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        self.fields.named(py, &self.answer, name)
-    }
-
-    fn __dir__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let names = self.fields.dict(py, &self.answer)?.keys();
-        for own in ["mesh", "to_dict"] {
-            names.append(own)?;
-        }
-        Ok(names)
-    }
-
+    /// The page that the command prints.
     fn __str__(&self) -> String {
         self.answer.to_text()
-    }
-
-    fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("stargrip_cam._shown")?.getattr("prediction")?.call1((slf,))
     }
 
     fn __repr__(&self) -> String {

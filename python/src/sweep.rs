@@ -85,7 +85,8 @@ fn varied(vary: &Bound<'_, PyDict>) -> PyResult<StudyFile> {
         blocks.push(block.ok_or_else(|| usage(py, format!("`{key}` is given no values")))?);
     }
     let source = Source::new("vary", "");
-    Ok(StudyFile { source, spec: String::new(), model: None, set: Vec::new(), blocks, outputs: None })
+    let (spec, set) = (String::new(), Vec::new());
+    Ok(StudyFile { source, spec, model: None, fineness: None, set, blocks, outputs: None })
 }
 
 /// The columns of `rows`; fewer rows if nobody wants them any more.

@@ -32,6 +32,11 @@ impl Line {
     pub(crate) fn tell(&self, part: f64, what: &str) {
         (self.told)(part, what);
     }
+
+    /// None when nobody waits any more.
+    pub(crate) fn goes_on(&self) -> Option<()> {
+        (!self.cancel.load(Ordering::Relaxed)).then_some(())
+    }
 }
 
 enum Message<T> {

@@ -4,14 +4,13 @@
 //! cannot be read, or is torn, counts as not there, and what cannot be written is not kept.
 
 use std::env;
-use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::PathBuf;
 use std::process;
 use std::sync::OnceLock;
 
-use sha2::{Digest, Sha256};
+use crate::digest::{of_parts, sha256};
 
 /// Where answers are kept; nowhere if there is no such place, or none is wanted.
 pub(super) struct Cache {
@@ -30,22 +29,17 @@ impl Cache {
 
     /// The key of a question. Another version, and another build of the same version, has other keys.
     pub(super) fn key(&self, question: &[&str]) -> String {
-        let mut hash = Sha256::new();
-        if self.dir.is_some() {
-            hash.update(program().and_then(fs::read).unwrap_or_default());
-        }
-        for part in [env!("CARGO_PKG_VERSION")].iter().chain(question) {
-            hash.update(part.len().to_le_bytes());
-            hash.update(part);
-        }
-        hex(&hash.finalize())
+        let known = self.dir.as_ref().and_then(|_| program().and_then(fs::read).ok());
+        let program = known.unwrap_or_default();
+        let parts = [&program[..], env!("CARGO_PKG_VERSION").as_bytes()];
+        of_parts(parts.into_iter().chain(question.iter().map(|part| part.as_bytes())))
     }
 
     /// The parts of the answer that is kept, if it is whole.
     pub(super) fn get(&self, key: &str) -> Option<Vec<String>> {
         let text = fs::read_to_string(self.dir.as_ref()?.join(key)).ok()?;
         let (sum, parts) = text.split_once('\n')?;
-        if sum != hex(&Sha256::digest(parts)) {
+        if sum != sha256(parts) {
             return None;
         }
         serde_json::from_str(parts).ok()
@@ -56,7 +50,7 @@ impl Cache {
         let Some(dir) = &self.dir else { return };
         let Ok(parts) = serde_json::to_string(parts) else { return };
         let partial = dir.join(format!("{key}.{}", process::id()));
-        let text = format!("{}\n{parts}", hex(&Sha256::digest(&parts)));
+        let text = format!("{}\n{parts}", sha256(&parts));
         let kept = fs::create_dir_all(dir)
             .and_then(|()| fs::write(&partial, text))
             .and_then(|()| fs::rename(&partial, dir.join(key)));
@@ -77,14 +71,6 @@ pub(super) fn code_is_in(file: PathBuf) {
 
 fn program() -> io::Result<PathBuf> {
     ELSEWHERE.get().map_or_else(env::current_exe, |file| Ok(file.clone()))
-}
-
-/// Bytes in hexadecimal, two digits each.
-pub(super) fn hex(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut hex, byte| {
-        let _ = write!(hex, "{byte:02x}");
-        hex
-    })
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Command, ValueEnum};
 
@@ -91,17 +92,21 @@ pub struct Optimum {
     pub short: Vec<Vec<(&'static str, f64)>>,
 }
 
-/// Searches around `given` as `optimize` does; `options` are those of the command ("--points", "4..6"), without the spec.
+/// Searches around `given` as `optimize` does; `options` are those of the command ("--points", "4..6"), without the spec. Whoever raises
+/// `cancel` gets no answer.
 ///
 /// # Errors
-/// If an option is wrong, or two do not go together.
-pub fn optimum(given: &Given, options: &[String]) -> Result<Optimum, Failure> {
+/// If an option is wrong, two do not go together, or it was told to stop.
+pub fn optimum(given: &Given, options: &[String], cancel: &AtomicBool) -> Result<Optimum, Failure> {
     // No line about progress, and no ear for Ctrl-C: both are the other face's.
     let options: Vec<String> = options.iter().cloned().chain(["--quiet".to_owned()]).collect();
     let args: optimize::Args = parsed(&options, Some(Path::new("-")))?;
     let Given { source, reading, machine, machine_text, .. } = given.clone();
     let loaded = Loaded::quiet(source, reading, machine, machine_text);
-    let (found, constraints) = optimize::answer(&args, &loaded)?;
+    let (found, constraints) = optimize::answer(&args, &loaded, Some(cancel))?;
+    if cancel.load(Ordering::Relaxed) {
+        return Err(Failure::Interrupted);
+    }
     let best = optimize::best(&args, &loaded, &found)?;
     let short =
         found.best.iter().map(|Evaluated { point, answer, .. }| shortfalls(point, answer, &constraints));

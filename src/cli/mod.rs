@@ -86,7 +86,7 @@ enum Command {
     Sweep(sweep::Args),
     /// Show what a study file asks for, or join its parts.
     Study(study::Args),
-    /// Compute the shipped table of what arms add to a hinge anew, or a part of it.
+    /// Compute many shells: the rows of a study file, or the shipped tables of arms and stars anew, or a part of them.
     Table(table::Args),
     /// Measure time and error of every model on this machine.
     Trade(trade::Args),

@@ -1,12 +1,12 @@
 //! `stargrip-cam optimize`
 
 use std::path::PathBuf;
+use std::sync::atomic::AtomicBool;
 
 use crate::cli::candidates::{Best, Said};
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
 use crate::cli::progress;
-use crate::cli::progress::Progress;
 use crate::cli::quantity::{EXTRA, SIZE, number, range};
 use crate::cli::shell::watched_by;
 use crate::cli::voice::{Voice, pretty};
@@ -14,7 +14,7 @@ use crate::design::Design;
 use crate::forecast::by_shell::Detail;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Bounds, Constraints, Evaluated, Found, Goal, ROUNDING, is_at_pressure, search,
+    Bounds, Constraints, Effort, Evaluated, Found, Goal, ROUNDING, Search, is_at_pressure,
 };
 use crate::forecast::star_by_shell;
 use crate::forecast::star_by_shell::Refusal;
@@ -106,8 +106,12 @@ fn whole(text: &str, what: &str, [least, most]: [u32; 2]) -> Result<(u32, u32), 
     if from >= least && to <= most && from <= to { Ok((from, to)) } else { Err(fault()) }
 }
 
-/// What is found around the spec that was `loaded`, and what must hold.
-pub(super) fn answer(args: &Args, loaded: &Loaded) -> Result<(Found, Constraints), Failure> {
+/// What is found around the spec that was `loaded`, and what must hold. Whoever raises `cancel` ends the search.
+pub(super) fn answer(
+    args: &Args,
+    loaded: &Loaded,
+    cancel: Option<&AtomicBool>,
+) -> Result<(Found, Constraints), Failure> {
     let read = &loaded.reading.spec;
     let base = Candidate::of(read).ok_or_else(|| message("the spec has no star"))?;
     // Whether the text can take a star is known before the search.
@@ -117,14 +121,22 @@ pub(super) fn answer(args: &Args, loaded: &Loaded) -> Result<(Found, Constraints
     let (goal, constraints) = wanted(args, loaded, &base)?;
     let table = RingTable::new().map_err(|fault| message(&fault.to_string()))?;
     let bounds = bounds(args, &base);
-    let search = |_: &Progress| search(&base, &bounds, &constraints, goal, &table);
-    Ok((progress::during(args.voice, "searching", search), constraints))
+    let search = Search {
+        base: &base,
+        bounds: &bounds,
+        constraints: &constraints,
+        goal,
+        table: &table,
+        effort: Effort::default(),
+        cancel,
+    };
+    Ok((progress::during(args.voice, "searching", |_| search.run()), constraints))
 }
 
 /// Searches, and prints the candidates, the front, and the best one's spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.voice)?;
-    let (found, constraints) = answer(args, &loaded)?;
+    let (found, constraints) = answer(args, &loaded, None)?;
     let said = Said { found: &found, constraints: &constraints };
     let best = best(args, &loaded, &found)?;
     if args.voice.json {

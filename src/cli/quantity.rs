@@ -80,14 +80,6 @@ pub(super) fn evenly(
     Ok((0..count).map(|i| from + part(i) * (to - from)).collect())
 }
 
-/// Reads "k/N": part k of N.
-pub(super) fn part(text: &str) -> Result<(usize, usize), String> {
-    let fault = || format!("`{text}` is not k/N with k from 1 to N");
-    let (k, n) = text.split_once('/').ok_or_else(fault)?;
-    let (k, n): (usize, usize) = (k.parse().map_err(|_| fault())?, n.parse().map_err(|_| fault())?);
-    if (1..=n).contains(&k) && n <= 1_000_000 { Ok((k, n)) } else { Err(fault()) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

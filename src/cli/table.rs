@@ -1,11 +1,12 @@
-//! `stargrip-cam table`
+//! `stargrip-cam table`: many shells at once, each kept when it is there. Those of a study file are rows, as `sweep` computes them; those of
+//! the shipped tables are ladders of V-actuators and drawn stars, a file each.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, say, tell};
-use crate::cli::quantity::part;
 use crate::cli::shell::{refused, watched};
+use crate::cli::study::{Destination, Span, loaded};
 use crate::cli::text_file::{read_table, replace};
 use crate::cli::whole_file::sweep_leftovers;
 use crate::forecast::arms::{Climbed, FINENESS, Ladder, join, ladders};
@@ -20,10 +21,12 @@ use crate::shell::cases::Fineness;
     after_help = "Examples: stargrip-cam table ladders --part 1/2 & stargrip-cam table ladders --part 2/2; \
                         stargrip-cam table ladders --join > arms.txt\n\
                         stargrip-cam table stars --set all; stargrip-cam table stars --set all --forces; \
-                        stargrip-cam table stars --set all --join > stars.txt"
+                        stargrip-cam table stars --set all --join > stars.txt\n\
+                        stargrip-cam table study.toml --parts 4 -o parts; stargrip-cam study join parts -o study.csv"
 )]
 pub(super) struct Args {
-    /// Where each ladder or star is a file; those that are there already are not computed again.
+    /// Where each ladder or star is a file; those that are there already are not computed again. Or a study file, as for `sweep`.
+    #[arg(value_name = "DIR|STUDY")]
     dir: PathBuf,
     /// Stars of a set, fit, range, test, paper or all, in place of ladders.
     #[arg(long, value_name = "SET", value_parser = sets)]
@@ -31,9 +34,8 @@ pub(super) struct Args {
     /// Open the stars by round objects, too.
     #[arg(long, requires = "set")]
     forces: bool,
-    /// Compute only part k of N.
-    #[arg(long, value_name = "k/N", value_parser = part)]
-    part: Option<(usize, usize)>,
+    #[command(flatten)]
+    rows: Destination,
     /// Edges across the hinge of the coarsest mesh; the shipped ladders have 5, stars 12.
     #[arg(long, hide = true)]
     cells: Option<f64>,
@@ -51,8 +53,16 @@ fn sets(text: &str) -> Result<Sets, String> {
     if meant.is_empty() { Err("it is fit, range, test, paper or all".to_owned()) } else { Ok(Sets(meant)) }
 }
 
-/// Computes ladders or stars, or joins them.
+/// Computes a study, ladders or stars, or joins the last two.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    // A study that is not there is missed, not made a directory.
+    if args.dir.is_file() || args.dir.extension().is_some_and(|ending| ending == "toml") {
+        return study(args);
+    }
+    if args.rows.is_of_a_study() {
+        let text = "--parts, -o, --format, --units and --threads are a study's: name a study file, or leave them out";
+        return Err(Failure::Usage(text.to_owned()));
+    }
     if !args.join {
         fs::create_dir_all(&args.dir).map_err(|error| Failure::file("create", &args.dir, &error))?;
         sweep_leftovers(&args.dir, |name| Path::new(name).extension().is_some_and(|ending| ending == "txt"));
@@ -61,6 +71,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         Some(Sets(sets)) => stars(args, sets),
         None => all_ladders(args),
     }
+}
+
+fn study(args: &Args) -> Result<(), Failure> {
+    if args.set.is_some() || args.cells.is_some() || args.join {
+        let text = "--set, --forces, --cells and --join are the shipped tables': name a directory, or leave them out; parts of a study \
+                    are joined by `study join`";
+        return Err(Failure::Usage(text.to_owned()));
+    }
+    args.rows.run(&loaded(&args.dir)?)
 }
 
 fn all_ladders(args: &Args) -> Result<(), Failure> {
@@ -109,8 +128,9 @@ fn stars(args: &Args, sets: &[Set]) -> Result<(), Failure> {
 
 /// The part of the work that was asked for.
 fn of_part<T>(args: &Args, all: Vec<T>) -> impl Iterator<Item = T> {
-    let (k, n) = args.part.unwrap_or((1, 1));
-    all.into_iter().skip(k - 1).step_by(n)
+    let Span { from, to, of } = args.rows.part.unwrap_or(Span { from: 1, to: 1, of: 1 });
+    let own = move |(place, _): &(usize, T)| (from..=to).contains(&(place % of + 1));
+    all.into_iter().enumerate().filter(own).map(|(_, one)| one)
 }
 
 fn file(dir: &Path, ladder: &Ladder) -> PathBuf {

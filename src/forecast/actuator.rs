@@ -124,35 +124,34 @@ impl ActuatorPrediction {
             format!("stretch p W / Y       {:.4}", self.stretch),
         ];
         let mesh = self.evidence.mesh_errors.as_ref();
-        let open = |error: Option<f64>, decimals: usize| {
-            error.map_or(String::new(), |error| format!(", mesh error {error:.decimals$}"))
-        };
-        let error = |of: fn(&MeshErrors) -> f64, decimals| open(mesh.map(of), decimals);
-        let said = |value: f64, range: Option<Interval>, decimals: usize, unit: &str| {
-            let plain = || format!("{value:.decimals$} {unit}").trim_end().to_owned();
-            range.map_or_else(plain, |range| shown::with(value, range, unit))
-        };
+        let said =
+            |value: f64, range: Option<Interval>, mesh: Option<f64>, decimals: usize, unit: &str| match (
+                range, mesh,
+            ) {
+                (Some(range), _) => shown::with(value, range, unit),
+                (None, Some(error)) => shown::meshed(value, error, unit),
+                (None, None) => format!("{value:.decimals$} {unit}").trim_end().to_owned(),
+            };
+        let error = |of: fn(&MeshErrors) -> f64| mesh.map(of);
         lines.push(format!(
-            "angle at rest         {}{}",
-            said(self.angle_deg, self.ranges.angle_deg, 2, "deg"),
-            error(|mesh| mesh.angle_deg, 2)
+            "angle at rest         {}",
+            said(self.angle_deg, self.ranges.angle_deg, error(|mesh| mesh.angle_deg), 2, "deg")
         ));
         lines.push(format!(
-            "coiling               {}{}",
-            said(self.coiling, self.ranges.coiling, 4, ""),
-            error(|mesh| mesh.coiling, 4)
+            "coiling               {}",
+            said(self.coiling, self.ranges.coiling, error(|mesh| mesh.coiling), 4, "")
         ));
         if let Some(volume) = self.volume_mm3 {
-            lines.push(format!("volume                {volume:.0} mm^3{}", error(|mesh| mesh.volume_mm3, 0)));
+            let volume = said(volume, None, error(|mesh| mesh.volume_mm3), 0, "mm^3");
+            lines.push(format!("volume                {volume}"));
         }
         lines.push(format!(
-            "stiffness             {}{}",
-            said(self.stiffness_Nm, self.ranges.stiffness_Nm, 4, "N m/rad"),
-            error(|mesh| mesh.stiffness_Nm, 4)
+            "stiffness             {}",
+            said(self.stiffness_Nm, self.ranges.stiffness_Nm, error(|mesh| mesh.stiffness_Nm), 4, "N m/rad")
         ));
         for (k, [angle, moment]) in self.moment.iter().flatten().enumerate() {
             let error = mesh.and_then(|mesh| mesh.moment_Nm.get(k).copied());
-            lines.push(format!("held at {angle:7.2} deg    {moment:.5} N m{}", open(error, 5)));
+            lines.push(format!("held at {angle:7.2} deg    {}", said(*moment, None, error, 5, "N m")));
         }
         if let Some(unknowns) = &self.evidence.unknowns {
             let unknowns: Vec<String> = unknowns.iter().map(ToString::to_string).collect();

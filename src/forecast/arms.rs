@@ -3,12 +3,12 @@
 //! A ladder is one tau, R* and nu at all pressures of the table's grid; its answer is a text that stands alone, with a
 //! checksum of its own in its last line. All texts together are joined into the table, `section` subtracted.
 
+use crate::digest::sha256;
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::HingeModel;
 use crate::mechanics::hinge::section::{Section, arms};
 use crate::shell::cases::{Fineness, Inflation, ShellFault, Tube, VActuator, Value, Watch, inflations};
 use crate::shell::element::Fabric;
-use sha2::{Digest, Sha256};
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::fmt;
 use std::fmt::Write;
@@ -93,7 +93,7 @@ impl Ladder {
             let unit = pressure * WIDTH.powi(3) / (PI - ANGLE.to_radians());
             let _ = writeln!(text, "{b:.3} {} {}", value(alpha, 4), value(stiffness.scaled(unit.recip()), 5));
         }
-        let hash = hash(&text);
+        let hash = sha256(&text);
         let _ = writeln!(text, "{hash}");
         Ok(text)
     }
@@ -102,13 +102,6 @@ impl Ladder {
 fn value(value: Value, decimals: usize) -> String {
     let Value { value, error, meshes: [a, b, c] } = value;
     format!("{value:.decimals$} {error:.decimals$} {a:.decimals$} {b:.decimals$} {c:.decimals$}")
-}
-
-fn hash(text: &str) -> String {
-    Sha256::digest(text).iter().fold(String::new(), |mut hash, byte| {
-        let _ = write!(hash, "{byte:02x}");
-        hash
-    })
 }
 
 /// A ladder's text as it is read back.
@@ -124,7 +117,7 @@ impl Climbed {
     /// Reads a text; `None` if it is torn, or not one of the ladders.
     pub fn read(text: &str) -> Option<Self> {
         let (body, last) = text.trim_end().rsplit_once('\n')?;
-        if hash(&format!("{body}\n")) != last {
+        if sha256(format!("{body}\n")) != last {
             return None;
         }
         let mut lines = body.lines().filter(|line| !line.starts_with('#'));
@@ -207,7 +200,7 @@ pub fn join(climbed: &[Climbed]) -> Result<String, JoinFault> {
                 writeln!(body, "{tau} {r_star} {b:.3} {angle:.4} {angle_error:.4} {give:.3} {give_error:.3}");
         }
     }
-    let hash = hash(&body);
+    let hash = sha256(&body);
     Ok(format!(
         "# What arms add to a hinge; read by src/mechanics/hinge/section/arms.rs.\n\
          # Made by `stargrip-cam table DIR` and `stargrip-cam table DIR --join`. SHA-256 of the lines below: {hash}\n\

@@ -7,19 +7,10 @@ use crate::mechanics::strength::ElasticSheet;
 use crate::shell::cases::{Fineness, Shape, ShellFault, Tube, VActuator, Value, Watch, actuator};
 use crate::shell::element::Fabric;
 
+pub use crate::spec::Detail;
+
 /// The name of the model.
 pub const SHELL: &str = "shell";
-
-/// How fine the meshes are, in words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Detail {
-    /// For a first look: some 10,000 unknowns on the finest mesh of a V-actuator with arms of 4 W.
-    Coarse,
-    /// For most ends: 67,000.
-    Medium,
-    /// Where mesh errors matter: 150,000.
-    Fine,
-}
 
 impl Detail {
     /// The meshes it means.

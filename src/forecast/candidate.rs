@@ -143,17 +143,28 @@ impl Candidate {
     /// # Errors
     /// If there is no such star, or a model has no answer for it.
     pub fn answer(&self, ring: &RingTable) -> Result<Answer, Refused> {
+        self.answer_by(ring, |case| match self.model {
+            ModelChoice::Ring => Outcome::of(case, &TableRing(ring)).map(Some),
+            ModelChoice::Fit => Outcome::of(case, &Fit).map(Some),
+            ModelChoice::Auto | ModelChoice::Section | ModelChoice::Shell | ModelChoice::Bvp => {
+                by_section(case)
+            }
+        })
+    }
+
+    /// The same by what `known` says of its case: the case as a model sees it, with the outcome; `None` where it knows nothing.
+    ///
+    /// # Errors
+    /// As for [`Candidate::answer`].
+    pub(super) fn answer_by(
+        &self,
+        ring: &RingTable,
+        known: impl FnOnce(&Case) -> Result<Option<(Case, Outcome)>, StarFault>,
+    ) -> Result<Answer, Refused> {
         let star = Star::new(&self.star).map_err(|refusal| Refused::from(&refusal))?;
         let case = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
         let ring = TableRing(ring);
-        let known = match self.model {
-            ModelChoice::Ring => Outcome::of(&case, &ring).map(Some),
-            ModelChoice::Fit => Outcome::of(&case, &Fit).map(Some),
-            ModelChoice::Auto | ModelChoice::Section | ModelChoice::Shell | ModelChoice::Bvp => {
-                by_section(&case)
-            }
-        };
-        let (case, outcome) = known?.map_or((case, None), |(case, own)| (case, Some(own)));
+        let (case, outcome) = known(&case)?.map_or((case, None), |(case, own)| (case, Some(own)));
         let inlet = self.inlet.as_ref();
         let area = cut_area(&star, &self.seal, inlet, self.star.inlet_tip, self.hole_diameter.0);
         let one = Answer {

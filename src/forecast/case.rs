@@ -90,7 +90,7 @@ pub fn sheet(fabric: &Fabric) -> Result<ElasticSheet, StarFault> {
 }
 
 /// Which stiffnesses of `fabric` were measured, in words.
-pub fn measured(fabric: &Fabric) -> Option<&'static str> {
+pub fn measured_stiffnesses(fabric: &Fabric) -> Option<&'static str> {
     match (fabric.bending_stiffness, fabric.stretch_stiffness) {
         (None, None) => None,
         (Some(_), None) => Some("bending_stiffness as measured, the rest from young_modulus and thickness"),

@@ -41,6 +41,7 @@ pub mod ranges;
 pub mod report;
 pub mod seal_load;
 pub mod shell_prediction;
+mod shell_star;
 pub mod shut;
 pub mod star_by_shell;
 pub mod stars;

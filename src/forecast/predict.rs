@@ -2,7 +2,7 @@
 
 use crate::design::{Design, StarDesign};
 use crate::forecast::answered::{Answered, mm, of_the_shape};
-use crate::forecast::case::{Case, measured};
+use crate::forecast::case::{Case, measured_stiffnesses};
 use crate::forecast::choice::{corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::forecast::outcome::Outcome;
 use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Prediction, StarPrediction};
@@ -194,7 +194,7 @@ impl Asked<'_> {
             nonlinear: None,
             evidence: Evidence {
                 choice,
-                fabric: measured(&spec.fabric),
+                fabric: measured_stiffnesses(&spec.fabric),
                 residual: 0.0,
                 iterations: 0,
                 numerical_error: 0.0,

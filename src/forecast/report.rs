@@ -75,7 +75,12 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         ("mass", star.mass_g, "g"),
     ];
     if let Some([least, most]) = star.graspable_radius_mm {
-        line("holds radii from, to", format!("{} mm, {} mm", Readable(least), Readable(most)));
+        // Nothing is known of the second that is better than the first.
+        let end = |radius: f64| match star.ranges.final_radius_mm {
+            Some(range) => shown::as_exact_as(radius, range, "mm"),
+            None => show(radius, "mm"),
+        };
+        line("holds radii from, to", format!("{}, {}", end(least), end(most)));
     }
     for (what, value, unit) in optional {
         if let Some(value) = value {

@@ -2,7 +2,7 @@
 //! hinge's model knows.
 
 use crate::forecast::prediction::{ForceAt, Hinges};
-use crate::forecast::ranges::StarRanges;
+use crate::forecast::ranges::{StarRanges, shown};
 use crate::spec::Spec;
 use crate::units::Readable;
 use serde::Serialize;
@@ -166,21 +166,30 @@ impl ShellPrediction {
             star.text(&mut out);
         }
         if let Some(payload) = self.first.payload_kg {
-            let _ = writeln!(out, "\npayload of the whole stack      {} kg", Readable(payload));
+            let open =
+                self.stars.iter().filter_map(ShellStar::payload_mesh_error).reduce(|sum, one| sum + one);
+            let said =
+                open.map_or(format!("{} kg", Readable(payload)), |open| shown::meshed(payload, open, "kg"));
+            let _ = writeln!(out, "\npayload of the whole stack      {said}");
         }
         out
     }
 }
 
 impl ShellStar {
+    /// How far the meshes leave its payload open, kg: by as much as the force on the object.
+    fn payload_mesh_error(&self) -> Option<f64> {
+        let (payload, force) = (self.payload_kg?, self.object_force_N?);
+        let open = self.evidence.mesh_errors.object_force_N?;
+        (force > 0.0).then_some(payload * open / force)
+    }
+
     fn text(&self, out: &mut String) {
         let mut line = |what: &str, value: String| {
             let _ = writeln!(out, "  {what:30}{value}");
         };
         let mesh = &self.evidence.mesh_errors;
-        let show = |value: f64, unit: &str, error: f64| {
-            format!("{} {unit}, mesh error {}", Readable(value), Readable(error)).replace(" ,", ",")
-        };
+        let show = |value: f64, unit: &str, error: f64| shown::meshed(value, error, unit);
         line("model", self.model.to_owned());
         line("arm length", format!("{} mm", Readable(self.arm_length_mm)));
         line("tip angle at rest", show(self.tip_angle_deg, "deg", mesh.tip_angle_deg));
@@ -204,7 +213,7 @@ impl ShellStar {
         }
         let place = |place: &Place, unit: &str| {
             let [x, y] = place.at_mm;
-            format!("{}, at {}, {} mm", show(place.value, unit, place.mesh_error), Readable(x), Readable(y))
+            format!("{}, at {x:.1}, {y:.1} mm", show(place.value, unit, place.mesh_error))
         };
         line("largest pull on the seal", place(&self.seal_tension, "N/mm"));
         line("largest stretch", place(&self.stretch, ""));

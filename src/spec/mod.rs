@@ -53,7 +53,7 @@ pub use machine::{
     Script,
 };
 pub use model::{
-    Accuracy, Bed, Colours, CutSpec, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
+    Accuracy, Bed, Colours, CutSpec, Detail, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
     ModelChoice, ProgramScope, Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};

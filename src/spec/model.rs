@@ -275,3 +275,32 @@ pub enum ModelChoice {
     /// The cheapest that is accurate enough.
     Auto,
 }
+
+impl ModelChoice {
+    /// All of them, with the words that specs and studies write.
+    pub const ALL: [(&str, Self); 6] = [
+        ("fit", Self::Fit),
+        ("ring", Self::Ring),
+        ("bvp", Self::Bvp),
+        ("section", Self::Section),
+        ("shell", Self::Shell),
+        ("auto", Self::Auto),
+    ];
+}
+
+/// How fine the meshes of a shell are, in words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detail {
+    /// For a first look: some 10,000 unknowns on the finest mesh of a V-actuator with arms of 4 W.
+    Coarse,
+    /// For most ends: 67,000.
+    Medium,
+    /// Where mesh errors matter: 150,000.
+    Fine,
+}
+
+impl Detail {
+    /// All of them, with the words that studies write.
+    pub const ALL: [(&str, Self); 3] =
+        [("coarse", Self::Coarse), ("medium", Self::Medium), ("fine", Self::Fine)];
+}

@@ -244,17 +244,9 @@ fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
 }
 
 fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {
-    let models = [
-        ("fit", ModelChoice::Fit),
-        ("ring", ModelChoice::Ring),
-        ("bvp", ModelChoice::Bvp),
-        ("section", ModelChoice::Section),
-        ("shell", ModelChoice::Shell),
-        ("auto", ModelChoice::Auto),
-    ];
     Accuracy {
         path: length(s, "path", Allowed::closed(1e-4, 1.0), 0.001),
-        model: s.choice("model", &models).unwrap_or(ModelChoice::Auto),
+        model: s.choice("model", &ModelChoice::ALL).unwrap_or(ModelChoice::Auto),
         response: s.quantity("response", Allowed::above(0.0, 100.0)).unwrap_or(Percent(10.0)),
     }
 }

@@ -17,26 +17,7 @@ use stargrip_cam::forecast::prediction::Prediction;
 use stargrip_cam::spec::{ModelChoice, Source, Spec, builtin_machine, read, read_machine};
 
 /// The paper's star, 3 of them, with all that can be asked about it.
-const PAPER: &str = r#"
-schema = 1
-name = "paper gripper"
-[fabric]
-seal_strength = "3 N/mm"
-areal_density = "0.3 kg/m^2"
-[star]
-points = 5
-inner_radius = "50 mm"
-tube_width = "30 mm"
-tip_angle = "30 deg"
-[seal]
-band = "1 mm"
-[stack]
-count = 3
-[load]
-pressure = "37 kPa"
-object_radius = "30 mm"
-friction = 0.5
-"#;
+const PAPER: &str = concat!(include_str!("../support/gripper.toml"), "[seal]\nband = \"1 mm\"\n");
 
 /// The paper's gripper with `points` points, as the membrane's limit sees it.
 fn paper(points: u32) -> Spec {

@@ -52,6 +52,15 @@ fn a_page_shows_the_predictions_figures_in_its_units() {
 }
 
 #[test]
+fn a_radius_has_the_same_digits_wherever_it_stands() {
+    let (_, page) = page(&gripper(5));
+    let (radius, held) = (numbers(&page, "final radius"), numbers(&page, "holds radii from, to"));
+    assert_eq!(held[0], radius[0]);
+    // The range is millimetres wide.
+    assert!(held.iter().all(|end| (10.0 * end).fract().abs() < 1e-9), "{page}");
+}
+
+#[test]
 fn one_star_is_no_stack_and_stars_that_differ_stand_apart() {
     let mut single = paper(5);
     single.stars.truncate(1);

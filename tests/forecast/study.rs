@@ -10,8 +10,9 @@ use stargrip_cam::spec::Source;
 use stargrip_cam::spec::study::{Field, Lane, read_study};
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, LazyLock};
 
-static NEVER: AtomicBool = AtomicBool::new(false);
+static NEVER: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
 
 /// The paper's gripper, by the membrane's limit.
 fn ring() -> Source {
@@ -214,7 +215,10 @@ fn a_reader_that_has_enough_stops_the_run() {
     };
     assert!(!sweep.run(0..sweep.rows(), &NEVER, |batch| csv::lines(&batch), take));
     assert_eq!((calls, rows), (2, 2048));
-    assert!(sweep.batch(0..100, &AtomicBool::new(true)).is_none(), "whoever stops it gets no torn batch");
+    assert!(
+        sweep.batch(0..100, &Arc::new(AtomicBool::new(true))).is_none(),
+        "whoever stops it gets no torn batch"
+    );
 }
 
 /// Every key: by hand, the key in the spec; against it, the key varied.

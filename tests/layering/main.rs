@@ -8,19 +8,20 @@ use std::fs;
 use std::path::Path;
 
 /// (room, the rooms it may use). A room is a directory or file directly in src/.
-const MAY_USE: [(&str, &[&str]); 19] = [
+const MAY_USE: [(&str, &[&str]); 20] = [
+    ("digest", &[]),
     ("units", &[]),
     ("geom", &[]),
     ("numerics", &[]),
     ("spec", &["units"]),
     ("design", &["geom", "spec", "units"]),
-    ("mechanics", &["numerics", "units"]),
+    ("mechanics", &["digest", "numerics", "units"]),
     ("shell", &["geom", "numerics"]),
-    ("forecast", &["design", "mechanics", "numerics", "shell", "spec", "units"]),
+    ("forecast", &["design", "digest", "mechanics", "numerics", "shell", "spec", "units"]),
     ("airtight", &["design", "forecast", "geom", "spec", "units"]),
     ("plan", &["design", "geom", "spec", "units"]),
     ("artifact", &["design", "spec"]),
-    ("manifest", &["artifact", "design", "plan", "spec"]),
+    ("manifest", &["artifact", "design", "digest", "plan", "spec"]),
     ("emit", &["design", "forecast", "geom", "manifest", "plan", "spec", "units"]),
     ("verify", &["artifact", "design", "forecast", "geom", "manifest", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
@@ -39,6 +40,7 @@ const MAY_USE: [(&str, &[&str]); 19] = [
             "artifact",
             "coupon",
             "design",
+            "digest",
             "emit",
             "forecast",
             "geom",

@@ -23,6 +23,17 @@ fn with(rest: &str) -> String {
     format!("schema = 1\nspec = \"spec.toml\"\n{rest}")
 }
 
+/// Asserts that each study is refused with this code, in these words.
+fn refuses(cases: &[(String, &str, &str)]) {
+    for (text, code, words) in cases {
+        let found = faults(text);
+        assert!(
+            found.iter().any(|(own, said)| own == code && said.contains(words)),
+            "{text}\n{code}: {words}\n{found:?}"
+        );
+    }
+}
+
 #[test]
 fn every_fault_says_what_was_found_and_what_is_allowed() {
     let vary = "[vary]\nstar.points = [4]\n";
@@ -109,13 +120,26 @@ fn every_fault_says_what_was_found_and_what_is_allowed() {
         (format!("schema = 1\nspec = \"\"\n{vary}"), "name", "must be the path of a spec"),
         (with("[vary\n"), "syntax", ""),
     ];
-    for (text, code, words) in cases {
-        let found = faults(&text);
-        assert!(
-            found.iter().any(|(own, said)| own == code && said.contains(words)),
-            "{text}\n{code}: {words}\n{found:?}"
-        );
-    }
+    refuses(&cases);
+}
+
+#[test]
+fn what_only_shells_know_is_asked_of_shells() {
+    let vary = "[vary]\nstar.points = [4]\n";
+    refuses(&[
+        (
+            with(&format!("fineness = \"coarse\"\n{vary}")),
+            "conflict",
+            "`fineness` is the shell's: no row of this study asks a shell",
+        ),
+        (with(&format!("model = \"shell\"\nfineness = \"finest\"\n{vary}")), "unknown-choice", "\"fine\""),
+        (with(&format!("outputs = [\"volume_mm3\"]\n{vary}")), "no-column", "only shells know it"),
+        (
+            with(&format!("model = \"shell\"\noutputs = [\"final_radius_lo_mm\"]\n{vary}")),
+            "no-column",
+            "shells do not know it",
+        ),
+    ]);
 }
 
 #[test]

@@ -1,33 +1,19 @@
 //! Studies as a user runs them: what a study file may say, parts, joins, and what kills and full disks leave.
 
+#[path = "../support/asked.rs"]
+mod asked;
 mod faults;
 mod kills;
 mod page;
 mod parts;
+mod slow;
 
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
 
+use asked::GRIPPER as SPEC;
 use tempfile::TempDir;
-
-const SPEC: &str = r#"schema = 1
-name = "paper gripper"
-[fabric]
-seal_strength = "3 N/mm"
-areal_density = "0.3 kg/m^2"
-[star]
-points = 5
-inner_radius = "50 mm"
-tube_width = "30 mm"
-tip_angle = "30 deg"
-[stack]
-count = 3
-[load]
-pressure = "37 kPa"
-object_radius = "30 mm"
-friction = 0.5
-"#;
 
 /// Refusals, words, whole numbers and unknown values among its 216 rows.
 const STUDY: &str = r#"schema = 1

@@ -1,15 +1,14 @@
-//! `stargrip-cam study`, and what `sweep` does with a study: its parts, and how they become files.
+//! `stargrip-cam study`, and what `sweep` and `table` do with a study: its parts, and how they become files.
 
 mod join;
+mod kept;
 mod load;
 mod part;
 mod rows;
-mod signals;
+mod run;
 
 pub(super) use load::{loaded, varied};
-pub(super) use part::Parts;
-pub(super) use rows::{Form, Rows};
-pub(super) use signals::Stop;
+pub(super) use run::{Destination, Span};
 
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -11,14 +11,12 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
 
-use crate::cli::cache::hex;
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
-use crate::cli::study::rows::{Form, Rows};
-use crate::cli::study::signals::Stop;
+use crate::cli::study::rows::{Ear, Form, Rows};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
+use crate::digest::Running;
 use crate::forecast::study::Study;
 
 /// What is known of a part.
@@ -59,7 +57,7 @@ enum Found {
 
 impl Parts<'_> {
     /// Computes the parts `from` to `to` that are not there yet; returns how many were.
-    pub(in crate::cli) fn compute(&self, [from, to]: [usize; 2], stop: &Stop) -> Result<usize, Failure> {
+    pub(in crate::cli) fn compute(&self, [from, to]: [usize; 2], ear: &Ear<'_>) -> Result<usize, Failure> {
         let made = fs::create_dir_all(self.dir);
         made.map_err(|error| Failure::file("create", self.dir, &error))?;
         sweep_leftovers(self.dir, |name| name.starts_with("part-"));
@@ -67,8 +65,12 @@ impl Parts<'_> {
         let mut there = 0;
         for part in from..=to {
             match self.found(part, &fingerprint) {
-                Found::Done => there += 1,
-                Found::Nothing => self.write(part, &fingerprint, stop)?,
+                Found::Done => {
+                    there += 1;
+                    // One who was killed at the very end may have left them.
+                    self.rows(part, &self.path(part)).forget();
+                }
+                Found::Nothing => self.write(part, &fingerprint, ear)?,
                 Found::Foreign => {
                     let path = shown(self.path(part));
                     let text = format!(
@@ -85,6 +87,17 @@ impl Parts<'_> {
         self.dir.join(name(part, self.of, self.form.ending()))
     }
 
+    fn rows<'b>(&'b self, part: usize, path: &'b Path) -> Rows<'b> {
+        Rows {
+            study: self.study,
+            range: self.study.part(part, self.of),
+            form: self.form,
+            header: true,
+            units: self.units,
+            target: Some(path),
+        }
+    }
+
     fn ticket(&self, part: usize, study: &str, (bytes, sha256): (u64, String)) -> Ticket {
         let rows = self.study.part(part, self.of);
         let rows = [rows.start, rows.end];
@@ -99,28 +112,24 @@ impl Parts<'_> {
         if metadata.is_file() && ticket == right { Found::Done } else { Found::Foreign }
     }
 
-    fn write(&self, part: usize, study: &str, stop: &Stop) -> Result<(), Failure> {
+    fn write(&self, part: usize, study: &str, ear: &Ear<'_>) -> Result<(), Failure> {
         let path = self.path(part);
-        let rows = Rows {
-            study: self.study,
-            range: self.study.part(part, self.of),
-            form: self.form,
-            header: true,
-            units: self.units,
-        };
+        let rows = self.rows(part, &path);
         let written = || -> io::Result<()> {
             let file = WholeFile::begin(&path)?;
-            let hashed = Hashed { out: file, hash: Sha256::new(), bytes: 0 };
-            let written = rows.write(BufWriter::new(hashed), stop)?;
+            let hashed = Hashed { out: file, hash: Running::default(), bytes: 0 };
+            let written = rows.write(BufWriter::new(hashed), ear)?;
             let Hashed { out, hash, bytes } = written.into_inner().map_err(io::IntoInnerError::into_error)?;
-            let ticket = self.ticket(part, study, (bytes, hex(&hash.finalize())));
+            let ticket = self.ticket(part, study, (bytes, hash.finish()));
             let mut beside = WholeFile::begin(&path.with_extension("json"))?;
             beside.write_all((serde_json::to_string(&ticket)? + "\n").as_bytes())?;
             beside.publish()?;
-            out.publish()
+            out.publish()?;
+            rows.forget();
+            Ok(())
         };
         written().map_err(|error| match error.kind() {
-            io::ErrorKind::Interrupted if stop.is_raised() => {
+            io::ErrorKind::Interrupted if ear.listening.has_heard() => {
                 let text = format!(
                     "stopped in part {part} of {}; the same command goes on where it stopped",
                     self.of
@@ -145,16 +154,16 @@ pub(super) fn ticket(path: &Path) -> Option<Ticket> {
 
 /// Whether the file at `path` has the hash of its ticket.
 pub(super) fn is_sound(path: &Path, ticket: &Ticket) -> io::Result<bool> {
-    let mut hashed = Hashed { out: io::sink(), hash: Sha256::new(), bytes: 0 };
+    let mut hashed = Hashed { out: io::sink(), hash: Running::default(), bytes: 0 };
     let _ = io::copy(&mut File::open(path)?, &mut hashed)?;
     let Hashed { hash, bytes, .. } = hashed;
-    Ok(bytes == ticket.bytes && hex(&hash.finalize()) == ticket.sha256)
+    Ok(bytes == ticket.bytes && hash.finish() == ticket.sha256)
 }
 
 /// A writer that knows the hash of what went through it.
 struct Hashed<W> {
     out: W,
-    hash: Sha256,
+    hash: Running,
     bytes: u64,
 }
 

@@ -113,7 +113,16 @@ fn granted(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Choice
     let asked = wish.constraints(&base, SEARCHED_MARGIN);
     let (base, bounds) = (&base, &bounds);
     let search = |constraints: &Constraints| {
-        Search { base, bounds, constraints, goal: Goal::Fabric, table: ring, effort: Effort::QUICK }.run()
+        Search {
+            base,
+            bounds,
+            constraints,
+            goal: Goal::Fabric,
+            table: ring,
+            effort: Effort::QUICK,
+            cancel: None,
+        }
+        .run()
     };
     let found = search(&asked);
     let mut met = round(&found);

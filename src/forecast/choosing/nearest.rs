@@ -82,6 +82,7 @@ fn heaviest(wish: &Wish, base: &Candidate, ring: &RingTable) -> Option<f64> {
         goal: Goal::Payload,
         table: ring,
         effort: Effort::QUICK,
+        cancel: None,
     };
     let most = search.run().best.into_iter().find(|one| one.violation == 0.0)?;
     Some(sure_payload(&most.point, &most.answer)? / SEARCHED_MARGIN)

@@ -22,6 +22,8 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
 
 /// What is to be largest or smallest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -133,7 +135,7 @@ pub fn search(
     goal: Goal,
     table: &RingTable,
 ) -> Found {
-    Search { base, bounds, constraints, goal, table, effort: Effort::default() }.run()
+    Search { base, bounds, constraints, goal, table, effort: Effort::default(), cancel: None }.run()
 }
 
 /// What is searched, and for what.
@@ -151,6 +153,8 @@ pub struct Search<'a> {
     pub table: &'a RingTable,
     /// How much is computed.
     pub effort: Effort,
+    /// Raised by another thread to end at the next design; what is found then is not the best.
+    pub cancel: Option<&'a AtomicBool>,
 }
 
 impl Search<'_> {
@@ -178,8 +182,11 @@ impl Search<'_> {
         [tip_angle.map(|end| end.0), width, tip_radius, corner_radius, inner_radius, pressure]
     }
 
-    /// The design with `points` points at `place`; `None` if there is none, or it cannot be cut out.
+    /// The design with `points` points at `place`; `None` if there is none, it cannot be cut out, or nobody wants it any more.
     fn at(&self, points: u32, place: &Place) -> Option<Evaluated> {
+        if self.cancel.is_some_and(|cancel| cancel.load(Relaxed)) {
+            return None;
+        }
         let sides = self.sides();
         let [tip_angle, width, tip_radius, corner_radius, inner_radius, pressure] =
             std::array::from_fn(|k| sides[k][0] + place[k] * (sides[k][1] - sides[k][0]));

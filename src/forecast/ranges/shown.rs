@@ -1,4 +1,4 @@
-//! Values with their ranges as a person reads them: "12 N, 9 to 15", with as many digits as the range leaves.
+//! Values with their ranges or mesh errors as a person reads them: "12 N, 9 to 15", with as many digits as those leave.
 
 use crate::forecast::ranges::Interval;
 use crate::units::Readable;
@@ -21,9 +21,28 @@ pub fn with(value: f64, [low, high]: Interval, unit: &str) -> String {
     format!("{value}{gap}{unit}, {low} to {high}")
 }
 
+/// `value` in `unit`, as exact as a number with this range is.
+pub fn as_exact_as(value: f64, [low, high]: Interval, unit: &str) -> String {
+    format!("{} {unit}", text(value, step(high - low)))
+}
+
+/// `value` with its mesh error, both in `unit`.
+pub fn meshed(value: f64, error: f64, unit: &str) -> String {
+    let step = decade(error);
+    let gap = if unit.is_empty() { "" } else { " " };
+    // Rounded up: what is printed holds.
+    let open = text((error / step).ceil() * step, step);
+    format!("{}{gap}{unit}, mesh error {open}", text(value, step))
+}
+
+/// The power of ten of the first digit of `x`.
+fn decade(x: f64) -> f64 {
+    if x > 0.0 && x.is_finite() { 10_f64.powf(x.log10().floor()) } else { 1e-3 }
+}
+
 /// The decade that divides a range of this width into five to fifty parts.
 fn step(width: f64) -> f64 {
-    if width > 0.0 && width.is_finite() { 10_f64.powf((0.2 * width).log10().floor()) } else { 1e-3 }
+    decade(0.2 * width)
 }
 
 fn text(number: f64, step: f64) -> String {
@@ -57,6 +76,16 @@ mod tests {
         assert_eq!(with(0.061, [0.0512, 0.0723], "kg"), "0.061 kg, 0.051 to 0.073");
         assert_eq!(with(0.0, [-0.001, 0.001], ""), "0.0000, -0.0010 to 0.0010");
         assert_eq!(with(0.0, [0.0, 0.0], "N"), "0.000 N, 0.000 to 0.000");
+    }
+
+    #[test]
+    fn digits_match_the_mesh_error() {
+        assert_eq!(meshed(18.18, 7.44, "N"), "18 N, mesh error 8");
+        assert_eq!(meshed(17.3546, 0.4, "mm"), "17.4 mm, mesh error 0.4");
+        assert_eq!(meshed(212_345.6, 31.0, "mm^3"), "212350 mm^3, mesh error 40");
+        assert_eq!(meshed(1.01234, 0.0008, ""), "1.0123, mesh error 0.0008");
+        assert_eq!(meshed(0.0, 0.0, "N"), "0.000 N, mesh error 0.000");
+        assert_eq!(as_exact_as(47.2345, [15.4, 25.4], "mm"), "47 mm");
     }
 
     #[test]

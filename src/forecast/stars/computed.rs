@@ -3,9 +3,9 @@
 
 use std::fmt::Write;
 
+use crate::digest::sha256;
 use crate::forecast::stars::draw::{Drawn, Set};
 use crate::shell::cases::{Fineness, Objects, ShellFault, Value, Watch, star};
-use sha2::{Digest, Sha256};
 
 /// Meshes of some 2,500, 10,000 and 40,000 unknowns.
 pub const FINENESS: Fineness = Fineness { cells: 12.0, cuts: 2 };
@@ -89,7 +89,7 @@ impl Drawn {
                 let _ = writeln!(text, "unknowns {:?}", found.evidence.unknowns);
             }
         }
-        let hash = hash(&text);
+        let hash = sha256(&text);
         let _ = writeln!(text, "{hash}");
         Ok(text)
     }
@@ -114,7 +114,7 @@ impl Drawn {
     /// Reads its text; `None` if it is torn, or another star's.
     pub fn read(&self, text: &str) -> Option<Computed> {
         let (body, last) = text.trim_end().rsplit_once('\n')?;
-        if hash(&format!("{body}\n")) != last {
+        if sha256(format!("{body}\n")) != last {
             return None;
         }
         let mut lines = body.lines().filter(|line| !line.starts_with('#'));
@@ -192,14 +192,6 @@ impl Computed {
         };
         Some(Self { star, found: Some(found) })
     }
-}
-
-/// SHA-256 in hexadecimal.
-pub(super) fn hash(text: &str) -> String {
-    Sha256::digest(text).iter().fold(String::new(), |mut hash, byte| {
-        let _ = write!(hash, "{byte:02x}");
-        hash
-    })
 }
 
 /// All stars of all sets, one of each set in turn, so that any beginning is of use.

@@ -1,6 +1,7 @@
 //! All computed stars, one a line, as they are shipped.
 
-use crate::forecast::stars::computed::{Computed, hash};
+use crate::digest::sha256;
+use crate::forecast::stars::computed::Computed;
 
 /// The stars.
 const SHIPPED: &str = include_str!("stars.txt");
@@ -8,7 +9,7 @@ const SHIPPED: &str = include_str!("stars.txt");
 /// The table of `computed`, as the text that is shipped.
 pub fn join(computed: &[Computed]) -> String {
     let body: String = computed.iter().map(|star| star.line() + "\n").collect();
-    let hash = hash(&body);
+    let hash = sha256(&body);
     format!(
         "# Stars as shells; read by src/forecast/stars/shipped.rs. E 128 MPa, nu 0.39; lengths mm, p kPa, angles deg.\n\
          # Made by `stargrip-cam table DIR --set all`, the same with --forces, and --join. SHA-256 of the lines below: {hash}\n\

@@ -1,11 +1,13 @@
 //! Rows as columns of numbers, computed in parallel, in order.
 
 use crate::forecast::study::Study;
+use crate::forecast::study::answers::Unanswered;
 use crate::forecast::study::columns::Kind;
-use crate::forecast::study::outputs::Row;
+use crate::forecast::study::output::Row;
 use crate::spec::study::KeyValue;
 use rayon::prelude::*;
 use std::ops::Range;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Rows that one task computes: long enough to hide the hand-over, short enough that all threads end together.
@@ -104,10 +106,13 @@ impl Values {
 
 impl Study {
     /// The rows `rows`, those beyond the last left out, computed in parallel; `None` if `cancel` was raised meanwhile.
-    pub fn batch(&self, rows: Range<usize>, cancel: &AtomicBool) -> Option<Batch> {
+    pub fn batch(&self, rows: Range<usize>, cancel: &Arc<AtomicBool>) -> Option<Batch> {
         let rows = rows.start.min(self.rows())..rows.end.min(self.rows());
-        let chunks: Vec<Batch> =
-            chunks(&rows).into_par_iter().map(|chunk| self.chunk(chunk, cancel)).collect::<Option<_>>()?;
+        let chunks: Vec<Batch> = self
+            .chunks(&rows)
+            .into_par_iter()
+            .map(|chunk| self.chunk(chunk, cancel))
+            .collect::<Option<_>>()?;
         let empty = self.columns.iter().map(|column| Values::new(column.kind, rows.len())).collect();
         let mut whole = Batch { rows, columns: empty };
         for chunk in chunks {
@@ -123,11 +128,14 @@ impl Study {
     pub fn run<T: Send>(
         &self,
         rows: Range<usize>,
-        cancel: &AtomicBool,
+        cancel: &Arc<AtomicBool>,
         make: impl Fn(Batch) -> T + Sync,
         mut take: impl FnMut(T, usize) -> bool + Send,
     ) -> bool {
-        let all = chunks(&rows);
+        if self.is_slow() {
+            return self.run_slowly(rows, cancel, |batch| take(make(batch), 1));
+        }
+        let all = self.chunks(&rows);
         let compute = |some: &[Range<usize>]| -> Option<Vec<(T, usize)>> {
             let one = |chunk: &Range<usize>| Some((make(self.chunk(chunk.clone(), cancel)?), chunk.len()));
             some.par_iter().map(one).collect()
@@ -145,8 +153,13 @@ impl Study {
         ready.into_iter().all(|(made, count)| take(made, count))
     }
 
+    fn chunks(&self, rows: &Range<usize>) -> Vec<Range<usize>> {
+        let len = if self.is_slow() { 1 } else { CHUNK };
+        rows.clone().step_by(len).map(|from| from..rows.end.min(from + len)).collect()
+    }
+
     /// One chunk, by this thread.
-    fn chunk(&self, rows: Range<usize>, cancel: &AtomicBool) -> Option<Batch> {
+    pub(super) fn chunk(&self, rows: Range<usize>, cancel: &Arc<AtomicBool>) -> Option<Batch> {
         let mut columns: Vec<Values> =
             self.columns.iter().map(|column| Values::new(column.kind, rows.len())).collect();
         let mut place = Vec::new();
@@ -155,12 +168,19 @@ impl Study {
                 return None;
             }
             self.designs.place(row, &mut place);
-            self.fill(row, &place, &mut columns);
+            self.fill(row, &place, &mut columns, cancel)?;
         }
         Some(Batch { rows, columns })
     }
 
-    fn fill(&self, row: usize, place: &[usize], columns: &mut [Values]) {
+    /// Adds a row; `None` if its answer was cancelled.
+    fn fill(
+        &self,
+        row: usize,
+        place: &[usize],
+        columns: &mut [Values],
+        cancel: &Arc<AtomicBool>,
+    ) -> Option<()> {
         let mut columns = columns.iter_mut();
         let mut next = |with: &dyn Fn(&mut Values)| {
             if let Some(column) = columns.next() {
@@ -172,17 +192,21 @@ impl Study {
         for (b, lane) in self.designs.lanes() {
             next(&|column| column.push(&lane.value(place[b])));
         }
-        let answered =
-            self.designs.at(place).and_then(|point| point.answer(&self.ring).map(|answer| (point, answer)));
+        let answered = self.designs.at(place).map_err(Unanswered::from).and_then(|point| {
+            let answered = self.models.answer(&point, cancel)?;
+            Ok((point, answered))
+        });
         let refused = match &answered {
-            Ok((point, answer)) => {
-                let row = Row { point, answer, all: self.codes };
+            Ok((point, answered)) => {
+                let (answer, shell) = (&answered.answer, answered.shell.as_deref());
+                let row = Row { point, answer, shell, all: self.codes };
                 for output in &self.outputs {
-                    next(&|column| column.push_number((output.of)(&row).unwrap_or(f64::NAN)));
+                    next(&|column| column.push_number(output.value(&row).unwrap_or(f64::NAN)));
                 }
                 None
             }
-            Err(refused) => {
+            Err(Unanswered::Cancelled) => return None,
+            Err(Unanswered::Refused(refused)) => {
                 for _ in &self.outputs {
                     next(&|column| column.push_number(f64::NAN));
                 }
@@ -198,9 +222,6 @@ impl Study {
             next(&|column| word(column, refused.map(|refused| refused.code)));
         }
         next(&|column| word(column, refused.map(|refused| refused.text.as_str())));
+        Some(())
     }
-}
-
-fn chunks(rows: &Range<usize>) -> Vec<Range<usize>> {
-    rows.clone().step_by(CHUNK).map(|from| from..rows.end.min(from + CHUNK)).collect()
 }

@@ -1,6 +1,6 @@
 //! The columns of a study: what a row says, in which unit.
 
-use crate::forecast::study::outputs::Output;
+use crate::forecast::study::output::Output;
 use crate::spec::study::{Block, Field};
 
 /// What a column holds.

@@ -8,7 +8,7 @@ use crate::design::RefusalCode;
 use crate::forecast::candidate::{Candidate, Refused};
 use crate::spec::edit::with_values;
 use crate::spec::study::{Block, KeyValue, Lane};
-use crate::spec::{Code, KeyPath, Severity, Source, Spec, key, read};
+use crate::spec::{Code, KeyPath, ModelChoice, Severity, Source, Spec, key, read};
 use crate::units::{Angle, Length, LineForce, Pressure};
 use std::sync::OnceLock;
 
@@ -82,6 +82,11 @@ impl Designs {
 
     pub(super) fn rows(&self) -> usize {
         self.rows
+    }
+
+    /// What varies.
+    pub(super) fn blocks(&self) -> &[Block] {
+        &self.blocks
     }
 
     /// The lanes in the order of their columns.
@@ -163,6 +168,17 @@ impl Designs {
             code: RefusalCode::NoPrediction.as_str(),
             text: "there is no star".to_owned(),
         })
+    }
+
+    /// The models that the designs ask.
+    pub(super) fn models(&self) -> Vec<ModelChoice> {
+        let Some((_, lane)) = self.lanes().find(|(_, lane)| lane.field.key() == key::accuracy::MODEL) else {
+            return vec![self.base.model];
+        };
+        let known = |(word, _): &&(&str, ModelChoice)| {
+            (0..lane.len()).any(|i| *lane.value(i) == KeyValue::Word((*word).to_owned()))
+        };
+        ModelChoice::ALL.iter().filter(known).map(|(_, model)| *model).collect()
     }
 
     /// All that the designs depend on, in a text of no other use.

@@ -7,32 +7,39 @@
 //! |---|---|
 //! | [`crate::spec::study`] | what a study file asks for |
 //! | `designs` | which design row i is |
-//! | [`columns`], `outputs` | what is said of it, in which unit |
-//! | [`batch`] | rows as columns of numbers, computed in parallel |
-//! | [`csv`], `parquet` | batches as bytes |
+//! | `answers` | what its model says of it |
+//! | [`columns`], `output`, `outputs`, `shell_outputs`, `wanted` | what a row says, in which unit |
+//! | [`batch`], `slow` | rows as columns of numbers, computed in parallel; those that take seconds each |
+//! | [`csv`], `parquet`, [`kept`] | batches as bytes; single rows as texts that lose nothing |
 
+mod answers;
 pub mod batch;
 pub mod columns;
 pub mod csv;
 mod designs;
 mod figure;
+pub mod kept;
+mod output;
 mod outputs;
 #[cfg(feature = "parquet")]
 pub mod parquet;
+mod shell_outputs;
+mod slow;
+mod wanted;
 
 pub use batch::{Batch, Values};
 pub use columns::{Column, Kind};
 
+use crate::digest::of_parts;
+use crate::forecast::by_shell::Detail;
 use crate::forecast::candidate::{Candidate, Refused};
+use crate::forecast::study::answers::Models;
 use crate::forecast::study::designs::Designs;
-use crate::forecast::study::outputs::{OUTPUTS, Output, chosen};
+use crate::forecast::study::output::{Asked, Output};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::spec::edit::with_values;
 use crate::spec::study::{Block, Field, KeyValue, Lane, StudyFile};
-use crate::spec::{Fault, read};
-use crate::spec::{FaultCode, Faults, ModelChoice, Source, key};
-use sha2::{Digest, Sha256};
-use std::fmt::Write;
+use crate::spec::{Fault, FaultCode, Faults, ModelChoice, Source, key, read};
 use std::ops::Range;
 
 /// Most rows of a study: beyond, a row number would not be exact in a spreadsheet, and the file not fit on a disk.
@@ -45,30 +52,43 @@ pub struct Study {
     outputs: Vec<&'static Output>,
     columns: Vec<Column>,
     codes: bool,
-    ring: RingTable,
+    models: Models,
+    is_slow: bool,
 }
 
 impl Study {
     /// What `file` asks for, around the spec `spec`, which it names.
     ///
     /// # Errors
-    /// The faults of the spec; those of what the study sets in it; a column that does not exist; too many rows.
+    /// The faults of the spec; those of what the study sets in it; a column that does not exist, or that none of its models knows;
+    /// meshes of a shell that nobody asks; too many rows.
     pub fn new(file: &StudyFile, spec: &Source) -> Result<Self, Faults> {
         let model = file.model.map(model_setting);
         let set: Vec<(Field, KeyValue)> = file.set.iter().cloned().chain(model).collect();
         let told = |place, what: String| {
             Faults::new(&file.source, vec![Fault::error(FaultCode::OutOfRange, place, what)])
         };
-        let outputs = match &file.outputs {
-            None => OUTPUTS.iter().collect(),
-            Some(wanted) => chosen(wanted, &file.source)?,
-        };
         let spec = edited(spec, &set)?;
-        Self::of(&spec, file.blocks.clone(), outputs, true)?.map_err(|what| told(0..0, what))
+        let designs = designs(&spec, file.blocks.clone())?.map_err(|what| told(0..0, what))?;
+        let models = designs.models();
+        let asked = Asked::of(&models);
+        if let Some((_, place)) = file.fineness.as_ref().filter(|_| !asked.shells) {
+            let fault = Fault::error(FaultCode::Conflict, place.clone(), "`fineness` is the shell's")
+                .label("no row of this study asks a shell")
+                .help("write model = \"shell\", or delete it");
+            return Err(Faults::new(&file.source, vec![fault]));
+        }
+        let outputs = match &file.outputs {
+            None => wanted::known(asked),
+            Some(names) => wanted::chosen(names, &file.source, asked)?,
+        };
+        let detail = file.fineness.as_ref().map_or(Detail::Medium, |(detail, _)| *detail);
+        let is_slow = models.iter().any(|model| matches!(model, ModelChoice::Bvp | ModelChoice::Shell));
+        Self::of(designs, outputs, Some(detail), is_slow).map_err(|what| told(0..0, what))
     }
 
     /// Every combination of the values of `lanes` around the spec `spec`, with the columns that `sweep --vary` has had since it
-    /// exists.
+    /// exists, and by the models that it has always asked: of `bvp` and `shell`, `section` answers.
     ///
     /// # Errors
     /// The faults of the spec, or one sentence: nothing is varied, or a key twice, or there are too many rows.
@@ -79,34 +99,30 @@ impl Study {
             }
         }
         let blocks = lanes.into_iter().filter_map(|lane| Block::new(vec![lane])).collect();
-        Self::of(spec, blocks, OUTPUTS.iter().filter(|output| output.plain).collect(), false)
+        Ok(designs(spec, blocks)?.and_then(|designs| Self::of(designs, wanted::plain(), None, false)))
     }
 
+    /// `detail`: how fine the meshes of shells are; `None` for a sweep without a study file.
     fn of(
-        spec: &Source,
-        blocks: Vec<Block>,
+        designs: Designs,
         outputs: Vec<&'static Output>,
-        codes: bool,
-    ) -> Result<Result<Self, String>, Faults> {
-        let reading = read(spec)?;
-        if blocks.is_empty() {
-            return Ok(Err("nothing is varied".to_owned()));
-        }
-        let rows = blocks.iter().try_fold(1_usize, |product, block| product.checked_mul(block.len()));
-        if rows.is_none_or(|rows| rows > MOST_ROWS) {
-            return Ok(Err(format!("more than {MOST_ROWS} rows")));
-        }
-        let (Some(base), Ok(ring)) = (Candidate::of(&reading.spec), RingTable::new()) else {
-            return Ok(Err("the spec has no star".to_owned()));
-        };
-        let columns = columns::columns(&blocks, &outputs, codes);
-        let designs = Designs::new(base, (spec.clone(), reading.spec), blocks);
-        Ok(Ok(Self { designs, outputs, columns, codes, ring }))
+        detail: Option<Detail>,
+        is_slow: bool,
+    ) -> Result<Self, String> {
+        let ring = RingTable::new().map_err(|fault| fault.to_string())?;
+        let codes = detail.is_some();
+        let columns = columns::columns(designs.blocks(), &outputs, codes);
+        Ok(Self { designs, outputs, columns, codes, models: Models { ring, detail }, is_slow })
     }
 
     /// Number of rows, at least 1.
     pub fn rows(&self) -> usize {
         self.designs.rows()
+    }
+
+    /// Whether rows take so long, a second to minutes each, that each is worth keeping as soon as it is there.
+    pub fn is_slow(&self) -> bool {
+        self.is_slow
     }
 
     /// The columns: `row`, what varies, what is wanted of each design, and why it is refused.
@@ -132,31 +148,34 @@ impl Study {
     /// What tells this study from every other: a hash of the version of this program, the spec as read, what varies, and
     /// the columns. Comments and layout do not matter.
     pub fn fingerprint(&self) -> String {
-        let mut hash = Sha256::new();
-        for part in
-            [env!("CARGO_PKG_VERSION").to_owned(), self.designs.identity(), format!("{:?}", self.columns)]
-        {
-            hash.update(part.len().to_le_bytes());
-            hash.update(part);
-        }
-        hash.finalize().iter().fold(String::new(), |mut text, byte| {
-            // A String takes everything.
-            let _ = write!(text, "{byte:02x}");
-            text
-        })
+        let mut parts = vec![
+            env!("CARGO_PKG_VERSION").to_owned(),
+            self.designs.identity(),
+            format!("{:?}", self.columns),
+        ];
+        parts.extend(self.models.detail.filter(|_| self.is_slow).map(|detail| format!("{detail:?}")));
+        of_parts(parts)
     }
+}
+
+/// The designs of `blocks` around `spec`; one sentence if nothing is varied, or there are too many.
+fn designs(spec: &Source, blocks: Vec<Block>) -> Result<Result<Designs, String>, Faults> {
+    let reading = read(spec)?;
+    if blocks.is_empty() {
+        return Ok(Err("nothing is varied".to_owned()));
+    }
+    let rows = blocks.iter().try_fold(1_usize, |product, block| product.checked_mul(block.len()));
+    if rows.is_none_or(|rows| rows > MOST_ROWS) {
+        return Ok(Err(format!("more than {MOST_ROWS} rows")));
+    }
+    let Some(base) = Candidate::of(&reading.spec) else { return Ok(Err("the spec has no star".to_owned())) };
+    Ok(Ok(Designs::new(base, (spec.clone(), reading.spec), blocks)))
 }
 
 /// `accuracy.model` as a setting.
 fn model_setting(model: ModelChoice) -> (Field, KeyValue) {
-    let word = match model {
-        ModelChoice::Fit => "fit",
-        ModelChoice::Ring => "ring",
-        ModelChoice::Bvp => "bvp",
-        ModelChoice::Section => "section",
-        ModelChoice::Shell => "shell",
-        ModelChoice::Auto => "auto",
-    };
+    let known = ModelChoice::ALL.iter().find(|(_, own)| *own == model);
+    let word = known.map_or("auto", |(word, _)| word);
     let field = Field::of(&key::accuracy::MODEL.to_string());
     #[expect(clippy::expect_used, reason = "a test asks every key")]
     let field = field.expect("a key");

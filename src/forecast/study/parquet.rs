@@ -262,7 +262,8 @@ mod tests {
     fn bytes(study: &Study, size: usize) -> Vec<u8> {
         let mut writer = Writer::new(Vec::new(), study.columns(), "abc").expect("begun");
         for from in (0..study.rows()).step_by(size) {
-            let batch = study.batch(from..from + size, &AtomicBool::new(false)).expect("not stopped");
+            let batch =
+                study.batch(from..from + size, &Arc::new(AtomicBool::new(false))).expect("not stopped");
             writer.write(batch).expect("written");
         }
         writer.finish().expect("finished")
@@ -292,7 +293,7 @@ mod tests {
             text.extend(csv::lines(&batch));
             back.write(batch).expect("written");
         }
-        let whole = study.batch(0..study.rows(), &AtomicBool::new(false)).expect("not stopped");
+        let whole = study.batch(0..study.rows(), &Arc::new(AtomicBool::new(false))).expect("not stopped");
         assert!(text == csv::lines(&whole));
         assert!(back.finish().expect("finished") == once);
     }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
 use crate::spec::key;
-use crate::spec::model::ModelChoice;
+use crate::spec::model::{Detail, ModelChoice};
 use crate::spec::reading::{read_schema, read_with};
 use crate::spec::section::{Reader, Section};
 use crate::spec::shape::Shape;
@@ -26,6 +26,8 @@ pub struct StudyFile {
     pub spec: String,
     /// Which model answers; `None`: the spec's.
     pub model: Option<ModelChoice>,
+    /// How fine the meshes of shells are, and where it was written; `None`: medium.
+    pub fineness: Option<(Detail, Range<usize>)>,
     /// What is kept at another value than the spec's.
     pub set: Vec<(Field, KeyValue)>,
     /// What varies; the last runs fastest. Never empty.
@@ -46,15 +48,7 @@ pub struct Wanted {
 /// Most values that are drawn.
 const MOST_DRAWN: u32 = 1_000_000_000;
 
-/// The models that a study can ask.
-const MODELS: [(&str, ModelChoice); 4] = [
-    ("auto", ModelChoice::Auto),
-    ("section", ModelChoice::Section),
-    ("ring", ModelChoice::Ring),
-    ("fit", ModelChoice::Fit),
-];
-
-/// Reads a study file: `schema`, `spec`, `model`, `outputs`, `[set]`, and at least one of `[vary]` (every combination of its
+/// Reads a study file: `schema`, `spec`, `model`, `fineness`, `outputs`, `[set]`, and at least one of `[vary]` (every combination of its
 /// lists), `[rows]` (lists of one length that go on together) and `[draw]` (drawn between two ends).
 ///
 /// # Errors
@@ -68,8 +62,10 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
     root.require(&[("schema", "1"), ("spec", "\"spec.toml\"")]);
     read_schema(&mut root, 1);
     let spec = read_path(&mut root);
-    let model = root.choice("model", &MODELS);
+    let model = root.choice("model", &ModelChoice::ALL);
     let place = root.place_of("model");
+    let fineness = root.choice("fineness", &Detail::ALL);
+    let fineness = fineness.map(|detail| (detail, root.place_of("fineness")));
     let outputs = root.texts("outputs");
     let wanted = |(name, place): (&str, Range<usize>)| Wanted { name: name.to_owned(), place };
     let mut seen = Seen::default();
@@ -91,6 +87,7 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
         source: source.clone(),
         spec,
         model,
+        fineness,
         set,
         blocks,
         outputs: outputs.map(|names| names.into_iter().map(wanted).collect()),

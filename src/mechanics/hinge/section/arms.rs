@@ -117,17 +117,13 @@ fn weights<const N: usize>(places: &[f64; N], x: f64, slack: f64) -> Option<[f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use sha2::{Digest, Sha256};
-    use std::fmt::Write;
+    use crate::digest::sha256;
 
     #[test]
     fn the_shipped_table_is_whole_and_on_its_grid() {
         let body: String =
             SHIPPED.lines().filter(|line| !line.starts_with('#')).flat_map(|line| [line, "\n"]).collect();
-        let hash = Sha256::digest(&body).iter().fold(String::new(), |mut hash, byte| {
-            let _ = write!(hash, "{byte:02x}");
-            hash
-        });
+        let hash = sha256(&body);
         assert!(SHIPPED.contains(&hash), "{hash}");
         let mut lines = body.lines();
         for tau in TAUS {

@@ -1,0 +1,77 @@
+"""Parquet opens in Arrow, and says what CSV says, cell by cell."""
+
+from __future__ import annotations
+
+import csv
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+pq = pytest.importorskip("pyarrow.parquet")
+
+COMMAND = Path(sys.executable).with_name("stargrip-cam")
+
+# Refusals, words, whole numbers and unknown values among its 216 rows.
+STUDY = """
+schema = 1
+spec = "spec.toml"
+[rows]
+star.points = [4, 5, 9]
+star.tip_angle = ["40 deg", "30 deg", "20 deg"]
+[vary]
+mask.mirror = [true, false]
+star.tube_width = "10 mm..40 mm/12"
+load.pressure = ["0.001 kPa", "20 kPa", "37 kPa"]
+"""
+
+
+@pytest.fixture(scope="module")
+def study(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("study")
+    shutil.copy(root / "designs" / "paper-gripper.toml", folder / "spec.toml")
+    (folder / "study.toml").write_text(STUDY)
+    for args in (
+        ["sweep", "study.toml", "-o", "whole.csv"],
+        ["sweep", "study.toml", "-o", "whole.parquet"],
+        ["sweep", "study.toml", "--format", "parquet", "--parts", "5", "-o", "parts"],
+        ["study", "join", "parts", "-o", "joined.parquet"],
+    ):
+        subprocess.run([COMMAND, *args], cwd=folder, check=True, timeout=120)
+    return folder
+
+
+def test_every_cell_is_that_of_the_csv(study: Path) -> None:
+    table = pq.read_table(study / "whole.parquet")
+    with (study / "whole.csv").open(newline="") as file:
+        header, *rows = csv.reader(file)
+    assert table.column_names == header and table.num_rows == len(rows) == 216
+    kinds = set()
+    for name, column in zip(header, zip(*rows)):
+        for found, said in zip(table[name].to_pylist(), column):
+            kinds.add(type(found))
+            if found is None or isinstance(found, str):
+                assert (found or "") == said, name
+            elif isinstance(found, int):
+                assert str(found) == said, name
+            else:
+                # Nine digits stand in a CSV.
+                assert float(said) == pytest.approx(found, rel=1e-8, abs=1e-300), name
+    assert kinds == {type(None), str, int, float}
+
+
+def test_a_column_says_its_unit_and_its_meaning(study: Path) -> None:
+    schema = pq.read_schema(study / "whole.parquet")
+    about = {column["name"]: column for column in json.loads(schema.metadata[b"stargrip-cam.columns"])}
+    assert list(about) == schema.names
+    assert about["final_radius_mm"]["unit"] == "mm" and "closed" in about["final_radius_mm"]["about"]
+
+
+def test_parts_are_one_table(study: Path) -> None:
+    whole = pq.read_table(study / "whole.parquet")
+    assert pq.read_table(study / "joined.parquet").equals(whole)
+    parts = sorted((study / "parts").glob("*.parquet"))
+    assert len(parts) == 5 and pq.read_table(parts).equals(whole)

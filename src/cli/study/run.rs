@@ -1,0 +1,161 @@
+//! Rows of a study to standard output, a file, or parts in a directory: what commands have in common that compute a study.
+
+use std::fs::File;
+use std::io::{self, BufWriter, IsTerminal, Write, stdout};
+use std::path::{Path, PathBuf};
+
+use crate::cli::failure::{Failure, tell};
+use crate::cli::harmless::shown;
+use crate::cli::interrupt::Listening;
+use crate::cli::progress;
+use crate::cli::study::part::Parts;
+use crate::cli::study::rows::{Ear, Form, Rows};
+use crate::cli::voice::Voice;
+use crate::cli::whole_file::{WholeFile, sweep_leftovers};
+use crate::forecast::study::Study;
+
+/// Which rows are computed, and where they go.
+#[derive(clap::Args, Debug)]
+pub(in crate::cli) struct Destination {
+    /// Compute only part k of N, or parts A..B of N. Of a study, on standard output only part 1 has the header, so that parts can be
+    /// joined by `cat`; as files, all have.
+    #[arg(long, value_name = "k/N", value_parser = span)]
+    pub(in crate::cli) part: Option<Span>,
+    /// Compute all of N parts, one after the other, into a directory; those that are there already are left out.
+    #[arg(long, value_name = "N", conflicts_with = "part", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    parts: Option<u32>,
+    /// Where to write; default: standard output. With --parts, or with --part and a name without an ending, a directory of parts.
+    #[arg(short, long, value_name = "FILE|DIR")]
+    output: Option<PathBuf>,
+    /// The form; default: what the name of the file says, else CSV.
+    #[arg(long, value_name = "FORM")]
+    format: Option<Form>,
+    /// Add a line to the header that begins with # and says the unit of each column.
+    #[arg(long)]
+    units: bool,
+    /// Threads; default: all.
+    #[arg(long)]
+    threads: Option<usize>,
+}
+
+/// Parts `from` to `to` of `of`, from 1.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::cli) struct Span {
+    pub(in crate::cli) from: usize,
+    pub(in crate::cli) to: usize,
+    pub(in crate::cli) of: usize,
+}
+
+/// Reads "k/N" or "A..B/N".
+fn span(text: &str) -> Result<Span, String> {
+    let fault = || format!("`{text}` is not k/N with k from 1 to N, nor A..B/N");
+    let (which, of) = text.split_once('/').ok_or_else(fault)?;
+    let (from, to) = which.split_once("..").unwrap_or((which, which));
+    let number = |text: &str| text.parse::<usize>().map_err(|_| fault());
+    let span = Span { from: number(from)?, to: number(to)?, of: number(of)? };
+    let Span { from, to, of } = span;
+    if 1 <= from && from <= to && to <= of && of <= 1_000_000 { Ok(span) } else { Err(fault()) }
+}
+
+impl Destination {
+    /// Whether it says more than which part.
+    pub(in crate::cli) fn is_of_a_study(&self) -> bool {
+        self.parts.is_some()
+            || self.output.is_some()
+            || self.format.is_some()
+            || self.threads.is_some()
+            || self.units
+    }
+
+    /// Computes the rows of `study`, and writes them in order.
+    pub(in crate::cli) fn run(&self, study: &Study) -> Result<(), Failure> {
+        if let Some(threads) = self.threads {
+            rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build_global()
+                .map_err(|error| Failure::Message(format!("cannot start {threads} threads: {error}")))?;
+        }
+        let whole = self.parts.map_or(1, |parts| usize::try_from(parts).unwrap_or(1));
+        let span = self.part.unwrap_or(Span { from: 1, to: whole, of: whole });
+        if self.output.is_none() && self.parts.is_some() {
+            return Err(Failure::Usage("--parts needs a directory: add -o DIR".to_owned()));
+        }
+        // Rows on a terminal show by themselves how far they are.
+        let quiet = self.output.is_none() && stdout().is_terminal();
+        let listening = Listening::new();
+        let there = progress::listening(Voice { quiet, ..Voice::default() }, "designs", |progress| {
+            let ear = Ear { progress, listening: &listening };
+            match &self.output {
+                None => self.to_stdout(study, span, &ear).map(|()| 0),
+                Some(path) if self.is_directory(path) => self.to_parts(path, (study, span), &ear),
+                Some(path) => self.to_file(path, (study, span), &ear).map(|()| 0),
+            }
+        })?;
+        if there > 0 {
+            tell(&format!("{there} of {} parts were there already", span.to - span.from + 1));
+        }
+        Ok(())
+    }
+
+    /// Whether `path` is one of parts.
+    fn is_directory(&self, path: &Path) -> bool {
+        let ends_so = path.as_os_str().to_string_lossy().ends_with(std::path::is_separator);
+        self.parts.is_some()
+            || path.is_dir()
+            || ends_so
+            || (self.part.is_some() && path.extension().is_none())
+    }
+
+    fn rows<'a>(&self, study: &'a Study, span: Span, form: Form) -> Rows<'a> {
+        let range = study.part(span.from, span.of).start..study.part(span.to, span.of).end;
+        Rows { study, range, form, header: true, units: self.units, target: None }
+    }
+
+    fn to_stdout(&self, study: &Study, span: Span, ear: &Ear<'_>) -> Result<(), Failure> {
+        let form = self.format.unwrap_or(Form::Csv).built_in()?;
+        let rows = Rows { header: span.from == 1, ..self.rows(study, span, form) };
+        let written = match form {
+            // Whole chunks are written at a time; a buffer of lines would only slow them down.
+            Form::Csv => rows.write(stdout(), ear).map(drop),
+            Form::Parquet => rows.write(BufWriter::new(stdout()), ear).and_then(|mut out| out.flush()),
+        };
+        written.map_err(|error| match error.kind() {
+            io::ErrorKind::BrokenPipe => Failure::Pipe,
+            io::ErrorKind::Interrupted if ear.listening.has_heard() => Failure::Stopped("stopped".to_owned()),
+            _ => Failure::Message(format!("cannot write the rows: {error}")),
+        })
+    }
+
+    /// Returns how many parts were there already.
+    fn to_parts(&self, dir: &Path, (study, span): (&Study, Span), ear: &Ear<'_>) -> Result<usize, Failure> {
+        let form = self.format.unwrap_or(Form::Csv).built_in()?;
+        let parts = Parts { dir, study, of: span.of, form, units: self.units };
+        parts.compute([span.from, span.to], ear)
+    }
+
+    fn to_file(&self, path: &Path, (study, span): (&Study, Span), ear: &Ear<'_>) -> Result<(), Failure> {
+        let rows = self.rows(study, span, self.format.unwrap_or(Form::of(path)).built_in()?);
+        let own = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        let dir = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        let written = || -> io::Result<()> {
+            // A pipe or a device is written to as it is: it must not be replaced by a file.
+            if path.exists() && !path.is_file() {
+                let file = File::options().write(true).open(path)?;
+                return rows.write(BufWriter::new(file), ear).and_then(|mut out| out.flush());
+            }
+            sweep_leftovers(dir, |name| name == own);
+            let rows = Rows { target: Some(path), ..rows };
+            let out = rows.write(BufWriter::new(WholeFile::begin(path)?), ear)?;
+            out.into_inner().map_err(io::IntoInnerError::into_error)?.publish()?;
+            rows.forget();
+            Ok(())
+        };
+        written().map_err(|error| match error.kind() {
+            io::ErrorKind::Interrupted if ear.listening.has_heard() => {
+                let kept = if study.is_slow() { "; the same command goes on where it stopped" } else { "" };
+                Failure::Stopped(format!("stopped; {} was not written{kept}", shown(path)))
+            }
+            _ => Failure::file("write", path, &error),
+        })
+    }
+}

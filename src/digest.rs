@@ -1,0 +1,65 @@
+//! SHA-256 as text: what tells whole files from torn ones, and one question from another.
+
+use std::fmt::Write;
+
+use sha2::{Digest, Sha256};
+
+/// SHA-256 of `bytes` in lower-case hexadecimal, 64 digits.
+pub fn sha256(bytes: impl AsRef<[u8]>) -> String {
+    let mut running = Running::default();
+    running.update(bytes);
+    running.finish()
+}
+
+/// SHA-256 of `parts`, each behind its length, so that "ab", "c" is not "a", "bc".
+pub fn of_parts(parts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
+    let mut running = Running::default();
+    for part in parts {
+        running.update(part.as_ref().len().to_le_bytes());
+        running.update(part);
+    }
+    running.finish()
+}
+
+/// SHA-256 of what comes piece by piece.
+#[derive(Clone, Debug, Default)]
+pub struct Running(Sha256);
+
+impl Running {
+    /// Takes the next bytes.
+    pub fn update(&mut self, bytes: impl AsRef<[u8]>) {
+        self.0.update(bytes);
+    }
+
+    /// The hash of all of them, in lower-case hexadecimal.
+    pub fn finish(self) -> String {
+        self.0.finalize().iter().fold(String::with_capacity(64), |mut text, byte| {
+            // A String takes everything.
+            let _ = write!(text, "{byte:02x}");
+            text
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// FIPS 180-4 has the first; of the second `sha256sum </dev/null` says the same.
+    #[test]
+    fn hashes_are_those_of_the_standard() {
+        let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
+        assert_eq!(sha256("abc"), abc);
+        let mut running = Running::default();
+        running.update("a");
+        running.update("bc");
+        assert_eq!(running.finish(), abc);
+        assert_eq!(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+    }
+
+    #[test]
+    fn where_a_part_ends_counts() {
+        assert_ne!(of_parts(["ab", "c"]), of_parts(["a", "bc"]));
+        assert_ne!(of_parts(["abc"]), of_parts(["abc", ""]));
+    }
+}

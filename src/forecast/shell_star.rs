@@ -1,0 +1,165 @@
+//! One star as a shell: the question that its case puts, and the numbers of the answer in the units of predictions.
+
+use crate::forecast::by_shell::{Detail, fabric};
+use crate::forecast::case::Case;
+use crate::forecast::predict::PredictFault;
+use crate::shell::cases::{
+    Extremes, FlatStar, InflatedStar, MOST_OBJECTS, Objects, ShellFault, Tube, Value, Watch, star,
+};
+use crate::spec::{KeyPath, key};
+
+/// Points with which shells of stars are computed.
+const MOST_POINTS: u32 = 16;
+
+/// Why shells give no answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// They were told to stop.
+    Cancelled,
+    /// They refuse.
+    Fault(PredictFault),
+}
+
+/// A fault that is best mended at `key`.
+pub(super) fn fault(key: KeyPath, what: String) -> Refusal {
+    Refusal::Fault(PredictFault { star: None, key, what })
+}
+
+/// What a shell says of a star: each number with its mesh error.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Measured {
+    /// From the axis to the apex of a corner's inner rim, mm.
+    pub(super) radius: Value,
+    /// 1 - rho_f / rho_0.
+    pub(super) contraction: Value,
+    /// Angle of the tips between the lines of their arms, contact or not, deg.
+    pub(super) tip_angle: Value,
+    /// Radial stiffness at rest, all corners together, N/m.
+    pub(super) stiffness: Value,
+    /// Force with which the two arms of a tip press on each other, N.
+    pub(super) contact: Value,
+    /// Flat area of an arm's sheet that touches the next arm, mm^2.
+    pub(super) contact_area: Value,
+    /// Volume of the star, mm^3.
+    pub(super) volume: Value,
+    /// Radius of each object that was asked about, m, and the radial force on it, N.
+    pub(super) forces: Vec<(f64, Value)>,
+    /// The object of the load, m; `None` if there is none, or it does not enter.
+    pub(super) object: Option<f64>,
+    /// The hardest loaded places, SI.
+    pub(super) extremes: Extremes,
+}
+
+/// What is asked of a shell about the star of `case`.
+///
+/// # Errors
+/// If no pressure is given, or it has too many points.
+fn flat(case: &Case) -> Result<FlatStar, Refusal> {
+    let Some(pressure) = case.pressure else {
+        let what = "a shell is computed at its pressure, and none is given: give one, or take ring";
+        return Err(fault(key::load::PRESSURE, what.to_owned()));
+    };
+    let points = case.mechanism.points;
+    if points > MOST_POINTS {
+        let what = format!("{points} points, and shells of stars are computed with 3 to {MOST_POINTS}");
+        return Err(fault(key::star::POINTS, what));
+    }
+    Ok(FlatStar {
+        tube: Tube { width: case.mechanism.width, fabric: fabric(&case.sheet), pressure },
+        points,
+        inner_radius: case.inner_radius,
+        tip_angle: case.mechanism.tip_angle,
+        tip_radius: case.mechanism.tip_radius,
+        corner_radius: case.mechanism.corner_radius,
+    })
+}
+
+/// Inflates the star of `case`, then presses it against its object and round ones of `radii` (m).
+///
+/// # Errors
+/// If the shell refuses, finds no equilibrium, or was told to stop.
+pub(super) fn ask(
+    case: &Case,
+    radii: &[f64],
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<(FlatStar, InflatedStar, Measured), Refusal> {
+    let flat = flat(case)?;
+    // An object that does not enter is not asked about.
+    let object = case.object.filter(|object| *object <= case.inner_radius);
+    let mut objects: Vec<f64> = radii.iter().copied().chain(object).collect();
+    objects.sort_by(f64::total_cmp);
+    objects.dedup();
+    if objects.len() > MOST_OBJECTS {
+        let what = format!("{} radii, and one call takes {MOST_OBJECTS}: ask for fewer", objects.len());
+        return Err(fault(key::load::OBJECT_RADIUS, what));
+    }
+    let found =
+        star(&flat, Objects::Radii(&objects), detail.fineness(), watch).map_err(|why| refused(&why))?;
+    let measured = Measured::new(case, object, &found);
+    Ok((flat, found, measured))
+}
+
+/// The key that is best changed.
+fn refused(why: &ShellFault) -> Refusal {
+    let key = match why {
+        ShellFault::Cancelled => return Refusal::Cancelled,
+        ShellFault::Range { name, .. } if name.starts_with("t/W") => key::star::TUBE_WIDTH,
+        ShellFault::Range { name, .. } if name.starts_with("Poisson") => key::fabric::POISSON_RATIO,
+        ShellFault::Range { name, .. } if name.starts_with("the") => key::fabric::THICKNESS,
+        ShellFault::Range { .. } | ShellFault::Stopped { .. } => key::load::PRESSURE,
+        ShellFault::Mesh(_) | ShellFault::TooLarge { .. } => key::star::TIP_ANGLE,
+        ShellFault::TooMany { .. } => key::load::OBJECT_RADIUS,
+    };
+    fault(key, why.to_string())
+}
+
+impl Measured {
+    fn new(case: &Case, object: Option<f64>, found: &InflatedStar) -> Self {
+        // Coarse meshes close further, so that an object which only they reach would pull by extrapolation.
+        let pressing =
+            |(radius, force): &(f64, Value)| (*radius, Value { value: force.value.max(0.0), ..*force });
+        Self {
+            radius: found.final_radius.scaled(1e3),
+            contraction: found.final_radius.shifted(-case.inner_radius).scaled(-1.0 / case.inner_radius),
+            tip_angle: found.tip_angle.scaled(1.0_f64.to_degrees()),
+            stiffness: found.radial_stiffness,
+            contact: found.preload,
+            contact_area: found.contact_area.scaled(1e6),
+            volume: found.volume.scaled(1e9),
+            forces: found.forces.iter().map(pressing).collect(),
+            object,
+            extremes: found.extremes,
+        }
+    }
+
+    /// Whether the arms touch: the star is pressed shut.
+    pub(super) fn touches(&self) -> bool {
+        self.contact.value > 0.0
+    }
+
+    /// Angle of the tips where no arms touch, deg; else `None`, because contact is part of the equilibrium.
+    pub(super) fn equilibrium(&self) -> Option<f64> {
+        (!self.touches()).then_some(self.tip_angle.value)
+    }
+
+    /// Radial stiffness, N/m; `None` where the meshes leave it open by more than itself.
+    pub(super) fn known_stiffness(&self) -> Option<f64> {
+        Some(self.stiffness.value).filter(|number| *number > self.stiffness.error)
+    }
+
+    /// The radial force on the object of this radius, m, if it was asked about.
+    pub(super) fn force_at(&self, radius: f64) -> Option<Value> {
+        self.forces.iter().find(|(at, _)| *at == radius).map(|(_, force)| *force)
+    }
+
+    /// The radial force on the object of the load, N.
+    pub(super) fn object_force(&self) -> Option<Value> {
+        self.force_at(self.object?)
+    }
+
+    /// The largest pull across the rim, N/mm.
+    pub(super) fn seal_tension(&self) -> [f64; 2] {
+        [1e-3 * self.extremes.seal_tension, 1e-3 * self.extremes.seal_tension_error]
+    }
+}

@@ -1,0 +1,80 @@
+//! Who answers a row: the model of its design.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use crate::design::RefusalCode;
+use crate::forecast::by_shell::Detail;
+use crate::forecast::candidate::{Answer, Candidate, Refused};
+use crate::forecast::choice::hinge_model;
+use crate::forecast::outcome::Outcome;
+use crate::forecast::shell_star::{Measured, Refusal, ask};
+use crate::mechanics::hinge::Level;
+use crate::mechanics::hinge::ring::RingTable;
+use crate::shell::cases::Watch;
+use crate::spec::{Code, ModelChoice};
+
+/// What is known of a row's design.
+pub(super) struct Answered {
+    /// What a model of the hinges says; by a shell, what needs no model.
+    pub(super) answer: Answer,
+    /// What a shell says.
+    pub(super) shell: Option<Box<Measured>>,
+}
+
+/// Why there is no answer.
+pub(super) enum Unanswered {
+    /// There is no such star, or no model has an answer.
+    Refused(Refused),
+    /// It was told to stop.
+    Cancelled,
+}
+
+impl From<Refused> for Unanswered {
+    fn from(refused: Refused) -> Self {
+        Self::Refused(refused)
+    }
+}
+
+/// Who answers.
+#[derive(Debug)]
+pub(super) struct Models {
+    /// The ring's table.
+    pub(super) ring: RingTable,
+    /// How fine the meshes of shells are; `None`: `section` stands in for `bvp` and `shell`.
+    pub(super) detail: Option<Detail>,
+}
+
+impl Models {
+    /// What `point` does, by its own model.
+    pub(super) fn answer(&self, point: &Candidate, cancel: &Arc<AtomicBool>) -> Result<Answered, Unanswered> {
+        match (point.model, self.detail) {
+            (ModelChoice::Bvp, Some(_)) => {
+                let answer = point.answer_by(&self.ring, |case| {
+                    let width = case.mechanism.width;
+                    let model = hinge_model(Level::Bvp, &case.sheet, case.pressure, width)?;
+                    Outcome::of(case, model.as_ref()).map(Some)
+                });
+                Ok(Answered { answer: answer?, shell: None })
+            }
+            (ModelChoice::Shell, Some(detail)) => {
+                // What no model is needed for.
+                let answer = point.answer_by(&self.ring, |_| Ok(None))?;
+                let watch = Watch { progress: None, cancel: Arc::clone(cancel) };
+                let (_, _, shell) = ask(&answer.case, &[], detail, &watch).map_err(unanswered)?;
+                Ok(Answered { answer, shell: Some(Box::new(shell)) })
+            }
+            _ => Ok(Answered { answer: point.answer(&self.ring)?, shell: None }),
+        }
+    }
+}
+
+fn unanswered(refusal: Refusal) -> Unanswered {
+    match refusal {
+        Refusal::Cancelled => Unanswered::Cancelled,
+        Refusal::Fault(fault) => {
+            let code = RefusalCode::NoPrediction.as_str();
+            Unanswered::Refused(Refused { code, text: fault.to_string() })
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! A column of answers: what it is called, what it means, and who knows it.
+
+use crate::forecast::candidate::{Answer, Candidate};
+use crate::forecast::outcome::Outcome;
+use crate::forecast::shell_star::Measured;
+use crate::mechanics::strength::payload;
+use crate::spec::ModelChoice;
+
+/// A design with its answer.
+pub(super) struct Row<'a> {
+    pub(super) point: &'a Candidate,
+    pub(super) answer: &'a Answer,
+    /// What a shell says, if it was asked.
+    pub(super) shell: Option<&'a Measured>,
+    /// Whether what no model is needed for is said where none answers; the columns of `sweep --vary` never did.
+    pub(super) all: bool,
+}
+
+impl Row<'_> {
+    /// What a model of the hinges says.
+    pub(super) fn own(&self) -> Option<&Outcome> {
+        self.answer.outcome.as_ref()
+    }
+
+    /// What either says.
+    pub(super) fn says(
+        &self,
+        hinges: fn(&Outcome) -> Option<f64>,
+        shell: fn(&Measured) -> Option<f64>,
+    ) -> Option<f64> {
+        self.shell.map_or_else(|| hinges(self.own()?), shell)
+    }
+
+    /// Mass that friction holds with a radial force of this many N of each star, of the whole stack, kg.
+    pub(super) fn held(&self, force: f64) -> Option<f64> {
+        Some(f64::from(self.point.stars) * payload(self.point.load.friction?, [force]))
+    }
+}
+
+/// A column of answers.
+#[derive(Debug)]
+pub(super) struct Output {
+    pub(super) name: &'static str,
+    pub(super) unit: Option<&'static str>,
+    pub(super) about: &'static str,
+    /// Whether `sweep --vary` has it, too: these columns and their order do not change.
+    pub(super) plain: bool,
+    pub(super) of: Of,
+}
+
+/// Who knows a column, and how it is read from a row.
+#[derive(Debug)]
+pub(super) enum Of {
+    /// Every model.
+    Any(fn(&Row<'_>) -> Option<f64>),
+    /// Models of the hinges.
+    Hinges(fn(&Row<'_>) -> Option<f64>),
+    /// Shells.
+    Shell(fn(&Row<'_>, &Measured) -> Option<f64>),
+}
+
+/// Which models the rows of a study ask.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Asked {
+    /// One of the hinges.
+    pub(super) hinges: bool,
+    /// The shell.
+    pub(super) shells: bool,
+}
+
+impl Asked {
+    /// By rows of these models.
+    pub(super) fn of(models: &[ModelChoice]) -> Self {
+        let is_shell = |model: &ModelChoice| *model == ModelChoice::Shell;
+        Self { hinges: !models.iter().all(is_shell), shells: models.iter().any(is_shell) }
+    }
+}
+
+impl Output {
+    /// Its value; `None` where nothing is known.
+    pub(super) fn value(&self, row: &Row<'_>) -> Option<f64> {
+        match self.of {
+            Of::Any(of) => of(row),
+            Of::Hinges(of) => of(row).filter(|_| row.shell.is_none()),
+            Of::Shell(of) => of(row, row.shell?),
+        }
+    }
+
+    /// Whether one of the models that are `asked` knows it.
+    pub(super) fn is_known(&self, asked: Asked) -> bool {
+        match self.of {
+            Of::Any(_) => true,
+            Of::Hinges(_) => asked.hinges,
+            Of::Shell(_) => asked.shells,
+        }
+    }
+}

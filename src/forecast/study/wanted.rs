@@ -1,0 +1,61 @@
+//! Which columns a study has.
+
+use crate::forecast::study::output::{Asked, Output};
+use crate::forecast::study::outputs::OUTPUTS;
+use crate::forecast::study::shell_outputs::SHELL_OUTPUTS;
+use crate::spec::study::Wanted;
+use crate::spec::{Fault, FaultCode, Faults, Source, nearest};
+
+/// Every column, in order.
+fn every() -> impl Iterator<Item = &'static Output> {
+    OUTPUTS.iter().chain(&SHELL_OUTPUTS)
+}
+
+/// The columns that `sweep --vary` has.
+pub(super) fn plain() -> Vec<&'static Output> {
+    OUTPUTS.iter().filter(|output| output.plain).collect()
+}
+
+/// All columns that one of the models that are `asked` knows.
+pub(super) fn known(asked: Asked) -> Vec<&'static Output> {
+    every().filter(|output| output.is_known(asked)).collect()
+}
+
+/// The columns that are `wanted` in the study `source`, in that order.
+pub(super) fn chosen(
+    wanted: &[Wanted],
+    source: &Source,
+    asked: Asked,
+) -> Result<Vec<&'static Output>, Faults> {
+    let mut faults = Vec::new();
+    let mut found: Vec<&'static Output> = Vec::new();
+    for Wanted { name, place } in wanted {
+        let own = every().find(|output| output.name == name);
+        let fault = |code, label: &str| {
+            Fault::error(code, place.clone(), format!("`outputs` names `{name}`")).label(label)
+        };
+        match own {
+            Some(output) if found.iter().any(|other| other.name == output.name) => {
+                faults.push(fault(FaultCode::TwoColumns, "it is named before").help("delete one of them"));
+            }
+            Some(output) if !output.is_known(asked) => {
+                let (who, help) = if asked.shells {
+                    ("shells do not know it", "ask another model for it, or leave it out")
+                } else {
+                    ("only shells know it", "write model = \"shell\", or leave it out")
+                };
+                faults.push(fault(FaultCode::NoColumn, who).help(help));
+            }
+            Some(output) => found.push(output),
+            None => {
+                let names = || known(asked).into_iter().map(|output| output.name);
+                let help = match nearest(name, names()) {
+                    Some(near) => format!("did you mean \"{near}\"?"),
+                    None => format!("columns are {}", names().collect::<Vec<_>>().join(", ")),
+                };
+                faults.push(fault(FaultCode::NoColumn, "no column has this name").help(help));
+            }
+        }
+    }
+    if faults.is_empty() { Ok(found) } else { Err(Faults::new(source, faults)) }
+}
