@@ -499,7 +499,7 @@ fn calibrate_names_the_line_it_cannot_read() {
 #[test]
 fn calibrate_finds_the_fabric_that_the_bench_shows() {
     let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
-    let spec = support::PAPER.to_owned() + "[load]\npressure = \"20 kPa\"\n";
+    let spec = support::PAPER.to_owned() + "[load]\npressure = \"5 kPa\"\n";
     fs::write(dir.path().join("spec.toml"), spec).expect("written");
     let asked = "actuator --model section --json --tube-width 30mm --radius 1mm --angle 60deg --arm-length 120mm --pressure 12kPa";
     let predicted = json_of(&done(dir.path(), &asked.split(' ').collect::<Vec<_>>()));

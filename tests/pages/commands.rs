@@ -18,13 +18,14 @@ use crate::said::{Said, matches};
 use crate::{home, renews};
 
 /// The blocks that are not run: page, beginning of the first line.
-const NOT_RUN: [(&str, &str); 24] = [
+const NOT_RUN: [(&str, &str); 26] = [
     ("README.md", "make demo    # builds the program and the paper's five-point"),
     ("README.md", "cargo install --locked --path .    # or `make install`: docs"),
     ("README.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/benchmarks.md", "valgrind --tool=callgrind target/release/stargrip-cam build"),
     ("docs/benchmarks.md", "cargo bench --bench build --no-run"),
     ("docs/benchmarks.md", "cargo bench --bench mechanics -- section"),
+    ("docs/benchmarks.md", "/usr/bin/time -f \"%U s %M kB\" stargrip-cam actuator --tube"),
     ("docs/hosts.md", "tests/strangers/octoprint        # OctoPrint's analysis of t"),
     ("docs/install.md", "make install                       # program, completions, m"),
     ("docs/machines.md", "cargo test --release --locked --test clock -- --ignored --no"),
@@ -43,6 +44,7 @@ const NOT_RUN: [(&str, &str); 24] = [
     ("docs/testing.md", "cargo test --test lyon our_curves -- --nocapture"),
     ("docs/testing.md", "cargo install --locked cargo-mutants"),
     ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
+    ("docs/trade.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
 ];
 
 #[test]

@@ -80,9 +80,10 @@ impl Ranges {
         if opened > errors::NOT_FAR * errors::OPENING {
             return None;
         }
-        let tried = self.standing == Standing::Tried && opened <= errors::OPENING;
-        let wider = if tried { 1.0 } else { errors::BEYOND };
-        let [low, high] = errors::FORCE.map(|part| part.powf(wider));
+        let wider = if self.standing == Standing::Tried { 1.0 } else { errors::BEYOND };
+        // What opens further than was tried is known less and less: without a jump, on which a search would lose its way.
+        let further = (opened / errors::OPENING - 1.0) / (errors::NOT_FAR - 1.0);
+        let [low, high] = errors::FORCE.map(|part| part.powf(wider * (1.0 + further.clamp(0.0, 1.0))));
         // Where a star begins to touch is as uncertain as its radius.
         let from = |radius: f64| {
             let opening = (rho - radius).max(0.0);

@@ -185,8 +185,8 @@ mod tests {
             let (ring, section, fast) = (at("ring"), at("section"), at("section, table"));
             assert_eq!((ring.radius.len(), section.radius.len()), (6, 6));
             let rms = |errors: &[f64]| off(errors).expect("some")[0];
-            assert!(rms(&section.radius) < 0.5 * rms(&ring.radius), "{pressure}: {table}");
-            assert!(rms(&section.force) < 0.5 * rms(&ring.force), "{pressure}: {table}");
+            assert!(rms(&section.radius) < 0.75 * rms(&ring.radius), "{pressure}: {table}");
+            assert!(rms(&section.force) < 0.75 * rms(&ring.force), "{pressure}: {table}");
             assert!((rms(&section.radius) - rms(&fast.radius)).abs() < 0.01, "{pressure}: {table}");
             assert!(
                 section.angle.map(f64::abs) < Some(1.0) && ring.angle < Some(-3.0),
