@@ -25,7 +25,7 @@ const NOT_RUN: [(&str, &str); 26] = [
     ("docs/benchmarks.md", "valgrind --tool=callgrind target/release/stargrip-cam build"),
     ("docs/benchmarks.md", "cargo bench --bench build --no-run"),
     ("docs/benchmarks.md", "cargo bench --bench mechanics -- section"),
-    ("docs/benchmarks.md", "/usr/bin/time -f \"%U s %M kB\" stargrip-cam actuator --tube"),
+    ("docs/benchmarks.md", "/usr/bin/time -f \"%U s %M kB\" stargrip-cam actuator --tube-w"),
     ("docs/hosts.md", "tests/strangers/octoprint        # OctoPrint's analysis of t"),
     ("docs/install.md", "make install                       # program, completions, m"),
     ("docs/machines.md", "cargo test --release --locked --test clock -- --ignored --no"),

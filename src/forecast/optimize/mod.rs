@@ -206,9 +206,14 @@ impl Search<'_> {
             answer = answer.of_stars(count);
         }
         point.star.pitch = Length(point.star.pitch.0.max(least_pitch(&point)));
+        answer.fabric.is_some().then(|| self.judged(point, answer))
+    }
+
+    /// `point`, which does `answer`, with what it misses.
+    fn judged(&self, point: Candidate, answer: Answer) -> Evaluated {
         let all = shortfalls(&point, &answer, self.constraints);
         let violation = all.iter().map(|(_, shortfall)| shortfall).sum();
-        answer.fabric.is_some().then_some(Evaluated { point, answer, violation })
+        Evaluated { point, answer, violation }
     }
 
     /// As many stars as hold the payload, if that may be chosen.
@@ -229,11 +234,28 @@ impl Search<'_> {
         let mut scanned: Vec<(Place, Evaluated)> = scanned.collect();
         scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
         let starts: Vec<_> = scanned.iter().take(self.effort.followed).cloned().collect();
-        let mut all: Vec<Evaluated> = scanned.into_iter().map(|(_, candidate)| candidate).collect();
-        if !varied.is_empty() {
-            for start in starts {
-                self.descend(points, start, &varied, &mut all);
-            }
+        let mut all: Vec<Evaluated> = scanned.iter().map(|(_, candidate)| candidate.clone()).collect();
+        if varied.is_empty() {
+            return all;
+        }
+        for start in starts {
+            self.descend(points, start, &varied, &mut all);
+        }
+        // Fewer stars are a step away that no descent climbs: each lower number is tried by itself, from where it misses least.
+        let best = all.iter().min_by(|a, b| compare(a, b, self.goal)).map_or(0, |best| best.point.stars);
+        let from = *self.bounds.stars.start();
+        for count in (from..best).filter(|_| self.constraints.payload.is_some()) {
+            let bounds = Bounds { stars: count..=count, ..self.bounds.clone() };
+            let fewer = Search { bounds: &bounds, ..*self };
+            let places = scanned.iter().map(|(place, one)| {
+                let mut one =
+                    fewer.judged(Candidate { stars: count, ..one.point.clone() }, one.answer.of_stars(count));
+                // The pitch of a stack of more is no wish.
+                one.point.star.pitch = self.base.star.pitch;
+                (*place, one)
+            });
+            let Some(start) = places.min_by(|a, b| compare(&a.1, &b.1, self.goal)) else { continue };
+            fewer.descend(points, start, &varied, &mut all);
         }
         all
     }

@@ -187,7 +187,7 @@ mod tests {
             let rms = |errors: &[f64]| off(errors).expect("some")[0];
             assert!(rms(&section.radius) < 0.75 * rms(&ring.radius), "{pressure}: {table}");
             assert!(rms(&section.force) < 0.75 * rms(&ring.force), "{pressure}: {table}");
-            assert!((rms(&section.radius) - rms(&fast.radius)).abs() < 0.01, "{pressure}: {table}");
+            assert!((rms(&section.radius) - rms(&fast.radius)).abs() < 0.02, "{pressure}: {table}");
             assert!(
                 section.angle.map(f64::abs) < Some(1.0) && ring.angle < Some(-3.0),
                 "{pressure}: {table}"
