@@ -78,7 +78,7 @@ const TAKEN_BACK: &str = "\r\u{1b}[2K";
 #[test]
 fn long_work_is_seen_on_a_terminal_and_leaves_nothing_there() {
     let dir = workshop();
-    let seen = sent(dir.path(), 80, &format!("{SHELL} --fineness coarse"), &[]);
+    let seen = sent(dir.path(), 80, SHELL, &[]);
     let line = seen.find("left").unwrap_or_else(|| panic!("{seen:?}"));
     let gone = seen.rfind(TAKEN_BACK).unwrap_or_else(|| panic!("{seen:?}"));
     let answer = seen.rfind("bendability").expect("an answer");

@@ -206,14 +206,14 @@ impl Search<'_> {
             answer = answer.of_stars(count);
         }
         point.star.pitch = Length(point.star.pitch.0.max(least_pitch(&point)));
-        answer.fabric.is_some().then(|| self.judged(point, answer))
+        answer.fabric.is_some().then(|| self.judged(point, &answer))
     }
 
     /// `point`, which does `answer`, with what it misses.
-    fn judged(&self, point: Candidate, answer: Answer) -> Evaluated {
-        let all = shortfalls(&point, &answer, self.constraints);
+    fn judged(&self, point: Candidate, answer: &Answer) -> Evaluated {
+        let all = shortfalls(&point, answer, self.constraints);
         let violation = all.iter().map(|(_, shortfall)| shortfall).sum();
-        Evaluated { point, answer, violation }
+        Evaluated { point, answer: *answer, violation }
     }
 
     /// As many stars as hold the payload, if that may be chosen.
@@ -248,8 +248,8 @@ impl Search<'_> {
             let bounds = Bounds { stars: count..=count, ..self.bounds.clone() };
             let fewer = Search { bounds: &bounds, ..*self };
             let places = scanned.iter().map(|(place, one)| {
-                let mut one =
-                    fewer.judged(Candidate { stars: count, ..one.point.clone() }, one.answer.of_stars(count));
+                let mut one = fewer
+                    .judged(Candidate { stars: count, ..one.point.clone() }, &one.answer.of_stars(count));
                 // The pitch of a stack of more is no wish.
                 one.point.star.pitch = self.base.star.pitch;
                 (*place, one)
