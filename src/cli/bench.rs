@@ -82,7 +82,7 @@ impl Bench {
             };
             let named = |fault: BenchFault| Failure::Message(format!("--disc-width: {fault}"));
             stretch = at(0.0).map_err(named)?;
-            let ends = [at(OFF_WIDTH), at(-OFF_WIDTH)].map(Result::ok);
+            let ends = [at(-OFF_WIDTH), at(OFF_WIDTH)].map(Result::ok);
             found.stretch = Some(Found { value: stretch, ends, at: pressure });
         }
         let star = spec.stars.first();
