@@ -45,7 +45,7 @@ pub enum BenchFault {
     Angle(f64, [f64; 2]),
     /// So the disc's part of its flat width: from and to.
     Disc(f64, [f64; 2]),
-    /// No stiffness in the table's reach makes a hinge of this size at this pressure.
+    /// The table of arms does not reach a hinge of this size at this pressure.
     Beyond,
     /// The model refuses.
     Model(StarFault),
@@ -69,7 +69,10 @@ impl fmt::Display for BenchFault {
                  p D / (2 Y) is 0.1; was the width taken across the seam, and at this pressure?"
             ),
             Self::Beyond => {
-                f.write_str("no fabric of the table of arms (docs/models.md) has 1/eps of 100 or more at this pressure and width")
+                f.write_str(
+                    "no fabric of the table of arms makes such a hinge at this pressure: it holds for t/W of 0.01 to 0.03, R* up to 1, 1/eps of \
+                     100 to 10,000 and p W / Y up to 0.1; another pressure may do",
+                )
             }
             Self::Model(fault) => fault.fmt(f),
         }
