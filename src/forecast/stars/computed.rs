@@ -11,10 +11,10 @@ use crate::shell::cases::{Fineness, Objects, ShellFault, Value, Watch, star};
 pub const FINENESS: Fineness = Fineness { cells: 12.0, cuts: 2 };
 /// One mesh more for the paper's stars, up to some 160,000: they are what others are held against.
 pub const PAPER_FINENESS: Fineness = Fineness { cells: 12.0, cuts: 3 };
-/// Meshes for forces, which take many more solves: some 1,500, 6,000 and 24,000.
-pub const FORCE_FINENESS: Fineness = Fineness { cells: 8.0, cuts: 2 };
+/// Meshes for forces, which take many more solves: some 6,000, 24,000 and 100,000, begun on one of 1,500.
+pub const FORCE_FINENESS: Fineness = Fineness { cells: 8.0, cuts: 3 };
 /// How far objects open a star, by W.
-pub const OPENINGS: [f64; 2] = [0.15, 0.45];
+pub const OPENINGS: [f64; 3] = [0.15, 0.45, 0.9];
 
 /// A number of the shell, with its mesh error.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -107,7 +107,7 @@ pub fn actuator(
     let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
     let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &supports, obstacles: &[] };
     let mut shape = Shape::default();
-    let (values, evidence) = family.run(watch, |solver, meshed, rung| {
+    let (values, evidence) = family.run(watch, |solver, meshed, rung, _| {
         let line = arm_line(&half, &meshed.mesh);
         let mut numbers = [0.0; NUMBERS + MOST_ANGLES];
         numbers[0] = angle_of(&line, &rung.state);

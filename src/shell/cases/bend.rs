@@ -19,7 +19,8 @@ const BRACE: f64 = 1000.0;
 /// phi: the arm leaves the plane of symmetry, which holds the x axis, on the side of negative x.
 pub(crate) fn angle_of(line: &ArmLine, state: &State) -> f64 {
     let [x, y] = line.direction(state);
-    2.0 * (PI - y.atan2(x))
+    // Arms that cross have a negative angle.
+    2.0 * y.atan2(-x)
 }
 
 /// An arm that is held.

@@ -53,7 +53,7 @@ pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCe
     let coarsest = region.mesh(&Sizes::across(1.0, fineness.cells))?;
     let hold = |mesh: &Mesh| Supports::new(mesh, vec![Plane::first(), Plane::second(case.arc)]);
     let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
-    let ([lambda, stiffness], evidence) = family.run(watch, |solver, meshed, rung| {
+    let ([lambda, stiffness], evidence) = family.run(watch, |solver, meshed, rung, _| {
         let turning =
             Turning { arc: case.arc, aim: case.tube.ladder().aim(rung.pressure), mesh: &meshed.mesh };
         turning.rest(solver, &rung.state).map_err(|why| case.tube.stopped(why, solver.triangles()))

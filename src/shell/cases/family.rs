@@ -1,6 +1,6 @@
 //! One case on a family of meshes: the coarsest climbed from flat, each finer one begun from the shape before.
 
-use crate::shell::assembly::{Assembly, Sheet, Supports};
+use crate::shell::assembly::{Assembly, Sheet, State, Supports};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
@@ -51,31 +51,52 @@ pub(crate) struct Family<'a> {
     pub(crate) obstacles: &'a [Obstacle],
 }
 
+/// An equilibrium beside that at the pressure alone: with something pressed into it.
+#[derive(Clone, Debug)]
+pub(crate) struct Beside {
+    pub(crate) state: State,
+    pub(crate) contact: Option<Contact>,
+}
+
+impl Beside {
+    /// A start for the same on the finer mesh.
+    fn carried(&self, coarse: &mut Assembly, mesh: &Mesh, finer: &Assembly) -> Self {
+        let mut state = coarse.prolong(&self.state, &finer.sheet);
+        finer.hold(&mut state);
+        let ends = mesh.edges.iter().map(|edge| edge.ends);
+        Self { state, contact: self.contact.as_ref().map(|contact| contact.carried(finer, ends)) }
+    }
+}
+
 impl Family<'_> {
-    /// Runs the case; `measure` takes its numbers from each mesh's equilibrium.
+    /// Runs the case; `measure` takes its numbers from each mesh's equilibrium, and leaves those beside it, which the next mesh is given as
+    /// starts.
     pub(crate) fn run<const N: usize>(
         self,
         watch: &Watch,
-        mut measure: impl FnMut(&mut Solver, &Meshed, &Rung) -> Result<[f64; N], ShellFault>,
+        mut measure: impl FnMut(&mut Solver, &Meshed, &Rung, &mut Vec<Beside>) -> Result<[f64; N], ShellFault>,
     ) -> Result<([Value; N], Evidence), ShellFault> {
         let ladder = self.tube.ladder();
         let mut evidence = Evidence::default();
-        let mut found = Vec::new();
+        let (mut found, mut beside) = (Vec::new(), Vec::<Beside>::new());
         let mut meshed = self.coarsest.clone();
         let mut solver = self.solver(&meshed, watch)?;
         let mut rung = self.climb(&mut solver, watch)?;
         for cut in 0..=self.cuts {
             if cut > 0 {
-                meshed = meshed.refined()?;
-                let mut finer = self.solver(&meshed, watch)?;
+                let refined = meshed.refined()?;
+                let mut finer = self.solver(&refined, watch)?;
                 rung = self.carry(&mut solver, &mut finer, &rung, watch)?;
-                solver = finer;
+                for one in &mut beside {
+                    *one = one.carried(&mut solver.assembly, &meshed.mesh, &finer.assembly);
+                }
+                (meshed, solver) = (refined, finer);
             }
             evidence.unknowns.push(solver.assembly.unknowns());
             evidence.efforts.push(solver.effort);
             evidence.residual = rung.rest.residual / ladder.last;
             if cut + 3 > self.cuts {
-                found.push(measure(&mut solver, &meshed, &rung)?);
+                found.push(measure(&mut solver, &meshed, &rung, &mut beside)?);
             }
             watch.tell(part(self.cuts - cut), &format!("mesh {} of {}", cut + 1, self.cuts + 1));
         }

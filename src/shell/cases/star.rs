@@ -4,7 +4,7 @@ use crate::shell::assembly::{Plane, State, Supports};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::extremes::{self, Extremes};
-use crate::shell::cases::family::{Evidence, Family, Watch};
+use crate::shell::cases::family::{Beside, Evidence, Family, Watch};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::shape::Shape;
 use crate::shell::cases::tube::Tube;
@@ -124,7 +124,7 @@ pub fn star(
     let family =
         Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &obstacles };
     let (mut worst, mut shape) = (Extremes::default(), Shape::default());
-    let (values, evidence) = family.run(watch, |solver, meshed, rung| {
+    let (values, evidence) = family.run(watch, |solver, meshed, rung, beside| {
         let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];
         worst = extremes::extremes(&solver.assembly.sheet, &meshed.mesh, &rung.state);
         let whole = measure(&sector, solver, &meshed.mesh, rung);
@@ -133,7 +133,7 @@ pub fn star(
         shape = Shape::new(&case.tube, solver, &meshed.mesh, &rung.state);
         // The next mesh begins without the objects.
         let alone = solver.contact.clone();
-        press(case, objects, solver, rung, &mut numbers[NUMBERS..])?;
+        press(case, objects, solver, rung, (beside, &mut numbers[NUMBERS..]))?;
         solver.contact = alone;
         Ok(numbers)
     })?;
@@ -194,14 +194,16 @@ fn tip_angle(sector: &HalfSector, mesh: &Mesh, state: &State) -> f64 {
     2.0 * (y.atan2(x) - sector.half_angle())
 }
 
-/// Opens the star by each object in turn, and writes the force of one sheet of half a sector on it.
+/// Opens the star by each object in turn, and writes the force of one sheet of half a sector on it. It begins from what the coarser mesh
+/// left of each, where there is such a one and it leads to an equilibrium; it leaves its own.
 fn press(
     case: &FlatStar,
     objects: Objects<'_>,
     solver: &mut Solver,
     rung: &Rung,
-    forces: &mut [f64],
+    (beside, forces): (&mut Vec<Beside>, &mut [f64]),
 ) -> Result<(), ShellFault> {
+    let starts = std::mem::take(beside);
     let mut state = rung.state.clone();
     let nearest = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
     let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
@@ -209,8 +211,12 @@ fn press(
     let aim = case.tube.ladder().aim(rung.pressure);
     for (index, size) in objects.sizes().iter().enumerate() {
         let last = (origin + size / case.tube.width).max(nearest);
-        match open(solver, &mut state, aim, [radius, last]) {
-            Ok(()) => {}
+        let found = match starts.get(index) {
+            Some(start) => open_from(start, solver, &mut state, aim, [radius, last]),
+            None => open(solver, &mut state, aim, [radius, last]),
+        };
+        match found {
+            Ok(()) => beside.push(Beside { state: state.clone(), contact: solver.contact.clone() }),
             Err(why) if why == Stop::Cancelled || origin == 0.0 => {
                 return Err(case.tube.stopped(why, solver.triangles()));
             }
@@ -223,6 +229,33 @@ fn press(
         forces[index] = solver.contact.as_ref().map_or(0.0, |contact| contact.force(POST));
     }
     Ok(())
+}
+
+/// As [`open`], but at once where `start` leads to an equilibrium.
+fn open_from(
+    start: &Beside,
+    solver: &mut Solver,
+    state: &mut State,
+    aim: Aim,
+    [from, to]: [f64; 2],
+) -> Result<(), Stop> {
+    let before = solver.contact.take();
+    solver.contact.clone_from(&start.contact);
+    if let Some(contact) = &mut solver.contact {
+        contact.replace(POST, Obstacle::Post { radius: to });
+    }
+    let mut own = start.state.clone();
+    match solver.rest(&mut own, aim) {
+        Ok(_) => {
+            *state = own;
+            Ok(())
+        }
+        Err(Stop::Cancelled) => Err(Stop::Cancelled),
+        Err(_) => {
+            solver.contact = before;
+            open(solver, state, aim, [from, to])
+        }
+    }
 }
 
 /// Widens the object from one radius to another, by W, as fast as the star follows.

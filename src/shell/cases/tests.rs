@@ -160,6 +160,47 @@ fn a_rim_that_is_sharp_and_not_a_point_is_found() {
     assert!((0.015..0.025).contains(&found.final_radius.value), "{:?}", found.final_radius);
 }
 
+/// At 1/eps = 1 this thin sheet is stretched by a millionth, whose square is all that its energy feels of rounding.
+#[test]
+fn a_sheet_that_is_hardly_stretched_comes_to_rest() {
+    let fabric = Fabric { stretch: 8452.0, bending: 3.8726e-6, poisson: 0.455 };
+    let case = VActuator {
+        tube: Tube { width: 0.0637, fabric, pressure: 0.183 },
+        radius: 0.0,
+        arm_length: 0.546,
+        angle: 0.722,
+    };
+    let found = actuator(&case, &[], Fineness { cells: 4.0, cuts: 2 }, &Watch::default());
+    let coiling = found.expect("an equilibrium").coiling.value;
+    assert!((1.0..1.01).contains(&coiling), "{coiling}");
+}
+
+/// The mesh that one family begins objects on is the second of the other, which has its starts from the first.
+#[test]
+fn objects_begun_from_a_coarser_mesh_push_as_those_opened_step_by_step() {
+    let (t, e, nu) = (0.6e-3_f64, 128e6, 0.39);
+    let fabric = Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu };
+    let case = FlatStar {
+        tube: Tube { width: 0.03, fabric, pressure: 20e3 },
+        points: 5,
+        inner_radius: 0.05,
+        tip_angle: 50.0_f64.to_radians(),
+        tip_radius: 0.003,
+        corner_radius: 0.003,
+    };
+    let openings = [0.004];
+    let run = |cuts| {
+        let fineness = Fineness { cells: 3.0, cuts };
+        star(&case, Objects::Openings(&openings), fineness, &Watch::default()).expect("equilibria")
+    };
+    let (begun, stepped) = (run(2), run(3));
+    for ((_, begun), (_, stepped)) in begun.forces.iter().zip(&stepped.forces) {
+        let ratio = begun.meshes[1] / stepped.meshes[0];
+        assert!((ratio - 1.0).abs() < 1e-3, "{ratio}: {begun:?} {stepped:?}");
+        assert!(begun.meshes[1] > 0.5, "{begun:?}");
+    }
+}
+
 #[test]
 fn what_no_shell_describes_is_refused_in_words() {
     let run = |case: &VActuator| actuator(case, &[], Fineness { cells: 3.0, cuts: 2 }, &Watch::default());

@@ -80,6 +80,23 @@ impl Contact {
         }
     }
 
+    /// What begins on the finer sheet of `finer`, whose points are these and then the middles of edges with these `ends`: middles are
+    /// pressed as their ends are on average, all points of an obstacle together as hard as before.
+    pub fn carried(&self, finer: &Assembly, ends: impl Iterator<Item = [usize; 2]>) -> Self {
+        let mut fine = Self::new(finer, self.obstacles.clone());
+        (fine.stiffness, fine.floor) = (self.stiffness, self.stiffness);
+        let ends: Vec<[usize; 2]> = ends.collect();
+        for (index, pressures) in self.pressures.iter().enumerate() {
+            let middles = ends.iter().map(|[a, b]| f64::midpoint(pressures[*a], pressures[*b]));
+            fine.pressures[index] = pressures.iter().copied().chain(middles).collect();
+            let (before, now) = (self.force(index), fine.force(index));
+            if now > 0.0 {
+                fine.pressures[index].iter_mut().for_each(|pressure| *pressure *= before / now);
+            }
+        }
+        fine
+    }
+
     /// Changes an obstacle; contact pressures stay as they are.
     pub fn replace(&mut self, index: usize, obstacle: Obstacle) {
         self.obstacles[index] = obstacle;

@@ -2,7 +2,7 @@
 
 use crate::numerics::dot;
 use crate::shell::assembly::{Assembly, Energy, Sheet, State, Supports};
-use crate::shell::contact::Contact;
+use crate::shell::contact::{Contact, Misfit};
 use crate::shell::solver::factor::Factor;
 use crate::shell::solver::lever::{Held, Lever};
 use std::sync::Arc;
@@ -64,6 +64,8 @@ const ARMIJO: f64 = 1e-4;
 const MOST_SHIFT: f64 = 1e14;
 /// Rounding of a sum of energies, relative to its largest part.
 const ROUNDING: f64 = 1e-14;
+/// Rounding of a strain, which is a difference of squares of order one: sheets that are hardly stretched feel it.
+const STRAIN_ROUNDING: f64 = 1e-15;
 
 /// k of contact by p/W: at 100 two to four rounds reach the tolerance; at 1e4 Newton's method meets kinks.
 const CONTACT: f64 = 100.0;
@@ -74,7 +76,7 @@ const PENETRATION: f64 = 1e-4;
 /// Change of contact pressures left, by the largest of them.
 const CHANGE: f64 = 1e-2;
 /// k where rounds converge slowly, by p/W: few points that carry all of a force.
-const STIFFEST: f64 = 1e5;
+const STIFFEST: f64 = 1e6;
 
 /// Finds equilibria of one sheet.
 pub struct Solver {
@@ -91,6 +93,8 @@ pub struct Solver {
     step: Vec<f64>,
     /// What a shift adds to each unknown's diagonal.
     springs: Vec<f64>,
+    /// The sheet's flat area.
+    area: f64,
     shift: f64,
     trial: State,
     /// What all solves took together.
@@ -108,6 +112,7 @@ impl Solver {
         Some(Self {
             step: vec![0.0; assembly.unknowns()],
             springs: assembly.springs(),
+            area: assembly.sheet.areas.iter().sum(),
             trial: assembly.sheet.flat(),
             shift: 0.0,
             effort: Effort::default(),
@@ -150,7 +155,7 @@ impl Solver {
     pub fn rest(&mut self, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
         let Some(contact) = &mut self.contact else { return self.settle(state, aim) };
         contact.stiffness = contact.floor.max(CONTACT * aim.pressure);
-        let mut before = f64::INFINITY;
+        let mut before = Misfit { penetration: f64::INFINITY, change: f64::INFINITY, largest: 0.0 };
         for _ in 0..MOST_ROUNDS {
             let rest = self.settle(state, aim)?;
             let Some(contact) = &mut self.contact else { return Ok(rest) };
@@ -158,12 +163,12 @@ impl Solver {
             if misfit.penetration <= PENETRATION && misfit.change <= CHANGE * misfit.largest {
                 return Ok(rest);
             }
-            if misfit.penetration > PENETRATION.max(before / 4.0)
-                && contact.stiffness < STIFFEST * aim.pressure
-            {
+            let is_slow = misfit.penetration > PENETRATION.max(before.penetration / 4.0)
+                || misfit.change > (CHANGE * misfit.largest).max(before.change / 4.0);
+            if is_slow && contact.stiffness < STIFFEST * aim.pressure {
                 contact.stiffness *= 4.0;
             }
-            before = misfit.penetration;
+            before = misfit;
         }
         Err(Stop::Contact)
     }
@@ -254,7 +259,8 @@ impl Solver {
     /// Goes as far along `step` as the energy falls.
     fn take_step(&mut self, state: &mut State, before: Energy, aim: Aim) -> Result<Energy, Stop> {
         let slope = dot(&self.step, self.assembly.gradient());
-        let noise = ROUNDING * (before.membrane + before.bending + (aim.pressure * before.volume).abs());
+        let noise = ROUNDING * (before.membrane + before.bending + (aim.pressure * before.volume).abs())
+            + STRAIN_ROUNDING * (before.membrane * self.area).sqrt();
         let start = before.total(aim.pressure);
         let mut fraction = 1.0;
         for halving in 0..MOST_HALVINGS {
