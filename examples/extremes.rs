@@ -4,10 +4,11 @@
 
 use stargrip_cam::design::Star;
 use stargrip_cam::forecast::case::mechanism;
-use stargrip_cam::mechanics::fault::StarFault;
+use stargrip_cam::mechanics::fault::{HingeFault, StarFault};
 use stargrip_cam::mechanics::hinge::bvp::Bvp;
 use stargrip_cam::mechanics::hinge::ring::{Ring, limit};
-use stargrip_cam::mechanics::hinge::{Hinge, HingeModel, seal_load};
+use stargrip_cam::mechanics::hinge::section::Section;
+use stargrip_cam::mechanics::hinge::{Hinge, HingeModel, HingeState, seal_load};
 use stargrip_cam::mechanics::star::response::Inflated;
 use stargrip_cam::spec::StarSpec;
 use stargrip_cam::units::{Angle, Length};
@@ -19,7 +20,8 @@ fn main() {
 
 /// All tables, in the order of the page.
 pub fn tables() -> String {
-    [radius(), coiling(), beta(), rest_angle(), stars(), sizes()].concat()
+    [radius(), coiling(), beta(), rest_angle(), stars(), sizes(), "\n".to_owned(), section(), held(), arms()]
+        .concat()
 }
 
 fn radius() -> String {
@@ -164,4 +166,85 @@ fn sizes() -> String {
         row(&mut out, &format!("{size} m, {pressure} Pa"), &star, pressure);
     }
     out
+}
+
+/// A section's state, or why there is none.
+fn said(
+    section: Result<Section, HingeFault>,
+    ask: impl Fn(&Section) -> Result<HingeState, HingeFault>,
+) -> String {
+    match section.and_then(|section| ask(&section)) {
+        Ok(state) => {
+            let width = state.edges.map_or(f64::NAN, |edges| edges.width);
+            format!("{:.4} | {:.3e} | {width:.4}", state.lambda, -state.curvature)
+        }
+        Err(fault) => format!("refused: {fault} | |"),
+    }
+}
+
+/// The section at the ends of its ranges, one number changed at a time.
+fn section() -> String {
+    let mut out =
+        String::from("| 1/eps, t/W, nu, R* | lambda | C alpha_0 / (p W^3) | width |\n|---|---|---|---|\n");
+    let usual = [330.0, 0.015, 0.39, 0.1];
+    let mut rows = Vec::new();
+    for (place, values) in [
+        (0, &[9.9, 10.0, 1e2, 1e3, 4500.0, 4600.0][..]),
+        (1, &[0.0029, 0.003, 0.01, 0.03, 0.031]),
+        (2, &[-0.01, 0.0, 0.49, 0.5]),
+        (3, &[-0.1, 0.0, 1e-6, 1e-3, 1.0, 3.0, 3.1, f64::NAN]),
+    ] {
+        rows.extend(values.iter().map(|value| {
+            let mut row = usual;
+            row[place] = *value;
+            row
+        }));
+    }
+    for row @ [bendability, thickness, poisson, r_star] in rows {
+        let section = Section::new(bendability, thickness, poisson);
+        let row = row.map(|number| format!("{number}")).join(", ");
+        let _ = writeln!(out, "| {row} | {} |", said(section, |section| section.target(r_star)));
+    }
+    out + "\n"
+}
+
+/// A hinge of the section held far from its rest.
+fn held() -> String {
+    let mut out = String::from(
+        "| lambda held, R* = 0.1 | lambda | -V'' | width | R* = 0 | -V'' | width |\n|---|---|---|---|---|---|---|\n",
+    );
+    for lambda in [0.29, 0.3, 0.6, 0.8, 1.0, 1.3, 1.7, 1.71] {
+        let [even, sharp] = [0.1, 0.0]
+            .map(|r_star| said(Section::new(330.0, 0.015, 0.39), |section| section.state(r_star, lambda)));
+        let _ = writeln!(out, "| {lambda} | {even} | {sharp} |");
+    }
+    out + "\n"
+}
+
+/// Where the table of arms ends.
+fn arms() -> String {
+    let mut out =
+        String::from("| 1/eps, t/W, R* | arc | coils further by | arms give |\n|---|---|---|---|\n");
+    for [bendability, thickness, r_star] in [
+        [99.0, 0.015, 0.1],
+        [100.0, 0.015, 0.1],
+        [4400.0, 0.015, 0.1],
+        [4500.0, 0.015, 0.1],
+        [330.0, 0.0099, 0.1],
+        [330.0, 0.01, 0.1],
+        [330.0, 0.03, 1.0],
+        [330.0, 0.03, 1.01],
+    ] {
+        for degrees in [10.0_f64, 150.0] {
+            let section = Section::new(bendability, thickness, 0.39);
+            let said = section
+                .ok()
+                .and_then(|section| section.arms(r_star, degrees.to_radians()))
+                .map_or("unknown | unknown".to_owned(), |arms| {
+                    format!("{:.3} deg | {:.1} deg", arms.angle.to_degrees(), arms.give.to_degrees())
+                });
+            let _ = writeln!(out, "| {bendability}, {thickness}, {r_star} | {degrees} deg | {said} |");
+        }
+    }
+    out + "\n"
 }

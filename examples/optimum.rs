@@ -1,11 +1,18 @@
 //! Searches against grids: problems at random, the winner of each against 10^5 designs of a grid that meet the same constraints.
 //!
-//! `cargo run --release --example optimum -- 200`; with a second number, that problem alone.
+//! `cargo run --release --example optimum -- 200`; with a second number, that problem alone. `-- 200 shell 20` computes the first 20
+//! winners whose constraints a shell can judge as shells: how far they close, whether they open so far, how hard they press.
 
 use rayon::prelude::*;
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
-use stargrip_cam::forecast::optimize::{Bounds, Constraints, Goal, search, shortfalls, sure_payload};
+use stargrip_cam::forecast::case::Case;
+use stargrip_cam::forecast::optimize::{
+    Bounds, Constraints, Evaluated, Goal, search, shortfalls, sure_payload,
+};
 use stargrip_cam::mechanics::hinge::ring::RingTable;
+use stargrip_cam::mechanics::strength::payload as mass_held;
+use stargrip_cam::shell::cases::{Fineness, FlatStar, Objects, Tube, Watch, star};
+use stargrip_cam::shell::element::Fabric;
 use stargrip_cam::spec::{Load, Source, read, starter};
 use stargrip_cam::units::{Angle, Length, LineForce, Pressure};
 use std::env;
@@ -120,12 +127,101 @@ impl Problem {
     }
 }
 
+/// Meshes of some 1,500, 6,000 and 24,000 unknowns.
+const FINENESS: Fineness = Fineness { cells: 8.0, cuts: 2 };
+
+/// What the shell says of a winner: each constraint that it can judge, and whether it holds.
+fn judged(problem: &Problem, winner: &Evaluated) -> Result<Vec<(String, bool)>, Box<dyn Error>> {
+    let (point, answer) = (&winner.point, &winner.answer);
+    let Case { mechanism, sheet, inner_radius, friction, .. } = answer.case;
+    let Constraints { grasp, payload, largest_force, .. } = problem.constraints;
+    let flat = FlatStar {
+        tube: Tube {
+            width: mechanism.width,
+            fabric: Fabric {
+                stretch: sheet.stretching_modulus(),
+                bending: sheet.bending_modulus(),
+                poisson: sheet.poisson_ratio,
+            },
+            pressure: answer.case.pressure.ok_or("no pressure")?,
+        },
+        points: mechanism.points,
+        inner_radius,
+        tip_angle: mechanism.tip_angle,
+        tip_radius: mechanism.tip_radius,
+        corner_radius: mechanism.corner_radius,
+    };
+    let presses = payload.is_some() || largest_force.is_some();
+    let object = point.load.object_radius.filter(|_| presses).map(Length::metres);
+    let mut radii: Vec<f64> = object.into_iter().chain(grasp.map(|[_, open]| open.metres())).collect();
+    radii.sort_by(f64::total_cmp);
+    let found = star(&flat, Objects::Radii(&radii), FINENESS, &Watch::default())?;
+    let mut said = Vec::new();
+    if let Some([close, open]) = grasp {
+        let rest = Length::from_metres(found.final_radius.value);
+        said.push((format!("closes to {:.2} mm, {:.2} asked", rest.0, close.0), rest.0 <= close.0));
+        said.push((format!("opens to {:.2} mm", open.0), true));
+    }
+    let force = object.and_then(|object| found.forces.iter().find(|(radius, _)| *radius == object));
+    let force = force.map(|(_, force)| force.value.max(0.0));
+    if let (Some(least), Some(force), Some(friction)) = (payload, force, friction) {
+        let held = mass_held(friction, (0..point.stars).map(|_| force));
+        said.push((format!("holds {held:.3} kg, {least:.3} asked"), held >= least));
+    }
+    if let (Some(most), Some(force)) = (largest_force, force) {
+        said.push((format!("presses with {force:.2} N, {most:.2} allowed"), force <= most));
+    }
+    Ok(said)
+}
+
+/// The first `wanted` winners of `problems` that a shell can judge, judged.
+fn judge(problems: &[Problem], wanted: usize, table: &RingTable) {
+    let (mut judged_winners, mut kept, mut broken) = (0, 0, 0);
+    for (number, problem) in (1..).zip(problems) {
+        let Constraints { grasp, payload, largest_force, .. } = problem.constraints;
+        if judged_winners == wanted || (grasp.is_none() && payload.is_none() && largest_force.is_none()) {
+            continue;
+        }
+        let found = search(&problem.base, &problem.bounds, &problem.constraints, problem.goal, table);
+        let Some(winner) = found.best.first().filter(|best| best.violation == 0.0) else { continue };
+        judged_winners += 1;
+        match judged(problem, winner) {
+            Err(fault) => {
+                broken += 1;
+                println!("problem {number}: {fault}");
+            }
+            Ok(said) => {
+                for (what, holds) in said {
+                    if holds {
+                        kept += 1
+                    } else {
+                        broken += 1
+                    }
+                    println!("problem {number}: {}{what}", if holds { "" } else { "BROKEN: " });
+                }
+            }
+        }
+    }
+    println!("{judged_winners} winners as shells: {kept} constraints hold, {broken} do not");
+}
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let numbers: Vec<u32> = env::args().skip(1).map(|word| word.parse()).collect::<Result<_, _>>()?;
+    let words: Vec<String> = env::args().skip(1).collect();
+    let shells: Option<usize> = match words.iter().position(|word| word == "shell") {
+        Some(place) => Some(words.get(place + 1).map_or(Ok(20), |word| word.parse())?),
+        None => None,
+    };
+    let words = words.split(|word| word == "shell").next().unwrap_or_default();
+    let numbers: Vec<u32> = words.iter().map(|word| word.parse()).collect::<Result<_, _>>()?;
     let wanted = numbers.first().copied().unwrap_or(20);
     let paper = Candidate::of(&read(&Source::new("starter", starter("x")?))?.spec).ok_or("no star")?;
     let table = RingTable::new()?;
     let mut dice = Dice(11);
+    if let Some(shells) = shells {
+        let problems: Vec<Problem> = (0..wanted).map(|_| Problem::drawn(&mut dice, &paper)).collect();
+        judge(&problems, shells, &table);
+        return Ok(());
+    }
     let (mut solved, mut none, mut missed, mut worst) = (0, 0, 0, 0.0_f64);
     for number in 1..=wanted {
         let problem = Problem::drawn(&mut dice, &paper);

@@ -85,7 +85,7 @@ fn stiffness() -> String {
         let section = section(width, pressure).expect("in range");
         let [ring, own] = [&Ring as &dyn HingeModel, &section]
             .map(|model| hinge.rest(model).map_or(f64::NAN, |rest| 1e3 * hinge.stiffness(pressure, &rest)));
-        let arms = if section.arms(0.1).is_some() { "" } else { ", without arms" };
+        let arms = if section.arms(0.1, 1.0).is_some() { "" } else { ", without arms" };
         let _ =
             writeln!(out, "| {} mm | {degrees} deg | {ring:.1} mN m | {own:.1} mN m{arms} |", 1e3 * width);
     }

@@ -65,14 +65,14 @@ fn can_be_had(dir: &Path, said: &str, asked: &str) {
     assert_eq!(check.status.code(), Some(0), "{asked}: {said}: {}", text(&check.stderr));
 }
 
-/// Throws `count` objects 30 to 300 mm across, of 10 g to 10 kg, and asks for a gripper for each; how many got one.
+/// Throws `count` objects 30 to 300 mm across, of 10 g to 100 kg, and asks for a gripper for each; how many got one.
 fn wished(seed: u64, count: usize) -> usize {
     let mut dice = Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
     let mut part = || f64::from(u32::try_from(dice.below(10_000)).expect("small")) / 1e4;
     let mut held = 0;
     for _ in 0..count {
         let width = 30.0 * 10_f64.powf(part());
-        let mass = 0.01 * 1000_f64.powf(part());
+        let mass = 0.01 * 10_000_f64.powf(part());
         let (width, mass) = ((10.0 * width).round() / 10.0, (1e3 * mass).round() / 1e3);
         let (across, weight) = (format!("{width} mm"), format!("{mass} kg"));
         let mut args = vec!["new", "wish", "--object", &across, "--mass", &weight];

@@ -6,7 +6,7 @@ use std::io::stdout;
 use serde_json::{Value, json};
 
 use crate::cli::terminal::width;
-use crate::forecast::optimize::{Constraints, Evaluated, Found, shortfalls, thinned};
+use crate::forecast::optimize::{Constraints, Evaluated, Found, is_at_pressure, shortfalls, thinned};
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{mm, shown};
 use crate::units::Length;
@@ -148,6 +148,8 @@ fn cells(candidate: &Evaluated, constraints: &Constraints) -> [String; COLUMNS.l
     let (star, own) = (&point.star, answer.outcome.as_ref());
     let ranged = |value: Option<f64>, range| match (value, range) {
         (Some(value), Some(range)) => shown::with(value, range, ""),
+        // A limit was asked for by name; of what works at a pressure no number stands alone.
+        (Some(_), None) if is_at_pressure(point.model) => "unknown".to_owned(),
         (Some(value), None) => format!("{value:.3}, range unknown"),
         (None, _) => "-".to_owned(),
     };

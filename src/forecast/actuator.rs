@@ -219,7 +219,7 @@ fn ranges(actuator: &Actuator, model: &dyn HingeModel, rest: &HingeState, angle:
     let tried = within(arm / width, errors::ACTUATOR_ARM)
         && within(hinge.arc().to_degrees(), errors::ARC)
         && model.level() == Level::Section
-        && model.arms_angle(hinge.r_star).is_some();
+        && model.arms(hinge.r_star, hinge.arc()).is_some();
     let angles = errors::ACTUATOR.map(|error| angle + error);
     let stiffness = hinge.stiffness(pressure, rest);
     tried.then(|| Ranges {
@@ -238,14 +238,15 @@ pub(super) fn short_arms(actuator: &Actuator) -> Option<String> {
 
 fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<String> {
     let limit = model.level() != Level::Section;
-    let r_star = actuator.radius / actuator.width;
+    let hinge =
+        Hinge { r_star: actuator.radius / actuator.width, width: actuator.width, rest_angle: actuator.angle };
     let without_arms = format!("the hinge is computed without arms, which let it coil {ARMS_LET_OUT}");
     let known = [
         (
             limit,
             "the model is the limit of a membrane that neither bends nor stretches: a hinge at this pressure is stiffer",
         ),
-        (!limit && model.arms_angle(r_star).is_none(), without_arms.as_str()),
+        (!limit && model.arms(hinge.r_star, hinge.arc()).is_none(), without_arms.as_str()),
         (angle < 0.0, "the arms touch before the hinge is at rest"),
     ];
     let known = known.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned());

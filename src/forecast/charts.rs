@@ -12,7 +12,7 @@ use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{Interval, mm};
 use crate::forecast::shut::{at_angle, held};
 use crate::mechanics::fault::HingeFault;
-use crate::mechanics::hinge::{HingeModel, HingeState, Level};
+use crate::mechanics::hinge::{Arms, HingeModel, HingeState, Level};
 use crate::mechanics::star::response::Inflated;
 use crate::spec::{ModelChoice, Spec, StarSpec};
 use crate::units::{Length, Pressure};
@@ -247,11 +247,7 @@ impl HingeModel for Known {
         self.model.onset(r_star)
     }
 
-    fn arms_angle(&self, r_star: f64) -> Option<f64> {
-        self.model.arms_angle(r_star)
-    }
-
-    fn arms_give(&self, r_star: f64) -> Option<f64> {
-        self.model.arms_give(r_star)
+    fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
+        self.model.arms(r_star, arc)
     }
 }

@@ -7,7 +7,7 @@ use crate::mechanics::hinge::fit::Fit;
 use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::hinge::section::{Section, SectionTable, Tabled};
 use crate::mechanics::hinge::{HingeModel, Level, fit};
-use crate::mechanics::star::Correction;
+use crate::mechanics::star::{self, Correction};
 use crate::mechanics::strength::{ElasticSheet, FULL_ACTUATION, INEXTENSIBLE};
 use crate::spec::ModelChoice;
 use std::sync::LazyLock;
@@ -51,8 +51,14 @@ pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault
     let corner = model.target(case.mechanism.corner().r_star)?;
     let mut corrected = *case;
     if let Some(edges) = corner.edges {
-        let thickness = case.sheet.thickness / case.mechanism.width;
-        corrected.mechanism.correction = Correction::new(&case.mechanism, edges.width, thickness);
+        let (sheet, width) = (&case.sheet, case.mechanism.width);
+        let pressure = case.pressure.unwrap_or(0.0);
+        let fabric = star::correction::Fabric {
+            thickness: sheet.thickness / width,
+            stretch: sheet.stretch(pressure, width),
+            bendability: sheet.bendability(pressure, width),
+        };
+        corrected.mechanism.correction = Correction::new(&case.mechanism, edges.width, fabric);
     }
     Ok(corrected)
 }
@@ -95,7 +101,7 @@ pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
     let (star, level) = (&case.mechanism, model.level());
     let r_stars = [star.tip().r_star, star.corner().r_star];
     if level == Level::Section {
-        let armless = r_stars.iter().any(|r_star| model.arms_angle(*r_star).is_none());
+        let armless = r_stars.iter().any(|r_star| model.arms(*r_star, 1.0).is_none());
         let said = format!("section computes these hinges without arms, which let them coil {ARMS_LET_OUT}");
         return armless.then_some(said).into_iter().collect();
     }

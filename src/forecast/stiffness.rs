@@ -115,7 +115,7 @@ impl VBench {
             let bending = log_b.exp();
             let section =
                 Section::by_ratios(pressure * w.powi(3) / bending, (bending / stretch).sqrt() / w, poisson);
-            if section.arms(hinge.r_star).is_none() {
+            if section.arms(hinge.r_star, hinge.arc()).is_none() {
                 return Err(BenchFault::Beyond);
             }
             let rest = section.target(hinge.r_star).map_err(StarFault::from)?;

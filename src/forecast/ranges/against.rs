@@ -34,6 +34,8 @@ pub struct Pair {
 pub struct Against {
     /// Its set.
     pub set: Set,
+    /// Its number in it.
+    pub number: u32,
     /// n.
     pub points: u32,
     /// rho_f, m.
@@ -85,6 +87,7 @@ pub fn against(star: &Computed) -> Option<Against> {
     let forces = found.secants.iter().filter(|_| !touch).filter_map(opened);
     Some(Against {
         set: star.star.set,
+        number: star.star.number,
         points: star.star.points,
         radius: Pair { error: rest.error / unit, ..rest },
         angle: angle.map(|pair| Pair { error: pair.error * moves.arm / moves.width, ..pair }),

@@ -6,24 +6,24 @@
 use crate::forecast::ranges::Interval;
 
 /// The shell's radius less the predicted one, over W / sin(pi/n).
-pub const RADIUS: Interval = [-0.03, 0.035];
+pub const RADIUS: Interval = [-0.018, 0.02];
 /// The shell's angle of the tips at rest less the predicted one, rad, over W / l.
-pub const ANGLE: Interval = [-0.079, 0.047];
+pub const ANGLE: Interval = [-0.076, 0.05];
 /// The shell's radial stiffness over the predicted one.
-pub const STIFFNESS: Interval = [0.85, 1.45];
+pub const STIFFNESS: Interval = [0.87, 1.18];
 /// The shell's stiffness of a hinge over the predicted one.
-pub const HINGE: Interval = [0.8, 1.03];
+pub const HINGE: Interval = [0.86, 1.03];
 /// The shell's angle of a V-actuator less the predicted one, rad.
-pub const ACTUATOR: Interval = [-0.0227, 0.0088];
+pub const ACTUATOR: Interval = [-0.0105, 0.0105];
 /// Flat arcs of the V-actuators that were tried, deg.
 pub const ARC: Interval = [60.0, 150.0];
-/// Arms by W of the V-actuators that were tried, from the shortest that a shell takes.
-pub const ACTUATOR_ARM: Interval = [2.5, 7.5];
-/// The shell's force over the predicted one, both where they are opened equally far, by up to 0.45 W; the range of the radius comes on top.
-pub const FORCE: Interval = [0.68, 1.55];
+/// Arms by W of the V-actuators that were tried; with 3 W their sealed ends make them softer by a third.
+pub const ACTUATOR_ARM: Interval = [4.0, 7.5];
+/// The shell's force over the predicted one, both where they are opened equally far, by up to 0.9 W; the range of the radius comes on top.
+pub const FORCE: Interval = [0.8, 1.45];
 
-/// Openings by W that were tried: 0.45 from the shell's own rest, which may be a little further out than the predicted one.
-pub const OPENING: f64 = 0.5;
+/// Openings by W that were tried: 0.9 from the shell's own rest, which may be a little further out than the predicted one.
+pub const OPENING: f64 = 0.95;
 
 /// By how much ranges are wider beyond what was tried: of the paper's stars that of three points with arms of 5.2 W needs it.
 pub const BEYOND: f64 = 4.0;

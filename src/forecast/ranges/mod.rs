@@ -97,7 +97,7 @@ impl Ranges {
 fn standing(case: &Case, model: &dyn HingeModel) -> Standing {
     let star = &case.mechanism;
     let hinges = [star.tip(), star.corner()];
-    let arms = hinges.iter().all(|hinge| model.arms_angle(hinge.r_star).is_some());
+    let arms = hinges.iter().all(|hinge| model.arms(hinge.r_star, hinge.arc()).is_some());
     let Some(pressure) = case.pressure.filter(|_| arms && model.level() == Level::Section) else {
         return Standing::Unknown;
     };

@@ -83,7 +83,7 @@ impl Set {
         match self {
             Self::Fit => 36,
             Self::Range => 48,
-            Self::Test => 120,
+            Self::Test => 180,
             Self::Paper => 24,
         }
     }

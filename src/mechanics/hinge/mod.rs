@@ -12,7 +12,7 @@ pub mod ring;
 pub mod section;
 
 use crate::mechanics::fault::HingeFault;
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::PI;
 
 /// The models, from the fastest to the most faithful.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -68,17 +68,23 @@ pub trait HingeModel: Sync {
     /// As for [`HingeModel::state`].
     fn onset(&self, r_star: f64) -> Result<Option<f64>, HingeFault>;
 
-    /// The **arms' angle** delta, rad: a hinge between arms coils to `lambda alpha_0 + delta tanh(alpha_0 / 45 deg)`,
-    /// because hoop compression is let out into them at both ends. `None` if the model does not know it.
-    fn arms_angle(&self, _r_star: f64) -> Option<f64> {
+    /// What arms do to a hinge of the flat arc `arc` (rad); `None` if the model does not know it.
+    fn arms(&self, _r_star: f64, _arc: f64) -> Option<Arms> {
         None
     }
+}
 
-    /// The **arms' give** g, rad: arms are as soft as that much more of hinge would be, so a hinge between arms has `C = p W^3
-    /// |V_bar''| / (alpha_0 + g)`. `None` if the model does not know it.
-    fn arms_give(&self, _r_star: f64) -> Option<f64> {
-        None
-    }
+/// What arms do to a hinge between them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arms {
+    /// By how much further it coils, because hoop compression is let out into them at both ends: to `lambda alpha_0` and that, rad.
+    pub angle: f64,
+    /// Its mesh error, rad.
+    pub angle_error: f64,
+    /// g, rad: arms are as soft as that much more of hinge would be, so `C = p W^3 |V_bar''| / (alpha_0 + g)`.
+    pub give: f64,
+    /// Its mesh error, rad.
+    pub give_error: f64,
 }
 
 /// A hinge at one coiling factor. Everything is dimensionless and finite.
@@ -161,7 +167,7 @@ impl Hinge {
 
     /// By how much (rad) the arms let it coil further than `model`'s lambda says; 0 where that is not known.
     pub fn let_out(&self, model: &dyn HingeModel) -> f64 {
-        model.arms_angle(self.r_star).map_or(0.0, |delta| delta * (self.arc() / FRAC_PI_4).tanh())
+        model.arms(self.r_star, self.arc()).map_or(0.0, |arms| arms.angle)
     }
 
     /// The angle phi (rad) at which `model`'s state `state` is, arms included.
@@ -188,7 +194,8 @@ impl Hinge {
 
     /// The hinge made softer by its arms, in the same part at all angles: the shell is up to a tenth off that on either side.
     fn between_arms(&self, model: &dyn HingeModel, alone: HingeState) -> HingeState {
-        let part = model.arms_give(self.r_star).map_or(1.0, |give| self.arc() / (self.arc() + give));
+        let part =
+            model.arms(self.r_star, self.arc()).map_or(1.0, |arms| self.arc() / (self.arc() + arms.give));
         HingeState { slope: part * alone.slope, curvature: part * alone.curvature, ..alone }
     }
 

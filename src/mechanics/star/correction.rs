@@ -1,27 +1,38 @@
-//! What a star does beyond its hinges and rigid arms: a **correction** with four numbers, from stars computed as shells.
+//! What a star does beyond its hinges and rigid arms: a **correction** with few numbers, from stars computed as shells.
 //!
 //! At its pressure a hinge stays wider than a cylinder, and arms keep that width at their ends: half the tip's and half the corner's
 //! between the centres of their arcs. Short bends are all end, and nearly as narrow as arms:
 //!
 //! ```text
-//! w = W' + (w_section - W') tanh(alpha_0 / 1.57)        W' = 2 W / pi
+//! w = W' + (w_section - W') tanh(alpha_0 / 1.26)        W' = 2 W / pi
 //! ```
 //!
-//! Arms narrow between their hinges, so those of a tip touch only where they are turned beyond parallel. And a corner gives way
-//! by itself, as if on a lever of about W of its own: where rho moves by s with phi_i, the star's stiffness is that of its hinges times
-//! `s^2 / (s^2 + (0.53 W / sin(pi/n))^2)`.
-//!
-//! A round object meets a corner at its rim, which is stiffer than the section moved as a whole, and the more so the further it is opened;
-//! and arms bend before they lock. So the force grows with the opening `o` = rho - rho_f as
+//! Fabric that stretches makes the whole star larger, a round corner's rim lies further out than its coil says, and the radius grows by
 //!
 //! ```text
-//! F = F_0 + K o (1.2 + 1.35 o/W)
+//! W / sin(pi/n) [-0.022 + 0.085 R_e/W + 1.02 p W / Y - 0.005 ln(p W^3 / (1000 B))]
 //! ```
 //!
-//! where F_0 is what presses arms that touch, and o/W counts up to 0.45.
+//! Arms of an inflated tube of radius W / pi bend as beams of E I = pi (W/pi)^3 Y = W^3 Y / pi^2, which no constant was fitted to: hinges of
+//! stiffness C between arms that are longer than the 4 W of their table pull as if they had `1/C' = 1/C + (l - 4 W) / (E I)`. Arms narrow
+//! between their hinges, so those of a tip touch only where they are turned beyond parallel. And a corner gives way by itself, as if on
+//! a lever of about W of its own: where rho moves by s with phi_i, the star's stiffness is that of its hinges times
+//!
+//! ```text
+//! s^2 / (s^2 + (0.42 W / sin(pi/n))^2) exp(-0.547 + 0.073 l/W + 16.3 t/W + 5.62 p W / Y)
+//! ```
+//!
+//! A round object meets a corner at its rim, which is stiffer than the section moved as a whole, and the more so the further it is opened
+//! and the more the corner turns; and arms bend before they lock. So the force grows with the opening `o` = rho - rho_f as
+//!
+//! ```text
+//! F = F_0 + K o (1.14 + 0.785 alpha_0e o/W)
+//! ```
+//!
+//! where F_0 is what presses arms that touch, alpha_0e the corner's flat arc, and o/W counts up to 0.9.
 //!
 //! Thin sheets close a star further than the table of their arms says, long arms more than short ones:
-//! by `1.40 deg (0.01 W / t)^2 l / (l + W)`.
+//! by `2.23 deg (0.01 W / t)^2 l / (l + W)`.
 
 use crate::mechanics::star::Mechanism;
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -37,6 +48,12 @@ pub struct Correction {
     pub touch: f64,
     /// By how much further the tips close than their hinges and the corners' say, rad.
     pub closer: f64,
+    /// By how much an arm's ends turn under a moment of p W^3, rad, beyond what the hinges' table holds; below 0 for short arms.
+    pub bends: f64,
+    /// Radial stiffness over that of hinges and levers.
+    pub firm: f64,
+    /// By how much the secant of the force grows with each W of opening.
+    pub locks: f64,
     /// Whether corners give way where the object pushes.
     pub gives: bool,
 }
@@ -44,44 +61,94 @@ pub struct Correction {
 /// None: tubes as wide as cylinders, arms rigid, and touching when they are parallel.
 impl Default for Correction {
     fn default() -> Self {
-        Self { width: FRAC_2_PI, rim: 0.0, touch: 0.0, closer: 0.0, gives: false }
+        Self {
+            width: FRAC_2_PI,
+            rim: 0.0,
+            touch: 0.0,
+            closer: 0.0,
+            bends: 0.0,
+            firm: 1.0,
+            locks: 0.0,
+            gives: false,
+        }
     }
 }
 
-/// Arc from which on a hinge has much of its own width, rad; this and the three below by least squares over the stars of the first set.
-const OWN_WIDTH: f64 = 1.57;
+/// The fabric of a star at its pressure, in ratios.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fabric {
+    /// t/W.
+    pub thickness: f64,
+    /// p W / Y.
+    pub stretch: f64,
+    /// 1/eps = p W^3 / B.
+    pub bendability: f64,
+}
+
+/// Arc from which on a hinge has much of its own width, rad; this and all below by least squares over stars computed as shells.
+const OWN_WIDTH: f64 = 1.26;
 /// Room between the inner rims of a tip's parallel arms besides the coiled hinge's hole, over W.
-const ROOM: f64 = 0.041;
+const ROOM: f64 = 0.034;
+/// By how much the inner rim lies further out, over W / sin(pi/n): always, and by each R_e/W, p W / Y, and ln(1/eps / 1000).
+const OUT: [f64; 4] = [-0.022, 0.085, 1.02, -0.005];
+/// 1/eps over which that was taken.
+const BENDABILITY: [f64; 2] = [100.0, 5000.0];
+/// Arms of the hinges' table by W, and those from which on they are no shorter.
+const TABLE_ARM: f64 = 4.0;
+const SHORT_ARM: f64 = 2.0;
+/// Least part of 1/C that is left where short arms stiffen hinges.
+const LEAST_LEFT: f64 = 0.3;
 /// On which lever a corner gives way by itself, over W / sin(pi/n).
-const LEVER: f64 = 0.53;
+const LEVER: f64 = 0.42;
+/// Logarithm of the stiffness over that of hinges and levers: always, and by each l/W, t/W and p W / Y.
+const FIRM: [f64; 4] = [-0.547, 0.073, 16.3, 5.62];
 /// How much further tips close, rad, with long arms of t/W = 0.01.
-const CLOSER: f64 = 0.0245;
+const CLOSER: f64 = 0.0389;
 /// See [`CLOSER`].
 const THIN: f64 = 0.01;
 
-/// The force that opens a star over its stiffness at rest times the opening: at first, and by how much more with each W.
-const SECANT: [f64; 2] = [1.2, 1.35];
+/// The force that opens a star over its stiffness at rest times the opening: at first, and by how much more with each W and each rad of
+/// a corner's arc.
+const SECANT: [f64; 2] = [1.14, 0.785];
 /// Openings by W over which the force grows so: as far as shells were opened.
-pub const OPENED: f64 = 0.45;
+pub const OPENED: f64 = 0.9;
 
 impl Correction {
     /// Force that opens a star by `opening` W, over its stiffness at rest times that; 1 without a correction.
     pub fn secant(&self, opening: f64) -> f64 {
-        let [first, more] = SECANT;
-        if self.gives { first + more * opening.clamp(0.0, OPENED) } else { 1.0 }
+        if self.gives { SECANT[0] + self.locks * opening.clamp(0.0, OPENED) } else { 1.0 }
     }
 
-    /// Of the star `star` of fabric of thickness t/W = `thickness`, whose hinges, if they were endless, would be `width` W wide when
-    /// inflated.
-    pub fn new(star: &Mechanism, width: f64, thickness: f64) -> Self {
+    /// Of the star `star` of `fabric`, whose hinges, if they were endless, would be `width` W wide when inflated.
+    pub fn new(star: &Mechanism, width: f64, fabric: Fabric) -> Self {
+        let Fabric { thickness, stretch, bendability } = fabric;
         let own = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * (arc / OWN_WIDTH).tanh();
         let (tip, corner) = (own(star.tip().arc()), own(star.corner().arc()));
         let width = 0.5 * (tip + corner);
+        let long = star.arm / star.width;
         // A coiled tip keeps the length of its inner arc, between parallel arms nearly as much as between touching ones.
         let hole = star.tip_radius * star.tip().arc() / PI + ROOM * star.width;
-        let rim = (width - corner) * (0.5 * star.turn()).sin();
-        let closer = CLOSER * (THIN / thickness).powi(2) * star.arm / (star.arm + star.width);
-        Self { width, rim, touch: -2.0 * hole.atan2(star.arm), closer, gives: true }
+        let [always, round, stretched, bent] = OUT;
+        let [least, most] = BENDABILITY;
+        let bendability = bendability.clamp(least, most);
+        let out =
+            always + round * star.corner().r_star + stretched * stretch + bent * (bendability / 1000.0).ln();
+        let [firm, by_arm, by_thickness, by_stretch] = FIRM;
+        Self {
+            width,
+            rim: (width - corner) * (0.5 * star.turn()).sin() + out,
+            touch: -2.0 * hole.atan2(star.arm),
+            closer: CLOSER * (THIN / thickness).powi(2) * long / (long + 1.0),
+            bends: PI * PI * stretch * (long.max(SHORT_ARM) - TABLE_ARM),
+            firm: (firm + by_arm * long + by_thickness * thickness + by_stretch * stretch).exp(),
+            locks: SECANT[1] * star.corner().arc(),
+            gives: true,
+        }
+    }
+
+    /// How hard a hinge between the star's arms pulls, from how hard one of the table's does; both over p W^3.
+    pub fn bent(&self, stiffness: f64) -> f64 {
+        stiffness / (1.0 + stiffness * self.bends).max(LEAST_LEFT)
     }
 
     /// The radial stiffness of `star` at the tips' angle `phi` (rad) over that of its hinges between rigid arms.
@@ -91,7 +158,7 @@ impl Correction {
         }
         let own = LEVER * star.width / (0.5 * star.turn()).sin();
         let slope = star.radius(phi).slope;
-        slope * slope / (slope * slope + own * own)
+        self.firm * slope * slope / (slope * slope + own * own)
     }
 }
 
@@ -100,18 +167,22 @@ mod tests {
     use super::*;
     use crate::mechanics::star::tests::{flat, paper};
 
+    const FABRIC: Fabric = Fabric { thickness: 0.01, stretch: 0.01, bendability: 1000.0 };
+
     fn corrected(star: Mechanism) -> Mechanism {
-        Mechanism { correction: Correction::new(&star, 0.8, 0.01), ..star }
+        Mechanism { correction: Correction::new(&star, 0.8, FABRIC), ..star }
     }
 
     #[test]
     fn hinges_are_wider_than_cylinders_and_short_ones_less() {
         let all: Vec<Correction> = (3..=8).map(|n| corrected(paper(n)).correction).collect();
-        assert!(all.iter().all(|one| one.width > FRAC_2_PI && one.width < 0.8 && one.rim > 0.0));
+        // Sharp corners at 1/eps = 1000: what is further out is a constant and the stretch.
+        let out = OUT[0] + OUT[2] * FABRIC.stretch;
+        assert!(all.iter().all(|one| one.width > FRAC_2_PI && one.width < 0.8 && one.rim > out));
         assert!(all.windows(2).all(|pair| pair[1].width > pair[0].width && pair[1].rim < pair[0].rim));
         // A corner that hardly turns is as narrow as an arm.
         let star = corrected(Mechanism { tip_angle: 59.9_f64.to_radians(), ..paper(3) });
-        let corner = star.correction.width - star.correction.rim / (PI / 3.0).sin();
+        let corner = star.correction.width - (star.correction.rim - out) / (PI / 3.0).sin();
         assert!((corner - FRAC_2_PI).abs() < 1e-3, "{corner}");
     }
 
@@ -122,7 +193,7 @@ mod tests {
             star.correction.softness(&star, 0.1)
         };
         assert!((3..8).all(|n| softness(n + 1) < softness(n)));
-        assert!(softness(8) > 0.0 && softness(8) < 0.1 && softness(3) > 0.9 && softness(3) < 1.0);
+        assert!(softness(8) > 0.0 && softness(8) < 0.1 && softness(3) > 0.9 && softness(3) < 1.1);
         assert_eq!(Correction::default().softness(&paper(8), 0.1), 1.0);
     }
 
@@ -130,15 +201,48 @@ mod tests {
     fn objects_meet_more_force_the_further_they_open() {
         let correction = corrected(paper(5)).correction;
         assert!(correction.secant(0.0) > 1.0 && correction.secant(0.4) > correction.secant(0.1) + 0.2);
-        assert_eq!(correction.secant(0.8), correction.secant(OPENED));
+        assert_eq!(correction.secant(1.8), correction.secant(OPENED));
         assert_eq!(Correction::default().secant(0.4), 1.0);
     }
 
     #[test]
     fn thin_sheets_and_long_arms_close_further() {
-        let closer = |n, thickness| Correction::new(&paper(n), 0.8, thickness).closer.to_degrees();
-        assert!(closer(3, 0.01) > 1.1 && closer(3, 0.03) < 0.15 && closer(8, 0.01) < 0.3);
+        let closer = |n, thickness| {
+            Correction::new(&paper(n), 0.8, Fabric { thickness, ..FABRIC }).closer.to_degrees()
+        };
+        assert!(closer(3, 0.01) > 1.8 && closer(3, 0.03) < 0.25 && closer(8, 0.01) < 0.5);
         assert_eq!(Correction::default().closer, 0.0);
+    }
+
+    #[test]
+    fn long_arms_take_from_stiff_hinges_what_theory_says() {
+        // A tube of radius W / pi: its wall's area times r^2 / 2, times E.
+        let (w, stretch) = (0.03, 4e4);
+        let r = w / PI;
+        let rigidity = PI * r.powi(3) * stretch;
+        let star = Mechanism { arm: 6.0 * w, ..paper(4) };
+        let scale = FABRIC.stretch * stretch * w * w;
+        let bends = Correction::new(&star, 0.8, FABRIC).bends;
+        assert!((bends / scale - 2.0 * w / rigidity).abs() < 1e-12 * bends / scale);
+        let correction = corrected(star).correction;
+        assert!(correction.bent(2.0) < 2.0 && (1.0 / correction.bent(2.0) - 0.5 - bends).abs() < 1e-12);
+        // Shorter arms than the table's stiffen, and never turn a hinge around.
+        let short = Correction::new(&paper(7), 0.8, Fabric { stretch: 0.1, ..FABRIC });
+        assert!(short.bends < 0.0 && short.bent(0.3) > 0.3 && short.bent(1e3) > 0.0);
+        assert_eq!(Correction::default().bent(2.0), 2.0);
+    }
+
+    #[test]
+    fn fabric_that_stretches_and_round_corners_make_a_star_larger() {
+        let rim = |fabric, corner_radius| {
+            let star = Mechanism { corner_radius, ..paper(5) };
+            Correction::new(&star, 0.8, fabric).rim
+        };
+        let plain = rim(FABRIC, 0.0);
+        assert!(rim(Fabric { stretch: 0.05, ..FABRIC }, 0.0) > plain + 0.03);
+        assert!(rim(FABRIC, 0.006) > plain + 0.01);
+        assert!(rim(Fabric { bendability: 5000.0, ..FABRIC }, 0.0) < plain);
+        assert!(rim(Fabric { bendability: 0.0, ..FABRIC }, 0.0).is_finite());
     }
 
     #[test]

@@ -105,7 +105,8 @@ impl<'a> Inflated<'a> {
     /// Equilibrium of linear hinges: `(C_i phi_it + C_e (phi_et - 2 pi / n)) / (C_i + C_e)`, rad.
     pub fn linear_equilibrium(&self) -> f64 {
         // The ratio does not depend on the pressure, which may be 0.
-        let weight = |hinge: Hinge, state: &HingeState| -state.curvature / hinge.arc();
+        let weight =
+            |hinge: Hinge, state: &HingeState| self.star.correction.bent(-state.curvature / hinge.arc());
         let (tip, corner) = (weight(self.star.tip(), &self.tip), weight(self.star.corner(), &self.corner));
         let (phi_it, phi_et) = self.target_angles();
         (tip * phi_it + corner * (phi_et - self.star.turn())) / (tip + corner)

@@ -87,6 +87,7 @@ impl Ladder {
             let aim = if next < self.last { self.passing(next) } else { self.aim(next) };
             match solver.rest(&mut state, aim) {
                 Ok(rest) => {
+                    solver.may_snap = false;
                     let rung = Rung { pressure: next, state: state.clone(), rest };
                     on_rung(&rung);
                     if next >= self.last {
@@ -100,9 +101,15 @@ impl Ladder {
                     return Err(Broken { pressure: next, why: Stop::Cancelled, last: below.map(Box::new) });
                 }
                 Err(why) => {
-                    step /= 2.0;
-                    let may_halve = step > STEP * 0.5_f64.powi(MOST_HALVINGS + 1);
-                    let Some(rung) = below.as_ref().filter(|_| may_halve) else {
+                    let may_halve = step > STEP * 0.5_f64.powi(MOST_HALVINGS);
+                    // However small the rung: it snaps from one shape to another, which takes long.
+                    let is_stuck = !may_halve && below.is_some();
+                    let snaps = is_stuck && why == Stop::Iterations && !solver.may_snap;
+                    solver.may_snap = snaps;
+                    if may_halve {
+                        step /= 2.0;
+                    }
+                    let Some(rung) = below.as_ref().filter(|_| may_halve || snaps) else {
                         return Err(Broken { pressure: next, why, last: below.map(Box::new) });
                     };
                     state.clone_from(&rung.state);

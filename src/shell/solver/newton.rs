@@ -54,8 +54,9 @@ pub struct Rest {
     pub residual: f64,
 }
 
-/// Newton steps allowed for one equilibrium.
+/// Newton steps allowed for one equilibrium, and where a sheet snaps from one shape to another.
 const MOST_ITERATIONS: u32 = 80;
+const MOST_TO_SNAP: u32 = 1000;
 /// Halvings of a step.
 const MOST_HALVINGS: u32 = 12;
 /// Part of the energy's promised fall that must come.
@@ -101,6 +102,8 @@ pub struct Solver {
     pub effort: Effort,
     /// Raised by another thread to stop at the next step.
     pub cancel: Arc<AtomicBool>,
+    /// Whether a sheet may travel far to its equilibrium.
+    pub may_snap: bool,
 }
 
 impl Solver {
@@ -117,6 +120,7 @@ impl Solver {
             shift: 0.0,
             effort: Effort::default(),
             cancel: Arc::default(),
+            may_snap: false,
             factor,
             contact: None,
             lever: None,
@@ -132,7 +136,8 @@ impl Solver {
     /// Where it stopped, which `state` then is.
     pub fn settle(&mut self, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
         let mut energy = self.linearise(state, aim.pressure);
-        for _ in 0..MOST_ITERATIONS {
+        let most = if self.may_snap { MOST_TO_SNAP } else { MOST_ITERATIONS };
+        for _ in 0..most {
             if self.cancel.load(Ordering::Relaxed) {
                 return Err(Stop::Cancelled);
             }

@@ -3,13 +3,18 @@
 //! At the two mouths of a hinge hoop compression is let out into the arms, so between arms it coils to `alpha = lambda
 //! alpha_0 + delta tanh(alpha_0 / 45 deg)`, with delta the **arms' angle**; and they give way as the **arms' give** g more of
 //! hinge would, `C = p W^3 |V_bar''| / (alpha_0 + g)`. No formulas are known for delta and g: they were taken from V-actuators
-//! of phi_0 = 60 deg with arms of 4 W, computed as shells (longer arms give way more, and coil no further).
+//! with arms of 4 W, computed as shells (longer arms give way more, and coil no further).
 //!
-//! Both depend on 1/eps, on `tau = t / [W sqrt(12 (1 - nu^2))]`, so that `p W / Y = tau^2 / eps`, and on R*. The grid is regular in
-//! ln tau, in `ln(R* + 0.03)` and, from [`LEAST_BENDABILITY`] to where p W / Y is 0.1, in ln(1/eps).
+//! Both depend on the flat arc alpha_0, on 1/eps, on `tau = t / [W sqrt(12 (1 - nu^2))]`, so that `p W / Y = tau^2 / eps`, and on R*. The grid
+//! is regular in ln tau, in `ln(R* + 0.03)` and, from [`LEAST_BENDABILITY`] to where p W / Y is 0.1, in ln(1/eps); its arcs are [`ARCS`].
+//! Of more arc a hinge has the delta and g of the largest, its two mouths being apart; of less, those of the least.
 
+use crate::mechanics::hinge::Arms;
+use std::f64::consts::FRAC_PI_4;
 use std::sync::LazyLock;
 
+/// Flat arcs of the grid, deg.
+pub const ARCS: [f64; 3] = [120.0, 60.0, 30.0];
 /// tau of the grid: from t/W = 0.01 at nu = 0.39 to 0.03 at nu = 0.49. From the first on stretch ends the pressures, not 1/eps.
 /// Of thinner sheets these meshes leave delta open by more than a degree, and g by half.
 pub const TAUS: [f64; 3] = [3.162e-3, 5.604e-3, 9.935e-3];
@@ -33,17 +38,31 @@ pub const POISSON: f64 = 0.39;
 /// The grid's values, as they are shipped.
 const SHIPPED: &str = include_str!("arms.txt");
 
-/// What arms do to a hinge.
+/// What arms do to hinges of any arc: delta and g, rad, and their mesh errors at each of [`ARCS`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arms {
-    /// delta, rad.
-    pub angle: f64,
-    /// Its mesh error, rad.
-    pub angle_error: f64,
-    /// g, rad: a hinge between arms is as soft as the section's with that much more of arc.
-    pub give: f64,
-    /// Its mesh error, rad.
-    pub give_error: f64,
+pub struct ArmsByArc([[f64; 4]; ARCS.len()]);
+
+impl ArmsByArc {
+    /// Of a hinge with the flat arc `arc`, rad.
+    pub fn at(&self, arc: f64) -> Arms {
+        let [most, .., least] = ARCS;
+        let place = arc.to_degrees().clamp(least, most);
+        // The parabola through all three.
+        let mut sum = [0.0; 4];
+        for (i, values) in self.0.iter().enumerate() {
+            let others = (0..ARCS.len()).filter(|j| *j != i);
+            let weight: f64 = others.map(|j| (place - ARCS[j]) / (ARCS[i] - ARCS[j])).product();
+            sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+        }
+        let [delta, delta_error, give, give_error] = sum;
+        let tanh = (arc / FRAC_PI_4).tanh();
+        Arms {
+            angle: delta * tanh,
+            angle_error: delta_error.abs() * tanh,
+            give,
+            give_error: give_error.abs(),
+        }
+    }
 }
 
 /// 1/eps of the grid at one tau: regular in its logarithm.
@@ -59,10 +78,11 @@ fn most_bendability(tau: f64) -> f64 {
     (MOST_STRETCH / (tau * tau)).min(MOST_BENDABILITY)
 }
 
-/// The arms of a hinge at 1/eps = `bendability`, tau and R*; `None` outside of the table.
-pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<Arms> {
+/// The arms of hinges at 1/eps = `bendability`, tau and R*; `None` outside of the table.
+pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
     static TABLE: LazyLock<Vec<[f64; 4]>> = LazyLock::new(|| read(SHIPPED).unwrap_or_default());
-    if TABLE.len() != TAUS.len() * R_STARS.len() * PRESSURES {
+    let one_arc = TAUS.len() * R_STARS.len() * PRESSURES;
+    if TABLE.len() != ARCS.len() * one_arc {
         return None;
     }
     let along_tau = weights(&TAUS.map(f64::ln), tau.ln(), SLACK)?;
@@ -71,25 +91,26 @@ pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<Arms> {
     #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
     let places: [f64; PRESSURES] = std::array::from_fn(|k| k as f64 / (PRESSURES - 1) as f64);
     let along_b = weights(&places, up, 0.0)?;
-    let mut sum = [0.0; 4];
+    let mut all = [[0.0; 4]; ARCS.len()];
     for (i, a) in along_tau.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
         for (j, b) in along_r.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
             for (k, c) in along_b.iter().enumerate() {
-                let point = &TABLE[(i * R_STARS.len() + j) * PRESSURES + k];
-                sum.iter_mut().zip(point).for_each(|(sum, value)| *sum += a * b * c * value);
+                for (arc, sum) in all.iter_mut().enumerate() {
+                    let point = &TABLE[arc * one_arc + (i * R_STARS.len() + j) * PRESSURES + k];
+                    sum.iter_mut().zip(point).for_each(|(sum, value)| *sum += a * b * c * value);
+                }
             }
         }
     }
-    let [angle, angle_error, give, give_error] = sum;
-    Some(Arms { angle, angle_error, give, give_error })
+    Some(ArmsByArc(all))
 }
 
-/// The lines of a table: tau, R*, 1/eps, delta, g and their mesh errors in deg; what is read are the last four.
+/// The lines of a table: phi_0, tau, R*, 1/eps, delta, g and their mesh errors in deg; what is read are the last four.
 fn read(text: &str) -> Option<Vec<[f64; 4]>> {
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     let numbers = lines.map(|line| {
         let words: Option<Vec<f64>> = line.split_whitespace().map(|word| word.parse().ok()).collect();
-        let [_, _, _, values @ ..] = &words?[..] else { return None };
+        let [_, _, _, _, values @ ..] = &words?[..] else { return None };
         <[f64; 4]>::try_from(values).ok().map(|values| values.map(f64::to_radians))
     });
     numbers.collect()
@@ -126,17 +147,18 @@ mod tests {
         let hash = sha256(&body);
         assert!(SHIPPED.contains(&hash), "{hash}");
         let mut lines = body.lines();
-        for tau in TAUS {
-            for r_star in R_STARS {
+        for arc in ARCS {
+            for (tau, r_star) in TAUS.into_iter().flat_map(|tau| R_STARS.map(|r_star| (tau, r_star))) {
                 for b in bendabilities(tau) {
                     let words: Vec<f64> = (lines.next().expect("a line").split(' '))
                         .map(|word| word.parse().expect("a number"))
                         .collect();
-                    assert_eq!((words[0], words[1]), (tau, r_star));
-                    assert!((words[2] / b - 1.0).abs() < 1e-5);
-                    let arms = arms(b, tau, r_star).expect("on the grid");
-                    assert!((arms.angle.to_degrees() - words[3]).abs() < 1e-3, "{arms:?} {words:?}");
-                    assert!((arms.give.to_degrees() - words[5]).abs() < 1e-2, "{arms:?} {words:?}");
+                    assert_eq!((180.0 - words[0], words[1], words[2]), (arc, tau, r_star));
+                    assert!((words[3] / b - 1.0).abs() < 1e-5);
+                    let arms = arms(b, tau, r_star).expect("on the grid").at(arc.to_radians());
+                    let delta = arms.angle.to_degrees() / (arc / 45.0).tanh();
+                    assert!((delta - words[4]).abs() < 2e-3, "{arms:?} {words:?}");
+                    assert!((arms.give.to_degrees() - words[6]).abs() < 1e-2, "{arms:?} {words:?}");
                 }
             }
         }
@@ -167,7 +189,7 @@ mod tests {
         for step in 0..=400 {
             let part = f64::from(step) / 400.0;
             let tau = TAUS[0] * (TAUS[2] / TAUS[0]).powf(part);
-            let arms = arms(300.0 + 600.0 * part, tau, part * part).expect("inside");
+            let arms = arms(300.0 + 600.0 * part, tau, part * part).expect("inside").at(2.6 - 2.2 * part);
             assert!(arms.angle > 0.0 && arms.give > -0.2, "{part}: {arms:?}");
             if let Some(before) = before {
                 assert!((arms.angle - before.angle).abs() < 0.005, "{part}: {before:?} {arms:?}");

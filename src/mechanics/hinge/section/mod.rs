@@ -23,7 +23,7 @@ mod tabled;
 #[cfg(test)]
 mod tests;
 
-pub use self::arms::Arms;
+pub use self::arms::ArmsByArc;
 pub use self::profile::{Meridian, MeridianPoint};
 pub use self::table::{SectionEntry, SectionTable};
 pub use self::tabled::Tabled;
@@ -32,7 +32,9 @@ use self::density::{Hoop, Scales};
 use self::mesh::Mesh;
 use self::solve::{Lost, Search};
 use crate::mechanics::fault::HingeFault;
-use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
+use crate::mechanics::hinge::{
+    Arms, Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star,
+};
 use std::ops::RangeInclusive;
 
 /// 1/eps that is covered.
@@ -139,8 +141,8 @@ impl Section {
         Ok([shape[shape.len() - 4], shape[2]])
     }
 
-    /// What arms add to the hinge; `None` outside of their table.
-    pub fn arms(&self, r_star: f64) -> Option<Arms> {
+    /// What arms add to hinges; `None` outside of their table.
+    fn arms_by_arc(&self, r_star: f64) -> Option<ArmsByArc> {
         let Scales { bendability, stiffness, .. } = self.scales;
         arms::arms(bendability, (stiffness * bendability).sqrt().recip(), r_star)
     }
@@ -174,12 +176,8 @@ impl HingeModel for Section {
         check_r_star(r_star, MOST_R_STAR).map(|()| None)
     }
 
-    fn arms_angle(&self, r_star: f64) -> Option<f64> {
-        self.arms(r_star).map(|arms| arms.angle)
-    }
-
-    fn arms_give(&self, r_star: f64) -> Option<f64> {
-        self.arms(r_star).map(|arms| arms.give)
+    fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
+        self.arms_by_arc(r_star).map(|arms| arms.at(arc))
     }
 }
 

@@ -1,10 +1,12 @@
 //! The section at one pressure from its table, with its arms: what the solver says, in microseconds.
 
 use crate::mechanics::fault::HingeFault;
-use crate::mechanics::hinge::section::arms::{Arms, arms};
+use crate::mechanics::hinge::section::arms::{ArmsByArc, arms};
 use crate::mechanics::hinge::section::table::{SectionEntry, SectionTable};
 use crate::mechanics::hinge::section::{LEAST_LAMBDA, MOST_R_STAR};
-use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
+use crate::mechanics::hinge::{
+    Arms, Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star,
+};
 
 /// Largest lambda: the straight line beyond the table's end leads there, as a short hinge between strong ones needs it.
 const MOST_LAMBDA: f64 = 3.0;
@@ -23,7 +25,7 @@ pub struct Tabled<'a> {
 struct Known {
     r_star: f64,
     entry: SectionEntry,
-    arms: Option<Arms>,
+    arms: Option<ArmsByArc>,
 }
 
 impl<'a> Tabled<'a> {
@@ -110,12 +112,8 @@ impl HingeModel for Tabled<'_> {
         check_r_star(r_star, MOST_R_STAR).map(|()| None)
     }
 
-    fn arms_angle(&self, r_star: f64) -> Option<f64> {
-        self.at(r_star).ok()?.arms.map(|arms| arms.angle)
-    }
-
-    fn arms_give(&self, r_star: f64) -> Option<f64> {
-        self.at(r_star).ok()?.arms.map(|arms| arms.give)
+    fn arms(&self, r_star: f64, arc: f64) -> Option<Arms> {
+        self.at(r_star).ok()?.arms.map(|arms| arms.at(arc))
     }
 }
 
@@ -138,8 +136,7 @@ mod tests {
                 let (a, b) = (fast.target(r_star).expect("at rest"), slow.target(r_star).expect("at rest"));
                 assert!((a.lambda - b.lambda).abs() < SectionTable::COILING_ERROR);
                 assert!((a.curvature / b.curvature - 1.0).abs() < SectionTable::STIFFNESS_ERROR);
-                assert_eq!(fast.arms_angle(r_star), slow.arms_angle(r_star));
-                assert_eq!(fast.arms_give(r_star), slow.arms_give(r_star));
+                assert_eq!(fast.arms(r_star, 1.0), slow.arms(r_star, 1.0));
                 let open = 1.0 + 0.5 * (b.lambda - 1.0);
                 let [a, b] = [&fast as &dyn HingeModel, &slow]
                     .map(|model| model.state(r_star, open).expect("held").slope);
