@@ -18,7 +18,7 @@ use crate::said::{Said, matches};
 use crate::{home, renews};
 
 /// The blocks that are not run: page, beginning of the first line.
-const NOT_RUN: [(&str, &str); 26] = [
+const NOT_RUN: [(&str, &str); 28] = [
     ("README.md", "make demo    # builds the program and the paper's five-point"),
     ("README.md", "cargo install --locked --path .    # or `make install`: docs"),
     ("README.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
@@ -38,9 +38,11 @@ const NOT_RUN: [(&str, &str); 26] = [
     ("docs/python.md", "pip install ./python"),
     ("docs/ranges.md", "cargo run --release --example ranges"),
     ("docs/stability.md", "cargo run --release --example extremes"),
+    ("docs/stability.md", "cargo run --release --example shell_random -- 100"),
     ("docs/studies.md", "stargrip-cam sweep study.toml -o study.csv"),
     ("docs/testing.md", "make test        # everything below but the strangers; rando"),
     ("docs/testing.md", "cargo run --release --example optimum -- 200"),
+    ("docs/testing.md", "cargo run --release --example optimum -- 200 shell 20"),
     ("docs/testing.md", "cargo test --test lyon our_curves -- --nocapture"),
     ("docs/testing.md", "cargo install --locked cargo-mutants"),
     ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
