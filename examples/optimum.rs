@@ -163,22 +163,28 @@ fn judged(problem: &Problem, winner: &Evaluated) -> Result<Vec<(String, bool)>, 
         said.push((format!("opens to {:.2} mm", open.0), true));
     }
     let force = object.and_then(|object| found.forces.iter().find(|(radius, _)| *radius == object));
+    let open = force.map_or(0.0, |(_, force)| force.error / force.value.max(force.error));
+    let opened = force.map_or(0.0, |(radius, _)| (radius - found.final_radius.value) / mechanism.width);
+    let about = format!("opened by {opened:.2} W, force open by {:.0} %", 100.0 * open);
     let force = force.map(|(_, force)| force.value.max(0.0));
     if let (Some(least), Some(force), Some(friction)) = (payload, force, friction) {
         let held = mass_held(friction, (0..point.stars).map(|_| force));
-        said.push((format!("holds {held:.3} kg, {least:.3} asked"), held >= least));
+        said.push((format!("holds {held:.3} kg, {least:.3} asked ({about})"), held >= least));
     }
     if let (Some(most), Some(force)) = (largest_force, force) {
-        said.push((format!("presses with {force:.2} N, {most:.2} allowed"), force <= most));
+        said.push((format!("presses with {force:.2} N, {most:.2} allowed ({about})"), force <= most));
     }
     Ok(said)
 }
 
 /// The first `wanted` winners of `problems` that a shell can judge, judged.
-fn judge(problems: &[Problem], wanted: usize, table: &RingTable) {
+fn judge(problems: &[Problem], wanted: usize, only: Option<u32>, table: &RingTable) {
     let (mut judged_winners, mut kept, mut broken) = (0, 0, 0);
-    for (number, problem) in (1..).zip(problems) {
+    for (number, problem) in (1_u32..).zip(problems) {
         let Constraints { grasp, payload, largest_force, .. } = problem.constraints;
+        if only.is_some_and(|only| only != number) {
+            continue;
+        }
         if judged_winners == wanted || (grasp.is_none() && payload.is_none() && largest_force.is_none()) {
             continue;
         }
@@ -193,9 +199,9 @@ fn judge(problems: &[Problem], wanted: usize, table: &RingTable) {
             Ok(said) => {
                 for (what, holds) in said {
                     if holds {
-                        kept += 1
+                        kept += 1;
                     } else {
-                        broken += 1
+                        broken += 1;
                     }
                     println!("problem {number}: {}{what}", if holds { "" } else { "BROKEN: " });
                 }
@@ -219,7 +225,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut dice = Dice(11);
     if let Some(shells) = shells {
         let problems: Vec<Problem> = (0..wanted).map(|_| Problem::drawn(&mut dice, &paper)).collect();
-        judge(&problems, shells, &table);
+        judge(&problems, shells, numbers.get(1).copied(), &table);
         return Ok(());
     }
     let (mut solved, mut none, mut missed, mut worst) = (0, 0, 0, 0.0_f64);
