@@ -10,11 +10,15 @@ use crate::shell::mesh::{HalfActuator, HalfSector, Sizes};
 use crate::shell::solver::{Aim, Solver};
 use std::f64::consts::PI;
 
-/// The paper's fabric: t = 0.3 mm, E = 128 MPa, nu = 0.39.
+/// The paper's fabric, E = 128 MPa, nu = 0.39, of thickness `t`, m.
+fn fabric(t: f64) -> Fabric {
+    let (e, nu) = (128e6, 0.39);
+    Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu }
+}
+
+/// As thick as the paper's: t = 0.3 mm.
 pub(super) fn tube(width: f64, pressure: f64) -> Tube {
-    let (t, e, nu) = (0.3e-3_f64, 128e6, 0.39);
-    let fabric = Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu };
-    Tube { width, fabric, pressure }
+    Tube { width, fabric: fabric(0.3e-3), pressure }
 }
 
 fn v_actuator() -> VActuator {
@@ -143,10 +147,8 @@ fn arms_that_meet_press_and_do_not_pass() {
 /// and do not climb from flat, which takes several hundred steps.
 #[test]
 fn a_rim_that_is_sharp_and_not_a_point_is_found() {
-    let (t, e, nu) = (0.484e-3_f64, 128e6, 0.39);
-    let fabric = Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu };
     let case = FlatStar {
-        tube: Tube { width: 0.0293, fabric, pressure: 18.5e3 },
+        tube: Tube { width: 0.0293, fabric: fabric(0.484e-3), pressure: 18.5e3 },
         points: 3,
         inner_radius: 0.0349,
         tip_angle: 23.2_f64.to_radians(),
@@ -178,10 +180,8 @@ fn a_sheet_that_is_hardly_stretched_comes_to_rest() {
 /// The mesh that one family begins objects on is the second of the other, which has its starts from the first.
 #[test]
 fn objects_begun_from_a_coarser_mesh_push_as_those_opened_step_by_step() {
-    let (t, e, nu) = (0.6e-3_f64, 128e6, 0.39);
-    let fabric = Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu };
     let case = FlatStar {
-        tube: Tube { width: 0.03, fabric, pressure: 20e3 },
+        tube: Tube { width: 0.03, fabric: fabric(0.6e-3), pressure: 20e3 },
         points: 5,
         inner_radius: 0.05,
         tip_angle: 50.0_f64.to_radians(),
