@@ -3,16 +3,19 @@
 //! `cargo run --release --example optimum -- 200`; with a second number, that problem alone. `-- 200 shell 20` computes the first 20
 //! winners whose constraints a shell can judge as shells: how far they close, whether they open so far, how hard they press.
 
+#[path = "support/dice.rs"]
+mod dice;
+
+use dice::Dice;
 use rayon::prelude::*;
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
-use stargrip_cam::forecast::case::Case;
 use stargrip_cam::forecast::optimize::{
     Bounds, Constraints, Evaluated, Goal, search, shortfalls, sure_payload,
 };
+use stargrip_cam::forecast::star_by_shell::flat;
 use stargrip_cam::mechanics::hinge::ring::RingTable;
 use stargrip_cam::mechanics::strength::payload as mass_held;
-use stargrip_cam::shell::cases::{Fineness, FlatStar, Objects, Tube, Watch, star};
-use stargrip_cam::shell::element::Fabric;
+use stargrip_cam::shell::cases::{Fineness, Objects, Watch, star};
 use stargrip_cam::spec::{Load, Source, read, starter};
 use stargrip_cam::units::{Angle, Length, LineForce, Pressure};
 use std::env;
@@ -32,15 +35,7 @@ struct Problem {
     goal: Goal,
 }
 
-/// Numbers between 0 and 1, the same everywhere.
-struct Dice(u64);
-
 impl Dice {
-    fn throw(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(self.0 >> 32).unwrap_or(0)) / 4_294_967_296.0
-    }
-
     fn even(&mut self, from: f64, to: f64) -> f64 {
         from + (to - from) * self.throw()
     }
@@ -99,6 +94,12 @@ impl Problem {
         }
     }
 
+    /// What the search finds; `None` if nothing meets the constraints.
+    fn winner(&self, table: &RingTable) -> Option<Evaluated> {
+        let found = search(&self.base, &self.bounds, &self.constraints, self.goal, table);
+        found.best.into_iter().next().filter(|best| best.violation == 0.0)
+    }
+
     /// The best of the grid's designs that meet the constraints, and how many do.
     fn best_of_grid(&self, table: &RingTable) -> (Option<f64>, usize) {
         let all: Vec<f64> = POINTS
@@ -133,24 +134,8 @@ const FINENESS: Fineness = Fineness { cells: 8.0, cuts: 2 };
 /// What the shell says of a winner: each constraint that it can judge, and whether it holds.
 fn judged(problem: &Problem, winner: &Evaluated) -> Result<Vec<(String, bool)>, Box<dyn Error>> {
     let (point, answer) = (&winner.point, &winner.answer);
-    let Case { mechanism, sheet, inner_radius, friction, .. } = answer.case;
     let Constraints { grasp, payload, largest_force, .. } = problem.constraints;
-    let flat = FlatStar {
-        tube: Tube {
-            width: mechanism.width,
-            fabric: Fabric {
-                stretch: sheet.stretching_modulus(),
-                bending: sheet.bending_modulus(),
-                poisson: sheet.poisson_ratio,
-            },
-            pressure: answer.case.pressure.ok_or("no pressure")?,
-        },
-        points: mechanism.points,
-        inner_radius,
-        tip_angle: mechanism.tip_angle,
-        tip_radius: mechanism.tip_radius,
-        corner_radius: mechanism.corner_radius,
-    };
+    let flat = flat(&answer.case).map_err(|refusal| format!("{refusal:?}"))?;
     let presses = payload.is_some() || largest_force.is_some();
     let object = point.load.object_radius.filter(|_| presses).map(Length::metres);
     let mut radii: Vec<f64> = object.into_iter().chain(grasp.map(|[_, open]| open.metres())).collect();
@@ -164,10 +149,10 @@ fn judged(problem: &Problem, winner: &Evaluated) -> Result<Vec<(String, bool)>, 
     }
     let force = object.and_then(|object| found.forces.iter().find(|(radius, _)| *radius == object));
     let open = force.map_or(0.0, |(_, force)| force.error / force.value.max(force.error));
-    let opened = force.map_or(0.0, |(radius, _)| (radius - found.final_radius.value) / mechanism.width);
+    let opened = force.map_or(0.0, |(radius, _)| (radius - found.final_radius.value) / flat.tube.width);
     let about = format!("opened by {opened:.2} W, force open by {:.0} %", 100.0 * open);
     let force = force.map(|(_, force)| force.value.max(0.0));
-    if let (Some(least), Some(force), Some(friction)) = (payload, force, friction) {
+    if let (Some(least), Some(force), Some(friction)) = (payload, force, answer.case.friction) {
         let held = mass_held(friction, (0..point.stars).map(|_| force));
         said.push((format!("holds {held:.3} kg, {least:.3} asked ({about})"), held >= least));
     }
@@ -188,10 +173,9 @@ fn judge(problems: &[Problem], wanted: usize, only: Option<u32>, table: &RingTab
         if judged_winners == wanted || (grasp.is_none() && payload.is_none() && largest_force.is_none()) {
             continue;
         }
-        let found = search(&problem.base, &problem.bounds, &problem.constraints, problem.goal, table);
-        let Some(winner) = found.best.first().filter(|best| best.violation == 0.0) else { continue };
+        let Some(winner) = problem.winner(table) else { continue };
         judged_winners += 1;
-        match judged(problem, winner) {
+        match judged(problem, &winner) {
             Err(fault) => {
                 broken += 1;
                 println!("problem {number}: {fault}");
@@ -234,9 +218,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         if numbers.get(1).is_some_and(|only| *only != number) {
             continue;
         }
-        let found = search(&problem.base, &problem.bounds, &problem.constraints, problem.goal, &table);
-        let winner = found.best.first().filter(|best| best.violation == 0.0);
-        let own = winner.and_then(|best| problem.worth(&best.point, &best.answer));
+        let own = problem.winner(&table).and_then(|best| problem.worth(&best.point, &best.answer));
         let (grid, meeting) = problem.best_of_grid(&table);
         match (own, grid) {
             (_, None) => none += 1,

@@ -2,6 +2,10 @@
 //!
 //! `cargo run --release --example section_random -- 10000`
 
+#[path = "support/dice.rs"]
+mod dice;
+
+use dice::Dice;
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::section::Section;
 use std::env;
@@ -9,11 +13,8 @@ use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let wanted: u32 = env::args().nth(1).unwrap_or("1000".to_owned()).parse()?;
-    let mut seed = 7_u64;
-    let mut draw = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(seed >> 32).unwrap_or(0)) / 4_294_967_296.0
-    };
+    let mut dice = Dice(7);
+    let mut draw = || dice.throw();
     let (mut drawn, mut failed, mut all, mut most) = (0, 0, 0, 0);
     while drawn < wanted {
         let (bendability, thickness) = (10.0 * 1e3_f64.powf(draw()), 0.003 * 10_f64.powf(draw()));

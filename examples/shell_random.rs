@@ -3,6 +3,10 @@
 //! `cargo run --release --example shell_random -- 100`: so many V-actuators, and so many stars of 3 to 8, 12 and 16 points. Half of all hinges turn on a
 //! point. What was drawn is printed with each that fails.
 
+#[path = "support/dice.rs"]
+mod dice;
+
+use dice::Dice;
 use stargrip_cam::shell::cases::{
     Fineness, FlatStar, Objects, ShellFault, Tube, VActuator, Watch, actuator, star,
 };
@@ -15,15 +19,7 @@ use std::f64::consts::PI;
 const FINENESS: Fineness = Fineness { cells: 4.0, cuts: 2 };
 const POINTS: [u32; 8] = [3, 4, 5, 6, 7, 8, 12, 16];
 
-/// Numbers between 0 and 1, the same everywhere.
-struct Dice(u64);
-
 impl Dice {
-    fn throw(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from(u32::try_from(self.0 >> 32).unwrap_or(0)) / 4_294_967_296.0
-    }
-
     fn even(&mut self, [from, to]: [f64; 2]) -> f64 {
         from + (to - from) * self.throw()
     }

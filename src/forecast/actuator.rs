@@ -27,6 +27,13 @@ pub struct Actuator {
     pub sheet: ElasticSheet,
 }
 
+impl Actuator {
+    /// Its hinge.
+    fn hinge(&self) -> Hinge {
+        Hinge { r_star: self.radius / self.width, width: self.width, rest_angle: self.angle }
+    }
+}
+
 /// What it does. `None` where the model does not know.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
@@ -181,8 +188,8 @@ fn of_a_hinge(
     model: &dyn HingeModel,
     angles: &[f64],
 ) -> Result<ActuatorPrediction, StarFault> {
-    let Actuator { width, radius, pressure, sheet, .. } = *actuator;
-    let hinge = Hinge { r_star: radius / width, width, rest_angle: actuator.angle };
+    let Actuator { width, pressure, sheet, .. } = *actuator;
+    let hinge = actuator.hinge();
     let rest = hinge.rest(model)?;
     let angle = hinge.angle_of(model, &rest);
     let held = angles.iter().map(|phi| {
@@ -213,8 +220,8 @@ fn of_a_hinge(
 
 /// The ranges of `actuator` at rest at `angle` (rad); `None` where no V-actuator like it was computed as a shell.
 fn ranges(actuator: &Actuator, model: &dyn HingeModel, rest: &HingeState, angle: f64) -> Option<Ranges> {
-    let Actuator { width, radius, arm, pressure, .. } = *actuator;
-    let hinge = Hinge { r_star: radius / width, width, rest_angle: actuator.angle };
+    let Actuator { width, arm, pressure, .. } = *actuator;
+    let hinge = actuator.hinge();
     let within = |x: f64, [low, high]: Interval| (low..=high).contains(&x);
     let tried = within(arm / width, errors::ACTUATOR_ARM)
         && within(hinge.arc().to_degrees(), errors::ARC)
@@ -238,8 +245,7 @@ pub(super) fn short_arms(actuator: &Actuator) -> Option<String> {
 
 fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<String> {
     let limit = model.level() != Level::Section;
-    let hinge =
-        Hinge { r_star: actuator.radius / actuator.width, width: actuator.width, rest_angle: actuator.angle };
+    let hinge = actuator.hinge();
     let without_arms = format!("the hinge is computed without arms, which let it coil {ARMS_LET_OUT}");
     let known = [
         (

@@ -7,7 +7,8 @@ use crate::mechanics::hinge::fit::Fit;
 use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::hinge::section::{Section, SectionTable, Tabled};
 use crate::mechanics::hinge::{HingeModel, Level, fit};
-use crate::mechanics::star::{self, Correction};
+use crate::mechanics::star::Correction;
+use crate::mechanics::star::correction::Ratios;
 use crate::mechanics::strength::{ElasticSheet, FULL_ACTUATION, INEXTENSIBLE};
 use crate::spec::ModelChoice;
 use std::sync::LazyLock;
@@ -53,12 +54,12 @@ pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault
     if let Some(edges) = corner.edges {
         let (sheet, width) = (&case.sheet, case.mechanism.width);
         let pressure = case.pressure.unwrap_or(0.0);
-        let fabric = star::correction::Fabric {
+        let ratios = Ratios {
             thickness: sheet.thickness / width,
             stretch: sheet.stretch(pressure, width),
             bendability: sheet.bendability(pressure, width),
         };
-        corrected.mechanism.correction = Correction::new(&case.mechanism, edges.width, fabric);
+        corrected.mechanism.correction = Correction::new(&case.mechanism, edges.width, ratios);
     }
     Ok(corrected)
 }

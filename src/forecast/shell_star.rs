@@ -50,11 +50,11 @@ pub(super) struct Measured {
     pub(super) extremes: Extremes,
 }
 
-/// What is asked of a shell about the star of `case`.
+/// The star of `case` as a shell is asked about it.
 ///
 /// # Errors
 /// If no pressure is given, or it has too many points.
-fn flat(case: &Case) -> Result<FlatStar, Refusal> {
+pub fn flat(case: &Case) -> Result<FlatStar, Refusal> {
     let Some(pressure) = case.pressure else {
         let what = "a shell is computed at its pressure, and none is given: give one, or take ring";
         return Err(fault(key::load::PRESSURE, what.to_owned()));

@@ -15,7 +15,7 @@ use crate::shell::cases::{FlatStar, InflatedStar, Shape, Value, Watch};
 use crate::spec::{Spec, key};
 use crate::units::{Pressure, Readable};
 
-pub use crate::forecast::shell_star::Refusal;
+pub use crate::forecast::shell_star::{Refusal, flat};
 
 /// Points with which they were tried.
 const TRIED_POINTS: u32 = 8;

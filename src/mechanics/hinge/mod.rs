@@ -79,12 +79,8 @@ pub trait HingeModel: Sync {
 pub struct Arms {
     /// By how much further it coils, because hoop compression is let out into them at both ends: to `lambda alpha_0` and that, rad.
     pub angle: f64,
-    /// Its mesh error, rad.
-    pub angle_error: f64,
     /// g, rad: arms are as soft as that much more of hinge would be, so `C = p W^3 |V_bar''| / (alpha_0 + g)`.
     pub give: f64,
-    /// Its mesh error, rad.
-    pub give_error: f64,
 }
 
 /// A hinge at one coiling factor. Everything is dimensionless and finite.

@@ -74,9 +74,9 @@ impl Default for Correction {
     }
 }
 
-/// The fabric of a star at its pressure, in ratios.
+/// What a star's fabric is at its pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fabric {
+pub struct Ratios {
     /// t/W.
     pub thickness: f64,
     /// p W / Y.
@@ -119,9 +119,9 @@ impl Correction {
         if self.gives { SECANT[0] + self.locks * opening.clamp(0.0, OPENED) } else { 1.0 }
     }
 
-    /// Of the star `star` of `fabric`, whose hinges, if they were endless, would be `width` W wide when inflated.
-    pub fn new(star: &Mechanism, width: f64, fabric: Fabric) -> Self {
-        let Fabric { thickness, stretch, bendability } = fabric;
+    /// Of the star `star` with `ratios`, whose hinges, if they were endless, would be `width` W wide when inflated.
+    pub fn new(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
+        let Ratios { thickness, stretch, bendability } = ratios;
         let own = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * (arc / OWN_WIDTH).tanh();
         let (tip, corner) = (own(star.tip().arc()), own(star.corner().arc()));
         let width = 0.5 * (tip + corner);
@@ -167,17 +167,17 @@ mod tests {
     use super::*;
     use crate::mechanics::star::tests::{flat, paper};
 
-    const FABRIC: Fabric = Fabric { thickness: 0.01, stretch: 0.01, bendability: 1000.0 };
+    const RATIOS: Ratios = Ratios { thickness: 0.01, stretch: 0.01, bendability: 1000.0 };
 
     fn corrected(star: Mechanism) -> Mechanism {
-        Mechanism { correction: Correction::new(&star, 0.8, FABRIC), ..star }
+        Mechanism { correction: Correction::new(&star, 0.8, RATIOS), ..star }
     }
 
     #[test]
     fn hinges_are_wider_than_cylinders_and_short_ones_less() {
         let all: Vec<Correction> = (3..=8).map(|n| corrected(paper(n)).correction).collect();
         // Sharp corners at 1/eps = 1000: what is further out is a constant and the stretch.
-        let out = OUT[0] + OUT[2] * FABRIC.stretch;
+        let out = OUT[0] + OUT[2] * RATIOS.stretch;
         assert!(all.iter().all(|one| one.width > FRAC_2_PI && one.width < 0.8 && one.rim > out));
         assert!(all.windows(2).all(|pair| pair[1].width > pair[0].width && pair[1].rim < pair[0].rim));
         // A corner that hardly turns is as narrow as an arm.
@@ -208,7 +208,7 @@ mod tests {
     #[test]
     fn thin_sheets_and_long_arms_close_further() {
         let closer = |n, thickness| {
-            Correction::new(&paper(n), 0.8, Fabric { thickness, ..FABRIC }).closer.to_degrees()
+            Correction::new(&paper(n), 0.8, Ratios { thickness, ..RATIOS }).closer.to_degrees()
         };
         assert!(closer(3, 0.01) > 1.8 && closer(3, 0.03) < 0.25 && closer(8, 0.01) < 0.5);
         assert_eq!(Correction::default().closer, 0.0);
@@ -221,28 +221,28 @@ mod tests {
         let r = w / PI;
         let rigidity = PI * r.powi(3) * stretch;
         let star = Mechanism { arm: 6.0 * w, ..paper(4) };
-        let scale = FABRIC.stretch * stretch * w * w;
-        let bends = Correction::new(&star, 0.8, FABRIC).bends;
+        let scale = RATIOS.stretch * stretch * w * w;
+        let bends = Correction::new(&star, 0.8, RATIOS).bends;
         assert!((bends / scale - 2.0 * w / rigidity).abs() < 1e-12 * bends / scale);
         let correction = corrected(star).correction;
         assert!(correction.bent(2.0) < 2.0 && (1.0 / correction.bent(2.0) - 0.5 - bends).abs() < 1e-12);
         // Shorter arms than the table's stiffen, and never turn a hinge around.
-        let short = Correction::new(&paper(7), 0.8, Fabric { stretch: 0.1, ..FABRIC });
+        let short = Correction::new(&paper(7), 0.8, Ratios { stretch: 0.1, ..RATIOS });
         assert!(short.bends < 0.0 && short.bent(0.3) > 0.3 && short.bent(1e3) > 0.0);
         assert_eq!(Correction::default().bent(2.0), 2.0);
     }
 
     #[test]
     fn fabric_that_stretches_and_round_corners_make_a_star_larger() {
-        let rim = |fabric, corner_radius| {
+        let rim = |ratios, corner_radius| {
             let star = Mechanism { corner_radius, ..paper(5) };
-            Correction::new(&star, 0.8, fabric).rim
+            Correction::new(&star, 0.8, ratios).rim
         };
-        let plain = rim(FABRIC, 0.0);
-        assert!(rim(Fabric { stretch: 0.05, ..FABRIC }, 0.0) > plain + 0.03);
-        assert!(rim(FABRIC, 0.006) > plain + 0.01);
-        assert!(rim(Fabric { bendability: 5000.0, ..FABRIC }, 0.0) < plain);
-        assert!(rim(Fabric { bendability: 0.0, ..FABRIC }, 0.0).is_finite());
+        let plain = rim(RATIOS, 0.0);
+        assert!(rim(Ratios { stretch: 0.05, ..RATIOS }, 0.0) > plain + 0.03);
+        assert!(rim(RATIOS, 0.006) > plain + 0.01);
+        assert!(rim(Ratios { bendability: 5000.0, ..RATIOS }, 0.0) < plain);
+        assert!(rim(Ratios { bendability: 0.0, ..RATIOS }, 0.0).is_finite());
     }
 
     #[test]

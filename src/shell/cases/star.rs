@@ -203,7 +203,7 @@ fn press(
     rung: &Rung,
     (beside, forces): (&mut Vec<Beside>, &mut [f64]),
 ) -> Result<(), ShellFault> {
-    let starts = std::mem::take(beside);
+    let mut starts = std::mem::take(beside).into_iter();
     let mut state = rung.state.clone();
     let nearest = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
     let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
@@ -211,7 +211,7 @@ fn press(
     let aim = case.tube.ladder().aim(rung.pressure);
     for (index, size) in objects.sizes().iter().enumerate() {
         let last = (origin + size / case.tube.width).max(nearest);
-        let found = match starts.get(index) {
+        let found = match starts.next() {
             Some(start) => open_from(start, solver, &mut state, aim, [radius, last]),
             None => open(solver, &mut state, aim, [radius, last]),
         };
@@ -231,20 +231,18 @@ fn press(
     Ok(())
 }
 
-/// As [`open`], but at once where `start` leads to an equilibrium.
+/// As [`open`], but at once where what the coarser mesh left leads to an equilibrium.
 fn open_from(
-    start: &Beside,
+    Beside { state: mut own, contact }: Beside,
     solver: &mut Solver,
     state: &mut State,
     aim: Aim,
     [from, to]: [f64; 2],
 ) -> Result<(), Stop> {
-    let before = solver.contact.take();
-    solver.contact.clone_from(&start.contact);
+    let before = std::mem::replace(&mut solver.contact, contact);
     if let Some(contact) = &mut solver.contact {
         contact.replace(POST, Obstacle::Post { radius: to });
     }
-    let mut own = start.state.clone();
     match solver.rest(&mut own, aim) {
         Ok(_) => {
             *state = own;

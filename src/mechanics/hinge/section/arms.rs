@@ -16,7 +16,6 @@ use std::sync::LazyLock;
 /// Flat arcs of the grid, deg.
 pub const ARCS: [f64; 3] = [120.0, 60.0, 30.0];
 /// tau of the grid: from t/W = 0.01 at nu = 0.39 to 0.03 at nu = 0.49. From the first on stretch ends the pressures, not 1/eps.
-/// Of thinner sheets these meshes leave delta open by more than a degree, and g by half.
 pub const TAUS: [f64; 3] = [3.162e-3, 5.604e-3, 9.935e-3];
 /// How far beyond the first tau the table is still read, in logarithms: so that t/W = 0.01 at nu = 0.39 is inside.
 pub const SLACK: f64 = 0.01;
@@ -38,30 +37,23 @@ pub const POISSON: f64 = 0.39;
 /// The grid's values, as they are shipped.
 const SHIPPED: &str = include_str!("arms.txt");
 
-/// What arms do to hinges of any arc: delta and g, rad, and their mesh errors at each of [`ARCS`].
+/// What arms do to hinges of any arc: delta and g, rad, at each of [`ARCS`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ArmsByArc([[f64; 4]; ARCS.len()]);
+pub struct ArmsByArc([[f64; 2]; ARCS.len()]);
 
 impl ArmsByArc {
     /// Of a hinge with the flat arc `arc`, rad.
     pub fn at(&self, arc: f64) -> Arms {
         let [most, .., least] = ARCS;
         let place = arc.to_degrees().clamp(least, most);
-        // The parabola through all three.
-        let mut sum = [0.0; 4];
-        for (i, values) in self.0.iter().enumerate() {
-            let others = (0..ARCS.len()).filter(|j| *j != i);
-            let weight: f64 = others.map(|j| (place - ARCS[j]) / (ARCS[i] - ARCS[j])).product();
+        // The grid's arcs fall.
+        let weights = weights(&ARCS.map(|arc| -arc), -place, 0.0).unwrap_or([f64::NAN; ARCS.len()]);
+        let mut sum = [0.0; 2];
+        for (weight, values) in weights.iter().zip(&self.0) {
             sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
         }
-        let [delta, delta_error, give, give_error] = sum;
-        let tanh = (arc / FRAC_PI_4).tanh();
-        Arms {
-            angle: delta * tanh,
-            angle_error: delta_error.abs() * tanh,
-            give,
-            give_error: give_error.abs(),
-        }
+        let [delta, give] = sum;
+        Arms { angle: delta * (arc / FRAC_PI_4).tanh(), give }
     }
 }
 
@@ -80,7 +72,7 @@ fn most_bendability(tau: f64) -> f64 {
 
 /// The arms of hinges at 1/eps = `bendability`, tau and R*; `None` outside of the table.
 pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
-    static TABLE: LazyLock<Vec<[f64; 4]>> = LazyLock::new(|| read(SHIPPED).unwrap_or_default());
+    static TABLE: LazyLock<Vec<[f64; 2]>> = LazyLock::new(|| read(SHIPPED).unwrap_or_default());
     let one_arc = TAUS.len() * R_STARS.len() * PRESSURES;
     if TABLE.len() != ARCS.len() * one_arc {
         return None;
@@ -91,7 +83,7 @@ pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
     #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
     let places: [f64; PRESSURES] = std::array::from_fn(|k| k as f64 / (PRESSURES - 1) as f64);
     let along_b = weights(&places, up, 0.0)?;
-    let mut all = [[0.0; 4]; ARCS.len()];
+    let mut all = [[0.0; 2]; ARCS.len()];
     for (i, a) in along_tau.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
         for (j, b) in along_r.iter().enumerate().filter(|(_, weight)| **weight != 0.0) {
             for (k, c) in along_b.iter().enumerate() {
@@ -105,13 +97,13 @@ pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
     Some(ArmsByArc(all))
 }
 
-/// The lines of a table: phi_0, tau, R*, 1/eps, delta, g and their mesh errors in deg; what is read are the last four.
-fn read(text: &str) -> Option<Vec<[f64; 4]>> {
+/// The lines of a table: phi_0, tau, R*, 1/eps, then in deg delta, its mesh error, g and its; what is read are delta and g.
+fn read(text: &str) -> Option<Vec<[f64; 2]>> {
     let lines = text.lines().filter(|line| !line.starts_with('#'));
     let numbers = lines.map(|line| {
         let words: Option<Vec<f64>> = line.split_whitespace().map(|word| word.parse().ok()).collect();
-        let [_, _, _, _, values @ ..] = &words?[..] else { return None };
-        <[f64; 4]>::try_from(values).ok().map(|values| values.map(f64::to_radians))
+        let [_, _, _, _, delta, _, give, _] = words?[..] else { return None };
+        Some([delta, give].map(f64::to_radians))
     });
     numbers.collect()
 }
