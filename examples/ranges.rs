@@ -14,13 +14,15 @@ fn main() {
 /// Stars that have the same part in what is claimed: a name, a set, the first and the last of it.
 type Group = (&'static str, Set, u32, u32);
 
-const GROUPS: [Group; 6] = [
+const GROUPS: [Group; 8] = [
     ("fit", Set::Fit, 1, u32::MAX),
     ("test, 1 to 60", Set::Test, 1, 60),
     ("paper", Set::Paper, 1, u32::MAX),
     ("range", Set::Range, 1, u32::MAX),
     ("test, 61 to 120", Set::Test, 61, 120),
     ("test, 121 to 180", Set::Test, 121, 180),
+    ("test, 181 to 240", Set::Test, 181, 240),
+    ("test, 241 to 300", Set::Test, 241, 300),
 ];
 
 /// All tables, in the order of the page.

@@ -368,6 +368,24 @@ proptest! {
     }
 }
 
+/// A tube of a thousandth of a millimetre, which no one makes: its mask's outline has points that are nearly one.
+#[test]
+fn a_tube_of_a_micrometre_is_answered_or_refused() {
+    let mut spec = spec(PAPER);
+    spec.stars.truncate(1);
+    let star = &mut spec.stars[0];
+    (star.points, star.tip_angle.0) = (61, 173.989_984_353_496_77);
+    (star.inner_radius.0, star.tube_width.0) = (1.0, 0.001);
+    spec.accuracy.model = ModelChoice::Ring;
+    spec.inlet = None;
+    spec.sheet.hole_diameter = Length(0.0);
+    spec.seal.band = Length(1e-6);
+    (spec.seal.allowance, spec.seal.hole_allowance) = (Length(0.0), Length(0.0));
+    if let Ok(design) = design(&spec) {
+        assert!(predict::predict(&spec, &design).is_ok());
+    }
+}
+
 /// Whoever reads the page is told once what is not known well enough, and no line ends in a blank.
 #[test]
 fn a_page_says_nothing_twice() {

@@ -83,7 +83,7 @@ impl Set {
         match self {
             Self::Fit => 36,
             Self::Range => 48,
-            Self::Test => 180,
+            Self::Test => 300,
             Self::Paper => 24,
         }
     }

@@ -4,13 +4,21 @@
 //! between the centres of their arcs. Short bends are all end, and nearly as narrow as arms:
 //!
 //! ```text
-//! w = W' + (w_section - W') tanh(alpha_0 / 1.26)        W' = 2 W / pi
+//! w = W' + (w_section - W') tanh(alpha_0 / 0.469)        W' = 2 W / pi
 //! ```
 //!
-//! Fabric that stretches makes the whole star larger, a round corner's rim lies further out than its coil says, and the radius grows by
+//! Fabric that stretches makes the whole star larger, a round corner's rim lies further out than its coil says, that of one that turns
+//! little, too, and the radius grows by
 //!
 //! ```text
-//! W / sin(pi/n) [-0.022 + 0.085 R_e/W + 1.02 p W / Y - 0.005 ln(p W^3 / (1000 B))]
+//! W / sin(pi/n) [-0.0461 + 0.0917 R_e/W + 1.092 p W / Y - 0.0096 ln(p W^3 / (1000 B)) + 0.0703 sin(pi/n) - 0.015 alpha_0e]
+//! ```
+//!
+//! Hinges are stiffer opened than closed. In a star tips are held open by corners that are held shut, so that it rests further in than
+//! linear hinges would; the more fabric stretches, the less. At the angle d beyond its rest a hinge of stiffness C pulls as
+//!
+//! ```text
+//! M = C d (1 + c d)        c = 1.424 exp(-20.8 p W / Y)
 //! ```
 //!
 //! Arms of an inflated tube of radius W / pi bend as beams of E I = pi (W/pi)^3 Y = W^3 Y / pi^2, which no constant was fitted to: hinges of
@@ -19,7 +27,7 @@
 //! a lever of about W of its own: where rho moves by s with phi_i, the star's stiffness is that of its hinges times
 //!
 //! ```text
-//! s^2 / (s^2 + (0.42 W / sin(pi/n))^2) exp(-0.547 + 0.073 l/W + 16.3 t/W + 5.62 p W / Y)
+//! s^2 / (s^2 + (0.42 W / sin(pi/n))^2) exp(-0.598 + 0.073 l/W + 18.7 t/W + 6.07 p W / Y)
 //! ```
 //!
 //! A round object meets a corner at its rim, which is stiffer than the section moved as a whole, and the more so the further it is opened
@@ -30,9 +38,6 @@
 //! ```
 //!
 //! where F_0 is what presses arms that touch, alpha_0e the corner's flat arc, and o/W counts up to 0.9.
-//!
-//! Thin sheets close a star further than the table of their arms says, long arms more than short ones:
-//! by `2.23 deg (0.01 W / t)^2 l / (l + W)`.
 
 use crate::mechanics::star::Mechanism;
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -46,8 +51,8 @@ pub struct Correction {
     pub rim: f64,
     /// Angle of the tips at which the arms touch, rad, 0 or less.
     pub touch: f64,
-    /// By how much further the tips close than their hinges and the corners' say, rad.
-    pub closer: f64,
+    /// By which part a hinge is stiffer with each rad that it is opened, and softer with each that it is closed.
+    pub curved: f64,
     /// By how much an arm's ends turn under a moment of p W^3, rad, beyond what the hinges' table holds; below 0 for short arms.
     pub bends: f64,
     /// Radial stiffness over that of hinges and levers.
@@ -65,7 +70,7 @@ impl Default for Correction {
             width: FRAC_2_PI,
             rim: 0.0,
             touch: 0.0,
-            closer: 0.0,
+            curved: 0.0,
             bends: 0.0,
             firm: 1.0,
             locks: 0.0,
@@ -86,11 +91,12 @@ pub struct Ratios {
 }
 
 /// Arc from which on a hinge has much of its own width, rad; this and all below by least squares over stars computed as shells.
-const OWN_WIDTH: f64 = 1.26;
+const OWN_WIDTH: f64 = 0.469;
 /// Room between the inner rims of a tip's parallel arms besides the coiled hinge's hole, over W.
-const ROOM: f64 = 0.034;
-/// By how much the inner rim lies further out, over W / sin(pi/n): always, and by each R_e/W, p W / Y, and ln(1/eps / 1000).
-const OUT: [f64; 4] = [-0.022, 0.085, 1.02, -0.005];
+const ROOM: f64 = 0.0212;
+/// By how much the inner rim lies further out, over W / sin(pi/n): always, and by each R_e/W, p W / Y, ln(1/eps / 1000), sin(pi/n), and rad
+/// of the corner's arc.
+const OUT: [f64; 6] = [-0.0461, 0.0917, 1.092, -0.0096, 0.0703, -0.015];
 /// 1/eps over which that was taken.
 const BENDABILITY: [f64; 2] = [100.0, 5000.0];
 /// Arms of the hinges' table by W, and those from which on they are no shorter.
@@ -101,11 +107,9 @@ const LEAST_LEFT: f64 = 0.3;
 /// On which lever a corner gives way by itself, over W / sin(pi/n).
 const LEVER: f64 = 0.42;
 /// Logarithm of the stiffness over that of hinges and levers: always, and by each l/W, t/W and p W / Y.
-const FIRM: [f64; 4] = [-0.547, 0.073, 16.3, 5.62];
-/// How much further tips close, rad, with long arms of t/W = 0.01.
-const CLOSER: f64 = 0.0389;
-/// See [`CLOSER`].
-const THIN: f64 = 0.01;
+const FIRM: [f64; 4] = [-0.598, 0.073, 18.7, 6.07];
+/// How hinges are stiffer opened than closed, per rad, in fabric that hardly stretches; and by which p W / Y that fades, as an exponent.
+const CURVED: [f64; 2] = [1.424, 20.8];
 
 /// The force that opens a star over its stiffness at rest times the opening: at first, and by how much more with each W and each rad of
 /// a corner's arc.
@@ -128,22 +132,31 @@ impl Correction {
         let long = star.arm / star.width;
         // A coiled tip keeps the length of its inner arc, between parallel arms nearly as much as between touching ones.
         let hole = star.tip_radius * star.tip().arc() / PI + ROOM * star.width;
-        let [always, round, stretched, bent] = OUT;
+        let sector = (0.5 * star.turn()).sin();
         let [least, most] = BENDABILITY;
-        let bendability = bendability.clamp(least, most);
-        let out =
-            always + round * star.corner().r_star + stretched * stretch + bent * (bendability / 1000.0).ln();
+        let bent = (bendability.clamp(least, most) / 1000.0).ln();
+        let counts = [1.0, star.corner().r_star, stretch, bent, sector, star.corner().arc()];
+        let out: f64 = OUT.iter().zip(counts).map(|(each, count)| each * count).sum();
+        let [curved, fades] = CURVED;
         let [firm, by_arm, by_thickness, by_stretch] = FIRM;
         Self {
             width,
-            rim: (width - corner) * (0.5 * star.turn()).sin() + out,
+            rim: (width - corner) * sector + out,
             touch: -2.0 * hole.atan2(star.arm),
-            closer: CLOSER * (THIN / thickness).powi(2) * long / (long + 1.0),
+            curved: curved * (-fades * stretch).exp(),
             bends: PI * PI * stretch * (long.max(SHORT_ARM) - TABLE_ARM),
             firm: (firm + by_arm * long + by_thickness * thickness + by_stretch * stretch).exp(),
             locks: SECANT[1] * star.corner().arc(),
             gives: true,
         }
+    }
+
+    /// Where two hinges rest that pull against each other, rad, from where each would rest by itself as the tips' angle and how hard it
+    /// pulls: to the first order in what they curve.
+    pub fn balance(&self, [tip, corner]: [f64; 2], [c_tip, c_corner]: [f64; 2]) -> f64 {
+        let part = c_tip / (c_tip + c_corner);
+        let linear = part * tip + (1.0 - part) * corner;
+        linear - self.curved * (part * (linear - tip).powi(2) + (1.0 - part) * (linear - corner).powi(2))
     }
 
     /// How hard a hinge between the star's arms pulls, from how hard one of the table's does; both over p W^3.
@@ -176,12 +189,17 @@ mod tests {
     #[test]
     fn hinges_are_wider_than_cylinders_and_short_ones_less() {
         let all: Vec<Correction> = (3..=8).map(|n| corrected(paper(n)).correction).collect();
-        // Sharp corners at 1/eps = 1000: what is further out is a constant and the stretch.
-        let out = OUT[0] + OUT[2] * RATIOS.stretch;
-        assert!(all.iter().all(|one| one.width > FRAC_2_PI && one.width < 0.8 && one.rim > out));
+        // Sharp corners at 1/eps = 1000.
+        let out = |n: u32| {
+            let sector = (PI / f64::from(n)).sin();
+            OUT[0] + OUT[2] * RATIOS.stretch + OUT[4] * sector + OUT[5] * paper(n).corner().arc()
+        };
+        assert!(all.iter().all(|one| one.width > FRAC_2_PI && one.width < 0.8));
+        assert!((3..).zip(&all).all(|(n, one)| one.rim > out(n)));
         assert!(all.windows(2).all(|pair| pair[1].width > pair[0].width && pair[1].rim < pair[0].rim));
         // A corner that hardly turns is as narrow as an arm.
         let star = corrected(Mechanism { tip_angle: 59.9_f64.to_radians(), ..paper(3) });
+        let out = out(3) + OUT[5] * (star.corner().arc() - paper(3).corner().arc());
         let corner = star.correction.width - (star.correction.rim - out) / (PI / 3.0).sin();
         assert!((corner - FRAC_2_PI).abs() < 1e-3, "{corner}");
     }
@@ -206,12 +224,21 @@ mod tests {
     }
 
     #[test]
-    fn thin_sheets_and_long_arms_close_further() {
-        let closer = |n, thickness| {
-            Correction::new(&paper(n), 0.8, Ratios { thickness, ..RATIOS }).closer.to_degrees()
-        };
-        assert!(closer(3, 0.01) > 1.8 && closer(3, 0.03) < 0.25 && closer(8, 0.01) < 0.5);
-        assert_eq!(Correction::default().closer, 0.0);
+    fn hinges_that_curve_balance_where_their_moments_do() {
+        // Newton's method on C_i d (1 + c d) + C_e e (1 + c e), d = phi - one, e = phi - other.
+        let (one, other, weights) = (0.3, 0.42, [1.0, 1.3]);
+        for curved in [0.0, 0.5, 1.4] {
+            let moment = |phi: f64| {
+                let pull = |c: f64, d: f64| [c * d * (1.0 + curved * d), c * (1.0 + 2.0 * curved * d)];
+                let [a, b] = [pull(weights[0], phi - one), pull(weights[1], phi - other)];
+                [a[0] + b[0], a[1] + b[1]]
+            };
+            let root = (0..20).fold(0.36, |phi, _| phi - moment(phi)[0] / moment(phi)[1]);
+            let found = Correction { curved, ..Correction::default() }.balance([one, other], weights);
+            assert!((found - root).abs() < 0.1 * curved * 0.06_f64.powi(2) + 1e-15, "{found} {root}");
+        }
+        let curved = |stretch| Correction::new(&paper(5), 0.8, Ratios { stretch, ..RATIOS }).curved;
+        assert!(curved(0.0) == CURVED[0] && curved(0.05) < 0.4 * curved(0.0));
     }
 
     #[test]

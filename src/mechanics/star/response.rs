@@ -104,20 +104,25 @@ impl<'a> Inflated<'a> {
 
     /// Equilibrium of linear hinges: `(C_i phi_it + C_e (phi_et - 2 pi / n)) / (C_i + C_e)`, rad.
     pub fn linear_equilibrium(&self) -> f64 {
-        // The ratio does not depend on the pressure, which may be 0.
-        let weight =
-            |hinge: Hinge, state: &HingeState| self.star.correction.bent(-state.curvature / hinge.arc());
-        let (tip, corner) = (weight(self.star.tip(), &self.tip), weight(self.star.corner(), &self.corner));
         let (phi_it, phi_et) = self.target_angles();
+        let [tip, corner] = self.weights();
         (tip * phi_it + corner * (phi_et - self.star.turn())) / (tip + corner)
     }
 
-    /// Rest of linear hinges, in closed form: the paper's rho_f and radial stiffness
+    /// How hard tip and corner pull in the equilibrium; the ratio does not depend on the pressure, which may be 0.
+    fn weights(&self) -> [f64; 2] {
+        let weight =
+            |hinge: Hinge, state: &HingeState| self.star.correction.bent(-state.curvature / hinge.arc());
+        [weight(self.star.tip(), &self.tip), weight(self.star.corner(), &self.corner)]
+    }
+
+    /// Rest of linear hinges, in closed form, and with a correction of what that says of them: the paper's rho_f and radial stiffness
     /// `4 n (C_i + C_e) [sin(pi/n) / (l cos(phi/2) - W' sin(phi/2))]^2`.
     ///
     /// Of a star that is pressed shut the stiffness is the one at the touching arms.
     pub fn linear_rest(&self) -> Rest {
-        let equilibrium = self.linear_equilibrium() - self.star.correction.closer;
+        let (phi_it, phi_et) = self.target_angles();
+        let equilibrium = self.star.correction.balance([phi_it, phi_et - self.star.turn()], self.weights());
         let (tip, corner) = self.hinge_stiffness();
         let angle = equilibrium.max(self.star.correction.touch);
         let softness = self.star.correction.softness(self.star, angle);
