@@ -70,8 +70,47 @@ pub fn tables() -> String {
             many.len()
         );
     }
+    out.push('\n');
+    out += &forces(&all);
     out
 }
+
+/// How far forces are off at equal openings, up to 20 mm.
+fn forces(all: &[Against]) -> String {
+    let mut out = String::from(
+        "| set | opened by | forces | off by, rms | within 15 % | within 15 % and the mesh error |\n|---|---|---|---|---|---|\n",
+    );
+    for (name, set, first, last) in GROUPS {
+        for opening in [0.15, 0.45, 0.9] {
+            let near = |one: &&Against| one.set == set && (first..=last).contains(&one.number);
+            let small = |one: &&Against| opening * one.width <= MOST_OPENED;
+            let stars = all.iter().filter(near).filter(small);
+            let pairs: Vec<Pair> = stars
+                .flat_map(|one| one.forces.iter().filter(|(part, _)| *part == opening).map(|(_, pair)| *pair))
+                .collect();
+            if pairs.is_empty() {
+                continue;
+            }
+            let off: Vec<f64> = pairs.iter().map(|pair| 1.0 / pair.error - 1.0).collect();
+            let within = off.iter().filter(|off| off.abs() <= NEAR).count();
+            let open =
+                pairs.iter().zip(&off).filter(|(pair, off)| off.abs() <= NEAR + pair.mesh / pair.shell);
+            let _ = writeln!(
+                out,
+                "| {name} | {opening} W | {} | {:.0} % | {within} | {} |",
+                pairs.len(),
+                100.0 * rms(&off),
+                open.count()
+            );
+        }
+    }
+    out
+}
+
+/// Largest opening that is asked about, m.
+const MOST_OPENED: f64 = 0.02;
+/// How near a force is wanted.
+const NEAR: f64 = 0.15;
 
 fn in_degrees(pair: Pair) -> Pair {
     let Pair { error, .. } = pair;

@@ -1,6 +1,7 @@
 //! The manifest: what a build wrote, so that `verify` can prove it and scripts can find it.
 
 mod bill;
+mod predicted;
 
 use std::path::Path;
 
@@ -8,12 +9,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::artifact::{Artifact, Asked, Format, Kind, NGC, Output};
 use crate::design::{Design, Paper};
+use crate::forecast::prediction::Prediction;
 use crate::manifest::bill::thousandths;
 use crate::plan::Program;
 use crate::spec::Spec;
 
 pub use crate::digest::sha256;
 pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
+pub use predicted::{ManifestPrediction, ManifestStarPrediction};
 
 /// The manifest's file name in an output directory.
 pub const MANIFEST: &str = "manifest.json";
@@ -43,6 +46,9 @@ pub struct Manifest {
     /// Its mass, where its areal density is known: that of the whole stack, `stack_mass_g` of a prediction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
+    /// What it does at the pressure of `[load]`; absent without one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub prediction: Option<ManifestPrediction>,
     /// The kinds that were asked for; absent if all were.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub only: Vec<Kind>,
@@ -178,9 +184,17 @@ impl Manifest {
             fabric_mm2: thousandths(stars.iter().map(|star| star.fabric_mm2).sum()),
             mass_g: stars.iter().map(|star| star.mass_g).sum::<Option<f64>>().map(thousandths),
             stars,
+            prediction: None,
             only: Vec::new(),
             with: Vec::new(),
         }
+    }
+
+    /// The same manifest with what is predicted of the gripper at its pressure.
+    #[must_use]
+    pub fn with_prediction(self, prediction: Option<&Prediction>) -> Self {
+        let at_pressure = prediction.filter(|prediction| prediction.first.bendability.is_some());
+        Self { prediction: at_pressure.map(ManifestPrediction::of), ..self }
     }
 
     /// The same manifest naming `files`, those that were `asked` for.

@@ -22,19 +22,13 @@ fn folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("a folder")
 }
 
-/// The part of a predicted payload that is counted on where no range is known.
-const UNTRIED: f64 = 0.5;
-
 /// Whether the gripper of `spec.toml` in `dir` can be made and holds `mass` kg for sure, `width` mm across.
 fn holds(dir: &Path, mass: f64, width: f64, asked: &str) {
     let check = run(dir, &["check", "wish.toml"]);
     assert_eq!(check.status.code(), Some(0), "{asked}: {}", text(&check.stderr));
     let predicted = run(dir, &["predict", "wish.toml", "--json"]);
     let value: Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
-    let low = match value["ranges"]["payload_kg"][0].as_f64() {
-        Some(low) => low,
-        None => UNTRIED * value["payload_kg"].as_f64().expect("a payload"),
-    };
+    let low = value["ranges"]["payload_kg"][0].as_f64().expect("known");
     assert!(low >= 1.15 * mass, "{asked}: {low} kg of {mass}: {value}");
     let ends = value["graspable_radius_mm"].as_array().expect("ends");
     assert!(ends[1].as_f64() > Some(0.5 * width) && value["model"] == "section", "{asked}: {value}");

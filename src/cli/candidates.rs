@@ -6,8 +6,10 @@ use std::io::stdout;
 use serde_json::{Value, json};
 
 use crate::cli::terminal::width;
-use crate::forecast::optimize::{Constraints, Evaluated, Found, is_at_pressure, shortfalls, thinned};
-use crate::forecast::outcome::Outcome;
+use crate::forecast::optimize::{
+    Confirmed, Constraints, Evaluated, Found, is_at_pressure, shortfalls, thinned,
+};
+use crate::forecast::outcome::{Hold, Outcome};
 use crate::forecast::ranges::{mm, shown};
 use crate::units::Length;
 
@@ -19,7 +21,7 @@ pub(super) struct Best {
     /// Its spec.
     pub(super) spec: String,
     /// What the shell says of it, if it was asked.
-    pub(super) confirmed: Option<String>,
+    pub(super) confirmed: Option<Confirmed>,
 }
 
 /// All that was found.
@@ -32,7 +34,10 @@ impl Said<'_> {
     /// For people; every line begins with "# ", so that with a spec below it the whole is a spec.
     pub(super) fn text(&self) -> String {
         let Found { best, front, computed } = self.found;
-        let mut out = format!("# {computed} designs computed; the best for each number of points:\n");
+        let mut out = format!(
+            "# {computed} designs computed; the best for each number of points, the best of all first. `short`: what one misses, and by \
+             how much; one that misses nothing loses by the goal.\n"
+        );
         out.push_str(&rows(best, self.constraints));
         if !front.is_empty() {
             // A String takes everything.
@@ -63,6 +68,7 @@ impl Said<'_> {
 fn row(candidate: &Evaluated, constraints: &Constraints) -> Value {
     let Evaluated { point, answer, .. } = candidate;
     let (star, own) = (&point.star, answer.outcome.as_ref());
+    let known = own.filter(|own| own.known);
     let short: Vec<Value> = shortfalls(point, answer, constraints)
         .into_iter()
         .map(|(what, part)| json!({ "what": what, "part": part }))
@@ -77,14 +83,18 @@ fn row(candidate: &Evaluated, constraints: &Constraints) -> Value {
         "tip_radius_mm": star.tip_radius.0,
         "corner_radius_mm": star.corner_radius.0,
         "arm_length_mm": answer.star.l,
-        "final_radius_mm": own.map(|own| Length::from_metres(own.rest.radius).0),
-        "graspable_radius_mm": own.map(|own| own.graspable.map(|radius| Length::from_metres(radius).0)),
+        "final_radius_mm": known.map(|own| Length::from_metres(own.rest.radius).0),
+        "graspable_radius_mm": known.map(|own| own.graspable.map(|radius| Length::from_metres(radius).0)),
         "radial_stiffness_N_per_m": own.and_then(|own| own.stiffness),
         "object_force_N": own.and_then(Outcome::object_force),
         "payload_kg": answer.payload,
         "fabric_mm2": answer.fabric,
+        "bendability": own.and_then(|own| own.bendability),
+        "stretch": own.and_then(|own| own.stretch),
+        "burst_margin": burst_margin(candidate),
         "ranges": {
             "final_radius_mm": own.and_then(|own| own.ranges.radius).map(mm),
+            "radial_stiffness_N_per_m": own.and_then(|own| own.ranges.stiffness),
             "object_force_N": own.and_then(|own| own.force_range),
             "payload_kg": answer.payload_range,
         },
@@ -92,8 +102,14 @@ fn row(candidate: &Evaluated, constraints: &Constraints) -> Value {
     })
 }
 
+/// Burst pressure over pressure, by the ring.
+fn burst_margin(candidate: &Evaluated) -> Option<f64> {
+    let Evaluated { point, answer, .. } = candidate;
+    answer.burst.zip(point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0)
+}
+
 /// Columns of the table: heading, width, and how soon it goes where there is little room.
-const COLUMNS: [(&str, usize, u8); 16] = [
+const COLUMNS: [(&str, usize, u8); 18] = [
     ("n", 3, 0),
     ("stars", 5, 1),
     ("p/kPa", 6, 2),
@@ -105,10 +121,12 @@ const COLUMNS: [(&str, usize, u8); 16] = [
     ("arm/mm", 6, 10),
     ("rho_f/mm", 20, 6),
     ("opens/mm", 8, 8),
-    ("K/(N/m)", 7, 11),
+    ("K/(N/m)", 18, 11),
     ("force/N", 20, 7),
     ("payload/kg", 20, 3),
     ("fabric/cm2", 10, 5),
+    ("stretch/%", 9, 12),
+    ("burst", 5, 13),
     ("short", 5, 0),
 ];
 
@@ -153,6 +171,9 @@ fn cells(candidate: &Evaluated, constraints: &Constraints) -> [String; COLUMNS.l
         (Some(value), None) => format!("{value:.3}, range unknown"),
         (None, _) => "-".to_owned(),
     };
+    let untried = own.is_some_and(|own| own.hold == Some(Hold::Untried));
+    let of_force =
+        |value: Option<f64>, range| if untried { "unknown".to_owned() } else { ranged(value, range) };
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
     let radius = own.map(|own| Length::from_metres(own.rest.radius).0);
     let short: Vec<String> = shortfalls(point, answer, constraints)
@@ -170,12 +191,14 @@ fn cells(candidate: &Evaluated, constraints: &Constraints) -> [String; COLUMNS.l
         format!("{:.3}", star.corner_radius.0),
         format!("{:.2}", answer.star.l),
         ranged(radius, own.and_then(|own| own.ranges.radius).map(mm)),
-        or_none(own.map(|own| format!("{:.2}", 1e3 * own.graspable[1]))),
-        or_none(own.and_then(|own| own.stiffness).map(|k| format!("{k:.0}"))),
-        ranged(own.and_then(Outcome::object_force), own.and_then(|own| own.force_range)),
-        ranged(answer.payload, answer.payload_range),
+        or_none(own.filter(|own| own.known).map(|own| format!("{:.2}", 1e3 * own.graspable[1]))),
+        ranged(own.and_then(|own| own.stiffness), own.and_then(|own| own.ranges.stiffness)),
+        of_force(own.and_then(Outcome::object_force), own.and_then(|own| own.force_range)),
+        of_force(answer.payload, answer.payload_range),
         // mm^2 to cm^2.
         or_none(answer.fabric.map(|area| format!("{:.1}", area / 100.0))),
+        or_none(own.and_then(|own| own.stretch).map(|stretch| format!("{:.1}", 100.0 * stretch))),
+        or_none(burst_margin(candidate).map(|margin| format!("{margin:.2}"))),
         if short.is_empty() { "-".to_owned() } else { short.join(", ") },
     ]
 }
@@ -191,7 +214,7 @@ mod tests {
             let shown = shown_columns(Some(width));
             let taken = COLUMNS.iter().zip(shown).filter(|(_, shown)| *shown);
             let taken: usize = taken.map(|((_, width, _), _)| width + 2).sum();
-            assert!(taken <= width && shown[0] && shown[15], "{width}: {taken}");
+            assert!(taken <= width && shown[0] && shown[17], "{width}: {taken}");
         }
         let has = |width: usize, heading: &str| {
             let at = COLUMNS.iter().position(|(name, _, _)| *name == heading).expect("a column");

@@ -9,12 +9,13 @@ use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, number, quantity};
 use crate::cli::text_file::read_table;
 use crate::cli::voice::{Voice, pretty};
-use crate::coupon::cone::{Balance, Cone, Overlay, Reduced, csv, read_test, reduce};
+use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, Reduced, csv, read_test, reduce};
 use crate::design::Star;
-use crate::forecast::case::mechanism;
+use crate::forecast::case::Case;
+use crate::forecast::choice::of_spec;
+use crate::forecast::outcome::Outcome;
+use crate::forecast::ranges::errors;
 use crate::mechanics::fault::StarFault;
-use crate::mechanics::hinge::ring::Ring;
-use crate::mechanics::star::response::Inflated;
 use crate::spec::{Allowed, Source};
 use crate::units::{Angle, Length};
 
@@ -72,12 +73,22 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let pressure = pressure.ok_or_else(|| message("the spec's [load] has no pressure".to_owned()))?;
     let star = spec.stars.first().ok_or_else(|| message("the spec has no star".to_owned()))?;
-    let star = mechanism(&Star::new(star).map_err(|refusal| message(refusal.to_string()))?);
+    let star = Star::new(star).map_err(|refusal| message(refusal.to_string()))?;
     let fault = |fault: StarFault| message(fault.to_string());
-    let inflated = Inflated::new(&star, &Ring, pressure.pascals()).map_err(fault)?;
-    let (linear, own) = (inflated.linear_rest(), inflated.rest().map_err(fault)?);
-    let overlay = |rho: f64| [inflated.linear_force(rho, &linear).ok(), inflated.force(rho, &own).ok()];
-    reduced(contact.unwrap_or(linear.radius), Some(&overlay))
+    let case = Case { object: None, ..Case::of(&spec, &star).map_err(fault)? };
+    let model = of_spec(spec.accuracy.model, &case, pressure.pascals()).map_err(fault)?;
+    let (_, own) = Outcome::of(&case, model.as_ref()).map_err(fault)?;
+    let first = contact.or(own.known.then_some(own.rest.radius)).ok_or_else(|| {
+        message(format!("{}: give --contact-radius, or another accuracy.model", errors::UNKNOWN_WORDS))
+    })?;
+    let overlay = |rho: f64| {
+        let opened = Outcome::of(&Case { object: Some(rho), ..case }, model.as_ref()).ok();
+        opened.map_or(Predicted::default(), |(_, own)| Predicted {
+            force: own.object_force(),
+            range: own.force_range,
+        })
+    };
+    reduced(first, Some(&overlay))
 }
 
 /// Prints the points; how they were reduced is told to who asks.
@@ -97,13 +108,13 @@ fn show(args: &Args, ratio: f64, first: f64, points: &[Reduced]) -> Result<(), F
 }
 
 fn point(point: &Reduced) -> Value {
-    let [linear, nonlinear] = point.predicted.unwrap_or_default();
+    let Predicted { force, range } = point.predicted.unwrap_or_default();
     json!({
         "travel_mm": point.press.travel,
         "load_N": point.press.load,
         "radius_mm": point.radius,
         "force_N": point.force,
-        "linear_N": linear,
-        "nonlinear_N": nonlinear,
+        "predicted_N": force,
+        "predicted_range_N": range,
     })
 }

@@ -107,7 +107,7 @@ pub fn optimum(given: &Given, options: &[String], cancel: &AtomicBool) -> Result
     if cancel.load(Ordering::Relaxed) {
         return Err(Failure::Interrupted);
     }
-    let best = optimize::best(&args, &loaded, &found)?;
+    let best = optimize::best(&args, &loaded, &found, &constraints)?;
     let short =
         found.best.iter().map(|Evaluated { point, answer, .. }| shortfalls(point, answer, &constraints));
     Ok(Optimum { short: short.collect(), best: best.map(|best| best.spec), found })

@@ -14,7 +14,7 @@ use crate::design::Design;
 use crate::forecast::by_shell::Detail;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Bounds, Constraints, Effort, Evaluated, Found, Goal, ROUNDING, Search, is_at_pressure,
+    Bounds, Confirmed, Constraints, Effort, Evaluated, Found, Goal, ROUNDING, Search, is_at_pressure,
 };
 use crate::forecast::star_by_shell;
 use crate::forecast::star_by_shell::Refusal;
@@ -138,7 +138,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.voice)?;
     let (found, constraints) = answer(args, &loaded, None)?;
     let said = Said { found: &found, constraints: &constraints };
-    let best = best(args, &loaded, &found)?;
+    let best = best(args, &loaded, &found, &constraints)?;
     if args.voice.json {
         say(&pretty(&said.json(best.as_ref())))?;
     }
@@ -146,7 +146,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         (Some(_), Voice { json: true, .. }) => Ok(()),
         (Some(best), Voice { quiet: true, .. }) => say(&best.spec),
         (Some(Best { spec, confirmed }), _) => {
-            let confirmed = confirmed.map_or_else(String::new, |confirmed| format!("# {confirmed}\n"));
+            let lines = confirmed.iter().flat_map(Confirmed::lines);
+            let confirmed: String = lines.map(|line| format!("# {line}\n")).collect();
             say(&format!("{}{confirmed}# the best that can be built:\n{spec}\n", said.text()))
         }
         (None, voice) => {
@@ -163,7 +164,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// The best one that can be built; `None` if there is none.
-pub(super) fn best(args: &Args, loaded: &Loaded, found: &Found) -> Result<Option<Best>, Failure> {
+pub(super) fn best(
+    args: &Args,
+    loaded: &Loaded,
+    found: &Found,
+    constraints: &Constraints,
+) -> Result<Option<Best>, Failure> {
     if found.front.is_empty() {
         return Ok(None);
     }
@@ -171,7 +177,8 @@ pub(super) fn best(args: &Args, loaded: &Loaded, found: &Found) -> Result<Option
         // Other values in the spec may forbid this star: four points have no inlet at tip 5.
         let Ok(spec) = edited(loaded, candidate) else { continue };
         if let Some(design) = buildable(loaded, &spec) {
-            let confirmed = args.confirm.then(|| confirmed(args.voice, (&spec, &design), candidate));
+            let shell = || confirmed(args.voice, (&spec, &design), candidate, constraints);
+            let confirmed = args.confirm.then(shell);
             return Ok(Some(Best { spec, confirmed: confirmed.transpose()? }));
         }
     }
@@ -285,7 +292,8 @@ fn confirmed(
     voice: Voice,
     (text, design): (&str, &Design),
     candidate: &Evaluated,
-) -> Result<String, Failure> {
+    constraints: &Constraints,
+) -> Result<Confirmed, Failure> {
     let spec = spec::read(&Source::new("optimised", text))?.spec;
     let (found, _) = watched_by(voice, |watch| {
         star_by_shell::predict((&spec, design), &[], Detail::Medium, watch).map_err(|refusal| match refusal {
@@ -295,13 +303,5 @@ fn confirmed(
             }
         })
     })?;
-    let star = &found.first;
-    let radius = candidate.answer.outcome.map_or(f64::NAN, |own| 1e3 * own.rest.radius);
-    let force =
-        |force: Option<f64>| force.map_or(String::new(), |force| format!(", {force:.2} N on the object"));
-    Ok(format!(
-        "confirmed by the shell: it closes to {:.2} mm (predicted {radius:.2}){}",
-        star.final_radius_mm,
-        force(star.object_force_N)
-    ))
+    Ok(Confirmed::new(candidate, constraints, &found))
 }

@@ -5,7 +5,6 @@ use serde_json::{Value, json};
 use crate::cli::figure::rounded;
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::shown::{known, with};
-use crate::forecast::verdict::Holds;
 use crate::pipeline::Forecast;
 use crate::spec::key;
 
@@ -41,20 +40,18 @@ pub(super) fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     rows.push(("closes", closings.join("; ")));
     let weakest = prediction.stars.iter().filter_map(|star| star.burst_pressure_kPa).reduce(f64::min);
     if let Some(burst) = weakest {
-        let range = prediction.stars.iter().find_map(|star| star.ranges.burst_pressure_kPa);
         let times = rounded(burst / pressure.0);
-        rows.push(("bursts", format!("at {}; {times} times its pressure", known(Some(burst), range, "kPa"))));
+        rows.push((
+            "bursts",
+            format!("at {} kPa by the ring, range unknown; {times} times its pressure", rounded(burst)),
+        ));
     }
     rows
 }
 
 /// The same for programs.
 pub(super) fn json(forecast: &Forecast) -> Value {
-    let holds = forecast.verdict().and_then(|verdict| match verdict.holds {
-        Holds::Yes => Some(true),
-        Holds::No => Some(false),
-        Holds::Unknown => None,
-    });
+    let holds = forecast.verdict().and_then(|verdict| verdict.holds.known());
     let refused: Vec<Value> = forecast
         .unfit()
         .iter()

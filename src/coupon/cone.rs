@@ -139,8 +139,17 @@ pub fn read_test(source: &Source) -> Result<Vec<Press>, Faults> {
     Ok(presses)
 }
 
-/// What a prediction says of a radius (m): the radial force, N, of linear hinges and of the model's own.
-pub type Overlay<'a> = &'a dyn Fn(f64) -> [Option<f64>; 2];
+/// A predicted radial force; `None` where the star cannot be, or nothing is known.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Predicted {
+    /// The force, N.
+    pub force: Option<f64>,
+    /// Its range.
+    pub range: Option<[f64; 2]>,
+}
+
+/// What a prediction says of a radius (m).
+pub type Overlay<'a> = &'a dyn Fn(f64) -> Predicted;
 
 /// One point of a test, reduced.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,8 +160,8 @@ pub struct Reduced {
     pub radius: f64,
     /// Radial force of the star, N.
     pub force: f64,
-    /// The radial force that a prediction has there, N, of linear hinges and of the model's own; `None` where the star cannot be.
-    pub predicted: Option<[Option<f64>; 2]>,
+    /// The radial force that a prediction has there, if one is laid over.
+    pub predicted: Option<Predicted>,
 }
 
 /// Reduces a test to radius and radial force.
@@ -182,11 +191,15 @@ pub fn reduce(
 pub fn csv(points: &[Reduced]) -> String {
     let mut out = String::from("travel_mm,load_N,radius_mm,force_N");
     let is_laid_over = points.iter().any(|point| point.predicted.is_some());
-    out.push_str(if is_laid_over { ",linear_N,nonlinear_N\n" } else { "\n" });
+    out.push_str(if is_laid_over { ",predicted_N,predicted_lo_N,predicted_hi_N\n" } else { "\n" });
     for Reduced { press: Press { travel, load }, radius, force, predicted } in points {
         // A String takes everything.
         let _ = write!(out, "{travel},{load},{radius:.6},{force:.6}");
-        for force in predicted.iter().flatten() {
+        let forces = predicted.iter().flat_map(|Predicted { force, range }| {
+            let [low, high] = range.map_or([None; 2], |ends| ends.map(Some));
+            [*force, low, high]
+        });
+        for force in forces {
             let _ = match force {
                 Some(force) => write!(out, ",{force:.6}"),
                 None => write!(out, ","),
@@ -211,10 +224,13 @@ mod tests {
         let test = test("travel_mm,load_N\n0,0\n10,2.5\n").expect("two rows");
         let plain = csv(&reduce(&test, &cone, Balance::Derived, 0.015, None));
         assert_eq!(plain.lines().nth(2), Some("10,2.5,20.773503,3.227761"));
-        let overlay = |radius: f64| [Some(radius * 100.0), None];
+        let overlay = |radius: f64| Predicted { force: Some(radius * 100.0), range: None };
         let laid = csv(&reduce(&test, &cone, Balance::Published, 0.015, Some(&overlay)));
-        assert_eq!(laid.lines().next(), Some("travel_mm,load_N,radius_mm,force_N,linear_N,nonlinear_N"));
-        assert_eq!(laid.lines().nth(1), Some("0,0,15.000000,0.000000,1.500000,"));
+        assert_eq!(
+            laid.lines().next(),
+            Some("travel_mm,load_N,radius_mm,force_N,predicted_N,predicted_lo_N,predicted_hi_N")
+        );
+        assert_eq!(laid.lines().nth(1), Some("0,0,15.000000,0.000000,1.500000,,"));
         // What was reduced can be reduced again, with another friction for instance.
         assert_eq!(read_test(&Source::new("again", laid)).expect("columns by name"), test);
     }

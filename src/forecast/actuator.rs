@@ -137,7 +137,9 @@ impl ActuatorPrediction {
             ) {
                 (Some(range), _) => shown::with(value, range, unit),
                 (None, Some(error)) => shown::meshed(value, error, unit),
-                (None, None) => format!("{value:.decimals$} {unit}").trim_end().to_owned(),
+                (None, None) => {
+                    format!("{value:.decimals$} {unit}").trim_end().to_owned() + ", range unknown"
+                }
             };
         let error = |of: fn(&MeshErrors) -> f64| mesh.map(of);
         lines.push(format!(
@@ -253,6 +255,10 @@ fn warnings(actuator: &Actuator, model: &dyn HingeModel, angle: f64) -> Vec<Stri
             "the model is the limit of a membrane that neither bends nor stretches: a hinge at this pressure is stiffer",
         ),
         (!limit && model.arms(hinge.r_star, hinge.arc()).is_none(), without_arms.as_str()),
+        (
+            !limit && actuator.arm < errors::ACTUATOR_ARM[0] * actuator.width,
+            "with arms shorter than four widths the sealed ends are near, and soften the hinge: with three by a third",
+        ),
         (angle < 0.0, "the arms touch before the hinge is at rest"),
     ];
     let known = known.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned());

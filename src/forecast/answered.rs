@@ -33,17 +33,20 @@ impl Answered<'_> {
         star.d2v_dlambda2 = Hinges { tip: Some(tip.curvature), corner: Some(corner.curvature) };
         star.tip_target_angle_deg = Some(angles.0.to_degrees());
         star.corner_target_angle_deg = Some(angles.1.to_degrees());
-        star.tip_equilibrium_angle_deg = Some(outcome.rest.equilibrium.to_degrees());
-        star.final_radius_mm = Some(mm(outcome.rest.radius));
-        star.contraction = Some(outcome.contraction);
         star.hinge_stiffness_Nm = stiffness;
-        star.radial_stiffness_N_per_m = outcome.stiffness;
-        star.preload_N = outcome.preload;
-        star.graspable_radius_mm = Some(outcome.graspable.map(mm));
-        star.object_force_N = outcome.object_force();
-        star.payload_kg = outcome.payload;
         star.ranges = ranges(case, outcome, stiffness);
         star.correction = case.mechanism.correction;
+        star.hold = outcome.hold;
+        if outcome.known {
+            star.tip_equilibrium_angle_deg = Some(outcome.rest.equilibrium.to_degrees());
+            star.final_radius_mm = Some(mm(outcome.rest.radius));
+            star.contraction = Some(outcome.contraction);
+            star.radial_stiffness_N_per_m = outcome.stiffness;
+            star.preload_N = outcome.preload;
+            star.graspable_radius_mm = Some(outcome.graspable.map(mm));
+            star.object_force_N = outcome.object_force();
+            star.payload_kg = outcome.payload;
+        }
         let evidence = &mut star.evidence;
         evidence.residual = tip.effort.residual.max(corner.effort.residual);
         evidence.iterations = tip.effort.iterations + corner.effort.iterations;

@@ -97,6 +97,17 @@ pub fn hinge_model(
     })
 }
 
+/// The model that `chosen` names for the star of `case` at the gauge pressure `pressure` (Pa); what `auto` takes where it names none.
+///
+/// # Errors
+/// If it does not cover the star.
+pub fn of_spec(chosen: ModelChoice, case: &Case, pressure: f64) -> Result<Box<dyn HingeModel>, StarFault> {
+    match named(chosen) {
+        Some(level) => hinge_model(level, &case.sheet, Some(pressure), case.mechanism.width),
+        None => Ok(Box::new(tabled(case, pressure)?)),
+    }
+}
+
 /// What lies outside of the validity of `model` for `case`, in words.
 pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
     let (star, level) = (&case.mechanism, model.level());

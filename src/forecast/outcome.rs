@@ -2,7 +2,7 @@
 
 use crate::forecast::case::Case;
 use crate::forecast::choice::corrected;
-use crate::forecast::ranges::{Interval, Ranges, scaled};
+use crate::forecast::ranges::{Interval, Ranges, Standing, scaled};
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::HingeModel;
 use crate::mechanics::star::response::{Inflated, Rest};
@@ -20,14 +20,16 @@ const LOCKING: f64 = 1.0 / 16.0;
 pub struct Outcome {
     /// Where it rests, and how far it opens.
     pub rest: Rest,
+    /// Whether anything is known of it: a limit always is one, and `section` knows stars like those that were computed as shells.
+    pub known: bool,
     /// 1 - rho_f / rho_0.
     pub contraction: f64,
     /// Radii that it can hold, m: from rho_f to the largest that both the flat star lets in and the inflated one opens
     /// to; empty, both ends rho_f, if there are none.
     pub graspable: [f64; 2],
-    /// Radial stiffness at rest, N per m.
+    /// Radial stiffness at rest, N per m; `None` too where arms touch, of which only a limit says something.
     pub stiffness: Option<f64>,
-    /// Radial force that is stored in a star that is pressed shut, N.
+    /// Radial force that is stored in a star that is pressed shut, N; by a limit, no shell was compared with it.
     pub preload: Option<f64>,
     /// What becomes of the object; needs a pressure.
     pub hold: Option<Hold>,
@@ -58,6 +60,8 @@ pub enum Hold {
     TooWideToOpen,
     /// The model has no force there.
     Unknown(StarFault),
+    /// It is held, and nobody knows how hard: arms touch, or no shell was opened so far.
+    Untried,
 }
 
 impl Outcome {
@@ -86,7 +90,22 @@ impl Outcome {
             own.object_force().and(case.object).and_then(|rho| ranges.force(&case.mechanism, rho, &own.rest));
         let payload_range =
             case.friction.zip(force_range).map(|(mu, range)| scaled(range, payload(mu, [1.0])));
-        Self { ranges, force_range, payload_range, ..own }
+        let own = Self { ranges, force_range, payload_range, ..own };
+        if case.mechanism.correction.gives { own.as_far_as_known() } else { own }
+    }
+
+    /// Without the numbers of which no range is known: those are of a star at its pressure, and not of a limit.
+    fn as_far_as_known(self) -> Self {
+        let known = self.ranges.standing != Standing::Unknown;
+        let untried = matches!(self.hold, Some(Hold::Held(_))) && self.force_range.is_none();
+        Self {
+            known,
+            stiffness: self.stiffness.filter(|_| self.ranges.stiffness.is_some()),
+            preload: self.preload.filter(|_| self.ranges.stiffness.is_some()),
+            hold: if untried || !known { self.hold.map(|_| Hold::Untried) } else { self.hold },
+            payload: self.payload.filter(|_| known && !untried),
+            ..self
+        }
     }
 
     /// With the model's own V_bar.
@@ -110,6 +129,7 @@ impl Outcome {
         let width = case.mechanism.width;
         Self {
             rest,
+            known: true,
             contraction: 1.0 - rest.radius / rho_0,
             graspable: [rest.radius, rest.widest.radius.min(rho_0).max(rest.radius)],
             stiffness: with_pressure(rest.stiffness),
@@ -155,6 +175,15 @@ impl Outcome {
                 mm(most)
             )),
             Hold::Unknown(fault) => Some(format!("no force on the object: {fault}")),
+            Hold::Untried if self.ranges.stiffness.is_none() => Some(
+                "the arms touch: how hard the star presses on the object is not known; a wider tip_angle keeps them apart"
+                    .to_owned(),
+            ),
+            Hold::Untried => Some(
+                "the object opens the star further than any that was computed as a shell: how hard it presses is not known; a \
+                 larger inner_radius closes less far"
+                    .to_owned(),
+            ),
         }
     }
 
@@ -176,7 +205,7 @@ impl Hold {
         match self {
             Self::Held(force) => Some(force),
             Self::TooThin => Some(0.0),
-            Self::TooWideToEnter | Self::TooWideToOpen | Self::Unknown(_) => None,
+            Self::TooWideToEnter | Self::TooWideToOpen | Self::Unknown(_) | Self::Untried => None,
         }
     }
 }

@@ -1,13 +1,13 @@
 //! From a spec to the answer: chooses the model, asks it about every star, and says how good the answer is.
 
 use crate::design::{Design, StarDesign};
-use crate::forecast::answered::{Answered, mm, of_the_shape};
+use crate::forecast::answered::{Answered, of_the_shape};
 use crate::forecast::case::{Case, measured_stiffnesses};
 use crate::forecast::choice::{corrected, hinge_model, limits_of_validity, named, tabled};
-use crate::forecast::outcome::Outcome;
+use crate::forecast::outcome::{Hold, Outcome};
 use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Prediction, StarPrediction};
-use crate::forecast::pressures::rows;
-use crate::forecast::ranges::{Ranges, Standing, StarRanges, errors, sum};
+use crate::forecast::pressures::{LEAST, MOST, rows};
+use crate::forecast::ranges::{Interval, Ranges, Standing, StarRanges, errors, outside, sum};
 use crate::forecast::seal_load::{burst, factor, remedy, safe_radius};
 use crate::forecast::verdict::verdict;
 use crate::mechanics::fault::{HingeFault, StarFault};
@@ -79,7 +79,11 @@ pub fn add_curve(
         let stars = predict(&at, design)?.stars;
         for (curve, star) in curves.iter_mut().zip(&stars) {
             let [low, high] = star.ranges.object_force_N.map_or([None; 2], |range| range.map(Some));
-            curve.extend(star.object_force_N.map(|force| ForceAt(radius.0, force, low, high)));
+            let held =
+                star.graspable_radius_mm.is_some_and(|[least, most]| (least..=most).contains(&radius.0));
+            if held || star.object_force_N.is_some() {
+                curve.push(ForceAt(radius.0, star.object_force_N, low, high));
+            }
         }
     }
     for (star, curve) in prediction.stars.iter_mut().zip(curves) {
@@ -112,7 +116,14 @@ impl Asked<'_> {
         let Some(pressure) = self.case.pressure else {
             let why = "what it does depends on the pressure, and none is given";
             let rows = rows(&self.case, self.seal.burst);
-            return Ok(StarPrediction { pressures: Some(rows), ..self.unknown(why.to_owned()) });
+            let mut star = self.unknown(why.to_owned());
+            if rows.is_empty() {
+                star.evidence.warnings.push(format!(
+                    "at no pressure from {LEAST} to {MOST} kPa is anything known of this star: {}",
+                    errors::UNKNOWN_WORDS
+                ));
+            }
+            return Ok(StarPrediction { pressures: Some(rows), ..star });
         };
         match tabled(&self.case, pressure) {
             Ok(model) => {
@@ -135,12 +146,14 @@ impl Asked<'_> {
         let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
         let outcome = Outcome::linear(case, &inflated);
         let answered = Answered { model, inflated, outcome };
-        let mut star = self.unknown(choice);
+        let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
         let warnings = &mut star.evidence.warnings;
         warnings.extend(limits_of_validity(model, case));
         warnings.extend(self.of_the_ranges(&outcome));
-        warnings.extend(of_the_shape(case, &outcome));
-        warnings.extend(outcome.object_warning(case));
+        if outcome.known {
+            warnings.extend(of_the_shape(case, &outcome));
+            warnings.extend(outcome.object_warning(case));
+        }
         star.nonlinear = answered.nonlinear(case, self.spec.accuracy.response, warnings);
         answered.fill(&mut star, case)?;
         Ok(star)
@@ -203,6 +216,7 @@ impl Asked<'_> {
                 safe_radius_mm: seal.safe.map(|radius| radius.0),
                 warnings,
             },
+            hold: case.pressure.and(case.object).map(|_| Hold::Untried),
             correction: case.mechanism.correction,
         }
     }
@@ -211,18 +225,43 @@ impl Asked<'_> {
     fn of_the_ranges(&self, outcome: &Outcome) -> Option<String> {
         let Ranges { standing, radius, .. } = outcome.ranges;
         let (accepted, found) = (self.spec.accuracy.response, outcome.rest.radius);
-        let open = radius.map(|[low, high]| (high - found).max(found - low));
         match standing {
             Standing::Beyond => {
-                Some(format!("{}: ranges are {} times as wide", errors::BEYOND_WORDS, errors::BEYOND))
+                let outside = outside(&self.case);
+                Some(format!(
+                    "{}, {outside}: ranges are {} times as wide",
+                    errors::BEYOND_WORDS,
+                    errors::BEYOND
+                ))
             }
-            _ if open.is_some_and(|open| open > accepted.ratio() * found) => Some(format!(
-                "the final radius is known to {:.1} mm only, more than the accepted {accepted}: `predict --model shell` says more",
-                mm(open.unwrap_or_default())
-            )),
-            _ => None,
+            _ if !outcome.known => Some(unlike(&self.case)),
+            _ => {
+                let part = |range: Interval, value: f64| (range[1] - value).max(value - range[0]) / value;
+                // What is asked for: a force where there is an object, else how far it closes.
+                let force = outcome.object_force().filter(|force| *force > 0.0).zip(outcome.force_range);
+                let asked = [
+                    ("the final radius", radius.map(|range| part(range, found))),
+                    ("the force on the object", force.map(|(force, range)| part(range, force))),
+                ];
+                let wide = asked.into_iter().filter_map(|(what, part)| Some((what, part?)));
+                let wide: Vec<String> = wide
+                    .filter(|(_, part)| *part > accepted.ratio())
+                    .map(|(what, part)| format!("{what} is known to {:.0} %", (100.0 * part).ceil()))
+                    .collect();
+                (!wide.is_empty()).then(|| {
+                    format!(
+                        "{} only, more than the accepted {accepted}: `predict --model shell` may say more",
+                        wide.join(", ")
+                    )
+                })
+            }
         }
     }
+}
+
+/// That nothing is known of the star of `case`, and why.
+fn unlike(case: &Case) -> String {
+    format!("{}: {}", errors::UNKNOWN_WORDS, outside(case))
 }
 
 /// What the seal bears at the radii that the band makes of the hinges; by the exact ring, whatever the model.

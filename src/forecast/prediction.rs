@@ -1,6 +1,7 @@
 //! The answer: what one spec's stars do, with the evidence for it. Lengths in mm, angles in deg.
 
 pub use crate::forecast::case::Hinges;
+use crate::forecast::outcome::Hold;
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, StarRanges, scaled, shown};
 use crate::mechanics::star::Correction;
@@ -31,6 +32,17 @@ pub enum Holds {
     No,
     /// Within its ranges it may or may not, or no range is known.
     Unknown,
+}
+
+impl Holds {
+    /// As a truth value; `None` where it is not known.
+    pub fn known(self) -> Option<bool> {
+        match self {
+            Self::Yes => Some(true),
+            Self::No => Some(false),
+            Self::Unknown => None,
+        }
+    }
 }
 
 /// What becomes of the object.
@@ -137,14 +149,17 @@ pub struct StarPrediction {
     pub nonlinear: Option<Nonlinear>,
     /// How good all this is.
     pub evidence: Evidence,
+    /// What becomes of the object; needs pressure and object_radius.
+    #[serde(skip)]
+    pub hold: Option<Hold>,
     /// What inflation does to the star beyond hinges and rigid arms.
     #[serde(skip)]
     pub correction: Correction,
 }
 
-/// A radius, mm, the radial force there, N, and the ends of its range.
+/// A radius, mm, the radial force there, N, and the ends of its range; `None` where they are not known.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct ForceAt(pub f64, pub f64, pub Option<f64>, pub Option<f64>);
+pub struct ForceAt(pub f64, pub Option<f64>, pub Option<f64>, pub Option<f64>);
 
 /// The same star with the model's own V_bar.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -3,7 +3,7 @@
 use crate::forecast::case::Case;
 use crate::forecast::choice::tabled;
 use crate::forecast::outcome::Outcome;
-use crate::forecast::ranges::{Interval, mm};
+use crate::forecast::ranges::{Interval, Standing, mm};
 use crate::mechanics::fault::StarFault;
 use crate::units::{Length, Pressure};
 use serde::Serialize;
@@ -26,16 +26,18 @@ pub struct PressureRow {
     pub stretch: f64,
     /// Burst pressure over this one; needs seal_strength.
     pub burst_margin: Option<f64>,
-    /// Whether it is the best: the largest force on the object, or without an object the least radius, that does not burst.
+    /// Whether stars around it were computed as shells; where not, ranges are four times as wide.
+    pub tried: bool,
+    /// Whether it is the best: the largest force on the object that is sure, or without an object the least radius, that does not burst.
     pub best: bool,
 }
 
 /// Steps within a decade.
 const STEPS: [f64; 8] = [1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 7.0];
 /// Least pressure that is shown, kPa.
-const LEAST: f64 = 1.0;
+pub const LEAST: f64 = 1.0;
 /// Largest, kPa.
-const MOST: f64 = 100.0;
+pub const MOST: f64 = 100.0;
 
 /// The pressures at which `section` and its arms know the star of `case`, which bursts at `burst` (Pa), if that is known.
 pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
@@ -44,6 +46,7 @@ pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
     let mut rows: Vec<PressureRow> =
         all.filter(|kpa| *kpa <= MOST).filter_map(|kpa| row(case, burst, kpa).ok().flatten()).collect();
     // The first of equals: less pressure does the same.
+    let merit = |row: &PressureRow| merit(row, case.object.is_some());
     let better = |a: &PressureRow, b: &PressureRow| merit(a).total_cmp(&merit(b)).is_gt();
     let mut best: Option<usize> = None;
     for (i, row) in
@@ -53,15 +56,17 @@ pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
             best = Some(i);
         }
     }
-    if let Some(row) = best.and_then(|best| rows.get_mut(best)) {
+    if let Some(row) =
+        best.and_then(|best| rows.get_mut(best)).filter(|row| case.object.is_none() || merit(row) > 0.0)
+    {
         row.best = true;
     }
     rows
 }
 
-/// What is to be largest.
-fn merit(row: &PressureRow) -> f64 {
-    row.force_range_N.map(|range| range[0]).or(row.object_force_N).unwrap_or(-row.final_radius_mm)
+/// What is to be largest: the force that is sure where there is an object, which is 0 where it is not known; else how far it closes.
+fn merit(row: &PressureRow, object: bool) -> f64 {
+    if object { row.force_range_N.map_or(0.0, |range| range[0]) } else { -row.final_radius_mm }
 }
 
 /// `None` where nothing is known of the star at this pressure.
@@ -78,6 +83,7 @@ fn row(case: &Case, burst: Option<f64>, kpa: f64) -> Result<Option<PressureRow>,
         force_range_N: outcome.force_range,
         stretch: case.sheet.stretch(pressure, case.mechanism.width),
         burst_margin: burst.map(|burst| burst / pressure),
+        tried: outcome.ranges.standing == Standing::Tried,
         best: false,
     }))
 }

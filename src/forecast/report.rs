@@ -1,5 +1,6 @@
 //! The answer as a person reads it: what the gripper does, what was assumed, what to beware of.
 
+use crate::forecast::outcome::Hold;
 use crate::forecast::prediction::{ForceAt, Hinges, Prediction, StarPrediction};
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, scaled, shown};
@@ -62,16 +63,21 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         if is_limit { format!("{}, range unknown", show(value, unit)) } else { "unknown".to_owned() }
     };
     for (what, value, range, unit) in quantities(star) {
-        let Some(value) = value else { continue };
-        line(what, range.map_or_else(|| unknown(value, unit), |range| shown::with(value, range, unit)));
+        let said = match (value, range) {
+            (Some(value), Some(range)) => shown::with(value, range, unit),
+            (Some(value), None) => unknown(value, unit),
+            (None, _) if is_asked(star, what) && !is_limit => "unknown".to_owned(),
+            (None, _) => continue,
+        };
+        line(what, said);
     }
     let optional = [
         ("full actuation from", Some(star.operating_pressure_kPa), "kPa"),
         ("bendability", star.bendability, ""),
         ("stretch of the fabric p W / Y", star.stretch.map(|stretch| 100.0 * stretch), "%"),
         ("preload when shut", star.preload_N.filter(|f| *f > 0.0), "N"),
-        ("burst pressure", star.burst_pressure_kPa, "kPa"),
-        ("burst margin", star.burst_margin, ""),
+        ("burst pressure, by the ring", star.burst_pressure_kPa, "kPa, range unknown"),
+        ("burst margin, by the ring", star.burst_margin, ""),
         ("mass", star.mass_g, "g"),
     ];
     if let Some([least, most]) = star.graspable_radius_mm {
@@ -89,21 +95,46 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     }
     for ForceAt(radius, force, low, high) in star.force_curve.iter().flatten() {
         let range = low.zip(*high).map(|(low, high)| [low, high]);
-        let said = range.map_or_else(|| unknown(*force, "N"), |range| shown::with(*force, range, "N"));
+        let said = match (*force, range) {
+            (Some(force), Some(range)) => shown::with(force, range, "N"),
+            (Some(force), None) => unknown(force, "N"),
+            (None, _) => "unknown".to_owned(),
+        };
         line(&format!("force at {} mm", Readable(*radius)), said);
     }
     for warning in &star.evidence.warnings {
         line("warning", warning.clone());
     }
-    for row in star.pressures.iter().flatten().take(1) {
+    let rows = star.pressures.as_deref().unwrap_or_default();
+    let held = rows.iter().any(|row| row.object_force_N.is_some());
+    if !rows.is_empty() {
+        let force = if held { "force on the object       " } else { "" };
         let _ = writeln!(
             out,
-            "\n  at the pressure        final radius              {}stretch   burst margin",
-            if row.object_force_N.is_some() { "force on the object       " } else { "" }
+            "\n  at the pressure        final radius              {force}stretch   burst margin"
         );
     }
-    for row in star.pressures.iter().flatten() {
-        pressure_text(out, row);
+    for row in rows {
+        pressure_text(out, row, held);
+    }
+    if let Some(best) = rows.iter().position(|row| row.best) {
+        let most = if held { "the largest force that is sure" } else { "the least final radius" };
+        let end = if best + 1 == rows.len() { "; what more pressure does is not known" } else { "" };
+        let _ = writeln!(out, "  best: {most}, without bursting{end}");
+    }
+}
+
+/// Radial force on the object.
+const FORCE: &str = "force on the object";
+/// The share of a stack's payload.
+const PAYLOAD: &str = "payload of this star";
+
+/// Whether the spec asks for `what`, so that it is said where it is not known.
+fn is_asked(star: &StarPrediction, what: &str) -> bool {
+    match what {
+        FORCE => star.hold == Some(Hold::Untried),
+        PAYLOAD => false,
+        _ => star.bendability.is_some(),
     }
 }
 
@@ -120,22 +151,26 @@ fn quantities(star: &StarPrediction) -> [(&'static str, Option<f64>, Option<Inte
         ("hinge stiffness tip", stiffness.0, ranges.hinge_stiffness_Nm.tip, "N m/rad"),
         ("hinge stiffness corner", stiffness.1, ranges.hinge_stiffness_Nm.corner, "N m/rad"),
         ("radial stiffness", star.radial_stiffness_N_per_m, ranges.radial_stiffness_N_per_m, "N/m"),
-        ("force on the object", star.object_force_N, ranges.object_force_N, "N"),
-        ("payload of this star", star.payload_kg, ranges.payload_kg, "kg"),
+        (FORCE, star.object_force_N, ranges.object_force_N, "N"),
+        (PAYLOAD, star.payload_kg, ranges.payload_kg, "kg"),
     ]
 }
 
-fn pressure_text(out: &mut String, row: &PressureRow) {
-    let force = row
-        .object_force_N
-        .map_or(String::new(), |force| format!("{:26}", shown::known(Some(force), row.force_range_N, "N")));
+/// `row`, with a force where some row has one: `held`.
+fn pressure_text(out: &mut String, row: &PressureRow, held: bool) {
+    let known = || format!("{:26}", shown::known(row.object_force_N, row.force_range_N, "N"));
+    let force = if held { known() } else { String::new() };
+    let note = match (row.best, row.tried) {
+        (true, _) => "   <- best",
+        (_, false) => "   beyond what was tried",
+        _ => "",
+    };
     let _ = writeln!(
         out,
-        "  {:8} kPa           {:26}{force}{:5.1} %   {}{}",
+        "  {:8} kPa           {:26}{force}{:5.1} %   {}{note}",
         Readable(row.pressure_kPa).to_string(),
         shown::known(Some(row.final_radius_mm), row.radius_range_mm, "mm"),
         100.0 * row.stretch,
         row.burst_margin.map_or("unknown".to_owned(), |margin| format!("{margin:.2}")),
-        if row.best { "   <- best" } else { "" }
     );
 }

@@ -209,7 +209,9 @@ impl ShellStar {
         for (ForceAt(radius, force, ..), error) in
             self.force_curve.iter().flatten().zip(mesh.force_curve.iter().flatten())
         {
-            line(&format!("force at {} mm", Readable(*radius)), show(*force, "N", *error));
+            if let Some(force) = *force {
+                line(&format!("force at {} mm", Readable(*radius)), show(force, "N", *error));
+            }
         }
         let place = |place: &Place, unit: &str| {
             let [x, y] = place.at_mm;

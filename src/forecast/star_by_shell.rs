@@ -115,7 +115,7 @@ impl Answered<'_> {
             graspable_radius_mm: None,
             object_force_N: on_object.map(|force| force.value),
             force_curve: (!radii.is_empty()).then(|| {
-                curve.iter().map(|(radius, force)| ForceAt(*radius, force.value, None, None)).collect()
+                curve.iter().map(|(radius, force)| ForceAt(*radius, Some(force.value), None, None)).collect()
             }),
             bendability: flat.tube.bendability(),
             operating_pressure_kPa: Pressure::from_pascals(case.operating_pressure()).0,

@@ -1,5 +1,6 @@
 //! Whether a gripper holds the object of its `[load]`, in one word and with reasons.
 
+use crate::forecast::outcome::Hold;
 use crate::forecast::prediction::StarPrediction;
 pub use crate::forecast::prediction::{Holds, Verdict};
 use crate::forecast::ranges::{Interval, sum};
@@ -82,7 +83,7 @@ impl Judged {
             self.refute(of(format!("it bursts at {margin:.2} of the pressure")));
         }
         let Some([least, most]) = star.graspable_radius_mm else {
-            return self.doubt(of(format!("nothing is known of it: {}", star.evidence.choice)));
+            return self.doubt(of(star.evidence.choice.clone()));
         };
         if object > most {
             return self.pass(of(format!("the object does not go in: it opens to {most:.1} mm")));
@@ -100,6 +101,9 @@ impl Judged {
                     .pass(of(format!("it closes to {least:.1} mm only and does not reach the object")));
             }
             Some(_) | None => {}
+        }
+        if star.hold == Some(Hold::Untried) {
+            self.doubt(of("how hard it presses on the object is not known".to_owned()));
         }
         match (bears, star.ranges.object_force_N, star.object_force_N) {
             (Some(Force(bears)), Some([low, _]), _) if low > bears => {

@@ -31,7 +31,8 @@ impl Forecast {
 
     /// The manifest that names `files`, those that were `asked` for.
     pub(super) fn manifest(&self, files: Vec<ManifestFile>, asked: &Asked) -> Manifest {
-        Manifest::new(&self.spec, &self.design, &self.programs).with_files(files, asked)
+        let bill = Manifest::new(&self.spec, &self.design, &self.programs);
+        bill.with_prediction(self.prediction.as_ref()).with_files(files, asked)
     }
 }
 

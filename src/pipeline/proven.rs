@@ -172,8 +172,8 @@ fn other_profile(forecast: &Forecast, files: &OutputFiles<'_>) -> Option<Finding
 
 fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
     let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
-    let manifest = Manifest::new(spec, design, programs);
-    let (prediction, manifest) = (prediction.as_ref(), &manifest);
+    let prediction = prediction.as_ref();
+    let manifest = &Manifest::new(spec, design, programs).with_prediction(prediction);
     let expected = Expected { design, spec, machine, prediction, manifest };
     verify::prove(&expected, files)
 }

@@ -145,11 +145,12 @@ fn each_goal_is_served_best_by_its_own_search() {
     }
 }
 
-/// The least fabric has an optimum on the edge of the box that can be seen: the narrowest tube, and the widest angle.
+/// The least fabric has an optimum on the edge of the box that can be seen: the narrowest tube, and the widest angle. With fewer points it
+/// would not close to the object.
 #[test]
 fn an_optimum_at_the_corner_of_the_box_is_reached() {
     let best = &found(Goal::Fabric).best[0].point.star;
-    assert_eq!((best.tube_width, best.points), (Length(12.0), 3));
+    assert_eq!((best.tube_width, best.points), (Length(12.0), 6));
 }
 
 #[test]

@@ -21,7 +21,7 @@ const MAY_USE: [(&str, &[&str]); 20] = [
     ("airtight", &["design", "forecast", "geom", "spec", "units"]),
     ("plan", &["design", "geom", "spec", "units"]),
     ("artifact", &["design", "spec"]),
-    ("manifest", &["artifact", "design", "digest", "plan", "spec"]),
+    ("manifest", &["artifact", "design", "digest", "forecast", "plan", "spec"]),
     ("emit", &["design", "forecast", "geom", "manifest", "plan", "spec", "units"]),
     ("verify", &["artifact", "design", "forecast", "geom", "manifest", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),

@@ -112,7 +112,7 @@ areal_density = "0.3 kg/m^2"
 points = 3
 inner_radius = "30 mm"
 tube_width = "20 mm"
-tip_angle = "50 deg"
+tip_angle = "40 deg"
 tip_radius = "3 mm"
 corner_radius = "3 mm"
 [stack]

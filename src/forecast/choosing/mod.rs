@@ -12,7 +12,7 @@ pub use self::text::spec_text;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::case::sheet;
 use crate::forecast::optimize::{
-    Bounds, Constraints, Effort, Evaluated, Found, Goal, Search, Short, UNTRIED, shortfalls,
+    Bounds, Constraints, Effort, Evaluated, Found, Goal, Search, Short, shortfalls,
 };
 use crate::forecast::ranges::errors;
 use crate::mechanics::hinge::ring::RingTable;
@@ -224,7 +224,7 @@ impl Wish {
             ),
             "burst" => "the seal bursts: less pressure, a stronger seal".to_owned(),
             "closing" => format!("it closes {percent:.1} % short of the object"),
-            "hole" | "opening" | "object" => format!("it opens {percent:.1} % short of the object"),
+            "inner_radius" | "opening" | "object" => format!("it opens {percent:.1} % short of the object"),
             "arms" => format!("arms would be {percent:.1} % shorter than half a tube's width"),
             _ => "no star that was tried is like it: another pressure, or another fabric".to_owned(),
         }
@@ -262,17 +262,4 @@ fn rounded(found: &Evaluated, constraints: &Constraints, ring: &RingTable) -> Op
         let all = (0..1 << ROUNDED).filter_map(|up| to(&around(up)));
         all.min_by(|a, b| a.fabric().total_cmp(&b.fabric()))
     })
-}
-
-/// Whether the forces of `choice` were compared with shells, or half of what the model says is counted on.
-fn is_compared(choice: &Choice) -> bool {
-    choice.best.answer.payload_range.is_some()
-}
-
-/// In words what is counted on where no shell was compared with a force.
-fn counted_on() -> String {
-    format!(
-        "{:.0} % of what the model says at most, because forces were not compared with shells",
-        100.0 * UNTRIED
-    )
 }

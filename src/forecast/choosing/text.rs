@@ -1,7 +1,7 @@
 //! A chosen gripper as a spec, each value with the reason why it is what it is.
 
 use crate::forecast::case::sheet;
-use crate::forecast::choosing::{Choice, MARGIN, counted_on, is_compared};
+use crate::forecast::choosing::{Choice, MARGIN};
 use crate::forecast::optimize::sure_payload;
 use crate::forecast::ranges::{Interval, mm, shown};
 use crate::mechanics::strength::GRAVITY;
@@ -47,14 +47,12 @@ impl Lines {
     fn head(&mut self, choice: &Choice) {
         let wish = &choice.wish;
         self.comment(&format!(
-            "{} an object {} across and of {}, with friction {}: `stargrip-cam predict` says how it does that.",
-            if is_compared(choice) { "Holds" } else { "Is to hold" },
+            "Holds an object {} across and of {}, with friction {}: `stargrip-cam predict` says how it does that.",
             Length(2.0 * wish.object.0),
             wish.mass,
             Readable(wish.friction)
         ));
-        let what = if is_compared(choice) { "the lower end of the range".to_owned() } else { counted_on() };
-        self.comment(&format!("Counted on is {MARGIN} times the mass at least: {what}."));
+        self.comment(&format!("Counted on is {MARGIN} times the mass at least: the lower end of the range."));
         self.comment("The values below were searched; the comments say why each is what it is.");
         self.text.push('\n');
     }

@@ -8,8 +8,6 @@ use crate::units::Length;
 
 /// By how much constraints are tightened for the search, so that they still hold once the values are rounded.
 pub const ROUNDING: f64 = 5e-4;
-/// The part of a predicted force that is counted on where no shell was compared with it.
-pub const UNTRIED: f64 = 0.5;
 
 /// What a design must do; absent constraints always hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -40,23 +38,32 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
         all.push(("no model", 10.0));
     }
     if let Some(own) = &answer.outcome {
-        if is_at_pressure(point.model) && own.ranges.standing == Standing::Unknown {
-            all.push(("untried", 1.0));
+        if is_at_pressure(point.model) {
+            match own.ranges.standing {
+                Standing::Tried => {}
+                Standing::Beyond => all.push(("untried", 0.5)),
+                Standing::Unknown => all.push(("untried", 1.0)),
+            }
         }
         if let Some([close, open]) = constraints.grasp {
             let mm = |metres: f64| Length::from_metres(metres).0;
             let widest = mm(own.rest.widest.radius);
             all.push(("closing", over(mm(least_sure(own)), close.0)));
-            all.push(("hole", short(Some(star.rho_0), open.0)));
+            all.push(("inner_radius", short(Some(star.rho_0), open.0)));
             all.push(("opening", short(Some(widest), open.0 * (1.0 + ROUNDING))));
         }
         if let Some(most) = constraints.largest_force {
-            all.push(("pressing", most_force(own).map_or(0.0, |force| over(force, most))));
+            // A force of which nothing is known may be too much.
+            let unknown = if own.hold == Some(Hold::Untried) { 1.0 } else { 0.0 };
+            all.push(("pressing", most_force(point, own).map_or(unknown, |force| over(force, most))));
         }
-        if point.load.object_radius.is_some()
-            && matches!(own.hold, Some(Hold::TooWideToEnter | Hold::TooWideToOpen))
-        {
-            all.push(("object", 0.1));
+        match own.hold {
+            Some(Hold::TooWideToEnter | Hold::TooWideToOpen) => all.push(("object", 0.1)),
+            Some(Hold::TooThin) => {
+                let object = point.load.object_radius.map_or(own.rest.radius, Length::metres);
+                all.push(("object", over(own.rest.radius, object)));
+            }
+            Some(Hold::Held(_) | Hold::Unknown(_) | Hold::Untried) | None => {}
         }
     }
     if let Some(payload) = constraints.payload {
@@ -85,31 +92,17 @@ fn least_sure(own: &Outcome) -> f64 {
 }
 
 /// The largest force with which it may press, N; `None` if none is known.
-fn most_force(own: &Outcome) -> Option<f64> {
-    let force = own.object_force()?;
-    Some(match own.force_range {
-        Some([_, high]) => high,
-        None if own.ranges.standing == Standing::Unknown => force,
-        None => force / UNTRIED,
-    })
-}
-
-/// The payload of the stack that is counted on, kg.
-pub fn sure_payload(point: &Candidate, answer: &Answer) -> Option<f64> {
-    match answer.payload_range {
-        Some([low, _]) => Some(low),
-        None if is_at_pressure(point.model) => {
-            let part = answer.outcome.as_ref().map_or(0.0, |own| not_locking(point, own));
-            answer.payload.map(|payload| UNTRIED * part * payload)
-        }
-        None => answer.payload,
+fn most_force(point: &Candidate, own: &Outcome) -> Option<f64> {
+    match own.force_range {
+        Some([_, high]) => Some(high),
+        None => own.object_force().filter(|_| !is_at_pressure(point.model)),
     }
 }
 
-/// The part of the force on the object that is left where it is taken to grow with the stiffness at rest only, and not with the
-/// lever of arms that are about to lock.
-fn not_locking(point: &Candidate, own: &Outcome) -> f64 {
-    let Some((force, object)) = own.object_force().zip(point.load.object_radius) else { return 1.0 };
-    let linear = own.rest.preload + own.rest.stiffness * (object.metres() - own.rest.radius);
-    if force > linear { (linear / force).max(0.0) } else { 1.0 }
+/// The payload of the stack that is counted on, kg; `None` where nothing is known of it, and of a limit that was asked for its own.
+pub fn sure_payload(point: &Candidate, answer: &Answer) -> Option<f64> {
+    match answer.payload_range {
+        Some([low, _]) => Some(low),
+        None => answer.payload.filter(|_| !is_at_pressure(point.model)),
+    }
 }

@@ -4,13 +4,13 @@
 //! doubled, one that does not is halved. Designs are compared by how far they are from meeting the constraints, and among those that
 //! meet them by the goal. Constraints hold at the bad end of the ranges, and nothing of which nothing is known wins.
 
+mod confirmed;
 mod constraints;
 mod front;
 mod poll;
 
-pub use self::constraints::{
-    Constraints, ROUNDING, Short, UNTRIED, is_at_pressure, shortfalls, sure_payload,
-};
+pub use self::confirmed::{Compared, Confirmed, Judgement};
+pub use self::constraints::{Constraints, ROUNDING, Short, is_at_pressure, shortfalls, sure_payload};
 pub use self::front::thinned;
 
 use self::front::front;

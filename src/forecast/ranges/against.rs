@@ -38,6 +38,8 @@ pub struct Against {
     pub number: u32,
     /// n.
     pub points: u32,
+    /// W, m.
+    pub width: f64,
     /// rho_f, m.
     pub radius: Pair,
     /// The tips' angle at rest, rad; `None` where arms touch.
@@ -89,6 +91,7 @@ pub fn against(star: &Computed) -> Option<Against> {
         set: star.star.set,
         number: star.star.number,
         points: star.star.points,
+        width: moves.width,
         radius: Pair { error: rest.error / unit, ..rest },
         angle: angle.map(|pair| Pair { error: pair.error * moves.arm / moves.width, ..pair }),
         stiffness: spring.filter(|_| settled).map(|pair| Pair { error: pair.shell / pair.predicted, ..pair }),

@@ -44,5 +44,7 @@ pub const R_STAR: Interval = [0.0, 0.3];
 pub const TIP_ANGLE: Interval = [15.0, 70.0];
 /// Flat arcs of corners that were tried, deg.
 pub const CORNER_ARC: Interval = [20.0, 120.0];
+/// What is said of a star that lies far beyond it, or whose hinges' arms are not in their table.
+pub const UNKNOWN_WORDS: &str = "nothing is known of stars like this one, none was computed as a shell";
 /// What is said of a star that lies beyond what was tried.
-pub const BEYOND_WORDS: &str = "stars like this one were not computed as shells (3 to 8 points, arms of half to five widths, R* up to 0.3, tips of 15 to 70 deg were)";
+pub const BEYOND_WORDS: &str = "stars like this one were not computed as shells";

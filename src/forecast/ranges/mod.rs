@@ -15,6 +15,7 @@ use crate::forecast::case::{Case, Hinges};
 use crate::mechanics::hinge::{HingeModel, Level};
 use crate::mechanics::star::Mechanism;
 use crate::mechanics::star::response::{Inflated, Rest};
+use crate::units::Readable;
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -101,24 +102,56 @@ fn standing(case: &Case, model: &dyn HingeModel) -> Standing {
     let Some(pressure) = case.pressure.filter(|_| arms && model.level() == Level::Section) else {
         return Standing::Unknown;
     };
-    let place = [
-        (f64::from(star.points), errors::POINTS),
-        (case.sheet.bendability(pressure, star.width), errors::BENDABILITY),
-        (star.arm / star.width, errors::ARM),
-        (case.inner_radius / star.width, errors::HOLE),
-        (star.tip().r_star, errors::R_STAR),
-        (star.corner().r_star, errors::R_STAR),
-        (star.tip_angle.to_degrees(), errors::TIP_ANGLE),
-        (star.corner().arc().to_degrees(), errors::CORNER_ARC),
-    ];
-    let inside = |slack: f64| place.iter().all(|(x, [low, high])| (low / slack..=high * slack).contains(x));
-    if inside(1.0 + 1e-9) {
+    let place = place(case, pressure);
+    let inside = |slack: f64| place.iter().all(|(_, x, tried)| within(*x, *tried, slack));
+    if inside(EXACT) {
         Standing::Tried
     } else if inside(errors::NOT_FAR) {
         Standing::Beyond
     } else {
         Standing::Unknown
     }
+}
+
+/// Slack of what lies inside, for rounding.
+const EXACT: f64 = 1.0 + 1e-9;
+
+fn within(x: f64, [low, high]: Interval, slack: f64) -> bool {
+    (low / slack..=high * slack).contains(&x)
+}
+
+/// Where `case` lies at `pressure` (Pa) among the stars that were tried: a name, its value, and the values that were.
+fn place(case: &Case, pressure: f64) -> [(&'static str, f64, Interval); 8] {
+    let star = &case.mechanism;
+    [
+        ("points", f64::from(star.points), errors::POINTS),
+        ("bendability", case.sheet.bendability(pressure, star.width), errors::BENDABILITY),
+        ("arm length over tube_width", star.arm / star.width, errors::ARM),
+        ("inner_radius over tube_width", case.inner_radius / star.width, errors::HOLE),
+        ("tip_radius over tube_width", star.tip().r_star, errors::R_STAR),
+        ("corner_radius over tube_width", star.corner().r_star, errors::R_STAR),
+        ("tip_angle in deg", star.tip_angle.to_degrees(), errors::TIP_ANGLE),
+        ("flat arc of a corner in deg", star.corner().arc().to_degrees(), errors::CORNER_ARC),
+    ]
+}
+
+/// In words, in what `case` lies outside of what was tried: "arm length over tube_width is 0.21 (tried: 0.5 to 5)".
+pub fn outside(case: &Case) -> String {
+    let Some(pressure) = case.pressure else { return String::new() };
+    let out = place(case, pressure).into_iter().filter(|(_, x, tried)| !within(*x, *tried, EXACT));
+    let mut out: Vec<String> = out
+        .map(|(what, x, [low, high])| {
+            format!("{what} is {} (tried: {low} to {high})", Readable((1e3 * x).round() / 1e3))
+        })
+        .collect();
+    if out.is_empty() {
+        let slender = case.sheet.thickness / case.mechanism.width;
+        out.push(format!(
+            "the table of arms ends before hinges with t/W of {slender:.4} at a stretch of {:.1} % (it has t/W of 0.01 to 0.03)",
+            100.0 * case.sheet.stretch(pressure, case.mechanism.width)
+        ));
+    }
+    out.join("; ")
 }
 
 /// The ranges of a prediction, in its units: `None` where nothing is known.

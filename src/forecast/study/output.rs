@@ -17,9 +17,9 @@ pub(super) struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// What a model of the hinges says.
+    /// What a model of the hinges says, if it knows such stars.
     pub(super) fn own(&self) -> Option<&Outcome> {
-        self.answer.outcome.as_ref()
+        self.answer.outcome.as_ref().filter(|own| own.known)
     }
 
     /// What either says.

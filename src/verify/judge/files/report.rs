@@ -35,7 +35,7 @@ pub(in crate::verify) fn check(expected: &Expected<'_>, text: &str, findings: &m
     }
     let mut bill = serde_json::to_value(expected.manifest).unwrap_or_default();
     if let Some(bill) = bill.as_object_mut() {
-        for key in ["files", "only", "with", "tool"] {
+        for key in ["files", "only", "with", "tool", "prediction"] {
             let _ = bill.remove(key);
         }
     }

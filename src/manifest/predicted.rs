@@ -1,0 +1,79 @@
+//! What is predicted of a gripper, in short: the figures of `predict --json` that a bill of its files should not be without.
+
+use serde::{Deserialize, Serialize};
+
+use crate::forecast::prediction::{Prediction, StarPrediction};
+use crate::forecast::ranges::Interval;
+
+/// The gripper at the pressure of `[load]`. The same numbers as in `prediction.json`, none of them rounded; null where nothing is known.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct ManifestPrediction {
+    /// Whether it holds the object; null where it may or may not, or without an object.
+    pub holds: Option<bool>,
+    /// Mass that friction holds, of the whole stack.
+    pub payload_kg: Option<f64>,
+    /// Its range.
+    pub payload_range_kg: Option<Interval>,
+    /// All stars, bottom first.
+    pub stars: Vec<ManifestStarPrediction>,
+}
+
+/// One star.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct ManifestStarPrediction {
+    /// The model that answered.
+    pub model: String,
+    /// Final inner radius.
+    pub final_radius_mm: Option<f64>,
+    /// Its range.
+    pub final_radius_range_mm: Option<Interval>,
+    /// Radii that it can hold; the second is its largest opening.
+    pub graspable_radius_mm: Option<Interval>,
+    /// Radial stiffness at rest.
+    pub radial_stiffness_N_per_m: Option<f64>,
+    /// Its range.
+    pub radial_stiffness_range_N_per_m: Option<Interval>,
+    /// Radial force on the object.
+    pub object_force_N: Option<f64>,
+    /// Its range.
+    pub object_force_range_N: Option<Interval>,
+    /// Bendability 1/eps.
+    pub bendability: Option<f64>,
+    /// Stretch p W / Y of the fabric.
+    pub stretch: Option<f64>,
+    /// Burst pressure over the pressure, by the ring.
+    pub burst_margin: Option<f64>,
+}
+
+impl ManifestPrediction {
+    /// The short of `prediction`.
+    pub fn of(prediction: &Prediction) -> Self {
+        Self {
+            holds: prediction.verdict.as_ref().and_then(|verdict| verdict.holds.known()),
+            payload_kg: prediction.first.payload_kg,
+            payload_range_kg: prediction.first.ranges.payload_kg,
+            stars: prediction.stars.iter().map(ManifestStarPrediction::of).collect(),
+        }
+    }
+}
+
+impl ManifestStarPrediction {
+    fn of(star: &StarPrediction) -> Self {
+        let ranges = &star.ranges;
+        Self {
+            model: star.model.to_owned(),
+            final_radius_mm: star.final_radius_mm,
+            final_radius_range_mm: ranges.final_radius_mm,
+            graspable_radius_mm: star.graspable_radius_mm,
+            radial_stiffness_N_per_m: star.radial_stiffness_N_per_m,
+            radial_stiffness_range_N_per_m: ranges.radial_stiffness_N_per_m,
+            object_force_N: star.object_force_N,
+            object_force_range_N: ranges.object_force_N,
+            bendability: star.bendability,
+            stretch: star.stretch,
+            burst_margin: star.burst_margin,
+        }
+    }
+}
