@@ -77,9 +77,12 @@ impl Problem {
             largest_force: dice.one_in(4.0).then(|| dice.even(5.0, 60.0)),
             sheet: dice.one_in(4.0).then(|| Length(hole * dice.even(4.0, 8.0))),
             burst_margin: dice.one_in(2.0).then_some(1.0),
+            apart: false,
         };
         let goals = [Goal::Contraction, Goal::Stiffness, Goal::Fabric, Goal::Payload];
         let goal = goals[usize::from(dice.one_in(2.0)) + 2 * usize::from(dice.one_in(2.0))];
+        let apart = matches!(goal, Goal::Stiffness | Goal::Payload);
+        let constraints = Constraints { apart, ..constraints };
         Self { base, bounds, constraints, goal }
     }
 

@@ -146,9 +146,13 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         (Some(_), Voice { json: true, .. }) => Ok(()),
         (Some(best), Voice { quiet: true, .. }) => say(&best.spec),
         (Some(Best { spec, confirmed }), _) => {
-            let lines = confirmed.iter().flat_map(Confirmed::lines);
-            let confirmed: String = lines.map(|line| format!("# {line}\n")).collect();
-            say(&format!("{}{confirmed}# the best that can be built:\n{spec}\n", said.text()))
+            let mut lines = String::new();
+            for line in confirmed.iter().flat_map(Confirmed::lines) {
+                lines += "# ";
+                lines += &line;
+                lines.push('\n');
+            }
+            say(&format!("{}{lines}# the best that can be built:\n{spec}\n", said.text()))
         }
         (None, voice) => {
             if voice.is_heard() {
@@ -230,6 +234,7 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
             .map(|most| most * (1.0 - ROUNDING)),
         sheet: side.map(|side| Length(side - 2.0 * sheet.margin.0)),
         burst_margin: margin.map(|margin| margin * (1.0 + ROUNDING)),
+        apart: matches!(goal, Goal::Stiffness | Goal::Payload),
     };
     Ok((goal, constraints))
 }

@@ -196,6 +196,7 @@ impl Wish {
             largest_force: self.largest_force.map(|force| force.0),
             sheet: self.room.free(),
             burst_margin: base.fabric.seal_strength.map(|_| BURST_MARGIN),
+            apart: true,
         }
     }
 
@@ -225,6 +226,7 @@ impl Wish {
             "burst" => "the seal bursts: less pressure, a stronger seal".to_owned(),
             "closing" => format!("it closes {percent:.1} % short of the object"),
             "inner_radius" | "opening" | "object" => format!("it opens {percent:.1} % short of the object"),
+            "touching" => "its arms would touch, and how hard it presses then is not known".to_owned(),
             "arms" => format!("arms would be {percent:.1} % shorter than half a tube's width"),
             _ => "no star that was tried is like it: another pressure, or another fabric".to_owned(),
         }

@@ -1,11 +1,14 @@
 //! What a design must do, and by how much it misses it: at the bad end of its ranges.
 
 use crate::forecast::candidate::{Answer, Candidate};
+use crate::forecast::case::Case;
 use crate::forecast::outcome::{Hold, Outcome, SHORTEST_ARM};
-use crate::forecast::ranges::Standing;
+use crate::forecast::ranges::{Standing, outside_by};
 use crate::spec::ModelChoice;
 use crate::units::Length;
 
+/// What a star that lies just outside of what was tried is short by.
+const LEAST_UNTRIED: f64 = 0.01;
 /// By how much constraints are tightened for the search, so that they still hold once the values are rounded.
 pub const ROUNDING: f64 = 5e-4;
 
@@ -22,6 +25,8 @@ pub struct Constraints {
     pub sheet: Option<Length>,
     /// Burst pressure over pressure.
     pub burst_margin: Option<f64>,
+    /// Whether arms must not touch, because a force is wanted: how hard a star presses whose arms do is not known.
+    pub apart: bool,
 }
 
 /// A constraint that a design misses, and its relative shortfall.
@@ -38,12 +43,14 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
         all.push(("no model", 10.0));
     }
     if let Some(own) = &answer.outcome {
-        if is_at_pressure(point.model) {
-            match own.ranges.standing {
-                Standing::Tried => {}
-                Standing::Beyond => all.push(("untried", 0.5)),
-                Standing::Unknown => all.push(("untried", 1.0)),
-            }
+        if is_at_pressure(point.model) && own.ranges.standing != Standing::Tried {
+            // The more the further out: so that a search finds its way in.
+            all.push(("untried", LEAST_UNTRIED + outside_by(&answer.case)));
+        }
+        let forceful =
+            constraints.apart || constraints.payload.is_some() || constraints.largest_force.is_some();
+        if is_at_pressure(point.model) && forceful {
+            all.push(("touching", touching(&answer.case, own)));
         }
         if let Some([close, open]) = constraints.grasp {
             let mm = |metres: f64| Length::from_metres(metres).0;
@@ -79,6 +86,12 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
     }
     all.retain(|(_, shortfall)| *shortfall > 0.0);
     all
+}
+
+/// How deep arms touch, as the tips' angle that is missing, rad; 0 where they do not.
+fn touching(case: &Case, own: &Outcome) -> f64 {
+    let depth = case.mechanism.correction.touch - own.rest.equilibrium;
+    if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 }
 }
 
 /// Whether a model speaks of a star at its pressure, and not of a limit that was asked for by name.

@@ -120,7 +120,7 @@ impl Effort {
 
 impl Default for Effort {
     fn default() -> Self {
-        Self { scanned: 1024, followed: 4, polls: 120, failures: 3 }
+        Self { scanned: 1024, followed: 6, polls: 600, failures: 12 }
     }
 }
 

@@ -39,6 +39,10 @@ pub const BENDABILITY: Interval = [100.0, 5000.0];
 pub const ARM: Interval = [0.5, 5.0];
 /// rho_0 by W that was tried.
 pub const HOLE: Interval = [0.5, 6.0];
+/// t/W of the table of arms.
+pub const SLENDERNESS: Interval = [0.01, 0.0316];
+/// Largest p W / Y of the table of arms.
+pub const STRETCH: Interval = [0.0, 0.1];
 /// R* that were tried; 0 among them.
 pub const R_STAR: Interval = [0.0, 0.3];
 /// phi_i0 that were tried, deg.

@@ -135,6 +135,18 @@ fn place(case: &Case, pressure: f64) -> [(&'static str, f64, Interval); 8] {
     ]
 }
 
+/// How far `case` lies outside of what was tried, as the sum of the parts by which it does: 0 inside. A search finds its way in by it.
+pub fn outside_by(case: &Case) -> f64 {
+    let Some(pressure) = case.pressure else { return 0.0 };
+    let width = case.mechanism.width;
+    let table = [
+        ("", case.sheet.thickness / width, errors::SLENDERNESS),
+        ("", case.sheet.stretch(pressure, width), errors::STRETCH),
+    ];
+    let all = place(case, pressure).into_iter().chain(table);
+    all.map(|(_, x, [low, high])| (low - x).max(0.0) / low.max(1e-9) + (x - high).max(0.0) / high).sum()
+}
+
 /// In words, in what `case` lies outside of what was tried: "arm length over tube_width is 0.21 (tried: 0.5 to 5)".
 pub fn outside(case: &Case) -> String {
     let Some(pressure) = case.pressure else { return String::new() };

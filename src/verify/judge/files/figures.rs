@@ -15,7 +15,7 @@ pub(in crate::verify) fn check(text: &[u8], written: &Manifest, right: &Manifest
     // What another version predicts is its own affair; `prediction.json` is judged by itself.
     let same = written.tool.version == right.tool.version;
     let prediction = if same { right.prediction.clone() } else { written.prediction.clone() };
-    let right = Manifest { tool, files, only, with, prediction, ..right.clone() };
+    let right = Manifest { tool, files, prediction, only, with, ..right.clone() };
     let mut findings = Vec::new();
     if let (Ok(found), Ok(right)) = (serde_json::from_slice::<Value>(text), serde_json::to_value(&right)) {
         compare("", Some(&found), Some(&right), &mut findings);
