@@ -7,11 +7,8 @@
 #[path = "../../examples/extremes.rs"]
 mod extremes;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
-#[path = "../../examples/paper.rs"]
+#[path = "../../examples/paper/main.rs"]
 mod paper;
-#[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
-#[path = "../../examples/paper_at_pressure.rs"]
-mod paper_at_pressure;
 #[allow(dead_code, unreachable_pub, reason = "an example is a program of its own")]
 #[path = "../../examples/ranges.rs"]
 mod ranges;
@@ -47,7 +44,16 @@ fn stands_on(page: &str, tables: &str) {
 #[test]
 fn the_papers_numbers_are_ours() {
     stands_on(include_str!("../../docs/paper.md"), &paper::tables());
-    stands_on(include_str!("../../docs/paper.md"), &paper_at_pressure::tables());
+}
+
+#[test]
+fn the_papers_pictures_are_ours() {
+    let page = include_str!("../../docs/paper.md");
+    for (name, drawn) in paper::pictures() {
+        assert!(page.contains(&format!("({name})")), "{name} is not shown");
+        let file = std::fs::read_to_string(home().join("docs").join(name)).expect("a picture");
+        assert!(file == drawn, "{name} is another picture than the example draws");
+    }
 }
 
 #[test]

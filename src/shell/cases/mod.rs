@@ -31,6 +31,6 @@ pub use family::{Evidence, Progress, Watch};
 pub use fault::ShellFault;
 pub use pressures::{Inflation, inflations};
 pub use shape::Shape;
-pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, Objects, star};
+pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, Objects, star, star_by_sizes};
 pub use tube::Tube;
 pub use value::Value;

@@ -112,17 +112,29 @@ pub fn star(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
+    star_by_sizes(case, objects, (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
+}
+
+/// As [`star`], on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are cut into four.
+///
+/// # Errors
+/// As of [`star`].
+pub fn star_by_sizes(
+    case: &FlatStar,
+    objects: Objects<'_>,
+    (sizes, cuts): (&Sizes, usize),
+    watch: &Watch,
+) -> Result<InflatedStar, ShellFault> {
     let sector = case.sector()?;
     let count = objects.sizes().len();
     if count > MOST_OBJECTS {
         return Err(ShellFault::TooMany { name: "objects", found: count, most: MOST_OBJECTS });
     }
-    let coarsest = sector.mesh(&Sizes::across(1.0, fineness.cells))?;
+    let coarsest = sector.mesh(sizes)?;
     let planes = [Plane::first(), Plane::second(sector.half_angle())];
     let obstacles = [Obstacle::Wall(planes[0]), Obstacle::Wall(planes[1]), Obstacle::Post { radius: 0.0 }];
     let hold = |mesh: &Mesh| Supports::new(mesh, planes.to_vec());
-    let family =
-        Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &obstacles };
+    let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles };
     let (mut worst, mut shape) = (Extremes::default(), Shape::default());
     let (values, evidence) = family.run(watch, |solver, meshed, rung, beside| {
         let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];
