@@ -34,7 +34,7 @@ pub fn picture(rows: &[ShellRow]) -> String {
     let mut models: Vec<&str> = rows.iter().map(|row| row.model.as_str()).collect();
     models.dedup();
     let sized = rows.iter().zip([3.0, 4.0, 5.0].into_iter().cycle());
-    for (row, radius) in sized.filter(|(row, _)| row.time > 0.0) {
+    for (row, radius) in sized.filter(|(row, _)| row.time > 0.0 && !row.stars.is_empty()) {
         let place = models.iter().position(|model| *model == row.model).unwrap_or(0);
         let colour = COLOURS[place % COLOURS.len()];
         let errors = [

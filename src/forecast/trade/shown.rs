@@ -50,7 +50,7 @@ fn names(what: &str) -> String {
 
 fn closing(rows: &[ShellRow]) -> String {
     let mut out = format!("{:23}{:>14}{}\n", "rho_f", "time", names("rms"));
-    for row in rows {
+    for row in rows.iter().filter(|row| !row.stars.is_empty()) {
         let errors = columns(row, 1, |star| Some(star.radius));
         let _ = writeln!(out, "{}{:>14}{errors}", head(row), time(row.time));
     }
@@ -59,7 +59,7 @@ fn closing(rows: &[ShellRow]) -> String {
 
 fn force(rows: &[ShellRow]) -> String {
     let mut out = format!("{:23}{}  |{}\n", "K | F", names("K rms"), names("F rms"));
-    for row in rows {
+    for row in rows.iter().filter(|row| !row.stars.is_empty()) {
         let (own, force) = (columns(row, 0, |star| star.stiffness), columns(row, 0, |star| star.force));
         let _ = writeln!(out, "{}{own}  |{force}", head(row));
     }
@@ -80,7 +80,7 @@ fn meshes() -> String {
         "{:14}{:10}{:>10}{:>12}{:>20}\n",
         "fineness", "quantity", "holds", "unknown", "furthest, by both"
     );
-    for row in mesh_errors() {
+    for row in mesh_errors().into_iter().filter(|row| row.of + row.unknown > 0) {
         let holds = format!("{} of {}", row.held, row.of);
         let _ = writeln!(
             out,
