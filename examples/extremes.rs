@@ -14,14 +14,17 @@ use stargrip_cam::spec::StarSpec;
 use stargrip_cam::units::{Angle, Length};
 use std::fmt::Write;
 
+#[path = "support/edges.rs"]
+mod edges;
+
 fn main() {
     print!("{}", tables());
 }
 
 /// All tables, in the order of the page.
 pub fn tables() -> String {
-    [radius(), coiling(), beta(), rest_angle(), stars(), sizes(), "\n".to_owned(), section(), held(), arms()]
-        .concat()
+    let limit = [radius(), coiling(), beta(), rest_angle(), stars(), sizes(), "\n".to_owned()].concat();
+    [limit, edges::sizes(), section(), held(), arms(), edges::edges()].concat()
 }
 
 fn radius() -> String {

@@ -13,7 +13,9 @@ use crate::cli::progress::Progress;
 use crate::cli::voice::Voice;
 use crate::forecast::trade;
 use crate::forecast::trade::TradeRow;
-use crate::forecast::trade::shells::{ShellRow, against_shells, shell_table};
+use crate::forecast::trade::picture::picture;
+use crate::forecast::trade::shells::{ShellRow, StarErrors, against_shells};
+use crate::forecast::trade::shown;
 use crate::mechanics::fault::StarFault;
 use crate::spec::StarSpec;
 
@@ -25,7 +27,7 @@ pub(super) struct Args {
     /// Write the table as CSV.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Write a plot of error against time as SVG.
+    /// Write a plot of error against time as SVG, and beside it FILE-shells.svg: the same against shells.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
     #[command(flatten)]
@@ -44,19 +46,24 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let measure = |_: &Progress| Ok((trade::measure(&base, &clock)?, against_shells(&clock)?));
     let (rows, shells) = progress::during(args.voice, "measuring every model", measure)
         .map_err(|fault: StarFault| Failure::Message(fault.to_string()))?;
-    for (path, text) in [(&args.csv, trade::csv(&rows)), (&args.svg, trade::plot(&rows))] {
+    let beside = args.svg.as_ref().map(|path| {
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        path.with_file_name(format!("{stem}-shells.svg"))
+    });
+    for (path, text) in
+        [(&args.csv, trade::csv(&rows)), (&args.svg, trade::plot(&rows)), (&beside, picture(&shells))]
+    {
         if let Some(path) = path {
             fs::write(path, text).map_err(|error| Failure::file("write", path, &error))?;
         }
     }
     let list = |values: &[f64]| values.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
     let text = format!(
-        "Largest relative error against the exact ring, over R* = {} and stars of {:?} points.\n\n{}\n\
-         Against shells: a V-actuator (angle, stiffness), the paper's stars of 3 to 8 points (closing, stiffness, force).\n\n{}",
+        "Largest relative error against the exact ring, over R* = {} and stars of {:?} points.\n\n{}\n{}",
         list(&trade::R_STARS),
         trade::POINTS,
         trade::table(&rows),
-        shell_table(&shells)
+        shown::tables(&shells)
     );
     args.voice.report(
         &text,
@@ -85,15 +92,17 @@ fn row(row: &TradeRow) -> Value {
 
 /// A row against shells for programs; relative errors, one a star.
 fn shell_row(row: &ShellRow) -> Value {
+    let of = |number: fn(&StarErrors) -> Option<f64>| row.stars.iter().map(number).collect::<Vec<_>>();
     json!({
         "model": row.model,
         "pressure_kPa": row.pressure,
         "time_s": row.time,
-        "actuator": { "angle_error_deg": row.angle, "stiffness_error": row.bending },
+        "actuator": { "angle_error_deg": row.actuator.map(|own| own[0]), "stiffness_error": row.actuator.map(|own| own[1]) },
         "relative_error": {
-            "final_radius_mm": row.radius,
-            "radial_stiffness_N_per_m": row.stiffness,
-            "force_N": row.force,
+            "points": row.stars.iter().map(|star| star.points).collect::<Vec<_>>(),
+            "final_radius_mm": of(|star| Some(star.radius)),
+            "radial_stiffness_N_per_m": of(|star| star.stiffness),
+            "force_N": of(|star| star.force),
         },
     })
 }

@@ -3,7 +3,10 @@
 //!
 //! The clock is handed in, so that this room stays a function of its arguments.
 
+pub mod computed;
+pub mod picture;
 pub mod shells;
+pub mod shown;
 
 use crate::design::Star;
 use crate::forecast::candidate::TableRing;

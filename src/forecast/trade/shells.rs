@@ -1,6 +1,8 @@
-//! Every model against shells: the paper's stars of three to eight points and one V-actuator, at the pressures that grippers work at.
+//! Every model against the finest shells: the paper's stars of three to eight points and one V-actuator, at the pressures that
+//! grippers work at.
 //!
-//! The shells are data ([`stars`](crate::forecast::stars)); what is computed here are the models that know no arms but by a table.
+//! The shells are data ([`stars`](crate::forecast::stars), [`computed`](super::computed)); what is computed here are the models that
+//! know no arms but by a table.
 
 use crate::forecast::actuator::{Actuator, actuate};
 use crate::forecast::case::Case;
@@ -9,17 +11,18 @@ use crate::forecast::ranges::against::case_of;
 use crate::forecast::stars::computed::{Computed, Found};
 use crate::forecast::stars::draw::{POISSON, Set, YOUNG};
 use crate::forecast::stars::shipped::shipped;
+use crate::forecast::trade::computed::{FINENESSES, Meshed, Shell, shells};
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::{HingeModel, Level};
 use crate::mechanics::star::response::Inflated;
 use crate::mechanics::strength::ElasticSheet;
-use std::fmt::Write;
 
-/// The V-actuator with W 20 mm, R 2 mm, arms of 80 mm, 60 deg, t 0.3 mm as a shell of four meshes up to 98,840 unknowns: pressure
-/// (kPa), angle at rest (deg, mesh errors up to 0.14) and stiffness (N m, up to 0.0008). By
-/// `stargrip-cam actuator --tube-width "20 mm" --radius "2 mm" --arm-length "80 mm" --angle "60 deg" --pressure "14 kPa" --model shell --fineness fine`
-/// and so on.
-const ACTUATORS: [[f64; 3]; 3] = [[14.0, 36.347, 0.0781], [37.0, 31.516, 0.1055], [60.0, 30.470, 0.1309]];
+/// Pressures of the comparison, kPa.
+pub const PRESSURES: [f64; 3] = [14.0, 37.0, 60.0];
+/// Points of its stars.
+pub const STARS: [u32; 6] = [3, 4, 5, 6, 7, 8];
+/// How far an object opens the finest shell, by W.
+const OPENING: f64 = 0.45;
 
 /// The models that are compared: by their levels, and the section from its table.
 const MODELS: [(&str, Option<Level>); 5] = [
@@ -29,102 +32,265 @@ const MODELS: [(&str, Option<Level>); 5] = [
     ("section", Some(Level::Section)),
     ("section, table", None),
 ];
-/// The part of a stiffness that meshes may leave open, to be compared.
-const SETTLED: f64 = 0.25;
+
+/// One star by one model: relative errors against the finest shell; of that one, the parts that its own meshes leave open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StarErrors {
+    /// n.
+    pub points: u32,
+    /// Of the final radius.
+    pub radius: f64,
+    /// Of the radial stiffness; `None` where a shell's meshes do not agree on it.
+    pub stiffness: Option<f64>,
+    /// Of the force on one object, 0.45 W wider than the finest shell's final radius.
+    pub force: Option<f64>,
+}
 
 /// One model at one pressure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShellRow {
     /// The model.
-    pub model: &'static str,
+    pub model: String,
     /// Gauge pressure, kPa.
     pub pressure: f64,
-    /// Time for a star at rest, its hinges included, s.
+    /// Time for a star, s: at rest, its hinges included; of shells the mean user time, the force included; 0 if none was timed.
     pub time: f64,
-    /// The V-actuator's angle at rest less the shell's, deg; `None` for the table, which is asked for stars.
-    pub angle: Option<f64>,
-    /// Its stiffness over the shell's, less 1.
-    pub bending: Option<f64>,
-    /// Final radii over the shell's, less 1.
-    pub radius: Vec<f64>,
-    /// The same of radial stiffnesses.
-    pub stiffness: Vec<f64>,
-    /// The same of forces, each at the same opening.
-    pub force: Vec<f64>,
+    /// The V-actuator's angle at rest less the finest shell's, deg, and its stiffness over that, less 1; `None` for the table, which is
+    /// asked for stars.
+    pub actuator: Option<[f64; 2]>,
+    /// Its stars.
+    pub stars: Vec<StarErrors>,
 }
 
-/// Compares every model with the shells; `clock` tells the time in s.
+/// How often a number of a fineness was as near to the finest as the mesh errors of both say.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Held {
+    /// The fineness.
+    pub fineness: &'static str,
+    /// The number.
+    pub quantity: &'static str,
+    /// How often it was.
+    pub held: usize,
+    /// Of how many.
+    pub of: usize,
+    /// How often there was no number, because meshes leave more open than itself.
+    pub unknown: usize,
+    /// Largest distance, by the mesh errors.
+    pub furthest: f64,
+}
+
+/// The finest shells of stars: four meshes up to some 160,000 unknowns, in mm, N/m, N.
+struct Finest {
+    star: Computed,
+    radius: Meshed,
+    stiffness: Meshed,
+    force: Meshed,
+}
+
+/// Compares every model and the coarser shells with the finest; `clock` tells the time in s.
 ///
 /// # Errors
 /// If a model refuses one of the hinges.
 pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFault> {
-    let stars: Vec<Computed> = shipped().into_iter().filter(|star| star.star.set == Set::Paper).collect();
+    let (finest, computed) = (finest(), shells());
     let mut rows = Vec::new();
-    for (model, level) in MODELS {
-        for [pressure, angle, bending] in ACTUATORS {
-            #[expect(clippy::float_cmp, reason = "both are the constants of the set")]
-            let at = stars.iter().filter(|star| star.star.pressure == pressure);
+    for (name, level) in MODELS {
+        for pressure in PRESSURES {
             let mut row = ShellRow {
-                model,
+                model: name.to_owned(),
                 pressure,
                 time: f64::INFINITY,
-                angle: None,
-                bending: None,
-                radius: Vec::new(),
-                stiffness: Vec::new(),
-                force: Vec::new(),
+                actuator: None,
+                stars: Vec::new(),
             };
-            if let Some(level) = level {
+            if let Some((level, known)) = level.zip(actuator_of(&computed, "fine", pressure)) {
                 let own = actuate(&actuator(pressure)?, level, &[])?;
-                row.angle = Some(own.angle_deg - angle);
-                row.bending = Some(own.stiffness_Nm / bending - 1.0);
+                row.actuator =
+                    Some([own.angle_deg - known.rest.value, own.stiffness_Nm / known.stiffness.value - 1.0]);
             }
-            for star in at {
-                if let Some(found) = &star.found {
-                    row.add(star, found, level, clock)?;
-                }
+            for known in at(&finest, pressure) {
+                row.add(known, level, clock)?;
             }
             rows.push(row);
         }
     }
+    for fineness in FINENESSES {
+        rows.extend(PRESSURES.map(|pressure| by_shell(fineness, pressure, &finest, &computed)));
+    }
     Ok(rows)
 }
 
-/// The V-actuator of [`ACTUATORS`].
+fn at(finest: &[Finest], pressure: f64) -> impl Iterator<Item = &Finest> {
+    finest.iter().filter(move |known| known.star.star.pressure.total_cmp(&pressure).is_eq())
+}
+
+fn actuator_of<'a>(computed: &'a [Shell], fineness: &str, pressure: f64) -> Option<&'a Shell> {
+    computed.iter().find(|one| {
+        one.points.is_none() && one.fineness == fineness && one.pressure.total_cmp(&pressure).is_eq()
+    })
+}
+
+/// The stars of the set `paper`.
+fn finest() -> Vec<Finest> {
+    let known = |star: Computed| {
+        let Found { radius, stiffness, secants, .. } = star.found.clone()?;
+        let (_, secant) = secants.iter().find(|(part, _)| part.total_cmp(&OPENING).is_eq())?;
+        // N/mm times mm.
+        let force = stiffness.value * secant.value * OPENING * star.star.width;
+        let open = stiffness.error / stiffness.value + secant.error / secant.value;
+        Some(Finest {
+            radius: Meshed { value: radius.value, error: radius.error },
+            stiffness: Meshed { value: 1e3 * stiffness.value, error: 1e3 * stiffness.error },
+            force: Meshed { value: force, error: open * force },
+            star,
+        })
+    };
+    shipped().into_iter().filter(|star| star.star.set == Set::Paper).filter_map(known).collect()
+}
+
+/// The V-actuator of W 20 mm, R 2 mm, arms of 80 mm, 60 deg, t 0.3 mm.
 fn actuator(kilopascals: f64) -> Result<Actuator, StarFault> {
     let sheet = ElasticSheet::new(0.3e-3, 1e6 * YOUNG, POISSON)?;
     let angle = 60_f64.to_radians();
     Ok(Actuator { width: 0.02, radius: 0.002, arm: 0.08, angle, pressure: 1e3 * kilopascals, sheet })
 }
 
+fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]) -> ShellRow {
+    let own = actuator_of(computed, fineness, pressure).zip(actuator_of(computed, "fine", pressure));
+    let mut row = ShellRow {
+        model: format!("shell, {fineness}"),
+        pressure,
+        time: 0.0,
+        actuator: own.map(|(own, known)| {
+            if fineness == "fine" {
+                return [known.rest.error, known.stiffness.error / known.stiffness.value];
+            }
+            [own.rest.value - known.rest.value, own.stiffness.value / known.stiffness.value - 1.0]
+        }),
+        stars: Vec::new(),
+    };
+    let mut times = Vec::new();
+    for known in at(finest, pressure) {
+        if fineness == "fine" {
+            // What the others are compared with: what its own meshes leave open.
+            let open = |known: Meshed| known.error / known.value;
+            row.stars.push(StarErrors {
+                points: known.star.star.points,
+                radius: open(known.radius),
+                stiffness: Some(open(known.stiffness)),
+                force: Some(open(known.force)),
+            });
+            continue;
+        }
+        let Some(own) = same(computed, fineness, known) else { continue };
+        times.push(own.time);
+        let part =
+            |own: Meshed, known: Meshed| Some(own.value / known.value - 1.0).filter(|part| part.is_finite());
+        row.stars.push(StarErrors {
+            points: known.star.star.points,
+            radius: own.rest.value / known.radius.value - 1.0,
+            stiffness: part(own.stiffness, known.stiffness),
+            force: own.force.and_then(|force| part(force, known.force)),
+        });
+    }
+    if times.is_empty() {
+        let all = computed.iter().filter(|one| one.fineness == fineness && one.points.is_some());
+        times.extend(all.map(|one| one.time));
+    }
+    row.time = mean(&times);
+    row
+}
+
+fn same<'a>(computed: &'a [Shell], fineness: &str, known: &Finest) -> Option<&'a Shell> {
+    let star = &known.star.star;
+    computed.iter().find(|one| {
+        one.fineness == fineness
+            && one.points == Some(star.points)
+            && one.pressure.total_cmp(&star.pressure).is_eq()
+    })
+}
+
+/// How often mesh errors of coarser shells held.
+pub fn mesh_errors() -> Vec<Held> {
+    let (finest, computed) = (finest(), shells());
+    let mut rows = Vec::new();
+    for fineness in FINENESSES {
+        for quantity in ["rho_f", "K", "F"] {
+            // Radius and stiffness of `fine` are those of the finest: the same meshes.
+            if fineness == "fine" && quantity != "F" {
+                continue;
+            }
+            let mut row = Held { fineness, quantity, held: 0, of: 0, unknown: 0, furthest: 0.0 };
+            for known in &finest {
+                let Some(own) = same(&computed, fineness, known) else { continue };
+                let (own, known) = match quantity {
+                    "rho_f" => (Some(own.rest), known.radius),
+                    "K" => (Some(own.stiffness), known.stiffness),
+                    _ => (own.force, known.force),
+                };
+                let Some(own) = own.filter(|own| own.value.is_finite()) else {
+                    row.unknown += 1;
+                    continue;
+                };
+                let far = (own.value - known.value).abs() / (own.error + known.error);
+                row.of += 1;
+                row.held += usize::from(far <= 1.0);
+                row.furthest = row.furthest.max(far);
+            }
+            rows.push(row);
+        }
+    }
+    rows
+}
+
+/// Cost of each fineness over the stars: how many, mean user time (s), largest memory (MB), unknowns of the finest mesh.
+pub fn costs() -> Vec<(&'static str, usize, f64, f64, u32)> {
+    let computed = shells();
+    FINENESSES
+        .into_iter()
+        .map(|fineness| {
+            let of: Vec<&Shell> =
+                computed.iter().filter(|one| one.fineness == fineness && one.points.is_some()).collect();
+            let times: Vec<f64> = of.iter().map(|one| one.time).collect();
+            let memory = of.iter().fold(0.0, |most: f64, one| most.max(one.memory));
+            (fineness, of.len(), mean(&times), memory, of.iter().map(|one| one.unknowns).max().unwrap_or(0))
+        })
+        .collect()
+}
+
+#[expect(clippy::cast_precision_loss, reason = "a dozen")]
+fn mean(values: &[f64]) -> f64 {
+    if values.is_empty() { 0.0 } else { values.iter().sum::<f64>() / values.len() as f64 }
+}
+
+/// Root of the mean square.
+pub fn rms(errors: impl Iterator<Item = f64>) -> f64 {
+    let squares: Vec<f64> = errors.map(|error| error * error).collect();
+    mean(&squares).sqrt()
+}
+
 impl ShellRow {
     fn add(
         &mut self,
-        star: &Computed,
-        found: &Found,
+        known: &Finest,
         level: Option<Level>,
         clock: &dyn Fn() -> f64,
     ) -> Result<(), StarFault> {
-        let Some((case, pressure)) = case_of(&star.star) else { return Ok(()) };
+        let Some((case, pressure)) = case_of(&known.star.star) else { return Ok(()) };
         let start = clock();
         let model = model(level, &case, pressure)?;
         let case = corrected(&case, &*model)?;
         let inflated = Inflated::new(&case.mechanism, &*model, pressure)?;
         let rest = inflated.linear_rest();
         self.time = self.time.min(clock() - start);
-        self.radius.push(1e3 * rest.radius / found.radius.value - 1.0);
-        // Where arms touch, a shell's stiffness is that of their contact.
-        if found.arm_contact.value > 0.0 || found.stiffness.error > SETTLED * found.stiffness.value {
-            return Ok(());
-        }
-        self.stiffness.push(1e-3 * rest.stiffness / found.stiffness.value - 1.0);
-        for (part, secant) in &found.secants {
-            let opening = part * case.mechanism.width;
-            let shell = 1e3 * found.stiffness.value * secant.value * opening;
-            if let Ok(force) = inflated.linear_force(rest.radius + opening, &rest) {
-                self.force.push(force / shell - 1.0);
-            }
-        }
+        let object = 1e-3 * known.radius.value + OPENING * case.mechanism.width;
+        let force = if object < rest.radius { Some(0.0) } else { inflated.linear_force(object, &rest).ok() };
+        self.stars.push(StarErrors {
+            points: known.star.star.points,
+            radius: 1e3 * rest.radius / known.radius.value - 1.0,
+            stiffness: Some(rest.stiffness / known.stiffness.value - 1.0),
+            force: force.map(|force| force / known.force.value - 1.0),
+        });
         Ok(())
     }
 }
@@ -136,36 +302,6 @@ fn model(level: Option<Level>, case: &Case, pressure: f64) -> Result<Box<dyn Hin
     })
 }
 
-/// Root of the mean square, and largest magnitude.
-fn off(errors: &[f64]) -> Option<[f64; 2]> {
-    let most = errors.iter().fold(0.0, |most: f64, error| most.max(error.abs()));
-    #[expect(clippy::cast_precision_loss, reason = "a dozen")]
-    let count = errors.len() as f64;
-    (!errors.is_empty())
-        .then(|| [(errors.iter().map(|error| error * error).sum::<f64>() / count).sqrt(), most])
-}
-
-/// The rows as a table for a terminal.
-pub fn shell_table(rows: &[ShellRow]) -> String {
-    let mut out = format!(
-        "{:15}{:>9}{:>12}{:>11}{:>8}{:>17}{:>17}{:>17}\n",
-        "model", "pressure", "time", "actuator", "C", "rho_f rms, most", "K rms, most", "F rms, most"
-    );
-    for row in rows {
-        let _ = write!(out, "{:15}{:>5} kPa{:>9.1} us", row.model, row.pressure, row.time * 1e6);
-        let angle = row.angle.map_or("-".to_owned(), |angle| format!("{angle:+.1} deg"));
-        let bending = row.bending.map_or("-".to_owned(), |part| format!("{:+.0} %", 100.0 * part));
-        let _ = write!(out, "{angle:>11}{bending:>8}");
-        for errors in [&row.radius, &row.stiffness, &row.force] {
-            let said = off(errors)
-                .map_or("-".to_owned(), |[rms, most]| format!("{:.0}, {:.0} %", 100.0 * rms, 100.0 * most));
-            let _ = write!(out, "{said:>17}");
-        }
-        out.push('\n');
-    }
-    out
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -173,25 +309,23 @@ mod tests {
     #[test]
     fn at_work_the_section_is_nearer_to_shells_than_any_limit() {
         let rows = against_shells(&|| 0.0).expect("all models answer");
-        assert_eq!(rows.len(), MODELS.len() * ACTUATORS.len());
-        let table = shell_table(&rows);
-        assert_eq!(table.lines().count(), rows.len() + 1, "{table}");
-        for [pressure, ..] in ACTUATORS {
+        assert_eq!(rows.len(), (MODELS.len() + 3) * PRESSURES.len());
+        for pressure in PRESSURES {
             let at = |model: &str| {
                 let found =
                     rows.iter().find(|row| row.model == model && row.pressure.total_cmp(&pressure).is_eq());
                 found.expect("compared").clone()
             };
             let (ring, section, fast) = (at("ring"), at("section"), at("section, table"));
-            assert_eq!((ring.radius.len(), section.radius.len()), (6, 6));
-            let rms = |errors: &[f64]| off(errors).expect("some")[0];
-            assert!(rms(&section.radius) < 0.75 * rms(&ring.radius), "{pressure}: {table}");
-            assert!(rms(&section.force) < 0.75 * rms(&ring.force), "{pressure}: {table}");
-            assert!((rms(&section.radius) - rms(&fast.radius)).abs() < 0.02, "{pressure}: {table}");
-            assert!(
-                section.angle.map(f64::abs) < Some(1.0) && ring.angle < Some(-3.0),
-                "{pressure}: {table}"
-            );
+            assert_eq!((ring.stars.len(), section.stars.len(), at("shell, coarse").stars.len()), (6, 6, 6));
+            let radii = |row: &ShellRow| rms(row.stars.iter().map(|star| star.radius));
+            let forces = |row: &ShellRow| rms(row.stars.iter().filter_map(|star| star.force));
+            assert!(radii(&section) < 0.75 * radii(&ring), "{pressure}");
+            assert!(forces(&section) < 0.75 * forces(&ring), "{pressure}");
+            assert!((radii(&section) - radii(&fast)).abs() < 0.02, "{pressure}");
+            let angle = |row: &ShellRow| row.actuator.expect("asked")[0];
+            assert!(angle(&section).abs() < 1.0 && angle(&ring) < -3.0, "{pressure}");
         }
+        assert!(mesh_errors().iter().all(|row| row.held <= row.of) && costs()[0].1 == 18);
     }
 }
