@@ -34,7 +34,7 @@ const NOT_RUN: [(&str, &str); 30] = [
     ("docs/models.md", "stargrip-cam table stars --set all"),
     ("docs/models.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/paper.md", "cargo run --release --example paper -- --svg docs"),
-    ("docs/paper.md", "cargo run --release --example paper -- --shells > /tmp/shells"),
+    ("docs/paper.md", "cargo run --release --example paper -- --shells > /tmp/shell"),
     ("docs/python.md", "pip install ./python"),
     ("docs/ranges.md", "cargo run --release --example ranges"),
     ("docs/stability.md", "cargo run --release --example extremes"),
