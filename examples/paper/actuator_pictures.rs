@@ -113,7 +113,7 @@ fn coiling() -> Plot {
 fn stiffnesses(
     series: &mut Vec<Series>,
     (name, colour): (&str, &'static str),
-    (smooth, shells): (&[(f64, Case)], &[(f64, Case)]),
+    [smooth, shells]: [&[(f64, Case)]; 2],
 ) {
     let ring = smooth.iter().map(|(x, own)| (*x, ring_stiffness(own.width, own.angle, own.pressure)));
     series.push(line(&format!("exact ring{name}"), colour, Look::Dashed, ring));
@@ -142,7 +142,7 @@ fn stiffness() -> Plot {
     for (width, colour) in WIDTHS.into_iter().zip(COLOURS) {
         let at = |p: f64| (p, case(width, 30.0, p));
         let smooth: Vec<_> = every(2.0, 60.0, 2.0).map(at).collect();
-        stiffnesses(&mut series, (&format!(", W = {width} mm"), colour), (&smooth, &PRESSURES.map(at)));
+        stiffnesses(&mut series, (&format!(", W = {width} mm"), colour), [&smooth, &PRESSURES.map(at)]);
     }
     Plot {
         title: "Stiffness of hinges of three widths against pressure: ring, section with its range, shells",
@@ -156,7 +156,7 @@ fn stiffness_by_angle() -> Plot {
     let mut series = Vec::new();
     let at = |angle: f64| (angle, case(30.0, angle, 20.0));
     let smooth: Vec<_> = every(30.0, 150.0, 5.0).map(at).collect();
-    stiffnesses(&mut series, ("", COLOURS[0]), (&smooth, &[30.0, 60.0, 90.0, 120.0, 150.0].map(at)));
+    stiffnesses(&mut series, ("", COLOURS[0]), [&smooth, &[30.0, 60.0, 90.0, 120.0, 150.0].map(at)]);
     Plot {
         title: "Stiffness of a hinge against its flat angle: ring, section with its range, shells",
         x: Axis::even("flat angle phi_0, deg", [20.0, 160.0], 20.0),

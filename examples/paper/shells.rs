@@ -131,7 +131,10 @@ impl Case {
         let degrees = found.angle.scaled(1.0_f64.to_degrees());
         let mut text = [degrees, found.coiling, found.stiffness].map(said).join(" ");
         // What is applied opens; the hinge's own moment is against it.
-        found.moments.iter().for_each(|(_, moment)| text += &format!(" {}", said(moment.scaled(-1.0))));
+        for (_, moment) in &found.moments {
+            text.push(' ');
+            text += &said(moment.scaled(-1.0));
+        }
         Ok(text)
     }
 }

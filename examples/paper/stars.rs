@@ -117,9 +117,9 @@ pub(crate) fn force(points: u32, pressure: f64, rho: f64) -> Option<(f64, Option
 /// F(rho) of five points by `section`.
 pub(crate) fn curves() -> String {
     let mut out = String::from("| p | rho_f");
-    RADII.iter().for_each(|rho| {
+    for rho in RADII {
         let _ = write!(out, " | F at rho = {rho} mm");
-    });
+    }
     out.push_str(" |\n|---|---|---|---|---|---|---|---|\n");
     for pressure in PAPER_PRESSURES {
         let _ = write!(out, "| {pressure} kPa | {:.1} mm", 1e3 * around(5, pressure, HOLE).rest.radius);

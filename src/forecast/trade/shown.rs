@@ -44,8 +44,12 @@ fn columns(row: &ShellRow, decimals: usize, of: impl Fn(&StarErrors) -> Option<f
 }
 
 fn names(what: &str) -> String {
-    STARS.iter().map(|points| format!("{:>7}", format!("n = {points}"))).collect::<String>()
-        + &format!("{what:>8}")
+    let mut out = String::new();
+    for points in STARS {
+        let name = format!("n = {points}");
+        let _ = write!(out, "{name:>7}");
+    }
+    out + &format!("{what:>8}")
 }
 
 fn closing(rows: &[ShellRow]) -> String {
