@@ -160,7 +160,7 @@ fn stiffness_by_angle() -> Plot {
     Plot {
         title: "Stiffness of a hinge against its flat angle: ring, section with its range, shells",
         x: Axis::even("flat angle phi_0, deg", [20.0, 160.0], 20.0),
-        y: Axis::even("stiffness C, mN m per rad", [0.0, 500.0], 100.0),
+        y: Axis::even("stiffness C, mN m per rad", [0.0, 600.0], 100.0),
         series,
     }
 }
