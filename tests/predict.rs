@@ -368,6 +368,20 @@ proptest! {
     }
 }
 
+/// Half a kilopascal is far below all that was tried: nothing follows from the model's numbers there.
+#[test]
+fn of_a_star_of_which_nothing_is_known_nothing_is_said() {
+    let mut weak = spec(PAPER);
+    weak.load.as_mut().expect("given").pressure = Some(Pressure(0.5));
+    let prediction = predict(&weak).expect("an answer");
+    let star = &prediction.first;
+    assert_eq!((star.final_radius_mm, star.graspable_radius_mm), (None, None));
+    assert_eq!((star.object_force_N, star.payload_kg, star.radial_stiffness_N_per_m), (None, None, None));
+    assert!(star.evidence.choice.contains("bendability is 39.7"), "{}", star.evidence.choice);
+    let verdict = prediction.verdict.as_ref().expect("there is an object");
+    assert_eq!((verdict.holds.known(), verdict.force_N), (None, None));
+}
+
 /// A tube of a thousandth of a millimetre, which no one makes: its mask's outline has points that are nearly one.
 #[test]
 fn a_tube_of_a_micrometre_is_answered_or_refused() {

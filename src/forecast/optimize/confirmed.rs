@@ -149,3 +149,31 @@ fn judged(point: &Candidate, constraints: &Constraints, shell: &ShellPrediction)
     });
     [closing, carried, pressing].into_iter().flatten().collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shell_s_number_lies_in_a_range_as_far_as_its_meshes_leave_it_open() {
+        let of = |shell, mesh_error| {
+            let key = ("object_force_N", "N");
+            compare(key, Some(10.0), Some([8.0, 12.0]), (shell, mesh_error)).in_range
+        };
+        assert_eq!([of(9.0, 0.1), of(7.5, 0.6), of(12.4, 0.5)], [Some(true); 3]);
+        assert_eq!([of(7.5, 0.4), of(13.0, 0.9)], [Some(false); 2]);
+        assert_eq!(compare(("object_force_N", "N"), None, None, (9.0, 0.1)).in_range, None);
+    }
+
+    #[test]
+    fn what_does_not_hold_is_said() {
+        let one = |met| Judgement { what: "payload", bound: 1.0, shell: 0.9, met };
+        let said = |judged: Vec<Judgement>| Confirmed { compared: Vec::new(), judged }.lines().join("\n");
+        assert!(
+            said(vec![one(true), one(false)]).contains("does NOT meet all")
+                && said(vec![one(true)]).contains("it meets all")
+        );
+        assert!(said(vec![one(false)]).contains("payload: NOT met, 0.900 where 1.000 is the bound"));
+        assert!(said(Vec::new()).contains("no constraint that it can judge"));
+    }
+}

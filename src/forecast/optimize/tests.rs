@@ -123,3 +123,35 @@ fn a_search_is_the_same_in_any_number_of_threads() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
     assert_eq!(run(), pool.install(run));
 }
+
+/// The paper's star by `section`, with a tip angle and a tube width.
+fn at_pressure(angle: f64, width: f64) -> (Candidate, Answer) {
+    let mut point = Candidate { model: ModelChoice::Auto, ..base() };
+    (point.star.tip_angle, point.star.tube_width) = (Angle(angle), Length(width));
+    let answer = point.answer(&table()).expect("there is such a star");
+    (point, answer)
+}
+
+#[test]
+fn a_star_outside_of_what_was_tried_is_short_the_more_the_further_out() {
+    let untried = |angle, width| {
+        let (point, answer) = at_pressure(angle, width);
+        let all = shortfalls(&point, &answer, &Constraints::default());
+        all.into_iter().find(|(what, _)| *what == "untried").map_or(0.0, |(_, part)| part)
+    };
+    // Arms of 3.5, 5.5, 6.5 and 8.5 W; five may be.
+    let all = [30.0, 20.0, 18.0, 15.0].map(|angle| untried(angle, 20.0));
+    assert!(all[0] == 0.0 && all[1] > 0.0 && all.windows(2).all(|pair| pair[0] < pair[1]), "{all:?}");
+}
+
+#[test]
+fn a_force_of_which_nothing_is_known_counts_for_nothing() {
+    let (point, answer) = at_pressure(16.0, 25.0);
+    let own = answer.outcome.expect("a radius");
+    assert!(own.known && own.stiffness.is_none() && own.object_force().is_none(), "{own:?}");
+    assert_eq!((sure_payload(&point, &answer), answer.payload), (None, None));
+    let constraints = Constraints { payload: Some(0.1), largest_force: Some(1e3), ..Constraints::default() };
+    let all = shortfalls(&point, &answer, &constraints);
+    let short = |name: &str| all.iter().any(|(what, part)| *what == name && *part > 0.0);
+    assert!(short("payload") && short("pressing") && short("touching"), "{all:?}");
+}
