@@ -15,7 +15,8 @@ use crate::forecast::case::sheet;
 use crate::forecast::stiffness::{BenchFault, DiscBench, VBench};
 use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::hinge::{Hinge, HingeModel};
-use crate::spec::Allowed;
+use crate::mechanics::strength::ElasticSheet;
+use crate::spec::{Allowed, Spec};
 use crate::units::{BendingStiffness, Length, LineForce, Pressure};
 
 /// Pressures of a bench, kPa: as those of a spec.
@@ -48,8 +49,9 @@ pub(super) struct Bench {
 }
 
 impl Bench {
-    /// What was measured at the V-actuator, and what the exact ring says; `None` if nothing was.
-    pub(super) fn coiling(&self) -> Result<Option<Coiling>, Failure> {
+    /// What was measured at the V-actuator and what is predicted: at its pressure by `section` for the fabric of the spec at `path`,
+    /// else by the exact ring; `None` if nothing was measured.
+    pub(super) fn coiling(&self, path: Option<&Path>, voice: Voice) -> Result<Option<Coiling>, Failure> {
         let Some((flat, inflated)) = self.flat_angle.zip(self.inflated_angle) else { return Ok(None) };
         if inflated > flat {
             return Err(Failure::Message(format!(
@@ -57,10 +59,32 @@ impl Bench {
                  exchanged?"
             )));
         }
+        let measured = (180.0 - inflated) / (180.0 - flat);
+        if let (Some(path), Some(pressure)) = (path, self.angle_pressure) {
+            let loaded = Loaded::spoken(path, voice)?;
+            let known = known(&loaded, path)?;
+            let bench = self.vee(&loaded.reading.spec, pressure, 0.0);
+            let predicted = bench.and_then(|bench| {
+                let (bending, stretch) = (known.bending_modulus(), known.stretching_modulus());
+                bench.predicted(bending, stretch, known.poisson_ratio).ok()
+            });
+            if let Some(angle) = predicted {
+                let predicted = (180.0 - angle.to_degrees()) / (180.0 - flat);
+                return Ok(Some(Coiling { measured, predicted, model: "section" }));
+            }
+        }
         let state = Ring
             .target(self.radius_ratio)
             .map_err(|fault| Failure::Message(format!("--radius-ratio: {fault}")))?;
-        Ok(Some(Coiling { measured: (180.0 - inflated) / (180.0 - flat), predicted: state.lambda }))
+        Ok(Some(Coiling { measured, predicted: state.lambda, model: "ring" }))
+    }
+
+    /// The V-actuator of the spec's tips, measured `off` deg too wide; `None` without angles.
+    fn vee(&self, spec: &Spec, pressure: Pressure, off: f64) -> Option<VBench> {
+        let ((flat, inflated), star) = (self.flat_angle.zip(self.inflated_angle)?, spec.stars.first()?);
+        let (width, rest_angle) = (star.tube_width.metres(), flat.to_radians());
+        let hinge = Hinge { r_star: self.radius_ratio, width, rest_angle };
+        Some(VBench { hinge, pressure: pressure.pascals(), inflated: (inflated + off).to_radians() })
     }
 
     /// The stiffnesses that follow from the bench for the fabric of the spec at `path`, whose V-actuator it was.
@@ -70,9 +94,7 @@ impl Bench {
             return Ok(found);
         }
         let loaded = Loaded::spoken(path, voice)?;
-        let spec = &loaded.reading.spec;
-        let refused = |what: String| Failure::Message(format!("{}: {what}", shown(path)));
-        let known = sheet(&spec.fabric).map_err(|fault| refused(fault.to_string()))?;
+        let known = known(&loaded, path)?;
         let (poisson, mut stretch) = (known.poisson_ratio, known.stretching_modulus());
         if let Some((width, pressure)) = self.disc_width.zip(self.disc_pressure) {
             let at = |off: f64| {
@@ -85,14 +107,11 @@ impl Bench {
             let ends = [at(-OFF_WIDTH), at(OFF_WIDTH)].map(Result::ok);
             found.stretch = Some(Found { value: stretch, ends, at: pressure });
         }
-        let star = spec.stars.first();
-        if let Some((pressure, star)) = self.angle_pressure.zip(star) {
-            let degrees = |angle: Option<f64>| angle.unwrap_or_default().to_radians();
-            let (width, rest_angle) = (star.tube_width.metres(), degrees(self.flat_angle));
-            let at = |off: f64| {
-                let hinge = Hinge { r_star: self.radius_ratio, width, rest_angle };
-                let inflated = degrees(self.inflated_angle) + off.to_radians();
-                VBench { hinge, pressure: pressure.pascals(), inflated }.bending_stiffness(stretch, poisson)
+        if let Some(pressure) = self.angle_pressure {
+            let spec = &loaded.reading.spec;
+            let at = |off: f64| match self.vee(spec, pressure, off) {
+                Some(bench) => bench.bending_stiffness(stretch, poisson),
+                None => Err(BenchFault::Beyond),
             };
             let named = |fault: BenchFault| Failure::Message(format!("--inflated-angle: {fault}"));
             let value = at(0.0).map_err(named)?;
@@ -103,25 +122,31 @@ impl Bench {
     }
 }
 
+/// What is known of the fabric of the spec that was read from `path`.
+fn known(loaded: &Loaded, path: &Path) -> Result<ElasticSheet, Failure> {
+    sheet(&loaded.reading.spec.fabric).map_err(|fault| Failure::Message(format!("{}: {fault}", shown(path))))
+}
+
 /// What the V-actuator's angles tell.
 pub(super) struct Coiling {
     measured: f64,
     predicted: f64,
+    model: &'static str,
 }
 
 impl Coiling {
     /// As comments of a spec.
     pub(super) fn text(&self) -> String {
-        let Self { measured, predicted } = self;
+        let Self { measured, predicted, model } = self;
         let off = 100.0 * (measured / predicted - 1.0);
         format!(
-            "# lambda measured: {measured:.3}\n# lambda predicted (ring): {predicted:.3}; measured is {off:+.1} %\n"
+            "# lambda measured: {measured:.3}\n# lambda predicted ({model}): {predicted:.3}; measured is {off:+.1} %\n"
         )
     }
 
     /// For programs.
     pub(super) fn json(&self) -> Value {
-        json!({ "measured": self.measured, "predicted": self.predicted, "model": "ring" })
+        json!({ "measured": self.measured, "predicted": self.predicted, "model": self.model })
     }
 }
 

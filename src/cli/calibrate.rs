@@ -21,13 +21,15 @@ use crate::units::LineForce;
 /// Arguments of `calibrate`.
 #[derive(clap::Args, Debug)]
 #[command(
-    after_help = "Without --needed and without --spec nothing is chosen: every setting is listed with what it holds, and the exit code is 1."
+    after_help = "Without --needed and without --spec nothing is chosen: every setting is listed with what it holds, and the exit code is 1. \
+    Without RESULTS it is the bench alone that tells: the V-actuator, the disc or both."
 )]
 pub(super) struct Args {
     /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N.
-    results: PathBuf,
+    #[arg(required_unless_present_any = ["inflated_angle", "disc_width"])]
+    results: Option<PathBuf>,
     /// What the seal has to hold, such as "1.2 N/mm".
-    #[arg(long, value_name = "FORCE", value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec")]
+    #[arg(long, value_name = "FORCE", value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec", requires = "results")]
     needed: Option<LineForce>,
     /// The spec whose seal has to hold: the largest load of its stars at the pressure of its `load` section.
     #[arg(long)]
@@ -43,45 +45,61 @@ pub(super) struct Args {
 
 /// Says what the spec should say.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let source = Source::new(args.results.display().to_string(), read_table(&args.results)?);
-    let settings = settings(&read_rows(&source)?);
-    // What the V-actuator tells does not hang on the strips.
-    let coiling = args.bench.coiling()?;
+    let settings = match &args.results {
+        Some(path) => settings(&read_rows(&Source::new(path.display().to_string(), read_table(path)?))?),
+        None => Vec::new(),
+    };
+    let coiling = args.bench.coiling(args.spec.as_deref(), args.voice)?;
     let fabric = match &args.spec {
         Some(path) => args.bench.stiffnesses(path, args.voice)?,
         None => Stiffnesses::default(),
     };
     args.voice.remark(&coiling.as_ref().map_or_else(String::new, Coiling::text))?;
-    let chosen = choose(args, &settings, coiling.as_ref(), &fabric);
+    let Some(results) = &args.results else {
+        return args.voice.report(&fabric.section(), &json(args, None, &[], None, coiling.as_ref(), &fabric));
+    };
+    // What the V-actuator tells does not hang on the strips.
+    let chosen = choose(args, results, &settings, coiling.as_ref(), &fabric);
     if chosen.is_err() {
         args.voice.remark(&fabric.section())?;
     }
     chosen
 }
 
+/// The answer for programs.
+fn json(
+    args: &Args,
+    needed: Option<f64>,
+    settings: &[Calibration],
+    chosen: Option<&Calibration>,
+    coiling: Option<&Coiling>,
+    fabric: &Stiffnesses,
+) -> Value {
+    json!({
+        "needed_N_mm": needed,
+        "margin": args.margin,
+        "settings": settings.iter().map(setting).collect::<Vec<_>>(),
+        "chosen": chosen.map(setting),
+        "coiling": coiling.map(Coiling::json),
+        "fabric": fabric.json(),
+    })
+}
+
 /// Chooses a setting, and says it with what the bench told.
 fn choose(
     args: &Args,
+    results: &Path,
     settings: &[Calibration],
     coiling: Option<&Coiling>,
     fabric: &Stiffnesses,
 ) -> Result<(), Failure> {
-    let refused = |fault| Failure::Message(format!("{}: {fault}", shown(&args.results)));
+    let refused = |fault| Failure::Message(format!("{}: {fault}", shown(results)));
     let need = match (args.needed, &args.spec) {
         (Some(needed), _) => Some((needed.0, String::new())),
         (None, Some(path)) => Some(need_of(path, args.voice)?),
         (None, None) => None,
     };
-    let json = |chosen: Option<&Calibration>| {
-        json!({
-            "needed_N_mm": need.as_ref().map(|(needed, _)| needed),
-            "margin": args.margin,
-            "settings": settings.iter().map(setting).collect::<Vec<_>>(),
-            "chosen": chosen.map(setting),
-            "coiling": coiling.map(Coiling::json),
-            "fabric": fabric.json(),
-        })
-    };
+    let json = |chosen| json(args, need.as_ref().map(|need| need.0), settings, chosen, coiling, fabric);
     let Some((needed, why)) = &need else {
         let _ = steady(settings).map_err(refused)?;
         args.voice.report(&listing(settings), &json(None))?;

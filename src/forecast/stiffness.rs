@@ -92,6 +92,23 @@ impl From<RootFault> for BenchFault {
 }
 
 impl VBench {
+    /// The angle (rad) at which the hinge rests, of fabric of bending stiffness `bending` (N m), stretch stiffness `stretch`
+    /// (N per m) and Poisson ratio `poisson`.
+    ///
+    /// # Errors
+    /// If the table of arms does not reach it.
+    pub fn predicted(&self, bending: f64, stretch: f64, poisson: f64) -> Result<f64, BenchFault> {
+        let Self { hinge, pressure, .. } = *self;
+        let w = hinge.width;
+        let section =
+            Section::by_ratios(pressure * w.powi(3) / bending, (bending / stretch).sqrt() / w, poisson);
+        if section.arms(hinge.r_star, hinge.arc()).is_none() {
+            return Err(BenchFault::Beyond);
+        }
+        let rest = section.target(hinge.r_star).map_err(StarFault::from)?;
+        Ok(hinge.angle_of(&section, &rest))
+    }
+
     /// Bending stiffness B (N m) with which the hinge rests at its angle, of fabric of stretch stiffness `stretch` (N per m) and
     /// Poisson ratio `poisson`. Of two the larger one: where fabric stretches much, softer fabric opens again.
     ///
@@ -111,16 +128,7 @@ impl VBench {
         if least.is_nan() || least >= most || pressure * w / stretch > STRETCH[1] {
             return Err(BenchFault::Beyond);
         }
-        let excess = |log_b: f64| -> Result<f64, BenchFault> {
-            let bending = log_b.exp();
-            let section =
-                Section::by_ratios(pressure * w.powi(3) / bending, (bending / stretch).sqrt() / w, poisson);
-            if section.arms(hinge.r_star, hinge.arc()).is_none() {
-                return Err(BenchFault::Beyond);
-            }
-            let rest = section.target(hinge.r_star).map_err(StarFault::from)?;
-            Ok(hinge.angle_of(&section, &rest) - inflated)
-        };
+        let excess = |log_b: f64| self.predicted(log_b.exp(), stretch, poisson).map(|angle| angle - inflated);
         let place = |k: u32| most.ln() + f64::from(k) / f64::from(PLACES) * (least / most).ln();
         let mut before = excess(place(0))?;
         let mut range = [before, before];

@@ -10,6 +10,7 @@ pub mod collocation;
 pub mod dual;
 pub mod gauss;
 pub mod newton;
+pub mod range;
 pub mod root;
 mod vector;
 
@@ -17,5 +18,6 @@ pub use chebyshev::Chebyshev;
 pub use cholesky::SymmetricBand;
 pub use dual::Dual;
 pub use newton::{NewtonFault, NewtonReport, newton};
+pub use range::spans;
 pub use root::{RootFault, bracketed_root};
 pub use vector::dot;

@@ -1,5 +1,6 @@
 //! The tube that every case is made of, its pressure, and the scales by which the shell computes.
 
+use crate::numerics::spans;
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::element::Fabric;
 use crate::shell::solver::{Ladder, Stop};
@@ -47,8 +48,11 @@ impl Tube {
     /// If it is no tube, or one that a thin shell of small strains does not describe.
     pub(crate) fn check(&self) -> Result<(), ShellFault> {
         let range = |name, found, least: f64, most: f64| {
-            let is_good = found >= least && found <= most;
-            if is_good { Ok(()) } else { Err(ShellFault::Range { name, found, least, most }) }
+            if spans(&(least..=most), found) {
+                Ok(())
+            } else {
+                Err(ShellFault::Range { name, found, least, most })
+            }
         };
         range("the width, m", self.width, 1e-4, 10.0)?;
         range("Poisson's ratio", self.fabric.poisson, 0.0, MOST_POISSON)?;

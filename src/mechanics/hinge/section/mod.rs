@@ -35,6 +35,7 @@ use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::{
     Arms, Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star,
 };
+use crate::numerics::spans;
 use std::ops::RangeInclusive;
 
 /// 1/eps that is covered.
@@ -72,7 +73,7 @@ impl Section {
         let check = |symbol, found: f64, range: RangeInclusive<f64>| {
             let (least, most) = (*range.start(), *range.end());
             let fault = HingeFault::Scale { symbol, found, least, most };
-            if range.contains(&found) { Ok(()) } else { Err(fault) }
+            if spans(&range, found) { Ok(()) } else { Err(fault) }
         };
         check("1/eps = p W^3 / B", bendability, BENDABILITY)?;
         check("t/W", thickness, THICKNESS)?;
