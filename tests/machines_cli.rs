@@ -281,8 +281,8 @@ fn coupon_refuses_bad_settings_and_writes_nothing() {
     let dir = workshop();
     for (args, code, words) in [
         (["--temperatures", "300 C"], 2, "the temperature must be more than 0 C and less than 300 C"),
-        (["--temperatures", "nan C"], 2, "write a temperature as a number and one of C"),
-        (["--temperatures", "200"], 2, "write a temperature as a number and one of C"),
+        (["--temperatures", "nan C"], 2, "write the temperature as a number and one of C"),
+        (["--temperatures", "200"], 2, "write the temperature as a number and one of C"),
         (
             ["--temperatures", "180 C,180 C"],
             1,
@@ -479,10 +479,10 @@ fn calibrate_names_the_line_it_cannot_read() {
     let _ = fails(dir.path(), &["calibrate", "bytes.csv"], 1, &["bytes.csv", "UTF-8"]);
     let _ = fails(dir.path(), &["calibrate", "missing.csv"], 1, &["cannot read missing.csv"]);
     for (args, words) in [
-        (&["--needed", "1"][..], "write a force per length as a number and one of N/mm"),
+        (&["--needed", "1"][..], "write the force per length as a number and one of N/mm"),
         (&["--needed=-1 N/mm"], "must be more than 0 N/mm"),
         (&["--needed", "0 N/mm"], "must be more than 0 N/mm"),
-        (&["--needed", "nan N/mm"], "write a force per length"),
+        (&["--needed", "nan N/mm"], "write the force per length"),
         (&["--needed", "1,2 N/mm"], "a decimal comma: write 1.2 N/mm"),
         (&["--margin", "nan"], "must be at least 1 and at most 100"),
         (&["--margin", "0"], "must be at least 1 and at most 100"),

@@ -172,7 +172,12 @@ fn numbers_without_sense_are_wrong_usage() {
         ),
         (&optimize, "--tube-width", &["-1 mm..5 mm", "0 mm..5 mm"], "the length must be at least 0.001 mm"),
         (&optimize, "--tip-radius", &["-1 mm..5 mm"], "the length must be at least 0 mm"),
-        (&optimize, "--corner-radius", &["nan mm..5 mm", "5..6"], "write a length as a number and one of mm"),
+        (
+            &optimize,
+            "--corner-radius",
+            &["nan mm..5 mm", "5..6"],
+            "write the length as a number and one of mm",
+        ),
         (&optimize, "--grasp", &["5 mm..4 mm"], "the range falls; write \"4 mm..5 mm\""),
         (&cone, "--friction", &["nan", "inf", "-0.1"], "must be at least 0 and at most 10"),
         (

@@ -178,7 +178,10 @@ fn cells(candidate: &Evaluated, constraints: &Constraints) -> [String; COLUMNS.l
     let radius = own.map(|own| Length::from_metres(own.rest.radius).0);
     let short: Vec<String> = shortfalls(point, answer, constraints)
         .into_iter()
-        .map(|(what, part)| format!("{what} {:.1} %", 100.0 * part))
+        .map(|(what, part)| match 100.0 * part {
+            percent if percent < 0.05 => format!("{what} below 0.1 %"),
+            percent => format!("{what} {percent:.1} %"),
+        })
         .collect();
     [
         star.points.to_string(),

@@ -102,7 +102,7 @@ enum Command {
     Feedcheck(feedcheck::Args),
     /// Write programs for seal strips and pouches that tell what a machine and a fabric can do.
     Coupon(coupon::Args),
-    /// Turn the filled-in table of a peel test into what the spec should say.
+    /// Turn tests on the bench (peeled strips, a V-actuator, a disc) into what the spec should say.
     Calibrate(calibrate::Args),
     /// Write a program for the rest of a job that was interrupted.
     Resume(resume::Args),

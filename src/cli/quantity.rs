@@ -24,7 +24,7 @@ pub(super) fn quantity<Q: Quantity>(
 ) -> impl Fn(&str) -> Result<Q, String> + Clone + Send + Sync {
     move |text| {
         let found = Q::parse(text).map_err(|_| {
-            let unit = format!("write a {} as a number and one of {}", Q::KIND, Q::unit_list());
+            let unit = format!("write the {} as a number and one of {}", Q::KIND, Q::unit_list());
             remedy(text, &unit)
         })?;
         let unit = Q::UNITS.first().map_or("", |(name, _)| name);
@@ -43,7 +43,15 @@ pub(super) fn range<Q: Quantity>(
     let quantity = quantity::<Q>(allowed);
     move |text| {
         let (from, to) = text.split_once("..").unwrap_or((text, text));
-        let (from, to) = (quantity(from)?, quantity(to)?);
+        let is_range = from != to;
+        let end = |end: &str| {
+            quantity(end).map_err(|why| {
+                let unit = Q::UNITS.first().map_or("", |(name, _)| name);
+                let is_unread = is_range && Q::parse(end).is_err();
+                if is_unread { format!("{why}, at each end: 20 {unit}..40 {unit}") } else { why }
+            })
+        };
+        let (from, to) = (end(from)?, end(to)?);
         if from.base() <= to.base() {
             Ok((from, to))
         } else {
@@ -102,7 +110,7 @@ mod tests {
         assert_eq!((length("5 cm"), length("0 mm")), (Ok(Length(50.0)), Ok(Length(0.0))));
         let range_of = "the length must be at least 0 mm and at most 100000 mm";
         assert_eq!((length("-1 mm"), length("1e3 m")), (Err(range_of.to_owned()), Err(range_of.to_owned())));
-        assert_eq!(length("5"), Err("write a length as a number and one of mm, cm, m, um, in".to_owned()));
+        assert_eq!(length("5"), Err("write the length as a number and one of mm, cm, m, um, in".to_owned()));
         assert!(length("nan mm").is_err() && length("5 deg").is_err());
         assert!(length("5,5 mm").expect_err("a comma").starts_with("a decimal comma: write 5.5 mm"));
     }
@@ -114,5 +122,7 @@ mod tests {
         assert_eq!(angles("30 deg"), Ok((Angle(30.0), Angle(30.0))));
         assert_eq!(angles("30 deg..10 deg"), Err("the range falls; write \"10 deg..30 deg\"".to_owned()));
         assert!(angles("0 deg..10 deg").is_err() && angles("10 deg..").is_err());
+        let why = angles("20..40").expect_err("no unit");
+        assert!(why.ends_with("and one of deg, rad, at each end: 20 deg..40 deg"), "{why}");
     }
 }

@@ -70,7 +70,9 @@ impl Verdict {
             Holds::Unknown => "may hold the object",
         };
         let force = match (self.force_N, self.force_range_N) {
-            (Some(force), Some(range)) => format!(" with {}", shown::with(force, range, "N")),
+            (Some(force), Some(range)) if range[1] > 0.0 => {
+                format!(" with {}", shown::with(force, range, "N"))
+            }
             _ => String::new(),
         };
         let needed = self.needed_N.map_or(String::new(), |needed| format!(" ({needed:.1} N are needed)"));

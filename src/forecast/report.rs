@@ -54,11 +54,12 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     let why = Some(&star.evidence.choice).filter(|choice| !star.evidence.warnings.contains(choice));
     line("model", why.map_or(star.model.to_owned(), |why| format!("{} ({why})", star.model)));
     line("arm length", show(star.arm_length_mm, "mm"));
-    if let Some((tip, corner)) = pair(star.lambda_t) {
-        line("target coiling tip, corner", format!("{}, {}", Readable(tip), Readable(corner)));
-    }
     // A limit was asked for by name: its number is what was wanted, and how far it is off is not known.
     let is_limit = star.model != Level::Section.name();
+    if let Some((tip, corner)) = pair(star.lambda_t) {
+        let said = |lambda: f64| if is_limit { Readable(lambda).to_string() } else { format!("{lambda:.3}") };
+        line("target coiling tip, corner", format!("{}, {}", said(tip), said(corner)));
+    }
     let unknown = |value: f64, unit: &str| {
         if is_limit { format!("{}, range unknown", show(value, unit)) } else { "unknown".to_owned() }
     };

@@ -13,12 +13,15 @@ pub fn known(value: Option<f64>, range: Option<Interval>, unit: &str) -> String 
 
 /// `value` with its range, both in `unit`.
 pub fn with(value: f64, [low, high]: Interval, unit: &str) -> String {
-    let step = step(high - low);
     let gap = if unit.is_empty() { "" } else { " " };
-    // Ends are rounded outwards: what is printed holds.
-    let [low, high] = [(low / step).floor() * step, (high / step).ceil() * step];
-    let [value, low, high] = [value, low, high].map(|number| text(number, step));
-    format!("{value}{gap}{unit}, {low} to {high}")
+    if [value, low, high] == [0.0; 3] {
+        return format!("0{gap}{unit}");
+    }
+    let step = step(high - low);
+    // Ends are rounded outwards: what is printed holds. A low end that is small keeps a digit: 5 to 140, not 0 to 140.
+    let fine = if low < step && low >= 0.1 * step { 0.1 * step } else { step };
+    let [low, high] = [text((low / fine).floor() * fine, fine), text((high / step).ceil() * step, step)];
+    format!("{}{gap}{unit}, {low} to {high}", text(value, step))
 }
 
 /// `value` in `unit`, as exact as a number with this range is.
@@ -75,7 +78,9 @@ mod tests {
         assert_eq!(with(1234.5, [1012.0, 1450.0], "N/m"), "1230 N/m, 1010 to 1450");
         assert_eq!(with(0.061, [0.0512, 0.0723], "kg"), "0.061 kg, 0.051 to 0.073");
         assert_eq!(with(0.0, [-0.001, 0.001], ""), "0.0000, -0.0010 to 0.0010");
-        assert_eq!(with(0.0, [0.0, 0.0], "N"), "0.000 N, 0.000 to 0.000");
+        assert_eq!(with(0.0, [0.0, 0.0], "N"), "0 N");
+        assert_eq!(with(18.2, [5.3, 131.0], "N"), "20 N, 5 to 140");
+        assert_eq!(with(18.2, [0.03, 131.0], "N"), "20 N, 0 to 140");
     }
 
     #[test]
