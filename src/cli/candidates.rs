@@ -10,6 +10,7 @@ use crate::forecast::optimize::{
     Confirmed, Constraints, Evaluated, Found, is_at_pressure, shortfalls, thinned,
 };
 use crate::forecast::outcome::{Hold, Outcome};
+use crate::forecast::ranges::errors::SEARCHED;
 use crate::forecast::ranges::{mm, shown};
 use crate::units::Length;
 
@@ -39,6 +40,14 @@ impl Said<'_> {
              how much; one that misses nothing loses by the goal.\n"
         );
         out.push_str(&rows(best, self.constraints));
+        if self.constraints.payload.is_some() || self.constraints.largest_force.is_some() {
+            // A String takes everything.
+            let _ = writeln!(
+                out,
+                "# a search finds where a model promises most: `short` counts on {SEARCHED} of a payload's lower end, and takes a \
+                 force to be its upper end over that"
+            );
+        }
         if !front.is_empty() {
             // A String takes everything.
             let _ = writeln!(

@@ -87,7 +87,7 @@ impl Outcome {
         let own = Self::at(case, inflated.linear_rest(), |rho, rest| inflated.linear_force(rho, rest));
         let ranges = Ranges::new(case, inflated, &own.rest);
         let force_range =
-            own.object_force().and(case.object).and_then(|rho| ranges.force(&case.mechanism, rho, &own.rest));
+            own.object_force().and(case.object).and_then(|rho| ranges.force(case, rho, &own.rest));
         let payload_range =
             case.friction.zip(force_range).map(|(mu, range)| scaled(range, payload(mu, [1.0])));
         let own = Self { ranges, force_range, payload_range, ..own };

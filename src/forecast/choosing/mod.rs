@@ -193,7 +193,8 @@ impl Wish {
         Constraints {
             grasp: Some([Length(CLOSING * self.object.0), Length(self.object.0 + room)]),
             payload: Some(margin * self.mass.0),
-            largest_force: self.largest_force.map(|force| force.0),
+            // A search keeps as far from what the object bears, in parts, as it does from the mass.
+            largest_force: self.largest_force.map(|force| force.0 * MARGIN / margin),
             sheet: self.room.free(),
             burst_margin: base.fabric.seal_strength.map(|_| BURST_MARGIN),
             apart: true,

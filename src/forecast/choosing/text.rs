@@ -3,6 +3,7 @@
 use crate::forecast::case::sheet;
 use crate::forecast::choosing::{Choice, MARGIN};
 use crate::forecast::optimize::sure_payload;
+use crate::forecast::ranges::errors::SEARCHED;
 use crate::forecast::ranges::{Interval, mm, shown};
 use crate::mechanics::strength::GRAVITY;
 use crate::spec::{FeedFloor, NameFault, Spec, quoted};
@@ -52,7 +53,9 @@ impl Lines {
             wish.mass,
             Readable(wish.friction)
         ));
-        self.comment(&format!("Counted on is {MARGIN} times the mass at least: the lower end of the range."));
+        self.comment(&format!(
+            "Counted on is {MARGIN} times the mass at least: {SEARCHED} of the range's lower end."
+        ));
         self.comment("The values below were searched; the comments say why each is what it is.");
         self.text.push('\n');
     }

@@ -1,8 +1,10 @@
-//! What a design must do, and by how much it misses it: at the bad end of its ranges.
+//! What a design must do, and by how much it misses it: at the bad end of its ranges, and of a force's beyond it, because a search finds
+//! where a model promises most.
 
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::forecast::case::Case;
 use crate::forecast::outcome::{Hold, Outcome, SHORTEST_ARM};
+use crate::forecast::ranges::errors::SEARCHED;
 use crate::forecast::ranges::{Standing, outside_by};
 use crate::spec::ModelChoice;
 use crate::units::Length;
@@ -104,18 +106,19 @@ fn least_sure(own: &Outcome) -> f64 {
     own.ranges.radius.map_or(own.rest.radius, |[_, high]| high)
 }
 
-/// The largest force with which it may press, N; `None` if none is known.
+/// The largest force with which it may press, N, beyond the upper end of its range; `None` if none is known.
 fn most_force(point: &Candidate, own: &Outcome) -> Option<f64> {
     match own.force_range {
-        Some([_, high]) => Some(high),
+        Some([_, high]) => Some(high / SEARCHED),
         None => own.object_force().filter(|_| !is_at_pressure(point.model)),
     }
 }
 
-/// The payload of the stack that is counted on, kg; `None` where nothing is known of it, and of a limit that was asked for its own.
+/// The payload of the stack that is counted on, kg, below the lower end of its range; `None` where nothing is known of it, and of a limit
+/// that was asked for its own.
 pub fn sure_payload(point: &Candidate, answer: &Answer) -> Option<f64> {
     match answer.payload_range {
-        Some([low, _]) => Some(low),
+        Some([low, _]) => Some(SEARCHED * low),
         None => answer.payload.filter(|_| !is_at_pressure(point.model)),
     }
 }

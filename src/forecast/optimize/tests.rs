@@ -1,6 +1,7 @@
 //! Searches against grids, their order, and their front.
 
 use super::*;
+use crate::forecast::ranges::errors::SEARCHED;
 use crate::spec::{ModelChoice, Source, read, starter};
 
 fn base() -> Candidate {
@@ -154,4 +155,17 @@ fn a_force_of_which_nothing_is_known_counts_for_nothing() {
     let all = shortfalls(&point, &answer, &constraints);
     let short = |name: &str| all.iter().any(|(what, part)| *what == name && *part > 0.0);
     assert!(short("payload") && short("pressing") && short("touching"), "{all:?}");
+}
+
+#[test]
+fn searches_count_on_less_than_the_end_of_a_force_s_range() {
+    let (point, answer) = at_pressure(30.0, 25.0);
+    let [low, _] = answer.payload_range.expect("it holds the object");
+    let sure = sure_payload(&point, &answer).expect("known");
+    assert!(low > 0.0 && sure.total_cmp(&(SEARCHED * low)).is_eq(), "{sure} {low}");
+    let asked = |payload: f64| {
+        let constraints = Constraints { payload: Some(payload), ..Constraints::default() };
+        shortfalls(&point, &answer, &constraints).iter().any(|(what, _)| *what == "payload")
+    };
+    assert!(!asked(0.99 * sure) && asked(0.5 * (sure + low)));
 }

@@ -81,7 +81,7 @@ pub fn against(star: &Computed) -> Option<Against> {
         let object = 1e-3 * radius.value + opening;
         let predicted =
             if object < own.rest.radius { 0.0 } else { inflated.linear_force(object, &own.rest).ok()? };
-        let range = own.ranges.force(moves, object, &own.rest)?;
+        let range = own.ranges.force(&case, object, &own.rest)?;
         let pair = Pair { shell, mesh: open * shell, predicted, range, error: shell / same };
         (open < SETTLED).then_some((*part, pair))
     };

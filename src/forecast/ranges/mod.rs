@@ -13,7 +13,7 @@ pub use interval::{Interval, mm, scaled, sum};
 
 use crate::forecast::case::{Case, Hinges};
 use crate::mechanics::hinge::{HingeModel, Level};
-use crate::mechanics::star::Mechanism;
+use crate::mechanics::star::grasp::Grasp;
 use crate::mechanics::star::response::{Inflated, Rest};
 use crate::units::Readable;
 use serde::Serialize;
@@ -73,10 +73,11 @@ impl Ranges {
         }
     }
 
-    /// Of the radial force on an object of radius `rho` (m) within `star`, which rests at `rest`; `None` where arms touch, and where
-    /// shells were not opened so far.
-    pub fn force(&self, star: &Mechanism, rho: f64, rest: &Rest) -> Option<Interval> {
-        let (radius, _) = self.radius.zip(self.stiffness)?;
+    /// Of the radial force on an object of radius `rho` (m) within the star of `case`, which rests at `rest`; `None` where arms touch, and
+    /// where shells were not opened so far.
+    pub fn force(&self, case: &Case, rho: f64, rest: &Rest) -> Option<Interval> {
+        let star = &case.mechanism;
+        let (([near, far], _), pressure) = self.radius.zip(self.stiffness).zip(case.pressure)?;
         let opened = (rho - rest.radius) / star.width;
         if opened > errors::NOT_FAR * errors::OPENING {
             return None;
@@ -85,12 +86,14 @@ impl Ranges {
         // What opens further than was tried is known less and less: without a jump, on which a search would lose its way.
         let further = (opened / errors::OPENING - 1.0) / (errors::NOT_FAR - 1.0);
         let [low, high] = errors::FORCE.map(|part| part.powf(wider * (1.0 + further.clamp(0.0, 1.0))));
-        // Where a star begins to touch is as uncertain as its radius.
-        let from = |radius: f64| {
-            let opening = (rho - radius).max(0.0);
-            rest.stiffness * opening * star.correction.secant(opening / star.width)
-        };
-        Some([low * from(radius[1]), high * from(radius[0])])
+        // Where a star begins to touch is as uncertain as its radius. What one errs by is taken not to depend on the other, so that
+        // both together are as far off as the root of their squares; so taken, ranges hold (docs/ranges.md).
+        let grasp = Grasp::new(star, rest.stiffness, pressure);
+        let [least, force, most] = [far, rest.radius, near].map(|from| grasp.force(rho, from));
+        Some([
+            (force - (force - least).hypot(force * (1.0 - low))).max(0.0),
+            force + (most - force).hypot(force * (high - 1.0)),
+        ])
     }
 }
 

@@ -30,14 +30,7 @@
 //! s^2 / (s^2 + (0.42 W / sin(pi/n))^2) exp(-0.598 + 0.073 l/W + 18.7 t/W + 6.07 p W / Y)
 //! ```
 //!
-//! A round object meets a corner at its rim, which is stiffer than the section moved as a whole, and the more so the further it is opened
-//! and the more the corner turns; and arms bend before they lock. So the force grows with the opening `o` = rho - rho_f as
-//!
-//! ```text
-//! F = F_0 + K o (1.14 + 0.785 alpha_0e o/W)
-//! ```
-//!
-//! where F_0 is what presses arms that touch, alpha_0e the corner's flat arc, and o/W counts up to 0.9.
+//! What a round object meets is [`Grasp`](super::grasp::Grasp).
 
 use crate::mechanics::star::Mechanism;
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -57,8 +50,6 @@ pub struct Correction {
     pub bends: f64,
     /// Radial stiffness over that of hinges and levers.
     pub firm: f64,
-    /// By how much the secant of the force grows with each W of opening.
-    pub locks: f64,
     /// Whether corners give way where the object pushes.
     pub gives: bool,
 }
@@ -66,16 +57,7 @@ pub struct Correction {
 /// None: tubes as wide as cylinders, arms rigid, and touching when they are parallel.
 impl Default for Correction {
     fn default() -> Self {
-        Self {
-            width: FRAC_2_PI,
-            rim: 0.0,
-            touch: 0.0,
-            curved: 0.0,
-            bends: 0.0,
-            firm: 1.0,
-            locks: 0.0,
-            gives: false,
-        }
+        Self { width: FRAC_2_PI, rim: 0.0, touch: 0.0, curved: 0.0, bends: 0.0, firm: 1.0, gives: false }
     }
 }
 
@@ -111,18 +93,7 @@ const FIRM: [f64; 4] = [-0.598, 0.073, 18.7, 6.07];
 /// How hinges are stiffer opened than closed, per rad, in fabric that hardly stretches; and by which p W / Y that fades, as an exponent.
 const CURVED: [f64; 2] = [1.424, 20.8];
 
-/// The force that opens a star over its stiffness at rest times the opening: at first, and by how much more with each W and each rad of
-/// a corner's arc.
-const SECANT: [f64; 2] = [1.14, 0.785];
-/// Openings by W over which the force grows so: as far as shells were opened.
-pub const OPENED: f64 = 0.9;
-
 impl Correction {
-    /// Force that opens a star by `opening` W, over its stiffness at rest times that; 1 without a correction.
-    pub fn secant(&self, opening: f64) -> f64 {
-        if self.gives { SECANT[0] + self.locks * opening.clamp(0.0, OPENED) } else { 1.0 }
-    }
-
     /// Of the star `star` with `ratios`, whose hinges, if they were endless, would be `width` W wide when inflated.
     pub fn new(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
         let Ratios { thickness, stretch, bendability } = ratios;
@@ -146,7 +117,6 @@ impl Correction {
             curved: curved * (-fades * stretch).exp(),
             bends: PI * PI * stretch * (long.max(SHORT_ARM) - TABLE_ARM),
             firm: (firm + by_arm * long + by_thickness * thickness + by_stretch * stretch).exp(),
-            locks: SECANT[1] * star.corner().arc(),
             gives: true,
         }
     }
@@ -213,14 +183,6 @@ mod tests {
         assert!((3..8).all(|n| softness(n + 1) < softness(n)));
         assert!(softness(8) > 0.0 && softness(8) < 0.1 && softness(3) > 0.9 && softness(3) < 1.1);
         assert_eq!(Correction::default().softness(&paper(8), 0.1), 1.0);
-    }
-
-    #[test]
-    fn objects_meet_more_force_the_further_they_open() {
-        let correction = corrected(paper(5)).correction;
-        assert!(correction.secant(0.0) > 1.0 && correction.secant(0.4) > correction.secant(0.1) + 0.2);
-        assert_eq!(correction.secant(1.8), correction.secant(OPENED));
-        assert_eq!(Correction::default().secant(0.4), 1.0);
     }
 
     #[test]

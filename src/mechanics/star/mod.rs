@@ -17,6 +17,7 @@
 //! no force on the corners opens the star any further.
 
 pub mod correction;
+pub mod grasp;
 pub mod response;
 
 pub use self::correction::Correction;

@@ -12,6 +12,7 @@
 
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
+use crate::mechanics::star::grasp::Grasp;
 use crate::mechanics::star::{Mechanism, Radius, Widest};
 use crate::numerics::bracketed_root;
 
@@ -211,17 +212,16 @@ impl<'a> Inflated<'a> {
     }
 
     /// Radial force (N) of linear hinges on an object of radius `rho` (m): `n (C_i + C_e) (phi - phi_eq) dphi/drho`, and with a
-    /// correction what that says of forces.
+    /// correction what [`Grasp`] says.
     ///
     /// # Errors
     /// As for [`Inflated::angle_at`].
     pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
         let phi = self.angle_at(rho, rest)?;
         let (tip, corner) = self.hinge_stiffness();
-        let correction = &self.star.correction;
-        if correction.gives {
-            let opening = rho - rest.radius;
-            return Ok(rest.preload + rest.stiffness * opening * correction.secant(opening / self.star.width));
+        if self.star.correction.gives {
+            let grasp = Grasp::new(self.star, rest.stiffness, self.pressure);
+            return Ok(rest.preload + grasp.force(rho, rest.radius));
         }
         let spring = f64::from(self.star.points) * (tip + corner);
         Ok(spring * (phi - rest.equilibrium) / self.star.radius(phi).slope)
