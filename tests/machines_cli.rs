@@ -536,6 +536,18 @@ fn calibrate_finds_the_fabric_that_the_bench_shows() {
 }
 
 #[test]
+fn calibrate_reads_the_spec_once_and_warns_once() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
+    let spec = support::PAPER.to_owned() + "[load]\npressure = \"5 kPa\"\n[seal]\ntemperature = \"270 C\"\n";
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let call =
+        "calibrate results.csv --spec spec.toml --flat-angle 60 --inflated-angle 40 --angle-pressure 12kPa";
+    let output = run(dir.path(), &call.split(' ').collect::<Vec<_>>());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(stderr(&output).matches("warning[ptfe]").count(), 1, "{}", stderr(&output));
+}
+
+#[test]
 fn calibrate_refuses_what_no_bench_shows() {
     let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
     let spec = support::PAPER.to_owned() + "[load]\npressure = \"20 kPa\"\n";

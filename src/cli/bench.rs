@@ -1,7 +1,6 @@
 //! What `calibrate` is told of a V-actuator and of a disc on the bench, and what they tell.
 
 use std::fmt::Write;
-use std::path::Path;
 
 use serde_json::{Value, json};
 
@@ -9,7 +8,6 @@ use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{number, quantity};
-use crate::cli::voice::Voice;
 use crate::coupon::DISC;
 use crate::forecast::case::sheet;
 use crate::forecast::stiffness::{BenchFault, DiscBench, VBench};
@@ -49,9 +47,9 @@ pub(super) struct Bench {
 }
 
 impl Bench {
-    /// What was measured at the V-actuator and what is predicted: at its pressure by `section` for the fabric of the spec at `path`,
-    /// else by the exact ring; `None` if nothing was measured.
-    pub(super) fn coiling(&self, path: Option<&Path>, voice: Voice) -> Result<Option<Coiling>, Failure> {
+    /// What was measured at the V-actuator and what is predicted: at its pressure by `section` for the fabric of the spec, else by the
+    /// exact ring; `None` if nothing was measured.
+    pub(super) fn coiling(&self, spec: Option<&Loaded>) -> Result<Option<Coiling>, Failure> {
         let Some((flat, inflated)) = self.flat_angle.zip(self.inflated_angle) else { return Ok(None) };
         if inflated > flat {
             return Err(Failure::Message(format!(
@@ -60,9 +58,8 @@ impl Bench {
             )));
         }
         let measured = (180.0 - inflated) / (180.0 - flat);
-        if let (Some(path), Some(pressure)) = (path, self.angle_pressure) {
-            let loaded = Loaded::spoken(path, voice)?;
-            let known = known(&loaded, path)?;
+        if let (Some(loaded), Some(pressure)) = (spec, self.angle_pressure) {
+            let known = known(loaded)?;
             let bench = self.vee(&loaded.reading.spec, pressure, 0.0);
             let predicted = bench.and_then(|bench| {
                 let (bending, stretch) = (known.bending_modulus(), known.stretching_modulus());
@@ -87,14 +84,13 @@ impl Bench {
         Some(VBench { hinge, pressure: pressure.pascals(), inflated: (inflated + off).to_radians() })
     }
 
-    /// The stiffnesses that follow from the bench for the fabric of the spec at `path`, whose V-actuator it was.
-    pub(super) fn stiffnesses(&self, path: &Path, voice: Voice) -> Result<Stiffnesses, Failure> {
+    /// The stiffnesses that follow from the bench for the fabric of the spec, whose V-actuator it was.
+    pub(super) fn stiffnesses(&self, loaded: &Loaded) -> Result<Stiffnesses, Failure> {
         let mut found = Stiffnesses::default();
         if self.angle_pressure.is_none() && self.disc_width.is_none() {
             return Ok(found);
         }
-        let loaded = Loaded::spoken(path, voice)?;
-        let known = known(&loaded, path)?;
+        let known = known(loaded)?;
         let (poisson, mut stretch) = (known.poisson_ratio, known.stretching_modulus());
         if let Some((width, pressure)) = self.disc_width.zip(self.disc_pressure) {
             let at = |off: f64| {
@@ -122,9 +118,10 @@ impl Bench {
     }
 }
 
-/// What is known of the fabric of the spec that was read from `path`.
-fn known(loaded: &Loaded, path: &Path) -> Result<ElasticSheet, Failure> {
-    sheet(&loaded.reading.spec.fabric).map_err(|fault| Failure::Message(format!("{}: {fault}", shown(path))))
+/// What is known of the spec's fabric.
+fn known(loaded: &Loaded) -> Result<ElasticSheet, Failure> {
+    let refused = |fault| Failure::Message(format!("{}: {fault}", shown(&loaded.source.name)));
+    sheet(&loaded.reading.spec.fabric).map_err(refused)
 }
 
 /// What the V-actuator's angles tell.

@@ -49,70 +49,69 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         Some(path) => settings(&read_rows(&Source::new(path.display().to_string(), read_table(path)?))?),
         None => Vec::new(),
     };
-    let coiling = args.bench.coiling(args.spec.as_deref(), args.voice)?;
-    let fabric = match &args.spec {
-        Some(path) => args.bench.stiffnesses(path, args.voice)?,
-        None => Stiffnesses::default(),
-    };
+    let spec = args.spec.as_deref().map(|path| Loaded::spoken(path, args.voice)).transpose()?;
+    let coiling = args.bench.coiling(spec.as_ref())?;
+    let fabric =
+        spec.as_ref().map_or_else(|| Ok(Stiffnesses::default()), |spec| args.bench.stiffnesses(spec))?;
     args.voice.remark(&coiling.as_ref().map_or_else(String::new, Coiling::text))?;
+    let told = Told { args, spec, settings, coiling, fabric };
     let Some(results) = &args.results else {
-        return args.voice.report(&fabric.section(), &json(args, None, &[], None, coiling.as_ref(), &fabric));
+        return args.voice.report(&told.fabric.section(), &told.json(None, None));
     };
     // What the V-actuator tells does not hang on the strips.
-    let chosen = choose(args, results, &settings, coiling.as_ref(), &fabric);
+    let chosen = told.choose(results);
     if chosen.is_err() {
-        args.voice.remark(&fabric.section())?;
+        args.voice.remark(&told.fabric.section())?;
     }
     chosen
 }
 
-/// The answer for programs.
-fn json(
-    args: &Args,
-    needed: Option<f64>,
-    settings: &[Calibration],
-    chosen: Option<&Calibration>,
-    coiling: Option<&Coiling>,
-    fabric: &Stiffnesses,
-) -> Value {
-    json!({
-        "needed_N_mm": needed,
-        "margin": args.margin,
-        "settings": settings.iter().map(setting).collect::<Vec<_>>(),
-        "chosen": chosen.map(setting),
-        "coiling": coiling.map(Coiling::json),
-        "fabric": fabric.json(),
-    })
+/// What the bench and the strips told.
+struct Told<'a> {
+    args: &'a Args,
+    spec: Option<Loaded>,
+    settings: Vec<Calibration>,
+    coiling: Option<Coiling>,
+    fabric: Stiffnesses,
 }
 
-/// Chooses a setting, and says it with what the bench told.
-fn choose(
-    args: &Args,
-    results: &Path,
-    settings: &[Calibration],
-    coiling: Option<&Coiling>,
-    fabric: &Stiffnesses,
-) -> Result<(), Failure> {
-    let refused = |fault| Failure::Message(format!("{}: {fault}", shown(results)));
-    let need = match (args.needed, &args.spec) {
-        (Some(needed), _) => Some((needed.0, String::new())),
-        (None, Some(path)) => Some(need_of(path, args.voice)?),
-        (None, None) => None,
-    };
-    let json = |chosen| json(args, need.as_ref().map(|need| need.0), settings, chosen, coiling, fabric);
-    let Some((needed, why)) = &need else {
-        let _ = steady(settings).map_err(refused)?;
-        args.voice.report(&listing(settings), &json(None))?;
-        return Err(Failure::Message(
-            "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
-                .to_owned(),
-        ));
-    };
-    let chosen = calibrate(settings, *needed, args.margin).map_err(refused)?;
-    // One [fabric] in all, so that the lines can be copied as they are.
-    let chosen_toml = chosen.toml().replacen("[fabric]\n", &format!("[fabric]\n{}", fabric.toml()), 1);
-    let all = if args.voice.verbose { listing(settings) } else { String::new() };
-    args.voice.report(&format!("{all}{why}{chosen_toml}"), &json(Some(&chosen)))
+impl Told<'_> {
+    /// Chooses a setting of the table at `results`, and says it with what the bench told.
+    fn choose(&self, results: &Path) -> Result<(), Failure> {
+        let Self { args, settings, .. } = self;
+        let refused = |fault| Failure::Message(format!("{}: {fault}", shown(results)));
+        let need = match (args.needed, &self.spec) {
+            (Some(needed), _) => Some((needed.0, String::new())),
+            (None, Some(spec)) => Some(need_of(spec)?),
+            (None, None) => None,
+        };
+        let Some((needed, why)) = need else {
+            let _ = steady(settings).map_err(refused)?;
+            args.voice.report(&listing(settings), &self.json(None, None))?;
+            return Err(Failure::Message(
+                "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
+                    .to_owned(),
+            ));
+        };
+        let chosen = calibrate(settings, needed, args.margin).map_err(refused)?;
+        // One [fabric] in all, so that the lines can be copied as they are.
+        let fabric = format!("[fabric]\n{}", self.fabric.toml());
+        let chosen_toml = chosen.toml().replacen("[fabric]\n", &fabric, 1);
+        let all = if args.voice.verbose { listing(settings) } else { String::new() };
+        args.voice.report(&format!("{all}{why}{chosen_toml}"), &self.json(Some(needed), Some(&chosen)))
+    }
+
+    /// The answer for programs.
+    fn json(&self, needed: Option<f64>, chosen: Option<&Calibration>) -> Value {
+        json!({
+            "needed_N_mm": needed,
+            "margin": self.args.margin,
+            "settings": self.settings.iter().map(setting).collect::<Vec<_>>(),
+            "chosen": chosen.map(setting),
+            "coiling": self.coiling.as_ref().map(Coiling::json),
+            "fabric": self.fabric.json(),
+        })
+    }
 }
 
 /// A setting for programs.
@@ -129,11 +128,10 @@ fn setting(found: &Calibration) -> Value {
     })
 }
 
-/// The largest load on a seal of the spec at `path`, N/mm, and a comment that says where it is.
-fn need_of(path: &Path, voice: Voice) -> Result<(f64, String), Failure> {
-    let loaded = Loaded::spoken(path, voice)?;
+/// The largest load on a seal of the spec, N/mm, and a comment that says where it is.
+fn need_of(loaded: &Loaded) -> Result<(f64, String), Failure> {
     let spec = &loaded.reading.spec;
-    let refused = |why: &str| Failure::Message(format!("{}: {why}", shown(path)));
+    let refused = |why: &str| Failure::Message(format!("{}: {why}", shown(&loaded.source.name)));
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let pressure = pressure.ok_or_else(|| refused("[load] has no pressure; write one, or give --needed"))?;
     let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;

@@ -7,10 +7,9 @@ use serde_json::{Value, json};
 
 use crate::cli::terminal::width;
 use crate::forecast::optimize::{
-    Confirmed, Constraints, Evaluated, Found, is_at_pressure, shortfalls, thinned,
+    Confirmed, Constraints, Evaluated, Found, SEARCHED, is_at_pressure, shortfalls, thinned,
 };
 use crate::forecast::outcome::{Hold, Outcome};
-use crate::forecast::ranges::errors::SEARCHED;
 use crate::forecast::ranges::{mm, shown};
 use crate::units::Length;
 

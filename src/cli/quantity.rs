@@ -27,11 +27,10 @@ pub(super) fn quantity<Q: Quantity>(
             let unit = format!("write the {} as a number and one of {}", Q::KIND, Q::unit_list());
             remedy(text, &unit)
         })?;
-        let unit = Q::UNITS.first().map_or("", |(name, _)| name);
         if allowed.holds(found.base()) {
             Ok(found)
         } else {
-            Err(format!("the {} {}", Q::KIND, allowed.in_words(unit)))
+            Err(format!("the {} {}", Q::KIND, allowed.in_words(Q::UNITS[0].0)))
         }
     }
 }
@@ -43,12 +42,12 @@ pub(super) fn range<Q: Quantity>(
     let quantity = quantity::<Q>(allowed);
     move |text| {
         let (from, to) = text.split_once("..").unwrap_or((text, text));
-        let is_range = from != to;
         let end = |end: &str| {
-            quantity(end).map_err(|why| {
-                let unit = Q::UNITS.first().map_or("", |(name, _)| name);
-                let is_unread = is_range && Q::parse(end).is_err();
-                if is_unread { format!("{why}, at each end: 20 {unit}..40 {unit}") } else { why }
+            quantity(end).map_err(|why| match Q::parse(end) {
+                Err(_) if from != to => {
+                    format!("{why}, at each end: 20 {unit}..40 {unit}", unit = Q::UNITS[0].0)
+                }
+                _ => why,
             })
         };
         let (from, to) = (end(from)?, end(to)?);

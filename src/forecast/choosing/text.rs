@@ -2,8 +2,7 @@
 
 use crate::forecast::case::sheet;
 use crate::forecast::choosing::{Choice, MARGIN};
-use crate::forecast::optimize::sure_payload;
-use crate::forecast::ranges::errors::SEARCHED;
+use crate::forecast::optimize::{SEARCHED, sure_payload};
 use crate::forecast::ranges::{Interval, mm, shown};
 use crate::mechanics::strength::GRAVITY;
 use crate::spec::{FeedFloor, NameFault, Spec, quoted};

@@ -4,7 +4,6 @@
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::forecast::case::Case;
 use crate::forecast::outcome::{Hold, Outcome, SHORTEST_ARM};
-use crate::forecast::ranges::errors::SEARCHED;
 use crate::forecast::ranges::{Standing, outside_by};
 use crate::spec::ModelChoice;
 use crate::units::Length;
@@ -13,6 +12,9 @@ use crate::units::Length;
 const LEAST_UNTRIED: f64 = 0.01;
 /// By how much constraints are tightened for the search, so that they still hold once the values are rounded.
 pub const ROUNDING: f64 = 5e-4;
+/// Part of the lower end of a force's range that a search counts on, and the upper end over what it fears: it finds where a model promises
+/// most. Of the payloads of twenty winners that were chosen by the ranges alone three were less than the lower end, by 10, 13 and 21 %.
+pub const SEARCHED: f64 = 0.8;
 
 /// What a design must do; absent constraints always hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

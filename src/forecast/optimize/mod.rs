@@ -10,7 +10,9 @@ mod front;
 mod poll;
 
 pub use self::confirmed::{Compared, Confirmed, Judgement};
-pub use self::constraints::{Constraints, ROUNDING, Short, is_at_pressure, shortfalls, sure_payload};
+pub use self::constraints::{
+    Constraints, ROUNDING, SEARCHED, Short, is_at_pressure, shortfalls, sure_payload,
+};
 pub use self::front::thinned;
 
 use self::front::front;

@@ -1,7 +1,6 @@
 //! Searches against grids, their order, and their front.
 
 use super::*;
-use crate::forecast::ranges::errors::SEARCHED;
 use crate::spec::{ModelChoice, Source, read, starter};
 
 fn base() -> Candidate {

@@ -22,10 +22,6 @@ pub const ACTUATOR_ARM: Interval = [4.0, 7.5];
 /// The shell's force over the predicted one, both where they are opened equally far, by up to 0.9 W; the range of the radius comes on top.
 pub const FORCE: Interval = [0.72, 1.32];
 
-/// Part of the lower end of a force's range that a search counts on, and the upper end over what it fears: it finds where a model promises
-/// most. Of the payloads of twenty winners that were chosen by the ranges alone three were less than the lower end, by 10, 13 and 21 %.
-pub const SEARCHED: f64 = 0.8;
-
 /// Openings by W that were tried: 0.9 from the shell's own rest, which may be a little further out than the predicted one.
 pub const OPENING: f64 = 0.95;
 

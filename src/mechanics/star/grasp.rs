@@ -15,7 +15,7 @@
 use crate::mechanics::star::Mechanism;
 
 /// Openings by W over which the force grows: as far as shells were opened.
-pub const OPENED: f64 = 0.9;
+const OPENED: f64 = 0.9;
 /// Logarithm of how much stiffer the rim is than the section: always, by each rad of the corner's arc, by each of ln kappa, and by
 /// each rad and W of opening. This and all below by least squares over the stars of docs/ranges.md that were opened.
 const RIM: [f64; 4] = [0.714, -0.23, 0.145, 0.505];
