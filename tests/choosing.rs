@@ -135,7 +135,7 @@ fn what_is_said_is_kept() {
         "profile = \"grbl\"",
         "width = \"500 mm\"",
         "mass = \"0.3 kg\"",
-        "object_radius = \"35 mm\"",
+        "object_diameter = \"70 mm\"",
     ] {
         assert!(spec.lines().any(|found| found.starts_with(line)), "{line}: {spec}");
     }

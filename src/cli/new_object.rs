@@ -3,6 +3,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
 use crate::cli::defaults;
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
@@ -15,7 +17,7 @@ use crate::forecast::verdict::Verdict;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::pipeline::Forecast;
 use crate::spec;
-use crate::spec::{Allowed, FeedFloor, Machine, Source, Spec};
+use crate::spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
 use crate::units::{Force, Length, Mass, Pressure};
 
 /// What the gripper is wanted for.
@@ -24,6 +26,12 @@ pub(super) struct ObjectArgs {
     /// How wide the object is across where it is gripped: "70 mm".
     #[arg(long, value_name = "LENGTH", value_parser = quantity::<Length>(SIZE), requires = "mass")]
     object: Option<Length>,
+    /// Height of the object along the gripper's axis: "57 mm"; default: as tall as wide.
+    #[arg(long, value_name = "LENGTH", value_parser = quantity::<Length>(SIZE), requires = "object")]
+    height: Option<Length>,
+    /// Shape of the object; default: ball.
+    #[arg(long, value_name = "SHAPE", value_parser = shape_parser(), requires = "object")]
+    shape: Option<ObjectShape>,
     /// Mass of the object: "1.3 kg".
     #[arg(long, value_name = "MASS", value_parser = quantity::<Mass>(Allowed::above(0.0, 1e4)), requires = "object")]
     mass: Option<Mass>,
@@ -45,6 +53,16 @@ pub(super) struct ObjectArgs {
     /// Size of the fabric sheets, mm: 400x400.
     #[arg(long, value_name = "WxH", value_parser = sheet, requires = "object")]
     sheet: Option<[Length; 2]>,
+}
+
+fn shape_parser() -> impl TypedValueParser<Value = ObjectShape> {
+    PossibleValuesParser::new(ObjectShape::ALL.map(|(word, _)| word)).try_map(|word| {
+        ObjectShape::ALL
+            .iter()
+            .find(|(name, _)| *name == word)
+            .map(|(_, shape)| *shape)
+            .ok_or("no such shape")
+    })
 }
 
 /// Friction of bare fabric on a smooth surface, assumed.
@@ -76,6 +94,8 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Fail
     let inlet = base.inlet.as_ref().map_or(0.0, |inlet| inlet.length.0);
     let wish = Wish {
         object: Length(0.5 * object.0),
+        height: args.height,
+        shape: args.shape,
         mass,
         pressure: args.pressure,
         friction: args.friction.unwrap_or(FRICTION),
@@ -135,6 +155,12 @@ fn in_words(name: &str, args: &ObjectArgs, wish: &Wish, nearest: &Nearest) -> Op
     let mut words = vec![format!("stargrip-cam new {}", argument(name))];
     let mut word = |option: &str, value: String| words.push(format!("--{option} \"{}\"", shown(value)));
     word("object", Length(2.0 * had.object.0).to_string());
+    if let Some(height) = had.height {
+        word("height", height.to_string());
+    }
+    if let Some(shape) = had.shape {
+        word("shape", shape.word().to_owned());
+    }
     word("mass", had.mass.to_string());
     for (option, value) in [
         ("pressure", had.pressure.map(|pressure| pressure.to_string())),

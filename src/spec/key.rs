@@ -106,7 +106,10 @@ keys! {
         WIDTH "width", HEIGHT "height", MARGIN "margin", GAP "gap", TURN "turn", HOLE_DIAMETER "hole_diameter",
     }
     machine "machine" { PROFILE "profile", PROGRAM "program", FEED_FLOOR "feed_floor" }
-    load "load" { PRESSURE "pressure", OBJECT_RADIUS "object_radius", FRICTION "friction", MASS "mass", LARGEST_FORCE "largest_force" }
+    load "load" {
+        PRESSURE "pressure", OBJECT_DIAMETER "object_diameter", OBJECT_RADIUS "object_radius", OBJECT_HEIGHT "object_height",
+        OBJECT_SHAPE "object_shape", FRICTION "friction", MASS "mass", LARGEST_FORCE "largest_force",
+    }
     accuracy "accuracy" { PATH "path", MODEL "model", RESPONSE "response" }
 }
 

@@ -54,7 +54,7 @@ pub use machine::{
 };
 pub use model::{
     Accuracy, Bed, Colours, CutSpec, Detail, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
-    ModelChoice, ProgramScope, Seal, Sheet, Spec, StarSpec,
+    ModelChoice, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};

@@ -1,5 +1,6 @@
 //! The spec itself: one struct a section, every field complete and in range.
 
+use crate::spec::{KeyPath, key};
 use crate::units::{
     Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Percent, Pressure, Speed,
     Temperature,
@@ -237,14 +238,62 @@ pub enum FeedFloor {
 pub struct Load {
     /// Gauge pressure p.
     pub pressure: Option<Pressure>,
-    /// Radius of the object.
+    /// Radius of the object where it is widest: half of `object_diameter`, or `object_radius`.
     pub object_radius: Option<Length>,
+    /// Which of the two keys gave it.
+    pub object_size: ObjectSize,
+    /// Height of the object; absent: as tall as wide.
+    pub object_height: Option<Length>,
+    /// Shape of the object; absent: a ball.
+    pub object_shape: Option<ObjectShape>,
     /// Friction coefficient mu between corner and object.
     pub friction: Option<f64>,
     /// Mass of the object that friction shall hold.
     pub mass: Option<Mass>,
     /// Largest radial force of one star that the object bears.
     pub largest_force: Option<Force>,
+}
+
+impl Load {
+    /// The key that gave the object's size, or the documented one.
+    pub fn size_key(&self) -> KeyPath {
+        match self.object_size {
+            ObjectSize::Diameter => key::load::OBJECT_DIAMETER,
+            ObjectSize::Radius => key::load::OBJECT_RADIUS,
+        }
+    }
+}
+
+/// The key by which an object's size is given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ObjectSize {
+    /// `object_diameter`
+    #[default]
+    Diameter,
+    /// `object_radius`
+    Radius,
+}
+
+/// The shape of an object whose axis is the gripper's.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ObjectShape {
+    /// As wide everywhere.
+    Cylinder,
+    /// A ball; an ellipsoid of revolution where it is not as tall as wide.
+    Ball,
+}
+
+impl ObjectShape {
+    /// Both, with the words that specs and arguments write.
+    pub const ALL: [(&str, Self); 2] = [("cylinder", Self::Cylinder), ("ball", Self::Ball)];
+
+    /// Its word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Cylinder => "cylinder",
+            Self::Ball => "ball",
+        }
+    }
 }
 
 /// How exact outputs and predictions must be.

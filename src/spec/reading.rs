@@ -8,7 +8,7 @@ use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
 use crate::spec::model::{
     Accuracy, Bed, Colours, CutSpec, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask, ModelChoice,
-    ProgramScope, Seal, Sheet, Spec,
+    ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec,
 };
 use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
@@ -233,14 +233,36 @@ pub(super) fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
 }
 
 fn read_load(s: &mut Section<'_, '_>) -> Option<Load> {
+    let pressure = s.quantity("pressure", Allowed::closed(1e-3, 1e6));
+    let (object_radius, object_size) = read_object_size(s);
     let load = Load {
-        pressure: s.quantity("pressure", Allowed::closed(1e-3, 1e6)),
-        object_radius: s.quantity("object_radius", SIZE),
+        pressure,
+        object_radius,
+        object_size,
+        object_height: s.quantity("object_height", SIZE),
+        object_shape: s.choice("object_shape", &ObjectShape::ALL),
         friction: s.number("friction", Allowed::above(0.0, 10.0)),
         mass: s.quantity("mass", Allowed::above(0.0, 1e4)),
         largest_force: s.quantity("largest_force", Allowed::above(0.0, 1e6)),
     };
     s.is_written().then_some(load)
+}
+
+/// The object's radius, and the key that gave it: `object_diameter` or `object_radius`, not both.
+fn read_object_size(s: &mut Section<'_, '_>) -> (Option<Length>, ObjectSize) {
+    let diameter: Option<Length> = s.quantity("object_diameter", SIZE);
+    let radius = s.quantity("object_radius", SIZE);
+    if s.has("object_diameter") && s.has("object_radius") {
+        let message = "`object_diameter` and `object_radius` are both set";
+        let fault = Fault::error(FaultCode::Conflict, s.place_of("object_radius"), message)
+            .label("one of them gives the object's size")
+            .help("delete object_radius");
+        s.report(fault);
+    }
+    match diameter {
+        None if s.has("object_radius") => (radius, ObjectSize::Radius),
+        diameter => (diameter.map(|diameter| Length(0.5 * diameter.0)), ObjectSize::Diameter),
+    }
 }
 
 fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {

@@ -17,7 +17,7 @@ use crate::forecast::optimize::{
 use crate::forecast::ranges::errors;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::mechanics::hinge::section::arms;
-use crate::spec::Load;
+use crate::spec::{Load, ObjectShape, ObjectSize};
 use crate::units::{Angle, Force, Length, Mass, Pressure};
 use std::ops::RangeInclusive;
 
@@ -26,6 +26,10 @@ use std::ops::RangeInclusive;
 pub struct Wish {
     /// Radius of the object where it is gripped.
     pub object: Length,
+    /// Its height along the axis, if it is given; otherwise it is as tall as wide.
+    pub height: Option<Length>,
+    /// Its shape, if it is given; otherwise a ball.
+    pub shape: Option<ObjectShape>,
     /// Its mass.
     pub mass: Mass,
     /// Pressure, if it is given.
@@ -156,6 +160,9 @@ impl Wish {
         Load {
             pressure: self.pressure,
             object_radius: Some(self.object),
+            object_size: ObjectSize::Diameter,
+            object_height: self.height,
+            object_shape: self.shape,
             friction: Some(self.friction),
             mass: Some(self.mass),
             largest_force: self.largest_force,

@@ -182,7 +182,13 @@ impl Lines {
                 &format!("{said}; the fabric stretches by {:.1} %{burst}", 100.0 * stretch),
             );
         }
-        self.quantity("object_radius", wish.object, "half of what you said across");
+        self.quantity("object_diameter", Length(2.0 * wish.object.0), "as you said");
+        if let Some(height) = wish.height {
+            self.quantity("object_height", height, "as you said");
+        }
+        if let Some(shape) = wish.shape {
+            self.quantity("object_shape", shape.word(), "as you said");
+        }
         self.value(
             "friction",
             &format!("{}", wish.friction),

@@ -1,6 +1,6 @@
 //! Which design each row is.
 //!
-//! Twelve keys of numbers are put straight into the design: they are what most studies vary, in microseconds. Every other key is put
+//! Thirteen keys of numbers are put straight into the design: they are what most studies vary, in microseconds. Every other key is put
 //! into the text of the spec, which is then read again, so that it means there what it means in a spec, with every range and every
 //! default that depends on it. What these **slow** keys make of the spec is kept while they have few combinations.
 
@@ -19,7 +19,7 @@ const KEPT: usize = 16_384;
 type Quick = fn(&mut Candidate, f64);
 
 /// The keys that need no reading.
-const QUICK: [(KeyPath, Quick); 12] = [
+const QUICK: [(KeyPath, Quick); 13] = [
     (key::star::POINTS, |point, value| point.star.points = whole(value)),
     (key::star::INNER_RADIUS, |point, value| point.star.inner_radius = Length(value)),
     (key::star::TUBE_WIDTH, |point, value| point.star.tube_width = Length(value)),
@@ -30,6 +30,7 @@ const QUICK: [(KeyPath, Quick); 12] = [
     (key::fabric::YOUNG_MODULUS, |point, value| point.fabric.young_modulus = Pressure(value)),
     (key::fabric::SEAL_STRENGTH, |point, value| point.fabric.seal_strength = Some(LineForce(value))),
     (key::load::PRESSURE, |point, value| point.load.pressure = Some(Pressure(value))),
+    (key::load::OBJECT_DIAMETER, |point, value| point.load.object_radius = Some(Length(0.5 * value))),
     (key::load::OBJECT_RADIUS, |point, value| point.load.object_radius = Some(Length(value))),
     (key::load::FRICTION, |point, value| point.load.friction = Some(value)),
 ];
