@@ -130,9 +130,13 @@ fn of_several_specs_each_has_its_answer() {
     let output =
         run(dir.path(), &["build", "star.toml", "bad.toml", "other.toml", "--only", "seal-svg", "--json"]);
     assert_eq!(output.status.code(), Some(1));
-    assert!(stderr(&output).contains("error[no-arm]"), "{}", stderr(&output));
+    assert_eq!(stderr(&output), "", "whoever reads JSON reads nothing else");
     let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one object");
     assert_eq!(json["results"].as_array().map(Vec::len), Some(2));
+    assert_eq!(
+        (&json["refused"][0]["code"], &json["refused"][0]["key"]),
+        (&"no-arm".into(), &"star.points".into())
+    );
     assert!(dir.path().join("out/star").is_dir() && dir.path().join("out/other").is_dir());
     let both = done(dir.path(), &["check", "star.toml", "other.toml"]);
     assert_eq!(both.matches("sealing ").count(), 2, "{both}");
@@ -176,6 +180,68 @@ fn a_watched_spec_is_built_again_when_it_is_saved() {
     child.kill().expect("ended");
     let _ = child.wait().expect("it ends");
     assert_eq!(run(dir.path(), &["build", "-", "--watch"]).status.code(), Some(2));
+}
+
+/// The first build has the whole screen; what a save changes is one line.
+#[test]
+fn a_rebuild_says_what_changed_in_one_line() {
+    let dir = workshop();
+    let (spec, log) = (dir.path().join("star.toml"), dir.path().join("log"));
+    let text = format!("{}\n[load]\npressure = \"37 kPa\"\nobject_radius = \"40 mm\"\n", support::PAPER);
+    fs::write(&spec, &text).expect("saved");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+        .current_dir(dir.path())
+        .args(["build", "star.toml", "--watch", "--only", "seal-svg"])
+        .stdout(fs::File::create(&log).expect("a log"))
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("it starts");
+    let wait_for = |words: &str| {
+        let begin = Instant::now();
+        loop {
+            let said = fs::read_to_string(&log).unwrap_or_default();
+            if said.contains(words) {
+                return said;
+            }
+            assert!(begin.elapsed() < Duration::from_secs(120), "not said: {words}: {said}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    };
+    let first = wait_for("details");
+    std::thread::sleep(Duration::from_millis(600));
+    fs::write(&spec, text.replace("\"50 mm\"", "\"51 mm\"")).expect("saved");
+    let both = wait_for("rebuilt");
+    child.kill().expect("ended");
+    let _ = child.wait().expect("it ends");
+    let line = both.strip_prefix(&first).expect("what was said stays").trim_end();
+    assert!(!line.contains('\n') && line.contains(" star.toml rebuilt in "), "{line}");
+    assert!(line.contains(" s: inner_radius 50 mm -> 51 mm: ") && line.contains("opens to 1"), "{line}");
+}
+
+/// What is opened is the page that shows most; that it cannot be opened is no failure of the build.
+#[cfg(all(unix, not(target_os = "macos")))]
+#[test]
+fn a_build_opens_its_page() {
+    use std::os::unix::fs::PermissionsExt;
+    let dir = workshop();
+    let opener = dir.path().join("xdg-open");
+    fs::write(&opener, "#!/bin/sh\necho \"$1\" > opened\n").expect("written");
+    fs::set_permissions(&opener, fs::Permissions::from_mode(0o755)).expect("allowed");
+    let build = |path: &str| {
+        Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+            .current_dir(dir.path())
+            .args(["build", "star.toml", "--open", "--only", "preview-svg"])
+            .env("PATH", path)
+            .output()
+            .expect("it runs")
+    };
+    let path = format!("{}:/usr/bin:/bin", dir.path().display());
+    assert_eq!(build(&path).status.code(), Some(0));
+    let opened = fs::read_to_string(dir.path().join("opened")).expect("opened");
+    assert_eq!(opened.trim(), "out/star/sheet-1-preview.svg");
+    let closed = build("/nowhere");
+    let heard = String::from_utf8_lossy(&closed.stderr).into_owned();
+    assert!(closed.status.code() == Some(0) && heard.contains("was not opened: xdg-open"), "{heard}");
 }
 
 #[test]

@@ -12,7 +12,7 @@ pub(super) fn faults(faults: &Faults) {
     harmless(&plain);
     assert!(plain.len() <= LONGEST, "{} bytes of faults", plain.len());
     // Colours are all that may be told to a terminal.
-    let mut rest = faults.coloured();
+    let mut rest = faults.for_terminal(None, true);
     while let Some(at) = rest.find('\u{1b}') {
         let colour = rest[at + 1..].strip_prefix('[').and_then(|code| code.split_once('m'));
         let (code, after) = colour.expect("a colour");

@@ -23,34 +23,34 @@ const MOST_ANGLES: u32 = 10_000;
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
     /// Flat width of the tube.
-    #[arg(long, value_parser = quantity::<Length>(SIZE))]
+    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE))]
     tube_width: Length,
     /// Inner radius of the flat hinge.
-    #[arg(long, value_parser = quantity::<Length>(EXTRA))]
+    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Length>(EXTRA))]
     radius: Length,
     /// Straight length from the hinge's end to the sealed end.
-    #[arg(long, value_parser = quantity::<Length>(SIZE))]
+    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE))]
     arm_length: Length,
     /// Flat angle between the arms.
-    #[arg(long, value_parser = quantity::<Angle>(BETWEEN))]
+    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Angle>(BETWEEN))]
     angle: Angle,
     /// Gauge pressure.
-    #[arg(long, value_parser = quantity::<Pressure>(Allowed::above(0.0, 1e5)))]
+    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Pressure>(Allowed::above(0.0, 1e5)))]
     pressure: Pressure,
     /// Thickness of the fabric.
-    #[arg(long, default_value = "0.3 mm", value_parser = quantity::<Length>(SIZE))]
+    #[arg(long, default_value = "0.3 mm", allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE))]
     thickness: Length,
     /// Young's modulus of the fabric.
-    #[arg(long, default_value = "128 MPa", value_parser = quantity::<Pressure>(Allowed::closed(1e-3, 1e9)))]
+    #[arg(long, default_value = "128 MPa", allow_hyphen_values = true, value_parser = quantity::<Pressure>(Allowed::closed(1e-3, 1e9)))]
     young_modulus: Pressure,
     /// Poisson ratio of the fabric.
-    #[arg(long, default_value_t = 0.39, value_parser = number(Allowed::above(-1.0, 0.5)))]
+    #[arg(long, default_value_t = 0.39, allow_hyphen_values = true, value_parser = number(Allowed::above(-1.0, 0.5)))]
     poisson_ratio: f64,
     /// The model to use; auto is section.
     #[arg(long, value_name = "MODEL", default_value = "auto")]
     model: Model,
     /// Also the moment that holds it at each of these angles: "30 deg..90 deg/7".
-    #[arg(long, value_name = "FROM..TO/COUNT", value_parser = angles)]
+    #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = angles)]
     angles: Option<Angles>,
     #[command(flatten)]
     shell: ShellArgs,

@@ -14,24 +14,30 @@ const PAUSE: Duration = Duration::from_millis(250);
 /// Of every file when it was written and how long it is; `None` while it is not there.
 type Stamps = BTreeMap<PathBuf, Option<(SystemTime, u64)>>;
 
-/// Calls `build`, and again whenever a spec of `specs` or the machine profile that it names is another; never ends.
-pub(super) fn on_every_save(specs: &[PathBuf], mut build: impl FnMut()) -> ! {
+/// Calls `build` with all of `specs`, and again with those that were saved, or whose machine profile was; never ends.
+pub(super) fn on_every_save(specs: &[PathBuf], mut build: impl FnMut(&[PathBuf])) -> ! {
+    let mut due = specs.to_vec();
     loop {
-        let before = stamps(specs);
-        build();
+        let before: Vec<Stamps> = specs.iter().map(|spec| stamps(spec)).collect();
+        build(&due);
         loop {
             sleep(PAUSE);
-            let now = stamps(specs);
+            let now = specs.iter().map(|spec| stamps(spec));
+            let saved = specs.iter().zip(before.iter().zip(now)).filter(|(_, (before, now))| *before != now);
+            let saved: Vec<(&PathBuf, Stamps)> = saved.map(|(spec, (_, now))| (spec, now)).collect();
             // Editors take a file away for a moment when they save it.
-            if now != before && specs.iter().all(|spec| now.get(spec).is_some_and(Option::is_some)) {
+            if !saved.is_empty()
+                && saved.iter().all(|(spec, now)| now.get(*spec).is_some_and(Option::is_some))
+            {
+                due = saved.into_iter().map(|(spec, _)| spec.clone()).collect();
                 break;
             }
         }
     }
 }
 
-fn stamps(specs: &[PathBuf]) -> Stamps {
-    let files = specs.iter().flat_map(|spec| [Some(spec.clone()), profile(spec)]).flatten();
+fn stamps(spec: &Path) -> Stamps {
+    let files = [Some(spec.to_owned()), profile(spec)].into_iter().flatten();
     files.map(|file| (file.clone(), stamp(&file))).collect()
 }
 

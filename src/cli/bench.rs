@@ -27,22 +27,22 @@ const OFF_WIDTH: f64 = 0.2e-3;
 #[derive(clap::Args, Debug)]
 pub(super) struct Bench {
     /// The V-actuator's angle between its arms, flat, deg.
-    #[arg(long, requires = "inflated_angle", value_parser = number(Allowed::between(0.0, 180.0)))]
+    #[arg(long, requires = "inflated_angle", allow_hyphen_values = true, value_parser = number(Allowed::between(0.0, 180.0)))]
     flat_angle: Option<f64>,
     /// The same, inflated and free, deg; not above the flat one.
     #[arg(long, requires = "flat_angle", allow_hyphen_values = true, value_parser = number(Allowed::between(-180.0, 180.0)))]
     inflated_angle: Option<f64>,
     /// The V-actuator's pressure, such as "30 kPa": with it and --spec the fabric's bending_stiffness is found.
-    #[arg(long, value_name = "PRESSURE", requires_all = ["inflated_angle", "spec"], value_parser = quantity::<Pressure>(PRESSURE))]
+    #[arg(long, value_name = "PRESSURE", requires_all = ["inflated_angle", "spec"], allow_hyphen_values = true, value_parser = quantity::<Pressure>(PRESSURE))]
     angle_pressure: Option<Pressure>,
     /// The disc's width between its bands, inflated, such as "78.2 mm".
-    #[arg(long, value_name = "LENGTH", requires_all = ["disc_pressure", "spec"], value_parser = quantity::<Length>(Allowed::between(0.0, DISC)))]
+    #[arg(long, value_name = "LENGTH", requires_all = ["disc_pressure", "spec"], allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::between(0.0, DISC)))]
     disc_width: Option<Length>,
     /// The disc's pressure: with it, its width and --spec the fabric's stretch_stiffness is found.
-    #[arg(long, value_name = "PRESSURE", requires = "disc_width", value_parser = quantity::<Pressure>(PRESSURE))]
+    #[arg(long, value_name = "PRESSURE", requires = "disc_width", allow_hyphen_values = true, value_parser = quantity::<Pressure>(PRESSURE))]
     disc_pressure: Option<Pressure>,
     /// The V-actuator's R / W as the band makes it.
-    #[arg(long, default_value_t = 1.0 / 30.0, value_parser = number(Allowed::above(0.0, 1e3)))]
+    #[arg(long, default_value_t = 1.0 / 30.0, allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
     radius_ratio: f64,
 }
 

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use jiff::Zoned;
@@ -11,8 +12,12 @@ use crate::artifact::{Asked, Kind};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
 use crate::cli::load::{Loaded, is_standard_input};
+use crate::cli::open::open;
+use crate::cli::rebuilt::Snapshot;
 use crate::cli::voice::Voice;
 use crate::cli::{again, each, glance, new, progress, publish, summary, watch};
+use crate::pipeline::Proven;
+use crate::spec::Source;
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]
@@ -35,6 +40,9 @@ pub(super) struct Args {
     /// Build again whenever a spec or its machine profile is saved; Ctrl-C ends it.
     #[arg(long, conflicts_with = "json")]
     watch: bool,
+    /// Open the report, or the preview where there is none.
+    #[arg(long)]
+    open: bool,
     #[command(flatten)]
     voice: Voice,
 }
@@ -56,15 +64,53 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         if args.specs.iter().any(|spec| is_standard_input(spec)) {
             return Err(Failure::Usage("--watch needs files: standard input is not saved again".to_owned()));
         }
-        again::on_every_save(&args.specs, || {
-            let _ = each::each(&args.specs, args.voice, |spec| one(args, &targets, spec))
-                .map_err(Failure::report);
-            if !args.voice.quiet {
-                tell("waiting for the next save; Ctrl-C ends it");
-            }
-        });
+        watched(args, &targets);
     }
     each::each(&args.specs, args.voice, |spec| one(args, &targets, spec))
+}
+
+/// Builds each spec, and again whenever it is saved: the whole answer once, and one line for each build that follows.
+fn watched(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
+    let mut snapshots: BTreeMap<PathBuf, Snapshot> = BTreeMap::new();
+    let mut is_first = true;
+    again::on_every_save(&args.specs, |saved| {
+        let _ = each::each(saved, args.voice, |spec| {
+            let began = Instant::now();
+            // Until a spec has been built once, there is nothing to compare with.
+            let before = snapshots.get(spec).cloned();
+            let voice = Voice { quiet: args.voice.quiet || before.is_some(), ..args.voice };
+            let made = made(args, targets, spec, voice)?;
+            let now = Snapshot::new(&made.source, &made.machine, &made.proven.built().forecast, &made.notes);
+            match &before {
+                Some(before) => rebuilt(args.voice, spec, began, &now, before)?,
+                None => drop(answered(args, &made)?),
+            }
+            let _ = snapshots.insert(spec.to_owned(), now);
+            Ok(None)
+        })
+        .map_err(Failure::report);
+        if is_first && !args.voice.quiet {
+            tell("waiting for the next save; Ctrl-C ends it");
+        }
+        is_first = false;
+    })
+}
+
+/// Says what a build has changed: when, how long it took, which values, and what that does.
+fn rebuilt(
+    voice: Voice,
+    spec: &Path,
+    began: Instant,
+    now: &Snapshot,
+    before: &Snapshot,
+) -> Result<(), Failure> {
+    let (time, spec) = (Zoned::now().strftime("%H:%M:%S").to_string(), shown(spec));
+    let seconds = began.elapsed().as_secs_f64();
+    voice.remark(&format!("{time} {spec} rebuilt in {seconds:.1} s: {}\n", now.changes(before)))?;
+    if !voice.quiet {
+        glance::warn(&now.new_notes(before));
+    }
+    Ok(())
 }
 
 /// Where each spec's files go, where its path says so; two specs in one directory are one too many.
@@ -92,14 +138,27 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
     Ok(targets)
 }
 
-/// Builds, proves and publishes one spec; what programs are told, if they are.
+/// What was published, and what is said of it.
+struct Made {
+    proven: Proven,
+    target: PathBuf,
+    notes: Vec<String>,
+    source: Source,
+    machine: String,
+}
+
+/// Builds, proves and publishes one spec, and answers; what programs are told, if they are.
 fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<Option<Value>, Failure> {
-    let voice = args.voice;
+    answered(args, &made(args, targets, spec, args.voice)?)
+}
+
+/// Builds, proves and publishes one spec.
+fn made(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path, voice: Voice) -> Result<Made, Failure> {
     let loaded = Loaded::spoken(spec, voice)?;
     let asked = Asked { only: args.only.clone(), with: args.with.clone() };
     let forecast = loaded.forecast()?;
     loaded.fit(&forecast, args.anyway)?;
-    let list = watch::list(&forecast, spec);
+    let notes = watch::list(&forecast, spec);
     let proven = progress::during(voice, "writing the files", |progress| {
         let built = forecast.build(loaded.sources(), &asked);
         progress.tell("proving the files");
@@ -111,23 +170,37 @@ fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<O
     let target = targets.get(spec).cloned().unwrap_or_else(named);
     // What became of files that were there is told however quiet one is.
     tell(&publish(&target, &proven)?.to_string());
+    let (source, machine) = (loaded.source.clone(), loaded.sources().machine.to_owned());
+    Ok(Made { proven, target, notes, source, machine })
+}
+
+/// Answers for one build, and opens its page if that is wanted.
+fn answered(args: &Args, made: &Made) -> Result<Option<Value>, Failure> {
+    let Made { proven, target, notes, .. } = made;
+    let (voice, forecast) = (args.voice, &proven.built().forecast);
+    if args.open {
+        match glance::to_look_at(proven) {
+            Some(page) => open(&target.join(page)),
+            None => tell("note: neither a report nor a preview was built: nothing to open"),
+        }
+    }
     if voice.json {
-        let mut said = glance::json(forecast, &list);
-        said["written"] = glance::written_json(&proven, &target);
+        let mut said = glance::json(forecast, notes);
+        said["written"] = glance::written_json(proven, target);
         return Ok(Some(said));
     }
     if voice.quiet {
         return Ok(None);
     }
     glance::show(&glance::head(forecast))?;
-    glance::warn(&list);
+    glance::warn(notes);
     // Without a program there is nothing to wait for.
     if proven.sealing_time().is_some() {
         glance::show(&glance::work(forecast, &Zoned::now()))?;
     }
-    glance::show(&glance::written(&proven, &target))?;
+    glance::show(&glance::written(proven, target))?;
     if voice.verbose {
-        voice.remark(&summary::built(&proven))?;
+        voice.remark(&summary::built(proven))?;
     } else {
         glance::show(&[("details", "-v".to_owned())])?;
     }

@@ -29,13 +29,13 @@ pub(super) struct Args {
     #[arg(required_unless_present_any = ["inflated_angle", "disc_width"])]
     results: Option<PathBuf>,
     /// What the seal has to hold, such as "1.2 N/mm".
-    #[arg(long, value_name = "FORCE", value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec", requires = "results")]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec", requires = "results")]
     needed: Option<LineForce>,
     /// The spec whose seal has to hold: the largest load of its stars at the pressure of its `load` section.
     #[arg(long)]
     spec: Option<PathBuf>,
     /// How many times that the seal should hold, 1 to 100.
-    #[arg(long, default_value_t = 1.5, value_parser = number(Allowed::closed(1.0, 100.0)))]
+    #[arg(long, default_value_t = 1.5, allow_hyphen_values = true, value_parser = number(Allowed::closed(1.0, 100.0)))]
     margin: f64,
     #[command(flatten)]
     bench: Bench,

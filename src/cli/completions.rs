@@ -4,12 +4,16 @@ use clap::Command;
 use clap_complete::{Shell, generate};
 
 use crate::cli::failure::{Failure, say};
+use crate::cli::voice::Quiet;
 
 /// Arguments of `completions`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
     /// The shell.
     shell: Shell,
+    /// The answer is all that is printed, with or without it.
+    #[command(flatten)]
+    _quiet: Quiet,
 }
 
 /// Prints what makes a shell complete the commands of `program`.

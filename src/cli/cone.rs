@@ -25,16 +25,16 @@ pub(super) struct Args {
     /// The test's CSV, with a header: travel_mm (or displacement_mm, extension_mm) and the vertical load_N.
     data: PathBuf,
     /// Half the cone's angle.
-    #[arg(long, default_value = "30 deg", value_parser = quantity::<Angle>(Allowed::between(0.0, 90.0)))]
+    #[arg(long, default_value = "30 deg", allow_hyphen_values = true, value_parser = quantity::<Angle>(Allowed::between(0.0, 90.0)))]
     half_angle: Angle,
     /// Kinetic friction with cone and plate.
-    #[arg(long, default_value_t = 0.1, value_parser = number(Allowed::closed(0.0, 10.0)))]
+    #[arg(long, default_value_t = 0.1, allow_hyphen_values = true, value_parser = number(Allowed::closed(0.0, 10.0)))]
     friction: f64,
     /// Balance of forces: derived, or published (with the plate's friction as the paper prints it).
     #[arg(long, value_enum, default_value = "derived")]
     balance: BalanceArg,
     /// Radius at first contact, where the travel is 0; default: the predicted final radius of --spec.
-    #[arg(long, value_parser = quantity::<Length>(SIZE), required_unless_present = "spec")]
+    #[arg(long, allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), required_unless_present = "spec")]
     contact_radius: Option<Length>,
     /// Lay the prediction for this spec over the data; its `[load]` must give the pressure.
     #[arg(long)]

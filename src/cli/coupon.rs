@@ -26,10 +26,10 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "DIR", default_value = "coupons")]
     output: PathBuf,
     /// Temperatures of the grid, below 300 C, where the PTFE release layer gives off toxic fumes; default: the spec's.
-    #[arg(long, value_delimiter = ',', value_parser = quantity::<Temperature>(Allowed::between(0.0, 300.0)))]
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Temperature>(Allowed::between(0.0, 300.0)))]
     temperatures: Vec<Temperature>,
     /// Speeds of the grid; default: once, twice and five times the spec's.
-    #[arg(long, value_delimiter = ',', value_parser = quantity::<Speed>(Allowed::closed(1e-3, 1e3)))]
+    #[arg(long, value_delimiter = ',', allow_hyphen_values = true, value_parser = quantity::<Speed>(Allowed::closed(1e-3, 1e3)))]
     speeds: Vec<Speed>,
     /// Heights of the tip in contact; default: the profile's.
     #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(Allowed::closed(-20.0, 1e5)), allow_hyphen_values = true)]

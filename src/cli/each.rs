@@ -17,7 +17,7 @@ pub(super) fn each(
         let said = one(spec)?;
         return said.map_or(Ok(()), |said| say(&pretty(&said)));
     }
-    let (mut all, mut refused) = (Vec::new(), false);
+    let (mut all, mut failed, mut refused) = (Vec::new(), false, Vec::new());
     for (number, spec) in specs.iter().enumerate() {
         if number > 0 && !voice.quiet && !voice.json {
             say("\n")?;
@@ -26,13 +26,22 @@ pub(super) fn each(
             Ok(said) => all.extend(said),
             Err(Failure::Pipe) => return Err(Failure::Pipe),
             Err(failure) => {
-                refused = true;
-                let _ = failure.report();
+                failed = true;
+                match failure.refused().filter(|_| voice.json) {
+                    Some(reasons) => refused.extend(reasons),
+                    None => {
+                        let _ = failure.report();
+                    }
+                }
             }
         }
     }
     if voice.json {
-        say(&pretty(&serde_json::json!({ "results": all })))?;
+        let mut said = serde_json::json!({ "results": all });
+        if !refused.is_empty() {
+            said["refused"] = refused.into();
+        }
+        say(&pretty(&said))?;
     }
-    if refused { Err(Failure::Said) } else { Ok(()) }
+    if failed { Err(Failure::Said) } else { Ok(()) }
 }

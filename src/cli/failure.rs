@@ -4,10 +4,12 @@ use std::io;
 use std::io::Write;
 use std::path::Path;
 
+use serde_json::{Value, json};
+
 use crate::cli::harmless::{harmless, shown};
 use crate::cli::terminal::{fitted, has_colours, width};
 use crate::cli::{PublishFault, findings, interrupt};
-use crate::spec::Faults;
+use crate::spec::{Fault, Faults, Severity};
 use crate::verify::Finding;
 
 /// Why a command did not do what it was asked for. All of them end with exit code 1.
@@ -37,6 +39,30 @@ impl Failure {
     /// A file that could not be read or written.
     pub(super) fn file(what: &str, path: &Path, error: &io::Error) -> Self {
         Self::Message(format!("cannot {what} {}: {error}", shown(path)))
+    }
+
+    /// The same for whoever reads JSON: one object on standard output if the answer is a refusal. Its exit code is that of
+    /// [`Failure::report`].
+    pub(super) fn report_json(self) -> u8 {
+        match self.refused() {
+            Some(refused) => match say(&format!("{:#}\n", json!({ "refused": refused }))) {
+                Ok(()) => 1,
+                Err(failure) => failure.report(),
+            },
+            None => self.report(),
+        }
+    }
+
+    /// What is refused, one object each; `None` if this is not a refusal, or has been printed already.
+    pub(super) fn refused(&self) -> Option<Vec<Value>> {
+        let bare = |found: String| vec![refusal(None, found)];
+        match self {
+            Self::Faults(faults) => Some(refused_by(faults)),
+            Self::Findings(findings) => Some(findings.iter().map(found_wrong).collect()),
+            Self::Publish(error) => Some(bare(error.to_string())),
+            Self::Message(text) => Some(bare(text.clone())),
+            Self::Usage(_) | Self::Interrupted | Self::Stopped(_) | Self::Said | Self::Pipe => None,
+        }
     }
 
     /// Prints it to standard error, and says with which code the process shall end.
@@ -84,6 +110,35 @@ impl From<PublishFault> for Failure {
     }
 }
 
+/// One refusal: a code where there is one, and what was found. Keys that mean nothing here are null.
+fn refusal(code: Option<&str>, found: String) -> Value {
+    let none = Value::Null;
+    json!({ "code": code, "key": none, "found": found, "allowed": none, "remedy": none, "file": none, "line": none })
+}
+
+/// What refuses a spec or a profile; warnings are left out.
+fn refused_by(faults: &Faults) -> Vec<Value> {
+    let errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
+    let one = |fault: &Fault| {
+        let mut value = refusal(Some(fault.code), fault.message.clone());
+        value["key"] = json!(faults.key_of(fault));
+        value["allowed"] = json!(fault.label);
+        value["remedy"] = json!(fault.help);
+        value["file"] = json!(faults.source().name);
+        value["line"] = json!(faults.line_of(fault));
+        value
+    };
+    errors.map(one).collect()
+}
+
+fn found_wrong(finding: &Finding) -> Value {
+    let mut value = refusal(Some(finding.code), finding.found.clone());
+    value["allowed"] = json!(finding.allowed);
+    value["file"] = json!(finding.file);
+    value["line"] = json!(finding.line);
+    value
+}
+
 /// Prints warnings to standard error, if there are any.
 pub(super) fn warn(faults: &Faults) {
     if !faults.is_empty() {
@@ -118,11 +173,10 @@ pub(super) fn tell_under(heading: &str, text: &str) {
 
 /// Prints faults to standard error, with colour where somebody sees it. What they quote is harmless already.
 fn tell_faults(faults: &Faults) {
-    if has_colours(&io::stderr()) {
-        print(&faults.coloured());
-    } else {
-        tell(&faults.to_string());
-    }
+    let stream = io::stderr();
+    let text = faults.for_terminal(width(&stream), has_colours(&stream));
+    // Colours are commands to the terminal, and are ours.
+    if has_colours(&stream) { print(&text) } else { tell(&text) }
 }
 
 fn print(text: &str) {

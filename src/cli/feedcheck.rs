@@ -8,7 +8,7 @@ use crate::artifact::program_ending;
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
-use crate::cli::text_file::write_new;
+use crate::cli::text_file::{replace, write_new};
 use crate::cli::voice::Voice;
 use crate::emit;
 use crate::plan;
@@ -19,9 +19,12 @@ use crate::spec::FeedFloor;
 pub(super) struct Args {
     /// The spec whose machine and speed are checked.
     spec: PathBuf,
-    /// The program to write, never over a file that is there; default: feedcheck.gcode, for LinuxCNC feedcheck.ngc.
+    /// The program to write; default: feedcheck.gcode, for LinuxCNC feedcheck.ngc.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+    /// Write the program over one that is there.
+    #[arg(long)]
+    force: bool,
     #[command(flatten)]
     voice: Voice,
 }
@@ -33,7 +36,18 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let checks = plan::feed_checks(spec, machine);
     let default = || PathBuf::from("feedcheck").with_extension(program_ending(machine.controller.dialect));
     let output = args.output.clone().unwrap_or_else(default);
-    write_new(&output, &emit::feed_check(spec, machine, &checks))?;
+    let program = emit::feed_check(spec, machine, &checks);
+    if args.force {
+        replace(&output, &program)?;
+    } else if output.exists() {
+        let there = shown(&output);
+        let remedy = "--force replaces it, -o FILE writes another";
+        return Err(Failure::Message(format!(
+            "{there} is there already, from an earlier run or your own: {remedy}"
+        )));
+    } else {
+        write_new(&output, &program)?;
+    }
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
     let remedy = match spec.machine.feed_floor {
         FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",

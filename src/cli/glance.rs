@@ -82,7 +82,8 @@ pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<Row> {
     vec![("sealing", seal), (if number == 1 { "sheet" } else { "sheets" }, sheets)]
 }
 
-fn sealing_time(forecast: &Forecast) -> f64 {
+/// How long all programs take, s, without heating and pauses.
+pub(super) fn sealing_time(forecast: &Forecast) -> f64 {
     forecast.programs.iter().map(|program| program.time).sum()
 }
 
@@ -107,7 +108,7 @@ pub(super) fn written(proven: &Proven, target: &Path) -> Vec<Row> {
 }
 
 /// The page that shows most of the gripper, by its file's name.
-fn to_look_at(proven: &Proven) -> Option<String> {
+pub(super) fn to_look_at(proven: &Proven) -> Option<String> {
     [Kind::Report, Kind::PreviewPng, Kind::PreviewSvg]
         .into_iter()
         .find_map(|kind| named(proven, kind).into_iter().next())

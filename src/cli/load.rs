@@ -16,6 +16,8 @@ use crate::spec::{Fault, FaultCode, Faults, Machine, RawSpec, Reading, SIZE_LIMI
 
 /// The profile's name in a published directory.
 const MACHINE: &str = "machine.toml";
+/// The spec's name in a published directory.
+const SPEC: &str = "spec.toml";
 
 /// A spec with the machine it names, both read and valid.
 #[derive(Debug)]
@@ -28,12 +30,7 @@ pub(super) struct Loaded {
 }
 
 impl Loaded {
-    /// Reads the spec at `path` and the machine profile it names; prints warnings.
-    pub(super) fn new(path: &Path) -> Result<Self, Failure> {
-        Self::spoken(path, Voice::default())
-    }
-
-    /// The same; warnings are printed unless they are not wanted.
+    /// Reads the spec at `path` and the machine profile it names; prints warnings unless they are not wanted.
     pub(super) fn spoken(path: &Path, voice: Voice) -> Result<Self, Failure> {
         let source = read_source(path)?;
         let reading = spec::read(&source)?;
@@ -125,10 +122,23 @@ pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
         let _ = read.map_err(|error| Failure::Message(format!("cannot read standard input: {error}")))?;
         return Ok(Source::from_bytes("standard input", &bytes)?);
     }
+    if path.is_dir() {
+        return Err(Failure::Message(is_directory(path)));
+    }
     let _ = File::open(path)
         .and_then(|file| file.take(limit).read_to_end(&mut bytes))
         .map_err(|error| Failure::file("read", path, &error))?;
     Ok(Source::from_bytes(path.display().to_string(), &bytes)?)
+}
+
+/// That `path` is a directory, and which spec in it may be meant.
+fn is_directory(path: &Path) -> String {
+    let (dir, spec) = (shown(path), path.join(SPEC));
+    if spec.is_file() {
+        format!("{dir} is a directory: name the spec in it, {}", shown(spec))
+    } else {
+        format!("{dir} is a directory, and there is no {SPEC} in it: name a spec")
+    }
 }
 
 /// The profile of the build whose directory holds the spec at `path`: the profile's own path led elsewhere when the
@@ -165,9 +175,12 @@ pub(super) fn machine_source(
         format!("no machine profile has this name, and there is no file {}", shown(&file)),
     )
     .label(format!("a built-in profile ({}) or a path relative to the spec", known.join(", ")));
-    let fault = match spec::nearest(name, known) {
-        Some(near) => fault.help(format!("did you mean \"{near}\"?")),
-        None => fault,
+    let fault = match (spec::nearest(name, known), spec::usual_profile(name)) {
+        (Some(near), _) => fault.help(format!("did you mean \"{near}\"?")),
+        (None, Some((controller, profile))) => {
+            fault.help(format!("it usually has {controller}: write profile = \"{profile}\""))
+        }
+        (None, None) => fault,
     };
     Err(Faults::new(source, vec![fault]).into())
 }

@@ -9,6 +9,7 @@ use clap_mangen::Man;
 use crate::cli::failure::{Failure, say};
 use crate::cli::harmless::shown;
 use crate::cli::text_file::replace;
+use crate::cli::voice::Quiet;
 
 /// Arguments of `man`.
 #[derive(clap::Args, Debug)]
@@ -18,6 +19,9 @@ pub(super) struct Args {
     /// Write all pages into this directory instead.
     #[arg(long, value_name = "DIR", conflicts_with = "command")]
     dir: Option<PathBuf>,
+    /// The answer is all that is printed, with or without it.
+    #[command(flatten)]
+    _quiet: Quiet,
 }
 
 /// Prints a page of the manual of `program`, for `man -l -`, or writes all of them.

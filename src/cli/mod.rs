@@ -31,11 +31,13 @@ mod machines;
 mod man;
 mod new;
 mod new_object;
+mod open;
 mod optimize;
 mod predict;
 mod progress;
 mod publish;
 mod quantity;
+mod rebuilt;
 mod resume;
 mod schema;
 mod shell;
@@ -56,7 +58,7 @@ use std::env;
 use std::ffi::OsString;
 use std::process::ExitCode;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::cli::harmless::shown;
 
@@ -124,8 +126,10 @@ pub fn main() -> ExitCode {
 /// Runs the program with `args`, of which the first is its name, and says with which code the process shall end. `build --watch`
 /// does not return: Ctrl-C ends it.
 pub fn run(args: Vec<OsString>) -> u8 {
-    let cli = match Cli::try_parse_from(&args) {
-        Ok(cli) => cli,
+    let parsed = Cli::command().try_get_matches_from(&args);
+    let parsed = parsed.and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, wants_json(&matches))));
+    let (cli, json) = match parsed {
+        Ok(parsed) => parsed,
         Err(fault) => return misused(args, fault),
     };
     let result = match cli.command {
@@ -153,8 +157,15 @@ pub fn run(args: Vec<OsString>) -> u8 {
     };
     match result {
         Ok(()) => 0,
+        Err(failure) if json => failure.report_json(),
         Err(failure) => failure.report(),
     }
+}
+
+/// Whether the command was given `--json`.
+fn wants_json(matches: &ArgMatches) -> bool {
+    let flag = |command: &ArgMatches| command.try_get_one::<bool>("json").ok().flatten().copied();
+    matches.subcommand().and_then(|(_, command)| flag(command)).unwrap_or(false)
 }
 
 /// Prints what `clap` has to say: help, or wrong usage. It quotes arguments, so it gets to see harmless ones.
@@ -172,17 +183,20 @@ mod tests {
     /// Commands that have no other answer than a document for other programs, whole and always the same.
     const DOCUMENTS: [&str; 3] = ["schema", "completions", "man"];
     /// Commands that compute for hours and whose answers are files, a row or a file for each.
-    const FILES: [&str; 3] = ["study", "sweep", "table"];
+    const FILES: [&str; 4] = ["show", "join", "sweep", "table"];
 
     #[test]
     fn every_command_that_reports_speaks_as_loud_as_one_likes() {
         let program = Cli::command();
-        for command in program.get_subcommands() {
+        let study = program.find_subcommand("study").expect("a command").get_subcommands();
+        for command in program.get_subcommands().filter(|command| command.get_name() != "study").chain(study)
+        {
             let name = command.get_name();
             let has = |option: &str| command.get_arguments().any(|arg| arg.get_long() == Some(option));
             let all = ["quiet", "verbose", "json"].into_iter().filter(|option| has(option)).count();
             let excepted = DOCUMENTS.contains(&name) || FILES.contains(&name);
-            assert!(all == 3 || (excepted && all == 0), "{name} has {all} of --quiet, --verbose, --json");
+            assert!(all == 3 || (excepted && all == 1), "{name} has {all} of --quiet, --verbose, --json");
+            assert!(has("quiet"), "{name}");
         }
         program.debug_assert();
     }

@@ -6,11 +6,10 @@ use serde_json::json;
 
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
-use crate::cli::new_object::{ObjectArgs, chosen};
+use crate::cli::new_object::{Made, ObjectArgs, chosen};
 use crate::cli::text_file::write_new;
 use crate::cli::voice::Voice;
 use crate::cli::{defaults, progress, schema};
-use crate::forecast::verdict::Verdict;
 use crate::spec;
 
 /// Arguments of `new`.
@@ -30,38 +29,56 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
     let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
     let found = progress::during(args.voice, "searching for a gripper", |_| chosen(name, &args.object))?;
-    let (text, verdict) = match found {
-        // One's own defaults were part of the search.
-        Some((text, verdict)) => (format!("#:schema ./{}\n{text}", spec::SCHEMA_FILE), verdict),
-        None => (defaults::written_into(starter()?)?, None),
+    let text = match &found {
+        // The search has used the user's own defaults already.
+        Some(made) => format!("#:schema ./{}\n{}", spec::SCHEMA_FILE, made.text),
+        None => defaults::written_into(starter()?)?,
     };
     let path = PathBuf::from(format!("{}.toml", file_stem(&args.name)));
     write_new(&path, &text)?;
     let schema = schema::write_beside(&path)?;
-    let json = json!({ "wrote": path, "schema": schema, "verdict": verdict });
+    let verdict = found.as_ref().and_then(|made| made.forecast.verdict());
+    let chosen = found.as_ref().map(Made::json);
+    let json = json!({ "wrote": path, "schema": schema, "verdict": verdict, "chosen": chosen });
     let path = shown(&path);
-    let said = verdict.map_or_else(String::new, |verdict| said(name, &verdict));
-    args.voice
-        .report(&format!("{said}wrote {path}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
+    let said = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
+    let wrote = format!("wrote {path}, and beside it {} for editors", spec::SCHEMA_FILE);
+    args.voice.report(&format!("{said}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
 }
 
-fn said(name: &str, verdict: &Verdict) -> String {
-    let reasons = verdict.reasons.iter().map(|reason| format!("  {reason}\n"));
-    format!("{name}: {}\n{}", verdict.line(), reasons.collect::<String>())
-}
-
-/// The name as a file name anywhere: ASCII letters, digits and dashes.
+/// The name as a file name anywhere: ASCII letters, digits, dashes, and points between them.
 pub(super) fn file_stem(name: &str) -> String {
     // Who names the file means the design.
     let name = name.strip_suffix(".toml").unwrap_or(name);
     let mut stem = String::new();
     for c in name.chars() {
-        if c.is_ascii_alphanumeric() {
-            stem.push(c.to_ascii_lowercase());
-        } else if !stem.is_empty() && !stem.ends_with('-') {
-            stem.push('-');
+        let follows_word = stem.ends_with(|last: char| last.is_ascii_alphanumeric());
+        match c {
+            _ if c.is_ascii_alphanumeric() => stem.push(c.to_ascii_lowercase()),
+            '.' if follows_word => stem.push('.'),
+            _ if follows_word => stem.push('-'),
+            _ => {}
         }
     }
-    let stem = stem.trim_end_matches('-');
+    let stem = stem.trim_end_matches(['-', '.']);
     if stem.is_empty() { "star".to_owned() } else { stem.to_owned() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_files_are_safe_and_keep_their_points() {
+        for (name, stem) in [
+            ("f0.2", "f0.2"),
+            ("f0.2.toml", "f0.2"),
+            ("../\u{e9}star", "star"),
+            ("a..b - c.", "a.b-c"),
+            (".hidden", "hidden"),
+            ("\u{661f}", "star"),
+        ] {
+            assert_eq!(file_stem(name), stem, "{name}");
+        }
+    }
 }

@@ -4,15 +4,18 @@ use std::fmt::Write;
 use std::path::Path;
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use serde_json::{Value, json};
 
 use crate::cli::defaults;
 use crate::cli::failure::Failure;
+use crate::cli::glance::sealing_time;
 use crate::cli::harmless::shown;
 use crate::cli::load::read_source;
 use crate::cli::quantity::{SIZE, number, quantity};
-use crate::design::Refusals;
+use crate::cli::summary::hours;
+use crate::design::{RefusalCode, Refusals};
 use crate::forecast::candidate::Candidate;
-use crate::forecast::choosing::{Choice, Miss, Nearest, Room, Wish, choose, spec_text};
+use crate::forecast::choosing::{Choice, FRICTION, Miss, Nearest, Room, Wish, choose, spec_text};
 use crate::forecast::verdict::Verdict;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::pipeline::Forecast;
@@ -24,25 +27,25 @@ use crate::units::{Force, Length, Mass, Pressure};
 #[derive(clap::Args, Debug)]
 pub(super) struct ObjectArgs {
     /// How wide the object is across where it is gripped: "70 mm".
-    #[arg(long, value_name = "LENGTH", value_parser = quantity::<Length>(SIZE), requires = "mass")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), requires = "mass")]
     object: Option<Length>,
     /// Height of the object along the gripper's axis: "57 mm"; default: as tall as wide.
-    #[arg(long, value_name = "LENGTH", value_parser = quantity::<Length>(SIZE), requires = "object")]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = quantity::<Length>(SIZE), requires = "object")]
     height: Option<Length>,
     /// Shape of the object; default: ball.
     #[arg(long, value_name = "SHAPE", value_parser = shape_parser(), requires = "object")]
     shape: Option<ObjectShape>,
     /// Mass of the object: "1.3 kg".
-    #[arg(long, value_name = "MASS", value_parser = quantity::<Mass>(Allowed::above(0.0, 1e4)), requires = "object")]
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = quantity::<Mass>(Allowed::above(0.0, 1e4)), requires = "object")]
     mass: Option<Mass>,
     /// The pressure that your pump gives; default: the best from 5 to 60 kPa.
-    #[arg(long, value_name = "PRESSURE", value_parser = quantity::<Pressure>(Allowed::closed(1e-3, 1e6)), requires = "object")]
+    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true, value_parser = quantity::<Pressure>(Allowed::closed(1e-3, 1e6)), requires = "object")]
     pressure: Option<Pressure>,
-    /// Friction between corners and object; default: 0.5, bare fabric on a smooth surface.
-    #[arg(long, value_name = "RATIO", value_parser = number(Allowed::above(0.0, 10.0)), requires = "object")]
+    /// Friction between corners and object; default: 0.3, bare fabric on a smooth surface. Coated corners have about 1.
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 10.0)), requires = "object")]
     friction: Option<f64>,
     /// Largest radial force of one star that the object bears: "20 N".
-    #[arg(long, value_name = "FORCE", value_parser = quantity::<Force>(Allowed::above(0.0, 1e6)), requires = "object")]
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity::<Force>(Allowed::above(0.0, 1e6)), requires = "object")]
     fragile: Option<Force>,
     /// "paper", or a spec whose `[fabric]` is taken.
     #[arg(long, value_name = "NAME", requires = "object")]
@@ -50,7 +53,7 @@ pub(super) struct ObjectArgs {
     /// A built-in machine profile's name; default: generic.
     #[arg(long, value_name = "NAME", requires = "object")]
     machine: Option<String>,
-    /// Size of the fabric sheets, mm: 400x400.
+    /// Size of the fabric sheets: 400x400 in mm, or A4.
     #[arg(long, value_name = "WxH", value_parser = sheet, requires = "object")]
     sheet: Option<[Length; 2]>,
 }
@@ -65,14 +68,24 @@ fn shape_parser() -> impl TypedValueParser<Value = ObjectShape> {
     })
 }
 
-/// Friction of bare fabric on a smooth surface, assumed.
-const FRICTION: f64 = 0.5;
 /// Inner radius of curvature of tips and corners: at 2 mm the seal bears some two fifths of what sharp ones put on it.
 const ROUND: Length = Length(2.0);
 
-/// Reads "400x300", in mm.
+/// Paper sizes of ISO 216 from A0, mm, landscape.
+const PAPERS: [[f64; 2]; 6] =
+    [[1189.0, 841.0], [841.0, 594.0], [594.0, 420.0], [420.0, 297.0], [297.0, 210.0], [210.0, 148.0]];
+
+/// Objects of usual sizes, mm across: beyond them the unit may be wrong.
+const USUAL_SIZES: Allowed = Allowed::closed(5.0, 1000.0);
+
+/// Reads "400x300", in mm, or "A3".
 fn sheet(text: &str) -> Result<[Length; 2], String> {
-    let fault = || format!("`{text}` is not WIDTHxHEIGHT in mm, like 400x300");
+    let fault = || format!("`{text}` is not WIDTHxHEIGHT in mm, like 400x300, and not A0 to A5");
+    let paper =
+        text.trim().strip_prefix(['A', 'a']).and_then(|number| PAPERS.get(number.parse::<usize>().ok()?));
+    if let Some(paper) = paper {
+        return Ok(paper.map(Length));
+    }
     let (width, height) = text.split_once(['x', 'X', '\u{d7}']).ok_or_else(fault)?;
     let side = |text: &str| {
         let text = text.trim().trim_end_matches("mm").trim();
@@ -81,8 +94,67 @@ fn sheet(text: &str) -> Result<[Length; 2], String> {
     Ok([side(width)?, side(height)?])
 }
 
-/// The spec called `name`, and the verdict on its gripper.
-type Made = (String, Option<Verdict>);
+/// A gripper for an object: its spec, and what was forecast of it.
+pub(super) struct Made {
+    /// The spec's text.
+    pub(super) text: String,
+    /// Everything that `check` knows of it.
+    pub(super) forecast: Forecast,
+    /// Whether its friction is the default.
+    pub(super) friction_assumed: bool,
+}
+
+impl Made {
+    /// The verdict with its reasons, and below it what was chosen: a line each.
+    pub(super) fn in_words(&self) -> String {
+        let verdict = self.forecast.verdict();
+        let mut lines: Vec<String> = verdict.iter().map(Verdict::line).collect();
+        lines.extend(verdict.iter().flat_map(|verdict| &verdict.reasons).map(|reason| format!("  {reason}")));
+        lines.extend(self.star_in_words());
+        lines.join("\n") + "\n"
+    }
+
+    fn star_in_words(&self) -> Option<String> {
+        let Forecast { spec, .. } = &self.forecast;
+        let (star, load) = (spec.stars.first()?, spec.load.as_ref()?);
+        let stars =
+            if spec.stars.len() == 1 { "1 star".to_owned() } else { format!("{} stars", spec.stars.len()) };
+        let [width, height] = self.fabric()?.map(f64::round);
+        let at = load.pressure.map_or_else(String::new, |pressure| format!("; {pressure}"));
+        let friction = load.friction.map_or_else(String::new, |friction| match self.friction_assumed {
+            true => format!("; friction {friction} assumed: change it with --friction"),
+            false => format!("; friction {friction}"),
+        });
+        Some(format!(
+            "{stars} of {} points, tube {} wide, {width} x {height} mm of fabric{at}; {} of sealing{friction}",
+            star.points,
+            star.tube_width,
+            hours(sealing_time(&self.forecast)),
+        ))
+    }
+
+    /// Width and height of the first star's cut, mm.
+    fn fabric(&self) -> Option<[f64; 2]> {
+        let bounds = self.forecast.design.distinct.first()?.outline.outside.bounds();
+        Some([bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y])
+    }
+
+    /// What was chosen, for programs.
+    pub(super) fn json(&self) -> Value {
+        let Forecast { spec, .. } = &self.forecast;
+        let (star, load) = (spec.stars.first(), spec.load.as_ref());
+        json!({
+            "stars": spec.stars.len(),
+            "points": star.map(|star| star.points),
+            "tube_width_mm": star.map(|star| star.tube_width.0),
+            "fabric_mm": self.fabric(),
+            "pressure_kPa": load.and_then(|load| Some(load.pressure?.0)),
+            "friction": load.and_then(|load| load.friction),
+            "friction_assumed": self.friction_assumed,
+            "sealing_time_s": sealing_time(&self.forecast),
+        })
+    }
+}
 
 /// The spec of a gripper for the object; `None` without an object.
 pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Failure> {
@@ -113,7 +185,9 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Fail
         let mut why = None;
         for choice in choices {
             match buildable(name, choice, base, &machine) {
-                Ok(made) => return Ok(made),
+                Ok((text, forecast)) => {
+                    return Ok(Made { text, forecast, friction_assumed: args.friction.is_none() });
+                }
                 Err(refusals) => why = why.or(Some(refusals)),
             }
         }
@@ -128,6 +202,9 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Fail
             }
             made(&nearest.choices, &base).is_ok()
         });
+        let unit = (!USUAL_SIZES.holds(object.0))
+            .then(|| format!("an object {object} across: is the unit right (mm, cm, m, in)?"));
+        let reasons: Vec<String> = unit.into_iter().chain(reasons).collect();
         missed(&reasons, nearest.and_then(|nearest| in_words(name, args, &wish, &nearest)))
     })?;
     made(&choices, &base).map(Some).map_err(|why| {
@@ -214,34 +291,46 @@ fn machine(profile: &str) -> Result<Machine, Failure> {
     if path.is_file() {
         return Ok(spec::read_machine(&read_source(path)?)?);
     }
-    let known: Vec<&str> = spec::builtin_machines().collect();
-    Err(Failure::Message(format!(
-        "no machine profile is called {profile:?}, and there is no such file; there are {}",
-        known.join(", ")
-    )))
+    let remedy = spec::usual_profile(profile).map_or_else(
+        || format!("there are {}", spec::builtin_machines().collect::<Vec<_>>().join(", ")),
+        |(controller, name)| format!("it usually has {controller}: --machine {name}"),
+    );
+    Err(Failure::Message(format!("{profile:?} is not a machine profile, and not a file; {remedy}")))
 }
 
 /// The spec of `choice`, if all that `check` does accepts it, with the controller's low feeds chopped where they must be.
-fn buildable(name: &str, choice: &Choice, base: &Spec, machine: &Machine) -> Result<Made, Refusals> {
-    let attempt = |feed_floor: FeedFloor| {
-        let mut base = base.clone();
-        base.machine.feed_floor = feed_floor;
-        let text = spec_text(name, choice, &base).map_err(|_| Refusals::new())?;
+fn buildable(
+    name: &str,
+    choice: &Choice,
+    base: &Spec,
+    machine: &Machine,
+) -> Result<(String, Forecast), Refusals> {
+    let attempt = |base: &Spec| {
+        let text = spec_text(name, choice, base).map_err(|_| Refusals::new())?;
         let spec = spec::read(&Source::new("chosen", text.clone())).map_err(|_| Refusals::new())?.spec;
-        let forecast = Forecast::of(spec, machine.clone())?;
-        Ok((text, forecast.prediction.and_then(|prediction| prediction.verdict)))
+        Ok((text, Forecast::of(spec, machine.clone())?))
     };
-    attempt(FeedFloor::Refuse).or_else(|why: Refusals| attempt(FeedFloor::Chop).map_err(|_| why))
+    let mut base = base.clone();
+    let (text, forecast) = attempt(&base).or_else(|why: Refusals| {
+        base.machine.feed_floor = FeedFloor::Chop;
+        attempt(&base).map_err(|_| why)
+    })?;
+    // Windows that are shorter than the default are accepted in the spec: `check` need not warn of them.
+    let is_short = forecast.design.warnings.iter().any(|warning| warning.code == RefusalCode::ShortWindow);
+    let reaches = forecast.design.distinct.iter().map(|part| part.mask.extent);
+    let Some(shortest) = reaches.reduce(f64::min).filter(|_| is_short) else { return Ok((text, forecast)) };
+    base.mask.extent = Some(Length((shortest * 100.0).floor() / 100.0));
+    attempt(&base)
 }
 
 fn missed(reasons: &[String], nearest: Option<String>) -> Failure {
-    let mut text = String::from("no gripper that was tried does all of this:");
+    let mut text = String::from("no gripper was found that does all of this:");
     for reason in reasons {
         // A String takes everything.
         let _ = write!(text, "\n  {reason}");
     }
     if let Some(nearest) = nearest {
-        let _ = write!(text, "\nwhat comes nearest: {nearest}");
+        let _ = write!(text, "\nthe closest request that can be met: {nearest}");
     }
     Failure::Message(text)
 }
@@ -254,7 +343,9 @@ mod tests {
     fn a_sheet_is_two_lengths() {
         assert_eq!(sheet("400x300"), Ok([Length(400.0), Length(300.0)]));
         assert_eq!(sheet("400 mm x 300 mm"), Ok([Length(400.0), Length(300.0)]));
-        for bad in ["400", "400x", "x", "0x5", "nanx5", "400x300x2"] {
+        assert_eq!(sheet("A3"), Ok([Length(420.0), Length(297.0)]));
+        assert_eq!(sheet("a0"), Ok([Length(1189.0), Length(841.0)]));
+        for bad in ["400", "400x", "x", "0x5", "nanx5", "400x300x2", "A", "A6", "A-1"] {
             assert!(sheet(bad).is_err(), "{bad}");
         }
     }

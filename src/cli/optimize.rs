@@ -13,6 +13,7 @@ use crate::cli::voice::{Voice, pretty};
 use crate::design::Design;
 use crate::forecast::by_shell::Detail;
 use crate::forecast::candidate::Candidate;
+use crate::forecast::choosing::is_result;
 use crate::forecast::optimize::{
     Bounds, Confirmed, Constraints, Effort, Evaluated, Found, Goal, ROUNDING, Search, is_at_pressure,
 };
@@ -20,8 +21,8 @@ use crate::forecast::star_by_shell;
 use crate::forecast::star_by_shell::Refusal;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::spec;
-use crate::spec::edit::{StarEdit, with_star, with_value};
-use crate::spec::{Allowed, Source, key};
+use crate::spec::edit::{StarEdit, with_comments, with_star, with_value};
+use crate::spec::{Allowed, Setting, Source, key, settings};
 use crate::units::{Angle, Length, Mass, Pressure};
 
 /// Arguments of `optimize`.
@@ -36,37 +37,37 @@ pub(super) struct Args {
     #[arg(long, default_value = "3..12", value_parser = points)]
     points: (u32, u32),
     /// Tip angles; default: 10 to 90 deg.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Angle>(Allowed::between(0.0, 180.0)))]
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Angle>(Allowed::between(0.0, 180.0)))]
     tip_angle: Option<(Angle, Angle)>,
     /// Tube widths; default: half to one and a half times the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(SIZE))]
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(SIZE))]
     tube_width: Option<(Length, Length)>,
     /// Tip radii; default: the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(EXTRA))]
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(EXTRA))]
     tip_radius: Option<(Length, Length)>,
     /// Corner radii; default: the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(EXTRA))]
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(EXTRA))]
     corner_radius: Option<(Length, Length)>,
     /// Inner radii; default: the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(SIZE))]
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(SIZE))]
     inner_radius: Option<(Length, Length)>,
     /// Pressures; default: the spec's.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Pressure>(PRESSURES))]
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Pressure>(PRESSURES))]
     pressure: Option<(Pressure, Pressure)>,
     /// Numbers of stars, "1..6" or one, as few as hold the mass; default: the spec's.
     #[arg(long, value_parser = counts)]
     count: Option<(u32, u32)>,
     /// Radii that it must be able to hold, inflated: close to the first, open to the second.
-    #[arg(long, value_name = "FROM..TO", value_parser = range::<Length>(SIZE))]
+    #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(SIZE))]
     grasp: Option<(Length, Length)>,
     /// Payload of the stack in kg, with the pressure, object and friction of `[load]`.
-    #[arg(long, value_name = "KG", value_parser = number(Allowed::above(0.0, 1e6)))]
+    #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e6)))]
     payload: Option<f64>,
     /// Largest radial force of one star, N; default: the `[load]`'s largest_force.
-    #[arg(long, value_name = "N", value_parser = number(Allowed::above(0.0, 1e6)))]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e6)))]
     largest_force: Option<f64>,
     /// Least burst pressure over pressure; default: 1 where the seal's strength is known.
-    #[arg(long, value_name = "RATIO", value_parser = number(Allowed::above(0.0, 1e3)))]
+    #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
     burst_margin: Option<f64>,
     /// Ask the shell about the winner: seconds to minutes.
     #[arg(long)]
@@ -283,7 +284,29 @@ fn edited(loaded: &Loaded, candidate: &Evaluated) -> Result<String, Failure> {
         let value = if unit.is_empty() { format!("{is}") } else { format!("\"{} {unit}\"", thousandths(is)) };
         text = with_value(&Source::new("optimised", text), key, &value)?;
     }
-    Ok(text)
+    recommented(loaded, &text)
+}
+
+/// `text`, which was made of the spec that is `loaded`, without comments that are about old values: a changed value says which it
+/// was, and what `new` had computed is left out, because all of it depends on all values.
+fn recommented(loaded: &Loaded, text: &str) -> Result<String, Failure> {
+    let edited = Source::new("optimised", text);
+    let (before, after) = (settings(&loaded.source), settings(&edited));
+    let was = |section: &str, key: &str| {
+        let of = |all: &[Setting]| {
+            all.iter().find(|one| one.section == section && one.key == key).and_then(|one| one.value.clone())
+        };
+        of(&before).filter(|was| of(&after).is_some_and(|is| is != *was))
+    };
+    if before == after {
+        return Ok(text.to_owned());
+    }
+    let text = with_comments(&edited, |section, key, comment| match was(section, key) {
+        Some(was) => Some(format!("was {was}")),
+        None => (!is_result(comment)).then(|| comment.to_owned()),
+    })?;
+    let lines = text.lines().filter(|line| !line.strip_prefix("# ").is_some_and(is_result));
+    Ok(lines.map(|line| format!("{line}\n")).collect())
 }
 
 /// The design, if the design stage accepts it.

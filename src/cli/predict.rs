@@ -29,7 +29,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "MODEL")]
     model: Option<Model>,
     /// Also the force on round objects of these radii: "20 mm..40 mm/5".
-    #[arg(long, value_name = "FROM..TO/COUNT", value_parser = radii)]
+    #[arg(long, value_name = "FROM..TO/COUNT", allow_hyphen_values = true, value_parser = radii)]
     radii: Option<Radii>,
     #[command(flatten)]
     shell: ShellArgs,

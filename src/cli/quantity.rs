@@ -1,7 +1,7 @@
 //! Numbers, quantities and ranges of quantities as arguments: finite, within what makes sense, or refused as wrong usage.
 
 use crate::spec::Allowed;
-use crate::units::Quantity;
+use crate::units::{Quantity, Readable};
 
 /// Lengths that must be there: 1 um to 100 m, as in a spec.
 pub(super) const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
@@ -12,9 +12,13 @@ pub(super) const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
 pub(super) fn number(allowed: Allowed) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
     move |text| {
         let found = text.trim().parse::<f64>().ok();
-        found
-            .filter(|number| allowed.holds(*number))
-            .ok_or_else(|| format!("{} {}", remedy(text, "it is a number and"), allowed.in_words("")))
+        found.filter(|number| allowed.holds(*number)).ok_or_else(|| {
+            let otherwise = format!("{} {}", remedy(text, "it is a number and"), allowed.in_words(""));
+            match percent(text).filter(|ratio| allowed.holds(*ratio)) {
+                Some(ratio) => format!("not a percentage: write {}; {otherwise}", Readable(ratio)),
+                None => otherwise,
+            }
+        })
     }
 }
 
@@ -29,6 +33,8 @@ pub(super) fn quantity<Q: Quantity>(
         })?;
         if allowed.holds(found.base()) {
             Ok(found)
+        } else if found.base() <= 0.0 && !allowed.holds(0.0) {
+            Err(format!("the {} must be more than 0", Q::KIND))
         } else {
             Err(format!("the {} {}", Q::KIND, allowed.in_words(Q::UNITS[0].0)))
         }
@@ -57,6 +63,11 @@ pub(super) fn range<Q: Quantity>(
             Err(format!("the range falls; write \"{to}..{from}\""))
         }
     }
+}
+
+/// The ratio that `text` means if it is a percentage: 0.5 of "50 %".
+fn percent(text: &str) -> Option<f64> {
+    text.trim().strip_suffix('%')?.trim().parse::<f64>().ok().map(|percent| percent / 100.0)
 }
 
 /// `otherwise`, but of a decimal comma that it is one.
@@ -100,6 +111,7 @@ mod tests {
             let why = ratio(text).expect_err(text);
             assert_eq!(why, "it is a number and must be more than 0 and at most 1000", "{text}");
         }
+        assert!(ratio("50%").expect_err("a percentage").starts_with("not a percentage: write 0.5; it is"));
         assert!(ratio("1,5").expect_err("a comma").starts_with("a decimal comma: write 1.5; it is a number"));
     }
 
@@ -110,6 +122,7 @@ mod tests {
         let range_of = "the length must be at least 0 mm and at most 100000 mm";
         assert_eq!((length("-1 mm"), length("1e3 m")), (Err(range_of.to_owned()), Err(range_of.to_owned())));
         assert_eq!(length("5"), Err("write the length as a number and one of mm, cm, m, um, in".to_owned()));
+        assert_eq!(quantity::<Length>(SIZE)("-75 mm"), Err("the length must be more than 0".to_owned()));
         assert!(length("nan mm").is_err() && length("5 deg").is_err());
         assert!(length("5,5 mm").expect_err("a comma").starts_with("a decimal comma: write 5.5 mm"));
     }

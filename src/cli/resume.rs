@@ -29,7 +29,7 @@ pub(super) struct Args {
     #[arg(long, group = "place", value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     near: Option<Point>,
     /// What to seal again before the stop, such as "5 mm"; default: as much as the closures overlap.
-    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length)]
     overlap: Option<f64>,
     /// The program to write; default: the job's name with -resume, beside a published directory, never in it. Never over
     /// a file that is there.

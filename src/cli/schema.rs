@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::text_file::write_new;
+use crate::cli::voice::Quiet;
 use crate::spec;
 
 /// Arguments of `schema`.
@@ -12,6 +13,9 @@ pub(super) struct Args {
     /// That of a machine profile instead.
     #[arg(long)]
     machine: bool,
+    /// The answer is all that is printed, with or without it.
+    #[command(flatten)]
+    _quiet: Quiet,
 }
 
 /// Prints the JSON Schema of a spec, or of a machine profile.

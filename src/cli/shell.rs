@@ -114,12 +114,8 @@ pub(super) fn refused(fault: &ShellFault) -> Failure {
     }
 }
 
-/// Computes while Ctrl-C is heard, the first time as a wish and the second time as an order, and a terminal is told how far it is.
-pub(super) fn watched<T>(compute: impl FnOnce(&Watch<'_>) -> Result<T, Failure>) -> Result<T, Failure> {
-    watched_by(Voice::default(), compute)
-}
-
-/// The same; a terminal is told unless it is not wanted.
+/// Computes while Ctrl-C is heard, the first time as a wish and the second time as an order; a terminal shows the progress unless
+/// `voice` is quiet.
 pub(super) fn watched_by<T>(
     voice: Voice,
     compute: impl FnOnce(&Watch<'_>) -> Result<T, Failure>,

@@ -25,6 +25,10 @@ pub(super) struct Args {
 
 /// Computes the rows and writes them in order.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let study = if args.vary.is_empty() { loaded(&args.spec)? } else { varied(&args.spec, &args.vary)? };
+    let voice = args.rows.quiet.voice();
+    let study = match &args.vary[..] {
+        [] => loaded(&args.spec, voice)?,
+        vary => varied(&args.spec, vary, voice)?,
+    };
     args.rows.run(&study)
 }

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, say, tell};
-use crate::cli::shell::{refused, watched};
+use crate::cli::shell::{refused, watched_by};
 use crate::cli::study::{Destination, Span, loaded};
 use crate::cli::text_file::{read_table, replace};
 use crate::cli::whole_file::sweep_leftovers;
@@ -79,7 +79,7 @@ fn study(args: &Args) -> Result<(), Failure> {
                     are joined by `study join`";
         return Err(Failure::Usage(text.to_owned()));
     }
-    args.rows.run(&loaded(&args.dir)?)
+    args.rows.run(&loaded(&args.dir, args.rows.quiet.voice())?)
 }
 
 fn all_ladders(args: &Args) -> Result<(), Failure> {
@@ -94,9 +94,13 @@ fn all_ladders(args: &Args) -> Result<(), Failure> {
             continue;
         }
         let fineness = Fineness { cells: args.cells.unwrap_or(FINENESS.cells), ..FINENESS };
-        let text = watched(|watch| ladder.climb(fineness, watch).map_err(|fault| refused(&fault)))?;
+        let text = watched_by(args.rows.quiet.voice(), |watch| {
+            ladder.climb(fineness, watch).map_err(|fault| refused(&fault))
+        })?;
         replace(&path, &text)?;
-        tell(&format!("ladder {} of {}", ladder.number, ladders().len()));
+        if !args.rows.quiet.quiet {
+            tell(&format!("ladder {} of {}", ladder.number, ladders().len()));
+        }
     }
     Ok(())
 }
@@ -117,10 +121,13 @@ fn stars(args: &Args, sets: &[Set]) -> Result<(), Failure> {
         let fineness = Fineness { cells: args.cells.unwrap_or(fineness.cells), ..fineness };
         let path = star_file(&args.dir, &star, args.forces);
         if read_star(&path, &star).is_none() {
-            let found =
-                watched(|watch| star.compute(openings, fineness, watch).map_err(|fault| refused(&fault)))?;
+            let found = watched_by(args.rows.quiet.voice(), |watch| {
+                star.compute(openings, fineness, watch).map_err(|fault| refused(&fault))
+            })?;
             replace(&path, &found)?;
-            tell(&format!("star {} of {}", star.number, star.set.name()));
+            if !args.rows.quiet.quiet {
+                tell(&format!("star {} of {}", star.number, star.set.name()));
+            }
         }
     }
     Ok(())

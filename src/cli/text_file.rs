@@ -7,6 +7,7 @@ use std::path::Path;
 
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
+use crate::cli::load::is_standard_input;
 use crate::cli::whole_file::WholeFile;
 
 /// Most bytes of a program: many times what the largest design needs.
@@ -20,14 +21,18 @@ pub(super) fn read_text(path: &Path) -> Result<String, Failure> {
     read_within(path, PROGRAM)
 }
 
-/// Reads a table that a command is given.
+/// Reads a table that a command is given, or standard input for "-".
 pub(super) fn read_table(path: &Path) -> Result<String, Failure> {
     read_within(path, TABLE)
 }
 
 fn read_within(path: &Path, most: u64) -> Result<String, Failure> {
     let mut bytes = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes));
+    let read = if is_standard_input(path) {
+        std::io::stdin().lock().take(most + 1).read_to_end(&mut bytes)
+    } else {
+        File::open(path).and_then(|file| file.take(most + 1).read_to_end(&mut bytes))
+    };
     let length = read.map_err(|error| Failure::file("read", path, &error))?;
     if u64::try_from(length).unwrap_or(u64::MAX) > most {
         let most = most >> 20;
@@ -36,7 +41,7 @@ fn read_within(path: &Path, most: u64) -> Result<String, Failure> {
     }
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
-        Failure::Message(format!("{}: byte {at} is no text; it must be UTF-8: save it as such", shown(path)))
+        Failure::Message(format!("{}: byte {at} is not UTF-8: save the file as UTF-8", shown(path)))
     })
 }
 

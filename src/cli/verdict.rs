@@ -7,17 +7,20 @@ use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::shown::{known, with};
 use crate::pipeline::Forecast;
 use crate::spec::key;
+use crate::units::Length;
 
 /// The verdict in one sentence.
 pub(super) fn in_words(forecast: &Forecast) -> String {
     let Some((load, prediction)) = forecast.spec.load.as_ref().zip(forecast.prediction.as_ref()) else {
-        return "no verdict: the spec has no [load], so nobody has asked what it holds".to_owned();
+        return "no verdict: add a [load] section that describes the object".to_owned();
     };
     let Some(verdict) = forecast.verdict() else {
         let missing = if load.pressure.is_none() { key::load::PRESSURE } else { key::load::OBJECT_RADIUS };
         return format!("no verdict: [load] does not say `{}`", missing.key());
     };
-    let object = load.object_radius.map_or_else(String::new, |radius| format!(" of radius {radius}"));
+    let object = load
+        .object_radius
+        .map_or_else(String::new, |Length(radius)| format!(", {} across,", Length(2.0 * radius)));
     let pressure = load.pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
     let payload = prediction.first.payload_kg.zip(prediction.first.ranges.payload_kg);
     let payload = payload.zip(load.friction).map_or_else(String::new, |((kg, range), friction)| {
@@ -63,5 +66,5 @@ pub(super) fn json(forecast: &Forecast) -> Value {
 fn closing(star: &StarPrediction) -> String {
     let Some([_, most]) = star.graspable_radius_mm else { return "unknown".to_owned() };
     let radius = known(star.final_radius_mm, star.ranges.final_radius_mm, "mm");
-    format!("to a radius of {radius}; grasps objects of radii up to {} mm", rounded(most))
+    format!("to a radius of {radius}; takes objects up to {} mm across", rounded(2.0 * most))
 }

@@ -21,6 +21,21 @@ pub(super) struct Voice {
     pub(super) json: bool,
 }
 
+/// Argument of commands whose answer is a document, or rows and files.
+#[derive(clap::Args, Clone, Copy, Debug, Default)]
+pub(super) struct Quiet {
+    /// Say nothing but the answer and what stands in the way.
+    #[arg(short, long)]
+    pub(super) quiet: bool,
+}
+
+impl Quiet {
+    /// As loud as that.
+    pub(super) fn voice(self) -> Voice {
+        Voice { quiet: self.quiet, ..Voice::default() }
+    }
+}
+
 impl Voice {
     /// Prints `text` to people, `json` to programs, or nothing.
     pub(super) fn report(self, text: &str, json: &Value) -> Result<(), Failure> {

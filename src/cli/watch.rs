@@ -7,6 +7,7 @@ use crate::cli::figure::rounded;
 use crate::cli::harmless::shown;
 use crate::pipeline::Forecast;
 use crate::plan::Pace;
+use crate::spec::Machine;
 use crate::units::{Readable, Speed};
 
 /// Below this the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
@@ -15,6 +16,9 @@ const SLOW: Speed = Speed(5.0);
 
 /// Above this a seal is sealed ten times as fast as those of the paper, 0.1 mm/s.
 const FAST: Speed = Speed(1.0);
+
+/// The profile for a machine of which nothing is known.
+const UNKNOWN: &str = "generic";
 
 /// Everything to see to, of the spec at `path`, the most pressing first.
 pub(super) fn list(forecast: &Forecast, path: &Path) -> Vec<String> {
@@ -32,6 +36,16 @@ pub(super) fn list(forecast: &Forecast, path: &Path) -> Vec<String> {
             star.evidence.warnings.iter().filter(|text| **text != star.evidence.choice && !is_said(text));
         list.extend(warnings.cloned());
     }
+    if is_unknown(&forecast.machine) && !matches!(pace(forecast), Some(Pace::Chopped(_))) {
+        list.extend(fast(forecast, path));
+        list.push(format!(
+            "{} profile: speed, pause and reach are not checked; name your machine with `profile` in [machine], or time what \
+             `stargrip-cam feedcheck {}` writes",
+            forecast.machine.name,
+            shown(path)
+        ));
+        return unique(list);
+    }
     list.extend(speed(forecast, path));
     list.extend(forecast.machine.script.requires.iter().cloned());
     if forecast.machine.bench.work_area.is_none() {
@@ -40,6 +54,11 @@ pub(super) fn list(forecast: &Forecast, path: &Path) -> Vec<String> {
             sheets(forecast)
         ));
     }
+    unique(list)
+}
+
+/// `list` with each text once.
+fn unique(list: Vec<String>) -> Vec<String> {
     let mut once = Vec::new();
     for text in list {
         if !once.contains(&text) {
@@ -47,6 +66,15 @@ pub(super) fn list(forecast: &Forecast, path: &Path) -> Vec<String> {
         }
     }
     once
+}
+
+/// Whether the profile is the one that knows neither how slowly its machine goes nor how far it reaches.
+fn is_unknown(machine: &Machine) -> bool {
+    machine.name == UNKNOWN && machine.motion.speed_range().is_none() && machine.bench.work_area.is_none()
+}
+
+fn pace(forecast: &Forecast) -> Option<Pace> {
+    forecast.programs.first().map(|program| program.pace)
 }
 
 /// The sheets' sizes, mm.
@@ -76,12 +104,12 @@ fn strength(forecast: &Forecast) -> Option<String> {
     ))
 }
 
-/// Whether the machine goes as slowly as it is told, and whether what is sealed so fast is a seal.
+/// Whether the machine goes as slowly as the program says, and whether a fast seal is one.
 fn speed(forecast: &Forecast, path: &Path) -> Vec<String> {
-    let Forecast { spec, machine, programs, .. } = forecast;
+    let Forecast { spec, machine, .. } = forecast;
     let (speed, command) = (spec.seal.speed, |name: &str| format!("`stargrip-cam {name} {}`", shown(path)));
     let mut list = Vec::new();
-    match programs.first().map(|program| program.pace) {
+    match pace(forecast) {
         Some(Pace::Chopped(chop)) => list.push(format!(
             "the seal's speed is made of strokes of at most {} mm at {} mm/s, and dwells: they count on an acceleration of {} \
              mm/s^2{}; time what {} writes",
@@ -95,16 +123,23 @@ fn speed(forecast: &Forecast, path: &Path) -> Vec<String> {
         )),
         _ if machine.motion.speed_range().is_none() && speed < SLOW => list.push(format!(
             "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
-             without a word: time what {} writes",
+             without reporting it: time what {} writes",
             command("feedcheck")
         )),
         _ => {}
     }
-    if speed > FAST {
-        list.push(format!(
-            "the paper sealed at 0.1 mm/s: whether this fabric is tight when sealed at {speed}, only a peel test tells; {} writes one",
-            command("coupon")
-        ));
-    }
+    list.extend(fast(forecast, path));
     list
+}
+
+/// Whether what is sealed so fast is a seal.
+fn fast(forecast: &Forecast, path: &Path) -> Option<String> {
+    let speed = forecast.spec.seal.speed;
+    (speed > FAST).then(|| {
+        format!(
+            "the paper sealed at 0.1 mm/s: only a peel test tells whether this fabric is tight when sealed at {speed}; \
+             `stargrip-cam coupon {}` writes one",
+            shown(path)
+        )
+    })
 }

@@ -246,11 +246,11 @@ impl Asked<'_> {
                 let wide = asked.into_iter().filter_map(|(what, part)| Some((what, part?)));
                 let wide: Vec<String> = wide
                     .filter(|(_, part)| *part > accepted.ratio())
-                    .map(|(what, part)| format!("{what} is known to {:.0} %", (100.0 * part).ceil()))
+                    .map(|(what, part)| format!("{what} may be off by {:.0} %", (100.0 * part).ceil()))
                     .collect();
                 (!wide.is_empty()).then(|| {
                     format!(
-                        "{} only, more than the accepted {accepted}: `predict --model shell` may say more",
+                        "{}, more than the accepted {accepted}: `predict --model shell` may say more",
                         wide.join(", ")
                     )
                 })

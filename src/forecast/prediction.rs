@@ -62,13 +62,18 @@ pub struct Verdict {
 }
 
 impl Verdict {
-    /// As one line, without the reasons.
-    pub fn line(&self) -> String {
-        let word = match self.holds {
+    /// In a word or two: "holds the object".
+    pub fn word(&self) -> &'static str {
+        match self.holds {
             Holds::Yes => "holds the object",
             Holds::No => "does not hold the object",
             Holds::Unknown => "may hold the object",
-        };
+        }
+    }
+
+    /// As one line, without the reasons.
+    pub fn line(&self) -> String {
+        let word = self.word();
         let force = match (self.force_N, self.force_range_N) {
             (Some(force), Some(range)) if range[1] > 0.0 => {
                 format!(" with {}", shown::with(force, range, "N"))

@@ -103,6 +103,17 @@ impl Claim {
             Ok(forecast) => forecast,
             Err(findings) => return Proof { findings, ..Proof::default() },
         };
+        // Without a manifest no file was read, and each of them would seem empty.
+        if let (None, Some(_)) = (&self.written, files.get(MANIFEST)) {
+            let what = "it is damaged, or another program wrote it";
+            let finding = Finding::new(
+                FindingCode::Manifest,
+                None,
+                what,
+                "the manifest.json of the build: build it again",
+            );
+            return Proof { findings: vec![finding.in_file(MANIFEST)], ..Proof::default() };
+        }
         let mut proof = prove_claimed(&forecast, self.written.as_ref(), files);
         let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
         if let (Some(written), Some(spec), Some(machine)) =

@@ -13,9 +13,9 @@ impl Source {
     pub fn from_bytes(name: impl Into<String>, bytes: &[u8]) -> Result<Self, Faults> {
         let name = name.into();
         if bytes.len() > SIZE_LIMIT {
-            let message = format!("the file has {} bytes", bytes.len());
+            let message = format!("the file is larger than {} MiB", SIZE_LIMIT >> 20);
             let fault = Fault::error(FaultCode::TooLarge, 0..0, message)
-                .label(format!("at most {SIZE_LIMIT} bytes are read"))
+                .label("a spec or a profile is a few kB of text")
                 .help("is this the right file?");
             return Err(Faults::new(&Self::new(name, ""), vec![fault]));
         }
@@ -29,7 +29,7 @@ impl Source {
                 let fault = Fault::error(
                     FaultCode::NotText,
                     at..at + 1,
-                    format!("byte {} is {byte:#04x}: no UTF-8", at + 1),
+                    format!("byte {} is {byte:#04x}: not UTF-8", at + 1),
                 )
                 .label("the text ends here")
                 .help("save the file as UTF-8");
@@ -62,6 +62,6 @@ mod tests {
         assert!(Source::from_bytes("a", &vec![b'\n'; SIZE_LIMIT]).is_ok());
         let faults = Source::from_bytes("a", &vec![0xff; SIZE_LIMIT + 1]).expect_err("one byte too many");
         assert_eq!(faults.list()[0].code, "too-large");
-        assert!(faults.to_string().contains("1048577 bytes"), "{faults}");
+        assert!(faults.to_string().contains("larger than 1 MiB"), "{faults}");
     }
 }

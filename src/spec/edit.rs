@@ -167,6 +167,39 @@ fn edited<'v>(
     Ok(document.to_string())
 }
 
+/// The text of `source` with other comments behind values: `renewed` is given section, key and comment, and says what stands there
+/// afterwards, `None` for nothing. Comments on lines of their own, and those within inline tables, stay.
+///
+/// # Errors
+/// If `source` is not TOML.
+pub fn with_comments(
+    source: &Source,
+    mut renewed: impl FnMut(&str, &str, &str) -> Option<String>,
+) -> Result<String, Faults> {
+    let mut document: DocumentMut = source.text.parse().map_err(|error: toml_edit::TomlError| {
+        let fault = Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message());
+        Faults::new(source, vec![fault])
+    })?;
+    for (section, item) in document.iter_mut() {
+        let Some(table) = item.as_table_mut() else { continue };
+        for (key, item) in table.iter_mut() {
+            let Some(value) = item.as_value_mut() else { continue };
+            let suffix = value.decor().suffix().and_then(toml_edit::RawString::as_str).unwrap_or_default();
+            let Some((blanks, comment)) = suffix.split_once('#') else { continue };
+            let comment = comment.trim();
+            match renewed(section.get(), key.get(), comment) {
+                Some(new) if new == comment => {}
+                Some(new) => {
+                    let new = format!("{blanks}# {new}");
+                    value.decor_mut().set_suffix(new);
+                }
+                None => value.decor_mut().set_suffix(""),
+            }
+        }
+    }
+    Ok(document.to_string())
+}
+
 /// Sets `key`; the blanks and comments around an old value stay.
 fn set(section: &mut dyn TableLike, inline: bool, key: &str, mut value: Value) {
     if let Some(old) = section.get_mut(key).and_then(Item::as_value_mut) {
@@ -210,6 +243,23 @@ mod tests {
         );
         assert!(with_value(&source(TEXT), key::stack::COUNT, "0").is_err());
         assert!(with_value(&source(TEXT), key::stack::COUNT, "= 0").is_err());
+    }
+
+    #[test]
+    fn comments_behind_values_are_renewed_or_dropped() {
+        let source = Source::new(
+            "x",
+            TEXT.replace("\"50 mm\"", "\"50 mm\"   # old").replace("count = 2", "count = 2 # kept"),
+        );
+        let renewed = |section: &str, key: &str, comment: &str| match (section, key) {
+            ("star", "points") => Some("was 4".to_owned()),
+            ("star", _) => None,
+            _ => Some(comment.to_owned()),
+        };
+        let text = with_comments(&source, renewed).expect("TOML");
+        assert!(text.contains("points = 5   # was 4\n"), "{text}");
+        assert!(text.contains("inner_radius = \"50 mm\"\n") && text.contains("count = 2 # kept\n"), "{text}");
+        assert!(text.contains("# the end\n"), "{text}");
     }
 
     /// The same star in every layout that TOML has for it.

@@ -55,9 +55,10 @@ impl Faults {
         self.list.iter().any(|fault| fault.level == Severity::Error)
     }
 
-    /// All faults for a terminal, with colour; [`fmt::Display`] gives the same without.
-    pub fn coloured(&self) -> String {
-        render::coloured(&self.source, &self.list)
+    /// All faults for a terminal of `width` columns, with or without colours; `None` breaks no lines. [`fmt::Display`] gives the
+    /// same without both.
+    pub fn for_terminal(&self, width: Option<usize>, coloured: bool) -> String {
+        render::for_terminal(&self.source, &self.list, width, coloured)
     }
 }
 

@@ -58,7 +58,7 @@ pub use model::{
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};
-pub use profile::{builtin_machine, builtin_machines, read_machine};
+pub use profile::{builtin_machine, builtin_machines, read_machine, usual_profile};
 pub use raw::RawSpec;
 pub use reading::{Reading, TOXIC, read};
 pub use schema::{SCHEMA_FILE, machine_schema, schema};

@@ -56,13 +56,24 @@ pub fn check_name(text: &str) -> Result<(), NameFault> {
         Some(c) => return Err(NameFault::Control(c)),
         None => {}
     }
-    if text.trim().is_empty() {
+    if text.chars().all(is_blank) {
         return Err(NameFault::Empty);
     }
     match text.chars().count() {
         length if length > NAME_LENGTH => Err(NameFault::TooLong(length)),
         _ => Ok(()),
     }
+}
+
+/// Whether nothing is seen of `c`: a space, or one of Unicode's fillers, joiners and selectors, which have no shape.
+fn is_blank(c: char) -> bool {
+    let is_filler = matches!(
+        c,
+        '\u{ad}' | '\u{34f}' | '\u{115f}' | '\u{1160}' | '\u{17b4}' | '\u{17b5}' | '\u{180b}'..='\u{180f}' | '\u{200b}'..='\u{200d}'
+            | '\u{2060}'..='\u{2064}' | '\u{206a}'..='\u{206f}' | '\u{2800}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}'
+            | '\u{ffa0}' | '\u{fff0}'..='\u{fff8}' | '\u{e0000}'..='\u{e0fff}'
+    );
+    c.is_whitespace() || is_filler
 }
 
 /// Whether `c` makes a line of text show something else than it says: a control character, one of Unicode's two line
@@ -84,6 +95,10 @@ mod tests {
     fn names_are_one_visible_line() {
         assert_eq!(check_name("../a) ; <script> é 星"), Ok(()));
         assert_eq!(check_name(" \u{a0} "), Err(NameFault::Empty));
+        for invisible in ["\u{200b}", "\u{3164}\u{3164}", "\u{feff} \u{2060}", "\u{2800}", "\u{e0041}"] {
+            assert_eq!(check_name(invisible), Err(NameFault::Empty), "{invisible:?}");
+        }
+        assert_eq!(check_name("a\u{200d}b"), Ok(()), "a joiner between letters");
         assert_eq!(check_name(&"星".repeat(80)), Ok(()));
         assert_eq!(check_name(&"星".repeat(81)), Err(NameFault::TooLong(81)));
         for c in ['\n', '\r', '\0', '\u{85}', '\u{2028}', '\u{1b}'] {

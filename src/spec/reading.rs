@@ -269,6 +269,6 @@ fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {
     Accuracy {
         path: length(s, "path", Allowed::closed(1e-4, 1.0), 0.001),
         model: s.choice("model", &ModelChoice::ALL).unwrap_or(ModelChoice::Auto),
-        response: s.quantity("response", Allowed::above(0.0, 100.0)).unwrap_or(Percent(10.0)),
+        response: s.quantity("response", Allowed::above(0.0, 100.0)).unwrap_or(Percent(50.0)),
     }
 }

@@ -1,6 +1,6 @@
 //! Faults as a person reads them: file, line, caret, what was found, what is allowed, a hint.
 
-use annotate_snippets::{AnnotationKind, Level as Tone, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Level as Tone, Origin, Renderer, Snippet};
 
 use crate::spec::fault::{Fault, Severity};
 use crate::spec::name::misleads;
@@ -12,20 +12,34 @@ const SHOWN: usize = 30;
 /// How much of a line is shown behind the place of its fault, bytes: more than a terminal is wide.
 const ROOM: usize = 500;
 
+/// Columns before a line of text: a line's number of at most three digits, blanks and a bar.
+const MARGIN: usize = 6;
+
+/// Narrowest terminal for which lines are broken, columns.
+const NARROWEST: usize = 40;
+
 /// All of `faults`, which `source` has, without colour.
 pub(super) fn plain(source: &Source, faults: &[Fault]) -> String {
-    render(source, faults, &Renderer::plain())
+    render(source, faults, &Renderer::plain(), None)
 }
 
-/// All of `faults`, which `source` has, with the colours of a terminal.
-pub(super) fn coloured(source: &Source, faults: &[Fault]) -> String {
-    render(source, faults, &Renderer::styled())
+/// All of `faults`, which `source` has, for a terminal of `width` columns, with or without colours; `None` breaks no lines.
+pub(super) fn for_terminal(
+    source: &Source,
+    faults: &[Fault],
+    width: Option<usize>,
+    coloured: bool,
+) -> String {
+    let renderer = if coloured { Renderer::styled() } else { Renderer::plain() };
+    let width = width.map(|width| width.max(NARROWEST));
+    let renderer = width.map_or(renderer.clone(), |width| renderer.term_width(width));
+    render(source, faults, &renderer, width)
 }
 
-fn render(source: &Source, faults: &[Fault], renderer: &Renderer) -> String {
+fn render(source: &Source, faults: &[Fault], renderer: &Renderer, width: Option<usize>) -> String {
     let mut text = String::new();
     for fault in faults.iter().take(SHOWN) {
-        text.push_str(&one(source, fault, renderer));
+        text.push_str(&one(source, fault, renderer, width));
         text.push_str("\n\n");
     }
     if !faults.is_empty() {
@@ -35,8 +49,28 @@ fn render(source: &Source, faults: &[Fault], renderer: &Renderer) -> String {
     text
 }
 
-fn one(source: &Source, fault: &Fault, renderer: &Renderer) -> String {
+fn one(source: &Source, fault: &Fault, renderer: &Renderer, width: Option<usize>) -> String {
     let text = &source.text;
+    let tone = match fault.level {
+        Severity::Error => Tone::ERROR,
+        Severity::Warning => Tone::WARNING,
+    };
+    // What is said behind "error[code]: " and behind the longest "  = help: ".
+    let head = "warning[]: ".len() + fault.code.len();
+    let title = tone.primary_title(told(&broken(&fault.message, width, head))).id(fault.code);
+    let note =
+        |tone: Tone<'static>, text: &str| tone.message(told(&broken(text, width, MARGIN + "= help: ".len())));
+    // What speaks of a section that is not there has no line to show.
+    if fault.span.is_empty() && fault.span.start == text.len() && (text.is_empty() || text.ends_with('\n')) {
+        let mut group = title.element(Origin::path(shown_name(source)));
+        if !fault.label.is_empty() {
+            group = group.element(note(Tone::NOTE, &fault.label));
+        }
+        if let Some(help) = &fault.help {
+            group = group.element(note(Tone::HELP, help));
+        }
+        return renderer.render(&[group]);
+    }
     // Only the line is handed on: the renderer's work grows with what it is given, once for each fault.
     let start = text[..fault.span.start].rfind('\n').map_or(0, |at| at + 1);
     let end = text[fault.span.start..].find('\n').map_or(text.len(), |n| fault.span.start + n);
@@ -48,19 +82,41 @@ fn one(source: &Source, fault: &Fault, renderer: &Renderer) -> String {
     let before = visible(&line[..start_here]);
     let marked = before.len() + visible(&line[start_here..end_here]).len();
     let shown = visible(line);
-    let tone = match fault.level {
-        Severity::Error => Tone::ERROR,
-        Severity::Warning => Tone::WARNING,
-    };
+    // Beside the caret is room for a label that ends within the terminal; another one goes below.
+    let column = shown[..marked].chars().count() + MARGIN + 1;
+    let fits = width.is_none_or(|width| column + fault.label.chars().count() <= width);
+    let beside = if fits { told(&fault.label) } else { String::new() };
     let snippet = Snippet::source(shown)
         .line_start(1 + text[..start].matches('\n').count())
         .path(shown_name(source))
-        .annotation(AnnotationKind::Primary.span(before.len()..marked).label(told(&fault.label)));
-    let mut group = tone.primary_title(told(&fault.message)).id(fault.code).element(snippet);
+        .annotation(AnnotationKind::Primary.span(before.len()..marked).label(beside));
+    let mut group = title.element(snippet);
+    if !fits {
+        group = group.element(note(Tone::NOTE, &fault.label));
+    }
     if let Some(help) = &fault.help {
-        group = group.element(Tone::HELP.message(told(help)));
+        group = group.element(note(Tone::HELP, help));
     }
     renderer.render(&[group])
+}
+
+/// `text` broken between words so that, behind `head` columns, no line is wider than `width`; a longer word stays whole.
+fn broken(text: &str, width: Option<usize>, head: usize) -> String {
+    let Some(room) = width.map(|width| width.saturating_sub(head)) else { return text.to_owned() };
+    let (mut out, mut column) = (String::new(), 0);
+    for word in text.split(' ') {
+        let length = word.chars().count();
+        if column > 0 && column + 1 + length > room {
+            out.push('\n');
+            column = 0;
+        } else if !out.is_empty() {
+            out.push(' ');
+            column += 1;
+        }
+        out.push_str(word);
+        column += length;
+    }
+    out
 }
 
 /// "spec.toml: 2 errors, 1 warning".
@@ -99,6 +155,37 @@ fn shown_name(source: &Source) -> String {
 mod tests {
     use super::*;
     use crate::spec::FaultCode;
+
+    #[test]
+    fn lines_end_between_words_and_within_the_terminal() {
+        let text = "schema = 1\n[star]\npoints = 5\ntip_angle = \"30 deg\"      # a comment that goes on and on, far beyond the right edge\n";
+        let source = Source::new("a.toml", text);
+        let at = text.find("\"30").expect("a value");
+        let message = "a star of 9 points with an inner radius of 50 mm, a tube width of 30 mm and a tip angle of 30 deg has no arms";
+        let label = "at most 7 points, an inner radius of at least 81.4 mm, or a tube width of at most 18.2 mm and a tip angle of 60 deg";
+        let fault = Fault::error(FaultCode::Name, at..at + 8, message).label(label).help(label);
+        for width in [40, 60, 80, 100] {
+            let text = for_terminal(&source, std::slice::from_ref(&fault), Some(width), false);
+            let widest = text.lines().map(|line| line.chars().count()).max().expect("lines");
+            assert!(widest <= width, "{width}: {widest}\n{text}");
+            let words: Vec<&str> = text.split_whitespace().collect();
+            for word in message.split(' ').chain(label.split(' ')) {
+                assert!(words.contains(&word), "{width}: {word}\n{text}");
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_not_written_has_no_caret() {
+        let source = Source::new("a.toml", "schema = 1\n");
+        let end = source.text.len();
+        let fault = Fault::warning(FaultCode::Name, end..end, "m").label("what to write");
+        let text = plain(&source, &[fault]);
+        assert!(
+            text.contains("--> a.toml\n") && text.contains("what to write") && !text.contains('^'),
+            "{text}"
+        );
+    }
 
     #[test]
     fn a_line_cannot_command_a_terminal() {

@@ -3,7 +3,8 @@
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::message::header;
-use crate::spec::value::RawTable;
+use crate::spec::value::{RawKind, RawTable, RawValue};
+use crate::units::{Length, Quantity};
 
 /// A section that was read: its keys and what was written in it.
 pub(super) struct Known<'r> {
@@ -44,7 +45,9 @@ pub(super) fn faults(known: &[Known<'_>]) -> Vec<Fault> {
                 };
                 Fault::error(FaultCode::UnknownKey, place, format!("unknown key {}{home}", quoted(word)))
                     .label("no key has this name here")
-                    .help(key_hint(word, one, known))
+                    .help(
+                        diameter_hint(word, &entry.value, one).unwrap_or_else(|| key_hint(word, one, known)),
+                    )
             };
             faults.push(fault);
         }
@@ -85,6 +88,20 @@ fn section_hint(word: &str, known: &[Known<'_>]) -> String {
     }
 }
 
+/// Of a diameter where the radius is a key: that, with half of the value.
+fn diameter_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<String> {
+    let radius = format!("{}radius", word.strip_suffix("diameter")?);
+    let _ = here.keys.iter().find(|key| **key == radius)?;
+    let half = match &value.kind {
+        RawKind::Text(text) => Length::parse(text).ok().map(|length| Length(0.5 * length.0)),
+        _ => None,
+    };
+    Some(match half {
+        Some(half) => format!("write {radius} = \"{half}\", half of the diameter"),
+        None => format!("write `{radius}`, half of the diameter"),
+    })
+}
+
 /// Near here, else the same elsewhere, else near elsewhere, else everything that is known here.
 fn key_hint(word: &str, here: &Known<'_>, known: &[Known<'_>]) -> String {
     let home = |one: &Known<'_>| match one.section {
@@ -108,6 +125,15 @@ fn key_hint(word: &str, here: &Known<'_>, known: &[Known<'_>]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_diameter_is_twice_a_radius() {
+        let text = "schema = 1\nname = \"x\"\n[star]\npoints = 5\ninner_diameter = \"79 mm\"\n";
+        let faults = crate::spec::read(&crate::spec::Source::new("a", text)).expect_err("no such key");
+        let help =
+            faults.list().iter().find_map(|fault| fault.help.clone().filter(|_| fault.code == "unknown-key"));
+        assert_eq!(help.as_deref(), Some("write inner_radius = \"39.5 mm\", half of the diameter"));
+    }
 
     #[test]
     fn slips_are_forgiven_and_other_words_are_not() {

@@ -24,6 +24,13 @@ pub struct Setting {
     pub meaning: String,
 }
 
+impl Setting {
+    /// Whether both are of one key of one section.
+    pub fn is_same_key(&self, other: &Self) -> bool {
+        (&self.section, &self.key) == (&other.section, &other.key)
+    }
+}
+
 /// The settings of `source`, which must be a valid spec: all keys in the starter's order, then those of single stars.
 pub fn settings(source: &Source) -> Vec<Setting> {
     let (raw, _) = RawSpec::parse(&source.text);

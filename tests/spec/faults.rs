@@ -68,7 +68,7 @@ fn machine() {
 fn colour_changes_no_word() {
     let faults = try_read("name = 5").expect_err("faulty");
     let mut plain = String::new();
-    let coloured = faults.coloured();
+    let coloured = faults.for_terminal(None, true);
     let mut chars = coloured.chars();
     while let Some(c) = chars.next() {
         match c {

@@ -262,7 +262,7 @@ proptest! {
         let source = Source::new("x", text.as_str());
         for faults in [read(&source).err(), read_machine(&source).err()].into_iter().flatten() {
             prop_assert!(faults.refuse());
-            prop_assert!(!faults.to_string().is_empty() && !faults.coloured().is_empty());
+            prop_assert!(!faults.to_string().is_empty() && !faults.for_terminal(Some(80), true).is_empty());
             for fault in faults.list() {
                 prop_assert!(text.get(fault.span.clone()).is_some(), "{:?}", fault.span);
             }

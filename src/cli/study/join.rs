@@ -11,13 +11,14 @@ use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
 use crate::cli::study::part::{Ticket, is_sound, name, ticket};
 use crate::cli::study::rows::Form;
+use crate::cli::voice::Voice;
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 
 /// A part with its ticket.
 type Part = (PathBuf, Ticket);
 
 /// Joins the parts in `dir` to the file `output`.
-pub(super) fn run(dir: &Path, output: &Path) -> Result<(), Failure> {
+pub(super) fn run(dir: &Path, output: &Path, voice: Voice) -> Result<(), Failure> {
     let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;
     let mut files: Vec<PathBuf> =
         entries.flatten().map(|entry| entry.path()).filter(|path| is_part(path)).collect();
@@ -47,7 +48,9 @@ pub(super) fn run(dir: &Path, output: &Path) -> Result<(), Failure> {
     };
     joined().map_err(|error| Failure::file("write", output, &error))?;
     let rows = parts.last().map_or(0, |(_, ticket)| ticket.rows[1]);
-    tell(&format!("{} parts joined, {rows} rows", parts.len()));
+    if voice.is_heard() {
+        tell(&format!("{} parts joined, {rows} rows", parts.len()));
+    }
     Ok(())
 }
 

@@ -14,6 +14,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
+use crate::cli::voice::Quiet;
 use crate::forecast::study::{Kind, Study};
 
 /// Arguments of `study`.
@@ -29,6 +30,8 @@ enum What {
     Show {
         /// The study file.
         study: PathBuf,
+        #[command(flatten)]
+        quiet: Quiet,
     },
     /// Join the parts in a directory to one file, or say which are missing, damaged or of another study.
     #[command(after_help = "Example: stargrip-cam study join parts -o study.csv")]
@@ -38,14 +41,16 @@ enum What {
         /// The file; it appears when it is whole.
         #[arg(short, long, value_name = "FILE")]
         output: PathBuf,
+        #[command(flatten)]
+        quiet: Quiet,
     },
 }
 
 /// Shows a study, or joins its parts.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     match &args.what {
-        What::Show { study } => say(&shown(&loaded(study)?)),
-        What::Join { dir, output } => join::run(dir, output),
+        What::Show { study, quiet } => say(&shown(&loaded(study, quiet.voice())?)),
+        What::Join { dir, output, quiet } => join::run(dir, output, quiet.voice()),
     }
 }
 

@@ -10,7 +10,7 @@ use crate::cli::interrupt::Listening;
 use crate::cli::progress;
 use crate::cli::study::part::Parts;
 use crate::cli::study::rows::{Ear, Form, Rows};
-use crate::cli::voice::Voice;
+use crate::cli::voice::{Quiet, Voice};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 use crate::forecast::study::Study;
 
@@ -36,6 +36,8 @@ pub(in crate::cli) struct Destination {
     /// Threads; default: all.
     #[arg(long)]
     threads: Option<usize>,
+    #[command(flatten)]
+    pub(in crate::cli) quiet: Quiet,
 }
 
 /// Parts `from` to `to` of `of`, from 1.
@@ -81,7 +83,7 @@ impl Destination {
             return Err(Failure::Usage("--parts needs a directory: add -o DIR".to_owned()));
         }
         // Rows on a terminal show by themselves how far they are.
-        let quiet = self.output.is_none() && stdout().is_terminal();
+        let quiet = self.quiet.quiet || (self.output.is_none() && stdout().is_terminal());
         let listening = Listening::new();
         let there = progress::listening(Voice { quiet, ..Voice::default() }, "designs", |progress| {
             let ear = Ear { progress, listening: &listening };
@@ -91,7 +93,7 @@ impl Destination {
                 Some(path) => self.to_file(path, (study, span), &ear).map(|()| 0),
             }
         })?;
-        if there > 0 {
+        if there > 0 && !self.quiet.quiet {
             tell(&format!("{there} of {} parts were there already", span.to - span.from + 1));
         }
         Ok(())

@@ -1,12 +1,13 @@
 //! A chosen gripper as a spec, each value with the reason why it is what it is.
 
 use crate::forecast::case::sheet;
-use crate::forecast::choosing::{Choice, MARGIN};
+use crate::forecast::choosing::{Choice, FRICTION, MARGIN};
 use crate::forecast::optimize::{SEARCHED, sure_payload};
 use crate::forecast::ranges::{Interval, mm, shown};
 use crate::mechanics::strength::GRAVITY;
 use crate::spec::{FeedFloor, NameFault, Spec, quoted};
 use crate::units::{Length, Readable};
+use std::f64::consts::PI;
 use std::fmt::Write;
 
 /// The spec of `choice`, called `name`, on the machine and with the sheet of `base`.
@@ -19,10 +20,31 @@ pub fn spec_text(name: &str, choice: &Choice, base: &Spec) -> Result<String, Nam
     let _ = write!(out.text, "schema = 1\nname = {}\n\n", quoted(name)?);
     out.fabric(base);
     out.star(choice);
-    out.stack(choice);
-    out.sheet(base);
+    out.stack(choice, base);
+    out.sheet_and_machine(base);
     out.load(choice);
     Ok(out.text)
+}
+
+/// How the comments begin that give what was computed of all values together: once a value changes, none of them is true any more.
+const RESULTS: [&str; 12] = [
+    "Holds an object ",
+    "Designed for ",
+    "The program searched ",
+    "the least fabric (",
+    "the object's ",
+    "t/W is ",
+    "the empty star closes to ",
+    "one star presses with ",
+    "each star presses with ",
+    "the inflated tube is ",
+    "the fabric stretches ",
+    "safe payload ",
+];
+
+/// Whether `comment`, without its "# ", is one that [`spec_text`] writes of what it computed.
+pub fn is_result(comment: &str) -> bool {
+    RESULTS.iter().any(|begin| comment.starts_with(begin))
 }
 
 /// The text so far. A String takes everything.
@@ -47,33 +69,30 @@ impl Lines {
     fn head(&mut self, choice: &Choice) {
         let wish = &choice.wish;
         self.comment(&format!(
-            "Holds an object {} across and of {}, with friction {}: `stargrip-cam predict` says how it does that.",
+            "Holds an object {} across and of {}, with friction {}: see `stargrip-cam check`.",
             Length(2.0 * wish.object.0),
             wish.mass,
             Readable(wish.friction)
         ));
         self.comment(&format!(
-            "Counted on is {MARGIN} times the mass at least: {SEARCHED} of the range's lower end."
+            "Designed for {MARGIN} times the mass, using {:.0} % of the lowest predicted payload.",
+            100.0 * SEARCHED
         ));
-        self.comment("The values below were searched; the comments say why each is what it is.");
+        self.comment("The program searched the values below; each comment gives the reason for its value.");
         self.text.push('\n');
     }
 
     fn fabric(&mut self, base: &Spec) {
         let fabric = &base.fabric;
         self.text += "[fabric]\n";
-        self.quantity("thickness", fabric.thickness, "your fabric's: the tube's width goes with it");
+        self.quantity("thickness", fabric.thickness, "of one sheet; the tube width depends on it");
         let megapascals = format!("{} MPa", Readable(1e-3 * fabric.young_modulus.0));
         self.quantity("young_modulus", megapascals, "of one sheet");
         self.value("poisson_ratio", &format!("{}", fabric.poisson_ratio), "of one sheet");
         if let Some(strength) = fabric.seal_strength {
-            self.quantity(
-                "seal_strength",
-                strength,
-                "from your peel test; the pressure keeps away from bursting",
-            );
+            self.quantity("seal_strength", strength, "from your peel test; limits the pressure");
         } else {
-            self.comment("seal_strength = \"3 N/mm\"  your own T-peel result: without it nobody knows at which pressure the seal bursts");
+            self.comment("seal_strength = \"3 N/mm\"  your own T-peel result: without it the burst pressure is unknown");
         }
         if let Some(density) = fabric.areal_density {
             self.quantity("areal_density", density, "of one sheet");
@@ -104,7 +123,7 @@ impl Lines {
             "inner_radius",
             star.inner_radius,
             &format!(
-                "the object's {} and room to go in; inflated it opens to {opens:.1} mm",
+                "the object's {} and room for it to enter; the inflated star opens to {opens:.1} mm",
                 choice.wish.object
             ),
         );
@@ -114,15 +133,15 @@ impl Lines {
         self.quantity(
             "tube_width",
             star.tube_width,
-            &format!("t/W is {slender:.3}: 0.010 to 0.030 was tried"),
+            &format!("t/W is {slender:.3}; validated from 0.010 to 0.030"),
         );
-        self.quantity("tip_angle", star.tip_angle, &format!("closes to {closes} without the object"));
-        self.quantity("tip_radius", star.tip_radius, "round tips load the seal less");
-        self.quantity("corner_radius", star.corner_radius, "and so do round corners");
+        self.quantity("tip_angle", star.tip_angle, &format!("the empty star closes to {closes}"));
+        self.quantity("tip_radius", star.tip_radius, "round tips load the seal less than sharp ones");
+        self.quantity("corner_radius", star.corner_radius, "so do round corners");
         self.text.push('\n');
     }
 
-    fn stack(&mut self, choice: &Choice) {
+    fn stack(&mut self, choice: &Choice, base: &Spec) {
         let (point, answer) = (&choice.best.point, &choice.best.answer);
         let own = answer.outcome.as_ref();
         let force = own.and_then(crate::forecast::outcome::Outcome::object_force);
@@ -136,20 +155,27 @@ impl Lines {
         self.value(
             "count",
             &format!("{}", point.stars),
-            &format!("{stars} with {one}; friction needs {needed:.1} N in all"),
+            &format!("{stars} with {one}; {needed:.1} N in all are needed"),
         );
         if point.stars > 1 {
-            self.quantity("pitch", point.star.pitch, "the inflated tube's height and a plate");
+            let (tube, plate) = (2.0 * point.star.tube_width.0 / PI, base.frame.plate_thickness);
+            let why = format!("the inflated tube is {tube:.1} mm high, a plate {plate} thick");
+            self.quantity("pitch", point.star.pitch, &why);
         }
         self.text.push('\n');
     }
 
-    fn sheet(&mut self, base: &Spec) {
+    fn sheet_and_machine(&mut self, base: &Spec) {
         let sheet = &base.sheet;
         if let Some((width, height)) = sheet.width.zip(sheet.height) {
             self.text += "[sheet]\n";
-            self.quantity("width", width, "as you said");
-            self.quantity("height", height, "as you said");
+            self.quantity("width", width, "of your sheet");
+            self.quantity("height", height, "of your sheet");
+            self.text.push('\n');
+        }
+        if let Some(extent) = base.mask.extent {
+            self.text += "[mask]\n";
+            self.quantity("extent", extent, "as far as neighbouring coating windows leave room");
             self.text.push('\n');
         }
         self.text += "[machine]\n";
@@ -159,7 +185,7 @@ impl Lines {
             self.quantity(
                 "feed_floor",
                 "chop",
-                "this controller cannot hold the seal's speed: short moves and dwells instead",
+                "this controller cannot move at the seal's speed: it makes short moves and dwells",
             );
         }
         self.text.push('\n');
@@ -170,7 +196,7 @@ impl Lines {
         self.text += "[load]\n";
         let own = answer.outcome.as_ref();
         let stretch = own.and_then(|own| own.stretch).unwrap_or(0.0);
-        let said = if wish.pressure.is_some() { "as you said" } else { "with the least fabric" };
+        let least = if wish.pressure.is_some() { "" } else { "; less fabric than at other pressures" };
         let burst = answer
             .burst
             .zip(point.load.pressure)
@@ -179,30 +205,36 @@ impl Lines {
             self.quantity(
                 "pressure",
                 pressure,
-                &format!("{said}; the fabric stretches by {:.1} %{burst}", 100.0 * stretch),
+                &format!("the fabric stretches {:.1} %{burst}{least}", 100.0 * stretch),
             );
         }
-        self.quantity("object_diameter", Length(2.0 * wish.object.0), "as you said");
+        self.quantity("object_diameter", Length(2.0 * wish.object.0), "of the object");
         if let Some(height) = wish.height {
-            self.quantity("object_height", height, "as you said");
+            self.quantity("object_height", height, "along the gripper's axis");
         }
         if let Some(shape) = wish.shape {
-            self.quantity("object_shape", shape.word(), "as you said");
+            self.quantity("object_shape", shape.word(), "of the object");
         }
-        self.value(
-            "friction",
-            &format!("{}", wish.friction),
-            "between the corners and the object; coat the corners for more",
-        );
-        let sure = sure_payload(point, answer).map_or(String::new(), |payload| format!("{payload:.2} kg"));
-        self.quantity("mass", wish.mass, &format!("counted on: {sure}{}", all_of(answer.payload_range)));
+        let friction = if wish.friction.total_cmp(&FRICTION).is_eq() {
+            "bare fabric on a smooth object: 0.21 to 0.40 measured; coated corners about 1.1"
+        } else {
+            "between the corners and the object"
+        };
+        self.value("friction", &format!("{}", wish.friction), friction);
+        self.quantity("mass", wish.mass, &payload(sure_payload(point, answer), answer.payload_range));
         if let Some(force) = wish.largest_force {
-            self.quantity("largest_force", force, "what the object bears of one star, all corners together");
+            self.quantity(
+                "largest_force",
+                force,
+                "that the object bears from one star, all corners together",
+            );
         }
     }
 }
 
-/// What may be held at most.
-fn all_of(range: Option<Interval>) -> String {
-    range.map_or(String::new(), |[_, high]| format!(", at most {high:.2} kg"))
+/// The payload that is designed for, and the range of which it is a part.
+fn payload(sure: Option<f64>, range: Option<Interval>) -> String {
+    let sure = sure.map_or_else(|| "unknown".to_owned(), |kg| format!("{kg:.2} kg"));
+    let range = range.map_or_else(String::new, |[low, high]| format!("; predicted {low:.2} to {high:.2} kg"));
+    format!("safe payload {sure}{range}")
 }

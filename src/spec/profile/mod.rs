@@ -25,7 +25,7 @@ use crate::spec::reading::{read_name, read_schema, read_with};
 use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
 
-pub use builtin::{builtin_machine, builtin_machines};
+pub use builtin::{builtin_machine, builtin_machines, usual_profile};
 
 /// Longest description, in characters.
 const DESCRIPTION_LENGTH: usize = 200;

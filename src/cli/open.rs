@@ -1,0 +1,49 @@
+//! Opens a page in the program that the system has for it.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+use crate::cli::failure::tell;
+use crate::cli::harmless::shown;
+
+/// The platform's command that opens a file.
+const OPENER: &str = if cfg!(target_os = "macos") {
+    "open"
+} else if cfg!(windows) {
+    "explorer"
+} else {
+    "xdg-open"
+};
+
+/// How often, and how many times, it is looked whether the opener has given up. One that is still running shows the page itself.
+const LOOKS: (Duration, u32) = (Duration::from_millis(50), 20);
+
+/// Opens the file `page`. That it cannot be opened is a note: the files are there all the same.
+pub(super) fn open(page: &Path) {
+    if let Some(why) = failure(page) {
+        tell(&format!("note: {} was not opened: {why}", shown(page)));
+    }
+}
+
+/// Why the opener failed, as far as that shows at once.
+fn failure(page: &Path) -> Option<String> {
+    let mut command = Command::new(OPENER);
+    let command = command.arg(page).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    let mut child = match command.spawn() {
+        Ok(child) => child,
+        Err(error) => return Some(format!("{OPENER}: {error}")),
+    };
+    let (pause, most) = LOOKS;
+    for _ in 0..most {
+        match child.try_wait() {
+            // The explorer ends with 1 whatever happens.
+            Ok(Some(status)) if status.success() || cfg!(windows) => return None,
+            Ok(Some(status)) => return Some(format!("{OPENER} ended with {status}")),
+            Ok(None) => sleep(pause),
+            Err(error) => return Some(format!("{OPENER}: {error}")),
+        }
+    }
+    None
+}

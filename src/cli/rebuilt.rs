@@ -1,0 +1,113 @@
+//! One line for a build that replaces another: which values changed, and what that does to the gripper.
+
+use crate::cli::figure::rounded;
+use crate::cli::glance::sealing_time;
+use crate::cli::summary::hours;
+use crate::forecast::verdict::Verdict;
+use crate::pipeline::Forecast;
+use crate::spec::{Setting, Source, settings};
+
+/// What is compared between two builds of one spec.
+#[derive(Clone, Debug)]
+pub(super) struct Snapshot {
+    settings: Vec<Setting>,
+    machine: String,
+    verdict: Option<&'static str>,
+    figures: Vec<Figure>,
+    notes: Vec<String>,
+}
+
+/// A number as a person reads it: its name, the value, and the unit.
+#[derive(Clone, Debug, PartialEq)]
+struct Figure {
+    name: &'static str,
+    value: String,
+    unit: &'static str,
+}
+
+/// Most changed values that are named.
+const NAMED: usize = 4;
+
+impl Snapshot {
+    /// Of the spec in `source`, with the profile's text and what to see to before sealing.
+    pub(super) fn new(source: &Source, machine: &str, forecast: &Forecast, notes: &[String]) -> Self {
+        let verdict = forecast.verdict();
+        let design = forecast.design.warnings.iter().map(|warning| warning.found.clone());
+        Self {
+            settings: settings(source),
+            machine: machine.to_owned(),
+            verdict: verdict.as_ref().map(Verdict::word),
+            figures: figures(forecast, verdict.as_ref()),
+            notes: notes.iter().cloned().chain(design).collect(),
+        }
+    }
+
+    /// What differs from `before`, in one line: "tube_width 13 mm -> 14 mm: force 27 -> 29 N".
+    pub(super) fn changes(&self, before: &Self) -> String {
+        let mut values: Vec<String> =
+            self.settings.iter().filter_map(|setting| changed(setting, &before.settings)).collect();
+        values.extend(
+            before
+                .settings
+                .iter()
+                .filter(|was| !self.settings.iter().any(|is| is.is_same_key(was)))
+                .map(|was| format!("{} {} -> none", was.key, was.value.as_deref().unwrap_or("none"))),
+        );
+        if self.machine != before.machine {
+            values.push("machine profile".to_owned());
+        }
+        let more = values.len().saturating_sub(NAMED);
+        values.truncate(NAMED);
+        if more > 0 {
+            values.push(format!("{more} more"));
+        }
+        let verdict = self.verdict.filter(|_| self.verdict != before.verdict).map(str::to_owned);
+        let effects: Vec<String> = verdict.into_iter().chain(self.moved(before)).collect();
+        match (values.is_empty(), effects.is_empty()) {
+            (true, true) => "nothing changed".to_owned(),
+            (true, false) => effects.join(", "),
+            (false, true) => format!("{}: the same figures", values.join(", ")),
+            (false, false) => format!("{}: {}", values.join(", "), effects.join(", ")),
+        }
+    }
+
+    /// What is to be seen to now and was not `before`.
+    pub(super) fn new_notes(&self, before: &Self) -> Vec<String> {
+        self.notes.iter().filter(|note| !before.notes.contains(note)).cloned().collect()
+    }
+
+    /// The figures that are others.
+    fn moved(&self, before: &Self) -> Vec<String> {
+        let was = |figure: &Figure| before.figures.iter().find(|was| was.name == figure.name);
+        let moved = self.figures.iter().filter(|figure| was(figure) != Some(figure));
+        moved
+            .map(|figure| match was(figure) {
+                Some(was) => format!("{} {} -> {}{}", figure.name, was.value, figure.value, figure.unit),
+                None => format!("{} {}{}", figure.name, figure.value, figure.unit),
+            })
+            .collect()
+    }
+}
+
+/// "tube_width 13 mm -> 14 mm", if that differs from what it was.
+fn changed(setting: &Setting, before: &[Setting]) -> Option<String> {
+    let was = before.iter().find(|was| was.is_same_key(setting));
+    let (was, is) = (was.and_then(|was| was.value.as_deref()), setting.value.as_deref());
+    let or_none = |value: Option<&str>| value.unwrap_or("none").to_owned();
+    (was != is).then(|| format!("{} {} -> {}", setting.key, or_none(was), or_none(is)))
+}
+
+/// The figures that a person looks at while choosing values.
+fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<Figure> {
+    let star = forecast.prediction.as_ref().map(|prediction| &prediction.first);
+    let of = |name, value: Option<f64>, unit| value.map(|value| Figure { name, value: rounded(value), unit });
+    let opens = star.and_then(|star| star.graspable_radius_mm).map(|[_, most]| 2.0 * most);
+    let closes = star.and_then(|star| star.final_radius_mm).map(|least| 2.0 * least);
+    let sealing = Figure { name: "sealing", value: hours(sealing_time(forecast)), unit: "" };
+    let known = [
+        of("force", verdict.and_then(|verdict| verdict.force_N), " N"),
+        of("opens to", opens, " mm"),
+        of("closes to", closes, " mm"),
+    ];
+    known.into_iter().flatten().chain([sealing]).collect()
+}
