@@ -71,6 +71,34 @@ fn fails(dir: &Path, args: &[&str], code: i32, words: &[&str]) -> Output {
     output
 }
 
+/// No command writes a program with a line that the profile must not put there.
+#[test]
+fn every_command_refuses_a_dangerous_line_of_the_profile() {
+    for (from, to) in [
+        ("start = [\"G21\"", "start = [\"M112\", \"G21\""),
+        ("start = [\"G21\"", "start = [\"; set the iron to 400 C\", \"G21\""),
+        ("pause = \"M0\"", "pause = \"M0 (print,x)\""),
+        ("end = [", "end = [\"M500\", "),
+    ] {
+        let dir = workshop_of(300, 300);
+        let profile = read(dir.path(), "mine.toml");
+        assert!(profile.contains(from), "{from}");
+        fs::write(dir.path().join("mine.toml"), profile.replacen(from, to, 1)).expect("written");
+        for command in [
+            ["check"].as_slice(),
+            &["build"],
+            &["feedcheck"],
+            &["coupon"],
+            &["build", "--only", "trace-gcode"],
+        ] {
+            let args: Vec<&str> =
+                command[..1].iter().chain(&["star.toml"]).chain(&command[1..]).copied().collect();
+            let _ = fails(dir.path(), &args, 1, &["program-line", "mine.toml:", "must be one of"]);
+        }
+        assert_eq!(names(dir.path()), ["mine.toml", "star.toml"], "{to}");
+    }
+}
+
 #[test]
 fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     let dir = workshop();

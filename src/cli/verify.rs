@@ -22,6 +22,9 @@ use crate::verify::{By, FileProof, OutputFiles, Proof};
 pub(super) struct Args {
     /// The directory that a build published.
     dir: PathBuf,
+    /// Accept a directory of another version, which is read back only: exit code 0 instead of 3.
+    #[arg(long)]
+    read_back: bool,
     #[command(flatten)]
     voice: Voice,
 }
@@ -44,12 +47,18 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let (claim, files) = read_directory(&args.dir)?;
     let proof = progress::during(args.voice, "proving", |_| claim.prove(&files));
     let right = proof.findings.is_empty();
+    let accepted = proof.written_by.is_none() || args.read_back;
     match args.voice {
         Voice { json: true, .. } => say(&json(&proof))?,
-        Voice { quiet: true, .. } if right => {}
+        Voice { quiet: true, .. } if right && accepted => {}
+        Voice { quiet: true, .. } if right => say(&fitted(&verdict(&args.dir, &proof), width(&stdout())))?,
         _ => say(&fitted(&text(&args.dir, &proof), width(&stdout())))?,
     }
-    if right { Ok(()) } else { Err(Failure::Said) }
+    match (right, accepted) {
+        (false, _) => Err(Failure::Said),
+        (true, false) => Err(Failure::NotCompared),
+        (true, true) => Ok(()),
+    }
 }
 
 /// Refuses a directory in which nobody published, if others in it say that they were: it is the one above.
@@ -83,7 +92,14 @@ pub(super) fn json(proof: &Proof) -> String {
         proof.files.iter().map(|file| (file.path.clone(), json!(file.deviation))).collect();
     let proven: Vec<serde_json::Value> =
         proof.files.iter().map(|file| json!({ "path": file.path, "by": file.by })).collect();
-    format!("{:#}\n", json!({ "findings": proof.findings, "deviation_mm": deviation, "proven": proven }))
+    let json = json!({
+        "findings": proof.findings,
+        "deviation_mm": deviation,
+        "proven": proven,
+        "written_by": proof.written_by,
+        "unproven": proof.unproven,
+    });
+    format!("{json:#}\n")
 }
 
 fn text(dir: &Path, proof: &Proof) -> String {
@@ -100,12 +116,31 @@ fn text(dir: &Path, proof: &Proof) -> String {
     for line in findings::lines(&proof.findings) {
         let _ = writeln!(text, "{line}");
     }
-    let verdict = match proof.findings.len() {
-        0 => format!("proven, no findings; {}", summary::scope(proof)),
-        n => findings::counted(n),
-    };
-    let _ = writeln!(text, "{}: {verdict}", shown(dir));
-    text
+    text + &verdict(dir, proof)
+}
+
+/// The last line: whether the directory is proven, and what that means for one of another version.
+fn verdict(dir: &Path, proof: &Proof) -> String {
+    let mut parts = Vec::new();
+    if let Some(version) = &proof.written_by {
+        parts.push(format!("written by {}: read back, not compared", shown(version)));
+    }
+    match proof.findings.len() {
+        0 if proof.written_by.is_some() => {
+            let (equal, all) = (proof.equal(), proof.files.len());
+            let scope = summary::scope(proof);
+            parts.push(format!(
+                "no findings; {scope}; {equal} of {all} files equal those of this version to the byte"
+            ));
+        }
+        0 => parts.push(format!("proven, no findings; {}", summary::scope(proof))),
+        n => parts.push(findings::counted(n)),
+    }
+    if !proof.unproven.is_empty() {
+        parts
+            .push(format!("not proven: {}", proof.unproven.iter().map(shown).collect::<Vec<_>>().join(", ")));
+    }
+    format!("{}: {}\n", shown(dir), parts.join("; "))
 }
 
 /// The files of a directory, of which only those are read that its design asks for, and no more of them than their manifest

@@ -2,14 +2,14 @@
 
 use std::borrow::Cow;
 
-use crate::artifact::{Asked, Kind, outputs};
+use crate::artifact::{Asked, Kind, Subject, outputs};
 use crate::design::Refusal;
 use crate::manifest::{MANIFEST, Manifest, ManifestFile, Tool, sha256};
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::spec;
 use crate::spec::{Faults, Machine, Reading, Source};
 use crate::verify;
-use crate::verify::{Expected, Finding, FindingCode, OutputFiles, Proof};
+use crate::verify::{By, Expected, Finding, FindingCode, OutputFiles, Proof};
 
 /// A gripper whose files have been read back and say what the design says: the only thing that can be published.
 #[derive(Clone, Debug)]
@@ -96,8 +96,10 @@ impl Claim {
     }
 
     /// Proves `files` by the same steps as `build`: all of them are made again, and every one that differs by a byte is named;
-    /// and every one is read back and compared with the design, equal or not. What another version wrote is judged by
-    /// reading alone.
+    /// and every one is read back and compared with the design, equal or not.
+    ///
+    /// A directory of another version is judged by reading alone. It is compared all the same: equal files are proven by
+    /// that, and what neither reading nor comparing proves is named.
     pub fn prove(self, files: &OutputFiles<'_>) -> Proof {
         let forecast = match self.forecast {
             Ok(forecast) => forecast,
@@ -107,9 +109,13 @@ impl Claim {
         let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
         if let (Some(written), Some(spec), Some(machine)) =
             (self.written, text("spec.toml"), text("machine.toml"))
-            && written.tool == Tool::this()
         {
-            compare_anew(&forecast, Sources { spec, machine }, &written.asked(), files, &mut proof);
+            let sources = Sources { spec, machine };
+            if written.tool == Tool::this() {
+                compare_anew(&forecast, sources, &written.asked(), files, &mut proof);
+            } else {
+                compare_with_other(&forecast, sources, &written, files, &mut proof);
+            }
         }
         proof
     }
@@ -139,6 +145,38 @@ fn compare_anew(
     });
     let manifest = forecast.manifest(entries, asked).to_json();
     let _ = verify::compare_bytes(MANIFEST, &manifest, files, proof);
+}
+
+/// Longest version that is shown, in characters.
+const VERSION_LENGTH: usize = 40;
+
+/// Makes every file anew and compares it with the one of `files` that another version wrote. A difference is no finding there;
+/// it leaves unproven what no reader judges as a whole.
+fn compare_with_other(
+    forecast: &Forecast,
+    sources: Sources<'_>,
+    written: &Manifest,
+    files: &OutputFiles<'_>,
+    proof: &mut Proof,
+) {
+    let Tool { name, version } = &written.tool;
+    let this = Tool::this();
+    let writer = if *name == this.name { version.clone() } else { format!("{name} {version}") };
+    proof.written_by = Some(writer.chars().take(VERSION_LENGTH).collect());
+    let asked = written.asked();
+    forecast.make(sources, &asked, |made| {
+        let _ = verify::mark_equal(&made.name, &made.bytes, files, proof);
+    });
+    let is_shown = |kind: Kind| matches!(kind.subject(), Subject::Preview | Subject::Report | Subject::Scene);
+    let differs = proof.files.iter().filter(|file| file.by != By::Bytes && is_shown(file.output.kind));
+    let mut unproven: Vec<String> = differs.map(|file| file.path.clone()).collect();
+    if other_profile(forecast, files).is_some() {
+        unproven.push(format!("machine.toml as the profile {:?}", forecast.spec.machine.profile));
+    }
+    if forecast.manifest(Vec::new(), &asked).prediction != written.prediction {
+        unproven.push(format!("the prediction in {MANIFEST}"));
+    }
+    proof.unproven = unproven;
 }
 
 /// Proves an output directory from its files alone: see [`Claim::prove`].

@@ -7,6 +7,7 @@
 mod feedcheck;
 mod job_size;
 mod keep_out;
+mod limits;
 mod lowest_feed;
 mod pace;
 mod pieces;

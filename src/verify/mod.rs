@@ -13,7 +13,7 @@ mod read;
 pub use code::FindingCode;
 pub use finding::{Finding, Findings};
 pub use judge::expected::Expected;
-pub use judge::files::bytes::{compare_bytes, first_difference};
+pub use judge::files::bytes::{compare_bytes, first_difference, mark_equal};
 pub use judge::files::proof::{By, FileProof, Proof, prove};
 pub use judge::iron::judge_iron;
 pub use judge::path::compare::{self, Deviation, deviation};

@@ -112,8 +112,7 @@ impl<'a> Comments<'a> {
             let right = next.as_ref().is_some_and(|(wanted, wanted_place)| {
                 let there = match wanted_place {
                     Place::Head => *place == Place::Head,
-                    // The profile's own lines may begin with a remark, or with code.
-                    Place::Start => *place != Place::Body,
+                    Place::Start => false,
                     Place::Body => *place == Place::Body && !is_end,
                     Place::End => is_end,
                 };

@@ -3,7 +3,7 @@
 //! A comment is compared word by word, and a number by its value: see `comments`.
 
 use crate::design::{PlacedStar, Side};
-use crate::spec::{Comments, Dialect, DwellUnit, Heating, StepRate};
+use crate::spec::{Dialect, DwellUnit, Heating, StepRate};
 use crate::verify::judge::expected::Expected;
 
 /// Before the version of whoever wrote the file, which may be any.
@@ -16,7 +16,7 @@ pub(super) const ESTIMATE: &str = "estimated printing time = ";
 pub(super) enum Place {
     /// Before the first line of code.
     Head,
-    /// Before the first motion.
+    /// Before the first motion, where the profile's lines stand, which have no comments.
     Start,
     /// Between the first motion and the last.
     Body,
@@ -40,12 +40,9 @@ pub(super) struct Facts<'a> {
 impl Facts<'_> {
     /// All comments but those of progress and the last, in order.
     pub(super) fn all(&self) -> Vec<(String, Place)> {
-        let script = &self.expected.machine.script;
         let at = |place: Place| move |text: String| (text, place);
         let mut all: Vec<_> = self.head().into_iter().map(at(Place::Head)).collect();
-        all.extend(self.remarks(&script.start).map(at(Place::Start)));
         all.extend(self.body().into_iter().map(at(Place::Body)));
-        all.extend(self.remarks(&script.end).map(at(Place::End)));
         all.extend(self.estimate().map(at(Place::End)));
         all
     }
@@ -55,19 +52,6 @@ impl Facts<'_> {
         let dialect = self.expected.machine.controller.dialect;
         let reads = matches!(dialect, Dialect::Klipper | Dialect::RepRapFirmware);
         (reads && self.hot).then(|| format!("{ESTIMATE}{}s", self.seconds))
-    }
-
-    /// The remarks of lines of the profile.
-    fn remarks<'l>(&self, lines: &'l [String]) -> impl Iterator<Item = String> + use<'l> {
-        let mark = self.expected.machine.controller.comments;
-        let remark = move |line: &String| match mark {
-            Comments::Semicolon => line.split_once(';').map(|(_, text)| text.trim().to_owned()),
-            Comments::Parentheses => {
-                let (_, text) = line.split_once('(')?;
-                Some(text.trim_end().trim_end_matches(')').trim().to_owned())
-            }
-        };
-        lines.iter().filter_map(remark).filter(|text| !text.is_empty())
     }
 
     fn head(&self) -> Vec<String> {

@@ -20,6 +20,18 @@ pub struct Proof {
     pub findings: Vec<Finding>,
     /// Every file that the design must have and that is there.
     pub files: Vec<FileProof>,
+    /// The version that wrote the directory, if it is not this one: its files are read back, not compared.
+    pub written_by: Option<String>,
+    /// Files and figures of another version's directory that nothing proves: no reader judges them as a whole, and they
+    /// differ from those of this version.
+    pub unproven: Vec<String>,
+}
+
+impl Proof {
+    /// Files that are equal to the byte to those that this version makes.
+    pub fn equal(&self) -> usize {
+        self.files.iter().filter(|file| file.by == By::Bytes).count()
+    }
 }
 
 /// What several files say of one thing.
