@@ -9,18 +9,19 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use crate::cli::failure::{Failure, say};
+use crate::cli::feedcheck::manifest_of;
 use crate::cli::harmless::shown;
 use crate::cli::terminal::{fitted, width};
 use crate::cli::voice::Voice;
 use crate::cli::{findings, progress, summary};
 use crate::manifest::MANIFEST;
-use crate::pipeline::Claim;
+use crate::pipeline::{Claim, prove_feed_check};
 use crate::verify::{By, FileProof, OutputFiles, Proof};
 
 /// Arguments of `verify`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The directory that a build published.
+    /// The directory that `build` or `coupon` published, or the program that `feedcheck` wrote.
     dir: PathBuf,
     /// Accept a directory of another version, which is read back only: exit code 0 instead of 3.
     #[arg(long)]
@@ -43,9 +44,13 @@ const MOST_BUILDS: usize = 10;
 
 /// Reads the directory and proves it.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    holds_a_build(&args.dir)?;
-    let (claim, files) = read_directory(&args.dir)?;
-    let proof = progress::during(args.voice, "proving", |_| claim.prove(&files));
+    let proof = if args.dir.is_file() {
+        feed_check(&args.dir)?
+    } else {
+        holds_a_build(&args.dir)?;
+        let (claim, files) = read_directory(&args.dir)?;
+        progress::during(args.voice, "proving", |_| claim.prove(&files))
+    };
     let right = proof.findings.is_empty();
     let accepted = proof.written_by.is_none() || args.read_back;
     match args.voice {
@@ -59,6 +64,21 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         (true, false) => Err(Failure::NotCompared),
         (true, true) => Ok(()),
     }
+}
+
+/// Proves the program of a feed check by the manifest beside it.
+fn feed_check(path: &Path) -> Result<Proof, Failure> {
+    let beside = manifest_of(path);
+    let manifest = read(&beside, SOURCE_LIMIT).map_err(|_| {
+        Failure::Message(format!(
+            "{} has no manifest: a program of a build is proven with its directory",
+            shown(path)
+        ))
+    })?;
+    let manifest = serde_json::from_slice(&manifest)
+        .map_err(|error| Failure::Message(format!("{} is not a manifest: {error}", shown(&beside))))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    Ok(prove_feed_check(&name, &read(path, FILE_LIMIT)?, &manifest))
 }
 
 /// Refuses a directory in which nobody published, if others in it say that they were: it is the one above.

@@ -1,6 +1,6 @@
 //! Limits that lines of the profile set: the seal's speed and the job's time must fit into them.
 
-use crate::design::{Refusal, RefusalCode};
+use crate::design::{Refusal, RefusalCode, Refusals};
 use crate::plan::Program;
 use crate::spec::{Machine, Spec, key};
 
@@ -8,9 +8,9 @@ use crate::spec::{Machine, Spec, key};
 const DAY: f64 = 86400.0;
 
 /// Every limit in the profile's `start` that contradicts the seal's speed or the time of `programs`.
-pub(super) fn contradictions(spec: &Spec, machine: &Machine, programs: &[Program]) -> Vec<Refusal> {
+pub fn contradictions(spec: &Spec, machine: &Machine, programs: &[Program]) -> Refusals {
     let limits = &machine.script.limits;
-    let mut refusals = Vec::new();
+    let mut refusals = Refusals::new();
     let mut refuse = |found: String, remedy: String| {
         refusals.push(Refusal::new(key::machine::PROFILE, RefusalCode::ProfileLimit, found, remedy));
     };

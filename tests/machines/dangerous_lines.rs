@@ -168,8 +168,8 @@ fn settings_agree_with_the_profile() {
         read.map(|_| ()).map_err(|faults| faults.list().iter().map(|fault| fault.code).collect::<Vec<_>>())
     };
     let conflict = Err(vec!["conflict"]);
-    assert_eq!(read("reprapfirmware", "M203 I5", "M203 I4"), Ok(()));
-    assert_eq!(read("reprapfirmware", "M203 I5", "M203 I6"), conflict);
+    assert_eq!(read("reprapfirmware", "\"M203 I5\"", "\"M203 I4\""), Ok(()));
+    assert_eq!(read("reprapfirmware", "\"M203 I5\"", "\"M203 I6\""), conflict);
     assert_eq!(read("reprapfirmware", "min_feed = \"5 mm/min\"", "min_feed = \"4 mm/min\""), conflict);
     assert_eq!(read("marlin", "M205 S0 T0", "M205 S0 T1"), conflict);
     let limit = |line: &str| format!("\"{line}\", \"SET_IDLE");

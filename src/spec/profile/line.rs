@@ -276,7 +276,7 @@ mod tests {
         assert_eq!(allowed(Part::Pause, vocabulary), "PAUSE");
         assert_eq!(
             allowed(Part::End, Vocabulary::of(Dialect::Grbl)),
-            "G17, G21, G90, G91.1, G94, M2, M30, G61"
+            "G17, G21, G61, G90, G91.1, G94, M2, M30"
         );
     }
 }
