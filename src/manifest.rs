@@ -1,6 +1,8 @@
 //! The manifest: what a build wrote, so that `verify` can prove it and scripts can find it.
 
 mod bill;
+mod coupons;
+mod feed_check;
 mod predicted;
 
 use std::path::Path;
@@ -16,6 +18,8 @@ use crate::spec::Spec;
 
 pub use crate::digest::sha256;
 pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
+pub use coupons::{CouponChoice, CouponManifest, ManifestCoupon, ManifestCouponSeam};
+pub use feed_check::{FEED_CHECK_MANIFEST, FeedCheckManifest};
 pub use predicted::{ManifestPrediction, ManifestStarPrediction};
 
 /// The manifest's file name in an output directory.
@@ -151,7 +155,7 @@ impl Manifest {
                 let seams: Vec<ManifestSeam> = program
                     .seams
                     .iter()
-                    .filter(|seam| seam.star == index)
+                    .filter(|seam| seam.star() == Some(index))
                     .map(|seam| ManifestSeam {
                         loop_name: seam.loop_name().to_owned(),
                         length_mm: thousandths(seam.length),
@@ -224,6 +228,22 @@ impl ManifestFile {
     /// The entry of one artifact.
     pub fn of(artifact: &Artifact) -> Self {
         Self::with_hash(artifact, sha256(&artifact.bytes))
+    }
+
+    /// The entry of a file that belongs to no sheet, star or plate.
+    pub fn plain(path: &str, kind: Kind, bytes: &[u8]) -> Self {
+        Self {
+            path: path.to_owned(),
+            kind,
+            bytes: bytes.len(),
+            sha256: sha256(bytes),
+            sheet: None,
+            star: None,
+            plate: None,
+            piece: None,
+            paper: None,
+            mirrored: false,
+        }
     }
 
     /// The same for who knows the hash of its content already.

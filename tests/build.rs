@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use stargrip_cam::design::{Drawing, Layer, Origin, Shape, Side};
+use stargrip_cam::design::{Drawing, Layer, Origin, SeamName, Shape, Side};
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment};
 use stargrip_cam::plan::{Height, LONGEST_MOVE, Program, Purpose, SeamReport, Step, pieces};
 use stargrip_cam::spec::Colours;
@@ -117,11 +117,17 @@ fn read_back(path: &Path) -> Vec<Segment> {
     let source = stargrip_cam::spec::Source::new("linuxcnc", linuxcnc);
     let machine = stargrip_cam::spec::read_machine(&source).expect("valid");
     let spec = support::read(support::PAPER);
-    let seam = SeamReport { star: 1, side: Side::Outside, length: path.length(), overlap: 0.0, time: 0.0 };
+    let seam = SeamReport {
+        name: SeamName::Star { star: 1, side: Side::Outside },
+        length: path.length(),
+        overlap: 0.0,
+        time: 0.0,
+    };
     let program = Program {
         purpose: Purpose::Seal,
         sheet: 1,
         stars: vec![1],
+        piece: None,
         steps: vec![
             Step::Height(Height::Park),
             Step::Travel(path.start().expect("a path")),

@@ -88,6 +88,66 @@ fn verify_tells_what_is_wrong_and_fails() {
     assert_code(&run(dir.path(), &["verify", "nowhere"]), 1);
 }
 
+/// The manifest of out/star with `change` made in it.
+fn edit_manifest(dir: &Path, change: impl Fn(&mut serde_json::Value)) {
+    let path = dir.join("out/star/manifest.json");
+    let mut manifest: serde_json::Value =
+        serde_json::from_slice(&fs::read(&path).expect("it")).expect("JSON");
+    change(&mut manifest);
+    fs::write(&path, serde_json::to_vec_pretty(&manifest).expect("JSON")).expect("written");
+}
+
+/// The version in the manifest is covered by no hash, and must not switch the comparison off in silence.
+#[test]
+fn a_directory_of_another_version_is_read_back_and_named() {
+    let dir = workshop();
+    let load = format!(
+        "{}\n[load]\npressure = \"20 kPa\"\n",
+        fs::read_to_string(dir.path().join("star.toml")).expect("it")
+    );
+    fs::write(dir.path().join("star.toml"), load).expect("written");
+    assert_code(&run(dir.path(), &["build", "star.toml", "--with", "report", "-q"]), 0);
+    edit_manifest(dir.path(), |manifest| manifest["tool"]["version"] = "9.8.7".into());
+    let verify = |options: &[&str]| run(dir.path(), &[&["verify", "out/star"], options].concat());
+    let json = || -> serde_json::Value {
+        serde_json::from_slice(&verify(&["--json"]).stdout).expect("one JSON object")
+    };
+
+    let plain = verify(&[]);
+    assert_code(&plain, 3);
+    let said = stdout(&plain).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("out/star: written by 9.8.7: read back, not compared; no findings"), "{said}");
+    assert!(!said.contains("not proven:"), "{said}");
+    assert_code(&verify(&["--read-back"]), 0);
+    let quiet = verify(&["-q"]);
+    assert_code(&quiet, 3);
+    assert!(stdout(&quiet).contains("written by 9.8.7"), "{}", stdout(&quiet));
+    // What is equal to the byte is told all the same.
+    let found = json();
+    assert_eq!(found["written_by"], "9.8.7");
+    assert_eq!(found["unproven"], serde_json::json!([]));
+    let by = |path: &str| {
+        let all = found["proven"].as_array().expect("a list").iter();
+        all.clone().find(|file| file["path"] == path).expect(path)["by"].clone()
+    };
+    assert_eq!((by("report.html"), by("star-1-seal.gcode")), ("bytes".into(), "bytes".into()));
+
+    // Nothing judges all that a report says: it is named as soon as it differs.
+    let report = dir.path().join("out/star/report.html");
+    let text = fs::read_to_string(&report).expect("it").replace("200 C", "450 C");
+    fs::write(&report, &text).expect("written");
+    edit_manifest(dir.path(), |manifest| {
+        let files = manifest["files"].as_array_mut().expect("a list");
+        let entry = files.iter_mut().find(|file| file["path"] == "report.html").expect("it");
+        entry["sha256"] = stargrip_cam::manifest::sha256(text.as_bytes()).into();
+    });
+    assert_eq!(json()["unproven"][0], "report.html");
+    assert!(stdout(&verify(&[])).contains("not proven:"));
+    // A finding is one whatever is accepted.
+    fs::write(&report, text.replace("450 C", "4500 C")).expect("written");
+    assert_code(&verify(&["--read-back"]), 1);
+}
+
 #[test]
 fn the_same_spec_gives_the_same_bytes_anywhere() {
     let (a, b) = (workshop(), workshop());

@@ -71,6 +71,34 @@ fn fails(dir: &Path, args: &[&str], code: i32, words: &[&str]) -> Output {
     output
 }
 
+/// No command writes a program with a line that the profile must not put there.
+#[test]
+fn every_command_refuses_a_dangerous_line_of_the_profile() {
+    for (from, to) in [
+        ("start = [\"G21\"", "start = [\"M112\", \"G21\""),
+        ("start = [\"G21\"", "start = [\"; set the iron to 400 C\", \"G21\""),
+        ("pause = \"M0\"", "pause = \"M0 (print,x)\""),
+        ("end = [", "end = [\"M500\", "),
+    ] {
+        let dir = workshop_of(300, 300);
+        let profile = read(dir.path(), "mine.toml");
+        assert!(profile.contains(from), "{from}");
+        fs::write(dir.path().join("mine.toml"), profile.replacen(from, to, 1)).expect("written");
+        for command in [
+            ["check"].as_slice(),
+            &["build"],
+            &["feedcheck"],
+            &["coupon"],
+            &["build", "--only", "trace-gcode"],
+        ] {
+            let args: Vec<&str> =
+                command[..1].iter().chain(&["star.toml"]).chain(&command[1..]).copied().collect();
+            let _ = fails(dir.path(), &args, 1, &["program-line", "mine.toml:", "must be one of"]);
+        }
+        assert_eq!(names(dir.path()), ["mine.toml", "star.toml"], "{to}");
+    }
+}
+
 #[test]
 fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     let dir = workshop();
@@ -103,6 +131,50 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
         fails(dir.path(), &["feedcheck", "star.toml", "-o", "no/x.gcode"], 1, &["cannot write no/x.gcode"]);
     let _ = fails(dir.path(), &["feedcheck", "missing.toml"], 1, &["cannot read missing.toml"]);
     let _ = fails(dir.path(), &["feedcheck"], 2, &["Usage"]);
+}
+
+/// A heater that is off before the job is done, whichever program it is.
+#[test]
+fn every_command_refuses_an_idle_timeout_below_its_program() {
+    let dir = workshop();
+    let klipper = stargrip_cam::spec::builtin_machine("klipper").expect("built in");
+    fs::write(dir.path().join("mine.toml"), klipper.replacen("TIMEOUT=86400", "TIMEOUT=1", 1))
+        .expect("written");
+    let spec = format!("{}[machine]\nprofile = \"mine.toml\"\n", support::PAPER);
+    fs::write(dir.path().join("star.toml"), spec).expect("written");
+    for command in ["check", "build", "feedcheck", "coupon"] {
+        let _ = fails(dir.path(), &[command, "star.toml"], 1, &["profile-limit", "TIMEOUT must be at least"]);
+    }
+    assert_eq!(names(dir.path()), ["mine.toml", "star.toml"]);
+}
+
+#[test]
+fn a_feed_check_is_proven_as_builds_are() {
+    let dir = workshop();
+    for (profile, floor) in
+        [("generic", "refuse"), ("grbl", "chop"), ("marlin", "chop"), ("klipper", "refuse")]
+    {
+        let spec =
+            format!("{}[machine]\nprofile = \"{profile}\"\nfeed_floor = \"{floor}\"\n", support::PAPER);
+        fs::write(dir.path().join("star.toml"), spec).expect("written");
+        let name = format!("{profile}.gcode");
+        let _ = done(dir.path(), &["feedcheck", "star.toml", "-o", &name]);
+        assert!(done(dir.path(), &["verify", &name]).contains("proven, no findings"), "{profile}");
+        let path = dir.path().join(&name);
+        let good = fs::read_to_string(&path).expect("it");
+        let pause = if profile == "klipper" { "PAUSE\n" } else { "M0\n" };
+        for (from, to) in [(pause, "M112\n"), (pause, ""), ("G0 Z5", "G0 Z-5"), ("X10 ", "X11 ")] {
+            assert!(good.contains(from), "{profile}: {from}");
+            fs::write(&path, good.replacen(from, to, 1)).expect("written");
+            let output = run(dir.path(), &["verify", &name, "--json"]);
+            assert_eq!(output.status.code(), Some(1), "{profile} {from}: {}", stdout(&output));
+            let findings = json_of(&stdout(&output))["findings"].as_array().expect("a list").len();
+            // It is found by reading, and not only by its bytes and hash.
+            assert!(findings > 2, "{profile} {from}: {}", stdout(&output));
+        }
+    }
+    fs::write(dir.path().join("other.gcode"), "G0 Z5\n").expect("written");
+    let _ = fails(dir.path(), &["verify", "other.gcode"], 1, &["has no manifest"]);
 }
 
 #[test]
@@ -234,7 +306,10 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
             "burst.svg",
             "disc.gcode",
             "disc.svg",
+            "machine.toml",
+            "manifest.json",
             "results.csv",
+            "spec.toml",
             "strips-180C-500um-s.gcode",
             "strips-180C-500um-s.svg",
             "strips-200C-500um-s.gcode",
@@ -274,6 +349,72 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
         assert!(said.contains(&format!("again/{name}")), "{name}: {said}");
     }
     let _ = fails(dir.path(), &["coupon", "star.toml", "-o", "no/where"], 1, &["cannot create no/where"]);
+}
+
+#[test]
+fn coupons_are_proven_as_builds_are() {
+    let dir = workshop();
+    let said =
+        done(dir.path(), &["coupon", "star.toml", "--only", "disc,strips", "--speeds", "0.5 mm/s", "--json"]);
+    let json = json_of(&said);
+    assert_eq!(json["programs"], serde_json::json!(["strips-200C-500um-s.gcode", "disc.gcode"]));
+    assert_eq!(json["times"][1]["program"], "disc.gcode");
+    assert!(json["times"][1]["time_s"].as_f64().is_some_and(|time| time > 3600.0), "{json}");
+    let found = names(&dir.path().join("coupons"));
+    assert!(!found.iter().any(|name| name.starts_with("burst") || name.starts_with("v-")), "{found:?}");
+    let manifest = json_of(&read(dir.path(), "coupons/manifest.json"));
+    assert_eq!(manifest["pieces"][1]["name"], "disc");
+    assert_eq!(manifest["pieces"][1]["seams"][0]["name"], "disc");
+    let verify = |code: i32| {
+        let output = run(dir.path(), &["verify", "coupons"]);
+        assert_eq!(output.status.code(), Some(code), "{}\n{}", stdout(&output), stderr(&output));
+        stdout(&output)
+    };
+    assert!(verify(0).contains("proven, no findings"));
+    // The table is the person's.
+    let table = dir.path().join("coupons/results.csv");
+    fs::write(&table, fs::read_to_string(&table).expect("it").replace(",,", ",82,")).expect("written");
+    let _ = verify(0);
+    // A change of a program is found in its line, and one of a drawing or the profile's lines in its file.
+    for (name, from, to, word) in [
+        ("disc.gcode", " F6\n", " F600\n", "wrong-feed"),
+        ("disc.gcode", "; set the iron to 200 C", "; set the iron to 400 C", "other-comment"),
+        ("strips-200C-500um-s.gcode", "piece=strip-2", "piece=strip-3", "other-comment"),
+        ("disc.svg", "<path", "<path ", "differs"),
+        ("machine.toml", "\"M2\"", "\"M30\"", "differs"),
+        ("manifest.json", "\"time_s\": ", "\"time_s\": 1", "differs"),
+    ] {
+        let path = dir.path().join("coupons").join(name);
+        let good = fs::read_to_string(&path).expect("it");
+        assert!(good.contains(from), "{name}: {from}");
+        fs::write(&path, good.replacen(from, to, 1)).expect("written");
+        let said = verify(1);
+        assert!(said.contains(name) && said.contains(word), "{name}: {said}");
+        fs::write(&path, good).expect("written");
+    }
+    let _ = verify(0);
+    fs::remove_file(dir.path().join("coupons/disc.svg")).expect("removed");
+    assert!(verify(1).contains("missing-file"));
+    let _ = fails(
+        dir.path(),
+        &["coupon", "star.toml", "--only", "discs"],
+        2,
+        &["strips, disc, v-actuator, burst"],
+    );
+}
+
+#[test]
+fn a_hose_that_fits_no_coupon_is_refused() {
+    let dir = workshop();
+    let spec = format!("{}\n[inlet]\ntube_diameter = \"25 mm\"\n", support::PAPER);
+    fs::write(dir.path().join("star.toml"), spec).expect("written");
+    let _ = fails(
+        dir.path(),
+        &["coupon", "star.toml", "--only", "v-actuator"],
+        1,
+        &["inlet-meets-arm", "tube_diameter"],
+    );
+    assert_eq!(names(dir.path()), ["star.toml"]);
 }
 
 #[test]

@@ -6,10 +6,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use proptest::prelude::*;
 
-use stargrip_cam::design::{Design, MOUTH_OVERRUN, Side};
+use stargrip_cam::design::{Design, MOUTH_OVERRUN};
 use stargrip_cam::geom::{Path, Point, Segment, Vec2};
 use stargrip_cam::plan;
-use stargrip_cam::plan::{Height, LONGEST_MOVE, Step};
+use stargrip_cam::plan::{Height, LONGEST_MOVE, SeamReport, Step};
 use stargrip_cam::spec::{Spec, key};
 use stargrip_cam::units::{Length, Temperature};
 
@@ -209,7 +209,7 @@ fn the_program_does_things_in_order() {
         words.join(" "),
         "park heat travel height inner down seal lift travel height outer down seal lift park travel"
     );
-    assert_eq!(program.seams.iter().map(|seam| seam.side).collect::<Vec<_>>(), [Side::Hole, Side::Outside]);
+    assert_eq!(program.seams.iter().map(SeamReport::loop_name).collect::<Vec<_>>(), ["inner", "outer"]);
     let total: f64 = program.seams.iter().map(|seam| seam.time).sum();
     // Ramps of 3 mm and 5.3 mm height are 6.09 mm long in space; two of them a seam.
     let sealing: f64 = program.seams.iter().map(|seam| (seam.length + 2.0 * 3.0_f64.hypot(5.3)) / 0.1).sum();

@@ -97,6 +97,8 @@ pub(crate) fn of_failure(py: Python<'_>, failure: &Failure) -> PyErr {
         Failure::Usage(text) => usage(py, text),
         Failure::Interrupted | Failure::Stopped(_) => pyo3::exceptions::PyKeyboardInterrupt::new_err(()),
         // They end a command that prints, and none does here.
-        Failure::Said | Failure::Pipe => plain(py, "Error", "refused", "the output is closed"),
+        Failure::Said | Failure::NotCompared | Failure::Pipe => {
+            plain(py, "Error", "refused", "the output is closed")
+        }
     }
 }

@@ -12,7 +12,7 @@ use crate::forecast::case::Case;
 use crate::forecast::seal_load::{SealLoad, seal_loads};
 use crate::spec::{Machine, Spec, key};
 
-pub use topology::{Passage, passage};
+pub use topology::{Passage, passage, pouch_leaks};
 
 /// What is to be said about the seals of a design.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::design::{Design, Refusal, RefusalCode, Refusals, Seam, Side, StarDesign};
+use crate::design::{Design, LaidSeam, Refusal, RefusalCode, Refusals, Seam, Side, StarDesign};
 use crate::geom::{Path, Segment, intersections, path_distance, path_intersections, segment_distance};
 use crate::spec::{KeyPath, Machine, Spec, key};
 
@@ -123,6 +123,32 @@ fn mouth(part: &StarDesign, found: &mut Found) -> Option<f64> {
         found.leak(key::inlet::TUBE_DIAMETER, RefusalCode::NarrowMouth, what, &remedy);
     }
     Some(width)
+}
+
+/// The ways for air out of a pouch but its mouth, which a hose needs `mouth` mm wide between bands of `band` mm.
+pub fn pouch_leaks(seam: &LaidSeam, band: f64, mouth: f64) -> Vec<Refusal> {
+    let (name, path, mut found) = (&seam.name, &seam.run, Found::default());
+    if path.largest_gap() > GAP {
+        let what = format!("a gap of {:.6} mm in the {name}", path.largest_gap());
+        found.leak(key::seal::BAND, RefusalCode::SeamGap, what, "a seam has no gap: try another band");
+    }
+    let own = self_crossings(path);
+    if own > 0 {
+        let what = format!("the {name} crosses itself in {own} places");
+        found.leak(
+            key::seal::BAND,
+            RefusalCode::SeamCrossesItself,
+            what,
+            "make band narrower, or the arms longer",
+        );
+    }
+    let width = path.start().zip(path.end()).map_or(0.0, |(a, b)| a.distance(b)) - band;
+    if width < mouth - 1e-6 {
+        let what = format!("the mouth in the {name} is {width:.3} mm wide, too narrow for the hose");
+        let remedy = format!("it needs {mouth:.3} mm: make tube_diameter smaller");
+        found.leak(key::inlet::TUBE_DIAMETER, RefusalCode::NarrowMouth, what, &remedy);
+    }
+    found.leaks.into_iter().collect()
 }
 
 fn closure(spec: &Spec, machine: &Machine, seam: &Seam, has_inlet: bool, found: &mut Found) -> Loop {

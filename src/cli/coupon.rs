@@ -2,18 +2,19 @@
 
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::{fs, io};
 
 use serde_json::json;
 
-use crate::artifact::program_ending;
-use crate::cli::failure::Failure;
+use crate::artifact::Kind;
+use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
+use crate::cli::publish::publish_files;
 use crate::cli::quantity::quantity;
-use crate::cli::text_file::write_new;
+use crate::cli::summary::hours;
 use crate::cli::voice::Voice;
-use crate::coupon::{Grid, coupons, overview, table};
+use crate::coupon::{Grid, Group};
+use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use crate::spec::Allowed;
 use crate::units::{Length, Speed, Temperature};
 
@@ -34,6 +35,9 @@ pub(super) struct Args {
     /// Heights of the tip in contact; default: the profile's.
     #[arg(long, value_delimiter = ',', value_parser = quantity::<Length>(Allowed::closed(-20.0, 1e5)), allow_hyphen_values = true)]
     heights: Vec<Length>,
+    /// Coupons of these kinds only; default: all.
+    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = ["strips", "disc", "v-actuator", "burst"])]
+    only: Vec<String>,
     /// How often each setting is sealed.
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=20))]
     repeats: u8,
@@ -45,47 +49,54 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.voice)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
-    let grid = grid(args, &loaded)?;
-    let set = coupons(spec, machine, &grid).map_err(|refusals| loaded.refused(refusals))?;
-    fs::create_dir(&args.output).map_err(|error| match error.kind() {
-        io::ErrorKind::AlreadyExists => {
-            Failure::Message(format!("{} exists already; choose another name", shown(&args.output)))
-        }
-        _ => Failure::file("create", &args.output, &error),
-    })?;
-    let ending = program_ending(machine.controller.dialect);
-    let (mut programs, mut drawings) = (Vec::new(), Vec::new());
-    let written = |list: &mut Vec<String>, name: String, text: &str| {
-        write_new(&args.output.join(&name), text)?;
-        list.push(name);
-        Ok::<(), Failure>(())
-    };
-    for coupon in &set {
-        written(&mut programs, format!("{}.{ending}", coupon.name), &coupon.gcode)?;
-        written(&mut drawings, format!("{}.svg", coupon.name), &coupon.svg)?;
+    let (grid, groups) = (grid(args, &loaded)?, groups(args));
+    if args.output.symlink_metadata().is_ok() {
+        let text = format!("{} exists already; choose another name", shown(&args.output));
+        return Err(Failure::Message(text));
     }
-    let strips = grid.strips(machine);
-    written(&mut drawings, OVERVIEW.to_owned(), &overview(spec, &strips))?;
-    written(&mut Vec::new(), TABLE.to_owned(), &table(&strips))?;
+    if let Some(parent) =
+        args.output.parent().filter(|parent| !parent.as_os_str().is_empty() && !parent.is_dir())
+    {
+        let text = format!("cannot create {}: {} is not a directory", shown(&args.output), shown(parent));
+        return Err(Failure::Message(text));
+    }
+    let made = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups);
+    let proven = made.map_err(|refusals| loaded.refused(refusals))?.prove().map_err(Failure::Findings)?;
+    let published = publish_files(&args.output, &proven.files())?;
+    tell(&published.to_string());
+    let made = proven.made();
+    let names =
+        |wanted: Kind| made.files.iter().filter(move |(_, kind, _)| *kind == wanted).map(|(name, ..)| name);
+    let (programs, drawings): (Vec<&String>, Vec<&String>) =
+        (names(Kind::SealGcode).collect(), names(Kind::SealSvg).collect());
+    let has_strips = made.table.is_some();
+    let times = programs.iter().zip(&made.coupons);
+    let times: Vec<_> = times
+        .map(|(name, coupon)| json!({ "program": name, "time_s": coupon.program.time.round() }))
+        .collect();
     let json = json!({
         "wrote": args.output,
         "programs": programs,
+        "times": times,
         "drawings": drawings,
-        "look_at": OVERVIEW,
-        "table": TABLE,
-        "strips": strips.len(),
+        "look_at": has_strips.then_some(OVERVIEW),
+        "table": has_strips.then_some(TABLE),
+        "strips": if has_strips { grid.strips(machine).len() } else { 0 },
         "temperatures_C": grid.temperatures.iter().map(|temperature| temperature.0).collect::<Vec<_>>(),
         "speeds_mm_s": grid.speeds.iter().map(|speed| speed.0).collect::<Vec<_>>(),
         "heights_mm": grid.heights.iter().map(|height| height.0).collect::<Vec<_>>(),
         "repeats": grid.repeats,
     });
-    args.voice.report(&text(args, &programs, &drawings, &grid), &json)
+    args.voice.report(&text(args, &proven, &programs, &drawings), &json)
 }
 
-/// Every strip with its setting and its cut.
-const OVERVIEW: &str = "strips.svg";
-/// What is filled in.
-const TABLE: &str = "results.csv";
+/// The kinds of coupons that are wanted: all, if none was named.
+fn groups(args: &Args) -> Vec<Group> {
+    let all = Group::NAMES.iter();
+    all.filter(|(name, _)| args.only.is_empty() || args.only.iter().any(|only| only == name))
+        .map(|(_, group)| *group)
+        .collect()
+}
 
 /// What is tried out.
 fn grid(args: &Args, loaded: &Loaded) -> Result<Grid, Failure> {
@@ -114,7 +125,7 @@ fn or<T: Clone>(given: &[T], usual: &[T]) -> Vec<T> {
 }
 
 /// What was written, and what to do with it.
-fn text(args: &Args, programs: &[String], drawings: &[String], grid: &Grid) -> String {
+fn text(args: &Args, proven: &ProvenCoupons, programs: &[&String], drawings: &[&String]) -> String {
     let place = |name: &str| shown(args.output.join(name));
     let mut out = format!(
         "wrote {} programs and {} drawings to {}\n",
@@ -122,18 +133,24 @@ fn text(args: &Args, programs: &[String], drawings: &[String], grid: &Grid) -> S
         drawings.len(),
         shown(&args.output)
     );
+    // A String takes everything.
+    for (name, coupon) in programs.iter().zip(&proven.made().coupons) {
+        let _ = writeln!(out, "  {name:32} {}", hours(coupon.program.time));
+    }
     if args.voice.verbose {
-        for name in programs.iter().chain(drawings) {
-            // A String takes everything.
+        for (name, _) in proven.files() {
             let _ = writeln!(out, "  {}", place(name));
         }
     }
-    let (look, results, settings) = (place(OVERVIEW), place(TABLE), grid.settings().count());
-    let _ = writeln!(out, "look at {look}: every strip with its setting and its cut");
-    let _ = writeln!(
-        out,
-        "seal the strips of {settings} programs, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
-         peel_N in {results}, then: stargrip-cam calibrate {results}"
-    );
+    let settings = proven.made().coupons.iter().filter(|coupon| coupon.mouth.is_none()).count();
+    if settings > 0 {
+        let (look, results) = (place(OVERVIEW), place(TABLE));
+        let _ = writeln!(out, "look at {look}: every strip with its setting and its cut");
+        let _ = writeln!(
+            out,
+            "seal the strips of {settings} programs, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
+             peel_N in {results}, then: stargrip-cam calibrate {results}"
+        );
+    }
     out
 }

@@ -12,7 +12,7 @@ use crate::cli::{PublishFault, findings, interrupt};
 use crate::spec::{Fault, Faults, Severity};
 use crate::verify::Finding;
 
-/// Why a command did not do what it was asked for. All of them end with exit code 1.
+/// Why a command did not do what it was asked for, or only a part of it.
 #[derive(Debug)]
 pub enum Failure {
     /// The spec, the profile or the design is refused.
@@ -31,6 +31,8 @@ pub enum Failure {
     Stopped(String),
     /// It has been said already, on standard output.
     Said,
+    /// Another version wrote the directory, whose files are right as far as reading shows; said on standard output.
+    NotCompared,
     /// The reader of our standard output has gone; there is nobody left to tell.
     Pipe,
 }
@@ -91,6 +93,7 @@ impl Failure {
                 return 130;
             }
             Self::Said => return 1,
+            Self::NotCompared => return 3,
             Self::Pipe => return 0,
         };
         tell(&fitted(&text, width(&io::stderr())));

@@ -1,6 +1,6 @@
 //! `stargrip-cam feedcheck`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
@@ -10,7 +10,9 @@ use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::{replace, write_new};
 use crate::cli::voice::Voice;
-use crate::emit;
+use crate::manifest::FEED_CHECK_MANIFEST;
+use crate::pipeline;
+use crate::pipeline::FeedCheckFault;
 use crate::plan;
 use crate::spec::FeedFloor;
 
@@ -33,12 +35,16 @@ pub(super) struct Args {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.voice)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
-    let checks = plan::feed_checks(spec, machine);
     let default = || PathBuf::from("feedcheck").with_extension(program_ending(machine.controller.dialect));
     let output = args.output.clone().unwrap_or_else(default);
-    let program = emit::feed_check(spec, machine, &checks);
+    let name = output.file_name().unwrap_or_default().to_string_lossy();
+    let proven =
+        pipeline::feed_check(spec, machine, loaded.sources(), &name).map_err(|fault| match fault {
+            FeedCheckFault::Refused(refusals) => loaded.refused(refusals),
+            FeedCheckFault::Wrong(findings) => Failure::Findings(findings),
+        })?;
     if args.force {
-        replace(&output, &program)?;
+        replace(&output, &proven.text)?;
     } else if output.exists() {
         let there = shown(&output);
         let remedy = "--force replaces it, -o FILE writes another";
@@ -46,8 +52,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             "{there} is there already, from an earlier run or your own: {remedy}"
         )));
     } else {
-        write_new(&output, &program)?;
+        write_new(&output, &proven.text)?;
     }
+    replace(&manifest_of(&output), &String::from_utf8_lossy(&proven.manifest.to_json()))?;
     let seconds = plan::CHECK_LENGTH / spec.seal.speed.0;
     let remedy = match spec.machine.feed_floor {
         FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",
@@ -69,4 +76,11 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "pause": machine.script.pause,
     });
     args.voice.report(&text, &json)
+}
+
+/// The manifest beside the feed check `program`, by which `verify` proves it.
+pub(super) fn manifest_of(program: &Path) -> PathBuf {
+    let mut name = program.file_name().unwrap_or_default().to_owned();
+    name.push(FEED_CHECK_MANIFEST);
+    program.with_file_name(name)
 }

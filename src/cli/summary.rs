@@ -40,7 +40,7 @@ fn design(forecast: &Forecast) -> String {
             part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
         );
         for program in programs {
-            for seam in program.seams.iter().filter(|seam| seam.star == placed.index) {
+            for seam in program.seams.iter().filter(|seam| seam.star() == Some(placed.index)) {
                 let _ = writeln!(
                     out,
                     "  {} loop: {:.1} mm of seam, {}",

@@ -9,19 +9,23 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use crate::cli::failure::{Failure, say};
+use crate::cli::feedcheck::manifest_of;
 use crate::cli::harmless::shown;
 use crate::cli::terminal::{fitted, width};
 use crate::cli::voice::Voice;
 use crate::cli::{findings, progress, summary};
 use crate::manifest::MANIFEST;
-use crate::pipeline::Claim;
+use crate::pipeline::{Claim, prove_feed_check};
 use crate::verify::{By, FileProof, OutputFiles, Proof};
 
 /// Arguments of `verify`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The directory that a build published.
+    /// The directory that `build` or `coupon` published, or the program that `feedcheck` wrote.
     dir: PathBuf,
+    /// Accept a directory of another version, which is read back only: exit code 0 instead of 3.
+    #[arg(long)]
+    read_back: bool,
     #[command(flatten)]
     voice: Voice,
 }
@@ -40,16 +44,41 @@ const MOST_BUILDS: usize = 10;
 
 /// Reads the directory and proves it.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    holds_a_build(&args.dir)?;
-    let (claim, files) = read_directory(&args.dir)?;
-    let proof = progress::during(args.voice, "proving", |_| claim.prove(&files));
+    let proof = if args.dir.is_file() {
+        feed_check(&args.dir)?
+    } else {
+        holds_a_build(&args.dir)?;
+        let (claim, files) = read_directory(&args.dir)?;
+        progress::during(args.voice, "proving", |_| claim.prove(&files))
+    };
     let right = proof.findings.is_empty();
+    let accepted = proof.written_by.is_none() || args.read_back;
     match args.voice {
         Voice { json: true, .. } => say(&json(&proof))?,
-        Voice { quiet: true, .. } if right => {}
+        Voice { quiet: true, .. } if right && accepted => {}
+        Voice { quiet: true, .. } if right => say(&fitted(&verdict(&args.dir, &proof), width(&stdout())))?,
         _ => say(&fitted(&text(&args.dir, &proof), width(&stdout())))?,
     }
-    if right { Ok(()) } else { Err(Failure::Said) }
+    match (right, accepted) {
+        (false, _) => Err(Failure::Said),
+        (true, false) => Err(Failure::NotCompared),
+        (true, true) => Ok(()),
+    }
+}
+
+/// Proves the program of a feed check by the manifest beside it.
+fn feed_check(path: &Path) -> Result<Proof, Failure> {
+    let beside = manifest_of(path);
+    let manifest = read(&beside, SOURCE_LIMIT).map_err(|_| {
+        Failure::Message(format!(
+            "{} has no manifest: a program of a build is proven with its directory",
+            shown(path)
+        ))
+    })?;
+    let manifest = serde_json::from_slice(&manifest)
+        .map_err(|error| Failure::Message(format!("{} is not a manifest: {error}", shown(&beside))))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    Ok(prove_feed_check(&name, &read(path, FILE_LIMIT)?, &manifest))
 }
 
 /// Refuses a directory in which nobody published, if others in it say that they were: it is the one above.
@@ -83,7 +112,14 @@ pub(super) fn json(proof: &Proof) -> String {
         proof.files.iter().map(|file| (file.path.clone(), json!(file.deviation))).collect();
     let proven: Vec<serde_json::Value> =
         proof.files.iter().map(|file| json!({ "path": file.path, "by": file.by })).collect();
-    format!("{:#}\n", json!({ "findings": proof.findings, "deviation_mm": deviation, "proven": proven }))
+    let json = json!({
+        "findings": proof.findings,
+        "deviation_mm": deviation,
+        "proven": proven,
+        "written_by": proof.written_by,
+        "unproven": proof.unproven,
+    });
+    format!("{json:#}\n")
 }
 
 fn text(dir: &Path, proof: &Proof) -> String {
@@ -100,12 +136,31 @@ fn text(dir: &Path, proof: &Proof) -> String {
     for line in findings::lines(&proof.findings) {
         let _ = writeln!(text, "{line}");
     }
-    let verdict = match proof.findings.len() {
-        0 => format!("proven, no findings; {}", summary::scope(proof)),
-        n => findings::counted(n),
-    };
-    let _ = writeln!(text, "{}: {verdict}", shown(dir));
-    text
+    text + &verdict(dir, proof)
+}
+
+/// The last line: whether the directory is proven, and what that means for one of another version.
+fn verdict(dir: &Path, proof: &Proof) -> String {
+    let mut parts = Vec::new();
+    if let Some(version) = &proof.written_by {
+        parts.push(format!("written by {}: read back, not compared", shown(version)));
+    }
+    match proof.findings.len() {
+        0 if proof.written_by.is_some() => {
+            let (equal, all) = (proof.equal(), proof.files.len());
+            let scope = summary::scope(proof);
+            parts.push(format!(
+                "no findings; {scope}; {equal} of {all} files equal those of this version to the byte"
+            ));
+        }
+        0 => parts.push(format!("proven, no findings; {}", summary::scope(proof))),
+        n => parts.push(findings::counted(n)),
+    }
+    if !proof.unproven.is_empty() {
+        parts
+            .push(format!("not proven: {}", proof.unproven.iter().map(shown).collect::<Vec<_>>().join(", ")));
+    }
+    format!("{}: {}\n", shown(dir), parts.join("; "))
 }
 
 /// The files of a directory, of which only those are read that its design asks for, and no more of them than their manifest

@@ -1,83 +1,185 @@
-//! Pouches: the centre line of a band around a flat tube, open at a mouth for a hose.
+//! Pouches: the band around a flat tube, open at a mouth for the hose of `[inlet]`, and the cut around it.
 
 use std::f64::consts::PI;
 
+use crate::design::{Channel, MOUTH_OVERRUN, Refusal, RefusalCode};
 use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
-use crate::spec::StarSpec;
+use crate::spec::{Inlet, Seal, StarSpec, key};
+use crate::units::{Least, Length, Most, Readable};
 
-/// Half the flat width of the channel for a hose of 4 mm: pi d / 4.
-const HALF_MOUTH: f64 = PI;
-/// Length of the channel.
-const MOUTH: f64 = 20.0;
+/// A pouch in a frame of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pouch {
+    /// The centre line of its band, from one side of the mouth to the other.
+    pub seam: Path,
+    /// The cut around it, square across the mouth.
+    pub cut: Path,
+    /// Flat width of the mouth that the hose needs, mm.
+    pub mouth: f64,
+}
 
-/// A disc of flat diameter `diameter` between the inner edges of a band of width `band`, its mouth on +X.
-pub fn disc(diameter: f64, band: f64) -> Path {
-    let (r, h) = (f64::midpoint(diameter, band), HALF_MOUTH + band / 2.0);
-    let turn = (h / r).asin();
-    let (junction, end) = (r * turn.cos(), r + MOUTH);
-    let line = |a: (f64, f64), b: (f64, f64)| -> Segment {
-        Line::new(Point::new(a.0, a.1), Point::new(b.0, b.1)).into()
-    };
-    Path::open(vec![
-        line((end, h), (junction, h)),
-        Arc::new(Point::ORIGIN, r, turn, 2.0 * (PI - turn)).into(),
-        line((junction, -h), (end, -h)),
-    ])
+/// The hose of a spec without an inlet.
+const USUAL_HOSE: Inlet = Inlet { tube_diameter: Length(4.0), length: Length(20.0), fillet: Length(1.0) };
+
+/// The hose that the pouches are for.
+pub fn hose(inlet: Option<&Inlet>) -> &Inlet {
+    inlet.unwrap_or(&USUAL_HOSE)
+}
+
+/// A disc of flat diameter `diameter` between the inner edges of its band, its mouth on +X.
+///
+/// # Errors
+/// If the hose is too thick for it.
+pub fn disc(diameter: f64, hose: &Inlet, seal: &Seal) -> Result<Pouch, Refusal> {
+    let (radius, half, flap) = (diameter / 2.0, seal.band.0 / 2.0, seal.band.0 + seal.allowance.0);
+    outside_the_flap(hose, flap)?;
+    let channel = Channel::of_disc(radius, hose);
+    let opened = |delta, least, beyond| channel.open_disc(radius, delta, least, beyond);
+    let (seam, cut) = opened(half, 0.0, MOUTH_OVERRUN)
+        .zip(opened(flap, 0.0, 0.0))
+        .ok_or_else(|| too_thick(hose, 2.0 * (diameter - 2.0 * flap) / PI))?;
+    Ok(Pouch { seam, cut: Channel::mouth_cut(cut), mouth: 2.0 * channel.half_width })
 }
 
 /// The paper's single actuator: two arms of the star's width, one tip of its angle and radius, 4 W from the hinge to
 /// the arms' straight ends, the mouth at the end of the upper arm. The hinge points along +X.
-pub fn vee(star: &StarSpec, band: f64) -> Path {
-    let (w, r, half) = (star.tube_width.0, star.tip_radius.0, star.tip_angle.rad() / 2.0);
-    let delta = band / 2.0;
-    let arm = 4.0 * w + delta;
-    let (sin, cos) = half.sin_cos();
-    // In the frame of an arm: away from the hinge, and outwards.
-    let at = |side: f64, along: f64, out: f64| {
-        Point::ORIGIN + Vec2::new(-cos, side * sin) * along + Vec2::new(sin, side * cos) * out
-    };
-    let (outer, inner) = (r + w + delta, r - delta);
-    let (middle, h) = (r + w / 2.0, HALF_MOUTH + delta);
-    // A sharp inner hinge is a vertex that eats into the arms.
-    let eaten = (-inner).max(0.0) / half.tan();
-    let mut points = vec![at(1.0, arm + MOUTH, middle + h), at(1.0, arm, middle + h), at(1.0, arm, outer)];
-    let mut segments = lines(&points);
-    segments.push(Line::new(at(1.0, arm, outer), at(1.0, 0.0, outer)).into());
-    segments.push(Arc::new(Point::ORIGIN, outer, PI / 2.0 - half, 2.0 * half - PI).into());
-    segments.extend(lines(&[
-        at(-1.0, 0.0, outer),
-        at(-1.0, arm, outer),
-        at(-1.0, arm, inner),
-        at(-1.0, eaten, inner),
-    ]));
-    if inner > 0.0 {
-        segments.push(Arc::new(Point::ORIGIN, inner, half - PI / 2.0, PI - 2.0 * half).into());
+///
+/// # Errors
+/// If the hose is too thick for the arm's end.
+pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<Pouch, Refusal> {
+    let half_mouth = PI * hose.tube_diameter.0 / 4.0;
+    if 2.0 * half_mouth >= star.tube_width.0 {
+        return Err(too_thick(hose, 2.0 * star.tube_width.0 / PI));
     }
-    points = vec![
-        at(1.0, eaten, inner),
-        at(1.0, arm, inner),
-        at(1.0, arm, middle - h),
-        at(1.0, arm + MOUTH, middle - h),
-    ];
-    segments.extend(lines(&points));
-    Path::open(segments)
+    let (half, flap) = (seal.band.0 / 2.0, seal.band.0 + seal.allowance.0);
+    outside_the_flap(hose, flap)?;
+    // Between the arms there is less room for a flap: it may take half of an arm.
+    let notch = 2.0 * star.tube_width.0 * (star.tip_angle.rad() / 2.0).tan() + star.tip_radius.0;
+    let arm = Arm { star, half_mouth, mouth: hose.length.0 };
+    let seam = arm.vee(half, half, MOUTH_OVERRUN);
+    let cut = Channel::mouth_cut(arm.vee(flap, flap.min(notch.max(seal.band.0)), 0.0));
+    Ok(Pouch { seam, cut, mouth: 2.0 * half_mouth })
 }
 
+/// Whether the mouth lies outside of a flap of this width with its band.
+fn outside_the_flap(hose: &Inlet, flap: f64) -> Result<(), Refusal> {
+    if hose.length.0 > flap {
+        return Ok(());
+    }
+    let found =
+        format!("the mouth of a pouch would lie {} mm inside the flap", Readable(flap - hose.length.0));
+    let remedy = format!("length must be above {} mm", Least(flap));
+    Err(Refusal::new(key::inlet::LENGTH, RefusalCode::ShortInlet, found, remedy))
+}
+
+fn too_thick(hose: &Inlet, most: f64) -> Refusal {
+    let found = format!("a hose of {} has no room on a pouch of the coupons", hose.tube_diameter);
+    let remedy = format!("tube_diameter must be below {} mm: take a thinner hose", Most(most.max(0.0)));
+    Refusal::new(key::inlet::TUBE_DIAMETER, RefusalCode::InletMeetsArm, found, remedy)
+}
+
+/// The arms of a V, and the mouth at the end of the upper one.
+struct Arm<'a> {
+    star: &'a StarSpec,
+    /// Half the flat width of the channel.
+    half_mouth: f64,
+    /// Length of the channel.
+    mouth: f64,
+}
+
+impl Arm<'_> {
+    /// The line `delta` outside of the tube, `between` on the side where the arms face each other, its ends `beyond` the mouth.
+    fn vee(&self, delta: f64, between: f64, beyond: f64) -> Path {
+        let (w, r, half) = (self.star.tube_width.0, self.star.tip_radius.0, self.star.tip_angle.rad() / 2.0);
+        let arm = 4.0 * w + delta;
+        let end = 4.0 * w + self.mouth + beyond;
+        let (sin, cos) = half.sin_cos();
+        // In the frame of an arm: away from the hinge, and outwards.
+        let at = |side: f64, along: f64, out: f64| {
+            Point::ORIGIN + Vec2::new(-cos, side * sin) * along + Vec2::new(sin, side * cos) * out
+        };
+        let (outer, inner) = (r + w + delta, r - between);
+        let (middle, h) = (r + w / 2.0, self.half_mouth + delta);
+        // A sharp inner hinge is a vertex that eats into the arms.
+        let eaten = (-inner).max(0.0) / half.tan();
+        let mut segments = Vec::new();
+        // Where the channel's flap is as wide as the arm's, the end has no shoulder.
+        let (low, high) = ((middle - h).max(inner), (middle + h).min(outer));
+        segments.extend(lines(&[
+            at(1.0, end, high),
+            at(1.0, arm, high),
+            at(1.0, arm, outer),
+            at(1.0, 0.0, outer),
+        ]));
+        segments.push(Arc::new(Point::ORIGIN, outer, PI / 2.0 - half, 2.0 * half - PI).into());
+        segments.extend(lines(&[
+            at(-1.0, 0.0, outer),
+            at(-1.0, arm, outer),
+            at(-1.0, arm, inner),
+            at(-1.0, eaten, inner),
+        ]));
+        if inner > 0.0 {
+            segments.push(Arc::new(Point::ORIGIN, inner, half - PI / 2.0, PI - 2.0 * half).into());
+        }
+        segments.extend(lines(&[
+            at(1.0, eaten, inner),
+            at(1.0, arm, inner),
+            at(1.0, arm, low),
+            at(1.0, end, low),
+        ]));
+        Path::open(segments)
+    }
+}
+
+/// The lines between neighbours, without those of no length.
 fn lines(points: &[Point]) -> Vec<Segment> {
-    points.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect()
+    let apart = |pair: &&[Point]| pair[0].distance(pair[1]) > 1e-9;
+    points.windows(2).filter(apart).map(|pair| Line::new(pair[0], pair[1]).into()).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{Angle, Length};
+    use crate::units::{Angle, Speed, Temperature};
+
+    fn seal() -> Seal {
+        Seal {
+            temperature: Temperature(200.0),
+            speed: Speed(0.1),
+            band: Length(2.0),
+            overlap: Length(5.0),
+            allowance: Length(8.0),
+            hole_allowance: Length(1.0),
+        }
+    }
+
+    fn of(diameter: f64) -> Inlet {
+        Inlet { tube_diameter: Length(diameter), ..USUAL_HOSE }
+    }
+
+    fn width(path: &Path) -> f64 {
+        path.start().expect("a path").distance(path.end().expect("a path"))
+    }
 
     #[test]
-    fn a_disc_has_its_diameter_and_a_mouth() {
-        let path = disc(100.0, 2.0);
-        assert!(path.largest_gap() < 1e-9);
-        assert!((path.bounds().height() - 102.0).abs() < 1e-9);
-        assert!((path.start().expect("a path").y - (PI + 1.0)).abs() < 1e-12);
+    fn a_disc_has_its_diameter_and_a_mouth_for_its_hose() {
+        for hose in [4.0, 8.0] {
+            let pouch = disc(100.0, &of(hose), &seal()).expect("a disc");
+            assert!(pouch.seam.largest_gap() < 1e-9 && pouch.cut.largest_gap() < 1e-9);
+            assert!((pouch.seam.bounds().height() - 102.0).abs() < 1e-9);
+            assert!((pouch.cut.bounds().height() - 120.0).abs() < 1e-9);
+            // Half the hose's circumference between the bands.
+            assert!((width(&pouch.seam) - 2.0 - PI * hose / 2.0).abs() < 1e-9);
+            assert!((pouch.mouth - PI * hose / 2.0).abs() < 1e-9);
+            assert!(
+                (pouch.seam.bounds().max.x - 71.0).abs() < 1e-9
+                    && (pouch.cut.bounds().max.x - 70.0).abs() < 1e-9
+            );
+        }
+        assert_eq!(
+            disc(40.0, &of(30.0), &seal()).map_err(|refusal| refusal.code),
+            Err(RefusalCode::InletMeetsArm)
+        );
     }
 
     #[test]
@@ -94,12 +196,27 @@ mod tests {
                 pitch: Length(40.0),
                 inlet_tip: 1,
             };
-            let path = vee(&star, 2.0);
-            assert!(path.largest_gap() < 1e-9, "{radius}: {}", path.largest_gap());
+            let Pouch { seam, cut, .. } = vee(&star, &of(8.0), &seal()).expect("a V");
+            assert!(
+                seam.largest_gap() < 1e-9 && cut.largest_gap() < 1e-9,
+                "{radius}: {}",
+                seam.largest_gap()
+            );
             // Half way along an arm the two bands are a tube's width and a band apart.
             let out = Vec2::new(15_f64.to_radians().sin(), 15_f64.to_radians().cos());
             let middle = Point::ORIGIN + Vec2::new(-out.y, out.x) * 60.0 + out * (radius + 15.0);
-            assert!((path.distance(middle) - 16.0).abs() < 1e-9, "{radius}");
+            assert!((seam.distance(middle) - 16.0).abs() < 1e-9, "{radius}");
+            assert!((width(&seam) - 2.0 - 4.0 * PI).abs() < 1e-9, "{radius}");
+            // The cut leaves the band whole all around, but at the mouth.
+            let least = seam.segments[1..seam.segments.len() - 1]
+                .iter()
+                .map(|s| cut.distance(s.start()))
+                .fold(f64::INFINITY, f64::min);
+            assert!(least >= 1.0 - 1e-9, "{radius}: {least}");
+            assert_eq!(
+                vee(&star, &of(20.0), &seal()).map_err(|refusal| refusal.code),
+                Err(RefusalCode::InletMeetsArm)
+            );
         }
     }
 }

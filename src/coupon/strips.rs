@@ -48,21 +48,25 @@ pub struct Strip {
 }
 
 impl Grid {
-    /// Every pair of temperature and speed: one program each.
-    pub fn settings(&self) -> impl Iterator<Item = (Temperature, Speed)> {
-        self.temperatures.iter().flat_map(|t| self.speeds.iter().map(|v| (*t, *v)))
+    /// Every temperature, speed and height together: one program each.
+    pub fn settings(&self) -> impl Iterator<Item = (Temperature, Speed, Length)> {
+        let pairs = self.temperatures.iter().flat_map(|t| self.speeds.iter().map(move |v| (*t, *v)));
+        pairs.flat_map(|(t, v)| self.heights.iter().map(move |h| (t, v, *h)))
     }
 
     /// Two settings that would have the same file name, said with what is needed; `None` if there are none.
     pub fn alike(&self) -> Option<String> {
-        let names: Vec<String> = self.settings().map(|(t, v)| program_name(t, v)).collect();
+        let names: Vec<String> = self.settings().map(|(t, v, h)| program_name(self, t, v, h)).collect();
         let settings: Vec<_> = self.settings().collect();
         let twin = (0..names.len()).find(|i| names[..*i].contains(&names[*i]))?;
         let first = names.iter().position(|name| *name == names[twin])?;
-        let say = |i: usize| format!("{} at {}", settings[i].0, settings[i].1);
+        let say = |i: usize| {
+            let (temperature, speed, height) = settings[i];
+            format!("{temperature} at {speed}, Z {height}")
+        };
         Some(format!(
             "the settings {} and {} cannot be told apart; temperatures must differ by at least 1 C, speeds by at \
-             least 0.001 mm/s, and each be given once (--repeats seals a setting more often)",
+             least 0.001 mm/s, heights by at least 0.001 mm, and each be given once (--repeats seals a setting more often)",
             say(first),
             say(twin)
         ))
@@ -75,9 +79,7 @@ impl Grid {
         let room = machine.bench.work_area.map_or(f64::INFINITY, |(x, _)| x.0 - EDGE);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 1 to 6")]
         let row = (room / pitch).floor().clamp(1.0, ROW) as usize;
-        let settings = self.settings().flat_map(|(t, v)| {
-            self.heights.iter().flat_map(move |h| (0..self.repeats).map(move |_| (t, v, *h)))
-        });
+        let settings = self.settings().flat_map(|setting| (0..self.repeats).map(move |_| setting));
         settings
             .enumerate()
             .map(|(i, (temperature, speed, height))| {
@@ -104,7 +106,7 @@ impl Strip {
 }
 
 /// All strips on one page, each with its setting and the specimen that is cut out of it.
-pub fn overview(spec: &Spec, strips: &[Strip]) -> String {
+pub fn overview(spec: &Spec, grid: &Grid, strips: &[Strip]) -> String {
     let cells: Vec<Cell> = strips
         .iter()
         .map(|strip| {
@@ -114,7 +116,7 @@ pub fn overview(spec: &Spec, strips: &[Strip]) -> String {
                 strip.temperature.to_string(),
                 strip.speed.to_string(),
                 format!("Z {}", strip.height),
-                program_name(strip.temperature, strip.speed),
+                program_name(grid, strip.temperature, strip.speed, strip.height),
             ];
             Cell { number: strip.number, seam: strip.seam(), specimen, words }
         })
@@ -122,9 +124,13 @@ pub fn overview(spec: &Spec, strips: &[Strip]) -> String {
     emit::cells(&format!("seal strips: {}", spec.name), &cells, spec.seal.band.0)
 }
 
-/// Name of the program of a setting, without its ending.
-pub(super) fn program_name(temperature: Temperature, speed: Speed) -> String {
-    format!("strips-{}C-{}um-s", temperature.0.round(), (speed.0 * 1e3).round())
+/// Name of the program of a setting of `grid`, without its ending; the height is in it where there are several.
+pub(super) fn program_name(grid: &Grid, temperature: Temperature, speed: Speed, height: Length) -> String {
+    let z = match grid.heights.len() {
+        0 | 1 => String::new(),
+        _ => format!("-z{}um", (height.0 * 1e3).round()),
+    };
+    format!("strips-{}C-{}um-s{z}", temperature.0.round(), (speed.0 * 1e3).round())
 }
 
 /// The table to fill in, as CSV.

@@ -28,6 +28,7 @@ codes! {
         ObjectTooWide "object-too-wide" "The object of `load` does not enter the star, or is not closed around; see the remedy, or use `--anyway`.",
         OutOfReach "out-of-reach" "The machine does not reach all of a part or a coupon; make it smaller, or take a larger machine.",
         PostMeetsHose "post-meets-hose" "A post of the frame would stand in the way of a hose; use fewer posts or line up the inlets.",
+        ProfileLimit "profile-limit" "A line of the profile's `start` contradicts the seal's speed or the job's time; change that line.",
         SeamCrossesItself "seam-crosses-itself" "A leak: a seam crosses itself; narrow the band or lengthen the arms.",
         SeamGap "seam-gap" "A leak: a seam has a gap; it has none in any design we know, so please report it.",
         SeamsCross "seams-cross" "A leak: the two seams cross; widen the tube or narrow the band.",

@@ -68,9 +68,32 @@ impl Channel {
         };
         let junction = self.fitted(star, arc.sweep / 2.0, delta, least_radius)?;
         let end = self.mouth - star.d_t + beyond;
-        let (into, out) = self.sides(star, &arc, &junction, end);
+        let (into, out) = sides(star.tip_ray(self.tip), &arc, &junction, end);
         let rest = contour.parts[at + 1..].iter().chain(&contour.parts[..at]).map(|(_, segment)| *segment);
         Ok(Path::open(into.into_iter().chain(rest).chain(out).collect()))
+    }
+
+    /// The channel of `inlet` on a disc of flat radius `radius` about the origin, towards +X.
+    pub fn of_disc(radius: f64, inlet: &Inlet) -> Self {
+        Self {
+            tip: 1,
+            half_width: PI * inlet.tube_diameter.0 / 4.0,
+            fillet: inlet.fillet.0,
+            mouth: radius + inlet.length.0,
+        }
+    }
+
+    /// The circle `delta` outside of a disc of flat radius `radius`, opened by the channel: from the mouth inwards, around, and out
+    /// to the mouth, both ends `beyond` past it; `None` if the channel has no room on the disc. Fillets are at least `least_radius` round.
+    pub fn open_disc(&self, radius: f64, delta: f64, least_radius: f64, beyond: f64) -> Option<Path> {
+        let rim = radius + delta;
+        let junction = self.junction(rim, delta, least_radius)?;
+        if junction.x >= self.mouth {
+            return None;
+        }
+        let circle = Arc::new(Point::ORIGIN, rim, -PI, 2.0 * PI);
+        let (into, out) = sides(0.0, &circle, &junction, self.mouth + beyond);
+        Some(Path::open(into.into_iter().chain(out).collect()))
     }
 
     /// Area that the channel adds to what the contour at `delta` encloses, mm^2, the contour's arc at the tip of radius
@@ -91,7 +114,7 @@ impl Channel {
     /// If the channel with its strips does not fit on the arc, or ends before it begins.
     fn fitted(&self, star: &Star, half: f64, delta: f64, least_radius: f64) -> Result<Junction, Refusal> {
         let rim = star.r_i + star.w + delta;
-        let Some(junction) = self.junction(star, delta, least_radius) else {
+        let Some(junction) = self.junction(rim, delta, least_radius) else {
             return Err(self.too_wide(star.w, delta, rim));
         };
         // Strictly inside: the rest of the arc must be longer than rounding.
@@ -110,9 +133,8 @@ impl Channel {
         Ok(junction)
     }
 
-    /// Where channel and arc meet; `None` if the channel is wider than the tip.
-    fn junction(&self, star: &Star, delta: f64, least_radius: f64) -> Option<Junction> {
-        let rim = star.r_i + star.w + delta;
+    /// Where the channel meets an arc of radius `rim`; `None` if the channel is wider than that.
+    fn junction(&self, rim: f64, delta: f64, least_radius: f64) -> Option<Junction> {
         let y = self.half_width + delta;
         // The fillet is concave for the seal: its centre is fixed, its radius shrinks with delta.
         let radius = (self.fillet - delta).max(least_radius);
@@ -123,24 +145,6 @@ impl Channel {
             y,
             radius,
         })
-    }
-
-    /// The two sides of the channel with their fillets and what is left of the tip's arc: inwards and outwards.
-    fn sides(&self, star: &Star, arc: &Arc, junction: &Junction, end: f64) -> (Vec<Segment>, Vec<Segment>) {
-        let ray = star.tip_ray(self.tip);
-        let (along, across) = (Vec2::unit(ray), Vec2::unit(ray).perp());
-        let at = |x: f64, y: f64| -> Point { arc.center + along * x + across * y };
-        let Junction { psi, x, y, radius } = *junction;
-        let turn = FRAC_PI_2 - psi;
-        let mut into = vec![Line::new(at(end, y), at(x, y)).into()];
-        let mut out = vec![Arc::new(arc.center, arc.radius, arc.start_angle, arc.sweep / 2.0 - psi).into()];
-        if radius > 0.0 {
-            into.push(Arc::new(at(x, y + radius), radius, ray - FRAC_PI_2, -turn).into());
-            out.push(Arc::new(at(x, -y - radius), radius, ray - psi + PI, -turn).into());
-        }
-        into.push(Arc::new(arc.center, arc.radius, ray + psi, arc.sweep / 2.0 - psi).into());
-        out.push(Line::new(at(x, -y), at(end, -y)).into());
-        (into, out)
     }
 
     /// What is to be said of a hose that is thicker than the inflated tube of star `index`.
@@ -189,4 +193,21 @@ impl Channel {
     pub fn mouth_center(&self, star: &Star) -> Point {
         Point::polar(self.mouth, star.tip_ray(self.tip))
     }
+}
+
+/// The two sides of the channel along `ray` with their fillets and what is left of `arc`: inwards and outwards.
+fn sides(ray: f64, arc: &Arc, junction: &Junction, end: f64) -> (Vec<Segment>, Vec<Segment>) {
+    let (along, across) = (Vec2::unit(ray), Vec2::unit(ray).perp());
+    let at = |x: f64, y: f64| -> Point { arc.center + along * x + across * y };
+    let Junction { psi, x, y, radius } = *junction;
+    let turn = FRAC_PI_2 - psi;
+    let mut into = vec![Line::new(at(end, y), at(x, y)).into()];
+    let mut out = vec![Arc::new(arc.center, arc.radius, arc.start_angle, arc.sweep / 2.0 - psi).into()];
+    if radius > 0.0 {
+        into.push(Arc::new(at(x, y + radius), radius, ray - FRAC_PI_2, -turn).into());
+        out.push(Arc::new(at(x, -y - radius), radius, ray - psi + PI, -turn).into());
+    }
+    into.push(Arc::new(arc.center, arc.radius, ray + psi, arc.sweep / 2.0 - psi).into());
+    out.push(Line::new(at(x, -y), at(end, -y)).into());
+    (into, out)
 }

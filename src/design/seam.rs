@@ -67,11 +67,7 @@ impl Seam {
         if self.center_line.closed {
             return self.center_line.part(-length, 0.0);
         }
-        let (Some(start), Some(tangent)) = (self.center_line.start(), self.center_line.tangent_at(0.0))
-        else {
-            return Path::default();
-        };
-        Path::open(vec![Line::new(start - tangent * length, start).into()])
+        straight_in(&self.center_line, length)
     }
 
     /// The path of `length` on which the iron goes up after the run.
@@ -79,12 +75,22 @@ impl Seam {
         if self.center_line.closed {
             return self.center_line.part(self.overlap, self.overlap + length);
         }
-        let total = self.center_line.length();
-        let (Some(end), Some(tangent)) = (self.center_line.end(), self.center_line.tangent_at(total)) else {
-            return Path::default();
-        };
-        Path::open(vec![Line::new(end, end + tangent * length).into()])
+        straight_out(&self.center_line, length)
     }
+}
+
+/// The straight way of `length` that ends where the open `path` begins.
+pub(super) fn straight_in(path: &Path, length: f64) -> Path {
+    let (Some(start), Some(tangent)) = (path.start(), path.tangent_at(0.0)) else { return Path::default() };
+    Path::open(vec![Line::new(start - tangent * length, start).into()])
+}
+
+/// The straight way of `length` that goes on where the open `path` ends.
+pub(super) fn straight_out(path: &Path, length: f64) -> Path {
+    let (Some(end), Some(tangent)) = (path.end(), path.tangent_at(path.length())) else {
+        return Path::default();
+    };
+    Path::open(vec![Line::new(end, end + tangent * length).into()])
 }
 
 pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {

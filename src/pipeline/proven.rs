@@ -2,14 +2,15 @@
 
 use std::borrow::Cow;
 
-use crate::artifact::{Asked, Kind, outputs};
-use crate::design::Refusal;
-use crate::manifest::{MANIFEST, Manifest, ManifestFile, Tool, sha256};
+use crate::artifact::{Asked, Kind, Subject, outputs};
+use crate::manifest::{CouponManifest, MANIFEST, Manifest, ManifestFile, Tool, sha256};
+use crate::pipeline::coupons::prove_coupons;
+use crate::pipeline::directory::{refused, sources_of};
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::spec;
-use crate::spec::{Faults, Machine, Reading, Source};
+use crate::spec::Machine;
 use crate::verify;
-use crate::verify::{Expected, Finding, FindingCode, OutputFiles, Proof};
+use crate::verify::{By, Expected, Finding, OutputFiles, Proof};
 
 /// A gripper whose files have been read back and say what the design says: the only thing that can be published.
 #[derive(Clone, Debug)]
@@ -67,19 +68,28 @@ impl Proven {
 #[derive(Clone, Debug)]
 pub struct Claim {
     forecast: Result<Forecast, Vec<Finding>>,
-    /// The manifest, if it is one.
+    /// The manifest, if it is one of a build.
     written: Option<Manifest>,
+    /// The manifest, if it is one of coupons.
+    coupons: Option<CouponManifest>,
 }
 
 impl Claim {
     /// Reads spec, profile and manifest among `files`.
     pub fn of(files: &OutputFiles<'_>) -> Self {
+        let coupons = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
+        if coupons.is_some() {
+            return Self { forecast: Err(Vec::new()), written: None, coupons };
+        }
         let written = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
-        Self { forecast: forecast_of(files), written }
+        Self { forecast: forecast_of(files), written, coupons: None }
     }
 
     /// The names of all files that the directory must have; none where what was asked for is refused.
     pub fn wanted(&self) -> Vec<String> {
+        if let Some(coupons) = &self.coupons {
+            return coupons.files.iter().map(|entry| entry.path.clone()).collect();
+        }
         let asked = self.written.as_ref().map_or(Asked::default(), Manifest::asked);
         let outputs = |forecast: &Forecast| {
             outputs(&forecast.spec, forecast.machine.controller.dialect, &forecast.design, &asked)
@@ -89,16 +99,21 @@ impl Claim {
 
     /// How long each file is, bytes, as the manifest says.
     pub fn stated_sizes(&self) -> impl Iterator<Item = (&str, usize)> {
-        self.written
-            .iter()
-            .flat_map(|manifest| &manifest.files)
+        let files = self.written.iter().flat_map(|manifest| &manifest.files);
+        files
+            .chain(self.coupons.iter().flat_map(|manifest| &manifest.files))
             .map(|entry| (entry.path.as_str(), entry.bytes))
     }
 
     /// Proves `files` by the same steps as `build`: all of them are made again, and every one that differs by a byte is named;
-    /// and every one is read back and compared with the design, equal or not. What another version wrote is judged by
-    /// reading alone.
+    /// and every one is read back and compared with the design, equal or not.
+    ///
+    /// A directory of another version is judged by reading alone. It is compared all the same: equal files are proven by
+    /// that, and what neither reading nor comparing proves is named.
     pub fn prove(self, files: &OutputFiles<'_>) -> Proof {
+        if let Some(coupons) = &self.coupons {
+            return prove_coupons(coupons, files);
+        }
         let forecast = match self.forecast {
             Ok(forecast) => forecast,
             Err(findings) => return Proof { findings, ..Proof::default() },
@@ -118,15 +133,22 @@ impl Claim {
         let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
         if let (Some(written), Some(spec), Some(machine)) =
             (self.written, text("spec.toml"), text("machine.toml"))
-            && written.tool == Tool::this()
         {
-            compare_anew(&forecast, Sources { spec, machine }, &written.asked(), files, &mut proof);
+            let sources = Sources { spec, machine };
+            if written.tool == Tool::this() {
+                compare_anew(&forecast, sources, &written.asked(), files, &mut proof);
+            } else {
+                compare_with_other(&forecast, sources, &written, files, &mut proof);
+            }
         }
         proof
     }
 
     /// Proves `files` by reading alone, as [`Built::prove`] does.
     pub fn read_back(&self, files: &OutputFiles<'_>) -> Proof {
+        if let Some(coupons) = &self.coupons {
+            return prove_coupons(coupons, files);
+        }
         match &self.forecast {
             Ok(forecast) => prove_claimed(forecast, self.written.as_ref(), files),
             Err(findings) => Proof { findings: findings.clone(), ..Proof::default() },
@@ -150,6 +172,38 @@ fn compare_anew(
     });
     let manifest = forecast.manifest(entries, asked).to_json();
     let _ = verify::compare_bytes(MANIFEST, &manifest, files, proof);
+}
+
+/// Longest version that is shown, in characters.
+const VERSION_LENGTH: usize = 40;
+
+/// Makes every file anew and compares it with the one of `files` that another version wrote. A difference is no finding there;
+/// it leaves unproven what no reader judges as a whole.
+fn compare_with_other(
+    forecast: &Forecast,
+    sources: Sources<'_>,
+    written: &Manifest,
+    files: &OutputFiles<'_>,
+    proof: &mut Proof,
+) {
+    let Tool { name, version } = &written.tool;
+    let this = Tool::this();
+    let writer = if *name == this.name { version.clone() } else { format!("{name} {version}") };
+    proof.written_by = Some(writer.chars().take(VERSION_LENGTH).collect());
+    let asked = written.asked();
+    forecast.make(sources, &asked, |made| {
+        let _ = verify::mark_equal(&made.name, &made.bytes, files, proof);
+    });
+    let is_shown = |kind: Kind| matches!(kind.subject(), Subject::Preview | Subject::Report | Subject::Scene);
+    let differs = proof.files.iter().filter(|file| file.by != By::Bytes && is_shown(file.output.kind));
+    let mut unproven: Vec<String> = differs.map(|file| file.path.clone()).collect();
+    if other_profile(forecast, files).is_some() {
+        unproven.push(format!("machine.toml as the profile {:?}", forecast.spec.machine.profile));
+    }
+    if forecast.manifest(Vec::new(), &asked).prediction != written.prediction {
+        unproven.push(format!("the prediction in {MANIFEST}"));
+    }
+    proof.unproven = unproven;
 }
 
 /// Proves an output directory from its files alone: see [`Claim::prove`].
@@ -189,12 +243,6 @@ fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
     verify::prove(&expected, files)
 }
 
-/// The directory's own spec and profile.
-fn sources_of(files: &OutputFiles<'_>) -> (Result<Reading, Finding>, Result<Machine, Finding>) {
-    let read_spec = |source: &Source| spec::read(source);
-    (source_of(files, "spec.toml", read_spec), source_of(files, "machine.toml", spec::read_machine))
-}
-
 /// What the directory's own spec and profile ask for.
 fn forecast_of(files: &OutputFiles<'_>) -> Result<Forecast, Vec<Finding>> {
     let (reading, machine) = match sources_of(files) {
@@ -202,23 +250,4 @@ fn forecast_of(files: &OutputFiles<'_>) -> Result<Forecast, Vec<Finding>> {
         (spec, machine) => return Err(spec.err().into_iter().chain(machine.err()).collect()),
     };
     Forecast::of(reading.spec, machine).map_err(|refusals| refusals.into_iter().map(refused).collect())
-}
-
-fn source_of<T>(
-    files: &OutputFiles<'_>,
-    name: &'static str,
-    read: impl Fn(&Source) -> Result<T, Faults>,
-) -> Result<T, Finding> {
-    let Some(bytes) = files.get(name) else {
-        return Err(Finding::new(FindingCode::MissingFile, None, "no such file", "the file of the build")
-            .in_file(name));
-    };
-    Source::from_bytes(name, bytes).and_then(|source| read(&source)).map_err(|faults| {
-        let found = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
-        Finding::new(FindingCode::Unreadable, None, found, "text that `check` accepts").in_file(name)
-    })
-}
-
-fn refused(refusal: Refusal) -> Finding {
-    Finding::new(refusal.code, None, refusal.found, refusal.remedy).in_file("spec.toml")
 }

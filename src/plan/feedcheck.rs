@@ -18,7 +18,7 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
     ends.map(|(name, end)| {
         let line: Segment = Line::new(Point::ORIGIN, end).into();
         let steps = vec![Step::Travel(Point::ORIGIN), Step::Height(Height::Travel), Step::Seal(vec![line])];
-        let scope = Scope { purpose: Purpose::Trace, sheet: 1, stars: Vec::new() };
+        let scope = Scope { purpose: Purpose::Trace, sheet: 1, stars: Vec::new(), piece: None };
         (name, Program::new(spec, machine, scope, steps, Vec::new()))
     })
     .into()

@@ -34,31 +34,32 @@ pub(super) fn clamp_in_the_way(
 ) -> Option<Refusal> {
     let half_band = spec.seal.band.0 / 2.0;
     let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
-    let refusal = |what: &str, star: &[usize]| {
-        let stars: Vec<String> = star.iter().map(ToString::to_string).collect();
+    let refusal = |what: &str, program: &Program| {
+        let stars: Vec<String> = program.stars.iter().map(ToString::to_string).collect();
+        let piece = program.piece.clone().unwrap_or_else(|| format!("star {}", stars.join(", ")));
         Refusal::new(
             key::machine::PROFILE,
             RefusalCode::ClampInTheWay,
-            format!("{what} of star {} meets the clamp {:?}", stars.join(", "), zone.name),
+            format!("{what} of {piece} meets the clamp {:?}", zone.name),
             "move the clamp; give its height, if it is below travel height; or change [sheet]".to_owned(),
         )
     };
     for program in programs {
         if contact(&program.steps).any(|(piece, _)| distance(zone, piece) <= half_band) {
-            return Some(refusal("the seal", &program.stars));
+            return Some(refusal("the seal", program));
         }
         let mut at: Option<Point> = None;
         for step in &program.steps {
             if let (Step::Trace(pieces), false) = (step, passes)
                 && pieces.iter().any(|piece| distance(zone, piece) <= 0.0)
             {
-                return Some(refusal("the trace", &program.stars));
+                return Some(refusal("the trace", program));
             }
             if let (Step::Travel(to), Some(from), false) = (step, at, passes)
                 && from != *to
                 && distance(zone, &Line::new(from, *to).into()) <= half_band
             {
-                return Some(refusal("the way to or from a seam", &program.stars));
+                return Some(refusal("the way to or from a seam", program));
             }
             at = match step {
                 Step::Travel(to) => Some(*to),

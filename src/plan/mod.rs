@@ -7,6 +7,7 @@
 mod feedcheck;
 mod job_size;
 mod keep_out;
+mod limits;
 mod lowest_feed;
 mod pace;
 mod pieces;
@@ -20,12 +21,13 @@ mod travel;
 mod whole_rates;
 
 pub use feedcheck::{CHECK_LENGTH, feed_checks};
+pub use limits::contradictions;
 pub use lowest_feed::lowest_speed;
 pub use pace::{Chop, Pace, Pacer, Stroke, move_time};
-pub use pieces::{LONGEST_MOVE, pieces, seal_pieces};
+pub use pieces::{LONGEST_MOVE, pieces};
 pub use program::{Height, Program, Purpose, Ramp, SeamReport, Step};
 pub use refusals::refusals;
-pub use seal::seal_programs;
+pub use seal::{seal_program, seal_programs};
 pub use stepper::Stepper;
 pub use time::{Clock, Scope, height_of};
 pub use trace::trace_programs;

@@ -41,11 +41,6 @@ fn whole(ratio: f64) -> u32 {
     count
 }
 
-/// The moves of a seal along `path` on `machine`.
-pub fn seal_pieces(spec: &Spec, machine: &Machine, path: &Path) -> Vec<Segment> {
-    flat_pieces(path, LONGEST_MOVE, sagitta(spec, machine))
-}
-
 /// The largest sagitta of a piece for `machine`: none where it draws arcs, else what the writers take for straight.
 pub(super) fn sagitta(spec: &Spec, machine: &Machine) -> Option<f64> {
     // A little less than the quarter of the tolerance below which a piece is written as a straight move.

@@ -1,6 +1,6 @@
 //! Programs and their steps.
 
-use crate::design::Side;
+use crate::design::SeamName;
 use crate::geom::{Point, Segment};
 use crate::plan::Pace;
 use crate::units::Temperature;
@@ -23,6 +23,8 @@ pub struct Program {
     pub sheet: usize,
     /// The stars it covers, by number.
     pub stars: Vec<usize>,
+    /// The piece that it covers, if it is no star's.
+    pub piece: Option<String>,
     /// What is done, in order.
     pub steps: Vec<Step>,
     /// The seams it seals, in order; empty for a trace.
@@ -75,12 +77,10 @@ pub enum Height {
 }
 
 /// Length and time of one seam.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SeamReport {
-    /// Number of the star.
-    pub star: usize,
-    /// Which loop.
-    pub side: Side,
+    /// Its name.
+    pub name: SeamName,
     /// Path in contact, overlap included, mm.
     pub length: f64,
     /// Part of it that is covered twice, mm.
@@ -90,9 +90,17 @@ pub struct SeamReport {
 }
 
 impl SeamReport {
-    /// The loop's name in files.
+    /// Number of the star that it is a seam of.
+    pub fn star(&self) -> Option<usize> {
+        self.name.star()
+    }
+
+    /// The name of a star's loop in files; "seam" of any other piece.
     pub fn loop_name(&self) -> &'static str {
-        self.side.loop_name()
+        match &self.name {
+            SeamName::Star { side, .. } => side.loop_name(),
+            SeamName::Piece(_) => "seam",
+        }
     }
 }
 

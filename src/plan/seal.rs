@@ -1,7 +1,7 @@
-//! The sealing programs: of every star the inner loop, then the outer loop.
+//! The sealing programs: seam after seam; of every star the inner loop, then the outer loop.
 
-use crate::design::{Design, PlacedStar};
-use crate::geom::{Path, Point};
+use crate::design::{Design, LaidSeam, PlacedStar};
+use crate::geom::{Path, Point, Segment};
 use crate::plan::pieces::{flat_pieces, sagitta};
 use crate::plan::{Height, LONGEST_MOVE, Program, Purpose, Ramp, Scope, SeamReport, Step};
 use crate::spec::{Machine, ProgramScope, Spec};
@@ -21,27 +21,34 @@ pub(super) fn batches(design: &Design, scope: ProgramScope) -> Vec<Batch<'_>> {
 
 /// All sealing programs of `design`.
 pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    let batches = batches(design, spec.machine.program);
-    batches.into_iter().map(|batch| seal_program(spec, machine, design, &batch)).collect()
-}
-
-fn seal_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Batch<'_>) -> Program {
-    let sagitta = sagitta(spec, machine);
-    let mut plan = Planner { spec, machine, steps: Vec::new(), seams: Vec::new(), sagitta };
-    plan.steps.push(Step::Height(Height::Park));
-    plan.steps.push(Step::Heat(spec.seal.temperature));
-    for star in stars {
-        plan.star(design, star);
-    }
-    plan.steps.push(Step::Height(Height::Park));
-    plan.steps.push(Step::Travel(Point::ORIGIN));
-    let Planner { steps, seams, .. } = plan;
-    Program::new(spec, machine, scope(Purpose::Seal, *sheet, stars), steps, seams)
+    let program = |(sheet, stars): Batch<'_>| {
+        let seams = design.laid_seams(&stars, machine.process.ramp.0);
+        seal_program(spec, machine, scope(Purpose::Seal, sheet, &stars), &seams)
+    };
+    batches(design, spec.machine.program).into_iter().map(program).collect()
 }
 
 /// What the program of a batch covers.
 pub(super) fn scope(purpose: Purpose, sheet: usize, stars: &[&PlacedStar]) -> Scope {
-    Scope { purpose, sheet, stars: stars.iter().map(|star| star.index).collect() }
+    Scope { purpose, sheet, stars: stars.iter().map(|star| star.index).collect(), piece: None }
+}
+
+/// The program that seals `seams`, in their order.
+pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, seams: &[LaidSeam]) -> Program {
+    let mut plan = Planner {
+        spec,
+        machine,
+        steps: vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)],
+        seams: Vec::new(),
+        sagitta: sagitta(spec, machine),
+    };
+    for seam in seams {
+        plan.seam(seam);
+    }
+    plan.steps.push(Step::Height(Height::Park));
+    plan.steps.push(Step::Travel(Point::ORIGIN));
+    let Planner { steps, seams, .. } = plan;
+    Program::new(spec, machine, scope, steps, seams)
 }
 
 struct Planner<'a> {
@@ -53,28 +60,23 @@ struct Planner<'a> {
 }
 
 impl Planner<'_> {
-    fn star(&mut self, design: &Design, placed: &PlacedStar) {
+    fn seam(&mut self, seam: &LaidSeam) {
         let heights = &self.machine.process.heights;
-        for seam in &design.part(placed).seams {
-            let place = |path: Path| placed.placement.path(&path);
-            let run = place(seam.run());
-            let length = run.length();
-            let (high, low) = (heights.travel.0, heights.contact.0);
-            let down = self.ramp(&place(seam.lead_in(self.machine.process.ramp.0)), high, low);
-            let up = self.ramp(&place(seam.lead_out(self.machine.process.ramp.0)), low, high);
-            let time = (down.length() + length + up.length()) / self.spec.seal.speed.0;
-            let Some(start) = down.pieces.first().map(crate::geom::Segment::start) else { continue };
-            self.steps.extend([
-                Step::Travel(start),
-                Step::Height(Height::Travel),
-                Step::Seam(self.seams.len()),
-                Step::TouchDown(down),
-                Step::Seal(flat_pieces(&run, LONGEST_MOVE, self.sagitta)),
-                Step::Lift(up),
-            ]);
-            let (star, side, overlap) = (placed.index, seam.side, seam.overlap);
-            self.seams.push(SeamReport { star, side, length, overlap, time });
-        }
+        let length = seam.run.length();
+        let (high, low) = (heights.travel.0, heights.contact.0);
+        let down = self.ramp(&seam.lead_in, high, low);
+        let up = self.ramp(&seam.lead_out, low, high);
+        let time = (down.length() + length + up.length()) / self.spec.seal.speed.0;
+        let Some(start) = down.pieces.first().map(Segment::start) else { return };
+        self.steps.extend([
+            Step::Travel(start),
+            Step::Height(Height::Travel),
+            Step::Seam(self.seams.len()),
+            Step::TouchDown(down),
+            Step::Seal(flat_pieces(&seam.run, LONGEST_MOVE, self.sagitta)),
+            Step::Lift(up),
+        ]);
+        self.seams.push(SeamReport { name: seam.name.clone(), length, overlap: seam.overlap, time });
     }
 
     /// A ramp along `path`. It is as slow as the seal all the way, so that the seam does not begin colder than it goes on.

@@ -74,6 +74,8 @@ pub struct Scope {
     pub sheet: usize,
     /// The stars, by number.
     pub stars: Vec<usize>,
+    /// The piece, if it is no star.
+    pub piece: Option<String>,
 }
 
 impl Program {
@@ -85,7 +87,7 @@ impl Program {
         steps: Vec<Step>,
         seams: Vec<SeamReport>,
     ) -> Self {
-        let Scope { purpose, sheet, stars } = scope;
+        let Scope { purpose, sheet, stars, piece } = scope;
         let motion = &machine.motion;
         let lowest = match purpose {
             Purpose::Seal => lowest_of(motion, &steps),
@@ -94,7 +96,7 @@ impl Program {
         };
         let pace = Pace::new(spec, machine, lowest);
         let time = times_of(&steps, pace, machine, spec.seal.speed.0).last().copied().unwrap_or(0.0);
-        Self { purpose, sheet, stars, steps, seams, pace, time }
+        Self { purpose, sheet, stars, piece, steps, seams, pace, time }
     }
 
     /// When each of its steps is done, s from the beginning: one time a step, the last one is that of the whole program.

@@ -76,6 +76,17 @@ pub struct Script {
     pub end: Vec<String>,
     /// What the operator has to see to before the program runs, each a short line.
     pub requires: Vec<String>,
+    /// What lines of `start` limit.
+    pub limits: Limits,
+}
+
+/// What a controller is told not to exceed.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Limits {
+    /// No move is faster than this.
+    pub top_speed: Option<Speed>,
+    /// The heater is switched off after so long without a move.
+    pub idle_timeout: Option<Duration>,
 }
 
 /// A family of controllers that read the same words.

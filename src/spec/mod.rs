@@ -39,6 +39,7 @@ mod syntax;
 mod unknown;
 mod value;
 mod values;
+mod vocabulary;
 
 pub use allowed::Allowed;
 pub use builtin::UnknownMachine;
@@ -49,8 +50,8 @@ pub use fault::{Fault, Severity};
 pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{
-    Bench, Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Machine, Process,
-    Script,
+    Bench, Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights, KeepOut, Limits, Machine,
+    Process, Script,
 };
 pub use model::{
     Accuracy, Bed, Colours, CutSpec, Detail, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
@@ -66,3 +67,4 @@ pub use source::{SIZE_LIMIT, Source};
 pub use starter::{quoted, starter};
 pub(crate) use unknown::nearest;
 pub use values::{Setting, settings};
+pub use vocabulary::{Command, Vocabulary};

@@ -1,6 +1,6 @@
 //! The programs that are judged: those of a spec for a machine, as text.
 
-use stargrip_cam::coupon::{Grid, coupons};
+use stargrip_cam::coupon::{Grid, Group, coupons};
 use stargrip_cam::emit;
 use stargrip_cam::pipeline::Designed;
 use stargrip_cam::plan::feed_checks;
@@ -79,6 +79,7 @@ pub(crate) fn coupon_programs(spec: &Spec, machine: &Machine) -> Vec<Named> {
         heights: vec![Length(-0.3)],
         repeats: 3,
     };
-    let set = coupons(spec, machine, &grid).unwrap_or_else(|refusals| panic!("{refusals:?}"));
-    set.into_iter().map(|coupon| (coupon.name, coupon.gcode)).collect()
+    let set = coupons(spec, machine, &grid, &Group::NAMES.map(|(_, group)| group))
+        .unwrap_or_else(|refusals| panic!("{refusals:?}"));
+    set.into_iter().map(|coupon| (coupon.name.clone(), coupon.gcode())).collect()
 }

@@ -29,8 +29,8 @@ const MAY_USE: [(&str, &[&str]); 20] = [
     (
         "pipeline",
         &[
-            "airtight", "artifact", "design", "emit", "forecast", "manifest", "plan", "spec", "units",
-            "verify",
+            "airtight", "artifact", "coupon", "design", "emit", "forecast", "geom", "manifest", "plan",
+            "spec", "units", "verify",
         ],
     ),
     (

@@ -1,11 +1,22 @@
 //! Coupons: every program is one that its controller reads, hot, at its own speed and height.
 
-use stargrip_cam::coupon::{Grid, coupons, read_rows, table};
-use stargrip_cam::spec::Source;
+use stargrip_cam::coupon::{Coupon, Grid, Group, read_rows, table};
+use stargrip_cam::pipeline::{MadeCoupons, Sources};
+use stargrip_cam::spec::{Machine, Source, Spec};
 use stargrip_cam::units::{Length, Speed, Temperature};
 use stargrip_cam::verify::gcode::{Dialect, read_program};
 
 use crate::{PROFILES, machine, profile, spec, spec_text};
+
+/// All coupons, read back as every program is.
+fn proven(spec: &Spec, machine: &Machine, grid: &Grid) -> Vec<Coupon> {
+    let groups = Group::NAMES.map(|(_, group)| group);
+    let sources = Sources { spec: "", machine: "" };
+    let made = MadeCoupons::new(spec, machine, sources, grid, &groups);
+    let made = made.unwrap_or_else(|refusals| panic!("{}: {refusals}", machine.name));
+    let proven = made.prove().unwrap_or_else(|findings| panic!("{}: {findings:#?}", machine.name));
+    proven.made().coupons.clone()
+}
 
 #[test]
 fn every_coupon_is_sound_in_every_dialect() {
@@ -19,10 +30,10 @@ fn every_coupon_is_sound_in_every_dialect() {
             heights: vec![Length(-0.3), Length(-0.1)],
             repeats: 3,
         };
-        let set = coupons(&spec, &machine, &grid).unwrap_or_else(|refusals| panic!("{name}: {refusals:?}"));
-        assert_eq!(set.len(), 4 + 3);
+        let set = proven(&spec, &machine, &grid);
+        assert_eq!(set.len(), 8 + 3);
         for coupon in &set {
-            let program = read_program(&coupon.gcode, Dialect::for_controller(&machine.controller));
+            let program = read_program(&coupon.gcode(), Dialect::for_controller(&machine.controller));
             assert_eq!(program.findings, [], "{name} {}", coupon.name);
             let low: Vec<_> = program.moves.iter().filter(|step| step.to.z < 4.9).collect();
             let hot = if coupon.name.starts_with("strips-180") { 180.0 } else { 200.0 };
@@ -33,7 +44,10 @@ fn every_coupon_is_sound_in_every_dialect() {
                 coupon.name
             );
             if coupon.name.starts_with("strips") {
-                assert!(low.iter().any(|step| step.to.z == -0.1) && low.iter().any(|step| step.to.z == -0.3));
+                let height = if coupon.name.ends_with("-z-100um") { -0.1 } else { -0.3 };
+                assert!(
+                    low.iter().all(|step| step.to.z >= height) && low.iter().any(|step| step.to.z == height)
+                );
             }
             assert!(program.moves.iter().all(|step| step.to.x >= -1e-9 && step.to.y >= -1e-9));
         }
@@ -54,12 +68,12 @@ fn strips_that_the_controller_holds_go_steadily() {
         heights: vec![Length(-0.3)],
         repeats: 3,
     };
-    let set = coupons(&spec, &machine, &grid).expect("coupons");
-    let code = |name: &str| &set.iter().find(|coupon| coupon.name == name).expect(name).gcode;
+    let set = proven(&spec, &machine, &grid);
+    let code = |name: &str| set.iter().find(|coupon| coupon.name == name).expect(name).gcode();
     let (slow, fast) = (code("strips-200C-200um-s"), code("strips-200C-500um-s"));
     assert!(slow.contains("\nG4 P") && !fast.contains("\nG4 P") && fast.contains(" F30\n"));
     // Strokes and dwells of one strip at the speed that they should have, to 0.2 %.
-    let program = read_program(slow, Dialect::for_controller(&machine.controller));
+    let program = read_program(&slow, Dialect::for_controller(&machine.controller));
     let contact = |z: f64| (z + 0.3).abs() < 1e-9;
     let run: Vec<_> = program.moves.iter().filter(|m| contact(m.from.z) && contact(m.to.z)).collect();
     let point = |at: stargrip_cam::verify::gcode::Point3| [at.x, at.y, at.z];
@@ -76,4 +90,54 @@ fn strips_that_the_controller_holds_go_steadily() {
     let seconds = moving.sum::<f64>() + waits.map(|d| d.seconds).sum::<f64>();
     let length: f64 = run.iter().map(|m| m.length()).sum();
     assert!((seconds * 0.2 / length - 1.0).abs() < 0.002, "{} mm/s", length / seconds);
+}
+
+/// A coupon is called by its own name, and says so wherever a star would say its number and its loop.
+#[test]
+fn coupons_do_not_pass_for_stars() {
+    let grid = Grid {
+        temperatures: vec![Temperature(200.0)],
+        speeds: vec![Speed(0.5)],
+        heights: vec![Length(-0.3)],
+        repeats: 3,
+    };
+    let (spec, machine) = (spec(&spec_text("")), machine(profile("linuxcnc")));
+    for coupon in proven(&spec, &machine, &grid) {
+        let text = coupon.gcode();
+        assert!(
+            !text.contains("star=") && !text.contains("loop=") && !text.contains("stars="),
+            "{}",
+            coupon.name
+        );
+        assert!(
+            text.contains(&format!("; program: purpose=seal piece={}\n", coupon.name)),
+            "{}",
+            coupon.name
+        );
+    }
+}
+
+/// The mouth of every pouch is that of the hose of the spec.
+#[test]
+fn pouches_have_a_mouth_for_the_hose_of_the_spec() {
+    let grid = Grid {
+        temperatures: vec![Temperature(200.0)],
+        speeds: vec![Speed(0.5)],
+        heights: vec![Length(-0.3)],
+        repeats: 3,
+    };
+    for (rest, hose) in
+        [("", 4.0), ("[inlet]\ntube_diameter = \"6 mm\"\n", 6.0), ("[inlet]\nnone = true\n", 4.0)]
+    {
+        let (spec, machine) = (spec(&spec_text(rest)), machine(profile("linuxcnc")));
+        let set = proven(&spec, &machine, &grid);
+        let mut pouches = 0;
+        for seam in set.iter().filter(|coupon| coupon.mouth.is_some()).flat_map(|coupon| &coupon.seams) {
+            let (start, end) = (seam.run.start().expect("a path"), seam.run.end().expect("a path"));
+            let width = start.distance(end) - spec.seal.band.0;
+            assert!((width - std::f64::consts::PI * hose / 2.0).abs() < 1e-9, "{}: {width}", seam.name);
+            pouches += 1;
+        }
+        assert_eq!(pouches, 1 + 1 + 5);
+    }
 }

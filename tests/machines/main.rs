@@ -3,6 +3,7 @@
 mod airtight;
 mod clamps;
 mod coupons;
+mod dangerous_lines;
 mod dialects;
 mod faults;
 mod job_size;

@@ -64,6 +64,15 @@ pub fn publish(target: &Path, proven: &Proven) -> Result<Published, PublishFault
     put(target, &files)
 }
 
+/// Puts proven `files` that are no build's, the manifest last, into the directory `target`.
+///
+/// # Errors
+/// See [`PublishFault`]; the target is then as it was before.
+pub(super) fn publish_files(target: &Path, files: &[(&str, Vec<u8>)]) -> Result<Published, PublishFault> {
+    let files: Vec<File<'_>> = files.iter().map(|(name, bytes)| (*name, bytes.as_slice().into())).collect();
+    put(target, &files)
+}
+
 /// Puts `files` (name, content) into the directory `target`.
 fn put(target: &Path, files: &[File<'_>]) -> Result<Published, PublishFault> {
     let place = Place::new(target)?;

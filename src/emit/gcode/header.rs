@@ -25,8 +25,7 @@ pub(super) fn header(
     if let Some(maker) = writer.spelling.maker() {
         writer.comment(&maker)?;
     }
-    let stars = stars(program);
-    writer.comment(&format!("program: purpose={purpose} sheet={} stars={stars}", program.sheet))?;
+    writer.comment(&format!("program: purpose={purpose} {}", scope(program)))?;
     writer.comment("frame: origin at lower left of the sheet, Z0 on the release layer")?;
     if program.purpose == Purpose::Seal {
         job_facts(writer, facts)?;
@@ -99,19 +98,19 @@ fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, progr
     Ok(())
 }
 
-fn stars(program: &Program) -> String {
-    match (program.stars.first(), program.stars.last()) {
-        (Some(first), Some(last)) if first != last => format!("{first}-{last}"),
-        (Some(only), _) => only.to_string(),
+/// What the program covers: "sheet=1 stars=1-3", "piece=disc".
+fn scope(program: &Program) -> String {
+    let stars = match (&program.piece, program.stars.first(), program.stars.last()) {
+        (Some(piece), ..) => return format!("piece={piece}"),
+        (None, Some(first), Some(last)) if first != last => format!("{first}-{last}"),
+        (None, Some(only), _) => only.to_string(),
         _ => "none".to_owned(),
-    }
+    };
+    format!("sheet={} stars={stars}", program.sheet)
 }
 
 /// The structured comment about one seam.
 pub(super) fn seam_facts(key: &str, index: usize, seam: &SeamReport) -> String {
-    let (star, name) = (seam.star, seam.loop_name());
-    format!(
-        "{key}: seam={index} star={star} loop={name} length_mm={:.3} time_s={:.0}",
-        seam.length, seam.time
-    )
+    let SeamReport { name, length, time, .. } = seam;
+    format!("{key}: seam={index} {} length_mm={length:.3} time_s={time:.0}", name.facts())
 }

@@ -77,8 +77,8 @@ struct DrawnSeam<'a> {
 impl<'a> DrawnSeam<'a> {
     fn new(design: &'a Design, program: &'a Program, index: usize) -> Option<Self> {
         let report = program.seams.get(index)?;
-        let star = design.stars.iter().find(|star| star.index == report.star)?;
-        let seam = design.part(star).seams.iter().find(|seam| seam.side == report.side)?;
+        let star = design.stars.iter().find(|star| Some(star.index) == report.star())?;
+        let seam = design.part(star).seams.iter().find(|seam| seam.side.loop_name() == report.loop_name())?;
         Some(Self { seam, star, report })
     }
 

@@ -1,6 +1,6 @@
 //! What is said below the picture: the design, its stars, the order of sealing, and what the colours mean.
 
-use crate::design::{PlacedStar, Side};
+use crate::design::PlacedStar;
 use crate::emit::picture::Pen;
 use crate::emit::preview::block::{Block, Swatch};
 use crate::emit::preview::look::{
@@ -77,23 +77,23 @@ fn order(preview: &Preview<'_>, sheet: usize) -> Block {
     for program in preview.programs.iter().filter(|program| program.sheet == sheet) {
         for (order, seam) in (1..).zip(&program.seams) {
             let same = |row: &&mut (_, _, &SeamReport)| {
-                row.2.side == seam.side && (row.2.length - seam.length).abs() < 1e-6
+                row.2.loop_name() == seam.loop_name() && (row.2.length - seam.length).abs() < 1e-6
             };
             match rows.iter_mut().find(same) {
                 Some((orders, stars, _)) => {
                     if !orders.contains(&order) {
                         orders.push(order);
                     }
-                    stars.push(seam.star);
+                    stars.extend(seam.star());
                 }
-                None => rows.push((vec![order], vec![seam.star], seam)),
+                None => rows.push((vec![order], seam.star().into_iter().collect(), seam)),
             }
         }
     }
     for (orders, stars, seam) in rows {
         let orders: Vec<String> = orders.iter().map(ToString::to_string).collect();
         let each = if stars.len() > 1 { " each" } else { "" };
-        let side = if seam.side == Side::Hole { "inner" } else { "outer" };
+        let side = seam.loop_name();
         block.say(format!("{}: {side} loop of {}", orders.join(", "), listed(&stars)));
         block.say(format!("    {:.0} mm in {}{each}", seam.length, hours(seam.time)));
     }

@@ -67,7 +67,7 @@ pub(super) fn programs(report: &Report<'_>) -> Vec<Value> {
             .collect();
         let seams = program.seams.iter().map(|seam| {
             json!({
-                "star": seam.star, "loop": seam.loop_name(), "length_mm": thousandths(seam.length),
+                "star": seam.star(), "loop": seam.loop_name(), "length_mm": thousandths(seam.length),
                 "overlap_mm": thousandths(seam.overlap), "time_s": thousandths(seam.time),
             })
         });

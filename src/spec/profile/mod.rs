@@ -7,6 +7,7 @@ mod bench;
 mod builtin;
 mod controller;
 mod known;
+mod line;
 mod motion;
 mod process;
 mod script;
@@ -20,7 +21,7 @@ use crate::spec::profile::bench::read_bench;
 use crate::spec::profile::controller::{read_controller, read_dwells};
 use crate::spec::profile::motion::read_motion;
 use crate::spec::profile::process::{read_process, read_tip};
-use crate::spec::profile::script::read_script;
+use crate::spec::profile::script::{Stated, read_script};
 use crate::spec::reading::{read_name, read_schema, read_with};
 use crate::spec::section::{Reader, Section};
 use crate::spec::source::Source;
@@ -51,7 +52,8 @@ pub(in crate::spec) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let process = read_process(reader, tip);
     let bench = read_bench(reader);
     let motion = read_motion(&mut reader.section("motion"), controller.dialect);
-    let script = read_script(reader, controller.line_length);
+    let stated = Stated { controller: &controller, process: &process, motion: &motion };
+    let script = read_script(reader, &stated);
     Machine { name, description, controller, process, bench, motion, script }
 }
 
@@ -112,12 +114,13 @@ mod tests {
 
     #[test]
     fn a_line_for_the_controller_is_short_and_plain() {
-        let of_length = |n: usize| format!("\"M2 ;{}\"", "x".repeat(n - 4));
+        let of_length = |n: usize| format!("\"M2{}\"", " ".repeat(n - 2));
         assert_eq!(codes("\"M2\"", &of_length(72)), [""; 0]);
         assert_eq!(codes("\"M2\"", &of_length(73)), ["program-line"]);
         assert_eq!(codes("\"M0\"", "\"\\u0000\""), ["program-line"]);
         assert_eq!(codes("\"M0\"", "\" \""), ["program-line"]);
-        assert_eq!(codes("[\"M2\"]", "[]"), [""; 0]);
+        assert_eq!(codes("[\"M2\"]", "[]"), ["program-line"]);
+        assert_eq!(codes("[\"M2\"]", "[\"M2\", \"G21\"]"), ["program-line"; 2]);
     }
 
     #[test]

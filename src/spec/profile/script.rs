@@ -4,84 +4,161 @@ use std::ops::Range;
 
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
-use crate::spec::machine::Script;
+use crate::spec::machine::{Controller, Limits, Process, Script};
+use crate::spec::motion::Motion;
+use crate::spec::profile::line::{Effect, Part, Setting, allowed, effect};
 use crate::spec::section::{Reader, Section};
+use crate::spec::vocabulary::{Command, Vocabulary};
+use crate::units::{Duration, Speed};
 
-/// Reads `[program]` for a controller that reads lines of at most `length` characters.
-pub(super) fn read_script(reader: &mut Reader<'_>, length: usize) -> Script {
+/// Slack of speeds that are equal but for the conversion of mm/min, as a fraction.
+const SLACK: f64 = 1e-9;
+
+/// What the profile says elsewhere, which its lines must agree with.
+pub(super) struct Stated<'a> {
+    /// The controller that runs the lines.
+    pub(super) controller: &'a Controller,
+    /// Speeds of moves without sealing.
+    pub(super) process: &'a Process,
+    /// The lowest feed and the acceleration.
+    pub(super) motion: &'a Motion,
+}
+
+/// Reads `[program]`, whose lines must agree with what is `stated` elsewhere in the profile.
+pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Stated<'_>) -> Script {
+    let length = stated.controller.line_length;
     let mut program = reader.section("program");
     program.require(&[("start", "[\"G21\", \"G90\"]"), ("pause", "\"M0\""), ("end", "[\"M2\"]")]);
-    let start = read_commands(&mut program, "start", length);
+    let mut limits = Limits::default();
+    let start = read_commands(&mut program, ("start", Part::Start), stated, &mut limits);
+    let pause = program.text("pause");
     let pause =
-        program.text("pause").map(|(line, span)| read_command(&mut program, "pause", line, span, length));
-    let end = read_commands(&mut program, "end", length);
+        pause.map(|(line, span)| read_command(&mut program, ("pause", Part::Pause), line, span, stated).0);
+    let end = read_commands(&mut program, ("end", Part::End), stated, &mut Limits::default());
     // Each becomes a comment that begins with "; requires: ".
-    let requires = read_lines(&mut program, "requires", length - 12);
-    Script { start, pause: pause.unwrap_or_default(), end, requires }
+    let requires = program.texts("requires").unwrap_or_default();
+    let requires = requires
+        .into_iter()
+        .map(|(line, span)| read_line(&mut program, "requires", line, span, length - 12))
+        .collect();
+    Script { start, pause: pause.unwrap_or_default(), end, requires, limits }
 }
 
-fn read_lines(s: &mut Section<'_, '_>, key: &'static str, length: usize) -> Vec<String> {
+/// Reads a list of lines; what they set goes into `limits`.
+fn read_commands(
+    s: &mut Section<'_, '_>,
+    (key, part): (&'static str, Part),
+    stated: &Stated<'_>,
+    limits: &mut Limits,
+) -> Vec<String> {
     let lines = s.texts(key).unwrap_or_default();
-    lines.into_iter().map(|(line, span)| read_line(s, key, line, span, length)).collect()
-}
-
-fn read_commands(s: &mut Section<'_, '_>, key: &'static str, length: usize) -> Vec<String> {
-    let lines = s.texts(key).unwrap_or_default();
-    lines.into_iter().map(|(line, span)| read_command(s, key, line, span, length)).collect()
-}
-
-/// One line that the controller runs: it puts modes and settings into force, and neither moves nor heats.
-fn read_command(s: &mut Section<'_, '_>, key: &str, line: &str, span: Range<usize>, length: usize) -> String {
-    if let Some(danger) = danger(line).filter(|_| is_plain(line)) {
-        let message = format!("a line of `{key}` is {}", quoted(line));
-        let fault = Fault::error(FaultCode::ProgramLine, span.clone(), message);
-        s.report(fault.label(format!("must not {danger}: a program is proven from its first word on")));
+    let last = lines.len().checked_sub(1);
+    let is_written = s.has(key);
+    let mut read = Vec::with_capacity(lines.len());
+    let mut ends = false;
+    for (i, (line, span)) in lines.into_iter().enumerate() {
+        let (line, effect) = read_command(s, (key, part), line, span.clone(), stated);
+        match effect {
+            Some(Effect::Setting(setting)) => {
+                if let Some(fault) = contradiction(key, &line, span, setting, stated) {
+                    s.report(fault);
+                }
+                match setting {
+                    Setting::Limits { speed, .. } => limits.top_speed = speed.map(Speed).or(limits.top_speed),
+                    Setting::IdleTimeout(seconds) => limits.idle_timeout = Some(Duration(seconds)),
+                    Setting::LowestSpeed(_) | Setting::Tool => {}
+                }
+            }
+            Some(Effect::End) if Some(i) != last => {
+                let message = format!("a line of `{key}` is {}", quoted(&line));
+                let label = "must be the last line: it ends the program";
+                s.report(Fault::error(FaultCode::ProgramLine, span, message).label(label));
+            }
+            // A faulty line has been reported: it may be the one that ends the program.
+            Some(Effect::End) | None => ends = true,
+            _ => {}
+        }
+        read.push(line);
     }
-    read_line(s, key, line, span, length)
+    if part == Part::End && !ends && is_written {
+        let vocabulary = Vocabulary::for_controller(stated.controller);
+        let ends = vocabulary.codes().filter(|(.., command)| *command == Command::End);
+        let ends: Vec<String> = ends.map(|(letter, number, _)| format!("{letter}{number}")).collect();
+        let fault = Fault::error(FaultCode::ProgramLine, s.place_of(key), "`end` does not end the program");
+        s.report(fault.label(format!("must have the last line {}", ends.join(" or "))));
+    }
+    read
+}
+
+/// One line that the controller runs, and what it does; `None` if it was refused.
+fn read_command(
+    s: &mut Section<'_, '_>,
+    (key, part): (&'static str, Part),
+    line: &str,
+    span: Range<usize>,
+    stated: &Stated<'_>,
+) -> (String, Option<Effect>) {
+    let vocabulary = Vocabulary::for_controller(stated.controller);
+    let found = effect(line, vocabulary).filter(|effect| match effect {
+        Effect::Modes | Effect::Setting(_) | Effect::HeaterOff => part != Part::Pause,
+        Effect::Pause => part == Part::Pause,
+        Effect::End => part == Part::End,
+    });
+    if is_plain(line) && !line.trim().is_empty() && found.is_none() {
+        let message = format!("a line of `{key}` is {}", quoted(line));
+        let may = format!(
+            "must be one of {}: a program is proven from its first word on",
+            allowed(part, vocabulary)
+        );
+        let remedy = if line.contains([';', '(']) {
+            "programs carry no remarks of a profile: write them after # here, or for the operator in `requires`"
+        } else {
+            "set anything else on the controller itself, before the program runs"
+        };
+        s.report(Fault::error(FaultCode::ProgramLine, span.clone(), message).label(may).help(remedy));
+    }
+    (read_line(s, key, line, span, stated.controller.line_length), found)
+}
+
+/// Why a setting cannot be what the profile says elsewhere.
+fn contradiction(
+    key: &str,
+    line: &str,
+    span: Range<usize>,
+    setting: Setting,
+    stated: &Stated<'_>,
+) -> Option<Fault> {
+    let Stated { process, motion, .. } = stated;
+    let (message, label) = match setting {
+        Setting::LowestSpeed(speed) if speed > motion.min_feed.0 * (1.0 + SLACK) => (
+            format!("lets no move be slower than {}", Speed(speed)),
+            format!("must be at most {}, the `min_feed` of [motion]: change one of them", motion.min_feed),
+        ),
+        Setting::Limits { speed: Some(speed), .. }
+            if speed < process.travel_speed.0.max(process.trace_speed.0) * (1.0 - SLACK) =>
+        {
+            (
+                format!("lets no move be faster than {}", Speed(speed)),
+                "must be at least `travel` and `trace` of [speeds]: change one of them".to_owned(),
+            )
+        }
+        Setting::Limits { acceleration: Some(found), .. }
+            if motion.acceleration.is_none_or(|a| (a.0 - found).abs() > SLACK * a.0) =>
+        {
+            (
+                format!("sets an acceleration of {found} mm/s^2"),
+                "must be the `acceleration` of [motion], by which travels are timed: write it there, too"
+                    .to_owned(),
+            )
+        }
+        _ => return None,
+    };
+    let message = format!("a line of `{key}`, {}, {message}", quoted(line));
+    Some(Fault::error(FaultCode::Conflict, span, message).label(label))
 }
 
 fn is_plain(line: &str) -> bool {
     line.bytes().all(|byte| (b' '..=b'~').contains(&byte))
-}
-
-/// What a line would do that only a program's own steps may; `None` for modes, settings and comments.
-fn danger(line: &str) -> Option<&'static str> {
-    let code = line.split([';', '(']).next().unwrap_or_default();
-    let words = words(code);
-    let is = |letter: char, numbers: &[f64]| {
-        words.iter().any(|(l, x)| *l == letter && x.is_some_and(|x| numbers.contains(&x.floor())))
-    };
-    // Klipper's longer words have no axes: `SET_VELOCITY_LIMIT VELOCITY=5` is cut at each letter.
-    let plain = words.iter().all(|(_, number)| number.is_some());
-    let off =
-        words.iter().all(|(l, x)| *l != 'S' || *x == Some(0.0)) && !words.iter().any(|(l, _)| *l == 'R');
-    if is('G', &[0.0, 1.0, 2.0, 3.0, 5.0, 28.0, 29.0, 30.0, 38.0]) {
-        Some("move an axis")
-    } else if is('G', &[10.0, 43.0, 51.0, 52.0, 53.0, 54.0, 55.0, 56.0, 57.0, 58.0, 59.0, 68.0, 92.0]) {
-        Some("shift, scale or turn coordinates")
-    } else if plain && words.iter().any(|(letter, _)| "XYZABCUVW".contains(*letter)) {
-        Some("name an axis")
-    } else if is('M', &[3.0, 4.0, 6.0, 7.0, 8.0, 62.0, 64.0, 98.0]) {
-        Some("start a spindle, a coolant, a tool or another program")
-    } else if is('M', &[104.0, 109.0]) && !off {
-        Some("heat: the program heats once, to the seal's temperature")
-    } else {
-        None
-    }
-}
-
-/// Each letter of a line of code with the number after it, if there is one.
-fn words(code: &str) -> Vec<(char, Option<f64>)> {
-    let code: String = code.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect();
-    let is_digit = |c: char| c.is_ascii_digit() || ".-+".contains(c);
-    let starts = code.char_indices().filter(|(_, c)| c.is_ascii_alphabetic());
-    starts
-        .map(|(at, letter)| {
-            let rest = &code[at + 1..];
-            let end = rest.find(|c| !is_digit(c)).unwrap_or(rest.len());
-            (letter, rest[..end].parse().ok())
-        })
-        .collect()
 }
 
 /// One line: printable ASCII, not longer than it can read.
@@ -100,61 +177,4 @@ fn read_line(s: &mut Section<'_, '_>, key: &str, line: &str, span: Range<usize>,
             .label(label),
     );
     String::new()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn modes_settings_and_switching_off_are_no_danger() {
-        for line in [
-            "G21",
-            "G17 G90 G94",
-            "G91.1",
-            "M203 I5",
-            "T0",
-            "M205 S0 T0",
-            "M104 S0",
-            "M84",
-            "M2",
-            "M226",
-            "PAUSE",
-            "SET_IDLE_TIMEOUT TIMEOUT=86400",
-            "SET_VELOCITY_LIMIT VELOCITY=0.05 ACCEL=1",
-            "M5",
-            "M9",
-            "; G0 Z-50",
-            "G61",
-            "M2 ;xxx",
-            "M0",
-        ] {
-            assert_eq!(danger(line), None, "{line}");
-        }
-    }
-
-    #[test]
-    fn what_moves_shifts_switches_on_or_heats_is_one() {
-        for (line, what) in [
-            ("G0 Z-50", "move"),
-            ("g0z-50", "move"),
-            ("G 00 Z5", "move"),
-            ("G28", "move"),
-            ("G38.2 Z-5", "move"),
-            ("Z-50", "name an axis"),
-            ("G90 X5", "name an axis"),
-            ("M203 Z5", "name an axis"),
-            ("G92 Z0", "shift"),
-            ("G10 L2 P1 Z5", "shift"),
-            ("G54", "shift"),
-            ("M3 S1000", "spindle"),
-            ("M98 P1", "program"),
-            ("M109 S200", "heat"),
-            ("M104 S450", "heat"),
-            ("M109 R300", "heat"),
-            ("M104S5", "heat"),
-        ] {
-            assert!(danger(line).is_some_and(|found| found.contains(what)), "{line}: {:?}", danger(line));
-        }
-    }
 }

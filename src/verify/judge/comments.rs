@@ -2,14 +2,13 @@
 //!
 //! Every comment is one that the design asks for, each in its place and once: structured or prose, a comment is a fact.
 
-use crate::design::PlacedStar;
 use crate::verify::finding::quote;
 use crate::verify::judge::Judge;
-use crate::verify::judge::expected::Expected;
 use crate::verify::judge::facts::{ESTIMATE, Facts, MAKER, Place};
 use crate::verify::judge::progress::{Clock, Told};
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::is_code;
+use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::thumbnail::{Seen, Thumbnails};
 use crate::verify::read::gcode::{Comment, Event, Line};
 use crate::verify::{FindingCode, Findings};
@@ -21,7 +20,7 @@ const EXACT: f64 = 0.51e-9;
 
 /// Reports every comment that the design does not ask for, and the first that is missing.
 pub(super) struct Comments<'a> {
-    program: Subject<'a>,
+    task: &'a ProgramTask<'a>,
     /// The comments so far but those of progress, as many of them as there may be and one more.
     said: Vec<Said>,
     most: usize,
@@ -36,47 +35,26 @@ pub(super) struct Comments<'a> {
     thumbnails: Thumbnails,
 }
 
-/// A program that comments are about.
-#[derive(Clone, Copy)]
-pub(super) struct Subject<'a> {
-    pub(super) expected: &'a Expected<'a>,
-    pub(super) hot: bool,
-    pub(super) sheet: usize,
-    /// The stars, in the order of sealing.
-    pub(super) stars: &'a [&'a PlacedStar],
-}
-
 /// A comment, and where it stands.
 struct Said {
     comment: Comment,
     place: Place,
 }
 
-impl<'a> Subject<'a> {
-    fn facts(self, chopped: bool, seconds: f64) -> Facts<'a> {
-        let Self { expected, hot, sheet, stars } = self;
-        Facts { expected, hot, sheet, stars, chopped, seconds }
-    }
-}
-
 impl<'a> Comments<'a> {
-    pub(super) fn new(program: Subject<'a>, rules: &'a IronRules<'a>) -> Self {
-        let most = program.facts(true, 0.0).all().len() + 1;
+    pub(super) fn new(task: &'a ProgramTask<'a>, rules: &'a IronRules<'a>) -> Self {
+        let most = Facts { task, chopped: true, seconds: 0.0 }.all().len() + 1;
         Self {
-            program,
+            task,
             said: Vec::new(),
             most,
             is_last: false,
             coded: false,
             moved: 0,
             chopped: false,
-            clock: Clock::new(
-                rules,
-                program.expected.machine.controller.dialect,
-                program.expected.spec.accuracy.path.0,
-            ),
-            told: Told::new(program.expected.machine),
-            thumbnails: Thumbnails::new(program.expected.machine.controller.thumbnails),
+            clock: Clock::new(rules, task.machine.controller.dialect, task.spec.accuracy.path.0),
+            told: Told::new(task.machine),
+            thumbnails: Thumbnails::new(task.machine.controller.thumbnails),
         }
     }
 
@@ -104,16 +82,15 @@ impl<'a> Comments<'a> {
 
     /// The comments against those of the design.
     fn compare(&self, seconds: f64, findings: &mut Findings) {
-        let room = self.program.expected.machine.controller.line_length;
-        let mut wanted = self.program.facts(self.chopped, seconds).all().into_iter();
+        let room = self.task.machine.controller.line_length;
+        let mut wanted = Facts { task: self.task, chopped: self.chopped, seconds }.all().into_iter();
         for Said { comment, place } in &self.said {
             let next = wanted.next();
             let is_end = self.moved > 0 && comment.line > self.moved;
             let right = next.as_ref().is_some_and(|(wanted, wanted_place)| {
                 let there = match wanted_place {
                     Place::Head => *place == Place::Head,
-                    // The profile's own lines may begin with a remark, or with code.
-                    Place::Start => *place != Place::Body,
+                    Place::Start => false,
                     Place::Body => *place == Place::Body && !is_end,
                     Place::End => is_end,
                 };

@@ -1,63 +1,28 @@
 //! A G-code program against the design: what the iron does, where, how hot, how fast.
 
-use crate::design::PlacedStar;
-use crate::geom::{Bounds, Point};
+use crate::geom::Bounds;
 use crate::spec::Heating;
 use crate::verify::finding::quote;
 use crate::verify::judge::clamp::Clamps;
-use crate::verify::judge::comments::{Comments, Subject};
-use crate::verify::judge::expected::Expected;
+use crate::verify::judge::comments::Comments;
 use crate::verify::judge::height::Height;
 use crate::verify::judge::iron::{Cold, iron};
 use crate::verify::judge::itinerary::Itinerary;
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, Script};
 use crate::verify::judge::seams::Seams;
+use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::travel::TravelFeed;
 use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode::{Dialect, Event, Line};
 use crate::verify::{FindingCode, Findings};
 
-/// What one program should do.
-pub(in crate::verify) struct Job<'a> {
-    expected: &'a Expected<'a>,
-    hot: bool,
-    sheet: usize,
-    stars: Vec<&'a PlacedStar>,
-    /// Where the iron may go.
-    area: Bounds,
-}
-
-impl<'a> Job<'a> {
-    /// The job of the program for `star`, or for all stars of `sheet`; `None` if the design has no such part.
-    pub(in crate::verify) fn new(
-        expected: &'a Expected<'a>,
-        hot: bool,
-        sheet: usize,
-        star: Option<usize>,
-    ) -> Option<Self> {
-        let layout = expected.design.sheets.iter().find(|layout| layout.index == sheet)?;
-        let stars: Vec<_> = expected
-            .design
-            .nearest_first(sheet)
-            .into_iter()
-            .filter(|placed| star.is_none_or(|index| placed.index == index))
-            .collect();
-        let corner = Point::new(layout.width, layout.height);
-        let reach = expected
-            .machine
-            .bench
-            .work_area
-            .map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
-        let area = Bounds { min: Point::ORIGIN, max: reach };
-        (!stars.is_empty()).then_some(Self { expected, hot, sheet, stars, area })
-    }
-
+impl ProgramTask<'_> {
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
-    pub(in crate::verify) fn check(&self, text: &str, findings: &mut Findings) -> f64 {
-        let Expected { spec, machine, design, .. } = *self.expected;
+    pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
+        let Self { spec, machine, .. } = *self;
         let (rules, tolerance) = (IronRules::new(spec, machine), spec.accuracy.path.0);
-        let seams = Seams::new(design, &self.stars, &rules, tolerance);
+        let seams = Seams::new(self, &rules, tolerance);
         let mut judges = self.judges(&rules);
         let heights = &machine.process.heights;
         judges.push(Box::new(Itinerary::new(heights, seams.starts(self.hot), self.hot, tolerance)));
@@ -83,8 +48,7 @@ impl<'a> Job<'a> {
 
     /// All judges but those of the way.
     fn judges<'b>(&'b self, rules: &'b IronRules<'b>) -> Vec<Box<dyn Judge + 'b>> {
-        let Self { expected, hot, sheet, ref stars, area } = *self;
-        let Expected { spec, machine, .. } = *expected;
+        let Self { spec, machine, hot, area, .. } = *self;
         let hotend = hot && machine.controller.heating == Heating::Hotend;
         let allowed = area.grown(spec.accuracy.path.0);
         let reach = if hot { spec.seal.band.0 / 2.0 } else { 0.0 };
@@ -102,7 +66,7 @@ impl<'a> Job<'a> {
             judges.push(Box::new(TravelFeed::new(machine.process.travel_speed.0)));
             judges.push(Box::new(Cold::new(rules)));
         }
-        judges.push(Box::new(Comments::new(Subject { expected, hot, sheet, stars }, rules)));
+        judges.push(Box::new(Comments::new(self, rules)));
         judges
     }
 }

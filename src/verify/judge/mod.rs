@@ -4,6 +4,7 @@ mod clamp;
 mod comments;
 pub(in crate::verify) mod expected;
 mod facts;
+pub(in crate::verify) mod feed_check;
 pub(in crate::verify) mod files;
 mod height;
 pub(in crate::verify) mod iron;
@@ -16,6 +17,7 @@ pub(in crate::verify) mod rules;
 mod script;
 mod seams;
 pub(in crate::verify) mod stroke;
+pub(in crate::verify) mod task;
 mod thumbnail;
 mod travel;
 

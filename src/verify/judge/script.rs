@@ -28,7 +28,11 @@ pub(in crate::verify) struct Script<'a> {
 impl<'a> Script<'a> {
     /// The judge of a program that seals (`hot`) or traces.
     pub(in crate::verify) fn new(machine: &'a Machine, hot: bool) -> Self {
-        let pauses = usize::from(hot && machine.controller.heating == Heating::Operator);
+        Self::with_pauses(machine, usize::from(hot && machine.controller.heating == Heating::Operator))
+    }
+
+    /// The judge of a program that waits for the operator so often at most.
+    pub(in crate::verify) fn with_pauses(machine: &'a Machine, pauses: usize) -> Self {
         let (head, tail) = (Wanted::new(&machine.script.start), Wanted::new(&machine.script.end));
         Self { machine, pauses, moved: false, head, tail, findings: Findings::default() }
     }

@@ -1,57 +1,32 @@
 //! The seams of a program against those of the design: all there, in order, each from its start to its end.
 
-use crate::design::{Design, PlacedStar, Side};
-use crate::geom::{Bounds, Line, Path, Point};
+use crate::design::LaidSeam;
+use crate::geom::{Path, Point};
 use crate::verify::judge::Judge;
 use crate::verify::judge::path::follow::Follower;
 use crate::verify::judge::rules::{IronRules, Phase};
+use crate::verify::judge::task::ProgramTask;
 use crate::verify::read::gcode::{self, Event, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 
-/// One seam as it should be travelled, in the sheet's frame.
-struct ExpectedSeam {
-    name: String,
-    lead_in: Path,
-    run: Path,
-    lead_out: Path,
-    /// Length of the loop without its overlap; of an open seam all of it.
-    once: f64,
-}
-
 /// The seams that one program should have.
 pub(in crate::verify) struct Seams<'a> {
-    design: &'a Design,
-    stars: &'a [&'a PlacedStar],
     rules: &'a IronRules<'a>,
     /// Largest deviation, mm.
     tolerance: f64,
-    expected: Vec<ExpectedSeam>,
+    expected: &'a [LaidSeam],
+    /// What a trace shows first.
+    frame: &'a Path,
 }
 
 impl<'a> Seams<'a> {
-    /// The seams of `stars`, which stand in the order of sealing, to be followed within `tolerance`, mm.
+    /// The seams of `task`, to be followed within `tolerance`, mm.
     pub(in crate::verify) fn new(
-        design: &'a Design,
-        stars: &'a [&'a PlacedStar],
+        task: &'a ProgramTask<'_>,
         rules: &'a IronRules<'a>,
         tolerance: f64,
     ) -> Self {
-        let ramp = rules.process.ramp.0;
-        let seams = stars.iter().flat_map(|placed| {
-            design.part(placed).seams.iter().map(move |seam| {
-                let place = |path: Path| placed.placement.path(&path);
-                let side = if seam.side == Side::Hole { "inner" } else { "outer" };
-                ExpectedSeam {
-                    name: format!("{side} loop of star {}", placed.index),
-                    lead_in: place(seam.lead_in(ramp)),
-                    run: place(seam.run()),
-                    lead_out: place(seam.lead_out(ramp)),
-                    once: seam.center_line.length(),
-                }
-            })
-        });
-        let expected = seams.collect();
-        Self { design, stars, rules, tolerance, expected }
+        Self { rules, tolerance, expected: &task.seams, frame: &task.frame }
     }
 
     /// Where the ways of a sealing program (`hot`) or of a trace begin, in order.
@@ -60,22 +35,8 @@ impl<'a> Seams<'a> {
         if hot {
             seams.filter_map(|seam| seam.lead_in.start()).collect()
         } else {
-            self.frame().start().into_iter().chain(seams.filter_map(|seam| seam.run.start())).collect()
+            self.frame.start().into_iter().chain(seams.filter_map(|seam| seam.run.start())).collect()
         }
-    }
-
-    /// The rectangle around the cut, and around everything that the iron does to the fabric.
-    fn frame(&self) -> Path {
-        let parts = self.stars.iter().map(|placed| (placed, self.design.part(placed)));
-        let bounds = parts.fold(Bounds::EMPTY, |bounds, (placed, part)| {
-            bounds.union(placed.placement.path(&part.outline.outside).bounds())
-        });
-        let band = self.stars.first().map_or(0.0, |placed| self.design.part(placed).band);
-        let seams = self.expected.iter().flat_map(|seam| [&seam.lead_in, &seam.run, &seam.lead_out]);
-        let touched = seams.map(|path| path.bounds().grown(band / 2.0));
-        let Bounds { min, max } = touched.fold(bounds, Bounds::union);
-        let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
-        Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
     }
 
     /// The judge of a sealing program.
@@ -87,10 +48,8 @@ impl<'a> Seams<'a> {
 
     /// The judge of a trace program.
     pub(in crate::verify) fn traced(&self) -> Traced {
-        let mut paths: Vec<Walk> = self.expected.iter().map(ExpectedSeam::walk).collect();
-        let frame = self.frame();
-        let whole = frame.length();
-        paths.insert(0, Walk::new(&frame, "frame".to_owned(), whole));
+        let mut paths: Vec<Walk> = self.expected.iter().map(walk).collect();
+        paths.insert(0, Walk::new(self.frame, "frame".to_owned(), self.frame.length()));
         let wanted = paths.len() - 1;
         let (paths, inside, now, found) = (paths.into_iter(), false, None, 0);
         let findings = Findings::default();
@@ -98,17 +57,14 @@ impl<'a> Seams<'a> {
     }
 }
 
-impl ExpectedSeam {
-    fn walk(&self) -> Walk {
-        Walk::new(&self.run, self.name.clone(), self.once)
-    }
+fn walk(seam: &LaidSeam) -> Walk {
+    Walk::new(&seam.run, seam.name.to_string(), seam.once)
+}
 
-    /// The way down, the run, the way up.
-    fn walks(&self) -> [Walk; 3] {
-        let ramp =
-            |path: &Path, what: &str| Walk::new(path, format!("{what} the {}", self.name), path.length());
-        [ramp(&self.lead_in, "way down to"), self.walk(), ramp(&self.lead_out, "way up from")]
-    }
+/// The way down, the run, the way up.
+fn walks(seam: &LaidSeam) -> [Walk; 3] {
+    let ramp = |path: &Path, what: &str| Walk::new(path, format!("{what} the {}", seam.name), path.length());
+    [ramp(&seam.lead_in, "way down to"), walk(seam), ramp(&seam.lead_out, "way up from")]
 }
 
 /// Every seam is there, in order, from its start to its end, overlap and ramps included.
@@ -116,7 +72,7 @@ pub(in crate::verify) struct Sealed<'a> {
     rules: &'a IronRules<'a>,
     tolerance: f64,
     /// The seams that are still to come.
-    expected: std::slice::Iter<'a, ExpectedSeam>,
+    expected: std::slice::Iter<'a, LaidSeam>,
     now: Option<Contact>,
     /// The largest, mm.
     pub(in crate::verify) deviation: f64,
@@ -140,7 +96,7 @@ impl Sealed<'_> {
         }
         let expected = &mut self.expected;
         let now = self.now.get_or_insert_with(|| match expected.next() {
-            Some(seam) => Contact::Seam(Box::new(seam.walks())),
+            Some(seam) => Contact::Seam(Box::new(walks(seam))),
             None => Contact::Extra(None),
         });
         match now {

@@ -15,18 +15,25 @@ pub fn compare_bytes(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &
     // What is missing is a finding of its own.
     let bytes = found.get(name)?;
     if bytes == right {
-        let file = proof.files.iter_mut().find(|file| file.path == name)?;
-        // Spec and profile are what all else is made of: nothing makes them anew.
-        if !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine) {
-            file.by = By::Bytes;
-        }
-        return Some(file.sha256.clone());
+        return mark_equal(name, right, found, proof);
     }
     // The manifest's hashes differ with the files, which have been named.
     if !(name == MANIFEST && proof.findings.iter().any(|finding| finding.file != MANIFEST)) {
         proof.findings.push(first_difference(bytes, right).in_file(name));
     }
     None
+}
+
+/// Marks the file `name` of `found` as proven by its bytes if they are equal to what is `right`, made anew; its hash then, if it
+/// was taken.
+pub fn mark_equal(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
+    let _ = found.get(name).filter(|bytes| *bytes == right)?;
+    let file = proof.files.iter_mut().find(|file| file.path == name)?;
+    // Spec and profile are what all else is made of: nothing makes them anew.
+    if !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine) {
+        file.by = By::Bytes;
+    }
+    Some(file.sha256.clone())
 }
 
 /// Where `found` first differs from what is `right`.

@@ -10,7 +10,7 @@ use crate::verify::judge::files::assembly::Assemblies;
 use crate::verify::judge::files::figures::alike;
 use crate::verify::judge::files::solid::Solid;
 use crate::verify::judge::files::{drawings, figures, names, paper, pixels, report, scene, solid};
-use crate::verify::judge::job::Job;
+use crate::verify::judge::task::ProgramTask;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
 /// What the verifier has to say about a directory.
@@ -20,6 +20,18 @@ pub struct Proof {
     pub findings: Vec<Finding>,
     /// Every file that the design must have and that is there.
     pub files: Vec<FileProof>,
+    /// The version that wrote the directory, if it is not this one: its files are read back, not compared.
+    pub written_by: Option<String>,
+    /// Files and figures of another version's directory that nothing proves: no reader judges them as a whole, and they
+    /// differ from those of this version.
+    pub unproven: Vec<String>,
+}
+
+impl Proof {
+    /// Files that are equal to the byte to those that this version makes.
+    pub fn equal(&self) -> usize {
+        self.files.iter().filter(|file| file.by == By::Bytes).count()
+    }
 }
 
 /// What several files say of one thing.
@@ -148,8 +160,10 @@ fn file(
             (By::Reading, None)
         }
         (subject, Format::Gcode) => {
-            let job = Job::new(expected, subject == Subject::Seal, output.sheet.unwrap_or(0), output.star);
-            (By::Reading, job.map(|job| job.check(text, findings)))
+            let parts = (expected.spec, expected.machine, expected.design);
+            let (hot, sheet) = (subject == Subject::Seal, output.sheet.unwrap_or(0));
+            let task = ProgramTask::of_stars(parts, hot, sheet, output.star);
+            (By::Reading, task.map(|task| task.check(text, findings)))
         }
         (subject, format) => {
             let Some(exact) = output.drawing(expected.design) else { return (By::Hash, None) };

@@ -1,8 +1,9 @@
 //! A line that the dialect understands: its commands and the values of its other words.
 
+use crate::spec::Command;
 use crate::verify::FindingCode;
+use crate::verify::read::gcode::Dialect;
 use crate::verify::read::gcode::lexer::{Fault, Word};
-use crate::verify::read::gcode::{Command, Dialect};
 
 /// The commands and values of one line.
 #[derive(Clone, Debug, Default)]
@@ -26,7 +27,7 @@ impl Block {
         for (place, word) in words.iter().enumerate() {
             let name = || format!("{}{}", char::from(word.letter), word.number);
             if matches!(word.letter, b'G' | b'M') || (word.letter == b'T' && place == 0) {
-                let Some(command) = dialect.command(word.letter, word.number) else {
+                let Some(command) = dialect.vocabulary.command(word.letter, word.number) else {
                     return Err((FindingCode::UnknownWord, name(), format!("codes of {}", dialect.name)));
                 };
                 if let Some(other) = self.commands.iter().find(|c| c.group() == command.group()) {
@@ -40,8 +41,12 @@ impl Block {
                 self.commands.push(command);
                 continue;
             }
-            if !dialect.parameters.as_bytes().contains(&word.letter) || bit(word.letter) == 0 {
-                return Err((FindingCode::UnknownWord, name(), format!("words {}", dialect.parameters)));
+            if !dialect.vocabulary.parameters.as_bytes().contains(&word.letter) || bit(word.letter) == 0 {
+                return Err((
+                    FindingCode::UnknownWord,
+                    name(),
+                    format!("words {}", dialect.vocabulary.parameters),
+                ));
             }
             if self.given & bit(word.letter) != 0 {
                 return Err((FindingCode::RepeatedWord, name(), "each letter once a line".to_owned()));

@@ -1,81 +1,8 @@
 //! The tables of the dialects, each from its controller's documentation and source.
 
 use crate::spec;
-use crate::verify::read::gcode::{ArcTolerance, Command as C, CommentMark, Dialect, DwellUnit};
-
-/// Codes that all controllers of the RS274/NGC family share.
-const RS274: [(u8, u16, C); 18] = [
-    (b'G', 0, C::Rapid),
-    (b'G', 10, C::Line),
-    (b'G', 20, C::ArcCw),
-    (b'G', 30, C::ArcCcw),
-    (b'G', 40, C::Dwell),
-    (b'G', 170, C::PlaneXy),
-    (b'G', 200, C::Inches),
-    (b'G', 210, C::Millimetres),
-    (b'G', 610, C::ExactPath),
-    (b'G', 900, C::Absolute),
-    (b'G', 910, C::Relative),
-    (b'G', 901, C::CentersAbsolute),
-    (b'G', 911, C::CentersRelative),
-    (b'G', 930, C::InverseTime),
-    (b'G', 940, C::PerMinute),
-    (b'M', 0, C::Pause),
-    (b'M', 20, C::End),
-    (b'M', 300, C::End),
-];
-
-/// Codes of printers: no plane, units or feed modes to choose, motors off at the end.
-const MARLIN: [(u8, u16, C); 11] = [
-    (b'G', 0, C::Rapid),
-    (b'G', 10, C::Line),
-    (b'G', 40, C::Dwell),
-    (b'G', 900, C::Absolute),
-    (b'G', 910, C::Relative),
-    (b'M', 0, C::Pause),
-    (b'M', 730, C::Progress),
-    (b'M', 840, C::End),
-    (b'M', 1040, C::HeatOnly),
-    (b'M', 1090, C::HeatAndWait),
-    (b'M', 2050, C::Setting),
-];
-
-/// Klipper's codes; G20 is an error there.
-const KLIPPER: [(u8, u16, C); 10] = [
-    (b'G', 0, C::Rapid),
-    (b'G', 10, C::Line),
-    (b'G', 40, C::Dwell),
-    (b'G', 210, C::Millimetres),
-    (b'G', 900, C::Absolute),
-    (b'G', 910, C::Relative),
-    (b'M', 730, C::Progress),
-    (b'M', 840, C::End),
-    (b'M', 1040, C::HeatOnly),
-    (b'M', 1090, C::HeatAndWait),
-];
-
-/// RepRapFirmware's codes; M0 ends the job, M226 waits.
-const REPRAPFIRMWARE: [(u8, u16, C); 19] = [
-    (b'G', 0, C::Rapid),
-    (b'G', 10, C::Line),
-    (b'G', 20, C::ArcCw),
-    (b'G', 30, C::ArcCcw),
-    (b'G', 40, C::Dwell),
-    (b'G', 170, C::PlaneXy),
-    (b'G', 200, C::Inches),
-    (b'G', 210, C::Millimetres),
-    (b'G', 900, C::Absolute),
-    (b'G', 910, C::Relative),
-    (b'G', 930, C::InverseTime),
-    (b'G', 940, C::PerMinute),
-    (b'M', 0, C::End),
-    (b'M', 730, C::Progress),
-    (b'M', 1040, C::HeatOnly),
-    (b'M', 1090, C::HeatAndWait),
-    (b'M', 2030, C::Setting),
-    (b'M', 2260, C::Pause),
-    (b'T', 0, C::Setting),
-];
+use crate::spec::Vocabulary;
+use crate::verify::read::gcode::{ArcTolerance, CommentMark, Dialect, DwellUnit};
 
 /// The strictest of GRBL (0.005 mm, or 0.1 % up to 0.5 mm) and LinuxCNC (about 0.028 mm).
 const STRICTEST: ArcTolerance = ArcTolerance { free: 0.005, relative: 0.001, limit: 0.028 };
@@ -89,14 +16,8 @@ impl Dialect {
     /// force, as three of the controllers do.
     pub const GENERIC: Self = Self {
         name: "generic",
+        vocabulary: Vocabulary::of(spec::Dialect::Generic),
         line_length: 72,
-        codes: &RS274,
-        except: &[C::ExactPath],
-        draws_arcs: true,
-        subcodes: false,
-        words: &[],
-        fixed: &[],
-        parameters: "XYZIJFP",
         comments: CommentMark::Semicolon,
         forbidden: "()!~?",
         travel_at_feed: true,
@@ -108,9 +29,8 @@ impl Dialect {
     /// LinuxCNC: lines up to 255.
     pub const LINUXCNC: Self = Self {
         name: "linuxcnc",
+        vocabulary: Vocabulary::of(spec::Dialect::LinuxCnc),
         line_length: 255,
-        except: &[],
-        subcodes: true,
         travel_at_feed: false,
         ..Self::GENERIC
     };
@@ -118,9 +38,8 @@ impl Dialect {
     /// GRBL 1.1: lines up to 80 (protocol.h), no G90.1, arcs by gcode.c, dwells in steps of 50 ms (nuts_bolts.c).
     pub const GRBL: Self = Self {
         name: "grbl",
+        vocabulary: Vocabulary::of(spec::Dialect::Grbl),
         line_length: 80,
-        except: &[C::CentersAbsolute],
-        subcodes: true,
         travel_at_feed: false,
         dwell_step: 0.05,
         arcs: ArcTolerance { free: 0.005, relative: 0.001, limit: 0.5 },
@@ -136,14 +55,8 @@ impl Dialect {
     /// Marlin without its options: no arcs, planes or inches; lines up to 95 (MAX_CMD_SIZE); G4 P in ms; G0 as G1.
     pub const MARLIN: Self = Self {
         name: "marlin",
+        vocabulary: Vocabulary::of(spec::Dialect::Marlin),
         line_length: 95,
-        codes: &MARLIN,
-        except: &[],
-        draws_arcs: false,
-        subcodes: false,
-        words: &[],
-        fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
-        parameters: "XYZFPSRT",
         comments: CommentMark::Semicolon,
         forbidden: "()!~?*",
         travel_at_feed: true,
@@ -155,23 +68,16 @@ impl Dialect {
     /// Klipper without `[gcode_arcs]`: G4 P in ms, PAUSE of `[pause_resume]`, extended commands; G0 as G1.
     pub const KLIPPER: Self = Self {
         name: "klipper",
+        vocabulary: Vocabulary::of(spec::Dialect::Klipper),
         line_length: 255,
-        codes: &KLIPPER,
-        words: &[("PAUSE", C::Pause), ("SET_IDLE_TIMEOUT", C::Setting), ("SET_VELOCITY_LIMIT", C::Setting)],
-        fixed: &[C::PerMinute],
-        parameters: "XYZFPSR",
         ..Self::MARLIN
     };
 
     /// RepRapFirmware 3: G4 P in ms, arc centres always from the start; G0 as G1, as printers have it.
     pub const REPRAPFIRMWARE: Self = Self {
         name: "reprapfirmware",
+        vocabulary: Vocabulary::of(spec::Dialect::RepRapFirmware),
         line_length: 255,
-        codes: &REPRAPFIRMWARE,
-        draws_arcs: true,
-        words: &[],
-        fixed: &[C::CentersRelative],
-        parameters: "XYZIJFPSR",
         ..Self::MARLIN
     };
 

@@ -1,9 +1,10 @@
 //! The interpreter: line after line, in constant memory.
 
+use crate::spec::Command;
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::lexer::{Alphabet, Word};
 use crate::verify::read::gcode::machine::{Here, Machine, report};
-use crate::verify::read::gcode::{Command, Comment, CommentMark, Dialect, Event, Pause, lexer};
+use crate::verify::read::gcode::{Comment, CommentMark, Dialect, Event, Pause, lexer};
 use crate::verify::{Finding, FindingCode};
 
 /// How the last line of every program begins; the number of lines follows.
@@ -116,7 +117,7 @@ impl Interpreter {
             let rest = line.strip_prefix(word);
             rest.is_some_and(|rest| (rest.is_empty() || rest.starts_with(' ')) && rest.chars().all(plain))
         };
-        self.dialect.words.iter().find(|(word, _)| is(word)).map(|(_, command)| *command)
+        self.dialect.vocabulary.words.iter().find(|(word, _)| is(word)).map(|(_, command)| *command)
     }
 
     fn execute(&mut self, events: &mut Vec<Event>) {

@@ -1,10 +1,11 @@
 //! Executes blocks: the modes, the position and the heat of the simulated machine.
 
 use crate::geom::{Line, Point, Segment};
+use crate::spec::Command;
 use crate::verify::read::gcode::arc::arc;
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::modes::Modes;
-use crate::verify::read::gcode::{BlindMove, Command, Dialect, Dwell, Event, Heat, Move, MoveKind, Point3};
+use crate::verify::read::gcode::{BlindMove, Dialect, Dwell, Event, Heat, Move, MoveKind, Point3};
 use crate::verify::{Finding, FindingCode};
 
 /// A line that is executed, and where what it does is told.
@@ -36,7 +37,7 @@ impl Machine {
     /// A machine that was just switched on: only the modes that it is always in are known.
     pub(super) fn new(dialect: &Dialect) -> Self {
         let mut machine = Self::default();
-        for command in dialect.fixed {
+        for command in dialect.vocabulary.fixed {
             machine.modes.set(*command);
         }
         machine

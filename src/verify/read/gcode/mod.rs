@@ -19,7 +19,7 @@ mod modes;
 mod program;
 
 pub use comment::Comment;
-pub use dialect::{ArcTolerance, Command, CommentMark, Dialect, DwellUnit};
+pub use dialect::{ArcTolerance, CommentMark, Dialect, DwellUnit};
 pub use event::{BlindMove, Dwell, Event, Heat, Move, MoveKind, Pause, Point3};
 pub use interpreter::Interpreter;
 pub use program::{Line, Program, each_line, read_program};

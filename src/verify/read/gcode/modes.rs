@@ -1,6 +1,6 @@
 //! The modes of a controller: what a line inherits from the lines before it.
 
-use crate::verify::read::gcode::Command;
+use crate::spec::Command;
 
 /// Millimetres per inch.
 const INCH: f64 = 25.4;

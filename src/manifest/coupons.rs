@@ -1,0 +1,72 @@
+//! The manifest of a directory of coupons.
+
+use serde::{Deserialize, Serialize};
+
+use crate::manifest::{ManifestFile, Tool};
+
+/// Content of `manifest.json` in a directory of coupons: what was wanted, and what was written.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CouponManifest {
+    /// Name and version of the tool that wrote it.
+    pub tool: Tool,
+    /// Name of the spec.
+    pub name: String,
+    /// Settings and kinds of coupons: spec, profile and these give every file.
+    pub coupons: CouponChoice,
+    /// Every file beside the manifest and the table that a person fills in.
+    pub files: Vec<ManifestFile>,
+    /// Every program with its seams.
+    pub pieces: Vec<ManifestCoupon>,
+}
+
+/// The settings of the strips, and which coupons there are.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct CouponChoice {
+    /// Temperatures of the iron.
+    #[serde(rename = "temperatures_C")]
+    pub temperatures: Vec<f64>,
+    /// Speeds of the iron.
+    #[serde(rename = "speeds_mm_s")]
+    pub speeds: Vec<f64>,
+    /// Heights of the tip in contact.
+    #[serde(rename = "heights_mm")]
+    pub heights: Vec<f64>,
+    /// How often each setting is sealed.
+    pub repeats: usize,
+    /// Kinds of coupons: "strips", "disc", "v-actuator", "burst".
+    pub only: Vec<String>,
+}
+
+/// One program.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestCoupon {
+    /// Name of the piece.
+    pub name: String,
+    /// "coupon".
+    pub kind: String,
+    /// Time of the program without heating and pauses, s.
+    pub time_s: f64,
+    /// Its seams, in the order of sealing.
+    pub seams: Vec<ManifestCouponSeam>,
+}
+
+/// One seam.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ManifestCouponSeam {
+    /// Its name in the program.
+    pub name: String,
+    /// Path in contact, mm.
+    pub length_mm: f64,
+    /// Time in contact, ramps included, s.
+    pub time_s: f64,
+}
+
+impl CouponManifest {
+    /// The manifest as the bytes of `manifest.json`.
+    pub fn to_json(&self) -> Vec<u8> {
+        // Plain data can always be written.
+        let mut json = serde_json::to_vec_pretty(self).unwrap_or_default();
+        json.push(b'\n');
+        json
+    }
+}

@@ -1,0 +1,293 @@
+//! Coupons on the spine: planned, read back, and only then published.
+
+use std::borrow::Cow;
+
+use crate::airtight;
+use crate::artifact::{Kind, Output, program_ending};
+use crate::coupon::{Coupon, Grid, Group, coupons, overview, table};
+use crate::design::Refusals;
+use crate::geom::Path;
+use crate::manifest::{
+    CouponChoice, CouponManifest, MANIFEST, ManifestCoupon, ManifestCouponSeam, ManifestFile, Tool, sha256,
+};
+use crate::pipeline::Sources;
+use crate::pipeline::directory::{refused, sources_of};
+use crate::plan::{Program, SeamReport};
+use crate::spec::{Machine, Spec};
+use crate::units::{Length, Speed, Temperature};
+use crate::verify;
+use crate::verify::{By, FileProof, Finding, FindingCode, Findings, OutputFiles, ProgramTask, Proof};
+
+/// Every strip with its setting and its cut.
+pub const OVERVIEW: &str = "strips.svg";
+/// The table that a person fills in; it is no part of the proof.
+pub const TABLE: &str = "results.csv";
+
+/// Most strips of a set whose manifest is believed.
+const MOST_STRIPS: usize = 10_000;
+
+/// Coupons with their files, in memory, not read back yet.
+#[derive(Clone, Debug)]
+pub struct MadeCoupons {
+    /// Every program of the set.
+    pub coupons: Vec<Coupon>,
+    /// Name, kind and content of every file but the manifest and the table.
+    pub files: Vec<(String, Kind, Vec<u8>)>,
+    /// The table to fill in, if there are strips.
+    pub table: Option<String>,
+    /// The manifest of the files.
+    pub manifest: CouponManifest,
+}
+
+/// Coupons whose files have been read back: the only ones that can be published.
+#[derive(Clone, Debug)]
+pub struct ProvenCoupons(MadeCoupons);
+
+impl MadeCoupons {
+    /// The coupons of `groups` with the strips of `grid`.
+    ///
+    /// # Errors
+    /// If the machine cannot seal one of them, the hose fits none, or air would leave a pouch.
+    pub fn new(
+        spec: &Spec,
+        machine: &Machine,
+        sources: Sources<'_>,
+        grid: &Grid,
+        groups: &[Group],
+    ) -> Result<Self, Refusals> {
+        let coupons = coupons(spec, machine, grid, groups)?;
+        let leaks = coupons.iter().filter_map(|coupon| Some((coupon, coupon.mouth?)));
+        let leaks: Refusals = leaks
+            .flat_map(|(coupon, mouth)| {
+                let seams = coupon.seams.iter();
+                seams
+                    .flat_map(move |seam| airtight::pouch_leaks(seam, spec.seal.band.0, mouth))
+                    .collect::<Vec<_>>()
+            })
+            .collect();
+        leaks.or(())?;
+        let mut files = vec![
+            ("spec.toml".to_owned(), Kind::Spec, sources.spec.as_bytes().to_vec()),
+            ("machine.toml".to_owned(), Kind::Machine, sources.machine.as_bytes().to_vec()),
+        ];
+        let ending = program_ending(machine.controller.dialect);
+        for coupon in &coupons {
+            files.push((format!("{}.{ending}", coupon.name), Kind::SealGcode, coupon.gcode().into_bytes()));
+            files.push((format!("{}.svg", coupon.name), Kind::SealSvg, coupon.svg.clone().into_bytes()));
+        }
+        let has_strips = groups.contains(&Group::Strips);
+        let strips = if has_strips { grid.strips(machine) } else { Vec::new() };
+        if has_strips {
+            files.push((OVERVIEW.to_owned(), Kind::SealSvg, overview(spec, grid, &strips).into_bytes()));
+        }
+        let manifest = manifest(spec, grid, groups, &coupons, &files);
+        Ok(Self { coupons, files, table: has_strips.then(|| table(&strips)), manifest })
+    }
+
+    /// The same coupons, fit to be published.
+    ///
+    /// # Errors
+    /// Everything that is not as it should be; each is a fault of this program.
+    pub fn prove(self) -> Result<ProvenCoupons, Vec<Finding>> {
+        let findings = self.proof(&self.manifest, &self.output_files()).findings;
+        if findings.is_empty() { Ok(ProvenCoupons(self)) } else { Err(findings) }
+    }
+
+    /// The files and the manifest as the verifier sees them.
+    fn output_files(&self) -> OutputFiles<'_> {
+        let mut files: Vec<(Cow<'_, str>, Cow<'_, [u8]>)> =
+            vec![(MANIFEST.into(), self.manifest.to_json().into())];
+        files.extend(
+            self.files.iter().map(|(name, _, bytes)| (name.as_str().into(), bytes.as_slice().into())),
+        );
+        OutputFiles { files }
+    }
+
+    /// Reads every program among `files`, of which `written` is the manifest, and compares all files with these.
+    fn proof(&self, written: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
+        let mut proof = Proof::default();
+        if written.tool != Tool::this() {
+            proof.written_by = Some(written.tool.version.clone());
+        }
+        for (name, kind, bytes) in &self.files {
+            let mut findings = Findings::default();
+            if let Some(found) = files.get(name) {
+                self.judge((name, *kind, bytes), found, written, &mut findings, &mut proof);
+            } else {
+                findings.add(FindingCode::MissingFile, None, "no such file", format!("a {kind}"));
+            }
+            proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(name)));
+        }
+        let known =
+            |name: &str| name == MANIFEST || name == TABLE || self.files.iter().any(|(own, ..)| own == name);
+        for (name, _) in files.files.iter().filter(|(name, _)| !known(name)) {
+            let found = "a file that the coupons do not have";
+            let finding = Finding::new(FindingCode::UnnamedFile, None, found, "only their files");
+            proof.findings.push(finding.in_file(name));
+        }
+        let (found, right) = (files.get(MANIFEST).unwrap_or_default(), self.manifest.to_json());
+        if proof.findings.is_empty() && proof.written_by.is_none() && found != right.as_slice() {
+            proof.findings.push(verify::first_difference(found, &right).in_file(MANIFEST));
+        }
+        proof
+    }
+
+    /// Compares one file with what was `found`, and reads it if it is a program.
+    fn judge(
+        &self,
+        (name, kind, bytes): (&str, Kind, &[u8]),
+        found: &[u8],
+        written: &CouponManifest,
+        findings: &mut Findings,
+        proof: &mut Proof,
+    ) {
+        let sha256 = sha256(found);
+        let stated = written.files.iter().find(|entry| entry.path == name).map(|entry| entry.sha256.as_str());
+        if stated != Some(sha256.as_str()) {
+            let stated = stated.unwrap_or("named in the manifest");
+            findings.add(FindingCode::Hash, None, sha256.clone(), stated);
+        }
+        let is_of =
+            |coupon: &&Coupon| name.strip_prefix(&coupon.name).is_some_and(|rest| rest.starts_with('.'));
+        let coupon = self.coupons.iter().find(is_of).filter(|_| kind == Kind::SealGcode);
+        let deviation =
+            coupon.map(|coupon| coupon_task(coupon).check(&String::from_utf8_lossy(found), findings));
+        let equal = found == bytes;
+        if !equal && proof.written_by.is_none() {
+            findings.push(verify::first_difference(found, bytes));
+        } else if !equal && coupon.is_none() {
+            proof.unproven.push(name.to_owned());
+        }
+        let by = match (equal, coupon) {
+            // Nothing makes spec and profile anew.
+            _ if matches!(kind, Kind::Spec | Kind::Machine) => By::Hash,
+            (true, _) => By::Bytes,
+            (false, Some(_)) => By::Reading,
+            (false, None) => By::Hash,
+        };
+        proof.files.push(FileProof {
+            path: name.to_owned(),
+            output: Output::of(kind),
+            by,
+            sha256,
+            deviation,
+        });
+    }
+}
+
+impl ProvenCoupons {
+    /// The coupons and their files.
+    pub fn made(&self) -> &MadeCoupons {
+        &self.0
+    }
+
+    /// All files with their names, the table and the manifest last.
+    pub fn files(&self) -> Vec<(&str, Vec<u8>)> {
+        let MadeCoupons { files, table, manifest, .. } = &self.0;
+        let table = table.iter().map(|table| (TABLE, table.clone().into_bytes()));
+        let files = files.iter().map(|(name, _, bytes)| (name.as_str(), bytes.clone()));
+        files.chain(table).chain(std::iter::once((MANIFEST, manifest.to_json()))).collect()
+    }
+}
+
+/// Proves a directory of coupons from its files alone: they are made anew from its spec, its profile and what its manifest says
+/// was wanted.
+pub(super) fn prove_coupons(written: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
+    let failed = |findings: Vec<Finding>| Proof { findings, ..Proof::default() };
+    let (reading, machine) = match sources_of(files) {
+        (Ok(reading), Ok(machine)) => (reading, machine),
+        (spec, machine) => return failed(spec.err().into_iter().chain(machine.err()).collect()),
+    };
+    let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or_default();
+    let sources = Sources { spec: text("spec.toml"), machine: text("machine.toml") };
+    let Some((grid, groups)) = wanted(&written.coupons, &machine) else {
+        let finding =
+            Finding::new(FindingCode::Manifest, None, "other settings", "settings that `coupon` takes");
+        return failed(vec![finding.in_file(MANIFEST)]);
+    };
+    match MadeCoupons::new(&reading.spec, &machine, sources, &grid, &groups) {
+        Ok(made) => made.proof(written, files),
+        Err(refusals) => failed(refusals.into_iter().map(refused).collect()),
+    }
+}
+
+/// The settings and groups of a manifest; `None` if `coupon` would refuse them.
+fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(Grid, Vec<Group>)> {
+    let within = |values: &[f64], low: f64, high: f64| {
+        !values.is_empty() && values.iter().all(|value| (low..=high).contains(value))
+    };
+    let CouponChoice { temperatures, speeds, heights, repeats, only } = choice;
+    let travel = machine.process.heights.travel.0;
+    let right = within(temperatures, 1e-9, 300.0 - 1e-9)
+        && within(speeds, 1e-3, 1e3)
+        && within(heights, -20.0, travel - 1e-9)
+        && (1..=20).contains(repeats)
+        && [speeds.len(), heights.len(), *repeats]
+            .iter()
+            .try_fold(temperatures.len(), |n, m| n.checked_mul(*m))?
+            <= MOST_STRIPS;
+    let group = |name: &String| Group::NAMES.iter().find(|(known, _)| known == name).map(|(_, group)| *group);
+    let groups = only.iter().map(group).collect::<Option<Vec<_>>>()?;
+    let grid = Grid {
+        temperatures: temperatures.iter().copied().map(Temperature).collect(),
+        speeds: speeds.iter().copied().map(Speed).collect(),
+        heights: heights.iter().copied().map(Length).collect(),
+        repeats: *repeats,
+    };
+    (right && grid.alike().is_none()).then_some((grid, groups))
+}
+
+/// What the program of a coupon should do.
+fn coupon_task(coupon: &Coupon) -> ProgramTask<'_> {
+    let Coupon { name, spec, machine, seams, .. } = coupon;
+    ProgramTask {
+        spec,
+        machine,
+        hot: true,
+        scope: format!("piece={name}"),
+        seams: seams.clone(),
+        frame: Path::default(),
+        area: coupon.area(),
+    }
+}
+
+fn manifest(
+    spec: &Spec,
+    grid: &Grid,
+    groups: &[Group],
+    coupons: &[Coupon],
+    files: &[(String, Kind, Vec<u8>)],
+) -> CouponManifest {
+    let seam = |seam: &SeamReport| ManifestCouponSeam {
+        name: seam.name.piece().unwrap_or_default().to_owned(),
+        length_mm: thousandths(seam.length),
+        time_s: thousandths(seam.time),
+    };
+    let piece = |coupon: &Coupon| {
+        let Program { time, seams, .. } = &coupon.program;
+        ManifestCoupon {
+            name: coupon.name.clone(),
+            kind: "coupon".to_owned(),
+            time_s: thousandths(*time),
+            seams: seams.iter().map(seam).collect(),
+        }
+    };
+    let only = Group::NAMES.iter().filter(|(_, group)| groups.contains(group));
+    CouponManifest {
+        tool: Tool::this(),
+        name: spec.name.clone(),
+        coupons: CouponChoice {
+            temperatures: grid.temperatures.iter().map(|t| t.0).collect(),
+            speeds: grid.speeds.iter().map(|v| v.0).collect(),
+            heights: grid.heights.iter().map(|h| h.0).collect(),
+            repeats: grid.repeats,
+            only: only.map(|(name, _)| (*name).to_owned()).collect(),
+        },
+        files: files.iter().map(|(name, kind, bytes)| ManifestFile::plain(name, *kind, bytes)).collect(),
+        pieces: coupons.iter().map(piece).collect(),
+    }
+}
+
+fn thousandths(x: f64) -> f64 {
+    (x * 1e3).round() / 1e3
+}

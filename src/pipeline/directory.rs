@@ -1,0 +1,32 @@
+//! What a published directory says of itself: its own spec and profile.
+
+use crate::design::Refusal;
+use crate::spec;
+use crate::spec::{Faults, Machine, Reading, Source};
+use crate::verify::{Finding, FindingCode, OutputFiles};
+
+/// The directory's own spec and profile.
+pub(super) fn sources_of(files: &OutputFiles<'_>) -> (Result<Reading, Finding>, Result<Machine, Finding>) {
+    let read_spec = |source: &Source| spec::read(source);
+    (source_of(files, "spec.toml", read_spec), source_of(files, "machine.toml", spec::read_machine))
+}
+
+fn source_of<T>(
+    files: &OutputFiles<'_>,
+    name: &'static str,
+    read: impl Fn(&Source) -> Result<T, Faults>,
+) -> Result<T, Finding> {
+    let Some(bytes) = files.get(name) else {
+        return Err(Finding::new(FindingCode::MissingFile, None, "no such file", "the file of the build")
+            .in_file(name));
+    };
+    Source::from_bytes(name, bytes).and_then(|source| read(&source)).map_err(|faults| {
+        let found = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
+        Finding::new(FindingCode::Unreadable, None, found, "text that `check` accepts").in_file(name)
+    })
+}
+
+/// A refusal of what the directory asks for.
+pub(super) fn refused(refusal: Refusal) -> Finding {
+    Finding::new(refusal.code, None, refusal.found, refusal.remedy).in_file("spec.toml")
+}

@@ -1,0 +1,110 @@
+//! The feed check on the spine: planned, read back, and only then written.
+
+use crate::artifact::{Kind, Output};
+use crate::design::Refusals;
+use crate::emit;
+use crate::geom::Path;
+use crate::manifest::{FeedCheckManifest, ManifestFile, Tool, sha256};
+use crate::pipeline::Sources;
+use crate::plan;
+use crate::plan::{Program, Step};
+use crate::spec;
+use crate::spec::{Machine, Source, Spec};
+use crate::verify;
+use crate::verify::{By, FeedCheckTask, FileProof, Finding, FindingCode, Findings, Proof};
+
+/// A feed check that was read back: the only one that can be written.
+#[derive(Clone, Debug)]
+pub struct ProvenFeedCheck {
+    /// The program.
+    pub text: String,
+    /// The manifest of the file that it is written to.
+    pub manifest: FeedCheckManifest,
+}
+
+/// Why there is no feed check.
+#[derive(Clone, Debug)]
+pub enum FeedCheckFault {
+    /// The profile contradicts the seal.
+    Refused(Refusals),
+    /// What is not as it should be in the program; each is a fault of this program.
+    Wrong(Vec<Finding>),
+}
+
+/// The feed check of `spec` for `machine`, to be written to a file called `name`.
+///
+/// # Errors
+/// If the profile sets limits that the check cannot keep, or the program is wrong.
+pub fn feed_check(
+    spec: &Spec,
+    machine: &Machine,
+    sources: Sources<'_>,
+    name: &str,
+) -> Result<ProvenFeedCheck, FeedCheckFault> {
+    let programs: Vec<Program> =
+        plan::feed_checks(spec, machine).into_iter().map(|(_, program)| program).collect();
+    plan::contradictions(spec, machine, &programs).or(()).map_err(FeedCheckFault::Refused)?;
+    let (text, deviation) = made(spec, machine, None);
+    if let Err(findings) = deviation {
+        let findings = findings.into_iter().map(|finding| finding.in_file(name)).collect();
+        return Err(FeedCheckFault::Wrong(findings));
+    }
+    let manifest = FeedCheckManifest {
+        tool: Tool::this(),
+        name: spec.name.clone(),
+        spec: sources.spec.to_owned(),
+        machine: sources.machine.to_owned(),
+        files: vec![ManifestFile::plain(name, Kind::TraceGcode, text.as_bytes())],
+    };
+    Ok(ProvenFeedCheck { text, manifest })
+}
+
+/// Proves the feed check `found` in the file `name` by its manifest.
+pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) -> Proof {
+    let mut findings = Findings::default();
+    let sources = spec::read(&Source::new("spec", manifest.spec.as_str())).and_then(|reading| {
+        Ok((reading.spec, spec::read_machine(&Source::new("machine", manifest.machine.as_str()))?))
+    });
+    let (spec, machine) = match sources {
+        Ok(sources) => sources,
+        Err(faults) => {
+            let fault = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
+            findings.add(FindingCode::Unreadable, None, fault, "spec and profile that `check` accepts");
+            return Proof { findings: findings.into_vec(), ..Proof::default() };
+        }
+    };
+    let sha256 = sha256(found);
+    if !manifest.files.iter().any(|entry| entry.sha256 == sha256) {
+        findings.add(FindingCode::Hash, None, sha256.clone(), "the hash in the manifest");
+    }
+    let other = (manifest.tool != Tool::this()).then(|| manifest.tool.version.clone());
+    let text = String::from_utf8_lossy(found);
+    let (right, read) = made(&spec, &machine, Some(text.as_ref()));
+    let deviation = read.map_err(|wrong| findings.extend(wrong)).ok();
+    let equal = right.as_bytes() == found;
+    if !equal && other.is_none() {
+        findings.push(verify::first_difference(found, right.as_bytes()));
+    }
+    let by = if equal { By::Bytes } else { By::Reading };
+    let file =
+        FileProof { path: name.to_owned(), output: Output::of(Kind::TraceGcode), by, sha256, deviation };
+    let findings = findings.into_vec().into_iter().map(|finding| finding.in_file(name)).collect();
+    Proof { findings, files: vec![file], written_by: other, unproven: Vec::new() }
+}
+
+/// The program, and the largest deviation of `found`, or of the program itself, mm, or what is wrong with it.
+fn made(spec: &Spec, machine: &Machine, found: Option<&str>) -> (String, Result<f64, Vec<Finding>>) {
+    let checks = plan::feed_checks(spec, machine);
+    let text = emit::feed_check(spec, machine, &checks);
+    let steps = checks.iter().flat_map(|(_, program)| &program.steps);
+    let lines = steps.filter_map(|step| match step {
+        Step::Seal(pieces) => Some(Path::open(pieces.clone())),
+        _ => None,
+    });
+    let task = FeedCheckTask { spec, machine, lines: lines.collect() };
+    let mut findings = Findings::default();
+    let deviation = task.check(found.unwrap_or(&text), &mut findings);
+    let findings = findings.into_vec();
+    let read = if findings.is_empty() { Ok(deviation) } else { Err(findings) };
+    (text, read)
+}

@@ -1,0 +1,202 @@
+//! The vocabulary of each family of controllers: which words it understands, as a table.
+//!
+//! Both the reader of a profile's own lines and the verifier's reader of programs go by it. How a controller runs a word
+//! (units of time, tolerances of arcs, lengths of lines) only the verifier needs to know.
+
+mod command;
+
+use crate::spec::machine::{Controller, Dialect};
+
+pub use command::Command;
+use command::Command as C;
+
+/// Codes that all controllers of the RS274/NGC family share.
+const RS274: [(u8, u16, C); 18] = [
+    (b'G', 0, C::Rapid),
+    (b'G', 10, C::Line),
+    (b'G', 20, C::ArcCw),
+    (b'G', 30, C::ArcCcw),
+    (b'G', 40, C::Dwell),
+    (b'G', 170, C::PlaneXy),
+    (b'G', 200, C::Inches),
+    (b'G', 210, C::Millimetres),
+    (b'G', 610, C::ExactPath),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+    (b'G', 901, C::CentersAbsolute),
+    (b'G', 911, C::CentersRelative),
+    (b'G', 930, C::InverseTime),
+    (b'G', 940, C::PerMinute),
+    (b'M', 0, C::Pause),
+    (b'M', 20, C::End),
+    (b'M', 300, C::End),
+];
+
+/// Codes of printers: no plane, units or feed modes to choose, motors off at the end.
+const MARLIN: [(u8, u16, C); 11] = [
+    (b'G', 0, C::Rapid),
+    (b'G', 10, C::Line),
+    (b'G', 40, C::Dwell),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+    (b'M', 0, C::Pause),
+    (b'M', 730, C::Progress),
+    (b'M', 840, C::End),
+    (b'M', 1040, C::HeatOnly),
+    (b'M', 1090, C::HeatAndWait),
+    (b'M', 2050, C::Setting),
+];
+
+/// Klipper's codes; G20 is an error there.
+const KLIPPER: [(u8, u16, C); 10] = [
+    (b'G', 0, C::Rapid),
+    (b'G', 10, C::Line),
+    (b'G', 40, C::Dwell),
+    (b'G', 210, C::Millimetres),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+    (b'M', 730, C::Progress),
+    (b'M', 840, C::End),
+    (b'M', 1040, C::HeatOnly),
+    (b'M', 1090, C::HeatAndWait),
+];
+
+/// RepRapFirmware's codes; M0 ends the job, M226 waits.
+const REPRAPFIRMWARE: [(u8, u16, C); 19] = [
+    (b'G', 0, C::Rapid),
+    (b'G', 10, C::Line),
+    (b'G', 20, C::ArcCw),
+    (b'G', 30, C::ArcCcw),
+    (b'G', 40, C::Dwell),
+    (b'G', 170, C::PlaneXy),
+    (b'G', 200, C::Inches),
+    (b'G', 210, C::Millimetres),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+    (b'G', 930, C::InverseTime),
+    (b'G', 940, C::PerMinute),
+    (b'M', 0, C::End),
+    (b'M', 730, C::Progress),
+    (b'M', 1040, C::HeatOnly),
+    (b'M', 1090, C::HeatAndWait),
+    (b'M', 2030, C::Setting),
+    (b'M', 2260, C::Pause),
+    (b'T', 0, C::Setting),
+];
+
+/// The words that a controller understands.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Vocabulary {
+    /// Letter, ten times the number, and what the code does.
+    codes: &'static [(u8, u16, Command)],
+    /// Commands of `codes` that it does not know.
+    except: &'static [Command],
+    /// Whether it draws arcs; without, no arc is read.
+    draws_arcs: bool,
+    /// Whether it surely reads what follows the point of G90.1 and G91.1, which else are G90 and G91.
+    subcodes: bool,
+    /// Commands that are words of more than a letter, alone on their line with parameters of their own.
+    pub words: &'static [(&'static str, Command)],
+    /// Modes that the controller is always in: no program needs to set them.
+    pub fixed: &'static [Command],
+    /// Letters of the words that carry numbers.
+    pub parameters: &'static str,
+}
+
+impl Vocabulary {
+    /// The plain subset that every controller reads alike. G61 is left out. Arcs, and G91.1 with them, are read only for a
+    /// profile that states that its controller draws them.
+    const GENERIC: Self = Self {
+        codes: &RS274,
+        except: &[C::ExactPath],
+        draws_arcs: true,
+        subcodes: false,
+        words: &[],
+        fixed: &[],
+        parameters: "XYZIJFP",
+    };
+
+    /// LinuxCNC.
+    const LINUXCNC: Self = Self { except: &[], subcodes: true, ..Self::GENERIC };
+
+    /// GRBL 1.1, grblHAL and FluidNC: no G90.1.
+    const GRBL: Self = Self { except: &[C::CentersAbsolute], subcodes: true, ..Self::GENERIC };
+
+    /// Marlin without its options: no arcs, planes or inches.
+    const MARLIN: Self = Self {
+        codes: &MARLIN,
+        except: &[],
+        draws_arcs: false,
+        subcodes: false,
+        words: &[],
+        fixed: &[C::Millimetres, C::PerMinute, C::PlaneXy, C::CentersRelative],
+        parameters: "XYZFPSRT",
+    };
+
+    /// Klipper without `[gcode_arcs]`: PAUSE of `[pause_resume]`, extended commands.
+    const KLIPPER: Self = Self {
+        codes: &KLIPPER,
+        words: &[("PAUSE", C::Pause), ("SET_IDLE_TIMEOUT", C::Setting), ("SET_VELOCITY_LIMIT", C::Setting)],
+        fixed: &[C::PerMinute],
+        parameters: "XYZFPSR",
+        ..Self::MARLIN
+    };
+
+    /// RepRapFirmware 3: arc centres always from the start.
+    const REPRAPFIRMWARE: Self = Self {
+        codes: &REPRAPFIRMWARE,
+        draws_arcs: true,
+        words: &[],
+        fixed: &[C::CentersRelative],
+        parameters: "XYZIJFPSR",
+        ..Self::MARLIN
+    };
+
+    /// The words of a controller of family `dialect` that draws arcs if its family does.
+    pub const fn of(dialect: Dialect) -> Self {
+        match dialect {
+            Dialect::Generic => Self::GENERIC,
+            Dialect::LinuxCnc => Self::LINUXCNC,
+            Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => Self::GRBL,
+            Dialect::Marlin => Self::MARLIN,
+            Dialect::Klipper => Self::KLIPPER,
+            Dialect::RepRapFirmware => Self::REPRAPFIRMWARE,
+        }
+    }
+
+    /// The words of `controller`.
+    pub const fn for_controller(controller: &Controller) -> Self {
+        let family = Self::of(controller.dialect);
+        if controller.arcs { family } else { family.without_arcs() }
+    }
+
+    /// The same words without those for arcs.
+    pub const fn without_arcs(self) -> Self {
+        Self { draws_arcs: false, ..self }
+    }
+
+    /// Every code that the controller knows: letter, number, what it does.
+    pub fn codes(self) -> impl Iterator<Item = (char, f64, Command)> {
+        let known = self.codes.iter().filter(move |(.., command)| self.reads(*command));
+        known.map(|(letter, tenths, command)| (char::from(*letter), f64::from(*tenths) / 10.0, *command))
+    }
+
+    /// What the code `letter` `number` does, if the controller knows it.
+    pub fn command(self, letter: u8, number: f64) -> Option<Command> {
+        let is_whole = (number * 10.0).fract().abs() < 1e-9;
+        let is = |(l, tenths, _): &&(u8, u16, Command)| {
+            *l == letter && f64::from(*tenths) == (number * 10.0).round() && is_whole
+        };
+        self.codes.iter().find(is).map(|(.., command)| *command).filter(|command| self.reads(*command))
+    }
+
+    /// Whether the controller knows a code of its family.
+    fn reads(self, command: Command) -> bool {
+        let for_arcs = match command {
+            Command::ArcCw | Command::ArcCcw => true,
+            Command::CentersAbsolute | Command::CentersRelative => !self.subcodes,
+            _ => false,
+        };
+        !self.except.contains(&command) && (self.draws_arcs || !for_arcs)
+    }
+}

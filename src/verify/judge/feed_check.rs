@@ -1,0 +1,147 @@
+//! A feed check: cold, above the fabric, line after line between two pauses, each as long as the seal's speed says.
+
+use crate::design::LaidSeam;
+use crate::geom::{Bounds, Path, Point};
+use crate::spec::{Machine, Spec};
+use crate::verify::judge::height::Height;
+use crate::verify::judge::rules::{IronRules, Phase};
+use crate::verify::judge::script::{Body, Script};
+use crate::verify::judge::seams::Seams;
+use crate::verify::judge::stroke::stroke_seconds;
+use crate::verify::judge::task::ProgramTask;
+use crate::verify::judge::{Judge, judged};
+use crate::verify::read::gcode::{Dialect, Event, Line, Move, MoveKind};
+use crate::verify::{FindingCode, Findings};
+
+/// By how much a line may take too long or too short, as a fraction: the wait after its last stroke is rounded.
+const TIME: f64 = 0.01;
+
+/// What a feed check should do.
+#[derive(Clone, Debug)]
+pub struct FeedCheckTask<'a> {
+    /// The seal's speed and the tolerance.
+    pub spec: &'a Spec,
+    /// The machine that runs it.
+    pub machine: &'a Machine,
+    /// The lines, in order.
+    pub lines: Vec<Path>,
+}
+
+impl FeedCheckTask<'_> {
+    /// Reads the program and reports everything that it does otherwise; its largest deviation, mm.
+    pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
+        let Self { spec, machine, ref lines } = *self;
+        let (rules, tolerance) = (IronRules::new(spec, machine), spec.accuracy.path.0);
+        let seams = lines.iter().skip(1).map(|line| LaidSeam::open("line".to_owned(), line.clone(), 0.0));
+        let reach = lines.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
+        let area = Bounds { min: Point::ORIGIN, max: reach.max }.grown(tolerance);
+        let task = ProgramTask {
+            spec,
+            machine,
+            hot: false,
+            scope: String::new(),
+            seams: seams.collect(),
+            frame: lines.first().cloned().unwrap_or_default(),
+            area,
+        };
+        let mut path = Seams::new(&task, &rules, tolerance).traced();
+        let mut script = Script::with_pauses(machine, 2 * lines.len());
+        let (mut body, mut height) = (Body::new(None), Height::new(&machine.process.heights, area));
+        let mut timed =
+            Timed::new(&rules, area, lines.iter().map(|line| line.length() / spec.seal.speed.0).collect());
+        let judges: &mut [&mut dyn Judge] = &mut [&mut script, &mut body, &mut height, &mut timed, &mut path];
+        let dialect = Dialect::for_controller(&machine.controller);
+        findings.absorb(judged(text.split_inclusive('\n'), dialect, judges));
+        path.deviation
+    }
+}
+
+/// Every line begins and ends with a pause, takes its time, and stays above the fabric.
+struct Timed<'a> {
+    rules: &'a IronRules<'a>,
+    area: Bounds,
+    /// How long the lines should take, s, and how many have been drawn.
+    wanted: Vec<f64>,
+    drawn: usize,
+    /// Time since the last pause, s, and whether there was one before the line that is drawn now.
+    seconds: f64,
+    waited: bool,
+    moving: bool,
+    findings: Findings,
+}
+
+impl<'a> Timed<'a> {
+    fn new(rules: &'a IronRules<'a>, area: Bounds, wanted: Vec<f64>) -> Self {
+        let findings = Findings::default();
+        Self { rules, area, wanted, drawn: 0, seconds: 0.0, waited: false, moving: false, findings }
+    }
+
+    fn step(&mut self, step: &Move) {
+        if self.rules.phase(step) != Phase::Clear {
+            let found = format!("Z{}", step.to.z);
+            self.findings.add(FindingCode::LowTrace, step.line, found, "travel height or above");
+        }
+        if !(self.area.contains(step.from.xy()) && self.area.contains(step.to.xy())) {
+            let found = format!("a move to ({:.3}, {:.3})", step.to.x, step.to.y);
+            self.findings.add(FindingCode::OutsideWorkArea, step.line, found, "the lines of the check");
+        }
+        if step.kind == MoveKind::Rapid {
+            self.end_of_line(step.line, false);
+            return;
+        }
+        if !std::mem::replace(&mut self.moving, true) && !self.waited {
+            let (found, allowed) = ("a line without a pause before it", "a pause before and after each line");
+            self.findings.add(FindingCode::ProfileLine, step.line, found, allowed);
+        }
+        let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
+        let chopped = self.rules.chops && self.rules.motion.acceleration.is_some();
+        self.seconds += match step.feed {
+            Some(feed) if chopped && feed > 60.0 * self.rules.seal.speed.0 * (1.0 + TIME) => {
+                stroke_seconds(self.rules.motion, from, to, feed / 60.0)
+            }
+            Some(feed) => 60.0 * step.length() / feed,
+            None => 0.0,
+        };
+    }
+
+    /// The end of a line, which a pause should be.
+    fn end_of_line(&mut self, line: usize, paused: bool) {
+        if !std::mem::take(&mut self.moving) {
+            return;
+        }
+        let (found, wanted) = (self.seconds, self.wanted.get(self.drawn).copied().unwrap_or(0.0));
+        if (found - wanted).abs() > TIME * wanted || !paused {
+            let after = if paused { "before a pause" } else { "without a pause after it" };
+            let found = format!("a line of {found:.3} s {after}");
+            self.findings.add(FindingCode::WrongFeed, line, found, format!("{wanted:.3} s, and a pause"));
+        }
+        self.drawn += 1;
+    }
+}
+
+impl Judge for Timed<'_> {
+    fn see(&mut self, line: &Line<'_>) {
+        for event in line.events {
+            match event {
+                Event::Move(step) => {
+                    self.step(step);
+                    self.waited = false;
+                }
+                Event::Dwell(dwell) if self.moving => self.seconds += dwell.seconds,
+                Event::Pause(pause) => {
+                    self.end_of_line(pause.line, true);
+                    (self.waited, self.seconds) = (true, 0.0);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        if self.drawn != self.wanted.len() {
+            let (found, allowed) = (format!("{} lines", self.drawn), format!("{} lines", self.wanted.len()));
+            self.findings.add(FindingCode::MissingSeam, None, found, allowed);
+        }
+        std::mem::take(&mut self.findings)
+    }
+}
