@@ -61,10 +61,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         FeedFloor::Refuse => "use `feed_floor = \"chop\"`",
     };
     let text = format!(
-        "wrote {}\neach of its three lines of {} mm (X, Y, 45 deg) must take {seconds:.0} s; if one is faster, the \
+        "wrote {}\neach of its {} of {} mm must take {seconds:.0} s; if one is faster, the \
          machine cannot go at {}: {remedy}\nat each {} it must stop and wait, at the X, Y and Z that the comment before it \
          says; if it runs on, or stands elsewhere, do not seal with this profile\n",
         shown(&output),
+        if machine.controller.arcs {
+            "three lines (X, Y, 45 deg) and two arcs (G2, G3)"
+        } else {
+            "three lines (X, Y, 45 deg)"
+        },
         plan::CHECK_LENGTH,
         spec.seal.speed,
         machine.script.pause
@@ -73,6 +78,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "wrote": output.to_string_lossy(),
         "line_mm": plan::CHECK_LENGTH,
         "line_time_s": seconds,
+        "ways": checks.len(),
         "pause": machine.script.pause,
     });
     args.voice.report(&text, &json)

@@ -2,8 +2,8 @@
 
 use crate::design::{Design, LaidSeam, PlacedStar};
 use crate::geom::{Path, Point, Segment};
-use crate::plan::pieces::{flat_pieces, sagitta};
-use crate::plan::{Height, LONGEST_MOVE, Program, Purpose, Ramp, Scope, SeamReport, Step};
+use crate::plan::pieces::Cuts;
+use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step};
 use crate::spec::{Machine, ProgramScope, Spec};
 
 /// A sheet, and stars on it in the order of sealing: what one program covers.
@@ -40,7 +40,7 @@ pub fn seal_program(spec: &Spec, machine: &Machine, scope: Scope, seams: &[LaidS
         machine,
         steps: vec![Step::Height(Height::Park), Step::Heat(spec.seal.temperature)],
         seams: Vec::new(),
-        sagitta: sagitta(spec, machine),
+        cuts: Cuts::of_seal(spec, machine),
     };
     for seam in seams {
         plan.seam(seam);
@@ -56,7 +56,7 @@ struct Planner<'a> {
     machine: &'a Machine,
     steps: Vec<Step>,
     seams: Vec<SeamReport>,
-    sagitta: Option<f64>,
+    cuts: Cuts,
 }
 
 impl Planner<'_> {
@@ -73,7 +73,7 @@ impl Planner<'_> {
             Step::Height(Height::Travel),
             Step::Seam(self.seams.len()),
             Step::TouchDown(down),
-            Step::Seal(flat_pieces(&seam.run, LONGEST_MOVE, self.sagitta)),
+            Step::Seal(self.cuts.pieces(&seam.run)),
             Step::Lift(up),
         ]);
         self.seams.push(SeamReport { name: seam.name.clone(), length, overlap: seam.overlap, time });
@@ -81,6 +81,6 @@ impl Planner<'_> {
 
     /// A ramp along `path`. It is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
     fn ramp(&self, path: &Path, from: f64, to: f64) -> Ramp {
-        Ramp { pieces: flat_pieces(path, LONGEST_MOVE, self.sagitta), from, to }
+        Ramp { pieces: self.cuts.pieces(path), from, to }
     }
 }

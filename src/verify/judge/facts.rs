@@ -4,6 +4,7 @@
 
 use crate::design::LaidSeam;
 use crate::spec::{Dialect, DwellUnit, Heating, StepRate};
+use crate::verify::judge::stroke::shortest_move;
 use crate::verify::judge::task::ProgramTask;
 
 /// Before the version of whoever wrote the file, which may be any.
@@ -63,6 +64,8 @@ impl Facts<'_> {
             out.extend(seams.iter().map(|(words, _)| format!("length: {words}")));
             let length: f64 = seams.iter().map(|(_, length)| length).sum();
             out.push(format!("total: length_mm={length} time_s={}", self.seconds));
+        } else {
+            out.push(format!("total: time_s={}", self.seconds));
         }
         if self.task.machine.controller.thumbnails {
             out.extend(["32x32", "300x300"].map(|size| format!("thumbnail: {size}")));
@@ -134,7 +137,9 @@ impl Facts<'_> {
         let step = machine.controller.dwell.step.0;
         let delay = motion.start_delay.0;
         let least = (delay + speed / a + step) / (1.0 / seal.speed.0 - 1.0 / speed);
-        let longest = least.max(seal.band.0 / 13.0);
+        let shortest = shortest_move(motion);
+        let count = if shortest > 0.0 { 15.0 } else { 13.0 };
+        let longest = least.max(seal.band.0 / count).max(shortest);
         out.push(format!("chop: feed_mm_min={} longest_mm={longest}", speed * 60.0));
         out.push(format!("chop-rest: acceleration_mm_s2={a} step_s={step}"));
         out.push(format!("chop-start: delay_s={delay}"));
@@ -143,6 +148,10 @@ impl Facts<'_> {
         {
             out.push(format!("chop-steps: x={x} y={y} z={z}"));
             out.push(format!("chop-ticks: rate_Hz={rate} tick_s={}", tick.0));
+            let (first, fewest) = (motion.first_step_rate.unwrap_or(0.0), motion.min_move_steps);
+            if first > 0.0 || fewest > 0.0 {
+                out.push(format!("chop-moves: first_Hz={first} least_steps={fewest}"));
+            }
         }
         // What steps in ticks is timed with the ramps of Z, too.
         let ticks = motion.tick.is_some_and(|tick| tick.0 > 0.0);
