@@ -117,6 +117,7 @@ fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<O
         return Ok(Some(said));
     }
     if voice.quiet {
+        glance::warn(watch::uncertain(forecast).as_slice());
         return Ok(None);
     }
     glance::show(&glance::head(forecast))?;

@@ -46,7 +46,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 fn said(name: &str, verdict: &Verdict) -> String {
-    let reasons = verdict.reasons.iter().map(|reason| format!("  {reason}\n"));
+    let more = verdict.one_star().into_iter().chain(verdict.assumed_in_words());
+    let reasons = verdict.reasons.iter().cloned().chain(more).map(|reason| format!("  {reason}\n"));
     format!("{name}: {}\n{}", verdict.line(), reasons.collect::<String>())
 }
 

@@ -229,6 +229,7 @@ fn buildable(name: &str, choice: &Choice, base: &Spec, machine: &Machine) -> Res
         let text = spec_text(name, choice, &base).map_err(|_| Refusals::new())?;
         let spec = spec::read(&Source::new("chosen", text.clone())).map_err(|_| Refusals::new())?.spec;
         let forecast = Forecast::of(spec, machine.clone())?;
+        forecast.unfit().or(())?;
         Ok((text, forecast.prediction.and_then(|prediction| prediction.verdict)))
     };
     attempt(FeedFloor::Refuse).or_else(|why: Refusals| attempt(FeedFloor::Chop).map_err(|_| why))

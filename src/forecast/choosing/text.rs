@@ -1,5 +1,6 @@
 //! A chosen gripper as a spec, each value with the reason why it is what it is.
 
+use crate::design::inflated_height;
 use crate::forecast::case::sheet;
 use crate::forecast::choosing::{Choice, MARGIN};
 use crate::forecast::optimize::{SEARCHED, sure_payload};
@@ -124,7 +125,7 @@ impl Lines {
 
     fn stack(&mut self, choice: &Choice) {
         let (point, answer) = (&choice.best.point, &choice.best.answer);
-        let own = answer.outcome.as_ref();
+        let own = answer.grip.as_ref();
         let force = own.and_then(crate::forecast::outcome::Outcome::object_force);
         let one = match own.and_then(|own| own.force_range) {
             Some(range) => shown::known(force, Some(range), "N"),
@@ -138,9 +139,12 @@ impl Lines {
             &format!("{}", point.stars),
             &format!("{stars} with {one}; friction needs {needed:.1} N in all"),
         );
-        if point.stars > 1 {
-            self.quantity("pitch", point.star.pitch, "the inflated tube's height and a plate");
-        }
+        let tube = inflated_height(point.star.tube_width).0;
+        self.quantity(
+            "pitch",
+            point.star.pitch,
+            &format!("the inflated tube is {tube:.1} mm high, a plate {}", point.plate),
+        );
         self.text.push('\n');
     }
 
