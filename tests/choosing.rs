@@ -164,7 +164,7 @@ fn a_wish_that_cannot_be_is_told_by_its_reason() {
             can_be_had(dir.path(), &said, why);
         }
     };
-    refused(&["1000 kg"], "counted on");
+    refused(&["1000 kg"], "it can safely carry");
     refused(&["1 kg", "--sheet", "90x90"], "larger than the sheet");
     refused(&["1 kg", "--pressure", "500 kPa"], "no star that was tried is like it");
     refused(&["1 kg", "--machine", "loom"], "not a machine profile");
@@ -272,4 +272,65 @@ fn no_comment_is_about_values_that_were_replaced() {
     {
         assert!(spec.contains(stale) && !found.contains(stale), "{stale}: {found}");
     }
+/// Objects that people described: across, mass, and what more was said; the height is the object's, where it matters.
+const WISHES: [(f64, &str, &[&str]); 18] = [
+    (75.0, "1.2 kg", &["--height", "300 mm", "--shape", "cylinder"]),
+    (44.0, "60 g", &["--height", "57 mm", "--fragile", "5 N"]),
+    (240.0, "620 g", &[]),
+    (30.0, "20 g", &[]),
+    (30.0, "20 g", &["--fragile", "1 N"]),
+    (16.0, "30 g", &["--height", "150 mm", "--shape", "cylinder"]),
+    (150.0, "3 kg", &[]),
+    (180.0, "500 g", &[]),
+    (180.0, "500 g", &["--fragile", "15 N"]),
+    (95.0, "300 g", &["--fragile", "3 N"]),
+    (65.0, "89 g", &["--fragile", "1 N"]),
+    (300.0, "10 kg", &["--height", "400 mm", "--shape", "cylinder", "--friction", "1"]),
+    (60.0, "1 kg", &["--friction", "0.5"]),
+    (90.0, "800 g", &[]),
+    (30.0, "100 g", &["--friction", "0.5"]),
+    (75.0, "500 g", &["--friction", "0.3"]),
+    (120.0, "1.5 kg", &["--height", "200 mm", "--shape", "cylinder"]),
+    (60.0, "200 g", &["--pressure", "30 kPa"]),
+];
+
+/// Every hole lets its object in with the room that is meant, no stack is taller than its object, and forces are those at each star's height.
+#[test]
+fn holes_admit_what_they_are_for_and_stacks_are_no_taller() {
+    let (mut granted, mut stacks) = (0, 0);
+    for (width, mass, more) in WISHES {
+        let dir = folder();
+        let across = format!("{width} mm");
+        let args = [&["new", "wish", "--object", &across, "--mass", mass], more].concat();
+        let asked = args.join(" ");
+        let output = run(dir.path(), &args);
+        match output.status.code() {
+            Some(0) => granted += 1,
+            Some(1) => can_be_had(dir.path(), &text(&output.stderr), &asked),
+            code => panic!("{asked}: {code:?}: {}", text(&output.stderr)),
+        }
+        let check = run(dir.path(), &["check", "wish.toml", "--json"]);
+        let value: Value = serde_json::from_slice(&check.stdout).expect("JSON");
+        assert_eq!(value["verdict"]["holds"], true, "{asked}: {value}");
+        let warned = text(&run(dir.path(), &["check", "wish.toml"]).stderr);
+        assert!(!warned.contains("tight-hole") && !warned.contains("wide-frame"), "{asked}: {warned}");
+        let spec = fs::read_to_string(dir.path().join("wish.toml")).expect("written");
+        let mm = |key: &str| {
+            let line =
+                spec.lines().find_map(|line| line.strip_prefix(key)?.trim_start().strip_prefix("= \""));
+            line.and_then(|rest| rest.split_once(" mm")?.0.parse::<f64>().ok())
+        };
+        let width = mm("object_diameter").expect("the object's size");
+        let stars = value["prediction"]["stars"].as_array().expect("stars");
+        let least = f64::max(2.0, 0.025 * width);
+        for star in stars {
+            let (hole, gap) = (star["hole_radius_mm"].as_f64(), star["object_gap_mm"].as_f64());
+            assert!(gap >= Some(least - 1e-9) && hole >= Some(0.5 * width + least - 1e-9), "{asked}: {star}");
+        }
+        let (count, height) = (stars.len(), mm("object_height").unwrap_or(width));
+        let tall = f64::from(u32::try_from(count).expect("few")) * mm("pitch").expect("a pitch") + 5.0;
+        assert!(count == 1 || tall <= height + 1e-9, "{asked}: {count} stars, {tall} mm");
+        stacks += usize::from(count > 1);
+    }
+    assert!(granted >= 10 && stacks >= 1, "{granted} granted, {stacks} stacks");
 }

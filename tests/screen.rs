@@ -77,7 +77,7 @@ fn what_to_look_at_and_what_to_run_is_there() {
 
 #[test]
 fn nothing_is_said_twice() {
-    let folder = folder(&[("[star]", "[fabric]\nseal_strength = \"1 N/mm\"\n[star]"), ("40 mm", "60 mm")]);
+    let folder = folder(&[("[star]", "[fabric]\nseal_strength = \"1 N/mm\"\n[star]"), ("80 mm", "120 mm")]);
     for args in [&["check", "star.toml", "--anyway"][..], &["build", "star.toml", "--anyway"]] {
         let output = run(folder.path(), args);
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
@@ -164,15 +164,18 @@ fn the_end_is_told_in_local_time() {
 /// Found, allowed and remedy, and nothing written; what is accepted `--anyway` is proven as everything else.
 #[test]
 fn a_gripper_that_cannot_do_what_it_is_for_is_refused() {
-    let object = |mm: &str| format!("object_radius = \"{mm}\"");
+    let object = |mm: &str| format!("object_diameter = \"{mm}\"");
     for (old, new, code, words) in [
         (
-            "object_radius = \"40 mm\"",
-            object("51 mm"),
+            "object_diameter = \"80 mm\"",
+            object("98 mm"),
             "object-too-wide",
-            "at most 50 mm, or an inner_radius of more than 51 mm",
+            "at most 94 mm across, or an inner_radius of at least 54.45 mm",
         ),
-        ("object_radius = \"40 mm\"", object("5 mm"), "object-too-thin", "a smaller inner_radius"),
+        ("object_diameter = \"80 mm\"", object("10 mm"), "object-too-thin", "a smaller inner_radius"),
+        ("friction = 0.3", "friction = 0.3\nmass = \"20 kg\"".to_owned(), "too-heavy", "a mass of at most"),
+        ("friction = 0.3", "largest_force = \"3 N\"".to_owned(), "too-hard", "or less pressure"),
+        ("37 kPa", "3700 kPa".to_owned(), "outside-models", "did you mean 37 kPa?"),
         (
             "[star]",
             "[fabric]\nseal_strength = \"1 N/mm\"\n[star]".to_owned(),

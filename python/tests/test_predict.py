@@ -95,7 +95,7 @@ def test_a_shell_has_a_mesh_in_equilibrium_with_itself() -> None:
 
 
 def test_an_optimum_meets_its_constraints() -> None:
-    spec = sg.Spec.starter("x").replace({"load.pressure": "37 kPa", "load.object_radius": "30 mm", "load.friction": 0.5})
+    spec = sg.Spec.starter("x").replace({"load.pressure": "37 kPa", "load.object_radius": "30 mm", "load.object_height": "400 mm", "load.object_shape": "cylinder", "load.friction": 0.5})
     found = sg.optimize(spec, goal="fabric", points=(4, 5), count=(1, 4), payload=0.3)
     assert found.spec is not None and found.computed > 1000
     assert set(found.best["points"]) == {4.0, 5.0} and found.best["violation"][0] == 0.0

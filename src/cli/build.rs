@@ -190,6 +190,7 @@ fn answered(args: &Args, made: &Made) -> Result<Option<Value>, Failure> {
         return Ok(Some(said));
     }
     if voice.quiet {
+        glance::warn(watch::uncertain(forecast).as_slice());
         return Ok(None);
     }
     glance::show(&glance::head(forecast))?;

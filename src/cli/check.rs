@@ -38,6 +38,7 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
         return Ok(Some(glance::json(&forecast, &list)));
     }
     if voice.quiet {
+        glance::warn(watch::uncertain(&forecast).as_slice());
         return Ok(None);
     }
     glance::show(&glance::head(&forecast))?;

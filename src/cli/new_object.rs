@@ -109,7 +109,9 @@ impl Made {
     pub(super) fn in_words(&self) -> String {
         let verdict = self.forecast.verdict();
         let mut lines: Vec<String> = verdict.iter().map(Verdict::line).collect();
-        lines.extend(verdict.iter().flat_map(|verdict| &verdict.reasons).map(|reason| format!("  {reason}")));
+        let more = |verdict: &Verdict| verdict.one_star().into_iter().chain(verdict.assumed_in_words());
+        let reasons = verdict.iter().flat_map(|verdict| verdict.reasons.iter().cloned().chain(more(verdict)));
+        lines.extend(reasons.map(|reason| format!("  {reason}")));
         lines.extend(self.star_in_words());
         lines.join("\n") + "\n"
     }
@@ -308,7 +310,9 @@ fn buildable(
     let attempt = |base: &Spec| {
         let text = spec_text(name, choice, base).map_err(|_| Refusals::new())?;
         let spec = spec::read(&Source::new("chosen", text.clone())).map_err(|_| Refusals::new())?.spec;
-        Ok((text, Forecast::of(spec, machine.clone())?))
+        let forecast = Forecast::of(spec, machine.clone())?;
+        forecast.unfit().or(())?;
+        Ok((text, forecast))
     };
     let mut base = base.clone();
     let (text, forecast) = attempt(&base).or_else(|why: Refusals| {

@@ -10,7 +10,7 @@ use crate::cli::progress;
 use crate::cli::quantity::{EXTRA, SIZE, number, range};
 use crate::cli::shell::watched_by;
 use crate::cli::voice::{Voice, pretty};
-use crate::design::Design;
+use crate::design::{Design, room};
 use crate::forecast::by_shell::Detail;
 use crate::forecast::candidate::Candidate;
 use crate::forecast::choosing::is_result;
@@ -228,6 +228,11 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
     let side = [sheet.width, sheet.height].into_iter().flatten().map(|side| side.0).reduce(f64::min);
     let constraints = Constraints {
         grasp: args.grasp.map(|(from, to)| [Length(from.0 * (1.0 - ROUNDING)), to]),
+        // A hole that may be chosen leaves the object its room.
+        hole: load
+            .object_radius
+            .filter(|_| args.inner_radius.is_some())
+            .map(|own| Length(own.0 + room(own).0)),
         payload: mass.map(|mass| mass * (1.0 + ROUNDING)),
         largest_force: args
             .largest_force

@@ -15,12 +15,11 @@ pub(super) fn in_words(forecast: &Forecast) -> String {
         return "no verdict: add a [load] section that describes the object".to_owned();
     };
     let Some(verdict) = forecast.verdict() else {
-        let missing = if load.pressure.is_none() { key::load::PRESSURE } else { key::load::OBJECT_RADIUS };
+        let missing = if load.pressure.is_none() { key::load::PRESSURE } else { key::load::OBJECT_DIAMETER };
         return format!("no verdict: [load] does not say `{}`", missing.key());
     };
-    let object = load
-        .object_radius
-        .map_or_else(String::new, |Length(radius)| format!(", {} across,", Length(2.0 * radius)));
+    let across = |radius: Length| format!(", {} across,", Length(2.0 * radius.0));
+    let object = load.object_radius.map_or_else(String::new, across);
     let pressure = load.pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
     let payload = prediction.first.payload_kg.zip(prediction.first.ranges.payload_kg);
     let payload = payload.zip(load.friction).map_or_else(String::new, |((kg, range), friction)| {
@@ -28,7 +27,9 @@ pub(super) fn in_words(forecast: &Forecast) -> String {
     });
     let why =
         if verdict.reasons.is_empty() { String::new() } else { format!(": {}", verdict.reasons.join("; ")) };
-    format!("{}{object}{pressure}{payload}{why}", verdict.line())
+    let more = verdict.one_star().into_iter().chain(verdict.assumed_in_words());
+    let more: String = more.map(|text| format!("; {text}")).collect();
+    format!("{}{object}{pressure}{payload}{more}{why}", verdict.line())
 }
 
 /// How far it closes and at which pressure it bursts, each under its label.
@@ -54,17 +55,27 @@ pub(super) fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
 
 /// The same for programs.
 pub(super) fn json(forecast: &Forecast) -> Value {
-    let holds = forecast.verdict().and_then(|verdict| verdict.holds.known());
+    let verdict = forecast.verdict();
+    let holds = verdict.as_ref().and_then(|verdict| verdict.holds.known());
     let refused: Vec<Value> = forecast
         .unfit()
         .iter()
-        .map(|one| json!({ "code": one.code.to_string(), "found": one.found }))
+        .map(|one| {
+            let (code, key) = (one.code.to_string(), one.key.to_string());
+            json!({ "code": code, "key": key, "found": one.found, "remedy": one.remedy })
+        })
         .collect();
-    json!({ "holds": holds, "in_words": in_words(forecast), "unfit": refused })
+    let code = verdict.and_then(|verdict| verdict.code);
+    json!({ "holds": holds, "code": code, "in_words": in_words(forecast), "unfit": refused })
 }
 
 fn closing(star: &StarPrediction) -> String {
-    let Some([_, most]) = star.graspable_radius_mm else { return "unknown".to_owned() };
+    let hole = format!("the cut hole is {} mm across", rounded(2.0 * star.hole_radius_mm));
+    let room = match star.object_gap_mm {
+        Some(gap) if gap >= 0.0 => format!(", {} mm of room around the object", rounded(gap)),
+        _ => String::new(),
+    };
+    let Some([_, most]) = star.graspable_radius_mm else { return format!("unknown; {hole}{room}") };
     let radius = known(star.final_radius_mm, star.ranges.final_radius_mm, "mm");
-    format!("to a radius of {radius}; takes objects up to {} mm across", rounded(2.0 * most))
+    format!("to a radius of {radius}; takes objects up to {} mm across; {hole}{room}", rounded(2.0 * most))
 }

@@ -24,6 +24,7 @@ const UNKNOWN: &str = "generic";
 pub(super) fn list(forecast: &Forecast, path: &Path) -> Vec<String> {
     let unfit = forecast.unfit();
     let mut list: Vec<String> = unfit.iter().map(|refusal| refusal.found.clone()).collect();
+    list.extend(uncertain(forecast));
     // What is said of an unfit gripper is not said twice.
     let is_said = |text: &str| {
         !unfit.is_empty() && ["the object ", "the pressure "].iter().any(|start| text.starts_with(start))
@@ -75,6 +76,11 @@ fn is_unknown(machine: &Machine) -> bool {
 
 fn pace(forecast: &Forecast) -> Option<Pace> {
     forecast.programs.first().map(|program| program.pace)
+}
+
+/// That it may not hold its object, unless it is refused for that: what is printed however quiet one is.
+pub(super) fn uncertain(forecast: &Forecast) -> Option<String> {
+    forecast.uncertain().filter(|_| forecast.unfit().is_empty())
 }
 
 /// The sheets' sizes, mm.

@@ -1,7 +1,8 @@
 //! Sheets: the whole design, its parts placed side by side on fabric.
 
+use crate::design::object::tight;
 use crate::design::placement::{SheetLayout, place};
-use crate::design::{Frame, Refusals, Stack, StarDesign, Warning};
+use crate::design::{Frame, Meeting, Object, Refusals, Stack, StarDesign, Warning};
 use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{Machine, Spec};
 
@@ -77,11 +78,27 @@ impl Design {
             .zip(&design.distinct)
             .flat_map(|(s, part)| {
                 let hose = part.channel.and_then(|channel| channel.too_thick(s.index, &part.star));
-                [part.mask.cut_short(s.index, &part.star), hose]
+                let loose = design.stack.loose(spec, s.index);
+                [part.mask.cut_short(s.index, &part.star), hose, loose]
             })
             .flatten();
-        design.warnings = warnings.collect();
+        design.warnings = warnings.chain(design.tightest(spec)).collect();
         Ok(design)
+    }
+
+    /// What each star meets of the object of `spec`, bottom first; `None` without an object.
+    pub fn meetings(&self, spec: &Spec) -> Option<Vec<Meeting>> {
+        let object = Object::of(spec.load.as_ref()?)?;
+        let holes: Vec<f64> =
+            self.stars.iter().map(|placed| self.part(placed).star.hole(&spec.seal)).collect();
+        Some(object.meetings(&self.stack.stars, &holes))
+    }
+
+    /// The first star in whose hole the object has little room.
+    fn tightest(&self, spec: &Spec) -> Option<Warning> {
+        let meetings = self.meetings(spec)?;
+        let mut stars = self.stars.iter().zip(meetings);
+        stars.find_map(|(placed, meeting)| tight(spec, placed.index, &self.part(placed).star, meeting))
     }
 
     /// The design of a placed star.

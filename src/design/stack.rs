@@ -6,9 +6,29 @@
 
 use std::f64::consts::PI;
 
-use crate::design::{Refusal, RefusalCode, Refusals};
+use crate::design::{Refusal, RefusalCode, Refusals, Warning};
 use crate::spec::{Spec, key};
-use crate::units::Readable;
+use crate::units::{Length, Readable};
+
+/// Room between an inflated tube and its plates together, mm: folds of the fabric, and hands that put it in.
+const PLAY: f64 = 3.0;
+/// Plates that leave more than this many tubes' heights do not keep the arms in their plane.
+const LOOSE: f64 = 4.0;
+
+/// Height of an inflated tube that is `width` wide when flat: the diameter of a circle of the circumference 2 W.
+pub fn inflated_height(width: Length) -> Length {
+    Length(2.0 * width.0 / PI)
+}
+
+/// The least distance of stars with tubes `width` wide and plates of thickness `plate` between them, rounded up to a tenth of a millimetre.
+pub fn least_pitch(width: Length, plate: Length) -> Length {
+    Length((10.0 * (inflated_height(width).0 + plate.0)).ceil() / 10.0)
+}
+
+/// The same with some play.
+pub fn pitch_for(width: Length, plate: Length) -> Length {
+    least_pitch(width, Length(plate.0 + PLAY))
+}
 
 /// Heights and turns of a stack. Heights are mm above the bottom of the lowest plate.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,7 +52,7 @@ impl Stack {
         let thickness = spec.frame.plate_thickness.0;
         let count = spec.stars.len();
         // What one star needs from its middle to the middle of a plate.
-        let needs = |i: usize| spec.stars[i].tube_width.0 / PI + thickness / 2.0;
+        let needs = |i: usize| 0.5 * (inflated_height(spec.stars[i].tube_width).0 + thickness);
         let mut refusals = Refusals::new();
         for i in 1..count {
             let pitch = spec.stars[i].pitch.0;
@@ -57,6 +77,25 @@ impl Stack {
         }
         Ok(Self { stars, turns, plates, height: at + thickness / 2.0 })
     }
+
+    /// That the plates on both sides of star `index` are too far apart to keep its arms in their plane.
+    pub(super) fn loose(&self, spec: &Spec, index: usize) -> Option<Warning> {
+        let plate = spec.frame.plate_thickness;
+        let width = spec.stars.get(index - 1)?.tube_width;
+        let tube = inflated_height(width).0;
+        let gap = self.plates.get(index)? - self.plates.get(index - 1)? - plate.0;
+        // The distance of a star alone is that of [stack]; of others that of the one above where it has one.
+        let key = if index > 1 { key::stack::PITCH.of_star(index) } else { key::stack::PITCH };
+        (gap > LOOSE * tube).then(|| Warning {
+            key,
+            code: RefusalCode::WideFrame,
+            found: format!(
+                "the plates leave {:.1} mm for star {index}, whose inflated tube is {tube:.1} mm high",
+                gap
+            ),
+            remedy: format!("a pitch of {} keeps its arms in their plane", pitch_for(width, plate)),
+        })
+    }
 }
 
 fn too_tight(below: usize, pitch: f64, needed: f64, thickness: f64) -> Refusal {
@@ -73,4 +112,28 @@ fn too_tight(below: usize, pitch: f64, needed: f64, thickness: f64) -> Refusal {
         ),
         format!("pitch must be at least {} mm", Readable((needed * 100.0).ceil() / 100.0)),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::design::Design;
+    use crate::spec::{Machine, Source, read, starter};
+
+    #[test]
+    fn plates_far_from_a_thin_tube_are_warned_of_until_the_pitch_fits_it() {
+        let loose = |width: f64, pitch: f64| {
+            let text = starter("x").expect("a name");
+            let text = text.replace("tube_width = \"30 mm\"", &format!("tube_width = \"{width} mm\""));
+            let text = text.replace("\n[stack]\n", &format!("\n[stack]\npitch = \"{pitch} mm\"\n"));
+            let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
+            let design =
+                Design::new(&spec, &Machine::builtin("generic").expect("built in")).expect("makeable");
+            design.warnings.iter().any(|warning| warning.code == RefusalCode::WideFrame)
+        };
+        assert!(!loose(30.0, 40.0) && loose(13.0, 40.0));
+        let pitch = pitch_for(Length(13.0), Length(5.0));
+        assert!(!loose(13.0, pitch.0) && pitch.0 > 2.0 * 13.0 / PI + 5.0 && pitch.0 < 18.0, "{pitch}");
+        assert_eq!(pitch_for(Length(13.0), Length(5.0)), least_pitch(Length(13.0), Length(8.0)));
+    }
 }

@@ -1,10 +1,10 @@
 //! One design among many: the same closed forms as a prediction's, by the section's table, in a few microseconds.
 
-use crate::design::{Refusal, RefusalCode, SHEETS, Star, cut_area};
+use crate::design::{Meeting, Object, Refusal, RefusalCode, SHEETS, Star, cut_area};
 use crate::forecast::case::Case;
 use crate::forecast::choice::tabled;
 use crate::forecast::outcome::Outcome;
-use crate::forecast::ranges::{Interval, scaled};
+use crate::forecast::ranges::{Interval, scaled, sum};
 use crate::forecast::seal_load::burst;
 use crate::mechanics::fault::{HingeFault, StarFault};
 use crate::mechanics::hinge::fit::Fit;
@@ -79,8 +79,10 @@ pub struct Answer {
     pub star: Star,
     /// What is asked about it, as the model sees it.
     pub case: Case,
-    /// What it does, with linear hinges; `None` without a pressure, or where `section` does not cover it.
+    /// What the lowest star does, with linear hinges; `None` without a pressure, or where `section` does not cover it.
     pub outcome: Option<Outcome>,
+    /// What the star does that meets the widest part of the object: the same where all meet it.
+    pub grip: Option<Outcome>,
     /// Pressure of full actuation.
     pub operating_pressure: Pressure,
     /// Burst pressure.
@@ -159,33 +161,83 @@ impl Candidate {
     pub(super) fn answer_by(
         &self,
         ring: &RingTable,
-        known: impl FnOnce(&Case) -> Result<Option<(Case, Outcome)>, StarFault>,
+        known: impl Fn(&Case) -> Result<Option<(Case, Outcome)>, StarFault>,
     ) -> Result<Answer, Refused> {
         let star = Star::new(&self.star).map_err(|refusal| Refused::from(&refusal))?;
-        let case = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
+        let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
         let ring = TableRing(ring);
-        let (case, outcome) = known(&case)?.map_or((case, None), |(case, own)| (case, Some(own)));
+        let answered = |case: &Case| {
+            Ok::<_, StarFault>(known(case)?.map_or((*case, None), |(case, own)| (case, Some(own))))
+        };
         let inlet = self.inlet.as_ref();
         let area = cut_area(&star, &self.seal, inlet, self.star.inlet_tip, self.hole_diameter.0);
-        let one = Answer {
+        let met = self.different_meetings(&star);
+        let lowest = met.first().map_or(asked, |(meeting, _)| asked.meeting(Some(*meeting)));
+        let (case, outcome) = answered(&lowest)?;
+        let mut one = Answer {
             star,
             case,
             outcome,
+            grip: outcome,
             operating_pressure: Pressure::from_pascals(case.operating_pressure()),
             burst: burst(&case, &ring).map(Pressure::from_pascals),
             payload: None,
             payload_range: None,
             fabric: area.map(|area| SHEETS * area),
         };
-        Ok(one.of_stars(self.stars))
+        if met.is_empty() {
+            return Ok(one.of_stars(self.stars));
+        }
+        let mut all = Vec::with_capacity(met.len());
+        for (meeting, count) in &met {
+            let (_, own) = answered(&asked.meeting(Some(*meeting)))?;
+            all.push((meeting.radius, f64::from(*count), own));
+        }
+        one.grip = all.iter().max_by(|a, b| a.0.total_cmp(&b.0)).and_then(|widest| widest.2);
+        one.payload = all.iter().map(|(_, count, own)| Some(count * own.as_ref()?.payload?)).sum();
+        one.payload_range =
+            sum(all.iter().map(|(_, count, own)| Some(scaled(own.as_ref()?.payload_range?, *count))));
+        Ok(one)
+    }
+
+    /// What its stars meet of the object, each with how many meet it so, that of the lowest star first; empty where all meet its middle.
+    fn different_meetings(&self, star: &Star) -> Vec<(Meeting, u32)> {
+        let Some(object) = Object::of(&self.load).filter(|_| self.stars > 1) else { return Vec::new() };
+        let mut met: Vec<(Meeting, u32)> = Vec::new();
+        for meeting in object.equal_meetings(self.stars, self.star.pitch.0, star.hole(&self.seal)) {
+            match met.iter_mut().find(|(other, _)| *other == meeting) {
+                Some((_, count)) => *count += 1,
+                None => met.push((meeting, 1)),
+            }
+        }
+        if met.len() > 1 || met.iter().any(|(meeting, _)| meeting.radius < meeting.entering) {
+            met
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// Whether all of its stars meet the object's middle.
+    pub fn meets_alike(&self, star: &Star) -> bool {
+        self.different_meetings(star).is_empty()
+    }
+
+    /// The most stars of a stack that is not taller than its object, at least 1.
+    pub fn most_stars(&self) -> u32 {
+        let Some(object) = Object::of(&self.load) else { return u32::MAX };
+        let stars =
+            ((object.height().0 - self.plate.0) / self.star.pitch.0.max(1e-3)).floor().clamp(1.0, 1e3);
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1000")]
+        let stars = stars as u32;
+        stars
     }
 }
 
 impl Answer {
-    /// The same of a stack of `count` stars.
+    /// The same of a stack of `count` stars that all meet the object as this one does.
     #[must_use]
     pub fn of_stars(self, count: u32) -> Self {
-        let own = self.outcome.as_ref();
+        let own = self.grip.as_ref();
         let count = f64::from(count);
         Self {
             payload: own.and_then(|own| own.payload).map(|of_one| count * of_one),
@@ -217,7 +269,7 @@ mod tests {
     /// Rounded hinges that differ, a stack, and every figure asked for.
     fn spec(radii: [f64; 2]) -> Spec {
         let text = starter("x").expect("a name")
-            + "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.5\n";
+            + "\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nobject_height = \"150 mm\"\nobject_shape = \"cylinder\"\nfriction = 0.5\n";
         let mut spec = read(&Source::new("x", text)).expect("valid").spec;
         spec.accuracy.model = spec::ModelChoice::Ring;
         spec.fabric.seal_strength = Some(LineForce(3.0));
@@ -263,6 +315,38 @@ mod tests {
             for (a, b) in pairs {
                 assert!((a / b - 1.0).abs() < 1e-9, "{radii:?}: {a} {b}");
             }
+        }
+    }
+
+    /// The two outer stars pass above and below a ball of 60 mm, and meet one of 120 mm where it is 89 mm across.
+    #[test]
+    fn stars_of_a_stack_meet_a_ball_at_their_own_heights() {
+        let profile = Source::new("generic", spec::builtin_machine("generic").expect("built in"));
+        let machine = spec::read_machine(&profile).expect("valid");
+        let table = RingTable::new().expect("solved");
+        for (radius, pitch) in [(30.0, 40.0), (40.0, 25.0), (44.0, 25.0)] {
+            let mut spec = spec([0.0, 0.0]);
+            spec.accuracy.model = spec::ModelChoice::Auto;
+            spec.stars.iter_mut().for_each(|star| star.pitch = Length(pitch));
+            let load = spec.load.as_mut().expect("given");
+            (load.object_radius, load.object_height, load.object_shape) = (Some(Length(radius)), None, None);
+            let design = Design::new(&spec, &machine).expect("makeable");
+            let full = predict(&spec, &design).expect("predictable");
+            let fast = Candidate::of(&spec).expect("a star").answer(&table).expect("feasible");
+            let met: Vec<f64> = full.stars.iter().filter_map(|star| star.object_radius_mm).collect();
+            let end = f64::max(radius * radius - pitch * pitch, 0.0).sqrt();
+            assert!(
+                (met[0] - end).abs() < 1e-9 && (met[1] - radius).abs() < 1e-9 && met[2] == met[0],
+                "{met:?}"
+            );
+            let forces: Vec<f64> = full.stars.iter().filter_map(|star| star.object_force_N).collect();
+            assert!(forces[0] < forces[1] && forces[2] == forces[0], "{forces:?}");
+            let sum: f64 = full.stars.iter().filter_map(|star| star.payload_kg).sum();
+            for payload in [fast.payload, full.first.payload_kg] {
+                assert!((payload.expect("asked for") - sum).abs() < 1e-9, "{payload:?} {sum}");
+            }
+            let grip = fast.grip.and_then(|own| own.object_force()).expect("held");
+            assert!((grip - forces[1]).abs() < 1e-9, "{grip} {forces:?}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What a spec asks about one star, in SI units: the one place where mm become m and kPa become Pa.
 
-use crate::design::Star;
+use crate::design::{Meeting, Star};
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::star::{Correction, Mechanism};
 use crate::mechanics::strength::ElasticSheet;
@@ -32,14 +32,18 @@ pub struct Case {
     pub peel: Option<f64>,
     /// Gauge pressure, Pa.
     pub pressure: Option<f64>,
-    /// Radius of the object, m.
+    /// Radius of the hole's cut edge, m: what is wider does not enter.
+    pub hole: f64,
+    /// Radius of the object where the star meets it, m; 0 where the star passes above or below it.
     pub object: Option<f64>,
+    /// Radius of what must pass the hole until the object is in its place, m.
+    pub entering: Option<f64>,
     /// Friction with the object.
     pub friction: Option<f64>,
 }
 
 impl Case {
-    /// The case of `star`, made of `fabric`, sealed as `seal` says and loaded by `load`.
+    /// The case of `star` around the middle of its object, made of `fabric`, sealed as `seal` says and loaded by `load`.
     ///
     /// # Errors
     /// If a property of the fabric is out of its range; a spec's never is.
@@ -54,7 +58,9 @@ impl Case {
             sheet: sheet(fabric)?,
             peel: fabric.seal_strength.map(LineForce::newtons_per_metre),
             pressure: load.and_then(|load| load.pressure).map(Pressure::pascals),
+            hole: Length(star.hole(seal)).metres(),
             object: load.and_then(|load| load.object_radius).map(Length::metres),
+            entering: load.and_then(|load| load.object_radius).map(Length::metres),
             friction: load.and_then(|load| load.friction),
         })
     }
@@ -65,6 +71,19 @@ impl Case {
     /// As for [`Case::new`].
     pub fn of(spec: &Spec, star: &Star) -> Result<Self, StarFault> {
         Self::new(star, &spec.fabric, &spec.seal, spec.load.as_ref())
+    }
+
+    /// The same star around a cylinder of `radius`, m.
+    #[must_use]
+    pub fn around(self, radius: f64) -> Self {
+        Self { object: Some(radius), entering: Some(radius), ..self }
+    }
+
+    /// The same star where it meets the object as `meeting` says; as it is without one.
+    #[must_use]
+    pub fn meeting(self, meeting: Option<Meeting>) -> Self {
+        let metres = |of: fn(&Meeting) -> f64| meeting.as_ref().map(|one| Length(of(one)).metres());
+        Self { object: metres(|one| one.radius), entering: metres(|one| one.entering), ..self }
     }
 
     /// Pressure from which the hinges are fully coiled, Pa.

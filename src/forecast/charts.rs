@@ -180,7 +180,7 @@ impl Question<'_> {
         let most = if most < own.rest.widest.radius { most } else { least + SHOWN * (most - least) };
         let at = |k: u32| {
             let rho = least + (most - least) * f64::from(k) / f64::from(RADII);
-            let outcome = Outcome::linear(&Case { object: Some(rho.min(most)), ..case }, &inflated);
+            let outcome = Outcome::linear(&case.around(rho.min(most)), &inflated);
             Some(AtRadius {
                 radius_mm: Length::from_metres(rho).0,
                 force_N: outcome.object_force()?,

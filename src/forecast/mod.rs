@@ -11,7 +11,7 @@
 //! | [`outcome`] | an inflated star with its load, in closed forms with their ranges: for all that follow |
 //! | [`pressures`] | what it does at several pressures, where none is given |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
-//! | [`mod@verdict`] | whether the object is held |
+//! | [`mod@verdict`] | whether the object is held, and why a gripper that cannot is refused |
 //! | [`mod@shut`] | the shape of the star that has closed |
 //! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
@@ -48,4 +48,5 @@ pub mod stars;
 pub mod stiffness;
 pub mod study;
 pub mod trade;
+mod unfit;
 pub mod verdict;

@@ -24,7 +24,7 @@ pub struct Outcome {
     pub known: bool,
     /// 1 - rho_f / rho_0.
     pub contraction: f64,
-    /// Radii that it can hold, m: from rho_f to the largest that both the flat star lets in and the inflated one opens
+    /// Radii that it can hold, m: from rho_f to the largest that both passes the cut hole and the inflated star opens
     /// to; empty, both ends rho_f, if there are none.
     pub graspable: [f64; 2],
     /// Radial stiffness at rest, N per m; `None` too where arms touch, of which only a limit says something.
@@ -54,7 +54,9 @@ pub enum Hold {
     Held(f64),
     /// It is thinner than the final radius.
     TooThin,
-    /// It is wider than the flat star's hole, and does not enter.
+    /// The star passes above or below it.
+    Beside,
+    /// It is wider than the flat star's cut hole, and does not enter.
     TooWideToEnter,
     /// It is wider than the inflated star opens.
     TooWideToOpen,
@@ -119,7 +121,8 @@ impl Outcome {
     fn at(case: &Case, rest: Rest, force: impl Fn(f64, &Rest) -> Result<f64, StarFault>) -> Self {
         let rho_0 = case.inner_radius;
         let hold = case.pressure.and(case.object).map(|rho| match rho {
-            _ if rho > rho_0 => Hold::TooWideToEnter,
+            _ if rho <= 0.0 => Hold::Beside,
+            _ if case.entering.unwrap_or(rho) > case.hole => Hold::TooWideToEnter,
             _ if rho < rest.radius => Hold::TooThin,
             _ if rho > rest.widest.radius => Hold::TooWideToOpen,
             _ => force(rho, &rest).map_or_else(Hold::Unknown, Hold::Held),
@@ -131,7 +134,7 @@ impl Outcome {
             rest,
             known: true,
             contraction: 1.0 - rest.radius / rho_0,
-            graspable: [rest.radius, rest.widest.radius.min(rho_0).max(rest.radius)],
+            graspable: [rest.radius, rest.widest.radius.min(case.hole).max(rest.radius)],
             stiffness: with_pressure(rest.stiffness),
             preload: with_pressure(rest.preload),
             hold,
@@ -165,9 +168,10 @@ impl Outcome {
                 "the object is thinner than the final radius, {}: the star does not reach it",
                 mm(least)
             )),
+            Hold::Beside => Some("the object ends below or above the star: it does not touch it".to_owned()),
             Hold::TooWideToEnter => Some(format!(
-                "the object is wider than the flat star's {}: it does not enter",
-                mm(case.inner_radius)
+                "the object is wider than the cut hole, {} in radius: it does not enter",
+                mm(case.hole)
             )),
             Hold::TooWideToOpen => Some(format!(
                 "the object is wider than the inflated star opens, {}: the arms lock there, and the star does not \
@@ -204,7 +208,7 @@ impl Hold {
     pub fn force(self) -> Option<f64> {
         match self {
             Self::Held(force) => Some(force),
-            Self::TooThin => Some(0.0),
+            Self::TooThin | Self::Beside => Some(0.0),
             Self::TooWideToEnter | Self::TooWideToOpen | Self::Unknown(_) | Self::Untried => None,
         }
     }

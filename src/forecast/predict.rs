@@ -1,12 +1,12 @@
 //! From a spec to the answer: chooses the model, asks it about every star, and says how good the answer is.
 
-use crate::design::{Design, StarDesign};
-use crate::forecast::answered::{Answered, of_the_shape};
+use crate::design::{Design, Meeting, StarDesign};
+use crate::forecast::answered::{Answered, mm, of_the_shape};
 use crate::forecast::case::{Case, measured_stiffnesses};
 use crate::forecast::choice::{corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::forecast::outcome::{Hold, Outcome};
 use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Prediction, StarPrediction};
-use crate::forecast::pressures::{LEAST, MOST, rows};
+use crate::forecast::pressures::{LEAST, MOST, modelled, rows};
 use crate::forecast::ranges::{Interval, Ranges, Standing, StarRanges, errors, outside, sum};
 use crate::forecast::seal_load::{burst, factor, remedy, safe_radius};
 use crate::forecast::verdict::verdict;
@@ -14,7 +14,7 @@ use crate::mechanics::fault::{HingeFault, StarFault};
 use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::hinge::{HingeModel, Level};
 use crate::mechanics::star::response::Inflated;
-use crate::spec::{KeyPath, ModelChoice, Spec, key};
+use crate::spec::{KeyPath, ModelChoice, ObjectShape, Spec, key};
 use crate::units::{Length, Pressure};
 use std::fmt;
 
@@ -45,13 +45,25 @@ impl std::error::Error for PredictFault {}
 /// # Errors
 /// If a model refuses one of the hinges, or is not available.
 pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault> {
+    let meetings = design.meetings(spec);
     // Stars of a stack are often equal; a slow model then answers once.
-    let distinct = design
-        .firsts()
-        .map(|placed| predict_star(spec, design.part(placed)).map_err(|fault| located(placed.index, &fault)));
-    let distinct = distinct.collect::<Result<Vec<_>, _>>()?;
-    let stars: Vec<StarPrediction> =
-        design.stars.iter().filter_map(|placed| distinct.get(placed.distinct)).cloned().collect();
+    let mut known: Vec<(usize, Option<Meeting>, StarPrediction)> = Vec::new();
+    let mut stars = Vec::with_capacity(design.stars.len());
+    for (i, placed) in design.stars.iter().enumerate() {
+        let meeting = meetings.as_ref().and_then(|all| all.get(i)).copied();
+        let twin =
+            known.iter().find(|(distinct, other, _)| *distinct == placed.distinct && *other == meeting);
+        let star = match twin {
+            Some((_, _, star)) => star.clone(),
+            None => {
+                let star = predict_star(spec, design.part(placed), meeting)
+                    .map_err(|fault| located(placed.index, &fault))?;
+                known.push((placed.distinct, meeting, star.clone()));
+                star
+            }
+        };
+        stars.push(star);
+    }
     let Some(first) = stars.first() else {
         return Err(PredictFault { star: None, key: key::stack::COUNT, what: "there is no star".to_owned() });
     };
@@ -75,7 +87,10 @@ pub fn add_curve(
     let mut at = spec.clone();
     let mut curves = vec![Vec::new(); prediction.stars.len()];
     for radius in radii {
-        at.load.get_or_insert_default().object_radius = Some(*radius);
+        let load = at.load.get_or_insert_default();
+        load.object_radius = Some(*radius);
+        // Each star around a cylinder that no star ends above or below.
+        (load.object_height, load.object_shape) = (Some(ENDLESS), Some(ObjectShape::Cylinder));
         let stars = predict(&at, design)?.stars;
         for (curve, star) in curves.iter_mut().zip(&stars) {
             let [low, high] = star.ranges.object_force_N.map_or([None; 2], |range| range.map(Some));
@@ -93,6 +108,9 @@ pub fn add_curve(
     Ok(())
 }
 
+/// Height of a cylinder that no stack is as high as: the largest length of a spec.
+const ENDLESS: Length = Length(1e5);
+
 /// One star, and what is asked about it.
 struct Asked<'a> {
     spec: &'a Spec,
@@ -101,8 +119,12 @@ struct Asked<'a> {
     seal: Seal,
 }
 
-fn predict_star(spec: &Spec, part: &StarDesign) -> Result<StarPrediction, StarFault> {
-    let case = Case::of(spec, &part.star)?;
+fn predict_star(
+    spec: &Spec,
+    part: &StarDesign,
+    meeting: Option<Meeting>,
+) -> Result<StarPrediction, StarFault> {
+    let case = Case::of(spec, &part.star)?.meeting(meeting);
     let asked = Asked { spec, part, case, seal: Seal::new(&case) };
     let width = case.mechanism.width;
     let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
@@ -133,6 +155,7 @@ impl Asked<'_> {
                 let why = format!("no model covers this star at this pressure: {fault}");
                 let mut unknown = self.unknown(why.clone());
                 unknown.evidence.warnings.insert(0, why);
+                unknown.modelled_kPa = modelled(&self.case);
                 Ok(unknown)
             }
             Err(fault) => Err(fault),
@@ -145,6 +168,7 @@ impl Asked<'_> {
         // Angles and radii of a limit do not depend on the pressure: without one, any will do.
         let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
         let outcome = Outcome::linear(case, &inflated);
+        let known = outcome.known;
         let answered = Answered { model, inflated, outcome };
         let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
         let warnings = &mut star.evidence.warnings;
@@ -156,6 +180,9 @@ impl Asked<'_> {
         }
         star.nonlinear = answered.nonlinear(case, self.spec.accuracy.response, warnings);
         answered.fill(&mut star, case)?;
+        if !known {
+            star.modelled_kPa = modelled(&self.case);
+        }
         Ok(star)
     }
 
@@ -188,6 +215,9 @@ impl Asked<'_> {
             radial_stiffness_N_per_m: None,
             preload_N: None,
             graspable_radius_mm: None,
+            hole_radius_mm: mm(case.hole),
+            object_radius_mm: case.object.map(mm),
+            object_gap_mm: case.entering.map(|entering| mm(case.hole) - mm(entering)),
             object_force_N: None,
             force_curve: None,
             bendability: case.pressure.map(|p| case.sheet.bendability(p, width)),
@@ -217,6 +247,7 @@ impl Asked<'_> {
                 warnings,
             },
             hold: case.pressure.and(case.object).map(|_| Hold::Untried),
+            modelled_kPa: None,
             correction: case.mechanism.correction,
         }
     }

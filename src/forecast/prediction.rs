@@ -14,7 +14,7 @@ pub struct Prediction {
     /// Star 1, and so is its `mass_g`; only `payload_kg` is the whole stack's.
     #[serde(flatten)]
     pub first: StarPrediction,
-    /// What becomes of the object; needs object_radius and a pressure.
+    /// What becomes of the object; needs object_diameter and a pressure.
     pub verdict: Option<Verdict>,
     /// Mass of all stars' fabric, what a manifest calls `mass_g` at its top; needs areal_density.
     pub stack_mass_g: Option<f64>,
@@ -51,12 +51,24 @@ impl Holds {
 pub struct Verdict {
     /// In one word.
     pub holds: Holds,
+    /// The first reason as a code of docs/codes.md; `None` if it holds.
+    pub code: Option<&'static str>,
     /// Radial force of all stars.
     pub force_N: Option<f64>,
     /// Its range.
     pub force_range_N: Option<Interval>,
     /// Radial force that friction needs to hold the mass.
     pub needed_N: Option<f64>,
+    /// Radial force of the star that presses hardest.
+    pub star_force_N: Option<f64>,
+    /// Its range.
+    pub star_force_range_N: Option<Interval>,
+    /// Radial force of one star that the object bears.
+    pub largest_force_N: Option<f64>,
+    /// Number of stars.
+    pub stars: usize,
+    /// What the spec leaves open about the object and stars of a stack depend on.
+    pub assumed: Option<String>,
     /// Why, and what to do: one sentence each; none if it holds.
     pub reasons: Vec<String>,
 }
@@ -82,6 +94,21 @@ impl Verdict {
         };
         let needed = self.needed_N.map_or(String::new(), |needed| format!(" ({needed:.1} N are needed)"));
         format!("{word}{force}{needed}")
+    }
+
+    /// How hard one star presses, where that is not the force of all and a limit is set.
+    pub fn one_star(&self) -> Option<String> {
+        let bears = self.largest_force_N.filter(|_| self.stars > 1)?;
+        let force = shown::with(self.star_force_N?, self.star_force_range_N?, "N");
+        Some(format!(
+            "of these {} stars the hardest presses with {force}; the object bears {bears} N of one star",
+            self.stars
+        ))
+    }
+
+    /// What is assumed of the object, as a sentence.
+    pub fn assumed_in_words(&self) -> Option<String> {
+        self.assumed.as_ref().map(|what| format!("the object is {what}"))
     }
 
     /// The share of the needed force that there is at the least.
@@ -121,10 +148,16 @@ pub struct StarPrediction {
     pub radial_stiffness_N_per_m: Option<f64>,
     /// Radial force stored in a star that is pressed shut; 0 for one that is free; needs a pressure.
     pub preload_N: Option<f64>,
-    /// Radii that the star can hold: from rho_f to the largest that the inflated star opens to, or to rho_0 where that is
+    /// Radii that the star can hold: from rho_f to the largest that the inflated star opens to, or to hole_radius_mm where that is
     /// less, because a wider object does not enter the flat star.
     pub graspable_radius_mm: Option<[f64; 2]>,
-    /// Radial force on the object; needs pressure and object_radius.
+    /// Radius of the hole's cut edge: what is wider does not enter the flat star.
+    pub hole_radius_mm: f64,
+    /// Radius of the object at the star's height; 0 where the star passes above or below it.
+    pub object_radius_mm: Option<f64>,
+    /// Room between the cut hole and what of the object must pass it, before inflation; below 0 the object does not enter.
+    pub object_gap_mm: Option<f64>,
+    /// Radial force on the object; needs pressure and object_diameter.
     pub object_force_N: Option<f64>,
     /// Radius, mm, and radial force, N, of a round object, with its range; where radii were asked for and the star holds them.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -156,9 +189,12 @@ pub struct StarPrediction {
     pub nonlinear: Option<Nonlinear>,
     /// How good all this is.
     pub evidence: Evidence,
-    /// What becomes of the object; needs pressure and object_radius.
+    /// What becomes of the object; needs pressure and object_diameter.
     #[serde(skip)]
     pub hold: Option<Hold>,
+    /// Where no model covers the star at its pressure: the pressures, kPa, at which one does.
+    #[serde(skip)]
+    pub modelled_kPa: Option<Interval>,
     /// What inflation does to the star beyond hinges and rigid arms.
     #[serde(skip)]
     pub correction: Correction,

@@ -64,6 +64,43 @@ pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
     rows
 }
 
+/// Pressures that a spec may have, kPa: 1 Pa to 1 GPa.
+const ALL: [f64; 2] = [1e-3, 1e6];
+/// Pressures of [`ALL`] that are tried, evenly by their logarithm: twenty a decade.
+const TRIED: u32 = 181;
+
+/// The lowest and the highest pressure, kPa, at which anything is known of the star of `case`, rounded inwards to three digits; `None`
+/// if there is none.
+pub fn modelled(case: &Case) -> Option<Interval> {
+    let is_known = |kpa: f64| {
+        let pressure = Pressure(kpa).pascals();
+        let outcome = tabled(case, pressure)
+            .and_then(|model| Outcome::of(&Case { pressure: Some(pressure), ..*case }, &model));
+        outcome.is_ok_and(|(_, outcome)| outcome.known)
+    };
+    let tried = |k: u32| ALL[0] * (ALL[1] / ALL[0]).powf(f64::from(k) / f64::from(TRIED - 1));
+    let known: Vec<u32> = (0..TRIED).filter(|k| is_known(tried(*k))).collect();
+    let (first, last) = (*known.first()?, *known.last()?);
+    // From a pressure that is known towards its neighbour that is not.
+    let end = |inside: u32, outside: Option<u32>| {
+        let (mut inside, Some(mut outside)) = (tried(inside), outside.map(tried)) else {
+            return tried(inside);
+        };
+        for _ in 0..20 {
+            let middle = (inside * outside).sqrt();
+            if is_known(middle) { inside = middle } else { outside = middle }
+        }
+        inside
+    };
+    let low = end(first, first.checked_sub(1));
+    let high = end(last, Some(last + 1).filter(|k| *k < TRIED));
+    let three = |x: f64, round: fn(f64) -> f64| {
+        let digit = 10_f64.powf(x.log10().floor() - 2.0);
+        round(x / digit) * digit
+    };
+    Some([three(low, f64::ceil), three(high, f64::floor)])
+}
+
 /// What is to be largest: the force that is sure where there is an object, which is 0 where it is not known; else how far it closes.
 fn merit(row: &PressureRow, object: bool) -> f64 {
     if object { row.force_range_N.map_or(0.0, |range| range[0]) } else { -row.final_radius_mm }

@@ -20,7 +20,13 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
         star_text(&mut out, star);
     } else {
         for (i, star) in prediction.stars.iter().enumerate() {
-            let _ = writeln!(out, "\nstar {}:", i + 1);
+            if prediction.stars.iter().take(i).any(|other| other == star) {
+                continue;
+            }
+            let alike = (1..).zip(&prediction.stars).filter(|(_, other)| *other == star);
+            let numbers: Vec<String> = alike.map(|(number, _)| number.to_string()).collect();
+            let word = if numbers.len() == 1 { "star" } else { "stars" };
+            let _ = writeln!(out, "\n{word} {}:", numbers.join(", "));
             star_text(&mut out, star);
         }
     }
@@ -37,7 +43,7 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     }
     if let Some(verdict) = &prediction.verdict {
         let _ = writeln!(out, "\nverdict: {}", verdict.line());
-        for reason in &verdict.reasons {
+        for reason in verdict.reasons.iter().chain(&verdict.one_star()).chain(&verdict.assumed_in_words()) {
             let _ = writeln!(out, "  {reason}");
         }
     }
@@ -88,6 +94,10 @@ fn star_text(out: &mut String, star: &StarPrediction) {
             None => show(radius, "mm"),
         };
         line("holds radii from, to", format!("{}, {}", end(least), end(most)));
+        line("cut hole, radius", show(star.hole_radius_mm, "mm"));
+        if let Some(gap) = star.object_gap_mm {
+            line("room around the object", show(gap, "mm"));
+        }
     }
     for (what, value, unit) in optional {
         if let Some(value) = value {

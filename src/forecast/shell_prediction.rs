@@ -60,7 +60,13 @@ pub struct ShellStar {
     pub volume_mm3: f64,
     /// How far it opens is not known.
     pub graspable_radius_mm: Option<[f64; 2]>,
-    /// Radial force on the object; needs object_radius.
+    /// Radius of the hole's cut edge: what is wider does not enter the flat star.
+    pub hole_radius_mm: f64,
+    /// Radius of the object at the star's height; 0 where the star passes above or below it.
+    pub object_radius_mm: Option<f64>,
+    /// Room between the cut hole and what of the object must pass it, before inflation; below 0 the object does not enter.
+    pub object_gap_mm: Option<f64>,
+    /// Radial force on the object; needs object_diameter.
     pub object_force_N: Option<f64>,
     /// Radius, mm, and radial force, N, of a round object; its range is not known.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -44,7 +44,7 @@ pub(super) struct Measured {
     pub(super) volume: Value,
     /// Radius of each object that was asked about, m, and the radial force on it, N.
     pub(super) forces: Vec<(f64, Value)>,
-    /// The object of the load, m; `None` if there is none, or it does not enter.
+    /// Radius of the object of the load, m; `None` if there is none, it does not enter, or the star does not meet it.
     pub(super) object: Option<f64>,
     /// The hardest loaded places, SI.
     pub(super) extremes: Extremes,
@@ -85,19 +85,23 @@ pub(super) fn ask(
     watch: &Watch<'_>,
 ) -> Result<(FlatStar, InflatedStar, Measured), Refusal> {
     let flat = flat(case)?;
-    // An object that does not enter is not asked about.
-    let object = case.object.filter(|object| *object <= case.inner_radius);
+    let object = entered(case);
     let mut objects: Vec<f64> = radii.iter().copied().chain(object).collect();
     objects.sort_by(f64::total_cmp);
     objects.dedup();
     if objects.len() > MOST_OBJECTS {
         let what = format!("{} radii, and one call takes {MOST_OBJECTS}: ask for fewer", objects.len());
-        return Err(fault(key::load::OBJECT_RADIUS, what));
+        return Err(fault(key::load::OBJECT_DIAMETER, what));
     }
     let found =
         star(&flat, Objects::Radii(&objects), detail.fineness(), watch).map_err(|why| refused(&why))?;
     let measured = Measured::new(case, object, &found);
     Ok((flat, found, measured))
+}
+
+/// The radius of the object, m, where the star meets it; an object that does not enter is not asked about.
+pub(super) fn entered(case: &Case) -> Option<f64> {
+    case.object.filter(|object| *object > 0.0 && case.entering.unwrap_or(*object) <= case.hole)
 }
 
 /// The key that is best changed.
@@ -109,7 +113,7 @@ fn refused(why: &ShellFault) -> Refusal {
         ShellFault::Range { name, .. } if name.starts_with("the") => key::fabric::THICKNESS,
         ShellFault::Range { .. } | ShellFault::Stopped { .. } => key::load::PRESSURE,
         ShellFault::Mesh(_) | ShellFault::TooLarge { .. } => key::star::TIP_ANGLE,
-        ShellFault::TooMany { .. } => key::load::OBJECT_RADIUS,
+        ShellFault::TooMany { .. } => key::load::OBJECT_DIAMETER,
     };
     fault(key, why.to_string())
 }

@@ -10,13 +10,14 @@ use crate::mechanics::star::{Correction, Mechanism};
 use crate::numerics::bracketed_root;
 use crate::units::Length;
 
-/// Every star of `design`, bottom first, as wide as `prediction` has it close: on the object of radius `object` where that is
-/// wider and the inflated star reaches it, else as far as it goes. Lengths in mm. Empty where it is not known how far they close.
+/// Every star of `design`, bottom first, as wide as `prediction` has it close: on the object of radius `object`, or of that at its own
+/// height, where that is wider and the inflated star reaches it, else as far as it goes. Lengths in mm. Empty where it is not known how far they close.
 pub fn shut(design: &Design, prediction: &Prediction, object: Option<Length>) -> Vec<Star> {
     let stars = design.stars.iter().zip(&prediction.stars);
     let shut = stars.map(|(placed, predicted)| {
         let star = &design.part(placed).star;
         let moves = Mechanism { correction: predicted.correction, ..mechanism(star) };
+        let object = object.map(|object| predicted.object_radius_mm.map_or(object, Length));
         let rest = predicted.tip_equilibrium_angle_deg?.to_radians().max(predicted.correction.touch);
         Some(at_angle(star, &moves, held(&moves, rest, object).unwrap_or(rest)))
     });

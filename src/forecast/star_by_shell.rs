@@ -1,7 +1,7 @@
 //! A spec's stars as shells: the same keys as other predictions, with what only a shell knows, and none of what only a
 //! hinge's model knows.
 
-use crate::design::{Design, StarDesign};
+use crate::design::{Design, Meeting, PlacedStar, StarDesign};
 use crate::forecast::answered::mm;
 use crate::forecast::by_shell::{Detail, SHELL};
 use crate::forecast::case::{Case, measured_stiffnesses};
@@ -9,7 +9,7 @@ use crate::forecast::predict::PredictFault;
 use crate::forecast::prediction::{ForceAt, Hinges};
 use crate::forecast::ranges::StarRanges;
 use crate::forecast::shell_prediction::{Place, ShellEvidence, ShellPrediction, ShellStar, StarMeshErrors};
-use crate::forecast::shell_star::{Measured, ask, fault};
+use crate::forecast::shell_star::{Measured, ask, entered, fault};
 use crate::mechanics::strength::payload;
 use crate::shell::cases::{FlatStar, InflatedStar, Shape, Value, Watch};
 use crate::spec::{Spec, key};
@@ -31,18 +31,21 @@ pub fn predict(
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<(ShellPrediction, Shape), Refusal> {
-    let mut distinct = Vec::new();
+    let meetings = design.meetings(spec);
+    let meeting = |placed: &PlacedStar| meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
+    let mut computed = Vec::new();
     for placed in design.firsts() {
-        let found = predict_star((spec, design.part(placed)), radii, detail, watch);
-        distinct.push(found.map_err(|refusal| refusal.of_star(placed.index))?);
+        let alike = design.stars.iter().filter(|other| other.distinct == placed.distinct);
+        let meetings: Vec<Option<Meeting>> = alike.map(meeting).collect();
+        let found = compute((spec, design.part(placed)), (radii, &meetings), detail, watch);
+        computed.push(found.map_err(|refusal| refusal.of_star(placed.index))?);
     }
-    let stars: Vec<ShellStar> = design
-        .stars
-        .iter()
-        .filter_map(|placed| distinct.get(placed.distinct))
-        .map(|(star, _)| star.clone())
-        .collect();
-    let shape = distinct.into_iter().next().map(|(_, shape)| shape).unwrap_or_default();
+    let answer = |placed: &PlacedStar| {
+        let one = computed.get(placed.distinct)?;
+        Some(one.star((spec, design.part(placed)), meeting(placed), radii))
+    };
+    let stars: Vec<ShellStar> = design.stars.iter().filter_map(answer).collect();
+    let shape = computed.into_iter().next().map(|one| one.found.shape).unwrap_or_default();
     let Some(first) = stars.first() else {
         return Err(fault(key::stack::COUNT, "there is no star".to_owned()));
     };
@@ -61,16 +64,36 @@ impl Refusal {
     }
 }
 
-fn predict_star(
+/// A shell of one distinct star, opened to all that was asked.
+struct Computed {
+    case: Case,
+    flat: FlatStar,
+    found: InflatedStar,
+    measured: Measured,
+}
+
+/// The star as a shell, around round objects of `radii` (m) and what stars like it meet of the object.
+fn compute(
     (spec, part): (&Spec, &StarDesign),
-    radii: &[f64],
+    (radii, meetings): (&[f64], &[Option<Meeting>]),
     detail: Detail,
     watch: &Watch<'_>,
-) -> Result<(ShellStar, Shape), Refusal> {
+) -> Result<Computed, Refusal> {
     let case = Case::of(spec, &part.star).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))?;
-    let (flat, found, measured) = ask(&case, radii, detail, watch)?;
-    let answered = Answered { case: &case, part, spec, flat: &flat, found: &found, measured: &measured };
-    Ok((answered.star(radii), found.shape))
+    let met = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
+    let all: Vec<f64> = radii.iter().copied().chain(met).collect();
+    let (flat, found, measured) = ask(&Case { object: None, ..case }, &all, detail, watch)?;
+    Ok(Computed { case, flat, found, measured })
+}
+
+impl Computed {
+    /// What it says of a star that meets the object as `meeting` says.
+    fn star(&self, (spec, part): (&Spec, &StarDesign), meeting: Option<Meeting>, radii: &[f64]) -> ShellStar {
+        let case = self.case.meeting(meeting);
+        let measured = Measured { object: entered(&case), ..self.measured.clone() };
+        let Self { flat, found, .. } = self;
+        Answered { case: &case, part, spec, flat, found, measured: &measured }.star(radii)
+    }
 }
 
 /// An answer of the shell, with all that it is about.
@@ -90,6 +113,7 @@ impl Answered<'_> {
     fn star(&self, radii: &[f64]) -> ShellStar {
         let Self { case, part, spec, flat, found, measured } = *self;
         let on_object = measured.object_force();
+        let beside = case.object.is_some_and(|radius| radius <= 0.0);
         let curve: Vec<(f64, Value)> =
             radii.iter().filter_map(|radius| Some((mm(*radius), measured.force_at(*radius)?))).collect();
         let extremes = &measured.extremes;
@@ -113,7 +137,10 @@ impl Answered<'_> {
             arm_contact_mm2: measured.contact_area.value,
             volume_mm3: measured.volume.value,
             graspable_radius_mm: None,
-            object_force_N: on_object.map(|force| force.value),
+            hole_radius_mm: mm(case.hole),
+            object_radius_mm: case.object.map(mm),
+            object_gap_mm: case.entering.map(|entering| mm(case.hole) - mm(entering)),
+            object_force_N: on_object.map(|force| force.value).or(beside.then_some(0.0)),
             force_curve: (!radii.is_empty()).then(|| {
                 curve.iter().map(|(radius, force)| ForceAt(*radius, Some(force.value), None, None)).collect()
             }),
@@ -131,7 +158,10 @@ impl Answered<'_> {
                 at_mm: extremes.stretch_at.map(mm),
             },
             mass_g: part.mass(&spec.fabric),
-            payload_kg: case.friction.zip(on_object).map(|(mu, force)| payload(mu, [force.value])),
+            payload_kg: case
+                .friction
+                .zip(on_object.map(|force| force.value).or(beside.then_some(0.0)))
+                .map(|(mu, force)| payload(mu, [force])),
             ranges: StarRanges::default(),
             evidence: ShellEvidence {
                 fabric: measured_stiffnesses(&spec.fabric),
@@ -159,7 +189,7 @@ impl Answered<'_> {
     fn warnings(&self) -> Vec<String> {
         let Self { case, flat, measured, .. } = self;
         let (radius, object) = (measured.radius, measured.object);
-        let too_wide = case.object.is_some() && object.is_none();
+        let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
         let pull = measured.extremes.seal_tension;
         let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
         let said = [
@@ -167,7 +197,7 @@ impl Answered<'_> {
             (measured.touches(), "the arms touch: the star is pressed shut".to_owned()),
             (
                 too_wide,
-                format!("the object is wider than the flat star's {} mm: it does not enter", Readable(mm(case.inner_radius))),
+                format!("the object is wider than the cut hole, {} mm in radius: it does not enter", Readable(mm(case.hole))),
             ),
             (
                 object.is_some_and(|object| mm(object) < radius.value),

@@ -1,34 +1,62 @@
-//! Whether a gripper holds the object of its `[load]`, in one word and with reasons.
+//! Whether a gripper holds the object of its `[load]`, in one word and with reasons; and why it is refused if it cannot.
 
+use crate::design::{Object, Refusal, RefusalCode};
 use crate::forecast::outcome::Hold;
 use crate::forecast::prediction::StarPrediction;
 pub use crate::forecast::prediction::{Holds, Verdict};
 use crate::forecast::ranges::{Interval, sum};
+use crate::forecast::unfit::{
+    bursts, outside_models, too_hard, too_heavy, too_short, too_thin, too_wide_to_enter, too_wide_to_open,
+};
 use crate::mechanics::strength::GRAVITY;
-use crate::spec::{Load, Spec};
+use crate::spec::{Code, Load, Spec};
 use crate::units::{Force, Mass};
 
 /// The verdict on the object of `spec` between `stars`; `None` without an object or a pressure.
 pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
     let load = spec.load.as_ref()?;
-    let object = load.object_radius.filter(|_| load.pressure.is_some())?;
-    let force = stars.iter().map(|star| star.object_force_N).sum::<Option<f64>>();
-    let range = sum(stars.iter().map(|star| star.ranges.object_force_N));
-    let needed = needed_force(load);
-    let mut judged = Judged::default();
-    for (number, star) in (1..).zip(stars) {
-        if number == 1 || *star != stars[0] {
-            judged.star(number, star, object.0, load.largest_force);
-        }
-    }
-    judged.mass(force, range, needed);
+    let _ = load.object_radius.filter(|_| load.pressure.is_some())?;
+    let judged = Judged::of(spec, load, stars);
+    let hardest = stars
+        .iter()
+        .filter(|star| star.object_force_N.is_some())
+        .max_by(|a, b| a.object_force_N.unwrap_or(0.0).total_cmp(&b.object_force_N.unwrap_or(0.0)));
     Some(Verdict {
         holds: judged.holds(),
-        force_N: force,
-        force_range_N: range,
-        needed_N: needed,
-        reasons: judged.reasons,
+        code: judged.code(),
+        force_N: force(stars),
+        force_range_N: force_range(stars),
+        needed_N: needed_force(load),
+        star_force_N: hardest.and_then(|star| star.object_force_N),
+        star_force_range_N: hardest.and_then(|star| star.ranges.object_force_N),
+        largest_force_N: load.largest_force.map(|force| force.0),
+        stars: stars.len(),
+        assumed: Object::assumed(load, stars.len()),
+        reasons: judged.findings.iter().map(Finding::reason).collect(),
     })
+}
+
+/// Why `check` and `build` refuse the gripper of `spec`: it bursts, no star of it can hold the object, it cannot carry the mass, breaks the
+/// object, or no model covers it. Empty if none of this is certain, or nothing is asked.
+pub fn refusals(spec: &Spec, stars: &[StarPrediction]) -> Vec<Refusal> {
+    let Some(load) = spec.load.as_ref().filter(|load| load.pressure.is_some()) else { return Vec::new() };
+    let judged = Judged::of(spec, load, stars);
+    // One star that holds the object will do.
+    let idle = judged.is_idle();
+    let counts = |finding: &&Finding| match finding.weight {
+        Weight::Refuted | Weight::Unknown => true,
+        Weight::Idle => idle,
+        Weight::Doubted => false,
+    };
+    judged.findings.iter().filter(counts).filter_map(Finding::refusal).collect()
+}
+
+fn force(stars: &[StarPrediction]) -> Option<f64> {
+    stars.iter().map(|star| star.object_force_N).sum()
+}
+
+fn force_range(stars: &[StarPrediction]) -> Option<Interval> {
+    sum(stars.iter().map(|star| star.ranges.object_force_N))
 }
 
 /// m g / mu, N.
@@ -37,111 +65,203 @@ fn needed_force(load: &Load) -> Option<f64> {
     Some(mass * GRAVITY / friction)
 }
 
+/// How much a finding weighs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Weight {
+    /// The star does not hold the object: another one may.
+    Idle,
+    /// The gripper does not do what it is for.
+    Refuted,
+    /// Within its ranges it may or may not.
+    Doubted,
+    /// No model covers it.
+    Unknown,
+}
+
+/// One thing that was found.
+#[derive(Debug)]
+struct Finding {
+    weight: Weight,
+    /// Number of the star, 1 = bottom, where there are several.
+    star: Option<usize>,
+    what: What,
+}
+
+/// In words alone, or as a refusal.
+#[derive(Debug)]
+enum What {
+    Reason(String),
+    Refusal(Refusal),
+}
+
+impl Finding {
+    fn of_star(&self, text: &str) -> String {
+        self.star.map_or_else(|| text.to_owned(), |star| format!("star {star}: {text}"))
+    }
+
+    fn reason(&self) -> String {
+        match &self.what {
+            What::Reason(text) => self.of_star(text),
+            What::Refusal(refusal) => self.of_star(&refusal.found),
+        }
+    }
+
+    fn refusal(&self) -> Option<Refusal> {
+        let What::Refusal(refusal) = &self.what else { return None };
+        let key = self.star.map_or(refusal.key, |star| refusal.key.of_star(star));
+        Some(Refusal { key, found: self.of_star(&refusal.found), ..refusal.clone() })
+    }
+}
+
 /// What was found.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Judged {
-    refuted: bool,
-    /// Distinct stars, and those of them that do not touch the object: one that does will do.
+    findings: Vec<Finding>,
+    /// Distinct stars: one that holds the object will do.
     stars: usize,
-    idle: usize,
-    doubted: bool,
-    reasons: Vec<String>,
 }
 
 impl Judged {
+    fn of(spec: &Spec, load: &Load, stars: &[StarPrediction]) -> Self {
+        let is_first =
+            |(index, star): &(usize, &StarPrediction)| !stars.iter().take(*index).any(|other| other == *star);
+        let distinct: Vec<(usize, &StarPrediction)> = stars.iter().enumerate().filter(is_first).collect();
+        let mut judged = Self { stars: distinct.len(), ..Self::default() };
+        for star in distinct {
+            judged.star(spec, load, star);
+        }
+        if load.object_radius.is_some() && !judged.is_refuted() {
+            judged.mass(load, stars);
+        }
+        judged
+    }
+
+    fn has(&self, weight: Weight) -> bool {
+        self.findings.iter().any(|finding| finding.weight == weight)
+    }
+
+    /// Whether no star holds the object.
+    fn is_idle(&self) -> bool {
+        let idle = self.findings.iter().filter(|finding| finding.weight == Weight::Idle);
+        idle.count() == self.stars
+    }
+
+    fn is_refuted(&self) -> bool {
+        self.has(Weight::Refuted) || self.is_idle()
+    }
+
     fn holds(&self) -> Holds {
-        match (self.is_refuted(), self.doubted) {
+        match (self.is_refuted(), self.has(Weight::Doubted) || self.has(Weight::Unknown)) {
             (true, _) => Holds::No,
             (_, true) => Holds::Unknown,
             _ => Holds::Yes,
         }
     }
 
-    fn is_refuted(&self) -> bool {
-        self.refuted || self.idle == self.stars
-    }
-
-    fn pass(&mut self, why: String) {
-        self.idle += 1;
-        self.reasons.push(why);
-    }
-
-    fn refute(&mut self, why: String) {
-        self.refuted = true;
-        self.reasons.push(why);
-    }
-
-    fn doubt(&mut self, why: String) {
-        self.doubted = true;
-        self.reasons.push(why);
-    }
-
-    fn star(&mut self, number: usize, star: &StarPrediction, object: f64, bears: Option<Force>) {
-        let of = |what: String| format!("star {number}: {what}");
-        self.stars += 1;
-        if let Some(margin) = star.burst_margin.filter(|margin| *margin < 1.0) {
-            self.refute(of(format!("it bursts at {margin:.2} of the pressure")));
-        }
-        let Some([least, most]) = star.graspable_radius_mm else {
-            return self.doubt(of(star.evidence.choice.clone()));
+    /// The code of what decides.
+    fn code(&self) -> Option<&'static str> {
+        let decides: &[Weight] = match self.holds() {
+            Holds::Yes => return None,
+            Holds::No => &[Weight::Refuted, Weight::Idle],
+            Holds::Unknown => &[Weight::Unknown],
         };
-        if object > most {
-            return self.pass(of(format!("the object does not go in: it opens to {most:.1} mm")));
+        let found = decides.iter().find_map(|weight| {
+            let mut own = self.findings.iter().filter(|finding| finding.weight == *weight);
+            own.find_map(|finding| Some(finding.refusal()?.code.as_str()))
+        });
+        found.or(Some(RefusalCode::MayNotHold.as_str()))
+    }
+
+    fn add(&mut self, weight: Weight, index: usize, what: What) {
+        let star = (self.stars > 1).then_some(index + 1);
+        self.findings.push(Finding { weight, star, what });
+    }
+
+    fn star(&mut self, spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction)) {
+        if let Some(refusal) = bursts(load, star) {
+            self.add(Weight::Refuted, index, What::Refusal(refusal));
         }
-        match star.ranges.final_radius_mm {
-            Some([low, _]) if object < low => {
-                return self
-                    .pass(of(format!("it closes to {least:.1} mm only and does not reach the object")));
-            }
-            Some([_, high]) if object < high => {
-                self.doubt(of(format!("it may close to {high:.1} mm only, and not reach the object")));
-            }
-            None if object < least => {
-                return self
-                    .pass(of(format!("it closes to {least:.1} mm only and does not reach the object")));
-            }
-            Some(_) | None => {}
+        if let Some(refusal) = outside_models(load, star) {
+            return self.add(Weight::Unknown, index, What::Refusal(refusal));
         }
-        if star.hold == Some(Hold::Untried) {
-            self.doubt(of("how hard it presses on the object is not known".to_owned()));
+        let Some(object) = star.object_radius_mm else { return };
+        if let Some(refusal) = idle(spec, load, (index, star), object) {
+            return self.add(Weight::Idle, index, What::Refusal(refusal));
         }
-        match (bears, star.ranges.object_force_N, star.object_force_N) {
-            (Some(Force(bears)), Some([low, _]), _) if low > bears => {
-                self.refute(of(format!(
-                    "it presses with {low:.1} N at least, and the object bears {bears:.1} N"
-                )));
-            }
-            (Some(Force(bears)), Some([_, high]), _) if high > bears => {
-                self.doubt(of(format!("it may press with {high:.1} N, and the object bears {bears:.1} N")));
-            }
-            (Some(Force(bears)), None, Some(force)) if force > bears => {
-                self.doubt(of(format!(
-                    "by the model it presses with {force:.1} N, and the object bears {bears:.1} N"
-                )));
-            }
-            _ => {}
+        let doubts = doubts(load, star, object);
+        for reason in doubts {
+            self.add(Weight::Doubted, index, What::Reason(reason));
+        }
+        if let Some((Force(bears), range)) = load.largest_force.zip(star.ranges.object_force_N)
+            && range[0] > bears
+        {
+            self.add(Weight::Refuted, index, What::Refusal(too_hard(range, bears)));
         }
     }
 
-    fn mass(&mut self, force: Option<f64>, range: Option<Interval>, needed: Option<f64>) {
-        if self.is_refuted() {
-            return;
-        }
-        match (needed, range, force) {
-            (Some(needed), Some([_, high]), _) if high < needed => {
-                self.refute(format!("friction needs {needed:.1} N, and there are {high:.1} N at most"));
+    fn mass(&mut self, load: &Load, stars: &[StarPrediction]) {
+        let needed = needed_force(load);
+        let (weight, what) = match (needed, force_range(stars), force(stars)) {
+            (Some(needed), Some(range), _) if range[1] < needed => {
+                (Weight::Refuted, What::Refusal(too_heavy(load, range, needed)))
             }
             (Some(needed), Some([low, _]), _) if low < needed => {
-                self.doubt(format!("friction needs {needed:.1} N, and there may be {low:.1} N only"));
+                let text = format!("friction needs {needed:.1} N, and there may be {low:.1} N only");
+                (Weight::Doubted, What::Reason(text))
             }
             (_, None, Some(force)) => {
-                let said =
+                let needs =
                     needed.map_or(String::new(), |needed| format!(" and friction needs {needed:.1} N,"));
-                self.doubt(format!(
-                    "by the model it presses with {force:.1} N,{said} but how far that is off is not known"
-                ));
+                let text = format!(
+                    "by the model it presses with {force:.1} N,{needs} but how far that is off is not known"
+                );
+                (Weight::Doubted, What::Reason(text))
             }
-            _ => {}
-        }
+            _ => return,
+        };
+        self.findings.push(Finding { weight, star: None, what });
     }
+}
+
+/// Why star `index` certainly does not hold the object of radius `object` (mm).
+fn idle(spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction), object: f64) -> Option<Refusal> {
+    let [least, most] = star.graspable_radius_mm?;
+    if star.hold == Some(Hold::Beside) {
+        return Some(too_short(load));
+    }
+    if let Some(refusal) = spec.stars.get(index).and_then(|part| too_wide_to_enter(spec, part, star)) {
+        return Some(refusal);
+    }
+    // Where the range is known, the object may lie within it.
+    let sure = star.ranges.final_radius_mm.map_or(least, |[low, _]| low);
+    if object < sure {
+        return Some(too_thin(load, object, sure));
+    }
+    (object > most).then(|| too_wide_to_open(load, object, [sure, most]))
+}
+
+/// Why it is not certain that a star holds the object of radius `object` (mm).
+fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
+    let mut reasons = Vec::new();
+    if star.graspable_radius_mm.is_none() {
+        reasons.push(star.evidence.choice.clone());
+        return reasons;
+    }
+    if let Some([_, high]) = star.ranges.final_radius_mm.filter(|[_, high]| object < *high) {
+        reasons.push(format!("it may close to {:.1} mm across only, and not reach the object", 2.0 * high));
+    }
+    if star.hold == Some(Hold::Untried) {
+        reasons.push("how hard it presses on the object is not known".to_owned());
+    }
+    match (load.largest_force, star.ranges.object_force_N, star.object_force_N) {
+        (Some(Force(bears)), Some([low, high]), _) if low <= bears && high > bears => {
+            reasons.push(format!("it may press with {high:.1} N, and the object bears {bears} N"));
+        }
+        (Some(Force(bears)), None, Some(force)) if force > bears => {
+            reasons
+                .push(format!("by the model it presses with {force:.1} N, and the object bears {bears} N"));
+        }
+        _ => {}
+    }
+    reasons
 }

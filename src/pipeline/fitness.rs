@@ -1,14 +1,12 @@
 //! Whether a gripper does what its own `[load]` asks of it: the verdict that `check` and `build` begin with.
 //!
-//! A gripper is **unfit** if it bursts at its own pressure, or if no star of it can hold its own object. There is such a gripper,
-//! and a machine can make it, so [`Forecast`] lets it pass: it is `check` and `build` that refuse it unless told otherwise.
+//! A gripper is **unfit** if it certainly does not: it bursts, no star of it can hold the object, it carries too little, presses too hard, or
+//! no model covers it. There is such a gripper, and a machine can make it, so [`Forecast`] lets it pass: it is `check` and `build` that
+//! refuse it unless told otherwise.
 
-use crate::design::{Refusal, RefusalCode, Refusals};
-use crate::forecast::prediction::StarPrediction;
-use crate::forecast::verdict::{Holds, Verdict, verdict};
+use crate::design::Refusals;
+use crate::forecast::verdict::{Holds, Verdict, refusals, verdict};
 use crate::pipeline::Forecast;
-use crate::spec::{Load, key};
-use crate::units::{Least, Length, Most, Pressure};
 
 impl Forecast {
     /// What becomes of the object; `None` where the spec does not ask.
@@ -16,96 +14,17 @@ impl Forecast {
         verdict(&self.spec, &self.prediction.as_ref()?.stars)
     }
 
-    /// Why the gripper is unfit, star by star; empty if it is fit, if nothing is asked, or if that is not known.
+    /// Why the gripper is unfit, star by star; empty if it is fit, if nothing is asked, or if that is not certain.
     pub fn unfit(&self) -> Refusals {
-        let object = match self.verdict() {
-            Some(Verdict { holds: Holds::No, .. }) => self.not_held(),
-            _ => Vec::new(),
-        };
-        // One star that holds it will do.
-        let object = if object.len() == self.design.firsts().count() { object } else { Vec::new() };
-        object.into_iter().chain(self.bursts()).collect()
+        let stars = self.prediction.as_ref().map_or(&[][..], |prediction| &prediction.stars);
+        refusals(&self.spec, stars).into_iter().collect()
     }
 
-    /// Why each distinct star does not hold the object, as far as that is known.
-    fn not_held(&self) -> Vec<Refusal> {
-        let (Some(load), Some(prediction)) = (&self.spec.load, &self.prediction) else { return Vec::new() };
-        let Some(object) = load.object_radius else { return Vec::new() };
-        let firsts = self.design.firsts().filter_map(|placed| {
-            let (star, spec) =
-                (prediction.stars.get(placed.index - 1)?, self.spec.stars.get(placed.index - 1)?);
-            not_held(object, spec.inner_radius, star).map(|refusal| self.of_star(refusal, placed.index))
-        });
-        firsts.collect()
+    /// That it may not hold the object, with the reasons; `None` if it does, or certainly does not.
+    pub fn uncertain(&self) -> Option<String> {
+        let verdict = self.verdict().filter(|verdict| verdict.holds == Holds::Unknown)?;
+        Some(format!("{}: {}", verdict.line(), verdict.reasons.join("; ")))
     }
-
-    /// Which distinct stars burst at the pressure of `[load]`.
-    fn bursts(&self) -> Vec<Refusal> {
-        let (Some(load), Some(prediction)) = (&self.spec.load, &self.prediction) else { return Vec::new() };
-        let firsts = self.design.firsts().filter_map(|placed| {
-            let refusal = bursts(load, prediction.stars.get(placed.index - 1)?)?;
-            Some(self.of_star(refusal, placed.index))
-        });
-        firsts.collect()
-    }
-
-    /// `refusal`, with the star's number where there are several.
-    fn of_star(&self, refusal: Refusal, index: usize) -> Refusal {
-        if self.design.firsts().count() < 2 {
-            return refusal;
-        }
-        Refusal { found: format!("star {index}: {}", refusal.found), ..refusal }
-    }
-}
-
-fn not_held(object: Length, inner_radius: Length, star: &StarPrediction) -> Option<Refusal> {
-    let at = key::load::OBJECT_RADIUS;
-    if object > inner_radius {
-        let found = format!(
-            "the object has a radius of {object}, the flat star an inner radius of {inner_radius}: it does not enter"
-        );
-        let remedy = format!("at most {inner_radius}, or an inner_radius of more than {object}");
-        return Some(Refusal::new(at, RefusalCode::ObjectTooWide, found, remedy));
-    }
-    let [least, most] = star.graspable_radius_mm?;
-    // Where the range is known, the object may lie within it.
-    let least = star.ranges.final_radius_mm.map_or(least, |[low, _]| low);
-    if object.0 < least {
-        let found = format!(
-            "the inflated star closes to a radius of {} mm and does not touch the object of {object}",
-            Least(least)
-        );
-        let remedy =
-            format!("at least {} mm, or a star that closes further: a smaller inner_radius", Least(least));
-        return Some(Refusal::new(at, RefusalCode::ObjectTooThin, found, remedy));
-    }
-    if object.0 > most {
-        let found = format!(
-            "the inflated star opens to a radius of {} mm and does not close around the object of {object}",
-            Most(most)
-        );
-        let remedy = format!(
-            "from {} to {} mm; or a larger inner_radius, fewer points or a smaller tube_width",
-            Least(least),
-            Most(most)
-        );
-        return Some(Refusal::new(at, RefusalCode::ObjectTooWide, found, remedy));
-    }
-    None
-}
-
-fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
-    let (pressure, burst) = (load.pressure?, Pressure(star.burst_pressure_kPa?));
-    if burst >= pressure {
-        return None;
-    }
-    let round = star.evidence.safe_radius_mm.map_or_else(String::new, |mm| {
-        format!(", or tip_radius and corner_radius of at least {}", Length(mm))
-    });
-    let found =
-        format!("the pressure is {pressure}, and the seal is predicted to burst at {} kPa", Most(burst.0));
-    let remedy = format!("at most {} kPa{round}, or a stronger seal or a smaller tube_width", Most(burst.0));
-    Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
 }
 
 #[cfg(test)]
@@ -144,7 +63,7 @@ mod tests {
         let (thin, wide) = (with(5.0), with(51.0));
         assert_eq!((holds(&thin), codes(&thin)), (Some(Holds::No), vec!["object-too-thin".to_owned()]));
         assert_eq!((holds(&wide), codes(&wide)), (Some(Holds::No), vec!["object-too-wide".to_owned()]));
-        let remedy = &thin.unfit()[0].remedy;
+        let remedy = thin.unfit()[0].remedy.clone();
         let least: f64 = remedy.split(' ').find_map(|word| word.parse().ok()).expect("a number");
         assert_eq!(codes(&with(least)), [""; 0], "{remedy}");
     }
@@ -152,7 +71,69 @@ mod tests {
     #[test]
     fn what_no_table_knows_is_no_verdict() {
         let soft = forecast("[load]\npressure = \"0.1 kPa\"\nobject_radius = \"30 mm\"\n");
-        assert_eq!((holds(&soft), codes(&soft)), (Some(Holds::Unknown), vec![]));
+        assert_eq!((holds(&soft), codes(&soft)), (Some(Holds::Unknown), vec!["outside-models".to_owned()]));
+        // Without an object a star that no pressure is known of is still made.
+        let text = starter("x").expect("a name").replace("tube_width = \"30 mm\"", "tube_width = \"45 mm\"");
+        let with = |more: &str| {
+            let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n{more}");
+            let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
+            Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design")
+        };
+        assert_eq!(codes(&with("")), [""; 0]);
+        assert_eq!(codes(&with("object_diameter = \"60 mm\"\n")), ["outside-models"]);
+    }
+
+    #[test]
+    fn what_may_not_hold_is_said_and_passes() {
+        let with = |mass: f64| {
+            forecast(&format!(
+                "[load]\npressure = \"37 kPa\"\nobject_diameter = \"60 mm\"\nfriction = 0.5\nmass = \"{mass} kg\"\n"
+            ))
+        };
+        let [low, high] = with(0.1).prediction.expect("asked").first.ranges.payload_kg.expect("known");
+        let (sure, unsure, never) = (with(0.9 * low), with(0.5 * (low + high)), with(1.1 * high));
+        assert_eq!((sure.uncertain(), codes(&sure)), (None, vec![]));
+        assert!(unsure.uncertain().is_some_and(|text| text.starts_with("may hold the object")));
+        assert_eq!(codes(&unsure), [""; 0]);
+        assert_eq!((never.uncertain(), codes(&never)), (None, vec!["too-heavy".to_owned()]));
+    }
+
+    #[test]
+    fn the_size_is_a_diameter_or_a_radius_and_not_both() {
+        let [across, radius] = ["object_diameter = \"70 mm\"", "object_radius = \"35 mm\""]
+            .map(|size| forecast(&format!("[load]\npressure = \"37 kPa\"\n{size}\n")).prediction);
+        assert!(across == radius && across.is_some());
+        let both = "[load]\nobject_diameter = \"70 mm\"\nobject_radius = \"35 mm\"\n";
+        let text = starter("x").expect("a name") + both;
+        let faults = read(&Source::new("x", text)).expect_err("both");
+        assert!(faults.to_string().contains("conflict"), "{faults}");
+    }
+
+    #[test]
+    fn an_object_passes_the_cut_hole_or_is_refused_and_little_room_is_warned_of() {
+        let with =
+            |mm: f64| forecast(&format!("[load]\npressure = \"37 kPa\"\nobject_diameter = \"{mm} mm\"\n"));
+        let warned = |forecast: &Forecast| {
+            forecast.design.warnings.iter().any(|warning| warning.code.to_string() == "tight-hole")
+        };
+        let (free, tight, wide) = (with(80.0), with(92.0), with(95.0));
+        assert!(!warned(&free) && warned(&tight) && !warned(&wide));
+        assert_eq!([codes(&free), codes(&tight)], [vec![], Vec::<String>::new()]);
+        assert_eq!(codes(&wide), ["object-too-wide"]);
+        let first = |forecast: &Forecast| forecast.prediction.as_ref().expect("asked").first.clone();
+        assert_eq!((first(&free).hole_radius_mm, first(&free).object_gap_mm), (47.0, Some(7.0)));
+        assert!(first(&wide).object_gap_mm < Some(0.0));
+        // What is proposed lets it in, with room.
+        let remedy = wide.unfit()[0].remedy.clone();
+        let radius: f64 =
+            remedy.split(' ').filter_map(|word| word.parse().ok()).next_back().expect("a number");
+        let text = starter("x")
+            .expect("a name")
+            .replace("inner_radius = \"50 mm\"", &format!("inner_radius = \"{radius} mm\""));
+        let text = text + "[load]\npressure = \"37 kPa\"\nobject_diameter = \"95 mm\"\n";
+        let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
+        let wider = Forecast::of(spec, Machine::builtin("generic").expect("built in")).expect("a design");
+        assert!(codes(&wider).is_empty() && !warned(&wider), "{remedy}");
     }
 
     #[test]

@@ -138,7 +138,19 @@ fn edited<'v>(
         refused(Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message()))
     };
     let mut document: DocumentMut = source.text.parse().map_err(syntax)?;
-    for (key, value) in values {
+    let values: Vec<(KeyPath, Option<&str>)> = values.collect();
+    // A size that is set takes the place of the other key's, unless both are asked for.
+    let replaced = |key: KeyPath| {
+        let other = match key {
+            key::load::OBJECT_DIAMETER => key::load::OBJECT_RADIUS,
+            key::load::OBJECT_RADIUS => key::load::OBJECT_DIAMETER,
+            _ => return None,
+        };
+        (!values.iter().any(|(key, _)| *key == other)).then_some((other, None))
+    };
+    let set_sizes = values.iter().filter(|(_, value)| value.is_some());
+    let replaced: Vec<_> = set_sizes.filter_map(|(key, _)| replaced(*key)).collect();
+    for (key, value) in replaced.into_iter().chain(values) {
         let Some(value) = value else {
             let root = document.as_table_mut();
             let section: Option<&mut dyn TableLike> = match key.section() {

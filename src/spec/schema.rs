@@ -23,6 +23,12 @@ const LIST: &str = "stack.star";
 /// The profile's list, which stands in no section.
 const CLAMPS: &str = "keep_out";
 
+/// What the starter leaves out, because it excludes a key that is shown.
+const INSTEAD: &str = r#"
+[load]
+object_radius = "30 mm"  # half of object_diameter, which it replaces; set one of the two
+"#;
+
 /// What the profile `generic` leaves unsaid; a line that begins with `# ` is a default, and says what `generic` says where it has no words.
 const MORE: &str = r#"
 schema = 1  # the version of this format
@@ -63,7 +69,8 @@ pub fn schema() -> String {
     let (raw, _) = RawSpec::parse("[stack]\ncount = 64\n[[stack.star]]\nindex = 1\n");
     let mut reader = Reader::new(&raw);
     let _ = read_spec(&mut reader);
-    let notes = Notes::of(TEMPLATE);
+    let mut notes = Notes::of(TEMPLATE);
+    notes.keys.extend(Notes::of(INSTEAD).keys);
     let mut sections = sections_of(&reader, &notes);
     let list = sections.remove(LIST).unwrap_or_default().object(notes.of_section(LIST));
     if let Some(stars) = sections.get_mut("stack").and_then(|stack| stack.keys.get_mut("star")) {

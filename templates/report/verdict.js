@@ -66,7 +66,7 @@ function keyFigures() {
     predicted("It carries, whole stack", "payload_kg", "kg", 1, prediction.payload_kg === null ? "needs friction and an object" : null);
     predicted("Closes to a radius of", "final_radius_mm", "mm");
     predicted("Contraction", "contraction", "%", 100);
-    out.push(["Holds radii", span(prediction.graspable_radius_mm, "mm") || UNKNOWN, "between closed and open"]);
+    out.push(["Holds radii", span(prediction.graspable_radius_mm, "mm") || UNKNOWN, `between closed and open; the cut hole has ${figure(prediction.hole_radius_mm, "mm")}`]);
     predicted("Radial stiffness, each star", "radial_stiffness_N_per_m", "N/m");
     out.push(["Pressure", figure(load.pressure_kPa, "kPa"), `full actuation from ${figure(prediction.operating_pressure_kPa, "kPa")}`]);
     predicted("Bursts at", "burst_pressure_kPa", "kPa", 1, prediction.burst_pressure_kPa === null ? "needs a seal_strength" : null);

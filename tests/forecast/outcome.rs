@@ -8,7 +8,7 @@ use stargrip_cam::mechanics::star::response::Inflated;
 
 /// The linear star of the paper with `points` points and an object of `radius` m.
 fn holding(points: u32, radius: f64) -> (Case, Outcome) {
-    let case = Case { object: Some(radius), ..case(&paper(points)) };
+    let case = case(&paper(points)).around(radius);
     let inflated = Inflated::new(&case.mechanism, &Ring, 37e3).expect("solvable");
     let outcome = Outcome::linear(&case, &inflated);
     (case, outcome)
@@ -16,9 +16,11 @@ fn holding(points: u32, radius: f64) -> (Case, Outcome) {
 
 #[test]
 fn an_object_is_held_between_the_final_radius_and_the_widest() {
-    // Five points open beyond the flat star's hole of 50 mm: the hole decides. 50 mm itself enters.
-    assert!(matches!(holding(5, 0.05).1.hold, Some(Hold::Held(force)) if force > 0.0));
-    assert_eq!(holding(5, 0.05 + 1e-9).1.hold, Some(Hold::TooWideToEnter));
+    // Five points open beyond the cut hole, 50 mm less 2 mm of band and flap: the hole decides. 48 mm itself enters.
+    let hole = holding(5, 0.03).0.hole;
+    close(hole, 0.048, 1e-12);
+    assert!(matches!(holding(5, hole).1.hold, Some(Hold::Held(force)) if force > 0.0));
+    assert_eq!(holding(5, hole + 1e-9).1.hold, Some(Hold::TooWideToEnter));
     // Eight points do not open to 50 mm.
     let open = holding(8, 0.03).1.rest;
     assert!(open.widest.radius < 0.05);
@@ -62,7 +64,7 @@ fn without_a_pressure_there_are_radii_and_no_forces() {
     assert_eq!((without.stiffness, without.preload, without.hold, without.payload), (None, None, None, None));
     close(without.rest.radius, with.rest.radius, 1e-12);
     close(without.contraction, 1.0 - without.rest.radius / 0.05, 1e-12);
-    assert_eq!(without.graspable, [without.rest.radius, 0.05]);
+    assert_eq!(without.graspable, [without.rest.radius, case.hole]);
     assert_eq!(without.object_warning(&bare), None);
 }
 
@@ -79,7 +81,7 @@ fn the_last_sixteenth_before_the_arms_lock_is_warned_of() {
     // With three points the way ends at an almost straight corner, where nothing locks.
     let rest = holding(3, 0.04).1.rest;
     assert!(rest.widest.radius > 0.05);
-    let (case, outcome) = holding(3, 0.05 - 1e-6);
+    let (case, outcome) = holding(3, 0.048 - 1e-6);
     assert_eq!(outcome.object_warning(&case), None);
 }
 
@@ -98,7 +100,7 @@ fn each_refusal_names_its_radius() {
             mm(rest.radius)
         )
     );
-    assert_eq!(text(8, 0.06), "the object is wider than the flat star's 50.00 mm: it does not enter");
+    assert_eq!(text(8, 0.06), "the object is wider than the cut hole, 48.00 mm in radius: it does not enter");
     let wide = text(8, 0.045);
     let opens = format!("the object is wider than the inflated star opens, {}: ", mm(rest.widest.radius));
     assert!(wide.starts_with(&opens), "{wide}");

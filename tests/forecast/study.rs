@@ -257,6 +257,7 @@ fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
             "star.inner_radius" => "55 mm",
             "star.tube_width" => "28 mm",
             "load.object_radius" => "29 mm",
+            "load.object_shape" => "ball",
             _ => "3.5 mm",
         };
         let spec = Source::new("spec.toml", PAPER);

@@ -1,8 +1,8 @@
 //! Whether an object is held: the word, and the reasons.
 
 use crate::{gripper, predict};
-use stargrip_cam::forecast::verdict::{Holds, Verdict, verdict};
-use stargrip_cam::spec::Spec;
+use stargrip_cam::forecast::verdict::{Holds, Verdict, refusals, verdict};
+use stargrip_cam::spec::{Code, Spec};
 use stargrip_cam::units::{Force, Length, LineForce, Mass, Pressure};
 
 fn judged(change: impl Fn(&mut Spec)) -> Verdict {
@@ -33,9 +33,9 @@ fn without_an_object_there_is_no_verdict() {
 fn what_cannot_be_is_refuted_with_its_reason() {
     type Change = fn(&mut Spec);
     let cases: [(Change, &str); 4] = [
-        (|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(5.0)), "does not reach"),
-        (|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(51.0)), "does not go in"),
-        (|spec| spec.fabric.seal_strength.as_mut().expect("given").0 = 0.1, "bursts at"),
+        (|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(5.0)), "does not touch"),
+        (|spec| spec.load.as_mut().expect("given").object_radius = Some(Length(51.0)), "does not enter"),
+        (|spec| spec.fabric.seal_strength.as_mut().expect("given").0 = 0.1, "to burst at"),
         (|spec| spec.load.as_mut().expect("given").mass = Some(Mass(1e3)), "friction needs"),
     ];
     for (change, why) in cases {
@@ -62,4 +62,119 @@ fn where_nothing_is_known_it_may_hold() {
     let found = judged(|spec| spec.load.as_mut().expect("given").pressure = Some(Pressure(200.0)));
     assert_eq!((found.holds, found.force_N), (Holds::Unknown, None));
     assert!(found.line().starts_with("may hold"), "{}", found.line());
+    assert_eq!(found.code, Some("outside-models"));
+}
+
+/// More mass never makes a gripper hold that did not hold less, and `holds` comes before `may hold` before `does not hold`.
+#[test]
+fn verdicts_are_monotone_in_mass() {
+    let rank = |kilograms: f64| match with_mass(kilograms) {
+        Verdict { holds: Holds::Yes, code: None, .. } => 0,
+        Verdict { holds: Holds::Unknown, code: Some("may-not-hold"), .. } => 1,
+        Verdict { holds: Holds::No, code: Some("too-heavy"), .. } => 2,
+        other => panic!("{kilograms} kg: {other:?}"),
+    };
+    let ranks: Vec<i32> = (0..60).map(|k| rank(0.05 * 1.12_f64.powi(k))).collect();
+    assert!(ranks.windows(2).all(|pair| pair[0] <= pair[1]), "{ranks:?}");
+    assert!([0, 1, 2].iter().all(|rank| ranks.contains(rank)), "{ranks:?}");
+}
+
+#[test]
+fn what_is_proposed_for_too_much_mass_holds() {
+    let mut spec = gripper(5);
+    spec.fabric.seal_strength = Some(LineForce(60.0));
+    let mut refused = |kilograms: f64, friction: f64| {
+        let load = spec.load.as_mut().expect("given");
+        (load.mass, load.friction) = (Some(Mass(kilograms)), Some(friction));
+        let stars = predict(&spec).stars;
+        (refusals(&spec, &stars), verdict(&spec, &stars).expect("an object").holds)
+    };
+    let number = |text: &str, after: &str| -> f64 {
+        let rest = text.split_once(after).unwrap_or_else(|| panic!("{text}")).1;
+        let number = rest.trim_start().split([' ', ':', ';']).next().unwrap_or_default();
+        number.parse().unwrap_or_else(|_| panic!("{text}"))
+    };
+    // Twice what is certain, with little friction: coated corners are a way out.
+    let (found, _) = refused(12.0, 0.3);
+    let [only] = &found[..] else { panic!("{found:?}") };
+    assert_eq!((only.code.as_str(), only.key.to_string()), ("too-heavy", "load.mass".to_owned()));
+    let mass = number(&only.remedy, "a mass of at most");
+    assert_eq!(refused(mass, 0.3), (vec![], Holds::Yes), "{}", only.remedy);
+    let (found, _) = refused(3.0 * mass, 0.2);
+    let remedy = &found.first().expect("too heavy").remedy;
+    let friction = number(remedy, "a friction of at least");
+    assert!(remedy.contains("silicone") && friction < 1.1, "{remedy}");
+    assert_eq!(refused(3.0 * mass, friction), (vec![], Holds::Yes), "{remedy}");
+    // No coating helps against a hundred kilograms.
+    let (found, _) = refused(1e3, 0.3);
+    assert!(!found.first().expect("too heavy").remedy.contains("friction"), "{found:?}");
+}
+
+#[test]
+fn a_star_that_breaks_its_object_is_refused_by_each_star_s_force() {
+    let with = |newtons: f64| {
+        let mut spec = gripper(5);
+        spec.fabric.seal_strength = Some(LineForce(60.0));
+        spec.load.as_mut().expect("given").largest_force = Some(Force(newtons));
+        let stars = predict(&spec).stars;
+        let verdict = verdict(&spec, &stars).expect("an object");
+        (refusals(&spec, &stars), verdict)
+    };
+    let (_, free) = with(1e3);
+    let [low, high] = free.star_force_range_N.expect("known");
+    assert!(free.force_N > free.star_force_N && free.one_star().is_some_and(|text| text.contains("1000 N")));
+    let (found, verdict) = with(0.9 * low);
+    assert_eq!((found.len(), verdict.code, verdict.holds), (1, Some("too-hard"), Holds::No));
+    let (found, verdict) = with(0.5 * (low + high));
+    assert_eq!((found.len(), verdict.code, verdict.holds), (0, Some("may-not-hold"), Holds::Unknown));
+    assert_eq!(with(1.1 * high).1.holds, Holds::Yes);
+}
+
+#[test]
+fn a_pressure_outside_of_every_model_is_refused_with_those_inside() {
+    let with = |kilopascals: f64| {
+        let mut spec = gripper(5);
+        spec.fabric.seal_strength = None;
+        spec.load.as_mut().expect("given").pressure = Some(Pressure(kilopascals));
+        let stars = predict(&spec).stars;
+        // At its lowest pressures a star does not close so far.
+        let all = refusals(&spec, &stars).into_iter();
+        all.filter(|one| one.code.as_str() != "object-too-thin").collect::<Vec<_>>()
+    };
+    assert!(with(37.0).is_empty());
+    for (slip, meant) in [(3700.0, true), (0.037, true), (37e3, true), (250.0, false)] {
+        let found = with(slip);
+        let [only] = &found[..] else { panic!("{slip}: {found:?}") };
+        assert_eq!(
+            (only.code.as_str(), only.key.to_string()),
+            ("outside-models", "load.pressure".to_owned())
+        );
+        assert_eq!(only.remedy.contains("did you mean 37 kPa?"), meant, "{}", only.remedy);
+        let ends: Vec<f64> = only.remedy.split(' ').filter_map(|word| word.parse().ok()).collect();
+        let [.., low, high] = ends[..] else { panic!("{}", only.remedy) };
+        assert!(
+            with(low).is_empty() && with(high).is_empty() && low < 20.0 && high > 50.0,
+            "{}",
+            only.remedy
+        );
+        assert!(!with(0.98 * low).is_empty() && !with(1.02 * high).is_empty(), "{}", only.remedy);
+    }
+}
+
+#[test]
+fn stars_that_pass_above_and_below_the_object_do_not_hold_it() {
+    let mut spec = gripper(5);
+    spec.fabric.seal_strength = Some(LineForce(60.0));
+    spec.stars.truncate(2);
+    let load = spec.load.as_mut().expect("given");
+    (load.object_radius, load.object_height, load.object_shape) = (Some(Length(19.0)), None, None);
+    let stars = predict(&spec).stars;
+    let found = refusals(&spec, &stars);
+    assert!(
+        found.iter().all(|one| one.code.as_str() == "object-too-short") && !found.is_empty(),
+        "{found:?}"
+    );
+    let verdict = verdict(&spec, &stars).expect("an object");
+    assert_eq!((verdict.holds, verdict.code), (Holds::No, Some("object-too-short")));
+    assert!(verdict.assumed.is_some_and(|text| text.contains("ball 38 mm tall")));
 }

@@ -119,7 +119,9 @@ corner_radius = "3 mm"
 count = 2
 [load]
 pressure = "30 kPa"
-object_radius = "29.5 mm"
+object_radius = "26 mm"
+object_height = "100 mm"
+object_shape = "cylinder"
 friction = 0.5
 "#;
 

@@ -153,6 +153,9 @@ class Prediction:
     radial_stiffness_N_per_m: float | None
     preload_N: float | None
     graspable_radius_mm: _Interval
+    hole_radius_mm: float
+    object_radius_mm: float | None
+    object_gap_mm: float | None
     object_force_N: float | None
     bendability: float | None
     operating_pressure_kPa: float

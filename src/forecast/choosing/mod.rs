@@ -6,18 +6,21 @@
 mod nearest;
 mod text;
 
+use self::nearest::three_digits;
 pub use self::nearest::{Miss, Nearest, choose};
 pub use self::text::{is_result, spec_text};
 
+use crate::design::{pitch_for, room};
 use crate::forecast::candidate::Candidate;
 use crate::forecast::case::sheet;
 use crate::forecast::optimize::{
     Bounds, Constraints, Effort, Evaluated, Found, Goal, Search, Short, shortfalls,
 };
 use crate::forecast::ranges::errors;
+use crate::forecast::unfit::COATED;
 use crate::mechanics::hinge::ring::RingTable;
 use crate::mechanics::hinge::section::arms;
-use crate::spec::{Load, ObjectShape, ObjectSize};
+use crate::spec::{Load, ObjectShape, ObjectSize, StarSpec};
 use crate::units::{Angle, Force, Length, Mass, Pressure};
 use std::ops::RangeInclusive;
 
@@ -75,10 +78,6 @@ const SEARCHED_MARGIN: f64 = 1.25;
 pub const BURST_MARGIN: f64 = 1.2;
 /// The object's radius over the one to which the star closes for sure.
 const CLOSING: f64 = 0.95;
-/// Room around the object before it is gripped: this part of its radius, and at least [`LEAST_ROOM`].
-const ROOM: f64 = 0.05;
-/// See [`ROOM`].
-const LEAST_ROOM: Length = Length(2.0);
 /// By which part of it the radii that the star closes and opens to are taken farther apart where round values do not do.
 const INSIDE: f64 = 0.01;
 /// By how much, in all, a star may miss what was asked for and still be near it.
@@ -159,7 +158,9 @@ fn granted(wish: &Wish, base: &Candidate, ring: &RingTable) -> Result<Vec<Choice
 impl Wish {
     /// `base` with the object between its corners.
     fn candidate(&self, base: &Candidate) -> Candidate {
-        Candidate { load: self.load(), stars: 1, ..base.clone() }
+        // The pitch is that which the tubes need.
+        let star = StarSpec { pitch: Length(0.0), ..base.star.clone() };
+        Candidate { star, load: self.load(), stars: 1, ..base.clone() }
     }
 
     fn load(&self) -> Load {
@@ -175,11 +176,6 @@ impl Wish {
         }
     }
 
-    /// Room between the object and the flat star.
-    fn room(&self) -> Length {
-        Length((ROOM * self.object.0).max(LEAST_ROOM.0))
-    }
-
     /// The box of what was tried; `None` if no tube of this fabric lies in it.
     fn bounds(&self, base: &Candidate) -> Option<Bounds> {
         let sheet = sheet(&base.fabric).ok()?;
@@ -188,7 +184,8 @@ impl Wish {
         let [thin, _, thick] = arms::TAUS.map(|tau| thickness / (slender * tau));
         // What is on the last digit's edge is left to what is clearly inside; t/W beyond 0.03 is no thin tube any more.
         let width = [(1.01 * thick).max(thickness / 0.0297).max(WIDTHS[0].0), (0.99 * thin).min(WIDTHS[1].0)];
-        let hole = self.object.0 + self.room().0;
+        let flap = base.seal.band.0 + base.seal.hole_allowance.0;
+        let hole = self.object.0 + room(self.object).0 + flap;
         let degrees = errors::TIP_ANGLE.map(Angle);
         (width[0] < width[1]).then(|| Bounds {
             points: POINTS,
@@ -202,9 +199,10 @@ impl Wish {
     }
 
     fn constraints(&self, base: &Candidate, margin: f64) -> Constraints {
-        let room = 0.5 * self.room().0;
+        let room = room(self.object).0;
         Constraints {
-            grasp: Some([Length(CLOSING * self.object.0), Length(self.object.0 + room)]),
+            grasp: Some([Length(CLOSING * self.object.0), Length(self.object.0 + 0.5 * room)]),
+            hole: Some(Length(self.object.0 + room)),
             payload: Some(margin * self.mass.0),
             // A search keeps as far from what the object bears, in parts, as it does from the mass.
             largest_force: self.largest_force.map(|force| force.0 * MARGIN / margin),
@@ -229,7 +227,17 @@ impl Wish {
         let percent = (1000.0 * part).ceil() / 10.0;
         match *what {
             "payload" => {
-                format!("what is counted on is {percent:.1} % short of {} with its margin", self.mass)
+                // Friction is as far short as the mass; a hundredth more for what is rounded.
+                let friction = (101.0 * self.friction / (1.0 - part)).ceil() / 100.0;
+                let coated = if friction <= COATED {
+                    format!(
+                        "; a friction of {friction} would do (--friction): silicone-coated corners reach about 1"
+                    )
+                } else {
+                    String::new()
+                };
+                let safe = three_digits(self.mass.0 * (1.0 - part)).unwrap_or(Mass(0.0));
+                format!("it can safely carry {safe} of the {}{coated}", self.mass)
             }
             "sheet" => format!(
                 "the star is {percent:.1} % larger than the sheet or the machine: a larger one, --sheet"
@@ -239,7 +247,10 @@ impl Wish {
             ),
             "burst" => "the seal bursts: less pressure, a stronger seal".to_owned(),
             "closing" => format!("it closes {percent:.1} % short of the object"),
-            "inner_radius" | "opening" | "object" => format!("it opens {percent:.1} % short of the object"),
+            "inner_radius" => {
+                format!("its cut hole is {percent:.1} % too narrow for the object and room around it")
+            }
+            "opening" | "object" => format!("it opens {percent:.1} % short of the object"),
             "touching" => "its arms would touch, and how hard it presses then is not known".to_owned(),
             "arms" => format!("arms would be {percent:.1} % shorter than half a tube's width"),
             _ => "no star that was tried is like it: another pressure, or another fabric".to_owned(),
@@ -268,6 +279,7 @@ fn rounded(found: &Evaluated, constraints: &Constraints, ring: &RingTable) -> Op
         star.tube_width = Length(tenths(0, star.tube_width.0));
         star.inner_radius = Length(tenths(1, star.inner_radius.0));
         star.tip_angle = Angle(tenths(2, star.tip_angle.0));
+        star.pitch = pitch_for(star.tube_width, point.plate);
         point.load.pressure = point.load.pressure.map(|pressure| Pressure(tenths(3, pressure.0)));
         let answer = point.answer(ring).ok()?;
         let missed = shortfalls(&point, &answer, constraints);

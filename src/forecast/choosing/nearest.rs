@@ -73,7 +73,7 @@ fn nearest(wish: &Wish, base: &Candidate, ring: &RingTable) -> Option<Nearest> {
 /// The most mass that can be counted on with all else granted, kg; `None` if nothing else is.
 fn heaviest(wish: &Wish, base: &Candidate, ring: &RingTable) -> Option<f64> {
     let base = wish.candidate(base);
-    let bounds = Bounds { stars: MOST_STARS..=MOST_STARS, ..wish.bounds(&base)? };
+    let bounds = Bounds { stars: 1..=MOST_STARS, ..wish.bounds(&base)? };
     let constraints = Constraints { payload: None, ..wish.constraints(&base, 1.0) };
     let search = Search {
         base: &base,
@@ -89,7 +89,7 @@ fn heaviest(wish: &Wish, base: &Candidate, ring: &RingTable) -> Option<f64> {
 }
 
 /// A mass rounded down to three digits and whole milligrams; `None` if nothing is left.
-fn three_digits(mass: f64) -> Option<Mass> {
+pub(super) fn three_digits(mass: f64) -> Option<Mass> {
     let digit = 10_f64.powf(mass.log10().floor() - 2.0);
     let mass = ((mass / digit).floor() * digit * 1e6).round() / 1e6;
     (mass > 0.0).then_some(Mass(mass))

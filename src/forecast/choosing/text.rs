@@ -1,5 +1,6 @@
 //! A chosen gripper as a spec, each value with the reason why it is what it is.
 
+use crate::design::inflated_height;
 use crate::forecast::case::sheet;
 use crate::forecast::choosing::{Choice, FRICTION, MARGIN};
 use crate::forecast::optimize::{SEARCHED, sure_payload};
@@ -7,7 +8,6 @@ use crate::forecast::ranges::{Interval, mm, shown};
 use crate::mechanics::strength::GRAVITY;
 use crate::spec::{FeedFloor, NameFault, Spec, quoted};
 use crate::units::{Length, Readable};
-use std::f64::consts::PI;
 use std::fmt::Write;
 
 /// The spec of `choice`, called `name`, on the machine and with the sheet of `base`.
@@ -143,7 +143,7 @@ impl Lines {
 
     fn stack(&mut self, choice: &Choice, base: &Spec) {
         let (point, answer) = (&choice.best.point, &choice.best.answer);
-        let own = answer.outcome.as_ref();
+        let own = answer.grip.as_ref();
         let force = own.and_then(crate::forecast::outcome::Outcome::object_force);
         let one = match own.and_then(|own| own.force_range) {
             Some(range) => shown::known(force, Some(range), "N"),
@@ -157,11 +157,9 @@ impl Lines {
             &format!("{}", point.stars),
             &format!("{stars} with {one}; {needed:.1} N in all are needed"),
         );
-        if point.stars > 1 {
-            let (tube, plate) = (2.0 * point.star.tube_width.0 / PI, base.frame.plate_thickness);
-            let why = format!("the inflated tube is {tube:.1} mm high, a plate {plate} thick");
-            self.quantity("pitch", point.star.pitch, &why);
-        }
+        let tube = inflated_height(point.star.tube_width).0;
+        let why = format!("the inflated tube is {tube:.1} mm high, a plate {} thick", point.plate);
+        self.quantity("pitch", point.star.pitch, &why);
         self.text.push('\n');
     }
 

@@ -4,12 +4,10 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
-use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{Constraints, Evaluated};
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{Interval, mm, shown};
 use crate::forecast::shell_prediction::ShellPrediction;
-use crate::mechanics::strength::payload;
 use crate::units::Length;
 
 /// A winner as a shell.
@@ -80,7 +78,7 @@ impl Confirmed {
                 force,
             ));
         }
-        Self { compared, judged: judged(&candidate.point, constraints, shell) }
+        Self { compared, judged: judged(constraints, shell) }
     }
 
     /// Whether the shell meets all that it can judge.
@@ -124,7 +122,7 @@ fn compare(
 }
 
 /// What a shell says of how far it closes, how much it holds and how hard it presses. How far it opens and when it bursts it does not say.
-fn judged(point: &Candidate, constraints: &Constraints, shell: &ShellPrediction) -> Vec<Judgement> {
+fn judged(constraints: &Constraints, shell: &ShellPrediction) -> Vec<Judgement> {
     let star = &shell.first;
     let closing = constraints.grasp.map(|[close, _]| Judgement {
         what: "closing",
@@ -132,10 +130,8 @@ fn judged(point: &Candidate, constraints: &Constraints, shell: &ShellPrediction)
         shell: star.final_radius_mm,
         met: star.final_radius_mm <= close.0,
     });
-    let force = star.object_force_N;
-    let held =
-        force.zip(point.load.friction).map(|(force, mu)| f64::from(point.stars) * payload(mu, [force]));
-    let carried = constraints.payload.zip(held).map(|(bound, held)| Judgement {
+    let force = shell.stars.iter().filter_map(|star| star.object_force_N).reduce(f64::max);
+    let carried = constraints.payload.zip(star.payload_kg).map(|(bound, held)| Judgement {
         what: "payload",
         bound,
         shell: held,

@@ -19,8 +19,10 @@ pub const SEARCHED: f64 = 0.8;
 /// What a design must do; absent constraints always hold.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Constraints {
-    /// The star must close to the first radius; the second must enter the flat star, and the inflated one must open to it.
+    /// The star must close to the first radius; the second must pass the cut hole, and the inflated star must open to it.
     pub grasp: Option<[Length; 2]>,
+    /// A radius that must pass the cut hole.
+    pub hole: Option<Length>,
     /// Payload of the stack, kg, at the load's pressure, object and friction.
     pub payload: Option<f64>,
     /// Largest radial force of one star on the object, N.
@@ -46,7 +48,7 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
     if answer.outcome.is_none() {
         all.push(("no model", 10.0));
     }
-    if let Some(own) = &answer.outcome {
+    if let Some(own) = &answer.grip {
         if is_at_pressure(point.model) && own.ranges.standing != Standing::Tried {
             // The more the further out: so that a search finds its way in.
             all.push(("untried", LEAST_UNTRIED + outside_by(&answer.case)));
@@ -60,8 +62,12 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
             let mm = |metres: f64| Length::from_metres(metres).0;
             let widest = mm(own.rest.widest.radius);
             all.push(("closing", over(mm(least_sure(own)), close.0)));
-            all.push(("inner_radius", short(Some(star.rho_0), open.0)));
             all.push(("opening", short(Some(widest), open.0 * (1.0 + ROUNDING))));
+        }
+        let entering =
+            constraints.grasp.map(|[_, open]| open.0).into_iter().chain(constraints.hole.map(|hole| hole.0));
+        if let Some(entering) = entering.reduce(f64::max) {
+            all.push(("inner_radius", short(Some(star.hole(&point.seal)), entering)));
         }
         if let Some(most) = constraints.largest_force {
             // A force of which nothing is known may be too much.
@@ -74,6 +80,7 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
                 let object = point.load.object_radius.map_or(own.rest.radius, Length::metres);
                 all.push(("object", over(own.rest.radius, object)));
             }
+            Some(Hold::Beside) => all.push(("object", 1.0)),
             Some(Hold::Held(_) | Hold::Unknown(_) | Hold::Untried) | None => {}
         }
     }

@@ -17,12 +17,12 @@ pub use self::front::thinned;
 
 use self::front::front;
 use self::poll::{AXES, Place, polled, scanned};
+use crate::design::{least_pitch, pitch_for};
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::units::{Angle, Length, Pressure};
 use rayon::prelude::*;
 use std::cmp::Ordering;
-use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::Relaxed;
@@ -202,13 +202,48 @@ impl Search<'_> {
             point.load.pressure = Some(Pressure(pressure));
         }
         point.stars = *self.bounds.stars.start();
-        let mut answer = point.answer(self.table).ok()?;
-        if let Some(count) = self.stars(&point, &answer) {
-            point.stars = count;
-            answer = answer.of_stars(count);
+        let pitch = point.star.pitch;
+        let answer = self.stacked(&mut point)?;
+        if point.stars == 1 && pitch.0 > 0.0 {
+            point.star.pitch = pitch;
         }
-        point.star.pitch = Length(point.star.pitch.0.max(least_pitch(&point)));
         answer.fabric.is_some().then(|| self.judged(point, &answer))
+    }
+
+    /// `point` with as few stars as hold the payload, as far as that may be chosen and they are not taller than the object, at the pitch that
+    /// they need; what it does then.
+    fn stacked(&self, point: &mut Candidate) -> Option<Answer> {
+        let (from, to) = (*self.bounds.stars.start(), *self.bounds.stars.end());
+        point.stars = from;
+        let (width, plate) = (point.star.tube_width, point.plate);
+        point.star.pitch = match point.star.pitch {
+            Length(0.0) => pitch_for(width, plate),
+            own => Length(own.0.max(least_pitch(width, plate).0)),
+        };
+        if to == from {
+            return point.answer(self.table).ok();
+        }
+        let to = to.min(point.most_stars()).max(from);
+        let Some(needed) = self.constraints.payload else {
+            point.stars = if self.goal == Goal::Payload { to } else { from };
+            return point.answer(self.table).ok();
+        };
+        let answer = point.answer(self.table).ok()?;
+        let Some(sure) = sure_payload(point, &answer) else { return Some(answer) };
+        if sure >= needed || to == from {
+            return Some(answer);
+        }
+        // No star presses harder than one at the object's middle: fewer than these do not hold it.
+        let one = sure_payload(point, &answer.of_stars(1)).unwrap_or(0.0);
+        let least = (from + 1..=to).find(|count| f64::from(*count) * one >= needed).unwrap_or(to);
+        for count in least..=to {
+            point.stars = count;
+            let answer = point.answer(self.table).ok()?;
+            if count == to || sure_payload(point, &answer).is_none_or(|sure| sure >= needed) {
+                return Some(answer);
+            }
+        }
+        None
     }
 
     /// `point`, which does `answer`, with what it misses.
@@ -216,14 +251,6 @@ impl Search<'_> {
         let all = shortfalls(&point, answer, self.constraints);
         let violation = all.iter().map(|(_, shortfall)| shortfall).sum();
         Evaluated { point, answer: *answer, violation }
-    }
-
-    /// As many stars as hold the payload, if that may be chosen.
-    fn stars(&self, point: &Candidate, answer: &Answer) -> Option<u32> {
-        let (from, to) = (*self.bounds.stars.start(), *self.bounds.stars.end());
-        let needed = self.constraints.payload.filter(|_| to > from)?;
-        let one = sure_payload(point, answer)? / f64::from(point.stars);
-        (from..=to).find(|count| f64::from(*count) * one >= needed).or(Some(to))
     }
 
     /// All designs with `points` points that were computed.
@@ -249,14 +276,14 @@ impl Search<'_> {
         for count in (from..best).filter(|_| self.constraints.payload.is_some()) {
             let bounds = Bounds { stars: count..=count, ..self.bounds.clone() };
             let fewer = Search { bounds: &bounds, ..*self };
-            let places = scanned.iter().map(|(place, one)| {
-                let mut one = fewer
-                    .judged(Candidate { stars: count, ..one.point.clone() }, &one.answer.of_stars(count));
-                // The pitch of a stack of more is no wish.
-                one.point.star.pitch = self.base.star.pitch;
-                (*place, one)
-            });
-            let Some(start) = places.min_by(|a, b| compare(&a.1, &b.1, self.goal)) else { continue };
+            // As if all stars met the object's middle: only to find where to begin.
+            let missed = |(place, one): &(Place, Evaluated)| {
+                let point = Candidate { stars: count, ..one.point.clone() };
+                (*place, fewer.judged(point, &one.answer.of_stars(count)))
+            };
+            let places = scanned.iter().map(missed);
+            let Some((place, _)) = places.min_by(|a, b| compare(&a.1, &b.1, self.goal)) else { continue };
+            let Some(start) = fewer.at(points, &place).map(|one| (place, one)) else { continue };
             fewer.descend(points, start, &varied, &mut all);
         }
         all
@@ -287,12 +314,6 @@ impl Search<'_> {
             }
         }
     }
-}
-
-/// The least distance of stars in a stack, mm, rounded up to a tenth: what an inflated tube and a plate take.
-fn least_pitch(point: &Candidate) -> f64 {
-    let needed = 2.0 * point.star.tube_width.0 / PI + point.plate.0;
-    if point.stars > 1 { (10.0 * needed).ceil() / 10.0 } else { 0.0 }
 }
 
 /// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.

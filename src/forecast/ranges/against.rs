@@ -118,7 +118,10 @@ pub fn case_of(drawn: &Drawn) -> Option<(Case, f64)> {
         sheet: ElasticSheet::new(Length(drawn.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?,
         peel: None,
         pressure: Some(pressure),
+        // Shells have no band and no flap.
+        hole: Length(drawn.inner_radius).metres(),
         object: None,
+        entering: None,
         friction: None,
     };
     Some((case, pressure))

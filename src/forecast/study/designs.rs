@@ -8,7 +8,7 @@ use crate::design::RefusalCode;
 use crate::forecast::candidate::{Candidate, Refused};
 use crate::spec::edit::with_values;
 use crate::spec::study::{Block, KeyValue, Lane};
-use crate::spec::{Code, KeyPath, ModelChoice, Severity, Source, Spec, key, read};
+use crate::spec::{Code, KeyPath, ModelChoice, ObjectSize, Severity, Source, Spec, key, read};
 use crate::units::{Angle, Length, LineForce, Pressure};
 use std::sync::OnceLock;
 
@@ -30,10 +30,15 @@ const QUICK: [(KeyPath, Quick); 13] = [
     (key::fabric::YOUNG_MODULUS, |point, value| point.fabric.young_modulus = Pressure(value)),
     (key::fabric::SEAL_STRENGTH, |point, value| point.fabric.seal_strength = Some(LineForce(value))),
     (key::load::PRESSURE, |point, value| point.load.pressure = Some(Pressure(value))),
-    (key::load::OBJECT_DIAMETER, |point, value| point.load.object_radius = Some(Length(0.5 * value))),
-    (key::load::OBJECT_RADIUS, |point, value| point.load.object_radius = Some(Length(value))),
+    (key::load::OBJECT_DIAMETER, |point, value| set_size(point, 0.5 * value, ObjectSize::Diameter)),
+    (key::load::OBJECT_RADIUS, |point, value| set_size(point, value, ObjectSize::Radius)),
     (key::load::FRICTION, |point, value| point.load.friction = Some(value)),
 ];
+
+/// Sets the object's radius, mm, and which key gave it.
+fn set_size(point: &mut Candidate, radius: f64, by: ObjectSize) {
+    (point.load.object_radius, point.load.object_size) = (Some(Length(radius)), by);
+}
 
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the reader lets 3 to 64 pass")]
 fn whole(value: f64) -> u32 {

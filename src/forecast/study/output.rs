@@ -31,8 +31,12 @@ impl Row<'_> {
         self.shell.map_or_else(|| hinges(self.own()?), shell)
     }
 
-    /// Mass that friction holds with a radial force of this many N of each star, of the whole stack, kg.
+    /// Mass that friction holds with a radial force of this many N of each star, of the whole stack, kg; `None` where stars of the stack meet
+    /// different radii of the object, of which a shell was asked for one only.
     pub(super) fn held(&self, force: f64) -> Option<f64> {
+        if !self.point.meets_alike(&self.answer.star) {
+            return None;
+        }
         Some(f64::from(self.point.stars) * payload(self.point.load.friction?, [force]))
     }
 }

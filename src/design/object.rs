@@ -1,0 +1,220 @@
+//! Where the stars of a stack meet the object, and what of it must pass their holes. Lengths in mm.
+//!
+//! The object stands on the gripper's axis with its middle at the middle of the stack: half way between the lowest and the highest
+//! star. A **ball** of diameter d and height h is the ellipsoid of revolution, r(z) = d/2 sqrt(1 - (2 z / h)^2).
+
+use crate::design::{Refusal, RefusalCode, Star, Warning};
+use crate::spec::{Load, ObjectShape, Seal, Spec, key};
+use crate::units::{Least, Length, Most, Readable};
+
+/// Room that is left around an object before it is gripped: this part of its radius, and at least [`LEAST_ROOM`].
+const ROOM: f64 = 0.05;
+/// See [`ROOM`], mm.
+const LEAST_ROOM: f64 = 2.0;
+/// A gap below this part of [`room`] is warned of: hand and gripper must be that exactly aligned.
+const TIGHT: f64 = 0.5;
+
+/// The room around an object of `radius`, mm, with which it enters without exact alignment.
+pub fn room(radius: Length) -> Length {
+    Length((ROOM * radius.0).max(LEAST_ROOM))
+}
+
+/// A round object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Object {
+    radius: f64,
+    height: f64,
+    shape: ObjectShape,
+}
+
+/// What one star meets of the object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Meeting {
+    /// Radius of the object at the star's height; 0 where the star passes above or below it.
+    pub radius: f64,
+    /// Radius of what must pass the star's hole until the object is in its place.
+    pub entering: f64,
+}
+
+impl Object {
+    /// The object of `load`: a ball unless another shape is given, as tall as wide unless a height is given. `None` without a size.
+    pub fn of(load: &Load) -> Option<Self> {
+        let radius = load.object_radius?.0;
+        let height = load.object_height.map_or(2.0 * radius, |height| height.0);
+        Some(Self { radius, height, shape: load.object_shape.unwrap_or(ObjectShape::Ball) })
+    }
+
+    /// Its height along the axis.
+    pub fn height(&self) -> Length {
+        Length(self.height)
+    }
+
+    /// Its radius `z` above its middle; 0 above and below it.
+    fn radius_at(&self, z: f64) -> f64 {
+        let part = 2.0 * z / self.height;
+        match self.shape {
+            _ if part.abs() > 1.0 => 0.0,
+            ObjectShape::Cylinder => self.radius,
+            ObjectShape::Ball => self.radius * (1.0 - part * part).sqrt(),
+        }
+    }
+
+    /// What stars at `heights`, rising, with holes of radii `holes` meet. It enters from that end where more holes let it pass; below if
+    /// that does not decide.
+    pub fn meetings(&self, heights: &[f64], holes: &[f64]) -> Vec<Meeting> {
+        let middle = match (heights.first(), heights.last()) {
+            (Some(low), Some(high)) => 0.5 * (low + high),
+            _ => 0.0,
+        };
+        let from = |below: f64| -> Vec<Meeting> {
+            let meeting = |height: &f64| {
+                let z = height - middle;
+                let radius = self.radius_at(z);
+                // A star that it has to go through with its widest part, or only with its end.
+                Meeting { radius, entering: if below * z <= 0.0 { self.radius } else { radius } }
+            };
+            heights.iter().map(meeting).collect()
+        };
+        let passed =
+            |all: &[Meeting]| all.iter().zip(holes).filter(|(one, hole)| one.entering <= **hole).count();
+        let (below, above) = (from(1.0), from(-1.0));
+        if passed(&above) > passed(&below) { above } else { below }
+    }
+
+    /// What `count` equal stars `pitch` apart with a hole of radius `hole` meet, bottom first.
+    pub fn equal_meetings(&self, count: u32, pitch: f64, hole: f64) -> Vec<Meeting> {
+        let heights: Vec<f64> = (0..count).map(|i| f64::from(i) * pitch).collect();
+        self.meetings(&heights, &vec![hole; heights.len()])
+    }
+
+    /// What is taken for granted of it between `stars` stars; `None` if nothing is, or one star alone grips its middle.
+    pub fn assumed(load: &Load, stars: usize) -> Option<String> {
+        let own = Self::of(load).filter(|_| stars > 1)?;
+        let shape = own.shape.word();
+        match (load.object_height, load.object_shape) {
+            (Some(_), Some(_)) => None,
+            (Some(_), None) => Some(format!("assumed to be a {shape}: set object_shape")),
+            (None, Some(_)) => Some(format!("assumed to be {} tall: set object_height", own.height())),
+            (None, None) => Some(format!(
+                "assumed to be a {shape} {} tall: set object_height and object_shape",
+                own.height()
+            )),
+        }
+    }
+}
+
+impl Star {
+    /// Radius of the hole's cut edge, mm: band and flap lie between it and the tube. 0 if they close the hole.
+    pub fn hole(&self, seal: &Seal) -> f64 {
+        (self.rho_0 - seal.band.0 - seal.hole_allowance.0).max(0.0)
+    }
+}
+
+/// An object that does not pass the hole of radius `hole` of a star of inner radius `inner`.
+pub fn does_not_enter(spec: &Spec, (inner, hole): (f64, f64), entering: f64) -> Refusal {
+    let key = spec.load.as_ref().map_or(key::load::OBJECT_DIAMETER, Load::size_key);
+    let flap = inner - hole;
+    let found = format!(
+        "the object is {} mm across, the cut hole {} mm (inner radius {} mm less {} mm of band and flap): it does not enter",
+        Readable(2.0 * entering),
+        Most(2.0 * hole),
+        Readable(inner),
+        Readable(flap),
+    );
+    let wanted = entering + room(Length(entering)).0 + flap;
+    let remedy = format!(
+        "an object of at most {} mm across, or an inner_radius of at least {} mm",
+        Most(2.0 * hole),
+        Least(wanted)
+    );
+    Refusal::new(key, RefusalCode::ObjectTooWide, found, remedy)
+}
+
+/// That an object which passes the hole of `star`, number `index`, has little room.
+pub(super) fn tight(spec: &Spec, index: usize, star: &Star, meeting: Meeting) -> Option<Warning> {
+    let (hole, entering) = (star.hole(&spec.seal), meeting.entering);
+    let (gap, wanted) = (hole - entering, room(Length(entering)).0);
+    (gap >= 0.0 && gap < TIGHT * wanted).then(|| Warning {
+        key: key::star::INNER_RADIUS.of_star(index),
+        code: RefusalCode::TightHole,
+        found: format!(
+            "{} mm of room between the object and the cut hole of {} mm across",
+            Most(gap),
+            Most(2.0 * hole)
+        ),
+        remedy: format!(
+            "{} mm let it in without exact alignment: inner_radius of {} mm",
+            Readable(wanted),
+            Least(star.rho_0 + wanted - gap)
+        ),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn object(radius: f64, height: Option<f64>, shape: Option<ObjectShape>) -> Object {
+        let load = Load {
+            object_radius: Some(Length(radius)),
+            object_height: height.map(Length),
+            object_shape: shape,
+            ..Load::default()
+        };
+        Object::of(&load).expect("a size")
+    }
+
+    fn radii(object: Object, heights: &[f64]) -> Vec<f64> {
+        object.meetings(heights, &vec![1e3; heights.len()]).iter().map(|one| one.radius).collect()
+    }
+
+    /// A ball of 180 mm has a radius of 80.6 mm at 40 mm off its middle.
+    #[test]
+    fn a_ball_is_met_at_each_star_s_height() {
+        let found = radii(object(90.0, None, None), &[25.0, 65.0, 105.0]);
+        let off = 8100.0_f64 - 1600.0;
+        assert!((found[0] - off.sqrt()).abs() < 1e-12 && (found[0] - 80.62).abs() < 0.01, "{found:?}");
+        assert_eq!([found[1], found[2]], [90.0, found[0]]);
+        assert_eq!(radii(object(15.0, None, None), &[0.0, 40.0]), [0.0, 0.0]);
+        assert_eq!(radii(object(15.0, Some(100.0), Some(ObjectShape::Cylinder)), &[0.0, 40.0]), [15.0, 15.0]);
+        assert_eq!(
+            radii(object(15.0, None, Some(ObjectShape::Cylinder)), &[0.0, 40.0, 80.0]),
+            [0.0, 15.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn one_star_alone_grips_the_middle_whatever_the_shape() {
+        for shape in [None, Some(ObjectShape::Ball), Some(ObjectShape::Cylinder)] {
+            let of = object(30.0, Some(1.0), shape).equal_meetings(1, 40.0, 50.0);
+            assert_eq!(of, [Meeting { radius: 30.0, entering: 30.0 }]);
+        }
+    }
+
+    #[test]
+    fn a_ball_enters_a_cone_of_stars_from_its_wide_end() {
+        let ball = object(50.0, None, None);
+        let entering = |holes: &[f64]| -> Vec<f64> {
+            ball.meetings(&[0.0, 40.0], holes).iter().map(|one| one.entering).collect()
+        };
+        let end = 2100.0_f64.sqrt();
+        assert_eq!(entering(&[55.0, 47.0]), [50.0, end]);
+        assert_eq!(entering(&[47.0, 55.0]), [end, 50.0]);
+    }
+
+    #[test]
+    fn what_is_assumed_is_named_where_it_matters() {
+        let load = |height: Option<f64>, shape| Load {
+            object_radius: Some(Length(90.0)),
+            object_height: height.map(Length),
+            object_shape: shape,
+            ..Load::default()
+        };
+        assert_eq!(Object::assumed(&load(None, None), 1), None);
+        let both = Object::assumed(&load(None, None), 2).expect("two stars");
+        assert!(both.contains("ball 180 mm tall"), "{both}");
+        assert!(Object::assumed(&load(Some(57.0), None), 2).is_some());
+        assert_eq!(Object::assumed(&load(Some(57.0), Some(ObjectShape::Ball)), 2), None);
+        assert_eq!(Object::assumed(&Load::default(), 2), None);
+    }
+}
