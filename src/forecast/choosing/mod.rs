@@ -66,7 +66,7 @@ pub const MARGIN: f64 = 1.2;
 /// The same for the search, whose values are rounded afterwards.
 const SEARCHED_MARGIN: f64 = 1.25;
 /// Burst pressure over pressure, where the seal's strength is known.
-pub const BURST_MARGIN: f64 = 1.2;
+pub const BURST_MARGIN: f64 = 1.5;
 /// The object's radius over the one to which the star closes for sure.
 const CLOSING: f64 = 0.95;
 /// Room around the object before it is gripped: this part of its radius, and at least [`LEAST_ROOM`].
