@@ -32,8 +32,8 @@ pub fn tables() -> String {
         all.iter().filter(move |one| one.set == set && (first..=last).contains(&one.number))
     };
     let mut out = String::from(
-        "| set | stars | quantity | numbers | 2.5 % | median | 97.5 % | in range | mean width / mean error |\n\
-         |---|---|---|---|---|---|---|---|---|\n",
+        "| set | stars | quantity | numbers | 2.5 % | median | 97.5 % | in range | strictly | mean width / mean error |\n\
+         |---|---|---|---|---|---|---|---|---|---|\n",
     );
     for set in GROUPS {
         let stars = of(set).count();
@@ -122,9 +122,10 @@ fn row(pairs: &[Pair]) -> String {
     errors.sort_by(f64::total_cmp);
     let [low, middle, high] = [0.025, 0.5, 0.975].map(|part| quantile(&errors, part));
     let inside = pairs.iter().filter(|pair| pair.holds()).count();
+    let strictly = pairs.iter().filter(|pair| pair.holds_strictly()).count();
     let mean = |of: fn(&Pair) -> f64| pairs.iter().map(of).sum::<f64>();
     let width = mean(|pair| pair.range[1] - pair.range[0]) / mean(|pair| (pair.shell - pair.predicted).abs());
-    format!("{} | {low:.3} | {middle:.3} | {high:.3} | {inside} | {width:.1}", pairs.len())
+    format!("{} | {low:.3} | {middle:.3} | {high:.3} | {inside} | {strictly} | {width:.1}", pairs.len())
 }
 
 /// The value below which `part` of the sorted `values` lie.

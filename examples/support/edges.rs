@@ -54,7 +54,7 @@ fn said(edits: Edits) -> Result<String, String> {
     let standing = match own.ranges.standing {
         Standing::Tried if own.ranges.stiffness.is_none() => "tried; its arms touch",
         Standing::Tried => "tried",
-        Standing::Beyond => "near: four times as wide",
+        Standing::Beyond => "near: wider",
         Standing::Unknown => "none",
     };
     Ok(format!(

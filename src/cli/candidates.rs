@@ -110,7 +110,7 @@ fn row(candidate: &Evaluated, constraints: &Constraints) -> Value {
     })
 }
 
-/// Burst pressure over pressure, by the ring.
+/// Burst pressure over pressure.
 fn burst_margin(candidate: &Evaluated) -> Option<f64> {
     let Evaluated { point, answer, .. } = candidate;
     answer.burst.zip(point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0)

@@ -42,13 +42,16 @@ pub(super) fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     let mut closings: Vec<String> = prediction.stars.iter().map(closing).collect();
     closings.dedup();
     rows.push(("closes", closings.join("; ")));
-    let weakest = prediction.stars.iter().filter_map(|star| star.burst_pressure_kPa).reduce(f64::min);
-    if let Some(burst) = weakest {
-        let times = rounded(burst / pressure.0);
-        rows.push((
-            "bursts",
-            format!("at {} kPa by the ring, range unknown; {times} times its pressure", rounded(burst)),
-        ));
+    let bursting = prediction
+        .stars
+        .iter()
+        .filter_map(|star| Some((star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa)));
+    if let Some((burst, range)) = bursting.min_by(|a, b| a.0.total_cmp(&b.0)) {
+        let at = match range {
+            Some(range) => with(burst, range, "kPa"),
+            None => format!("{} kPa, range unknown", rounded(burst)),
+        };
+        rows.push(("bursts", format!("at {at}; {} times its pressure", rounded(burst / pressure.0))));
     }
     rows
 }

@@ -55,13 +55,13 @@ pub struct ActuatorPrediction {
     /// Angles (deg) and the moments dU/dphi (N m) that hold them; a positive one opens.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<Vec<[f64; 2]>>,
-    /// In which interval the truth lies.
+    /// In which intervals a shell's values lie.
     pub ranges: Ranges,
     /// How good all this is.
     pub evidence: ActuatorEvidence,
 }
 
-/// Intervals in which the truth lies in at least 95 % of cases; `None` where nothing is known.
+/// Intervals in which a shell's values lie in at least 95 % of cases; `None` where nothing is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct Ranges {

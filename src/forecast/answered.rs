@@ -34,7 +34,10 @@ impl Answered<'_> {
         star.tip_target_angle_deg = Some(angles.0.to_degrees());
         star.corner_target_angle_deg = Some(angles.1.to_degrees());
         star.hinge_stiffness_Nm = stiffness;
-        star.ranges = ranges(case, outcome, stiffness);
+        // Those of the seal depend on no model of the hinge.
+        let StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, .. } = star.ranges;
+        star.ranges =
+            StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, ..ranges(case, outcome, stiffness) };
         star.correction = case.mechanism.correction;
         star.hold = outcome.hold;
         if outcome.known {
@@ -114,6 +117,7 @@ fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> Sta
         radial_stiffness_N_per_m: own.stiffness,
         object_force_N: outcome.force_range,
         payload_kg: outcome.payload_range,
+        seal_pull_N_per_mm: None,
         burst_pressure_kPa: None,
     }
 }

@@ -26,6 +26,8 @@ pub struct Case {
     pub inner_radius: f64,
     /// Inner radius of curvature that the band makes of tip and corner, m.
     pub realised: Hinges<f64>,
+    /// Width of the sealed band, m.
+    pub band: f64,
     /// The fabric.
     pub sheet: ElasticSheet,
     /// Peel strength of the seal, N per m.
@@ -55,6 +57,7 @@ impl Case {
             mechanism: mechanism(star),
             inner_radius: Length(star.rho_0).metres(),
             realised: Hinges { tip, corner },
+            band: seal.band.metres(),
             sheet: sheet(fabric)?,
             peel: fabric.seal_strength.map(LineForce::newtons_per_metre),
             pressure: load.and_then(|load| load.pressure).map(Pressure::pascals),

@@ -7,7 +7,7 @@
 //! | [`case`] | what a spec asks about one star, in SI units: the only conversion |
 //! | [`seal_load`] | the load on the seal, burst pressure, the radius that would hold |
 //! | [`choice`] | which model answers |
-//! | [`mod@ranges`] | in which intervals the truth lies |
+//! | [`mod@ranges`] | in which intervals the values of computed shells lie |
 //! | [`outcome`] | an inflated star with its load, in closed forms with their ranges: for all that follow |
 //! | [`pressures`] | what it does at several pressures, where none is given |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |

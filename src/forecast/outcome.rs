@@ -39,7 +39,7 @@ pub struct Outcome {
     pub bendability: Option<f64>,
     /// Stretch p W / Y of the fabric.
     pub stretch: Option<f64>,
-    /// In which intervals the truth lies; none of a limit, and none with the model's own V_bar.
+    /// In which intervals a shell's values lie; none of a limit, and none with the model's own V_bar.
     pub ranges: Ranges,
     /// Of the force on the object, N.
     pub force_range: Option<Interval>,

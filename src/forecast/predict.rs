@@ -8,14 +8,14 @@ use crate::forecast::outcome::{Hold, Outcome};
 use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Prediction, StarPrediction};
 use crate::forecast::pressures::{LEAST, MOST, modelled, rows};
 use crate::forecast::ranges::{Interval, Ranges, Standing, StarRanges, errors, outside, sum};
-use crate::forecast::seal_load::{burst, factor, remedy, safe_radius};
+use crate::forecast::seal_load::{burst, burst_range, factor, largest_pull, remedy, safe_radius};
 use crate::forecast::verdict::verdict;
 use crate::mechanics::fault::{HingeFault, StarFault};
 use crate::mechanics::hinge::ring::Ring;
 use crate::mechanics::hinge::{HingeModel, Level};
 use crate::mechanics::star::response::Inflated;
 use crate::spec::{KeyPath, ModelChoice, ObjectShape, Spec, key};
-use crate::units::{Length, Pressure};
+use crate::units::{Length, LineForce, Pressure};
 use std::fmt;
 
 /// Why there is no prediction.
@@ -227,12 +227,15 @@ impl Asked<'_> {
                 corner: part.realised_corner().radius,
             },
             seal_load: seal.load,
+            seal_pull_N_per_mm: seal.pull.map(|(pull, ..)| per_mm(pull)),
+            seal_pull_at: seal.pull.map(|(.., place)| place),
             burst_pressure_kPa: bursts,
             mass_g: part.mass(&spec.fabric),
             payload_kg: None,
             stretch,
             burst_margin: seal.burst.zip(case.pressure).map(|(burst, p)| burst / p),
-            ranges: StarRanges::default(),
+            ranges_of: "shell",
+            ranges: seal.ranges(),
             pressures: None,
             nonlinear: None,
             evidence: Evidence {
@@ -260,9 +263,9 @@ impl Asked<'_> {
             Standing::Beyond => {
                 let outside = outside(&self.case);
                 Some(format!(
-                    "{}, {outside}: ranges are {} times as wide",
+                    "{}, {outside}: ranges are {:.1} times as wide",
                     errors::BEYOND_WORDS,
-                    errors::BEYOND
+                    outcome.ranges.wider
                 ))
             }
             _ if !outcome.known => Some(unlike(&self.case)),
@@ -295,10 +298,17 @@ fn unlike(case: &Case) -> String {
     format!("{}: {}", errors::UNKNOWN_WORDS, outside(case))
 }
 
-/// What the seal bears at the radii that the band makes of the hinges; by the exact ring, whatever the model.
+/// N per mm from N per m.
+fn per_mm(pull: f64) -> f64 {
+    LineForce::from_newtons_per_metre(pull).0
+}
+
+/// What the seal bears at the radii that the band makes of the hinges, whatever the model.
 struct Seal {
     load: Hinges<Option<f64>>,
+    pull: Option<(f64, Option<Interval>, &'static str)>,
     burst: Option<f64>,
+    burst_range: Option<Interval>,
     safe: Option<Length>,
 }
 
@@ -309,15 +319,25 @@ impl Seal {
         let bursts = burst.zip(case.pressure).is_some_and(|(burst, p)| burst < p);
         Self {
             load: Hinges { tip: load(case.realised.tip), corner: load(case.realised.corner) },
+            pull: largest_pull(case),
             burst,
+            burst_range: burst_range(case),
             safe: if bursts { safe_radius(case) } else { None },
+        }
+    }
+
+    fn ranges(&self) -> StarRanges {
+        StarRanges {
+            seal_pull_N_per_mm: self.pull.and_then(|(_, range, _)| range).map(|range| range.map(per_mm)),
+            burst_pressure_kPa: self.burst_range.map(|range| range.map(|p| Pressure::from_pascals(p).0)),
+            ..StarRanges::default()
         }
     }
 
     fn warning(&self, case: &Case) -> Option<String> {
         let burst = self.burst.filter(|burst| case.pressure.is_some_and(|p| *burst < p))?;
         Some(format!(
-            "the pressure is above the seal's burst pressure, {:.2} kPa, a conservative membrane estimate; {}",
+            "the pressure is above the seal's burst pressure, {:.2} kPa; {}",
             Pressure::from_pascals(burst).0,
             remedy(self.safe)
         ))

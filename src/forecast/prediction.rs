@@ -168,9 +168,15 @@ pub struct StarPrediction {
     pub operating_pressure_kPa: f64,
     /// Inner radius of curvature that the band makes of a hinge, at least half the band.
     pub realised_radius_mm: Hinges<f64>,
-    /// Seal load k at the realised radius: the inner edge carries k p W per length.
+    /// The ring's tension over p W at the realised radius: of the fabric at an inner rim that cannot stretch. The seal's own load is
+    /// `seal_pull_N_per_mm`.
     pub seal_load: Hinges<Option<f64>>,
-    /// Pressure at which the seal peels at its sharpest hinge; needs seal_strength.
+    /// Largest force with which one sheet pulls away from the seam's plane, per length of seam as long as the band is wide: what a T-peel
+    /// test measures. Needs a pressure.
+    pub seal_pull_N_per_mm: Option<f64>,
+    /// At which kind of hinge it is: tips or corners.
+    pub seal_pull_at: Option<&'static str>,
+    /// Pressure at which the pull on the seal is seal_strength; needs it.
     pub burst_pressure_kPa: Option<f64>,
     /// Mass of the two sheets that are cut for the star; needs areal_density.
     pub mass_g: Option<f64>,
@@ -180,7 +186,9 @@ pub struct StarPrediction {
     pub stretch: Option<f64>,
     /// Burst pressure over the pressure; needs both.
     pub burst_margin: Option<f64>,
-    /// In which intervals the truth lies.
+    /// Whose values `ranges` hold: those of computed shells; no gripper was measured.
+    pub ranges_of: &'static str,
+    /// In which intervals their values lie in at least 95 % of cases.
     pub ranges: StarRanges,
     /// Without a pressure, what it does at several.
     #[serde(skip_serializing_if = "Option::is_none")]

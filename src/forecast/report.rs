@@ -83,8 +83,7 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         ("bendability", star.bendability, ""),
         ("stretch of the fabric p W / Y", star.stretch.map(|stretch| 100.0 * stretch), "%"),
         ("preload when shut", star.preload_N.filter(|f| *f > 0.0), "N"),
-        ("burst pressure, by the ring", star.burst_pressure_kPa, "kPa, range unknown"),
-        ("burst margin, by the ring", star.burst_margin, ""),
+        ("burst margin", star.burst_margin, ""),
         ("mass", star.mass_g, "g"),
     ];
     if let Some([least, most]) = star.graspable_radius_mm {
@@ -97,6 +96,18 @@ fn star_text(out: &mut String, star: &StarPrediction) {
         line("cut hole, radius", show(star.hole_radius_mm, "mm"));
         if let Some(gap) = star.object_gap_mm {
             line("room around the object", show(gap, "mm"));
+        }
+    }
+    let of_the_seal = [
+        ("largest pull on the seal", star.seal_pull_N_per_mm, star.ranges.seal_pull_N_per_mm, "N/mm"),
+        ("burst pressure", star.burst_pressure_kPa, star.ranges.burst_pressure_kPa, "kPa"),
+    ];
+    for (what, value, range, unit) in of_the_seal {
+        match value.zip(range) {
+            Some((value, range)) => line(what, shown::with(value, range, unit)),
+            None => value
+                .into_iter()
+                .for_each(|value| line(what, format!("{}, range unknown", show(value, unit)))),
         }
     }
     for (what, value, unit) in optional {

@@ -79,7 +79,7 @@ pub struct ShellStar {
     pub realised_radius_mm: Hinges<f64>,
     /// A limit's; the shell says what the seal bears at this pressure.
     pub burst_pressure_kPa: Option<f64>,
-    /// The largest pull across the rim.
+    /// The fabric's largest tension at the rim, at one point: its part across the seam's plane is what peels, see docs/models.md.
     pub seal_tension: Place,
     /// The largest principal stretch.
     pub stretch: Place,
@@ -87,7 +87,7 @@ pub struct ShellStar {
     pub mass_g: Option<f64>,
     /// Mass that friction holds; needs object_radius and friction.
     pub payload_kg: Option<f64>,
-    /// In which intervals the truth lies: not known of any, but by how much the meshes leave each number open.
+    /// Ranges of predictions: not known of any, but by how much the meshes leave each number open.
     pub ranges: StarRanges,
     /// How good all this is.
     pub evidence: ShellEvidence,
@@ -223,7 +223,7 @@ impl ShellStar {
             let [x, y] = place.at_mm;
             format!("{}, at {x:.1}, {y:.1} mm", show(place.value, unit, place.mesh_error))
         };
-        line("largest pull on the seal", place(&self.seal_tension, "N/mm"));
+        line("largest tension at the rim", place(&self.seal_tension, "N/mm"));
         line("largest stretch", place(&self.stretch, ""));
         line("bendability", Readable(self.bendability).to_string());
         if let Some(mass) = self.mass_g {

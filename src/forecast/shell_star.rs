@@ -162,7 +162,7 @@ impl Measured {
         self.force_at(self.object?)
     }
 
-    /// The largest pull across the rim, N/mm.
+    /// The fabric's largest tension at the rim, N/mm.
     pub(super) fn seal_tension(&self) -> [f64; 2] {
         [1e-3 * self.extremes.seal_tension, 1e-3 * self.extremes.seal_tension_error]
     }

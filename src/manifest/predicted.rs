@@ -43,7 +43,7 @@ pub struct ManifestStarPrediction {
     pub bendability: Option<f64>,
     /// Stretch p W / Y of the fabric.
     pub stretch: Option<f64>,
-    /// Burst pressure over the pressure, by the ring.
+    /// Burst pressure over the pressure.
     pub burst_margin: Option<f64>,
 }
 

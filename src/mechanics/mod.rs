@@ -8,7 +8,7 @@
 //! | [`hinge`] | one bend: dimensionless volume V_bar(lambda) by R*; angle, moment, stiffness, seal load |
 //! | [`star`] | the mechanism: inner radius against the tip's angle, where it is open widest, and what shells add to it |
 //! | [`star::response`] | an inflated star: where it rests, with which preload and stiffness, force against radius |
-//! | [`strength`] | fabric, seal and friction: bendability, operating and burst pressure, payload |
+//! | [`strength`] | fabric and friction: bendability, operating pressure, payload |
 //!
 //! Four models of the hinge share one trait, [`hinge::HingeModel`]: [`hinge::fit::Fit`], the published constants;
 //! [`hinge::ring::Ring`], the exact limit of a membrane that may wrinkle but not stretch; [`hinge::bvp::Bvp`], the

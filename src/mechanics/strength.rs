@@ -1,7 +1,6 @@
-//! Pressure, strength and weight: what the fabric, the seal and friction allow.
+//! Pressure and weight: what the fabric and friction allow.
 
 use crate::mechanics::fault::StarFault;
-use std::f64::consts::FRAC_1_PI;
 
 /// The fabric of one sheet, in SI units.
 ///
@@ -76,12 +75,6 @@ impl ElasticSheet {
     }
 }
 
-/// Pressure (Pa) at which the seal peels: `p_max = T_peel / (k W)`, with the peel strength `peel` (N per m),
-/// the tube width `width` (m), and the seal load `k` of the sharpest hinge; a straight tube's 1/pi is the least.
-pub fn burst_pressure(peel: f64, width: f64, k: f64) -> f64 {
-    peel / (k.max(FRAC_1_PI) * width)
-}
-
 /// Mass (kg) that friction holds: `m g = mu sum F`, with the radial forces `forces` (N) of all stars.
 pub fn payload(friction: f64, forces: impl IntoIterator<Item = f64>) -> f64 {
     friction * forces.into_iter().sum::<f64>() / GRAVITY
@@ -115,15 +108,6 @@ mod tests {
         let thicker = ElasticSheet { thickness: 3.0 * 0.3e-3, ..paper_sheet() };
         assert!((paper_sheet().operating_pressure(0.09) / (p / 27.0) - 1.0).abs() < 1e-12);
         assert!((thicker.operating_pressure(0.09) / p - 1.0).abs() < 1e-12);
-        assert!(
-            (burst_pressure(3e3, 0.09, 0.5) / (burst_pressure(3e3, 0.03, 0.5) / 3.0) - 1.0).abs() < 1e-12
-        );
-    }
-
-    #[test]
-    fn a_straight_tube_is_the_mildest_seal_load() {
-        assert_eq!(burst_pressure(1e3, 0.03, 0.0), burst_pressure(1e3, 0.03, FRAC_1_PI));
-        assert!(burst_pressure(1e3, 0.03, 1.479) < burst_pressure(1e3, 0.03, 0.55));
     }
 
     #[test]

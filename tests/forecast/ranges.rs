@@ -1,22 +1,30 @@
 //! Ranges of stars that shells were computed of, and what becomes of ranges away from them.
 
 use crate::{case, close, gripper};
-use stargrip_cam::forecast::case::Case;
+use stargrip_cam::design::Star;
+use stargrip_cam::forecast::case::{Case, mechanism};
 use stargrip_cam::forecast::choice::{corrected, tabled};
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::forecast::ranges::against::{Against, Pair, against};
-use stargrip_cam::forecast::ranges::{Standing, errors, sum};
+use stargrip_cam::forecast::ranges::{Standing, angle_unit, errors, sum};
 use stargrip_cam::forecast::stars::draw::Set;
 use stargrip_cam::forecast::stars::shipped::shipped;
 use stargrip_cam::mechanics::star::response::Inflated;
+use stargrip_cam::spec::StarSpec;
+use stargrip_cam::units::{Angle, Length};
 
-/// What the section says of `case` at `kilopascals`.
-fn at(case: Case, kilopascals: f64) -> Outcome {
+/// What the section says of `case` at `kilopascals`; `None` where it says nothing.
+fn maybe_at(case: Case, kilopascals: f64) -> Option<Outcome> {
     let pressure = 1e3 * kilopascals;
-    let model = tabled(&case, pressure).expect("covered");
-    let case = corrected(&Case { pressure: Some(pressure), ..case }, &model).expect("covered");
-    let inflated = Inflated::new(&case.mechanism, &model, pressure).expect("solvable");
-    Outcome::linear(&case, &inflated)
+    let model = tabled(&case, pressure).ok()?;
+    let case = corrected(&Case { pressure: Some(pressure), ..case }, &model).ok()?;
+    let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
+    Some(Outcome::linear(&case, &inflated))
+}
+
+/// The same of a star that the section covers.
+fn at(case: Case, kilopascals: f64) -> Outcome {
+    maybe_at(case, kilopascals).expect("covered")
 }
 
 fn of(points: u32, kilopascals: f64) -> Outcome {
@@ -46,25 +54,27 @@ fn the_papers_stars_lie_in_their_ranges() {
     assert!(outside.len() <= 1, "more than one of fifteen: {outside:?}");
 }
 
-/// Nine in ten at least: 95 of 100 are promised, and of some 50 stars, or of the forces on 14, that leaves room for two more outside.
+/// Stars 241 to 300 of the test set: no constant was taken from them; they have no forces. Nine in ten at least: 95 of 100 are promised,
+/// and of 60 stars that leaves room for three more outside.
 #[test]
 fn ranges_hold_on_stars_that_they_were_not_taken_from() {
-    let all: Vec<Against> = shipped().iter().filter_map(against).filter(|one| one.set == Set::Test).collect();
-    assert!(all.len() >= 20, "{}", all.len());
-    let quantities: [(&str, Vec<Pair>); 4] = [
+    let unused = |one: &Against| one.set == Set::Test && (241..=300).contains(&one.number);
+    let all: Vec<Against> = shipped().iter().filter_map(against).filter(unused).collect();
+    assert_eq!(all.len(), 60);
+    let quantities: [(&str, Vec<Pair>); 3] = [
         ("radius", all.iter().map(|one| one.radius).collect()),
         ("angle", all.iter().filter_map(|one| one.angle).collect()),
         ("stiffness", all.iter().filter_map(|one| one.stiffness).collect()),
-        ("force", all.iter().flat_map(|one| &one.forces).map(|(_, pair)| *pair).collect()),
     ];
     for (what, pairs) in quantities {
+        assert!(pairs.len() >= 50, "{what}: {}", pairs.len());
         let inside = pairs.iter().filter(|pair| pair.holds()).count();
         assert!(10 * inside >= 9 * pairs.len(), "{what}: {inside} of {}", pairs.len());
     }
 }
 
 #[test]
-fn beyond_what_was_tried_ranges_are_wider_and_further_away_there_are_none() {
+fn beyond_what_was_tried_ranges_widen_with_the_distance_and_further_away_there_are_none() {
     let star = case(&gripper(5));
     let tried = at(star, 30.0);
     assert_eq!(tried.ranges.standing, Standing::Tried);
@@ -77,7 +87,12 @@ fn beyond_what_was_tried_ranges_are_wider_and_further_away_there_are_none() {
     long.mechanism.arm = 6.0 * long.mechanism.width;
     let beyond = at(long, 30.0);
     assert_eq!(beyond.ranges.standing, Standing::Beyond);
-    close(width(&beyond, &long), errors::BEYOND * (errors::RADIUS[1] - errors::RADIUS[0]), 1e-9);
+    // Arms of 5 W were tried, and 7.5 W are known: 6 W are 45 % of the way on a logarithmic scale.
+    let wider = 1.0 + (errors::BEYOND - 1.0) * 1.2_f64.ln() / 1.5_f64.ln();
+    close(beyond.ranges.wider, wider, 1e-9);
+    close(width(&beyond, &long), wider * (errors::RADIUS[1] - errors::RADIUS[0]), 1e-9);
+    long.mechanism.arm = (7.5 - 1e-6) * long.mechanism.width;
+    close(at(long, 30.0).ranges.wider, errors::BEYOND, 1e-5);
     long.mechanism.arm = 9.0 * long.mechanism.width;
     let unknown = at(long, 30.0).ranges;
     assert_eq!((unknown.standing, unknown.radius, unknown.stiffness), (Standing::Unknown, None, None));
@@ -91,4 +106,113 @@ fn beyond_what_was_tried_ranges_are_wider_and_further_away_there_are_none() {
 fn a_sum_is_known_where_all_of_it_is() {
     assert_eq!(sum([Some([1.0, 2.0]), Some([0.5, 4.0])]), Some([1.5, 6.0]));
     assert_eq!(sum([Some([1.0, 2.0]), None]), None);
+}
+
+/// Two shells, one of them independent of this program, close the tips of a star of eight points with l / W of 0.69 to 25.5 deg, where
+/// 21.05 deg are predicted.
+#[test]
+fn angles_of_arms_below_one_width_are_as_uncertain_as_shells_say() {
+    assert!((errors::ANGLE[1] * angle_unit(0.69)).to_degrees() > 25.5 - 21.05);
+    close(angle_unit(2.0), 0.5, 1e-12);
+    close(angle_unit(1.0 - 1e-12), angle_unit(1.0 + 1e-12), 1e-9);
+}
+
+/// A star that is varied along a line: lengths in mm, kPa, MPa.
+#[derive(Clone, Copy)]
+struct Varied {
+    points: u32,
+    inner_radius: f64,
+    width: f64,
+    tip_angle: f64,
+    tip_radius: f64,
+    corner_radius: f64,
+    thickness: f64,
+    modulus: f64,
+    object: f64,
+    pressure: f64,
+}
+
+/// The ends of its ranges: radius, stiffness, force.
+fn ends(varied: &Varied) -> Option<[Option<f64>; 6]> {
+    let star = Star::new(&StarSpec {
+        inner_radius: Length(varied.inner_radius),
+        tube_width: Length(varied.width),
+        tip_angle: Angle(varied.tip_angle),
+        tip_radius: Length(varied.tip_radius),
+        corner_radius: Length(varied.corner_radius),
+        ..StarSpec::paper(varied.points)
+    })
+    .ok()?;
+    let mut case = case(&gripper(5));
+    case.mechanism = mechanism(&star);
+    case.inner_radius = 1e-3 * varied.inner_radius;
+    case.object = Some(1e-3 * varied.object);
+    (case.sheet.thickness, case.sheet.young_modulus) = (1e-3 * varied.thickness, 1e6 * varied.modulus);
+    let own = maybe_at(case, varied.pressure)?;
+    let pairs = [own.ranges.radius, own.ranges.stiffness, own.force_range];
+    let mut ends = [None; 6];
+    for (two, pair) in ends.chunks_exact_mut(2).zip(pairs) {
+        two.copy_from_slice(&[pair.map(|pair| pair[0]), pair.map(|pair| pair[1])]);
+    }
+    Some(ends)
+}
+
+/// Along 20 lines of 2,000 points no end jumps by more than 2 % but to unknown; where a force begins, by not more
+/// than half a per cent of its largest value on the line.
+#[test]
+fn no_end_of_a_range_jumps_along_a_line() {
+    const COUNT: i32 = 2000;
+    type Line = (&'static str, f64, f64, fn(&mut Varied) -> &mut f64);
+    let lines: [Line; 10] = [
+        ("pressure", 5.0, 200.0, |star| &mut star.pressure),
+        ("width", 8.0, 40.0, |star| &mut star.width),
+        ("tip angle", 8.0, 100.0, |star| &mut star.tip_angle),
+        ("inner radius", 20.0, 200.0, |star| &mut star.inner_radius),
+        ("tip radius", 0.5, 15.0, |star| &mut star.tip_radius),
+        ("corner radius", 0.5, 15.0, |star| &mut star.corner_radius),
+        ("thickness", 0.15, 0.6, |star| &mut star.thickness),
+        ("modulus", 20.0, 800.0, |star| &mut star.modulus),
+        ("object", 20.0, 60.0, |star| &mut star.object),
+        ("all lengths of the tube", 15.0, 33.0, |star| &mut star.width),
+    ];
+    let mut known = 0;
+    for points in [5, 7] {
+        for (what, from, to, of) in lines {
+            let mut star = Varied {
+                points,
+                inner_radius: 60.0,
+                width: 24.0,
+                tip_angle: 50.0,
+                tip_radius: 2.0,
+                corner_radius: 2.0,
+                thickness: 0.3,
+                modulus: 128.0,
+                object: 45.0,
+                pressure: 30.0,
+            };
+            let all: Vec<_> = (0..=COUNT)
+                .map(|i| {
+                    *of(&mut star) = from * f64::powf(to / from, f64::from(i) / f64::from(COUNT));
+                    if what.starts_with("all") {
+                        (star.inner_radius, star.tip_radius) = (2.5 * star.width, 0.1 * star.width);
+                    }
+                    ends(&star).unwrap_or_default()
+                })
+                .collect();
+            for end in 0..6 {
+                let most =
+                    all.iter().filter_map(|ends| ends[end]).fold(0.0, |most: f64, x| most.max(x.abs()));
+                for (i, pair) in all.windows(2).enumerate() {
+                    let (Some(a), Some(b)) = (pair[0][end], pair[1][end]) else { continue };
+                    known += 1;
+                    let allowed = (0.02 * a.abs().max(b.abs())).max(5e-3 * most);
+                    assert!(
+                        (a - b).abs() <= allowed,
+                        "n = {points}, {what}, point {i}, end {end}: {a} to {b}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(known > 60_000, "{known}");
 }

@@ -2,7 +2,7 @@
 
 use crate::{case, close, design, paper};
 use stargrip_cam::forecast::case::Case;
-use stargrip_cam::forecast::seal_load::{SealLoad, burst, factor, safe_radius, seal_loads};
+use stargrip_cam::forecast::seal_load::{SealLoad, burst, factor, pull, safe_radius, seal_loads};
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::ring::Ring;
 use stargrip_cam::spec::Spec;
@@ -45,21 +45,27 @@ fn the_safe_radius_is_the_least() {
         let case = weak(pressure);
         let width = case.mechanism.width;
         let safe = safe_radius(&case).expect("round enough").0;
-        let load = |mm: f64| factor(&Ring, mm * 1e-3 / width).expect("in range") * pressure * width;
+        let load = |mm: f64| {
+            let k = factor(&Ring, mm * 1e-3 / width).expect("in range");
+            pull(&case, k, mm * 1e-3, pressure)
+        };
         assert!(load(safe) <= 1e3 && load(safe - 0.01) > 1e3, "{safe} mm: {}", load(safe));
         close((safe * 100.0).round(), safe * 100.0, 1e-12);
     }
 }
 
 #[test]
-fn the_safe_radius_scales_with_the_star_and_depends_on_a_ratio_only() {
+fn the_safe_radius_scales_with_the_star_and_depends_on_ratios_only() {
     let (case, factor) = (weak(37e3), 7.0);
-    let same =
+    let mut same =
         Case { peel: case.peel.map(|t| t * factor), pressure: case.pressure.map(|p| p * factor), ..case };
-    let mut larger = Case { peel: case.peel.map(|t| t * factor), ..case };
+    same.sheet.young_modulus *= factor;
+    let mut larger = Case { peel: case.peel.map(|t| t * factor), band: factor * case.band, ..case };
     larger.mechanism.width *= factor;
+    larger.sheet.thickness *= factor;
     let [own, same, larger] = [case, same, larger].map(|case| safe_radius(&case).expect("round enough").0);
-    assert_eq!(own, same);
+    // Rounding may tip a hundredth.
+    assert!((own - same).abs() < 0.011, "{own} {same}");
     // Each is rounded up to a hundredth.
     assert!((larger - factor * own).abs() <= factor * 0.01 + 1e-9, "{own} {larger}");
 }
@@ -73,7 +79,7 @@ fn without_pressure_or_strength_nothing_is_said_about_bursting() {
     let mut spec = paper(5);
     (spec.fabric.seal_strength, spec.load) = (None, None);
     for load in loads(&spec) {
-        assert!(load.factor.is_some() && load.weakness().is_none(), "{load}");
+        assert!(load.factor.is_none() && load.weakness().is_none(), "{load}");
         assert_eq!((load.load, load.burst, load.margin, load.safe_radius), (None, None, None, None));
     }
 }
@@ -83,11 +89,15 @@ fn without_pressure_or_strength_nothing_is_said_about_bursting() {
 fn a_straight_tube_pulls_with_its_radius_over_pi() {
     let loads = loads(&paper(5));
     let arms = at(&loads, "arms");
-    assert_eq!((arms.radius, arms.factor), (None, Some(FRAC_1_PI)));
+    assert_eq!(arms.radius, None);
+    close(arms.factor.expect("a pressure"), FRAC_1_PI, 1e-12);
     close(arms.load.expect("a pressure").0, 0.037 * 30.0 / PI, 1e-12);
     close(arms.burst.expect("a strength").0, 3000.0 * PI / 30.0, 1e-12);
     close(arms.margin.expect("both"), 3000.0 * PI / 30.0 / 37.0, 1e-12);
-    assert_eq!(arms.to_string(), "load at the arms: 0.318 p W, 0.353 N/mm, bursts at 314.2 kPa, margin 8.49");
+    assert_eq!(
+        arms.to_string(),
+        "pull on the seal at the arms: 0.32 p W, 0.35 N/mm, bursts at 314.2 kPa, margin 8.49"
+    );
     // A channel of other width bursts at another pressure, as 1/W.
     let part = design(&paper(5)).part(&design(&paper(5)).stars[0]).clone();
     let width = 2.0 * part.channel.expect("an inlet").half_width;

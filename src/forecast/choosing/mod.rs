@@ -75,7 +75,7 @@ pub const MARGIN: f64 = 1.2;
 /// The same for the search, whose values are rounded afterwards.
 const SEARCHED_MARGIN: f64 = 1.25;
 /// Burst pressure over pressure, where the seal's strength is known.
-pub const BURST_MARGIN: f64 = 1.2;
+pub const BURST_MARGIN: f64 = 1.5;
 /// The object's radius over the one to which the star closes for sure.
 const CLOSING: f64 = 0.95;
 /// By which part of it the radii that the star closes and opens to are taken farther apart where round values do not do.

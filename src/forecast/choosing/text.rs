@@ -20,7 +20,7 @@ pub fn spec_text(name: &str, choice: &Choice, base: &Spec) -> Result<String, Nam
     let _ = write!(out.text, "schema = 1\nname = {}\n\n", quoted(name)?);
     out.fabric(base);
     out.star(choice);
-    out.stack(choice, base);
+    out.stack(choice);
     out.sheet_and_machine(base);
     out.load(choice);
     Ok(out.text)
@@ -141,7 +141,7 @@ impl Lines {
         self.text.push('\n');
     }
 
-    fn stack(&mut self, choice: &Choice, base: &Spec) {
+    fn stack(&mut self, choice: &Choice) {
         let (point, answer) = (&choice.best.point, &choice.best.answer);
         let own = answer.grip.as_ref();
         let force = own.and_then(crate::forecast::outcome::Outcome::object_force);

@@ -5,7 +5,7 @@ use crate::design::Star;
 use crate::forecast::case::{Case, Hinges, mechanism};
 use crate::forecast::choice::{corrected, tabled};
 use crate::forecast::outcome::Outcome;
-use crate::forecast::ranges::Interval;
+use crate::forecast::ranges::{Interval, angle_unit};
 use crate::forecast::stars::computed::{Computed, Found, Number};
 use crate::forecast::stars::draw::{Drawn, POISSON, Set, YOUNG};
 use crate::mechanics::star::response::Inflated;
@@ -70,12 +70,13 @@ pub fn against(star: &Computed) -> Option<Against> {
     let rest = pair(1e-3 * radius.value, 1e-3 * radius.error, own.rest.radius, own.ranges.radius)?;
     let angle = [angle.value, angle.error].map(f64::to_radians);
     let angle = pair(angle[0], angle[1], own.rest.equilibrium, own.ranges.angle);
-    let settled = stiffness.error < SETTLED * stiffness.value;
+    let open = (stiffness.error / stiffness.value).abs();
+    let settled = open < SETTLED;
     let spring = pair(1e3 * stiffness.value, 1e3 * stiffness.error, own.rest.stiffness, own.ranges.stiffness);
     let opened = |(part, secant): &(f64, Number)| {
         let opening = part * moves.width;
         let shell = secant.value * 1e3 * stiffness.value * opening;
-        let open = secant.error / secant.value + stiffness.error / stiffness.value;
+        let open = (secant.error / secant.value).abs() + open;
         // The constant counts forces at the same opening; a range, on the same object.
         let same = inflated.linear_force(own.rest.radius + opening, &own.rest).ok()?;
         let object = 1e-3 * radius.value + opening;
@@ -93,7 +94,7 @@ pub fn against(star: &Computed) -> Option<Against> {
         points: star.star.points,
         width: moves.width,
         radius: Pair { error: rest.error / unit, ..rest },
-        angle: angle.map(|pair| Pair { error: pair.error * moves.arm / moves.width, ..pair }),
+        angle: angle.map(|pair| Pair { error: pair.error / angle_unit(moves.arm / moves.width), ..pair }),
         stiffness: spring.filter(|_| settled).map(|pair| Pair { error: pair.shell / pair.predicted, ..pair }),
         forces: forces.collect(),
     })
@@ -115,6 +116,7 @@ pub fn case_of(drawn: &Drawn) -> Option<(Case, f64)> {
         mechanism: mechanism(&star),
         inner_radius: Length(drawn.inner_radius).metres(),
         realised: Hinges { tip: 0.0, corner: 0.0 },
+        band: 0.0,
         sheet: ElasticSheet::new(Length(drawn.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?,
         peel: None,
         pressure: Some(pressure),
@@ -128,6 +130,11 @@ pub fn case_of(drawn: &Drawn) -> Option<(Case, f64)> {
 }
 
 impl Pair {
+    /// Whether the shell's number itself lies in the range.
+    pub fn holds_strictly(&self) -> bool {
+        (self.range[0]..=self.range[1]).contains(&self.shell)
+    }
+
     /// Whether the shell's number, as far as its meshes leave it open, lies in the range.
     pub fn holds(&self) -> bool {
         self.shell + self.mesh >= self.range[0] && self.shell - self.mesh <= self.range[1]

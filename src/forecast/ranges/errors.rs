@@ -7,7 +7,7 @@ use crate::forecast::ranges::Interval;
 
 /// The shell's radius less the predicted one, over W / sin(pi/n).
 pub const RADIUS: Interval = [-0.016, 0.018];
-/// The shell's angle of the tips at rest less the predicted one, rad, over W / l.
+/// The shell's angle of the tips at rest less the predicted one, rad, over [`angle_unit`](super::angle_unit).
 pub const ANGLE: Interval = [-0.052, 0.044];
 /// The shell's radial stiffness over the predicted one.
 pub const STIFFNESS: Interval = [0.87, 1.17];
@@ -25,9 +25,13 @@ pub const FORCE: Interval = [0.72, 1.32];
 /// Openings by W that were tried: 0.9 from the shell's own rest, which may be a little further out than the predicted one.
 pub const OPENING: f64 = 0.95;
 
-/// By how much ranges are wider beyond what was tried.
+/// Arms shorter than W: the error of the angle grows as this power of W / l. A star of eight points with l / W of 0.69, computed by two
+/// independent shells, is off by 1.2 times what W / l alone allows.
+pub const SHORT_ARM: f64 = 1.75;
+
+/// By how much ranges are wider where they end: it grows in proportion to the logarithm of the factor by which a star lies outside.
 pub const BEYOND: f64 = 4.0;
-/// How far beyond is not far: by this factor in any of what follows.
+/// Where ranges end: outside of what was tried by this factor in any of what follows.
 pub const NOT_FAR: f64 = 1.5;
 /// Points that were tried.
 pub const POINTS: Interval = [3.0, 8.0];

@@ -2,7 +2,7 @@
 
 use crate::units::Length;
 
-/// From the least to the largest value in which the truth lies in at least 95 % of cases.
+/// From the least to the largest value in which a computed shell's value lies in at least 95 % of cases.
 pub type Interval = [f64; 2];
 
 /// A range of lengths in mm.

@@ -1,8 +1,8 @@
-//! In which intervals the truth lies: a **range** for each predicted quantity, of that very quantity.
+//! A **range** for each predicted quantity: the interval in which the value of a computed shell lies in at least 95 % of cases.
 //!
 //! A range is made of how far `section` with its correction was from stars computed as shells ([`errors`]), so it has a sign. It
-//! holds where such stars were tried; beyond that it is four times as wide, and [`Standing`] says so; where no star is like it, there is
-//! none. The limits of high pressure, `fit`, `ring` and `bvp`, have none at all: no gripper works there.
+//! holds where such stars were tried; outside it widens with the distance, up to [`errors::BEYOND`] times; further out there is
+//! none. [`Standing`] tells which of the three it is. The limits of high pressure, `fit`, `ring` and `bvp`, have none at all: no gripper works there.
 
 pub mod against;
 pub mod errors;
@@ -24,7 +24,7 @@ use std::f64::consts::PI;
 pub enum Standing {
     /// Stars all around it were computed as shells.
     Tried,
-    /// It lies outside of what was tried, and not far: ranges are four times as wide.
+    /// It lies outside of what was tried, and not far: ranges are wider.
     Beyond,
     /// No star is like it, or the model is a limit.
     #[default]
@@ -36,6 +36,8 @@ pub enum Standing {
 pub struct Ranges {
     /// What they stand on.
     pub standing: Standing,
+    /// By how much they are wider than among the stars that were tried: from 1 to [`errors::BEYOND`].
+    pub wider: f64,
     /// Of the final radius, m.
     pub radius: Option<Interval>,
     /// Of the tips' angle at rest, rad; `None` too where arms touch, because contact is part of that equilibrium.
@@ -49,12 +51,7 @@ pub struct Ranges {
 impl Ranges {
     /// Of a star that rests at `rest`.
     pub fn new(case: &Case, inflated: &Inflated<'_>, rest: &Rest) -> Self {
-        let standing = standing(case, inflated.model());
-        let wider = match standing {
-            Standing::Tried => 1.0,
-            Standing::Beyond => errors::BEYOND,
-            Standing::Unknown => return Self::default(),
-        };
+        let Some((standing, wider)) = standing(case, inflated.model()) else { return Self::default() };
         let about =
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
@@ -62,10 +59,10 @@ impl Ranges {
         // Arms that touch press on each other, and what that does to the stiffness no hinge knows.
         let free = rest.equilibrium > star.correction.touch;
         let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
-        // Short arms end before they are straight.
-        let angle = about(rest.equilibrium, errors::ANGLE, star.width / star.arm);
+        let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(star.arm / star.width));
         Self {
             standing,
+            wider,
             radius: Some(radius),
             angle: (angle[0] > star.correction.touch).then_some(angle),
             hinge: Some(errors::HINGE.map(|part| part.powf(wider))),
@@ -82,10 +79,9 @@ impl Ranges {
         if opened > errors::NOT_FAR * errors::OPENING {
             return None;
         }
-        let wider = if self.standing == Standing::Tried { 1.0 } else { errors::BEYOND };
         // What opens further than was tried is known less and less: without a jump, on which a search would lose its way.
         let further = (opened / errors::OPENING - 1.0) / (errors::NOT_FAR - 1.0);
-        let [low, high] = errors::FORCE.map(|part| part.powf(wider * (1.0 + further.clamp(0.0, 1.0))));
+        let [low, high] = errors::FORCE.map(|part| part.powf(self.wider * (1.0 + further.clamp(0.0, 1.0))));
         // Where a star begins to touch is as uncertain as its radius. What one errs by is taken not to depend on the other, so that
         // both together are as far off as the root of their squares; so taken, ranges hold (docs/ranges.md).
         let grasp = Grasp::new(star, rest.stiffness, pressure);
@@ -97,31 +93,36 @@ impl Ranges {
     }
 }
 
-/// Whether stars like `case` were computed as shells.
-fn standing(case: &Case, model: &dyn HingeModel) -> Standing {
+/// The unit of the error of a tip's angle with arms of `arm` widths: short arms end before they are straight.
+pub fn angle_unit(arm: f64) -> f64 {
+    arm.powf(if arm < 1.0 { -errors::SHORT_ARM } else { -1.0 })
+}
+
+/// Whether stars like `case` were computed as shells, and by how much its ranges are wider; `None` if nothing is known of it.
+fn standing(case: &Case, model: &dyn HingeModel) -> Option<(Standing, f64)> {
     let star = &case.mechanism;
     let hinges = [star.tip(), star.corner()];
     let arms = hinges.iter().all(|hinge| model.arms(hinge.r_star, hinge.arc()).is_some());
-    let Some(pressure) = case.pressure.filter(|_| arms && model.level() == Level::Section) else {
-        return Standing::Unknown;
-    };
-    let place = place(case, pressure);
-    let inside = |slack: f64| place.iter().all(|(_, x, tried)| within(*x, *tried, slack));
-    if inside(EXACT) {
-        Standing::Tried
-    } else if inside(errors::NOT_FAR) {
-        Standing::Beyond
+    let pressure = case.pressure.filter(|_| arms && model.level() == Level::Section)?;
+    let factors = place(case, pressure).map(|(_, x, tried)| factor_outside(x, tried));
+    let factor = factors.into_iter().fold(1.0, f64::max);
+    if factor <= EXACT {
+        Some((Standing::Tried, 1.0))
     } else {
-        Standing::Unknown
+        // In proportion to the distance, so that no end of a range jumps where stars were no longer tried.
+        let far = factor.ln() / errors::NOT_FAR.ln();
+        (factor <= errors::NOT_FAR).then(|| (Standing::Beyond, 1.0 + (errors::BEYOND - 1.0) * far))
     }
+}
+
+/// By which factor `x` lies outside of an interval; 1 or less inside, infinite where it is no multiple of the interval's end.
+fn factor_outside(x: f64, [low, high]: Interval) -> f64 {
+    let below = if x >= low { 1.0 } else { low / x.max(0.0) };
+    if x.is_nan() { f64::INFINITY } else { below.max(x / high) }
 }
 
 /// Slack of what lies inside, for rounding.
 const EXACT: f64 = 1.0 + 1e-9;
-
-fn within(x: f64, [low, high]: Interval, slack: f64) -> bool {
-    (low / slack..=high * slack).contains(&x)
-}
 
 /// Where `case` lies at `pressure` (Pa) among the stars that were tried: a name, its value, and the values that were.
 fn place(case: &Case, pressure: f64) -> [(&'static str, f64, Interval); 8] {
@@ -153,7 +154,7 @@ pub fn outside_by(case: &Case) -> f64 {
 /// In words, in what `case` lies outside of what was tried: "arm length over tube_width is 0.21 (tried: 0.5 to 5)".
 pub fn outside(case: &Case) -> String {
     let Some(pressure) = case.pressure else { return String::new() };
-    let out = place(case, pressure).into_iter().filter(|(_, x, tried)| !within(*x, *tried, EXACT));
+    let out = place(case, pressure).into_iter().filter(|(_, x, tried)| factor_outside(*x, *tried) > EXACT);
     let mut out: Vec<String> = out
         .map(|(what, x, [low, high])| {
             format!("{what} is {} (tried: {low} to {high})", Readable((1e3 * x).round() / 1e3))
@@ -187,6 +188,8 @@ pub struct StarRanges {
     pub object_force_N: Option<Interval>,
     /// Of the payload.
     pub payload_kg: Option<Interval>,
-    /// Of the burst pressure: nothing was compared with it yet.
+    /// Of the largest pull on the seal.
+    pub seal_pull_N_per_mm: Option<Interval>,
+    /// Of the burst pressure: from the range of the pull; the seal's strength is taken to be exact.
     pub burst_pressure_kPa: Option<Interval>,
 }

@@ -38,9 +38,12 @@ pub(super) const SHELL_OUTPUTS: [Output; 17] = [
     measured("arm_contact_mm2", Some("mm^2"), "flat area of an arm's sheet that touches", |_, shell| {
         Some(shell.contact_area.value)
     }),
-    measured("seal_tension_N_per_mm", Some("N/mm"), "largest pull across the rim", |_, shell| {
-        Some(shell.seal_tension()[0])
-    }),
+    measured(
+        "seal_tension_N_per_mm",
+        Some("N/mm"),
+        "largest tension of the fabric at the rim",
+        |_, shell| Some(shell.seal_tension()[0]),
+    ),
     measured("largest_stretch", None, "largest principal stretch of the sheet", |_, shell| {
         Some(shell.extremes.stretch)
     }),

@@ -8,9 +8,9 @@ use crate::shell::mesh::{Border, Mesh};
 /// The hardest loaded places of a sheet.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Extremes {
-    /// Largest pull across a rim, N a metre of flat rim.
+    /// The fabric's largest tension at a rim, both across the seam's plane and within it, N a metre of flat rim.
     pub seal_tension: f64,
-    /// Its mesh error; a rim that turns on a point has no largest pull, and this says so by being as large.
+    /// Its mesh error; a rim that turns on a point has no largest tension, and this says so by being as large.
     pub seal_tension_error: f64,
     /// Where on the flat sheet, m.
     pub seal_at: [f64; 2],
