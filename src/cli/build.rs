@@ -12,7 +12,7 @@ use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
 use crate::cli::load::{Loaded, is_standard_input};
 use crate::cli::voice::Voice;
-use crate::cli::{again, each, glance, new, progress, publish, summary, watch};
+use crate::cli::{again, each, glance, new, progress, publish, summary};
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]
@@ -99,7 +99,7 @@ fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<O
     let asked = Asked { only: args.only.clone(), with: args.with.clone() };
     let forecast = loaded.forecast()?;
     loaded.fit(&forecast, args.anyway)?;
-    let list = watch::list(&forecast, spec);
+    let list = forecast.precautions(&shown(spec));
     let proven = progress::during(voice, "writing the files", |progress| {
         let built = forecast.build(loaded.sources(), &asked);
         progress.tell("proving the files");

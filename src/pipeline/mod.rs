@@ -9,8 +9,10 @@
 //! Each step refuses what it finds wrong, and there is no way around it: `check` goes as far as [`Forecast`], `build`
 //! to [`Proven`], which is all that can be published, and `verify` takes the same steps from the files of a directory.
 
+mod code;
 mod files;
 mod fitness;
+mod precautions;
 mod proven;
 
 use crate::airtight;
@@ -23,6 +25,8 @@ use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
+pub use code::PrecautionCode;
+pub use precautions::Precaution;
 pub use proven::{Claim, Proven, prove_files, read_back};
 
 /// A gripper whose geometry exists, without a way for air but the inlet.
