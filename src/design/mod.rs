@@ -33,6 +33,7 @@ mod solid;
 mod stack;
 mod star;
 mod star_fault;
+mod tube;
 mod window;
 
 pub use arm::arm_length;
@@ -56,3 +57,4 @@ pub use seam::{MOUTH_OVERRUN, Seam};
 pub use sheet::{Design, PlacedStar};
 pub use stack::Stack;
 pub use star::Star;
+pub use tube::{round_tube, tube_height};

@@ -4,9 +4,7 @@
 //! the last one it stands as far away as the neighbour on the other side, but never so near that the inflated tube
 //! touches it. A flat tube of width W inflates to a circle of diameter 2 W / pi.
 
-use std::f64::consts::PI;
-
-use crate::design::{Refusal, RefusalCode, Refusals};
+use crate::design::{Refusal, RefusalCode, Refusals, round_tube};
 use crate::spec::{Spec, key};
 use crate::units::Readable;
 
@@ -32,7 +30,7 @@ impl Stack {
         let thickness = spec.frame.plate_thickness.0;
         let count = spec.stars.len();
         // What one star needs from its middle to the middle of a plate.
-        let needs = |i: usize| spec.stars[i].tube_width.0 / PI + thickness / 2.0;
+        let needs = |i: usize| (round_tube(spec.stars[i].tube_width.0) + thickness) / 2.0;
         let mut refusals = Refusals::new();
         for i in 1..count {
             let pitch = spec.stars[i].pitch.0;

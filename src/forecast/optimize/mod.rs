@@ -17,12 +17,12 @@ pub use self::front::thinned;
 
 use self::front::front;
 use self::poll::{AXES, Place, polled, scanned};
+use crate::design::round_tube;
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::mechanics::hinge::ring::RingTable;
 use crate::units::{Angle, Length, Pressure};
 use rayon::prelude::*;
 use std::cmp::Ordering;
-use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::Relaxed;
@@ -291,7 +291,7 @@ impl Search<'_> {
 
 /// The least distance of stars in a stack, mm, rounded up to a tenth: what an inflated tube and a plate take.
 fn least_pitch(point: &Candidate) -> f64 {
-    let needed = 2.0 * point.star.tube_width.0 / PI + point.plate.0;
+    let needed = round_tube(point.star.tube_width.0) + point.plate.0;
     if point.stars > 1 { (10.0 * needed).ceil() / 10.0 } else { 0.0 }
 }
 
