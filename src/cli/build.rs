@@ -11,8 +11,10 @@ use crate::artifact::{Asked, Kind};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
 use crate::cli::load::{Loaded, is_standard_input};
+use crate::cli::publish::extras_of;
 use crate::cli::voice::Voice;
 use crate::cli::{again, each, glance, new, progress, publish, summary};
+use crate::pipeline::Forecast;
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]
@@ -96,8 +98,10 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
 fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<Option<Value>, Failure> {
     let voice = args.voice;
     let loaded = Loaded::spoken(spec, voice)?;
-    let asked = Asked { only: args.only.clone(), with: args.with.clone() };
     let forecast = loaded.forecast()?;
+    let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
+    let target = targets.get(spec).cloned().unwrap_or_else(named);
+    let asked = asked(args, &forecast, &target);
     loaded.fit(&forecast, args.anyway)?;
     let list = forecast.precautions(&shown(spec));
     let proven = progress::during(voice, "writing the files", |progress| {
@@ -107,8 +111,6 @@ fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<O
     })
     .map_err(Failure::Findings)?;
     let forecast = &proven.built().forecast;
-    let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
-    let target = targets.get(spec).cloned().unwrap_or_else(named);
     // What became of files that were there is told however quiet one is.
     tell(&publish(&target, &proven)?.to_string());
     if voice.json {
@@ -132,6 +134,29 @@ fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<O
         glance::show(&[("details", "-v".to_owned())])?;
     }
     Ok(None)
+}
+
+/// What is built: what the options and the spec name, and where neither `--with` nor `--only` says otherwise, what the build that is
+/// replaced had. Says what was kept, and what is left out.
+fn asked(args: &Args, forecast: &Forecast, target: &Path) -> Asked {
+    let mut asked = Asked { only: args.only.clone(), with: args.with.clone() }.of_spec(&forecast.spec);
+    let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !asked.takes(*kind)).collect();
+    if before.is_empty() {
+        return asked;
+    }
+    let names = before.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(",");
+    if args.only.is_empty() && args.with.is_empty() {
+        asked.add(before);
+        if !args.voice.quiet {
+            tell(&format!(
+                "note: {names} comes again, as {} had it; `--with` names other kinds",
+                shown(target)
+            ));
+        }
+    } else {
+        tell(&format!("note: {names} was in {} and is not built again: `--with {names}`", shown(target)));
+    }
+    asked
 }
 
 /// `out/` and the spec's file name without its ending.

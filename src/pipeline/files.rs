@@ -15,11 +15,14 @@ const SPEC: &str = "spec.toml";
 
 impl Forecast {
     /// The files that are `asked` for.
+    ///
+    /// Those that the spec's `[build]` names are among them, unless only some kinds are.
     pub fn build(self, sources: Sources<'_>, asked: &Asked) -> Built {
+        let asked = asked.clone().of_spec(&self.spec);
         let mut artifacts = Vec::new();
-        self.make(sources, asked, |artifact| artifacts.push(artifact));
+        self.make(sources, &asked, |artifact| artifacts.push(artifact));
         let entries = artifacts.iter().map(ManifestFile::of).collect();
-        Built { manifest: self.manifest(entries, asked), forecast: self, artifacts }
+        Built { manifest: self.manifest(entries, &asked), forecast: self, artifacts }
     }
 
     /// Hands each of the files that are `asked` for to `take`, one after the other, as soon as it is made.
