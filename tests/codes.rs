@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use stargrip_cam::design::RefusalCode;
+use stargrip_cam::pipeline::PrecautionCode;
 use stargrip_cam::spec::{Code, FaultCode};
 use stargrip_cam::verify::FindingCode;
 
@@ -36,7 +37,8 @@ fn tables(page: &str) -> Vec<String> {
 
 #[test]
 fn the_page_lists_every_code_with_its_meaning() {
-    let right = [table(FaultCode::ALL), table(RefusalCode::ALL), table(FindingCode::ALL)];
+    let right =
+        [table(FaultCode::ALL), table(RefusalCode::ALL), table(PrecautionCode::ALL), table(FindingCode::ALL)];
     let page = include_str!("../docs/codes.md").replace("\r\n", "\n");
     let found = tables(&page);
     assert_eq!(found.len(), right.len());
@@ -57,5 +59,6 @@ fn codes_are_kebab_case_in_order_and_each_once() {
     }
     check(FaultCode::ALL);
     check(RefusalCode::ALL);
+    check(PrecautionCode::ALL);
     check(FindingCode::ALL);
 }

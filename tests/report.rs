@@ -76,6 +76,42 @@ fn curves_meet_the_prediction() {
     }
 }
 
+/// What `predict` calls unknown is drawn nowhere, and the page is proven all the same.
+#[test]
+fn what_is_unknown_has_no_curve_and_no_pose() {
+    let wide = support::PAPER.replace("50 mm", "120 mm");
+    let text = format!("{wide}\n[load]\npressure = \"37 kPa\"\nobject_radius = \"100 mm\"\n");
+    let made = built(&text);
+    assert_eq!(made.proof().findings, []);
+    let own = &made.forecast.prediction.as_ref().expect("a load").first;
+    assert_eq!((own.final_radius_mm, own.contraction, own.object_force_N), (None, None, None));
+    let chart = &charts(&made.forecast.spec, &made.forecast.design)[0];
+    assert!(chart.by_pressure.iter().all(|row| row.radius_range_mm.is_some()));
+    assert!(chart.by_pressure.iter().all(|row| (row.pressure_kPa - 37.0).abs() > 1e-9));
+    assert!(chart.by_points.iter().all(|row| row.points != 5 && row.contraction_range.is_some()));
+    assert_eq!(chart.by_radius, []);
+    // At its own pressure it is known, at a third of it not.
+    let gripper = built(GRIPPER).forecast;
+    let chart = &charts(&gripper.spec, &gripper.design)[0];
+    assert!(chart.by_pressure.iter().all(|row| row.radius_range_mm.is_some()) && chart.by_pressure.len() > 8);
+    assert!(chart.by_pressure.len() < 24, "{}", chart.by_pressure.len());
+}
+
+/// The page says what `check` says is to be seen to, in its order.
+#[test]
+fn it_warns_of_what_check_warns_of() {
+    let made = built(GRIPPER);
+    let watch = block(&page(&made))["watch"].clone();
+    let own: Vec<Value> = made
+        .forecast
+        .precautions("spec.toml")
+        .iter()
+        .map(|one| serde_json::json!({ "code": one.code.to_string(), "text": one.text }))
+        .collect();
+    assert!(own.len() > 2);
+    assert_eq!(watch, Value::Array(own));
+}
+
 /// Steps end when the program says, and none before the one before.
 #[test]
 fn a_timeline_ends_with_its_program() {
@@ -156,10 +192,16 @@ fn a_page_that_could_run_or_fetch_something_else_is_found() {
     }
 }
 
+/// What the curves say at the spec's own pressure.
+fn own_row(data: &mut Value) -> &mut Value {
+    let rows = data["charts"][0]["by_pressure"].as_array_mut().expect("rows");
+    rows.iter_mut().find(|row| row["pressure_kPa"] == 37.0).expect("its own")
+}
+
 #[test]
 fn a_page_that_says_something_else_is_found() {
     type Change = fn(&mut Value);
-    let changes: [(Change, &str); 9] = [
+    let changes: [(Change, &str); 12] = [
         (|data| data["bill"]["fabric_mm2"] = 1.0.into(), "bill"),
         (|data| data["prediction"]["final_radius_mm"] = 1.0.into(), "prediction"),
         (|data| data["prediction"] = Value::Null, "prediction"),
@@ -168,7 +210,10 @@ fn a_page_that_says_something_else_is_found() {
         (|data| data["programs"][1]["seams"][0]["length_mm"] = 1.0.into(), "the inner loop of star 2"),
         (|data| data["programs"][0]["steps"][5]["path"][7] = 900.into(), "the inner loop of star 1"),
         (|data| data["programs"] = Value::Array(Vec::new()), "0 seams"),
-        (|data| data["charts"][0]["by_pressure"][15]["final_radius_mm"] = 12.0.into(), "star 1: curves"),
+        (|data| own_row(data)["final_radius_mm"] = 12.0.into(), "star 1: curves"),
+        (|data| own_row(data)["pose"]["tip_radius_mm"] = 12.0.into(), "star 1: curves"),
+        (|data| own_row(data)["pressure_kPa"] = 37.1.into(), "star 1: curves"),
+        (|data| data["charts"] = Value::Array(Vec::new()), "curves of 0 stars"),
     ];
     for (change, says) in changes {
         let found = forged(|page| with_figures(&page, change));

@@ -7,8 +7,11 @@ use std::f64::consts::PI;
 
 use serde_json::Value;
 use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::design::round_tube;
+use stargrip_cam::forecast::charts::charts;
+use stargrip_cam::forecast::pose::{self, Pose};
 use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
-use stargrip_cam::pipeline::{self, Built, Sources, read_back};
+use stargrip_cam::pipeline::{self, Built, Forecast, Sources, read_back};
 use stargrip_cam::verify::{GlbNode, GlbPart, OutputFiles, read_glb};
 
 const SCENE: &str = "scene.glb";
@@ -49,10 +52,10 @@ fn every_shipped_design_has_a_scene_that_is_proven_and_the_same_each_time() {
 }
 
 #[test]
-fn the_stack_stands_as_designed_and_closes_as_predicted() {
+fn the_stack_stands_as_designed_and_closes_on_its_object() {
     let made = built(GRIPPER);
-    let predicted =
-        made.forecast.prediction.clone().expect("a load").stars[0].final_radius_mm.expect("a pressure");
+    // Wider than the stars close by themselves.
+    let predicted = 40.0;
     let nodes = read_glb(&bytes(&made)).expect("a GLB");
     for star in ["stack/star 1", "stack/star 2", "stack/star 3"] {
         let tube = part(&nodes, star, "tube");
@@ -74,6 +77,134 @@ fn around(ring: &[[f64; 3]]) -> f64 {
     let next = ring.iter().cycle().skip(1);
     let side = |(a, b): (&[f64; 3], &[f64; 3])| (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
     ring.iter().zip(next).map(side).sum()
+}
+
+/// Prediction, drawing and scene are of one star: the inner radius, the tube's width and the tips' radius of curvature.
+#[test]
+fn what_is_predicted_drawn_and_shown_is_one_pose() {
+    let alone =
+        GRIPPER.lines().filter(|line| !line.starts_with("object_radius")).collect::<Vec<_>>().join("\n");
+    let round = format!("{}\n[load]\npressure = \"37 kPa\"\n", include_str!("../designs/round-hinges.toml"));
+    for text in [alone.as_str(), GRIPPER, &round] {
+        let made = built(text);
+        let Forecast { spec, design, prediction, .. } = &made.forecast;
+        let prediction = prediction.as_ref().expect("a load");
+        let stars = pose::inflated(spec, design, Some(prediction));
+        let nodes = read_glb(&bytes(&made)).expect("a GLB");
+        let chart = &charts(spec, design)[0];
+        let row =
+            chart.by_pressure.iter().find(|row| (row.pressure_kPa - 37.0).abs() < 1e-9).expect("its own");
+        let drawn = Pose::of(&stars[0]);
+        for (one, other) in [
+            (row.pose.inner_radius_mm, drawn.inner_radius_mm),
+            (row.pose.width_mm, drawn.width_mm),
+            (row.pose.tip_radius_mm, drawn.tip_radius_mm),
+            (row.pose.tip_centre_mm, drawn.tip_centre_mm),
+        ] {
+            assert!((one - other).abs() < 1e-6, "{:?} {drawn:?}", row.pose);
+        }
+        let closed = prediction.first.final_radius_mm.expect("known");
+        assert_eq!(row.final_radius_mm, closed);
+        let touches =
+            spec.load.as_ref().and_then(|load| load.object_radius).map_or(closed, |object| object.0);
+        assert!((stars[0].rho_0 - touches).abs() < 1e-6, "{} {touches}", stars[0].rho_0);
+        // Wider than a cylinder, as hinges are.
+        let star = &design.distinct[0].star;
+        assert!(stars[0].w > 1.02 * round_tube(star.w) && stars[0].w < star.w);
+        let tube = part(&nodes, "stack/star 1", "tube");
+        let columns: Vec<&[[f64; 3]]> = tube.inflated.chunks(16).collect();
+        // Of each half of a sector eleven columns are a corner's, eleven a tip's; of each the first point lies at the hole, the ninth outside.
+        let (corner, tip) = (columns[5], columns[16]);
+        assert!((radius(&corner[0]) - stars[0].rho_0).abs() < 2e-3);
+        assert!((radius(&tip[0]) - stars[0].d_t - stars[0].r_i).abs() < 2e-3);
+        for column in [corner, tip] {
+            assert!(
+                (apart(&column[0], &column[8]) - stars[0].w).abs() < 2e-3,
+                "{}",
+                apart(&column[0], &column[8])
+            );
+        }
+        let centre = {
+            let scale = stars[0].d_t / radius(&tip[0]).max(1e-9);
+            [tip[0][0] * scale, tip[0][1] * scale, tip[0][2]]
+        };
+        for column in &columns[11..22] {
+            assert!((apart(&column[0], &centre) - stars[0].r_i).abs() < 2e-3);
+        }
+    }
+}
+
+fn apart(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+#[test]
+fn the_object_stands_in_the_middle_of_the_stack() {
+    let load = |more: &str| {
+        format!("{}\n[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\n{more}", support::PAPER)
+    };
+    let size = |points: &[[f64; 3]], k: usize| {
+        let ends = points.iter().map(|p| p[k]);
+        [ends.clone().fold(f64::INFINITY, f64::min), ends.fold(f64::NEG_INFINITY, f64::max)]
+    };
+    for (more, height) in [
+        ("", 60.0),
+        ("object_shape = \"cylinder\"\nobject_height = \"200 mm\"\n", 200.0),
+        ("object_height = \"80 mm\"\n", 80.0),
+    ] {
+        let made = built(&load(more));
+        assert_eq!(made.proof().findings, [], "{more}");
+        let nodes = read_glb(&bytes(&made)).expect("a GLB");
+        let object = part(&nodes, "object/object", "object");
+        let middle = made.forecast.design.stack.height / 2.0;
+        let [low, high] = size(&object.points, 2);
+        assert!(
+            (low - middle + height / 2.0).abs() < 0.01 && (high - middle - height / 2.0).abs() < 0.01,
+            "{more}: {low} {high}"
+        );
+        assert!(
+            size(&object.points, 0)
+                .iter()
+                .chain(&size(&object.points, 1))
+                .all(|end| (end.abs() - 30.0).abs() < 0.01)
+        );
+    }
+}
+
+/// Viewers built on three.js find what an animation moves by the name of its mesh.
+#[test]
+fn every_star_has_a_mesh_of_its_own_by_a_name_of_its_own() {
+    let made = built(GRIPPER);
+    let nodes = read_glb(&bytes(&made)).expect("a GLB");
+    let meshes: Vec<&str> =
+        nodes.iter().filter(|node| node.animated).map(|node| node.mesh.as_str()).collect();
+    assert_eq!(meshes, ["fabric of star 1", "fabric of star 2", "fabric of star 3"]);
+    // Their numbers are shared.
+    let mut surfaces = Vec::new();
+    let _ = with_document(&bytes(&made), |d| {
+        let all = d["meshes"].as_array().expect("meshes").iter();
+        let fabrics = all.filter(|mesh| meshes.iter().any(|name| mesh["name"] == **name));
+        surfaces = fabrics.map(|mesh| mesh["primitives"].clone()).collect();
+    });
+    assert!(surfaces.len() == 3 && surfaces.windows(2).all(|pair| pair[0] == pair[1]), "{surfaces:?}");
+    assert_found(
+        &forged(|bytes| {
+            with_document(&bytes, |d| {
+                let (first, second) = (node(d, "star 1"), node(d, "star 2"));
+                d["nodes"][second]["mesh"] = d["nodes"][first]["mesh"].clone();
+            })
+        }),
+        "bad-glb stack/star 1, whose mesh",
+    );
+    assert_found(
+        &forged(|bytes| {
+            with_document(&bytes, |d| {
+                let mesh = index(&d["nodes"][node(d, "star 1")]["mesh"]);
+                d["meshes"][mesh]["name"] = "star 2".into();
+            })
+        }),
+        "bad-glb stack/star 1, whose mesh",
+    );
 }
 
 /// The arms are the longest straight sides of the tube's inner rim: rigid, whatever the star does.

@@ -112,3 +112,32 @@ fn a_partial_build_says_what_was_compared_and_ends_at_no_time() {
     );
     assert!(proven.contains(&serde_json::json!({ "path": "spec.toml", "by": "hash" })), "{proven:?}");
 }
+
+/// A build makes what its spec names, and again what the build had that it replaces; what goes is told.
+#[test]
+fn kinds_that_were_asked_for_once_come_again() {
+    let folder = folder((600.0, 600.0), "");
+    let there = |name: &str| folder.path().join("out/star").join(name).exists();
+    let build = |args: &[&str]| {
+        let output = run(folder.path(), &[&["build", "star.toml"], args].concat());
+        assert!(output.status.success(), "{}", stderr(&output));
+        stderr(&output)
+    };
+    assert!(!build(&["--with", "preview-png"]).contains("preview-png"));
+    assert!(there("sheet-1-preview.png"));
+    let said = build(&[]);
+    assert!(there("sheet-1-preview.png") && said.contains("note: preview-png comes again"), "{said}");
+    let said = build(&["--with", "scene-glb"]);
+    assert!(!there("sheet-1-preview.png") && there("scene.glb"));
+    assert!(said.contains("preview-png was in out/star and is not built again"), "{said}");
+    let text = fs::read_to_string(folder.path().join("star.toml")).expect("a spec");
+    fs::write(folder.path().join("star.toml"), text + "\n[build]\nwith = [\"report\"]\n").expect("written");
+    let said = build(&["-q"]);
+    assert!(there("report.html") && there("scene.glb") && said.is_empty(), "{said}");
+    let said = build(&["--only", "seal-gcode", "-q"]);
+    assert!(
+        !there("report.html") && said.contains("is not built again: `--with report,scene-glb`"),
+        "{said}"
+    );
+    assert!(run(folder.path(), &["verify", "out/star"]).status.success());
+}

@@ -1,6 +1,7 @@
 //! What of a design is asked for.
 
 use crate::artifact::Kind;
+use crate::spec::Spec;
 
 /// The kinds that a build makes. Its manifest records them, so that `verify` knows what to demand; which files these are, and
 /// their names, the design says.
@@ -16,6 +17,24 @@ impl Asked {
     /// These kinds and no others; all that come by default if none is named.
     pub fn only(kinds: &[Kind]) -> Self {
         Self { only: kinds.to_vec(), with: Vec::new() }
+    }
+
+    /// The same, and the kinds that `spec` names itself, unless only some kinds are asked for.
+    #[must_use]
+    pub fn of_spec(mut self, spec: &Spec) -> Self {
+        if self.only.is_empty() {
+            self.add(spec.build.with.iter().filter_map(|extra| Kind::from_name(extra.name())));
+        }
+        self
+    }
+
+    /// Takes these kinds, too.
+    pub fn add(&mut self, kinds: impl IntoIterator<Item = Kind>) {
+        for kind in kinds {
+            if !self.with.contains(&kind) {
+                self.with.push(kind);
+            }
+        }
     }
 
     /// Whether files of `kind` are made.

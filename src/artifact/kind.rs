@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use crate::spec::Extra;
+
 /// What a file is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
@@ -196,15 +198,7 @@ impl Kind {
 
     /// Whether it comes only where it is named.
     pub fn is_extra(self) -> bool {
-        matches!(
-            self,
-            Self::PreviewPng
-                | Self::SceneGlb
-                | Self::Report
-                | Self::OutlinePdf
-                | Self::FramePdf
-                | Self::FrameStl
-        )
+        Extra::ALL.iter().any(|(name, _)| *name == self.name())
     }
 }
 
@@ -217,6 +211,11 @@ impl fmt::Display for Kind {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_a_spec_may_name_is_a_kind() {
+        assert!(Extra::ALL.iter().all(|(name, _)| Kind::from_name(name).is_some_and(Kind::is_extra)));
+    }
 
     #[test]
     fn a_name_is_subject_and_format_but_where_the_format_goes_without_saying() {

@@ -13,10 +13,11 @@ use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
 use crate::cli::load::{Loaded, is_standard_input};
 use crate::cli::open::open;
+use crate::cli::publish::extras_of;
 use crate::cli::rebuilt::Snapshot;
 use crate::cli::voice::Voice;
-use crate::cli::{again, each, glance, new, progress, publish, summary, watch};
-use crate::pipeline::Proven;
+use crate::cli::{again, each, glance, new, progress, publish, summary};
+use crate::pipeline::{Forecast, Precaution, Proven};
 use crate::spec::Source;
 
 /// Arguments of `build`.
@@ -142,7 +143,7 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
 struct Made {
     proven: Proven,
     target: PathBuf,
-    notes: Vec<String>,
+    notes: Vec<Precaution>,
     source: Source,
     machine: String,
 }
@@ -155,10 +156,12 @@ fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<O
 /// Builds, proves and publishes one spec.
 fn made(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path, voice: Voice) -> Result<Made, Failure> {
     let loaded = Loaded::spoken(spec, voice)?;
-    let asked = Asked { only: args.only.clone(), with: args.with.clone() };
     let forecast = loaded.forecast()?;
+    let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
+    let target = targets.get(spec).cloned().unwrap_or_else(named);
+    let asked = asked(args, &forecast, &target);
     loaded.fit(&forecast, args.anyway)?;
-    let notes = watch::list(&forecast, spec);
+    let notes = forecast.precautions(&shown(spec));
     let proven = progress::during(voice, "writing the files", |progress| {
         let built = forecast.build(loaded.sources(), &asked);
         progress.tell("proving the files");
@@ -166,8 +169,6 @@ fn made(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path, voice: Voi
     })
     .map_err(Failure::Findings)?;
     let forecast = &proven.built().forecast;
-    let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
-    let target = targets.get(spec).cloned().unwrap_or_else(named);
     // What became of files that were there is told however quiet one is.
     tell(&publish(&target, &proven)?.to_string());
     let (source, machine) = (loaded.source.clone(), loaded.sources().machine.to_owned());
@@ -190,7 +191,7 @@ fn answered(args: &Args, made: &Made) -> Result<Option<Value>, Failure> {
         return Ok(Some(said));
     }
     if voice.quiet {
-        glance::warn(watch::uncertain(forecast).as_slice());
+        glance::warn(forecast.doubt().as_slice());
         return Ok(None);
     }
     glance::show(&glance::head(forecast))?;
@@ -206,6 +207,29 @@ fn answered(args: &Args, made: &Made) -> Result<Option<Value>, Failure> {
         glance::show(&[("details", "-v".to_owned())])?;
     }
     Ok(None)
+}
+
+/// What is built: what the options and the spec name, and where neither `--with` nor `--only` says otherwise, what the build that is
+/// replaced had. Says what was kept, and what is left out.
+fn asked(args: &Args, forecast: &Forecast, target: &Path) -> Asked {
+    let mut asked = Asked { only: args.only.clone(), with: args.with.clone() }.of_spec(&forecast.spec);
+    let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !asked.takes(*kind)).collect();
+    if before.is_empty() {
+        return asked;
+    }
+    let names = before.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(",");
+    if args.only.is_empty() && args.with.is_empty() {
+        asked.add(before);
+        if !args.voice.quiet {
+            tell(&format!(
+                "note: {names} comes again, as {} had it; `--with` names other kinds",
+                shown(target)
+            ));
+        }
+    } else {
+        tell(&format!("note: {names} was in {} and is not built again: `--with {names}`", shown(target)));
+    }
+    asked
 }
 
 /// `out/` and the spec's file name without its ending.

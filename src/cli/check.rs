@@ -6,9 +6,10 @@ use jiff::Zoned;
 use serde_json::Value;
 
 use crate::cli::failure::Failure;
+use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::voice::Voice;
-use crate::cli::{each, glance, summary, watch};
+use crate::cli::{each, glance, summary};
 
 /// Arguments of `check`.
 #[derive(clap::Args, Debug)]
@@ -33,12 +34,12 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let loaded = Loaded::spoken(spec, voice)?;
     let forecast = loaded.forecast()?;
     loaded.fit(&forecast, args.anyway)?;
-    let list = watch::list(&forecast, spec);
+    let list = forecast.precautions(&shown(spec));
     if voice.json {
         return Ok(Some(glance::json(&forecast, &list)));
     }
     if voice.quiet {
-        glance::warn(watch::uncertain(&forecast).as_slice());
+        glance::warn(forecast.doubt().as_slice());
         return Ok(None);
     }
     glance::show(&glance::head(&forecast))?;

@@ -11,12 +11,12 @@ use serde_json::{Value, json};
 use crate::artifact::Kind;
 use crate::cli::clock;
 use crate::cli::failure::{Failure, say, tell_under};
-use crate::cli::figure::rounded;
 use crate::cli::harmless::shown;
 use crate::cli::summary::{hours, scope};
 use crate::cli::terminal::{width, wrapped};
-use crate::cli::{verdict, watch};
-use crate::pipeline::{Forecast, Proven};
+use crate::cli::verdict;
+use crate::forecast::ranges::shown::rounded;
+use crate::pipeline::{Forecast, Precaution, Proven};
 use crate::spec::StarSpec;
 use crate::units::{Angle, Length};
 
@@ -77,7 +77,7 @@ pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<Row> {
         Some((x, y)) => format!("; the machine reaches {} x {} mm", rounded(x.0), rounded(y.0)),
         None => String::new(),
     };
-    let sheets = format!("{number} of {}{area}", watch::sheets(forecast));
+    let sheets = format!("{number} of {}{area}", forecast.sheet_sizes());
     let seal = format!("{} at {}{}", hours(seconds), forecast.spec.seal.speed, end.unwrap_or_default());
     vec![("sealing", seal), (if number == 1 { "sheet" } else { "sheets" }, sheets)]
 }
@@ -139,17 +139,17 @@ pub(super) fn show(rows: &[Row]) -> Result<(), Failure> {
 }
 
 /// Prints what to see to before sealing, on standard error: who keeps the answer in a file must still see it.
-pub(super) fn warn(list: &[String]) {
+pub(super) fn warn(list: &[Precaution]) {
     if list.is_empty() {
         return;
     }
     let width = width(&stderr());
-    let lines = list.iter().map(|text| wrapped(&format!("  - {}", shown(text)), 4, width));
+    let lines = list.iter().map(|one| wrapped(&format!("  - {}", shown(&one.text)), 4, width));
     tell_under("before you seal", &lines.collect::<Vec<_>>().join("\n"));
 }
 
 /// Everything of the first screen but the time of day, for programs.
-pub(super) fn json(forecast: &Forecast, list: &[String]) -> Value {
+pub(super) fn json(forecast: &Forecast, list: &[Precaution]) -> Value {
     let area = forecast.machine.bench.work_area.map(|(x, y)| [x.0, y.0]);
     let sheets: Vec<[f64; 2]> =
         forecast.design.sheets.iter().map(|sheet| [sheet.width, sheet.height]).collect();
@@ -157,7 +157,7 @@ pub(super) fn json(forecast: &Forecast, list: &[String]) -> Value {
         "name": forecast.spec.name,
         "stars": forecast.design.stars.len(),
         "verdict": verdict::json(forecast),
-        "before_you_seal": list,
+        "before_you_seal": list.iter().map(|one| &one.text).collect::<Vec<_>>(),
         "sealing_time_s": sealing_time(forecast),
         "sheets_mm": sheets,
         "work_area_mm": area,

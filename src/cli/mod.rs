@@ -21,7 +21,6 @@ pub mod embedded;
 mod explain;
 mod failure;
 mod feedcheck;
-mod figure;
 mod findings;
 mod glance;
 mod harmless;
@@ -51,7 +50,6 @@ mod trade;
 mod verdict;
 mod verify;
 mod voice;
-mod watch;
 mod whole_file;
 
 use std::env;

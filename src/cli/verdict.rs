@@ -2,9 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::cli::figure::rounded;
 use crate::forecast::prediction::StarPrediction;
-use crate::forecast::ranges::shown::{known, with};
+use crate::forecast::ranges::shown::{known, rounded, with};
 use crate::pipeline::Forecast;
 use crate::spec::key;
 use crate::units::Length;

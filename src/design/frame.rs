@@ -6,7 +6,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::design::{Refusal, RefusalCode, Refusals, Stack, Star, StarDesign};
+use crate::design::{Refusal, RefusalCode, Refusals, Stack, Star, StarDesign, round_tube};
 use crate::geom::Point;
 use crate::spec::{Spec, key};
 use crate::units::Readable;
@@ -116,7 +116,7 @@ impl Frame {
 ///
 /// Section 1 of the star's geometry with W -> 2 W / pi and phi_i = 0; a star that holds an object is less shut.
 pub fn shut_reach(star: &Star) -> f64 {
-    let (alpha, w) = (star.half_sector(), 2.0 * star.w / PI);
+    let (alpha, w) = (star.half_sector(), round_tube(star.w));
     (w + star.r_i + star.r_e) / alpha.tan() + star.l + star.r_i + w
 }
 

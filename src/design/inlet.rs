@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::star_fault::blamed;
-use crate::design::{Contour, Part, Refusal, RefusalCode, Star, Warning};
+use crate::design::{Contour, Part, Refusal, RefusalCode, Star, Warning, round_tube};
 use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Inlet, key};
 use crate::units::{Least, Most, Readable};
@@ -158,7 +158,7 @@ impl Channel {
         );
         let remedy = format!(
             "a hose that is no thicker than the inflated tube has at most {} mm",
-            Most(2.0 * star.w / PI)
+            Most(round_tube(star.w))
         );
         Some(Warning { key: key::inlet::TUBE_DIAMETER, code: RefusalCode::ThickHose, found, remedy })
     }

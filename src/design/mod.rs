@@ -35,6 +35,7 @@ mod solid;
 mod stack;
 mod star;
 mod star_fault;
+mod tube;
 mod window;
 
 pub use arm::arm_length;
@@ -60,3 +61,4 @@ pub use seam::{MOUTH_OVERRUN, Seam};
 pub use sheet::{Design, PlacedStar};
 pub use stack::{Stack, inflated_height, least_pitch, pitch_for};
 pub use star::Star;
+pub use tube::{round_tube, tube_height};

@@ -79,6 +79,7 @@ impl Paper {
         }
         let grid = TileGrid { caption, ..self.cut(drawing) };
         let tiles = grid.tiles(drawing);
+        let grid = TileGrid { alone: tiles.len() == 1, ..grid };
         let mut pages = Vec::new();
         if tiles.len() > 1 {
             pages.push(grid.overview(drawing, &tiles));
@@ -106,7 +107,7 @@ impl Paper {
             Self::Large => (1.0, 1.0),
             _ => (count(drawing.width, steps.x), count(drawing.height, steps.y)),
         };
-        TileGrid { paper: self, width, height, window, steps, columns, rows, caption: "" }
+        TileGrid { paper: self, width, height, window, steps, columns, rows, alone: false, caption: "" }
     }
 }
 
@@ -119,6 +120,8 @@ pub(super) struct TileGrid<'a> {
     steps: Vec2,
     columns: f64,
     rows: f64,
+    /// Whether only one of its tiles is a page: on the others nothing lies.
+    alone: bool,
     pub(super) caption: &'a str,
 }
 
@@ -201,7 +204,7 @@ impl TileGrid<'_> {
             let (x, y) = (Vec2::new(inwards.x, 0.0), Vec2::new(0.0, inwards.y));
             out.push(stroke(&[corner - x * 1.0, corner - x * MARKS]));
             out.push(stroke(&[corner - y * 1.0, corner - y * MARKS]));
-            if self.columns * self.rows > 1.0 {
+            if self.columns * self.rows > 1.0 && !self.alone {
                 let middle = corner + inwards * (OVERLAP / 2.0);
                 for arm in [Vec2::new(3.0, 0.0), Vec2::new(0.0, 3.0)] {
                     out.push(stroke(&[middle - arm, middle + arm]));
@@ -226,6 +229,7 @@ impl TileGrid<'_> {
         let (columns, rows, paper) = (self.columns, self.rows, self.paper_name());
         let page = match self.paper {
             Paper::Large => paper,
+            _ if self.alone => format!("ONE PAGE ON {paper}"),
             _ => format!("PAGE {name} OF {rows} X {columns} ON {paper}"),
         };
         out.extend(lettering::lettered(&page, at(0.0, 14.0), 3.0));

@@ -4,9 +4,7 @@
 //! the last one it stands as far away as the neighbour on the other side, but never so near that the inflated tube
 //! touches it. A flat tube of width W inflates to a circle of diameter 2 W / pi.
 
-use std::f64::consts::PI;
-
-use crate::design::{Refusal, RefusalCode, Refusals, Warning};
+use crate::design::{Refusal, RefusalCode, Refusals, Warning, round_tube};
 use crate::spec::{Spec, key};
 use crate::units::{Length, Readable};
 
@@ -17,7 +15,7 @@ const LOOSE: f64 = 4.0;
 
 /// Height of an inflated tube that is `width` wide when flat: the diameter of a circle of the circumference 2 W.
 pub fn inflated_height(width: Length) -> Length {
-    Length(2.0 * width.0 / PI)
+    Length(round_tube(width.0))
 }
 
 /// The least distance of stars with tubes `width` wide and plates of thickness `plate` between them, rounded up to a tenth of a millimetre.

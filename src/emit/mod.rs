@@ -21,6 +21,6 @@ pub use number::Decimals;
 pub use pdf::pdf;
 pub use preview::{Cell, Preview, cells};
 pub use report::{Report, report};
-pub use scene::{Inflated, scene};
+pub use scene::scene;
 pub use stl::stl;
 pub use svg::svg;

@@ -44,7 +44,7 @@ pub(super) struct Surface {
 }
 
 /// The surfaces of a scene: fabric and tube as in the preview, bands that are told apart.
-pub(super) const SURFACES: [Surface; 8] = [
+pub(super) const SURFACES: [Surface; 9] = [
     Surface { name: "fabric", color: [0xdf, 0xe6, 0xee], cover: 1.0 },
     Surface { name: "tube", color: [0x9c, 0xc3, 0xe6], cover: 1.0 },
     Surface { name: "inner band", color: [0xe8, 0xa3, 0x3d], cover: 1.0 },
@@ -53,6 +53,7 @@ pub(super) const SURFACES: [Surface; 8] = [
     Surface { name: "mask", color: [0x7f, 0xb0, 0x69], cover: 1.0 },
     Surface { name: "plate", color: [0xb0, 0xb0, 0xb0], cover: 0.35 },
     Surface { name: "post", color: [0x60, 0x60, 0x60], cover: 1.0 },
+    Surface { name: "object", color: [0xf3, 0xdd, 0xb4], cover: 1.0 },
 ];
 
 /// A surface's colour as lights add up: red, green, blue by IEC 61966-2-1, to four decimals, and how much of it is seen.

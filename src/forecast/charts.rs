@@ -1,7 +1,7 @@
 //! Curves around one answer: what its stars do at other pressures, on other objects, with other numbers of points. For pictures.
 //!
 //! All of them are the prediction's own closed forms with the model that answers it, so at the spec's own pressure, object and
-//! number of points they are the prediction, with its ranges.
+//! number of points they are the prediction, with its ranges. What the prediction calls unknown is in none of them.
 
 use serde::Serialize;
 
@@ -9,8 +9,8 @@ use crate::design::{Design, PlacedStar, Star};
 use crate::forecast::case::Case;
 use crate::forecast::choice::{corrected, hinge_model, named, tabled};
 use crate::forecast::outcome::Outcome;
+use crate::forecast::pose::{Pose, at_angle, held};
 use crate::forecast::ranges::{Interval, mm};
-use crate::forecast::shut::{at_angle, held};
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::{Arms, HingeModel, HingeState, Level};
 use crate::mechanics::star::response::Inflated;
@@ -35,11 +35,11 @@ pub struct Charts {
     pub star: usize,
     /// The model that answered.
     pub model: &'static str,
-    /// What it does by pressure, rising; without those that the model does not cover.
+    /// What it does by pressure, rising; without those at which nothing is known of it.
     pub by_pressure: Vec<AtPressure>,
     /// Force by the radius of the object at the spec's own pressure.
     pub by_radius: Vec<AtRadius>,
-    /// What stars of other numbers of points do, everything else as it is.
+    /// What stars of other numbers of points do, everything else as it is; without those of which nothing is known.
     pub by_points: Vec<AtPoints>,
 }
 
@@ -69,26 +69,6 @@ pub struct AtRadius {
     pub force_N: f64,
     /// Its range; `None` where nothing is known.
     pub force_range_N: Option<Interval>,
-}
-
-/// What it takes to draw an inflated star: its tube lies between r and r + w around the centres of tips and corners.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
-pub struct Pose {
-    /// Inner radius.
-    pub inner_radius_mm: f64,
-    /// Width of the tube as seen from above.
-    pub width_mm: f64,
-    /// Angle between the arms of a tip.
-    pub tip_angle_deg: f64,
-    /// Inner radius of curvature of the tips.
-    pub tip_radius_mm: f64,
-    /// Inner radius of curvature of the corners.
-    pub corner_radius_mm: f64,
-    /// Distance of a tip's centre from the axis.
-    pub tip_centre_mm: f64,
-    /// Distance of a corner's centre from the axis.
-    pub corner_centre_mm: f64,
 }
 
 /// A star of another number of points.
@@ -126,11 +106,6 @@ pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
     design.firsts().filter_map(of_star).collect()
 }
 
-/// The flat star as a pose.
-pub fn flat_pose(star: &Star) -> Pose {
-    Pose::of(star)
-}
-
 /// One star, and which model is asked about it.
 struct Question<'a> {
     chosen: ModelChoice,
@@ -152,11 +127,14 @@ impl Question<'_> {
         Some(Box::new(Known { model, targets: [first, second] }))
     }
 
-    /// The star at `k` parts of [`OWN`] of the spec's own pressure.
+    /// The star at `k` parts of [`OWN`] of the spec's own pressure; `None` where a prediction calls it unknown.
     fn at_pressure(&self, k: u32) -> Option<AtPressure> {
         let pressure = self.case.pressure? * (f64::from(k) / f64::from(OWN));
         let model = self.model(pressure)?;
         let (case, outcome) = Outcome::of(&Case { pressure: Some(pressure), ..self.case }, &*model).ok()?;
+        if !outcome.known {
+            return None;
+        }
         let rest = outcome.rest.angle;
         let object = case.object.map(Length::from_metres);
         let shown = held(&case.mechanism, rest, object).unwrap_or(rest);
@@ -197,7 +175,7 @@ impl Question<'_> {
         let at = |points: u32| {
             let star = Star::new(&StarSpec { points, inlet_tip: 1, ..asked.clone() }).ok()?;
             let (case, outcome) = Outcome::of(&Case::of(spec, &star).ok()?, &*model).ok()?;
-            Some(AtPoints {
+            outcome.known.then(|| AtPoints {
                 points,
                 contraction: outcome.contraction,
                 contraction_range: outcome.contraction_range(&case),
@@ -206,20 +184,6 @@ impl Question<'_> {
         };
         let own = std::iter::once(asked.points).filter(|points| !POINTS.contains(points));
         Some(POINTS.chain(own).filter_map(at).collect())
-    }
-}
-
-impl Pose {
-    fn of(star: &Star) -> Self {
-        Self {
-            inner_radius_mm: star.rho_0,
-            width_mm: star.w,
-            tip_angle_deg: star.phi_i.to_degrees(),
-            tip_radius_mm: star.r_i,
-            corner_radius_mm: star.r_e,
-            tip_centre_mm: star.d_t,
-            corner_centre_mm: star.d_p,
-        }
     }
 }
 

@@ -12,7 +12,7 @@
 //! | [`pressures`] | what it does at several pressures, where none is given |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
 //! | [`mod@verdict`] | whether the object is held, and why a gripper that cannot is refused |
-//! | [`mod@shut`] | the shape of the star that has closed |
+//! | [`mod@pose`] | the shape of the inflated star, for every picture |
 //! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`by_shell`], [`star_by_shell`], [`shell_prediction`] | the same by the shell, which is asked by name only |
@@ -34,6 +34,7 @@ pub mod choice;
 pub mod choosing;
 pub mod optimize;
 pub mod outcome;
+pub mod pose;
 pub mod predict;
 pub mod prediction;
 pub mod pressures;
@@ -42,7 +43,6 @@ pub mod report;
 pub mod seal_load;
 pub mod shell_prediction;
 mod shell_star;
-pub mod shut;
 pub mod star_by_shell;
 pub mod stars;
 pub mod stiffness;

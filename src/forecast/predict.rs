@@ -176,7 +176,8 @@ impl Asked<'_> {
         warnings.extend(self.of_the_ranges(&outcome));
         if outcome.known {
             warnings.extend(of_the_shape(case, &outcome));
-            warnings.extend(outcome.object_warning(case));
+            star.evidence.of_object = outcome.object_warning(case);
+            warnings.extend(star.evidence.of_object.clone());
         }
         star.nonlinear = answered.nonlinear(case, self.spec.accuracy.response, warnings);
         answered.fill(&mut star, case)?;
@@ -192,7 +193,8 @@ impl Asked<'_> {
         let bursts = seal.burst.map(|p| Pressure::from_pascals(p).0);
         let width = case.mechanism.width;
         let stretch = case.pressure.map(|p| case.sheet.stretch(p, width));
-        let mut warnings: Vec<String> = seal.warning(case).into_iter().collect();
+        let of_burst = seal.warning(case);
+        let mut warnings: Vec<String> = of_burst.iter().cloned().collect();
         if spec.accuracy.model == ModelChoice::Shell {
             warnings.push(
                 "shells are left to `predict --model shell`: files are the same on every machine, and a shell's last digits are \
@@ -248,6 +250,8 @@ impl Asked<'_> {
                 hinge_width: Hinges::default(),
                 safe_radius_mm: seal.safe.map(|radius| radius.0),
                 warnings,
+                of_burst,
+                of_object: None,
             },
             hold: case.pressure.and(case.object).map(|_| Hold::Untried),
             modelled_kPa: None,

@@ -263,4 +263,10 @@ pub struct Evidence {
     pub safe_radius_mm: Option<f64>,
     /// What lies outside of a model's validity, and what a person should know.
     pub warnings: Vec<String>,
+    /// Which of the warnings is of a seal that bursts.
+    #[serde(skip)]
+    pub of_burst: Option<String>,
+    /// Which of the warnings is of an object that is not held.
+    #[serde(skip)]
+    pub of_object: Option<String>,
 }

@@ -1,23 +1,28 @@
 //! From what is known of a gripper to its files: one arm for every subject and format.
 
 use crate::artifact::{Artifact, Asked, Format, Output, Subject, outputs};
-use crate::design::engraved_depth;
+use crate::design::{Star, engraved_depth};
 use crate::emit;
-use crate::emit::Inflated;
 use crate::forecast::charts::charts;
-use crate::forecast::prediction::StarPrediction;
-use crate::forecast::shut::shut;
+use crate::forecast::pose;
 use crate::manifest::{Manifest, ManifestFile};
 use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
+use crate::spec::Code;
+
+/// How commands in a report name the spec: it lies beside the page.
+const SPEC: &str = "spec.toml";
 
 impl Forecast {
     /// The files that are `asked` for.
+    ///
+    /// Those that the spec's `[build]` names are among them, unless only some kinds are.
     pub fn build(self, sources: Sources<'_>, asked: &Asked) -> Built {
+        let asked = asked.clone().of_spec(&self.spec);
         let mut artifacts = Vec::new();
-        self.make(sources, asked, |artifact| artifacts.push(artifact));
+        self.make(sources, &asked, |artifact| artifacts.push(artifact));
         let entries = artifacts.iter().map(ManifestFile::of).collect();
-        Built { manifest: self.manifest(entries, asked), forecast: self, artifacts }
+        Built { manifest: self.manifest(entries, &asked), forecast: self, artifacts }
     }
 
     /// Hands each of the files that are `asked` for to `take`, one after the other, as soon as it is made.
@@ -58,26 +63,15 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
     Some(text.into_bytes())
 }
 
-/// Where each star comes to rest, bottom to top; nothing inflates without a pressure.
-fn inflated(forecast: &Forecast) -> Vec<Inflated> {
-    let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
-    let prediction = forecast.prediction.as_ref().filter(|_| pressure.is_some());
-    let rest = |star: &StarPrediction| {
-        Some(Inflated {
-            // Below 0 the arms touch.
-            tip_angle: star.tip_equilibrium_angle_deg?.to_radians().max(0.0),
-            inner_radius: star.final_radius_mm?,
-        })
-    };
-    let stars = prediction.map(|prediction| prediction.stars.iter().map(rest).collect::<Option<_>>());
-    stars.flatten().unwrap_or_default()
+/// The stars inflated, bottom to top; none where it is not known how far they close.
+fn inflated(forecast: &Forecast) -> Vec<Star> {
+    pose::inflated(&forecast.spec, &forecast.design, forecast.prediction.as_ref())
 }
 
 /// The picture of the output's sheet.
 fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
-    let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
-    let object = spec.load.as_ref().and_then(|load| load.object_radius);
-    let shut = prediction.as_ref().map_or(Vec::new(), |prediction| shut(design, prediction, object));
+    let Forecast { spec, machine, design, programs, .. } = forecast;
+    let shut = inflated(forecast);
     let preview = emit::Preview { spec, machine, design, programs, shut: &shut };
     match output.kind.format() {
         Format::Png => preview.png(output.sheet?),
@@ -91,6 +85,9 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let charts = charts(spec, design);
     let scene = emit::scene(spec, design, &inflated(forecast))?;
     let bill = Manifest::new(spec, design, programs);
+    let precautions = forecast.precautions(SPEC);
+    let watch: Vec<(&str, &str)> =
+        precautions.iter().map(|one| (one.code.as_str(), one.text.as_str())).collect();
     Some(emit::report(&emit::Report {
         source: sources.spec,
         spec,
@@ -99,6 +96,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
         programs,
         prediction: prediction.as_ref(),
         charts: &charts,
+        watch: &watch,
         bill: &bill,
         scene: &scene,
     }))

@@ -9,11 +9,13 @@
 //! Each step refuses what it finds wrong, and there is no way around it: `check` goes as far as [`Forecast`], `build`
 //! to [`Proven`], which is all that can be published, and `verify` takes the same steps from the files of a directory.
 
+mod code;
 mod coupons;
 mod directory;
 mod feed_check;
 mod files;
 mod fitness;
+mod precautions;
 mod proven;
 
 use crate::airtight;
@@ -26,8 +28,10 @@ use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
+pub use code::PrecautionCode;
 pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 pub use feed_check::{FeedCheckFault, ProvenFeedCheck, feed_check, prove_feed_check};
+pub use precautions::Precaution;
 pub use proven::{Claim, Proven, prove_files, read_back};
 
 /// A gripper whose geometry exists, without a way for air but the inlet.

@@ -54,8 +54,8 @@ pub use machine::{
     Process, Script,
 };
 pub use model::{
-    Accuracy, Bed, Colours, CutSpec, Detail, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
-    ModelChoice, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec, StarSpec,
+    Accuracy, Bed, BuildSpec, Colours, CutSpec, Detail, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load,
+    MachineChoice, Mask, ModelChoice, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};

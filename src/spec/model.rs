@@ -33,6 +33,49 @@ pub struct Spec {
     pub load: Option<Load>,
     /// `[accuracy]`
     pub accuracy: Accuracy,
+    /// `[build]`
+    pub build: BuildSpec,
+}
+
+/// What a build makes.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct BuildSpec {
+    /// What every build of this spec makes beside what comes by default; none twice.
+    pub with: Vec<Extra>,
+}
+
+/// A kind of file that comes only where it is named.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extra {
+    /// All that is known of the gripper on one page.
+    Report,
+    /// All of it in three dimensions.
+    SceneGlb,
+    /// The picture in pixels.
+    PreviewPng,
+    /// The cut on paper.
+    OutlinePdf,
+    /// A plate of the frame on paper.
+    FramePdf,
+    /// A plate of the frame as a solid.
+    FrameStl,
+}
+
+impl Extra {
+    /// All of them by their names, which are those of the kinds of files.
+    pub const ALL: [(&'static str, Self); 6] = [
+        ("report", Self::Report),
+        ("scene-glb", Self::SceneGlb),
+        ("preview-png", Self::PreviewPng),
+        ("outline-pdf", Self::OutlinePdf),
+        ("frame-pdf", Self::FramePdf),
+        ("frame-stl", Self::FrameStl),
+    ];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(name, _)| name)
+    }
 }
 
 /// The fabric of one sheet.

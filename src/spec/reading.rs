@@ -7,8 +7,8 @@ use crate::spec::allowed::{Allowed, EXTRA, SIZE};
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
 use crate::spec::model::{
-    Accuracy, Bed, Colours, CutSpec, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask, ModelChoice,
-    ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec,
+    Accuracy, Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Load, MachineChoice,
+    Mask, ModelChoice, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec,
 };
 use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
@@ -120,6 +120,7 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
         machine: read_choice(&mut reader.section("machine")),
         load: read_load(&mut reader.section("load")),
         accuracy: read_accuracy(&mut reader.section("accuracy")),
+        build: read_build(&mut reader.section("build")),
     }
 }
 
@@ -263,6 +264,10 @@ fn read_object_size(s: &mut Section<'_, '_>) -> (Option<Length>, ObjectSize) {
         None if s.has("object_radius") => (radius, ObjectSize::Radius),
         diameter => (diameter.map(|diameter| Length(0.5 * diameter.0)), ObjectSize::Diameter),
     }
+}
+
+fn read_build(s: &mut Section<'_, '_>) -> BuildSpec {
+    BuildSpec { with: s.choices("with", &Extra::ALL).unwrap_or_default() }
 }
 
 fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {

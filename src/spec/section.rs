@@ -328,7 +328,12 @@ impl<'r> Section<'_, 'r> {
 
     /// A list of texts, each with its place; `None` if it is absent or something else.
     pub(super) fn texts(&mut self, key: &'static str) -> Option<Vec<(&'r str, Range<usize>)>> {
-        let value = self.take(key, Shape::Texts)?;
+        self.listed(key, Shape::Texts)
+    }
+
+    /// A list of texts of some shape.
+    fn listed(&mut self, key: &'static str, shape: Shape) -> Option<Vec<(&'r str, Range<usize>)>> {
+        let value = self.take(key, shape)?;
         let label = "must be a list of texts: [\"...\", \"...\"]";
         let Some(list) = value.as_list() else { return self.refuse_type(key, value, label) };
         list.iter()
@@ -343,6 +348,33 @@ impl<'r> Section<'_, 'r> {
     pub(super) fn choice<T: Copy>(&mut self, key: &'static str, choices: &[(&'static str, T)]) -> Option<T> {
         let shape = Shape::Choice(choices.iter().map(|(name, _)| *name).collect());
         let (word, span) = self.word(key, shape)?;
+        self.chosen(key, (word, span), choices)
+    }
+
+    /// Some of `choices`, words in quotes in a list, none twice; `None` if it is absent or one of them is none of these.
+    pub(super) fn choices<T: Copy + PartialEq>(
+        &mut self,
+        key: &'static str,
+        choices: &[(&'static str, T)],
+    ) -> Option<Vec<T>> {
+        let shape = Shape::Choices(choices.iter().map(|(name, _)| *name).collect());
+        let mut all = Vec::new();
+        for word in self.listed(key, shape)? {
+            let found = self.chosen(key, word, choices)?;
+            if !all.contains(&found) {
+                all.push(found);
+            }
+        }
+        Some(all)
+    }
+
+    /// The one of `choices` that `word` names; reports one that is none of them.
+    fn chosen<T: Copy>(
+        &mut self,
+        key: &'static str,
+        (word, span): (&str, Range<usize>),
+        choices: &[(&'static str, T)],
+    ) -> Option<T> {
         if let Some((_, found)) = choices.iter().find(|(name, _)| *name == word) {
             return Some(*found);
         }

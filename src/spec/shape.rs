@@ -37,6 +37,8 @@ pub(super) enum Shape {
     Or(Box<Shape>, Vec<&'static str>),
     /// One of these words.
     Choice(Vec<&'static str>),
+    /// A list of some of these words.
+    Choices(Vec<&'static str>),
     /// A list of sections.
     Sections,
 }
@@ -63,6 +65,7 @@ impl Shape {
             Self::Count(low, high) if low == high => Some(format!("Always {low}.")),
             Self::Count(low, high) => Some(format!("A whole number from {low} to {high}.")),
             Self::Choice(words) => Some(format!("One of {}.", words.join(", "))),
+            Self::Choices(words) => Some(format!("A list of some of {}.", words.join(", "))),
             Self::Or(shape, words) => {
                 let words: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
                 let (_, told) = shape.schema();
@@ -92,6 +95,9 @@ impl Shape {
                 json!({ "anyOf": ways })
             }
             Self::Choice(words) => json!({ "type": "string", "enum": words }),
+            Self::Choices(words) => {
+                json!({ "type": "array", "items": { "type": "string", "enum": words }, "uniqueItems": true })
+            }
             Self::Sections => json!({ "type": "array" }),
         };
         (schema, told)

@@ -78,7 +78,8 @@ fn shown(value: &RawValue) -> String {
         RawKind::Text(text) => text.clone(),
         RawKind::Number(number) => number.shown(),
         RawKind::Truth(truth) => truth.to_string(),
-        RawKind::Date | RawKind::List(_) | RawKind::Table(_) => String::new(),
+        RawKind::List(list) => list.iter().map(shown).collect::<Vec<_>>().join(", "),
+        RawKind::Date | RawKind::Table(_) => String::new(),
     }
 }
 

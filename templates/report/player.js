@@ -69,8 +69,8 @@ function loadOf(seam) {
 
 function loadSays(load) {
   if (!load || load.factor === null) return UNKNOWN;
-  const force = load.load_N_per_mm === null ? "" : `${figure(load.load_N_per_mm, "N/mm")}, `;
-  return `${force}${number(load.factor)} p W at the ${load.place}`;
+  const force = load.load_N_per_mm === null ? `${number(load.factor)} times pressure and tube width` : figure(load.load_N_per_mm, "N/mm");
+  return `${force} at the ${load.place}`;
 }
 
 function sheetGroup(sheet) {
@@ -208,11 +208,64 @@ function showSheet(number) {
   job.drawn.clear();
   const edge = 0.03 * sheet.width_mm;
   job.whole = [-edge, -sheet.height_mm - edge, sheet.width_mm + 2 * edge, sheet.height_mm + 2 * edge];
+  job.parts = partsOf(sheet);
   const size = sheet.width_mm / 70;
   job.iron = draw("g", { class: "iron" }, draw("circle", { r: size, class: "halo" }), draw("circle", { r: size * 0.45 }));
   at("job").append(sheetGroup(sheet), job.iron);
   at("job-title").textContent = `Sheet ${number} of ${data.sheets.length}, seen from the iron's side: ${stars(sheet.stars.map((star) => star.star))}`;
-  look(job.whole);
+  look(job.parts);
+}
+
+/** The box around all that lies on a sheet, hoses' channels and the iron's ramps among it, with a border. */
+function partsOf(sheet) {
+  const box = [Infinity, Infinity, -Infinity, -Infinity];
+  const take = ([x, y]) => {
+    [box[0], box[1]] = [Math.min(box[0], x), Math.min(box[1], y)];
+    [box[2], box[3]] = [Math.max(box[2], x), Math.max(box[3], y)];
+  };
+  for (const star of sheet.stars) {
+    const turn = (star.turn_deg * Math.PI) / 180;
+    for (const [x, y] of corners(data.parts[star.part].outside)) {
+      take([star.x_mm + x * Math.cos(turn) - y * Math.sin(turn), star.y_mm + x * Math.sin(turn) + y * Math.cos(turn)]);
+    }
+  }
+  for (const move of job.moves) if (move.sheet === sheet.sheet && move.points) move.points.forEach(take);
+  const [left, bottom, right, top] = box;
+  const edge = 0.05 * Math.max(right - left, top - bottom);
+  return [left - edge, -top - edge, right - left + 2 * edge, top - bottom + 2 * edge];
+}
+
+/** What is zoomed about: the iron once it is at work, else the beginning of the first seam; the middle where that is not in sight. */
+function focus() {
+  const { move, share } = ironAt(job.time);
+  const first = job.moves.find((other) => other.sheet === job.sheet && other.points);
+  const [x, y] = move.points ? along(move, share) : first ? first.points[0] : [0, 0];
+  const [left, top, width, height] = job.view;
+  const seen = x > left && x < left + width && -y > top && -y < top + height;
+  return seen ? [x, -y] : [left + width / 2, top + height / 2];
+}
+
+/** On paper all parts are shown, of every sheet; afterwards all is as before. */
+function printAll() {
+  let before = null;
+  window.addEventListener("beforeprint", () => {
+    before = job.view;
+    look(job.parts);
+    const { drawn } = job;
+    job.drawn = new Map();
+    at("job-others").replaceChildren(
+      ...data.sheets.filter((sheet) => sheet.sheet !== job.sheet).map((sheet) => {
+        const says = `Sheet ${sheet.sheet} of ${data.sheets.length}: ${stars(sheet.stars.map((star) => star.star))}`;
+        const box = partsOf(sheet).map((x) => x.toFixed(2)).join(" ");
+        return make("figure", {}, draw("svg", { class: "job", role: "img", viewBox: box }, draw("title", {}, says), sheetGroup(sheet)), make("figcaption", {}, says));
+      }),
+    );
+    job.drawn = drawn;
+  });
+  window.addEventListener("afterprint", () => {
+    at("job-others").replaceChildren();
+    if (before) look(before);
+  });
 }
 
 /** Shows this part of the sheet. */
@@ -222,7 +275,7 @@ function look(box) {
 }
 
 /** Makes what is seen `factor` times as large, about a point of it. */
-function zoom(factor, [x, y] = [job.view[0] + job.view[2] / 2, job.view[1] + job.view[3] / 2]) {
+function zoom(factor, [x, y] = focus()) {
   const [left, top, width, height] = job.view;
   const most = job.whole[2] * 1.5;
   const scale = Math.min(most / width, Math.max(job.whole[2] / 60 / width, 1 / factor));
@@ -280,7 +333,9 @@ function showJob() {
   at("job-play").addEventListener("click", () => play(job.playing === null));
   at("job-in").addEventListener("click", () => zoom(1.5));
   at("job-out").addEventListener("click", () => zoom(1 / 1.5));
-  at("job-fit").addEventListener("click", () => look(job.whole));
+  at("job-fit").addEventListener("click", () => look(job.parts));
+  at("job-all").addEventListener("click", () => look(job.whole));
+  printAll();
   handleView();
   showSheet(data.sheets[0].sheet);
   goTo(0);
@@ -291,7 +346,7 @@ function showJob() {
 function handleView() {
   const svg = at("job");
   const keys = {
-    "+": () => zoom(1.5), "=": () => zoom(1.5), "-": () => zoom(1 / 1.5), 0: () => look(job.whole),
+    "+": () => zoom(1.5), "=": () => zoom(1.5), "-": () => zoom(1 / 1.5), 0: () => look(job.parts),
     ArrowLeft: () => move(-0.1, 0), ArrowRight: () => move(0.1, 0), ArrowUp: () => move(0, -0.1), ArrowDown: () => move(0, 0.1),
     " ": () => play(job.playing === null),
   };

@@ -10,14 +10,20 @@ function chartOf(which) {
 }
 
 function poseAt(which, pressure) {
-  const rows = [{ pressure_kPa: 0, final_radius_mm: null, object_force_N: null, pose: data.flat[which] }, ...(chartOf(which) ? chartOf(which).by_pressure : [])];
-  let i = rows.findIndex((row) => row.pressure_kPa >= pressure);
-  if (i < 0) i = rows.length - 1;
-  if (i === 0) return rows[0];
+  const rows = chartOf(which).by_pressure;
+  const i = rows.findIndex((row) => row.pressure_kPa >= pressure);
+  if (i <= 0) return i === 0 ? rows[0] : rows[rows.length - 1];
   const [a, b] = [rows[i - 1], rows[i]];
+  // Between two pressures of the table that are no neighbours nothing is known.
+  if (b.pressure_kPa - a.pressure_kPa > 1.5 * stepOf()) return pressure - a.pressure_kPa < b.pressure_kPa - pressure ? a : b;
   const share = (pressure - a.pressure_kPa) / (b.pressure_kPa - a.pressure_kPa);
   const mix = (key) => (a[key] === null || b[key] === null ? b[key] : a[key] + (b[key] - a[key]) * share);
   return { pressure_kPa: pressure, final_radius_mm: mix("final_radius_mm"), object_force_N: mix("object_force_N"), pose: between(a.pose, b.pose, share) };
+}
+
+/** From one pressure of the table to the next. */
+function stepOf() {
+  return data.load.pressure_kPa / 16;
 }
 
 function drawStar(svg, pose, full, says, extent) {
@@ -37,26 +43,27 @@ function drawStar(svg, pose, full, says, extent) {
   shapes.push(
     draw("path", { class: "measure", d: `M0 0H${radius.toFixed(2)}` }),
     draw("circle", { class: "axis", r: extent / 90 }),
-    draw("text", { class: "size", x: radius / 2, y: -extent / 45, "font-size": Math.min(extent / 16, Math.max(radius / 2.6, extent / 30)) }, figure(radius, "mm")),
+    draw("text", { class: "size", x: radius / 2, y: -extent / 45, "font-size": Math.min(extent / 12, Math.max(radius / 3.9, extent / 26)) }, figure(radius, "mm")),
   );
   svg.setAttribute("viewBox", [-extent, -extent, 2 * extent, 2 * extent].map((x) => x.toFixed(1)).join(" "));
   svg.replaceChildren(...shapes);
 }
 
-function showPressure(pressure) {
-  const at_p = poseAt(star.which, pressure);
+function showPressure(wanted) {
+  const at_p = poseAt(star.which, wanted);
+  const pressure = at_p.pressure_kPa;
+  const own_kPa = data.load.pressure_kPa;
   const flat = data.flat[star.which];
   const extent = reachOf(flat) * 1.04;
-  const full = Math.min(1, Math.max(0, (flat.width_mm - at_p.pose.width_mm) / (flat.width_mm * (1 - 2 / Math.PI))));
   const object = data.load ? data.load.object_radius_mm : null;
   const radius = at_p.pose.inner_radius_mm;
-  const touches = object && Math.abs(radius - object) < 0.01 * object && pressure > 0;
+  const touches = object && Math.abs(radius - object) < 0.01 * object;
   const force = touches && at_p.object_force_N !== null ? `, pressing with ${figure(at_p.object_force_N, "N")}` : "";
   const where = touches ? `on the object of radius ${figure(object, "mm")}${force}` : `closed to a radius of ${figure(radius, "mm")}`;
-  const says = pressure === 0 ? "without pressure it is flat" : `at ${figure(pressure, "kPa")} ${where}`;
-  drawStar(at("star-round"), at_p.pose, full, `The star: ${says}`, extent);
+  const says = `at ${figure(pressure, "kPa")} ${where}`;
+  drawStar(at("star-round"), at_p.pose, 1, `The star: ${says}`, extent);
   at("star-round-says").textContent = says;
-  const own = data.load && data.load.pressure_kPa === pressure ? ", the spec's own" : "";
+  const own = own_kPa === pressure ? ", the spec's own" : isKnown(star.which) ? "" : `; at ${figure(own_kPa, "kPa")} it is unknown`;
   at("star-pressure-says").textContent = `${figure(pressure, "kPa")}${own}`;
   at("star-pressure").value = String(pressure);
   at("star-pressure").setAttribute("aria-valuetext", figure(pressure, "kPa"));
@@ -72,19 +79,34 @@ function showStar(which) {
   at("star-controls").hidden = !chart;
   at("star-round-box").hidden = !chart;
   if (!chart) return;
-  const rows = chart.by_pressure;
-  at("star-pressure").max = String(rows[rows.length - 1].pressure_kPa);
-  showPressure(Math.min(data.load.pressure_kPa, rows[rows.length - 1].pressure_kPa));
+  const [least, most] = knownOf(which);
+  at("star-pressure").min = String(least);
+  at("star-pressure").max = String(most);
+  showPressure(Math.min(most, Math.max(least, data.load.pressure_kPa)));
 }
 
-/** From flat to the spec's own pressure in two seconds. */
+/** The pressures between which a star is known. */
+function knownOf(which) {
+  const rows = chartOf(which).by_pressure;
+  return [rows[0].pressure_kPa, rows[rows.length - 1].pressure_kPa];
+}
+
+/** Whether it is known at the spec's own pressure. */
+function isKnown(which) {
+  const [least, most] = knownOf(which);
+  return data.load.pressure_kPa >= least && data.load.pressure_kPa <= most;
+}
+
+/** From the least pressure that is known to the spec's own in two seconds. */
 function pump() {
   if (star.pumping !== null) cancelAnimationFrame(star.pumping);
   let first = null;
   const tick = (now) => {
     if (first === null) first = now;
     const share = Math.min(1, (now - first) / 2000);
-    showPressure(share * data.load.pressure_kPa);
+    const [least, most] = knownOf(star.which);
+    const end = Math.min(most, Math.max(least, data.load.pressure_kPa));
+    showPressure(share < 1 ? least + share * (end - least) : end);
     star.pumping = share < 1 ? requestAnimationFrame(tick) : null;
   };
   star.pumping = requestAnimationFrame(tick);
@@ -93,8 +115,8 @@ function pump() {
 function showStars() {
   const chart = chartOf(0);
   at("star-lead").textContent = chart
-    ? `As model “${chart.model}” has the mechanism: straight arms, round tubes. No wrinkle of a real hinge is in the picture.`
-    : data.load && data.load.pressure_kPa ? "No model covers this star at this pressure, so only the flat star is known." : "The spec has no pressure in [load], so only the flat star is known.";
+    ? "Simplified: straight arms, round tubes; real hinges wrinkle."
+    : data.load && data.load.pressure_kPa ? "What this star does at this pressure is unknown, so only the flat star is shown." : "The spec has no pressure in [load], so only the flat star is known.";
   if (data.parts.length > 1) {
     at("star-which").hidden = false;
     const names = data.parts.map((part, i) => make("option", { value: i }, stars(data.sheets.flatMap((sheet) => sheet.stars).filter((other) => other.part === i).map((other) => other.star))));
@@ -105,14 +127,14 @@ function showStars() {
     const own = data.load.pressure_kPa;
     const value = Number(event.target.value);
     // The spec's own pressure is easily hit.
-    showPressure(Math.abs(value - own) < 0.008 * Number(event.target.max) ? own : value);
+    showPressure(isKnown(star.which) && Math.abs(value - own) < 0.008 * Number(event.target.max) ? own : value);
   });
   at("star-pressure").addEventListener("keydown", (event) => {
     const step = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
     if (!step) return;
     event.preventDefault();
-    const most = Number(event.target.max);
-    showPressure(Math.min(most, Math.max(0, Number(event.target.value) + (step * most) / 96)));
+    const [least, most] = knownOf(star.which);
+    showPressure(Math.min(most, Math.max(least, Number(event.target.value) + (step * most) / 96)));
   });
   at("star-pump").addEventListener("click", pump);
   showStar(0);

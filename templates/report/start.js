@@ -11,5 +11,6 @@ showBill();
 showChecks();
 showSettings();
 showEvidence();
+hintScrolling();
 document.body.classList.remove("wait");
 showSolid();

@@ -42,12 +42,27 @@ function verdict() {
     return ["plain", title, `At ${figure(pressure, "kPa")}. Write an object_radius in [load], and this page says whether it is held.`];
   }
   const reasons = found.reasons.map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
-  if (found.holds === "no") return ["bad", "Does not hold the object", reasons];
-  const range = span(found.force_range_N, "N");
-  const force = found.force_N === null || found.holds !== "yes" ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object of radius ${figure(object, "mm")} with ${range || figure(found.force_N, "N")} at ${figure(pressure, "kPa")}. `;
-  const needed = found.needed_N === null ? "" : `Friction needs ${figure(found.needed_N, "N")} to hold its ${figure(load.mass_kg, "kg")}. `;
-  const tone = found.holds === "yes" ? ["good", "Holds the object"] : ["fair", "May hold the object"];
-  return [...tone, `${force}${needed}${reasons}`];
+  const friction = load.friction === null ? "" : `Counted with a friction of ${number(load.friction)}. `;
+  if (bursts(1)) return ["bad", "The seal bursts at this pressure", `${friction}${reasons}`];
+  if (found.holds === "no") return ["bad", "Does not hold the object", `${reasons} ${friction}`];
+  const force = found.force_N === null || found.holds !== "yes" ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object of radius ${figure(object, "mm")} with ${figure(found.force_N, "N")}${simulated(found.force_range_N, "N")} at ${figure(pressure, "kPa")}. `;
+  const needed = found.needed_N === null ? friction : `With a friction of ${number(load.friction)}, ${figure(found.needed_N, "N")} are needed to hold its ${figure(load.mass_kg, "kg")}. `;
+  if (found.holds !== "yes") return ["fair", "May hold the object", `${force}${needed}${reasons}`];
+  // Green means that nothing stands against it: not with a seal of which nobody knows what it bears.
+  const strength = prediction.stars.every((star) => star.burst_pressure_kPa !== null);
+  if (!strength) return ["fair", "Holds the object, if the seal holds", `${force}${needed}At which pressure the seal bursts is unknown until a coupon says what it bears. ${reasons}`];
+  return ["good", "Holds the object", `${force}${needed}${reasons}`];
+}
+
+/** Whether some star bursts below so many times its pressure. */
+function bursts(times) {
+  return data.prediction.stars.some((star) => star.burst_margin !== null && star.burst_margin < times);
+}
+
+/** A range in brackets, with what it is. */
+function simulated(range, unit) {
+  const text = span(range, unit);
+  return text ? ` (${text} in 95 of 100 simulated grippers)` : "";
 }
 
 /** Name, value, range or a note below it, for each key figure. */
@@ -64,12 +79,13 @@ function keyFigures() {
   if (prediction) {
     predicted("Force on the object, each star", "object_force_N", "N", 1, prediction.object_force_N === null ? "needs a pressure and an object" : null);
     predicted("It carries, whole stack", "payload_kg", "kg", 1, prediction.payload_kg === null ? "needs friction and an object" : null);
+    if (prediction.payload_kg !== null && load.friction !== null) out[out.length - 1][2] += `, friction ${number(load.friction)}`;
     predicted("Closes to a radius of", "final_radius_mm", "mm");
     predicted("Contraction", "contraction", "%", 100);
     out.push(["Holds radii", span(prediction.graspable_radius_mm, "mm") || UNKNOWN, `between closed and open; the cut hole has ${figure(prediction.hole_radius_mm, "mm")}`]);
     predicted("Radial stiffness, each star", "radial_stiffness_N_per_m", "N/m");
-    out.push(["Pressure", figure(load.pressure_kPa, "kPa"), `full actuation from ${figure(prediction.operating_pressure_kPa, "kPa")}`]);
-    predicted("Bursts at", "burst_pressure_kPa", "kPa", 1, prediction.burst_pressure_kPa === null ? "needs a seal_strength" : null);
+    out.push(["Pressure", figure(load.pressure_kPa, "kPa"), "above that outside"]);
+    predicted("Bursts at", "burst_pressure_kPa", "kPa", 1, prediction.burst_pressure_kPa === null ? "peel a coupon, write its seal_strength" : null);
   }
   out.push(["Fabric", figure(bill.fabric_mm2 / 100, "cm²"), "both sheets of all stars"]);
   out.push(["Mass of the fabric", figure(bill.mass_g === undefined ? null : bill.mass_g, "g"), bill.mass_g === undefined ? "needs an areal_density" : "all stars"]);
@@ -82,13 +98,12 @@ function showVerdict() {
   const [tone, title, why] = verdict();
   at("banner").classList.add(tone);
   at("verdict-title").textContent = title;
-  at("verdict-why").textContent = why;
+  at("verdict-why").replaceChildren(...prose(why.trim()));
   const cards = keyFigures().map(([name, value, note]) =>
     make("div", { class: value === UNKNOWN ? "card missing" : "card" }, make("dt", {}, name), make("dd", {}, make("b", {}, value), make("span", {}, note || ""))),
   );
   at("figures").append(...cards);
-  const weak = data.loads.flatMap((places) => places.map((place) => place.weakness).filter(Boolean));
-  const notes = [...(data.prediction ? data.prediction.evidence.warnings : []), ...weak, ...data.notes];
-  at("watch").hidden = notes.length === 0;
-  at("watch-list").append(...[...new Set(notes)].map((note) => make("li", {}, note)));
+  at("ranges-say").hidden = !data.prediction || !data.prediction.ranges.final_radius_mm;
+  at("watch").hidden = data.watch.length === 0;
+  at("watch-list").append(...data.watch.map(({ code, text }) => make("li", { "data-code": code }, ...prose(text))));
 }

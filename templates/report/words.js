@@ -83,11 +83,25 @@ function rangeOf(prediction, quantity, hinge) {
   return hinge ? range[hinge] || null : range;
 }
 
+/** A sentence of the program: what stands in backticks is shown as code. */
+function prose(text) {
+  return text.split("`").map((part, i) => (i % 2 === 1 ? make("code", {}, part) : part));
+}
+
 /** Fills a table: a head, and rows whose first cell names them. */
 function table(id, head, rows) {
-  const cell = (tag, text, scope) => make(tag, { scope }, ...(Array.isArray(text) ? text : [text]));
+  const cell = (tag, text, i, scope) => make(tag, { scope, "data-head": scope === "col" ? null : head[i] }, ...(Array.isArray(text) ? text : [text]));
   at(id).append(
-    make("thead", {}, make("tr", {}, ...head.map((text) => cell("th", text, "col")))),
-    make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((text, i) => (i === 0 ? cell("th", text, "row") : cell("td", text)))))),
+    make("thead", {}, make("tr", {}, ...head.map((text, i) => cell("th", text, i, "col")))),
+    make("tbody", {}, ...rows.map((row) => make("tr", {}, ...row.map((text, i) => (i === 0 ? cell("th", text, i, "row") : cell("td", text, i)))))),
   );
+}
+
+/** Says of every box that scrolls sideways that it does, as long as something is hidden. */
+function hintScrolling() {
+  for (const box of document.querySelectorAll(".scroll")) {
+    const look = () => box.classList.toggle("more", box.scrollLeft + box.clientWidth < box.scrollWidth - 8);
+    box.addEventListener("scroll", look, { passive: true });
+    new ResizeObserver(look).observe(box);
+  }
 }

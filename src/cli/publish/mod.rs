@@ -20,6 +20,7 @@ mod stage;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use crate::artifact::Kind;
 use crate::cli::harmless::shown;
 use crate::cli::publish::place::Place;
 use crate::cli::publish::record::Record;
@@ -53,6 +54,12 @@ impl fmt::Display for Published {
         }
         Ok(())
     }
+}
+
+/// The kinds that the build in `target` has beside those that come by default; none where there is no build.
+pub(super) fn extras_of(target: &Path) -> Vec<Kind> {
+    let with = Record::read(target).map_or_else(Vec::new, |record| record.with);
+    with.iter().filter_map(|name| Kind::from_name(name)).filter(|kind| kind.is_extra()).collect()
 }
 
 /// Puts the files of `proven` into the directory `target`, replacing what an earlier publication put there.

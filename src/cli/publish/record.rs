@@ -24,6 +24,9 @@ pub(super) struct Record {
     pub(super) name: String,
     /// Every file beside the manifest.
     pub(super) files: Vec<Recorded>,
+    /// The names of the kinds that were asked for beside those that come by default.
+    #[serde(default)]
+    pub(super) with: Vec<String>,
 }
 
 /// One file.

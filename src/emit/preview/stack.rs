@@ -1,8 +1,8 @@
 //! The whole stack: from above, flat and shut, and from the side, to scale, beside the first sheet.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
-use crate::design::{Design, Side, Star};
+use crate::design::{Design, Side, Star, round_tube, tube_height};
 use crate::emit::picture::{Anchor, Group, Text};
 use crate::emit::preview::look::{GREY, IRON, Look, OBJECT, TEXT, circle, rectangle, star_ink, straight};
 use crate::emit::preview::place::Places;
@@ -190,8 +190,9 @@ impl<'a> StackView<'a> {
         }
         for (star, z) in design.stars.iter().zip(&design.stack.stars) {
             let geometry = &design.part(star).star;
-            // The tube is round when it is inflated.
-            let half = geometry.w / PI;
+            // Inflated: as high as predicted, round where nothing is.
+            let shut = self.preview.shut.get(star.index - 1);
+            let half = shut.map_or(round_tube(geometry.w), |to| tube_height(geometry.w, to.w)) / 2.0;
             let ink = star_ink(star.index);
             group.line(block(geometry.tip_reach(), z - half, z + half), look.pen(ink, 2.0));
             group.line(block(geometry.rho_0, z - half, z + half), look.dashes(ink, 1.0));

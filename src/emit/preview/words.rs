@@ -146,6 +146,6 @@ fn stack(preview: &Preview<'_>, look: Look) -> Block {
     }
     block.explain(line(GREY, 1.2), format!("plates, radius {:.1} mm", design.frame.radius));
     block.explain(Swatch::Line(look.dashes(GREY, 1.0)), "their openings");
-    block.explain(Swatch::Area(IRON), format!("{} posts", design.frame.posts.len()));
+    block.explain(Swatch::Dot(IRON), format!("{} posts", design.frame.posts.len()));
     block
 }

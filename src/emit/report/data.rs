@@ -6,7 +6,8 @@ use crate::design::StarDesign;
 use crate::emit::report::job::{parts, programs, sheets, thousandths};
 use crate::emit::report::subject::Report;
 use crate::forecast::case::Case;
-use crate::forecast::charts::{Charts, flat_pose};
+use crate::forecast::charts::Charts;
+use crate::forecast::pose::Pose;
 use crate::forecast::seal_load::{SealLoad, seal_loads};
 use crate::spec::{Heating, Machine, Source, settings};
 
@@ -50,10 +51,11 @@ pub(super) fn data(report: &Report<'_>) -> Value {
         },
         "post_diameter_mm": design.frame.post_diameter,
         "hose": spec.inlet.as_ref().map(|inlet| json!({ "diameter_mm": inlet.tube_diameter.0, "length_mm": inlet.length.0 })),
+        "watch": report.watch.iter().map(|(code, text)| json!({ "code": code, "text": text })).collect::<Vec<_>>(),
         "notes": design.warnings.iter().map(|warning| format!("{}; {}", warning.found, warning.remedy)).collect::<Vec<_>>(),
         "parts": parts(report),
         "loads": loads(report),
-        "flat": design.firsts().map(|placed| short(&json!(flat_pose(&design.part(placed).star)))).collect::<Vec<_>>(),
+        "flat": design.firsts().map(|placed| short(&json!(Pose::of(&design.part(placed).star)))).collect::<Vec<_>>(),
         "sheets": sheets(report),
         "programs": programs(report),
         "charts": report.charts.iter().map(chart).collect::<Vec<_>>(),

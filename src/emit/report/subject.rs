@@ -24,6 +24,8 @@ pub struct Report<'a> {
     pub prediction: Option<&'a Prediction>,
     /// The same by pressure, object and number of points.
     pub charts: &'a [Charts],
+    /// What to see to before sealing, the most pressing first: a code, and a sentence with commands in backticks.
+    pub watch: &'a [(&'a str, &'a str)],
     /// The bill of materials; its files do not matter.
     pub bill: &'a Manifest,
     /// Everything in three dimensions, a GLB.

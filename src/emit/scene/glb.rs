@@ -59,6 +59,15 @@ impl Glb {
         self.meshes.len() - 1
     }
 
+    /// The same mesh by another name, its numbers shared: viewers find what an animation moves by the name of its mesh. Its number.
+    pub(super) fn again(&mut self, mesh: usize, name: &str) -> usize {
+        let mut same = self.meshes[mesh].clone();
+        same["name"] = name.into();
+        self.meshes.push(same);
+        self.moving.push(self.moving[mesh]);
+        self.meshes.len() - 1
+    }
+
     /// The file of `nodes` in `groups`, each a name and how many of the nodes; `materials` as glTF has them.
     pub(super) fn finish(
         mut self,

@@ -1,6 +1,8 @@
 //! Display meshes: triangles to be looked at, by lyon's tessellators. What is printed has a path of its own, exact and
 //! closed ([`mod@crate::emit::stl`]).
 
+use std::f64::consts::TAU;
+
 use lyon_tessellation::geometry_builder::{BuffersBuilder, Positions};
 use lyon_tessellation::math::point;
 use lyon_tessellation::path::Path as Outline;
@@ -68,6 +70,29 @@ impl Mesh {
         Some(out)
     }
 
+    /// The solid that a closed curve of `[radius, height]`, from the axis outwards and back to it, makes when it is turned around it.
+    pub(super) fn turned(curve: &[[f64; 2]]) -> Self {
+        let widest = curve.iter().map(|[radius, _]| *radius).fold(0.0, f64::max);
+        let around = quarters(widest);
+        let corner = |[radius, z]: [f64; 2], k: u32| {
+            let p = Point::polar(radius, TAU * f64::from(k % around) / f64::from(around));
+            [p.x, p.y, z]
+        };
+        let mut out = Self::default();
+        for pair in curve.windows(2) {
+            for k in 0..around {
+                let quad =
+                    [corner(pair[0], k), corner(pair[0], k + 1), corner(pair[1], k + 1), corner(pair[1], k)];
+                out.append(Self {
+                    points: quad.into(),
+                    inflated: Vec::new(),
+                    triangles: vec![[0, 1, 2], [0, 2, 3]],
+                });
+            }
+        }
+        out
+    }
+
     /// Takes the triangles of `other`, too.
     pub(super) fn append(&mut self, other: Self) {
         let before = index(self.points.len());
@@ -92,6 +117,18 @@ impl Mesh {
         let triangles = buffers.indices.chunks_exact(3).map(|t| upwards([t[0], t[1], t[2]])).collect();
         Self { points, inflated: Vec::new(), triangles }
     }
+}
+
+/// Into how many chords a circle of this radius, mm, is divided: fours, so that it is as wide as it should be along both axes.
+pub(super) fn quarters(radius: f64) -> u32 {
+    let step = 8.0 * (1.0 - (CHORD / radius.max(CHORD)).min(1.0)).acos();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "between 4 and a few thousand"
+    )]
+    let fours = (TAU / step).ceil().clamp(4.0, 512.0) as u32;
+    4 * fours
 }
 
 /// A number of corners; no mesh here has as many as would not fit.

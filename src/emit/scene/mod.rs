@@ -7,17 +7,15 @@ mod glb;
 mod mesh;
 mod pose;
 
-pub use pose::Inflated;
+use std::f64::consts::{PI, TAU};
 
-use std::f64::consts::TAU;
-
-use crate::design::{Design, Drawing, Edge, Layer, Side, StarDesign};
+use crate::design::{Design, Drawing, Edge, Layer, Side, Star, StarDesign};
 use crate::emit::palette;
 use crate::emit::scene::glb::{Glb, Node};
-use crate::emit::scene::mesh::Mesh;
+use crate::emit::scene::mesh::{Mesh, quarters};
 use crate::emit::scene::pose::{Motion, Pose, tube};
 use crate::geom::{Arc, Bounds, Line, Path, Point};
-use crate::spec::Spec;
+use crate::spec::{Load, ObjectShape, Spec};
 use serde_json::{Value, json};
 
 /// How far ribbons hover over the fabric that they lie on, mm, so that they are seen.
@@ -38,17 +36,21 @@ enum Surface {
     Mask,
     Plate,
     Post,
+    Object,
 }
 
-/// Everything of `design`, its stars `inflated` as these say, bottom to top, or not if there are none; `None` where lyon has no
-/// triangles for it.
-pub fn scene(spec: &Spec, design: &Design, inflated: &[Inflated]) -> Option<Vec<u8>> {
+/// Everything of `design`, its stars `inflated` to these, bottom to top, or not if there are none, and the spec's object; `None` where lyon
+/// has no triangles for it.
+pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>> {
     let mut glb = Glb::default();
     let stack = stack(&mut glb, design, inflated)?;
+    let object: Vec<Node> =
+        spec.load.as_ref().and_then(|load| object(&mut glb, design, load)).into_iter().collect();
     let sheets = sheets(&mut glb, design)?;
     let masks = masks(&mut glb, spec, design)?;
-    let groups = [("stack", stack.len()), ("sheets", sheets.len()), ("masks", masks.len())];
-    let nodes: Vec<Node> = [stack, sheets, masks].concat();
+    let groups =
+        [("stack", stack.len()), ("object", object.len()), ("sheets", sheets.len()), ("masks", masks.len())];
+    let nodes: Vec<Node> = [stack, object, sheets, masks].concat();
     let materials: Vec<Value> = palette::SURFACES.iter().map(material).collect();
     Some(glb.finish(&spec.name, &nodes, &groups, &materials))
 }
@@ -64,7 +66,7 @@ fn material(surface: &palette::Surface) -> Value {
 }
 
 /// Plates, posts and stars, where they stand.
-fn stack(glb: &mut Glb, design: &Design, inflated: &[Inflated]) -> Option<Vec<Node>> {
+fn stack(glb: &mut Glb, design: &Design, inflated: &[Star]) -> Option<Vec<Node>> {
     let (frame, stack) = (&design.frame, &design.stack);
     let mut nodes = Vec::new();
     let mut stand = |name: String, mesh: usize, [x, y, z]: [f64; 3], turn: f64| {
@@ -90,19 +92,46 @@ fn stack(glb: &mut Glb, design: &Design, inflated: &[Inflated]) -> Option<Vec<No
     }
     let mut meshes = Vec::new();
     for first in design.firsts() {
-        let to = inflated.get(first.index - 1).copied();
-        meshes.push(star(glb, design.part(first), to)?);
+        let mesh = star(glb, design.part(first), inflated.get(first.index - 1), &fabric_of(first.index))?;
+        meshes.push((first.index, mesh));
     }
     for ((placed, z), turn) in design.stars.iter().zip(&stack.stars).zip(&stack.turns) {
-        stand(format!("star {}", placed.index), *meshes.get(placed.distinct)?, [0.0, 0.0, *z], *turn);
+        let (first, mesh) = *meshes.get(placed.distinct)?;
+        let own = if first == placed.index { mesh } else { glb.again(mesh, &fabric_of(placed.index)) };
+        stand(format!("star {}", placed.index), own, [0.0, 0.0, *z], *turn);
     }
     Some(nodes)
 }
 
+/// The name of a star's mesh, which no node has.
+fn fabric_of(star: usize) -> String {
+    format!("fabric of star {star}")
+}
+
+/// The spec's object in the middle of the stack, its axis that of the stars; `None` without one.
+fn object(glb: &mut Glb, design: &Design, load: &Load) -> Option<Node> {
+    let radius = load.object_radius?.0;
+    let half = load.object_height.map_or(radius, |height| height.0 / 2.0);
+    let curve = match load.object_shape {
+        Some(ObjectShape::Cylinder) => vec![[0.0, -half], [radius, -half], [radius, half], [0.0, half]],
+        Some(ObjectShape::Ball) | None => {
+            let steps = quarters(radius.max(half)) / 2;
+            let point = |k: u32| {
+                // The poles lie on the axis, whatever rounding says.
+                let (sin, cos) = (PI * f64::from(k) / f64::from(steps)).sin_cos();
+                [if k == 0 || k == steps { 0.0 } else { radius * sin }, -half * cos]
+            };
+            (0..=steps).map(point).collect()
+        }
+    };
+    let mesh = glb.mesh("surface of the object", &[(Surface::Object as usize, Mesh::turned(&curve))]);
+    Some(Node { name: "object".to_owned(), mesh, at: [0.0, 0.0, design.stack.height / 2.0], turn: 0.0 })
+}
+
 /// A star of the stack: tube, flaps, bands, and where they go if it inflates.
-fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<Inflated>) -> Option<usize> {
+fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<&Star>, name: &str) -> Option<usize> {
     let flat = Pose::flat(&part.star);
-    let full = inflated.map(|to| Pose::inflated(&part.star, to));
+    let full = inflated.map(|to| Pose::inflated(part.star.w, to));
     let carried = |mesh: Mesh| match full {
         Some(to) => mesh.inflating(|p| Motion { from: flat, to }.carried(p)),
         None => mesh,
@@ -119,7 +148,7 @@ fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<Inflated>) -> Option<
         (Surface::InnerBand as usize, band(inner)?),
         (Surface::OuterBand as usize, band(outer)?),
     ];
-    Some(glb.mesh("star", &parts))
+    Some(glb.mesh(name, &parts))
 }
 
 /// The sheets as they lie on the machine: holes, cut lines and bands.

@@ -1,13 +1,12 @@
 //! Poses: where a star's parts lie, flat or inflated, and how the one becomes the other for display.
 //!
-//! An inflated star is drawn as the mechanism of the forecast has it: straight arms of the same length, tubes that are circles
-//! of diameter 2 W / pi, hinges that turned about their centres until the tips have the predicted angle, their inner rims as
-//! long as before. Flaps and bands go along with the tube's edge beside them, and end where they would run into themselves.
+//! An inflated star is the forecast's ([`mod@crate::forecast::pose`]): straight arms of the same length, hinges that turned about their centres,
+//! a tube that is as wide as predicted. Its section is an ellipse that keeps the length of the fabric. Flaps and bands go along with the tube's edge beside them, and end where they would run into themselves.
 //! It is a picture of these kinematics and no prediction of a surface: no wrinkle of a hinge is in it.
 
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::PI;
 
-use crate::design::Star;
+use crate::design::{Star, tube_height};
 use crate::emit::scene::mesh::{Mesh, index};
 use crate::geom::{Point, Vec2};
 
@@ -15,15 +14,6 @@ use crate::geom::{Point, Vec2};
 const ACROSS: u32 = 8;
 /// Facets along a hinge.
 const ALONG: u32 = 10;
-
-/// Where an inflated star comes to rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Inflated {
-    /// Angle between the arms of a tip, rad, 0 or more.
-    pub tip_angle: f64,
-    /// Distance of the corners from the axis, mm.
-    pub inner_radius: f64,
-}
 
 /// A star in one of its states. Lengths in mm, angles in rad; in the star's frame, seen from corner 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,7 +30,7 @@ pub(super) struct Pose {
     arm: f64,
     /// Width of the tube as seen from above.
     width: f64,
-    /// How high a sheet rises above the middle.
+    /// How high a sheet rises above the middle, mm.
     rise: f64,
     /// Inner radii of curvature of corner and tip.
     radii: [f64; 2],
@@ -58,28 +48,23 @@ enum Hinge {
 impl Pose {
     /// The star as it is cut.
     pub(super) fn flat(star: &Star) -> Self {
-        Self::new(star, star.rho_0, star.w, 0.0, star.phi_i, [star.r_e, star.r_i])
+        Self::new(star, 0.0)
     }
 
-    /// The star inflated.
-    pub(super) fn inflated(star: &Star, to: Inflated) -> Self {
-        let turned = to.tip_angle - star.phi_i;
-        // A coiled hinge keeps the length of its inner rim.
-        let coiled = |radius: f64, rest: f64| radius * (PI - rest) / (PI - rest - turned);
-        let radii = [coiled(star.r_e, star.phi_e), coiled(star.r_i, star.phi_i)];
-        let width = FRAC_2_PI * star.w;
-        Self::new(star, to.inner_radius, width, width / 2.0, to.tip_angle, radii)
+    /// The star of flat width `flat` (mm) inflated, as `star`.
+    pub(super) fn inflated(flat: f64, star: &Star) -> Self {
+        Self::new(star, tube_height(flat, star.w) / 2.0)
     }
 
-    fn new(star: &Star, rho: f64, width: f64, rise: f64, phi: f64, radii: [f64; 2]) -> Self {
-        let ray = star.half_sector();
-        let halves = [(PI - phi) / 2.0 - ray, (PI - phi) / 2.0];
+    fn new(star: &Star, rise: f64) -> Self {
+        let halves = [(PI - star.phi_e) / 2.0, (PI - star.phi_i) / 2.0];
         // From the corner's centre its arc ends, and the arm begins, in this direction.
         let across = Vec2::unit(PI - halves[0]);
         let along = Vec2::new(across.y, -across.x);
-        let corner = Point::new(rho + width + radii[0], 0.0);
-        let tip = corner + along * star.l + across * (width + radii[0] + radii[1]);
-        Self { points: star.n, corner, tip, along, across, arm: star.l, width, rise, radii, halves }
+        let corner = Point::new(star.d_p, 0.0);
+        let tip = Point::polar(star.d_t, star.half_sector());
+        let radii = [star.r_e, star.r_i];
+        Self { points: star.n, corner, tip, along, across, arm: star.l, width: star.w, rise, radii, halves }
     }
 
     fn ray(&self) -> f64 {
@@ -255,6 +240,8 @@ fn rotated(p: Point, by: f64) -> Point {
 mod tests {
     use super::*;
     use crate::design::Side;
+    use crate::forecast::case::mechanism;
+    use crate::forecast::pose::at_angle;
     use crate::spec::{self, Source};
 
     fn stars() -> Vec<Star> {
@@ -267,14 +254,9 @@ mod tests {
         vec![star(paper), star(&round)]
     }
 
-    /// The mechanism's inner radius, from the sector's triangle of corner, tip and axis.
+    /// The star with round tubes and its tips at this angle.
     fn closed(star: &Star, phi: f64) -> Pose {
-        let (w, turned) = (FRAC_2_PI * star.w, phi - star.phi_i);
-        let [r_e, r_i] = [(star.r_e, star.phi_e), (star.r_i, star.phi_i)]
-            .map(|(r, at)| r * (PI - at) / (PI - at - turned));
-        let across = star.l * (phi / 2.0).sin() + (w + r_i + r_e) * (phi / 2.0).cos();
-        let inner_radius = across / star.half_sector().sin() - w - r_e;
-        Pose::inflated(star, Inflated { tip_angle: phi, inner_radius })
+        Pose::inflated(star.w, &at_angle(star, &mechanism(star), phi))
     }
 
     #[test]

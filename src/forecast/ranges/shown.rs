@@ -38,6 +38,17 @@ pub fn meshed(value: f64, error: f64, unit: &str) -> String {
     format!("{}{gap}{unit}, mesh error {open}", text(value, step))
 }
 
+/// `value` to three significant digits, without an exponent: as many as a person compares, and more than any prediction is good for.
+pub fn rounded(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return Readable(value).to_string();
+    }
+    #[expect(clippy::cast_possible_truncation, reason = "the exponent of an f64 is below 400")]
+    let exponent = value.abs().log10().floor() as i32;
+    let scale = 10_f64.powi((2 - exponent).clamp(-300, 300));
+    Readable((value * scale).round() / scale).to_string()
+}
+
 /// The power of ten of the first digit of `x`.
 fn decade(x: f64) -> f64 {
     if x > 0.0 && x.is_finite() { 10_f64.powf(x.log10().floor()) } else { 1e-3 }
@@ -106,6 +117,23 @@ mod tests {
             let said = with(low, [low, low + width], "");
             let ends: Vec<f64> = said.split([' ', ',']).filter_map(|word| word.parse().ok()).collect();
             assert!(ends[1] <= low + 1e-9 && ends[2] >= low + width - 1e-9, "{said}: {low} {width}");
+        }
+    }
+
+    #[test]
+    fn three_digits_are_left_and_none_is_invented() {
+        for (value, text) in [
+            (15.823_01, "15.8"),
+            (1.452_15, "1.45"),
+            (0.052_961_5, "0.053"),
+            (2941.15, "2940"),
+            (0.999_6, "1"),
+            (50.0, "50"),
+            (-13.37, "-13.4"),
+            (0.0, "0"),
+            (1e-9, "0.000000001"),
+        ] {
+            assert_eq!(rounded(value), text);
         }
     }
 }

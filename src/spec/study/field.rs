@@ -44,13 +44,14 @@ static SHAPES: LazyLock<Vec<(&'static str, &'static str, Shape)>> = LazyLock::ne
 });
 
 impl Field {
-    /// The field of the key `name`, "star.points"; `None` if a study cannot set it: there is no such key, or it is `schema` or the
-    /// list of single stars.
+    /// The field of the key `name`, "star.points"; `None` if a study cannot set it: there is no such key, or it is `schema`, the
+    /// list of single stars, or what a build makes.
     pub fn of(name: &str) -> Option<Self> {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
         let own = |(section, word, _): &&(&str, &str, Shape)| (*section, *word) == (key.section(), key.key());
         let (_, _, shape) = SHAPES.iter().find(own)?;
-        (key != key::root::SCHEMA && *shape != Shape::Sections).then(|| Self { key, shape: shape.clone() })
+        (key != key::root::SCHEMA && !matches!(shape, Shape::Sections | Shape::Choices(_)))
+            .then(|| Self { key, shape: shape.clone() })
     }
 
     /// The key nearest to `name`, if one is near.
@@ -159,7 +160,7 @@ fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &Shape) -> Opt
             return sides.map(|[width, depth]| KeyValue::Word(format!("{width} x {depth}")));
         }
         Shape::Or(shape, _) => return taken(section, key, shape),
-        Shape::Sections | Shape::Texts => None,
+        Shape::Sections | Shape::Texts | Shape::Choices(_) => None,
     }
     .map(KeyValue::Number)
 }
@@ -202,7 +203,7 @@ mod tests {
             Shape::Truth => "true".to_owned(),
             Shape::Choice(words) => words[0].to_owned(),
             Shape::Or(shape, _) => example(shape),
-            Shape::Text | Shape::Texts | Shape::Sections => "x".to_owned(),
+            Shape::Text | Shape::Texts | Shape::Choices(_) | Shape::Sections => "x".to_owned(),
         }
     }
 
@@ -218,7 +219,11 @@ mod tests {
             assert_eq!(back.ok(), Some(value), "{name}");
             count += 1;
         }
-        assert_eq!(count, key::ALL.len() - 2, "all but `schema` and the list of single stars");
+        assert_eq!(
+            count,
+            key::ALL.len() - 3,
+            "all but `schema`, the list of single stars and what a build makes"
+        );
     }
 
     #[test]

@@ -9,6 +9,8 @@ use serde::Deserialize;
 pub struct GlbNode {
     /// The names of its group and its own, "group/name".
     pub name: String,
+    /// The name of its mesh.
+    pub mesh: String,
     /// What its mesh is made of.
     pub parts: Vec<GlbPart>,
     /// Whether an animation moves its morph target.
@@ -78,6 +80,7 @@ fn unturned() -> [f64; 4] {
 
 #[derive(Deserialize)]
 struct Mesh {
+    name: String,
     primitives: Vec<Primitive>,
 }
 
@@ -217,7 +220,7 @@ impl File<'_> {
         for primitive in &mesh.primitives {
             parts.push(self.part(node, primitive).map_err(|fault| format!("{name}: {fault}"))?);
         }
-        Ok(GlbNode { name, parts, animated: self.animated(index)? })
+        Ok(GlbNode { name, mesh: mesh.name.clone(), parts, animated: self.animated(index)? })
     }
 
     fn part(&self, node: &Node, primitive: &Primitive) -> Result<GlbPart, String> {

@@ -6,6 +6,8 @@
 use serde_json::Value;
 
 use crate::design::{Design, Side};
+use crate::forecast::pose;
+use crate::forecast::pose::Pose;
 use crate::geom::{Path, Point};
 use crate::verify::finding::quote;
 use crate::verify::judge::expected::Expected;
@@ -136,6 +138,11 @@ fn curves(expected: &Expected<'_>, data: &Value, findings: &mut Findings) {
     let Some((prediction, own)) = expected.prediction.zip(load.and_then(|load| load.pressure)) else {
         return;
     };
+    let (found, right) = (list(&data["charts"]).len(), expected.design.firsts().count());
+    if found != right {
+        findings.add(FindingCode::OtherReport, None, format!("curves of {found} stars"), right.to_string());
+    }
+    let inflated = pose::inflated(expected.spec, expected.design, Some(prediction));
     for chart in list(&data["charts"]) {
         let star = chart["star"].as_u64().and_then(|star| usize::try_from(star).ok()?.checked_sub(1));
         let Some(right) = star.and_then(|star| prediction.stars.get(star)) else {
@@ -146,19 +153,42 @@ fn curves(expected: &Expected<'_>, data: &Value, findings: &mut Findings) {
                 "those of the design's",
             );
         };
-        let near = |a: &Value, b: &Value| match (a.as_f64(), b.as_f64()) {
-            (Some(a), Some(b)) => (a - b).abs() <= ROUNDED * b.abs().max(1e-3),
-            _ => a == b,
-        };
         let right = serde_json::to_value(right).unwrap_or_default();
         let row = list(&chart["by_pressure"]).iter().find(|row| near(&row["pressure_kPa"], &own.0.into()));
-        let meets = |key: &str| row.is_none_or(|row| near(&row[key], &right[key]));
-        let same = meets("final_radius_mm") && meets("object_force_N");
+        // What is unknown is not drawn, and what is known is.
+        let pose = star
+            .and_then(|star| inflated.get(star))
+            .map(|star| serde_json::to_value(Pose::of(star)).unwrap_or_default());
+        let same = match row {
+            None => right["final_radius_mm"].is_null(),
+            Some(row) => {
+                near(&row["final_radius_mm"], &right["final_radius_mm"])
+                    && near(&row["object_force_N"], &right["object_force_N"])
+                    && pose.is_none_or(|pose| {
+                        pose.as_object().is_some_and(|pose| {
+                            pose.iter().all(|(key, value)| beside(&row["pose"][key], value))
+                        })
+                    })
+            }
+        };
         if !same {
             let found = format!("star {}: curves that miss the prediction", chart["star"]);
             findings.add(FindingCode::OtherReport, None, found, format!("{} mm", right["final_radius_mm"]));
         }
     }
+}
+
+/// Whether two numbers are the same but for rounding, or two other values are equal.
+fn near(a: &Value, b: &Value) -> bool {
+    match (a.as_f64(), b.as_f64()) {
+        (Some(a), Some(b)) => (a - b).abs() <= ROUNDED * b.abs().max(1e-3),
+        _ => a == b,
+    }
+}
+
+/// Whether two lengths, mm, or angles, deg, of a pose are the same to the eye.
+fn beside(a: &Value, b: &Value) -> bool {
+    a.as_f64().zip(b.as_f64()).is_some_and(|(a, b)| (a - b).abs() <= BESIDE)
 }
 
 fn list(value: &Value) -> &[Value] {

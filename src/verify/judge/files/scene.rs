@@ -4,9 +4,10 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::design::{Design, Drawing, Edge, Layer, PlacedStar};
-use crate::forecast::prediction::Prediction;
+use crate::design::{Design, Drawing, Edge, Layer, PlacedStar, Star, tube_height};
+use crate::forecast::pose;
 use crate::geom::{Bounds, Isometry, Path};
+use crate::spec::ObjectShape;
 use crate::verify::judge::expected::Expected;
 use crate::verify::read::glb::{GlbNode, GlbPart, read_glb};
 use crate::verify::{FindingCode, Findings};
@@ -45,10 +46,12 @@ pub(in crate::verify) fn check(expected: &Expected<'_>, bytes: &[u8], findings: 
     for (node, wanted) in nodes.iter().zip(&wanted) {
         shows(node, wanted, findings);
     }
+    let inflated = pose::inflated(expected.spec, expected.design, expected.prediction);
     for placed in &expected.design.stars {
         let name = format!("stack/star {}", placed.index);
         if let Some(node) = nodes.iter().find(|node| node.name == name) {
-            inflates(expected, placed, node, findings);
+            inflates(expected, placed, inflated.get(placed.index - 1), node, findings);
+            has_its_own_mesh(node, &nodes, findings);
         }
     }
 }
@@ -85,6 +88,7 @@ fn wanted(expected: &Expected<'_>) -> Vec<Wanted> {
         let cut = Isometry::rotation(*turn).path(&design.part(placed).outline.outside).bounds();
         out.push(flat(format!("stack/star {}", placed.index), &cut, Some([cut.min.x, cut.min.y, *z]), None));
     }
+    out.extend(object(expected));
     out.extend(design.sheets.iter().filter_map(|sheet| {
         let cuts = Drawing::outlines(design, sheet.index, Edge::Part)?;
         let size = [sheet.width, sheet.height, 0.0];
@@ -109,6 +113,21 @@ fn wanted(expected: &Expected<'_>) -> Vec<Wanted> {
 fn flat(name: String, bounds: &Bounds, least: Option<[f64; 3]>, surface: Option<[f64; 2]>) -> Wanted {
     let size = [bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y, 0.0];
     Wanted { name, material: "fabric", size, least, surface }
+}
+
+/// The object of the spec, in the middle of the stack.
+fn object(expected: &Expected<'_>) -> Option<Wanted> {
+    let load = expected.spec.load.as_ref()?;
+    let radius = load.object_radius?.0;
+    let height = load.object_height.map_or(2.0 * radius, |height| height.0);
+    let is_cylinder = load.object_shape == Some(ObjectShape::Cylinder);
+    Some(Wanted {
+        name: "object/object".to_owned(),
+        material: "object",
+        size: [2.0 * radius, 2.0 * radius, height],
+        least: Some([-radius, -radius, (expected.design.stack.height - height) / 2.0]),
+        surface: is_cylinder.then_some([PI * radius * radius, TAU * radius]),
+    })
 }
 
 fn mask(design: &Design, star: usize, mirrored: bool, thickness: f64) -> Option<Wanted> {
@@ -150,27 +169,36 @@ fn shows(node: &GlbNode, wanted: &Wanted, findings: &mut Findings) {
     }
 }
 
-/// Whether the star's tube closes to what is predicted, and stays as it is where nothing is.
-fn inflates(expected: &Expected<'_>, placed: &PlacedStar, node: &GlbNode, findings: &mut Findings) {
+/// Viewers find what an animation moves by the name of its mesh: whether no other node, and no other mesh, is called like this one's.
+fn has_its_own_mesh(node: &GlbNode, nodes: &[GlbNode], findings: &mut Findings) {
+    // As they spell names: what is no letter, digit or hyphen becomes or is dropped beside an underscore.
+    let plain = |name: &str| name.rsplit('/').next().unwrap_or(name).replace(' ', "_");
+    let own = plain(&node.mesh);
+    let is_taken =
+        |other: &GlbNode| plain(&other.name) == own || other.name != node.name && plain(&other.mesh) == own;
+    if node.animated && nodes.iter().any(is_taken) {
+        let found = format!("{}, whose mesh is called `{}` like another", node.name, node.mesh);
+        findings.add(FindingCode::BadGlb, None, found, "a mesh of its own, by a name of its own");
+    }
+}
+
+/// Whether the star's tube closes to what is predicted, `to`, and stays as it is where nothing is.
+fn inflates(
+    expected: &Expected<'_>,
+    placed: &PlacedStar,
+    to: Option<&Star>,
+    node: &GlbNode,
+    findings: &mut Findings,
+) {
     let star = &expected.design.part(placed).star;
-    let pressure = expected.spec.load.as_ref().and_then(|load| load.pressure);
-    // A stack inflates as a whole: where one star is not known, none of them moves.
-    let known = |all: &&Prediction| all.stars.iter().all(|star| star.final_radius_mm.is_some());
-    let all = expected.prediction.filter(known).filter(|_| pressure.is_some());
-    let predicted = all.and_then(|all| all.stars.get(placed.index - 1)?.final_radius_mm);
     let Some(tube) = node.parts.iter().find(|part| part.material == "tube") else {
         return findings.add(FindingCode::BadGlb, None, format!("{} without a tube", node.name), "one");
     };
     let moves = node.parts.iter().all(|part| !part.inflated.is_empty());
     let rests = node.parts.iter().all(|part| part.inflated.is_empty());
-    if (if predicted.is_some() { !moves } else { !rests }) || node.animated != predicted.is_some() {
+    if (if to.is_some() { !moves } else { !rests }) || node.animated != to.is_some() {
         let found = format!("{}, which {}", node.name, if rests { "does not inflate" } else { "inflates" });
-        findings.add(
-            FindingCode::BadGlb,
-            None,
-            found,
-            "what has a pressure and a prediction inflates, and nothing else",
-        );
+        findings.add(FindingCode::BadGlb, None, found, "what has a prediction inflates, and nothing else");
     }
     let mut compare = |what: &str, found: f64, right: f64| {
         if (found - right).abs() > DISPLAY {
@@ -179,15 +207,21 @@ fn inflates(expected: &Expected<'_>, placed: &PlacedStar, node: &GlbNode, findin
         }
     };
     compare("inner radius flat", inner_radius(&tube.points), star.rho_0);
-    if let Some(predicted) = predicted.filter(|_| moves) {
-        compare("inner radius inflated", inner_radius(&tube.inflated), predicted);
-        compare("height inflated", extent(&tube.inflated).1[2], 2.0 * star.w / PI);
+    if let Some(to) = to.filter(|_| moves) {
+        compare("inner radius inflated", inner_radius(&tube.inflated), to.rho_0);
+        compare("reach inflated", reach(&tube.inflated), to.tip_reach());
+        compare("height inflated", extent(&tube.inflated).1[2], tube_height(star.w, to.w));
     }
 }
 
 /// Least distance from the axis.
 fn inner_radius(points: &[[f64; 3]]) -> f64 {
     points.iter().map(|[x, y, _]| x.hypot(*y)).fold(f64::INFINITY, f64::min)
+}
+
+/// Largest distance from the axis.
+fn reach(points: &[[f64; 3]]) -> f64 {
+    points.iter().map(|[x, y, _]| x.hypot(*y)).fold(0.0, f64::max)
 }
 
 /// Least X, Y and Z, and the extent along them.

@@ -1,0 +1,20 @@
+//! The codes of what a person should see to before sealing.
+
+use crate::spec::codes;
+
+codes! {
+    /// What a precaution is about.
+    PrecautionCode {
+        ChoppedSeal "chopped-seal" "The seal's speed is made of strokes and dwells; time what `feedcheck` writes.",
+        FastSeal "fast-seal" "The seal is much faster than the paper's; peel a coupon before you trust it.",
+        GenericMachine "generic-machine" "The profile knows nothing of the machine; name yours, or time what `feedcheck` writes.",
+        MachineRequires "machine-requires" "The profile asks this of the machine; see to it.",
+        MayNotHold "may-not-hold" "The object may not be held; see the numbers, and what would do.",
+        Prediction "prediction" "The prediction is wide, or leaves something out; read what.",
+        Unfit "unfit" "The gripper does not do what its `load` asks, and was taken with `--anyway`.",
+        UnknownFeed "unknown-feed" "Whether the machine goes as slowly as the seal is unknown; time what `feedcheck` writes.",
+        UnknownReach "unknown-reach" "Whether the machine reaches all of the sheet is unknown; write `work_area` into its profile.",
+        UnknownStrength "unknown-strength" "The burst pressure is unknown; measure `seal_strength` with `coupon`, and write it.",
+        WeakSeal "weak-seal" "The seal may fail at this place; see the remedy, if one is shown.",
+    }
+}

@@ -1,0 +1,198 @@
+//! Before you seal: what a person has to see to, or should know, before hours of work begin.
+
+use crate::airtight;
+use crate::design::SheetLayout;
+use crate::forecast::ranges::shown::rounded;
+use crate::forecast::seal_load::SealLoad;
+use crate::pipeline::Forecast;
+use crate::pipeline::code::PrecautionCode;
+use crate::plan::Pace;
+use crate::spec::Machine;
+use crate::units::{Readable, Speed};
+
+/// Below this the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
+/// or more, which makes some 5 mm/s.
+const SLOW: Speed = Speed(5.0);
+
+/// Above this a seal is sealed ten times as fast as those of the paper, 0.1 mm/s.
+const FAST: Speed = Speed(1.0);
+
+/// The profile for a machine of which nothing is known.
+const UNKNOWN: &str = "generic";
+
+/// One thing to see to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Precaution {
+    /// What it is about.
+    pub code: PrecautionCode,
+    /// What to see to, in a sentence without its full stop. Commands stand in backticks.
+    pub text: String,
+}
+
+impl Precaution {
+    fn new(code: PrecautionCode, text: String) -> Self {
+        Self { code, text }
+    }
+}
+
+impl Forecast {
+    /// Everything to see to, the most pressing first; `spec` is how the commands in it name the spec's file.
+    pub fn precautions(&self, spec: &str) -> Vec<Precaution> {
+        let unfit = self.unfit();
+        let is_fit = unfit.is_empty();
+        let mut list: Vec<Precaution> = unfit
+            .iter()
+            .map(|refusal| Precaution::new(PrecautionCode::Unfit, refusal.found.clone()))
+            .collect();
+        list.extend(self.doubt());
+        list.extend(weak_seal(self, is_fit));
+        list.extend(strength(self));
+        list.extend(predicted(self, is_fit));
+        if is_unknown(&self.machine) && !matches!(pace(self), Some(Pace::Chopped(_))) {
+            list.extend(fast(self, spec));
+            list.push(generic(self, spec));
+            return unique(list);
+        }
+        list.extend(speed(self, spec));
+        let requires = self.machine.script.requires.iter();
+        list.extend(requires.map(|text| Precaution::new(PrecautionCode::MachineRequires, text.clone())));
+        if self.machine.bench.work_area.is_none() {
+            let text = format!(
+                "the machine must reach {}: `x` and `y` in [work_area] of its profile are unknown",
+                self.sheet_sizes()
+            );
+            list.push(Precaution::new(PrecautionCode::UnknownReach, text));
+        }
+        unique(list)
+    }
+
+    /// That it may not hold its object, unless it is refused for that: what is printed however quiet one is.
+    pub fn doubt(&self) -> Option<Precaution> {
+        let text = self.uncertain().filter(|_| self.unfit().is_empty())?;
+        Some(Precaution::new(PrecautionCode::MayNotHold, text))
+    }
+
+    /// The sheets' sizes in words, mm.
+    pub fn sheet_sizes(&self) -> String {
+        let size = |sheet: &SheetLayout| format!("{} x {} mm", rounded(sheet.width), rounded(sheet.height));
+        let mut sizes: Vec<String> = self.design.sheets.iter().map(size).collect();
+        sizes.dedup();
+        sizes.join(", ")
+    }
+}
+
+/// `list` with each text once.
+fn unique(list: Vec<Precaution>) -> Vec<Precaution> {
+    let mut once: Vec<Precaution> = Vec::new();
+    for one in list {
+        if once.iter().all(|other| other.text != one.text) {
+            once.push(one);
+        }
+    }
+    once
+}
+
+/// Whether the profile is the one that knows neither how slowly its machine goes nor how far it reaches.
+fn is_unknown(machine: &Machine) -> bool {
+    machine.name == UNKNOWN && machine.motion.speed_range().is_none() && machine.bench.work_area.is_none()
+}
+
+/// What is not checked of a machine that is not known.
+fn generic(forecast: &Forecast, path: &str) -> Precaution {
+    let text = format!(
+        "{} profile: speed, pause and reach are not checked; name your machine with `profile` in [machine], or time what \
+         `stargrip-cam feedcheck {path}` writes",
+        forecast.machine.name
+    );
+    Precaution::new(PrecautionCode::GenericMachine, text)
+}
+
+fn pace(forecast: &Forecast) -> Option<Pace> {
+    forecast.programs.first().map(|program| program.pace)
+}
+
+/// Places of the seal that may fail; how near it is to bursting only where that is not among what makes the gripper unfit.
+fn weak_seal(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
+    let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
+    let mut list = Vec::new();
+    for star in &report.stars {
+        let bursting = star.loads.iter().filter_map(SealLoad::weakness).filter(|_| is_fit);
+        let texts = star.passage.weaknesses.iter().cloned().chain(bursting);
+        list.extend(
+            texts.map(|text| {
+                Precaution::new(PrecautionCode::WeakSeal, format!("star {}: {text}", star.index))
+            }),
+        );
+    }
+    list
+}
+
+/// What the prediction warns of; not what makes the gripper unfit, which is said already.
+fn predicted(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
+    let mut list = Vec::new();
+    for star in forecast.prediction.iter().flat_map(|prediction| &prediction.stars) {
+        let evidence = &star.evidence;
+        let is_said = |text: &String| {
+            *text == evidence.choice
+                || !is_fit
+                    && [&evidence.of_burst, &evidence.of_object].into_iter().flatten().any(|own| own == text)
+        };
+        let texts = evidence.warnings.iter().filter(|text| !is_said(text));
+        list.extend(texts.map(|text| Precaution::new(PrecautionCode::Prediction, text.clone())));
+    }
+    list
+}
+
+/// Whether it is known what the seal holds.
+fn strength(forecast: &Forecast) -> Option<Precaution> {
+    let _ = forecast.spec.load.as_ref()?.pressure?;
+    if forecast.spec.fabric.seal_strength.is_some() {
+        return None;
+    }
+    let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
+    let loads = report.stars.iter().flat_map(|star| &star.loads).filter_map(|load| load.load);
+    let most = loads.map(|load| load.0).reduce(f64::max)?;
+    let text = format!(
+        "at which pressure it bursts is unknown: the seal bears {} N/mm, and `seal_strength` in [fabric] is not written",
+        rounded(most)
+    );
+    Some(Precaution::new(PrecautionCode::UnknownStrength, text))
+}
+
+/// Whether the machine goes as slowly as the program says, and whether a fast seal is one.
+fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
+    let Forecast { spec, machine, .. } = forecast;
+    let (speed, command) = (spec.seal.speed, |name: &str| format!("`stargrip-cam {name} {path}`"));
+    let mut list = Vec::new();
+    match pace(forecast) {
+        Some(Pace::Chopped(chop)) => list.push((PrecautionCode::ChoppedSeal, format!(
+            "the seal's speed is made of strokes of at most {} mm at {} mm/s, and dwells: they count on an acceleration of {} \
+             mm/s^2{}; time what {} writes",
+            Readable(chop.longest),
+            rounded(chop.speed),
+            Readable(chop.acceleration),
+            machine.motion.steps_per_mm.map_or(String::new(), |[x, y, _]| {
+                format!(" and at least {x} (X) and {y} (Y) steps/mm")
+            }),
+            command("feedcheck")
+        ))),
+        _ if machine.motion.speed_range().is_none() && speed < SLOW => list.push((PrecautionCode::UnknownFeed, format!(
+            "the lowest feed of this machine is unknown, and some controllers go several times faster than {speed} \
+             without reporting it: time what {} writes",
+            command("feedcheck")
+        ))),
+        _ => {}
+    }
+    let list = list.into_iter().map(|(code, text)| Precaution::new(code, text));
+    list.chain(fast(forecast, path)).collect()
+}
+
+/// Whether what is sealed so fast is a seal.
+fn fast(forecast: &Forecast, path: &str) -> Option<Precaution> {
+    let speed = forecast.spec.seal.speed;
+    let text = format!(
+        "the paper sealed at 0.1 mm/s: only a peel test tells whether this fabric is tight when sealed at {speed}; \
+         `stargrip-cam coupon {path}` writes one"
+    );
+    (speed > FAST).then(|| Precaution::new(PrecautionCode::FastSeal, text))
+}
