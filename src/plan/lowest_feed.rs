@@ -162,7 +162,12 @@ fn cannot_chop(machine: &Machine, speed: f64) -> Refusal {
 
 /// The lowest speed, mm/s, that `motion` holds in every contact of `steps`; `None` if it is unknown.
 pub(super) fn lowest_of(motion: &Motion, steps: &[Step]) -> Option<f64> {
-    contact(steps).try_fold(0.0_f64, |most, (piece, rise)| Some(most.max(lowest_speed(motion, piece, rise)?)))
+    lowest_along(motion, contact(steps).map(|(piece, rise)| (*piece, rise)))
+}
+
+/// The same for `way`, pieces with the change of height along each.
+pub(super) fn lowest_along(motion: &Motion, mut way: impl Iterator<Item = (Segment, f64)>) -> Option<f64> {
+    way.try_fold(0.0_f64, |most, (piece, rise)| Some(most.max(lowest_speed(motion, &piece, rise)?)))
 }
 
 /// What is travelled below travel height: each piece with the change of height along it.

@@ -11,6 +11,7 @@ mod lowest_feed;
 mod pace;
 mod pieces;
 mod program;
+mod ramps;
 mod refusals;
 mod seal;
 mod stepper;
@@ -20,6 +21,7 @@ mod travel;
 mod whole_rates;
 
 pub use feedcheck::{CHECK_LENGTH, feed_checks};
+pub use job_size::too_many_moves;
 pub use lowest_feed::lowest_speed;
 pub use pace::{Chop, Pace, Pacer, Stroke, move_time};
 pub use pieces::{LONGEST_MOVE, pieces, seal_pieces};

@@ -17,17 +17,23 @@ pub fn pieces(path: &Path, longest: f64) -> Vec<Segment> {
 pub(super) fn flat_pieces(path: &Path, longest: f64, sagitta: Option<f64>) -> Vec<Segment> {
     let mut out = Vec::with_capacity(path.segments.len());
     for segment in &path.segments {
-        let mut count = whole(segment.length() / longest);
-        if let Segment::Arc(arc) = segment {
-            count = count.max(whole(arc.sweep.abs() / FRAC_PI_2));
-            if let Some(sagitta) = sagitta.filter(|sagitta| *sagitta < arc.radius) {
-                count = count.max(whole(arc.sweep.abs() / (2.0 * (1.0 - sagitta / arc.radius).acos())));
-            }
-        }
+        let count = count(segment, longest, sagitta);
         let steps = f64::from(count);
         out.extend((0..count).map(|i| segment.part(f64::from(i) / steps, f64::from(i + 1) / steps)));
     }
     out
+}
+
+/// The number of pieces that [`flat_pieces`] makes of one segment.
+pub(super) fn count(segment: &Segment, longest: f64, sagitta: Option<f64>) -> u32 {
+    let mut count = whole(segment.length() / longest);
+    if let Segment::Arc(arc) = segment {
+        count = count.max(whole(arc.sweep.abs() / FRAC_PI_2));
+        if let Some(sagitta) = sagitta.filter(|sagitta| *sagitta < arc.radius) {
+            count = count.max(whole(arc.sweep.abs() / (2.0 * (1.0 - sagitta / arc.radius).acos())));
+        }
+    }
+    count
 }
 
 /// The number of pieces for a ratio: its ceiling, where an excess of rounding does not count.

@@ -7,6 +7,7 @@ mod bench;
 mod builtin;
 mod controller;
 mod known;
+mod modes;
 mod motion;
 mod process;
 mod script;
@@ -51,7 +52,7 @@ pub(in crate::spec) fn read_profile(reader: &mut Reader<'_>) -> Machine {
     let process = read_process(reader, tip);
     let bench = read_bench(reader);
     let motion = read_motion(&mut reader.section("motion"), controller.dialect);
-    let script = read_script(reader, controller.line_length);
+    let script = read_script(reader, &controller);
     Machine { name, description, controller, process, bench, motion, script }
 }
 

@@ -4,14 +4,17 @@ use std::ops::Range;
 
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
-use crate::spec::machine::Script;
+use crate::spec::machine::{Controller, Script};
+use crate::spec::profile::modes::check_modes;
 use crate::spec::section::{Reader, Section};
 
-/// Reads `[program]` for a controller that reads lines of at most `length` characters.
-pub(super) fn read_script(reader: &mut Reader<'_>, length: usize) -> Script {
+/// Reads `[program]` for `controller`.
+pub(super) fn read_script(reader: &mut Reader<'_>, controller: &Controller) -> Script {
+    let length = controller.line_length;
     let mut program = reader.section("program");
     program.require(&[("start", "[\"G21\", \"G90\"]"), ("pause", "\"M0\""), ("end", "[\"M2\"]")]);
     let start = read_commands(&mut program, "start", length);
+    check_modes(&mut program, &start, controller);
     let pause =
         program.text("pause").map(|(line, span)| read_command(&mut program, "pause", line, span, length));
     let end = read_commands(&mut program, "end", length);
