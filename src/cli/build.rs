@@ -3,16 +3,15 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use jiff::Zoned;
 use serde_json::Value;
 
-use crate::artifact::{Asked, Kind};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
+use crate::cli::kinds::Kinds;
 use crate::cli::load::{Loaded, is_standard_input};
 use crate::cli::voice::Voice;
-use crate::cli::{again, each, glance, new, progress, publish, summary, watch};
+use crate::cli::{again, each, glance, new, publish, summary, watch};
 
 /// Arguments of `build`.
 #[derive(clap::Args, Debug)]
@@ -23,12 +22,8 @@ pub(super) struct Args {
     /// Where to put the files; default: out/ and the spec's file name without its ending, of standard input the design's name.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Build only these kinds; the spec, the machine profile and the manifest come always.
-    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = kind_parser(Kind::ALL))]
-    only: Vec<Kind>,
-    /// Build these kinds too, which do not come by default.
-    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = extra_parser())]
-    with: Vec<Kind>,
+    #[command(flatten)]
+    kinds: Kinds,
     /// Build it even if it bursts, or does not hold the object of its own `load` section.
     #[arg(long)]
     anyway: bool,
@@ -37,16 +32,6 @@ pub(super) struct Args {
     watch: bool,
     #[command(flatten)]
     voice: Voice,
-}
-
-fn extra_parser() -> impl TypedValueParser<Value = Kind> {
-    let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
-    kind_parser(&extras)
-}
-
-fn kind_parser(kinds: &[Kind]) -> impl TypedValueParser<Value = Kind> + use<> {
-    PossibleValuesParser::new(kinds.iter().map(|kind| kind.name()))
-        .try_map(|name| Kind::from_name(&name).ok_or("no such kind"))
 }
 
 /// Builds, proves and publishes each spec.
@@ -96,16 +81,10 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
 fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<Option<Value>, Failure> {
     let voice = args.voice;
     let loaded = Loaded::spoken(spec, voice)?;
-    let asked = Asked { only: args.only.clone(), with: args.with.clone() };
     let forecast = loaded.forecast()?;
     loaded.fit(&forecast, args.anyway)?;
     let list = watch::list(&forecast, spec);
-    let proven = progress::during(voice, "writing the files", |progress| {
-        let built = forecast.build(loaded.sources(), &asked);
-        progress.tell("proving the files");
-        built.prove()
-    })
-    .map_err(Failure::Findings)?;
+    let proven = loaded.proven(forecast, &args.kinds.asked())?;
     let forecast = &proven.built().forecast;
     let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
     let target = targets.get(spec).cloned().unwrap_or_else(named);

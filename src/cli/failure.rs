@@ -6,17 +6,17 @@ use std::path::Path;
 
 use crate::cli::harmless::{harmless, shown};
 use crate::cli::terminal::{fitted, has_colours, width};
-use crate::cli::{PublishFault, findings, interrupt};
+use crate::cli::unproven::Unproven;
+use crate::cli::{PublishFault, interrupt};
 use crate::spec::Faults;
-use crate::verify::Finding;
 
 /// Why a command did not do what it was asked for. All of them end with exit code 1.
 #[derive(Debug)]
 pub enum Failure {
     /// The spec, the profile or the design is refused.
     Faults(Faults),
-    /// Outputs do not say what the design says.
-    Findings(Vec<Finding>),
+    /// Files that were just made do not say what the design says.
+    Unproven(Unproven),
     /// Nothing could be published.
     Publish(PublishFault),
     /// Anything else, in one sentence.
@@ -46,9 +46,9 @@ impl Failure {
                 tell_faults(&faults);
                 return 1;
             }
-            Self::Findings(findings) => {
-                let lines = findings::lines(&findings).join("\n");
-                format!("error: {}; nothing was published\n{lines}", findings::counted(findings.len()))
+            Self::Unproven(unproven) => {
+                tell_under(&unproven.heading(), &fitted(&unproven.text(), width(&io::stderr())));
+                return 1;
             }
             Self::Publish(error) => format!("error: {error}"),
             Self::Message(text) => format!("error: {text}"),
