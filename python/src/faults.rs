@@ -91,7 +91,7 @@ pub(crate) fn of_findings(py: Python<'_>, findings: &[Finding]) -> PyErr {
 pub(crate) fn of_failure(py: Python<'_>, failure: &Failure) -> PyErr {
     match failure {
         Failure::Faults(faults) => of_spec(py, faults),
-        Failure::Findings(findings) => of_findings(py, findings),
+        Failure::Unproven(unproven) => of_findings(py, &unproven.findings),
         Failure::Publish(fault) => plain(py, "PublishError", "publish", &fault.to_string()),
         Failure::Message(text) => plain(py, "Error", "refused", text),
         Failure::Usage(text) => usage(py, text),

@@ -3,7 +3,9 @@
 use std::fmt;
 
 use crate::design::{Design, LaidSeam, Refusal, RefusalCode, Refusals, Seam, Side, StarDesign};
-use crate::geom::{Path, Segment, intersections, path_distance, path_intersections, segment_distance};
+use crate::geom::{
+    Bounds, Path, Segment, intersections, path_distance, path_intersections, segment_distance,
+};
 use crate::spec::{KeyPath, Machine, Spec, key};
 
 /// Gaps below this are rounding, mm.
@@ -215,15 +217,25 @@ pub(super) fn between_stars(design: &Design) -> Option<f64> {
         let placed = &design.stars[index];
         let part = design.part(placed);
         let paths = part.seams.iter().map(move |seam| placed.placement.path(&seam.center_line));
-        (placed.sheet, part.band, paths.flat_map(|path| path.segments).collect::<Vec<_>>())
+        let segments = paths.flat_map(|path| path.segments).map(|segment| (segment, segment.bounds()));
+        let segments: Vec<(Segment, Bounds)> = segments.collect();
+        let around = segments.iter().map(|(_, bounds)| *bounds).fold(Bounds::EMPTY, Bounds::union);
+        (placed.sheet, part.band, around, segments)
     };
     let all: Vec<_> = (0..design.stars.len()).map(lines).collect();
     let mut least: Option<f64> = None;
-    for (i, (sheet, band, a)) in all.iter().enumerate() {
-        for (_, _, b) in all[i + 1..].iter().filter(|(other, _, _)| other == sheet) {
-            for s in a {
-                let bounds = s.bounds().grown(least.unwrap_or(f64::INFINITY).min(1e3) + band);
-                for t in b.iter().filter(|t| bounds.overlaps(&t.bounds())) {
+    for (i, (sheet, band, around, a)) in all.iter().enumerate() {
+        for (_, _, other, b) in all[i + 1..].iter().filter(|(other, ..)| other == sheet) {
+            let reach = |least: Option<f64>| least.unwrap_or(f64::INFINITY).min(1e3) + band;
+            if !around.grown(reach(least)).overlaps(other) {
+                continue;
+            }
+            for (s, bounds) in a {
+                let zone = bounds.grown(reach(least));
+                if !zone.overlaps(other) {
+                    continue;
+                }
+                for (t, _) in b.iter().filter(|(_, bounds)| zone.overlaps(bounds)) {
                     let distance = segment_distance(s, t) - band;
                     least = Some(least.map_or(distance, |known| known.min(distance)));
                 }

@@ -4,19 +4,18 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use jiff::Zoned;
 use serde_json::Value;
 
-use crate::artifact::{Asked, Kind};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
+use crate::cli::kinds::Kinds;
 use crate::cli::load::{Loaded, is_standard_input};
 use crate::cli::open::open;
 use crate::cli::publish::extras_of;
 use crate::cli::rebuilt::Snapshot;
 use crate::cli::voice::Voice;
-use crate::cli::{again, each, glance, new, progress, publish, summary};
+use crate::cli::{again, each, glance, new, publish, summary};
 use crate::pipeline::{Forecast, Precaution, Proven};
 use crate::spec::Source;
 
@@ -29,12 +28,8 @@ pub(super) struct Args {
     /// Where to put the files; default: out/ and the spec's file name without its ending, of standard input the design's name.
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
-    /// Build only these kinds; the spec, the machine profile and the manifest come always.
-    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = kind_parser(Kind::ALL))]
-    only: Vec<Kind>,
-    /// Build these kinds too, which do not come by default.
-    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = extra_parser())]
-    with: Vec<Kind>,
+    #[command(flatten)]
+    kinds: Kinds,
     /// Build it even if it bursts, or does not hold the object of its own `load` section.
     #[arg(long)]
     anyway: bool,
@@ -46,16 +41,6 @@ pub(super) struct Args {
     open: bool,
     #[command(flatten)]
     voice: Voice,
-}
-
-fn extra_parser() -> impl TypedValueParser<Value = Kind> {
-    let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
-    kind_parser(&extras)
-}
-
-fn kind_parser(kinds: &[Kind]) -> impl TypedValueParser<Value = Kind> + use<> {
-    PossibleValuesParser::new(kinds.iter().map(|kind| kind.name()))
-        .try_map(|name| Kind::from_name(&name).ok_or("no such kind"))
 }
 
 /// Builds, proves and publishes each spec.
@@ -162,12 +147,7 @@ fn made(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path, voice: Voi
     let asked = asked(args, &forecast, &target);
     loaded.fit(&forecast, args.anyway)?;
     let notes = forecast.precautions(&shown(spec));
-    let proven = progress::during(voice, "writing the files", |progress| {
-        let built = forecast.build(loaded.sources(), &asked);
-        progress.tell("proving the files");
-        built.prove()
-    })
-    .map_err(Failure::Findings)?;
+    let proven = loaded.proven(forecast, &asked)?;
     let forecast = &proven.built().forecast;
     // What became of files that were there is told however quiet one is.
     tell(&publish(&target, &proven)?.to_string());
@@ -212,13 +192,13 @@ fn answered(args: &Args, made: &Made) -> Result<Option<Value>, Failure> {
 /// What is built: what the options and the spec name, and where neither `--with` nor `--only` says otherwise, what the build that is
 /// replaced had. Says what was kept, and what is left out.
 fn asked(args: &Args, forecast: &Forecast, target: &Path) -> Asked {
-    let mut asked = Asked { only: args.only.clone(), with: args.with.clone() }.of_spec(&forecast.spec);
+    let mut asked = args.kinds.asked().of_spec(&forecast.spec);
     let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !asked.takes(*kind)).collect();
     if before.is_empty() {
         return asked;
     }
     let names = before.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(",");
-    if args.only.is_empty() && args.with.is_empty() {
+    if args.kinds.is_default() {
         asked.add(before);
         if !args.voice.quiet {
             tell(&format!(

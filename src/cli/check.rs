@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
+use crate::cli::kinds::Kinds;
 use crate::cli::load::Loaded;
 use crate::cli::voice::Voice;
 use crate::cli::{each, glance, summary};
@@ -17,6 +18,8 @@ pub(super) struct Args {
     /// The specs to check; - for standard input.
     #[arg(required = true, value_name = "SPEC")]
     specs: Vec<PathBuf>,
+    #[command(flatten)]
+    kinds: Kinds,
     /// Accept it even if it bursts, or does not hold the object of its own `load` section.
     #[arg(long)]
     anyway: bool,
@@ -24,7 +27,7 @@ pub(super) struct Args {
     voice: Voice,
 }
 
-/// Goes as far as a build that writes nothing, and says what came out.
+/// Makes and proves the files as `build` does, in memory, and says what came out.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     each::each(&args.specs, args.voice, |spec| one(args, spec))
 }
@@ -35,18 +38,24 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let forecast = loaded.forecast()?;
     loaded.fit(&forecast, args.anyway)?;
     let list = forecast.precautions(&shown(spec));
+    let asked = args.kinds.asked().of_spec(&forecast.spec);
+    let proven = loaded.proven(forecast, &asked)?;
+    let forecast = &proven.built().forecast;
     if voice.json {
-        return Ok(Some(glance::json(&forecast, &list)));
+        let mut said = glance::json(forecast, &list);
+        said["proven"] = glance::proven_json(&proven);
+        return Ok(Some(said));
     }
     if voice.quiet {
         glance::warn(forecast.doubt().as_slice());
         return Ok(None);
     }
-    glance::show(&glance::head(&forecast))?;
+    glance::show(&glance::head(forecast))?;
     glance::warn(&list);
-    glance::show(&glance::work(&forecast, &Zoned::now()))?;
+    glance::show(&glance::work(forecast, &Zoned::now()))?;
+    glance::show(&glance::proven(&proven))?;
     if voice.verbose {
-        voice.remark(&summary::checked(&forecast))?;
+        voice.remark(&summary::checked(forecast))?;
     } else {
         glance::show(&[("details", "-v".to_owned())])?;
     }

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 
 use crate::cli::harmless::{harmless, shown};
 use crate::cli::terminal::{fitted, has_colours, width};
+use crate::cli::unproven::Unproven;
 use crate::cli::{PublishFault, findings, interrupt};
 use crate::spec::{Fault, Faults, Severity};
 use crate::verify::Finding;
@@ -17,8 +18,8 @@ use crate::verify::Finding;
 pub enum Failure {
     /// The spec, the profile or the design is refused.
     Faults(Faults),
-    /// Outputs do not say what the design says.
-    Findings(Vec<Finding>),
+    /// Files that were just made do not say what the design says.
+    Unproven(Unproven),
     /// Nothing could be published.
     Publish(PublishFault),
     /// Anything else, in one sentence.
@@ -74,9 +75,9 @@ impl Failure {
                 tell_faults(&faults);
                 return 1;
             }
-            Self::Findings(findings) => {
-                let lines = findings::lines(&findings).join("\n");
-                format!("error: {}; nothing was published\n{lines}", findings::counted(findings.len()))
+            Self::Unproven(unproven) => {
+                tell_under(&unproven.heading(), &fitted(&unproven.text(), width(&io::stderr())));
+                return 1;
             }
             Self::Publish(error) => format!("error: {error}"),
             Self::Message(text) => format!("error: {text}"),

@@ -107,6 +107,28 @@ pub(super) fn written(proven: &Proven, target: &Path) -> Vec<Row> {
     rows
 }
 
+/// What was proven in memory, and that there are kinds which were not made.
+pub(super) fn proven(proven: &Proven) -> Vec<Row> {
+    let number = proven.built().files().count();
+    let more = match left_out(proven).len() {
+        0 => String::new(),
+        more => format!("; {more} more kinds by --with"),
+    };
+    vec![("proven", format!("{number} files, made in memory: {}{more}", scope(proven.proof())))]
+}
+
+/// The same for programs.
+pub(super) fn proven_json(proven: &Proven) -> Value {
+    let left_out: Vec<&str> = left_out(proven).iter().map(|kind| kind.name()).collect();
+    json!({ "files": proven.built().files().count(), "kinds_left_out": left_out })
+}
+
+/// The kinds that nothing was made of because they were not asked for.
+fn left_out(proven: &Proven) -> Vec<Kind> {
+    let asked = proven.built().manifest.asked();
+    Kind::ALL.iter().copied().filter(|kind| !asked.takes(*kind)).collect()
+}
+
 /// The page that shows most of the gripper, by its file's name.
 pub(super) fn to_look_at(proven: &Proven) -> Option<String> {
     [Kind::Report, Kind::PreviewPng, Kind::PreviewSvg]

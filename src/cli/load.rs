@@ -4,13 +4,15 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use crate::artifact::Asked;
 use crate::cli::failure::{Failure, tell, warn};
 use crate::cli::harmless::shown;
 use crate::cli::progress;
+use crate::cli::unproven::Unproven;
 use crate::cli::voice::Voice;
 use crate::design::{Refusal, Refusals, Warning};
 use crate::manifest::MANIFEST;
-use crate::pipeline::{Forecast, Sources};
+use crate::pipeline::{Forecast, Proven, Sources};
 use crate::spec;
 use crate::spec::{Fault, FaultCode, Faults, Machine, RawSpec, Reading, SIZE_LIMIT, Source, key};
 
@@ -83,6 +85,19 @@ impl Loaded {
         };
         let unfit: Refusals = forecast.unfit().into_iter().map(anyhow).collect();
         if anyway { Ok(()) } else { unfit.or(()).map_err(|refusals| self.refused(refusals)) }
+    }
+
+    /// Makes the files that are `asked` for and reads them back, in memory: what `check` and `build` have in common.
+    pub(super) fn proven(&self, forecast: Forecast, asked: &Asked) -> Result<Proven, Failure> {
+        progress::during(self.voice, "making the files", |progress| {
+            let built = forecast.build(self.sources(), asked);
+            progress.tell("proving the files");
+            built.prove()
+        })
+        .map_err(|findings| {
+            let (spec, profile) = (self.source.name.clone(), self.reading.spec.machine.profile.clone());
+            Failure::Unproven(Unproven { findings, spec, profile })
+        })
     }
 
     /// Refusals of the design as faults at the keys they speak of.

@@ -40,6 +40,7 @@ codes! {
         ShortWindow "short-window" "A warning: the default coating windows had to be cut; write extent to accept it, or make room.",
         SmallBed "small-bed" "A piece of a printed mask is larger than the bed; name a larger bed, or none.",
         StarsOverlap "stars-overlap" "A leak: the bands of two stars on one sheet overlap; make gap larger.",
+        SteepRamp "steep-ramp" "The iron would go straight down onto the fabric; write a longer ramp in the machine profile.",
         StraightCorner "straight-corner" "The reentrant corners would be straight or open outwards; narrow the tips or add points.",
         ThickHose "thick-hose" "A warning: the hose is thicker than the inflated tube; take a thinner hose, or a wider tube.",
         TightHole "tight-hole" "A warning: the object has little room in the cut hole; make inner_radius larger, or align it exactly.",

@@ -27,6 +27,9 @@ pub(super) const RADII: [f64; 5] = [6.0, 5.0, 4.0, 3.0, 2.5];
 /// From one place that is tried to the next, mm.
 const STEP: f64 = 0.5;
 
+/// Places that are tried at most, so that the search of a large star ends as soon as that of a small one.
+const PLACES: f64 = 250.0;
+
 /// Where one tip is cut off.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Cut {
@@ -72,11 +75,12 @@ impl Cut {
             holes: holes.map(|hole| (motion.point(hole.center), hole.diameter / 2.0)).collect(),
         };
         let mut at = behind.max(0.0);
+        let step = STEP.max((star.tip_reach() - at) / PLACES);
         while at < star.tip_reach() {
             if let Some((radius, knobs)) = around.room(at, star.half_sector()) {
                 return Some(Self { tip, ray, at, radius, knobs });
             }
-            at += STEP;
+            at += step;
         }
         None
     }

@@ -6,8 +6,8 @@
 //!                 geometry    programs   prediction   files    read back
 //! ```
 //!
-//! Each step refuses what it finds wrong, and there is no way around it: `check` goes as far as [`Forecast`], `build`
-//! to [`Proven`], which is all that can be published, and `verify` takes the same steps from the files of a directory.
+//! Each step refuses what it finds wrong, and there is no way around it: `check` and `build` go as far as [`Proven`], which is all
+//! that can be published, and `build` publishes it; `verify` takes the same steps from the files of a directory.
 
 mod code;
 mod coupons;
@@ -114,6 +114,9 @@ impl Designed {
     /// Every reason for which the machine cannot run them.
     pub fn plan(self) -> Result<Planned, Refusals> {
         let Self { spec, machine, design } = self;
+        // Before they are made: they may be more than there is memory for.
+        let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
+        too_many.or(())?;
         let programs = plan::seal_programs(&spec, &machine, &design);
         let traces = plan::trace_programs(&spec, &machine, &design);
         plan::refusals(&spec, &machine, &programs, &traces).or(())?;
@@ -137,7 +140,7 @@ impl Planned {
 }
 
 impl Forecast {
-    /// All steps up to here: what `check` checks.
+    /// All steps up to here: everything that a spec can be refused for.
     ///
     /// # Errors
     /// What the first step that refuses has to say.

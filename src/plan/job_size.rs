@@ -3,52 +3,131 @@
 //! The limits keep a build within some hundred megabytes, and every figure of a program's comments within the shortest
 //! line that a profile may have.
 
-use crate::design::{Refusal, RefusalCode};
+use crate::design::{Design, PlacedStar, Refusal, RefusalCode};
 use crate::geom::Segment;
-use crate::plan::lowest_feed::contact;
+use crate::plan::lowest_feed::lowest_along;
+use crate::plan::pieces::Cuts;
+use crate::plan::seal::batches;
 use crate::plan::{Pace, Program};
-use crate::spec::{Spec, key};
+use crate::spec::{Machine, Spec, key};
 
 /// Most moves in contact of all programs together: 40 times those of three large stars, chopped.
 const MOST_MOVES: f64 = 2e6;
 /// Longest time of a program, s: eleven and a half days.
 const LONGEST_TIME: f64 = 1e6;
 
-/// The reason for which `programs` are more than a job may be.
-pub(super) fn too_large(spec: &Spec, programs: &[Program]) -> Option<Refusal> {
-    let moves: f64 = programs.iter().map(moves).sum();
-    let time = programs.iter().map(|program| program.time).fold(0.0, f64::max);
-    let refuse =
-        |key, found, remedy: String| Some(Refusal::new(key, RefusalCode::JobTooLarge, found, remedy));
-    if moves > MOST_MOVES {
-        let found = format!("the job has {moves:.0} moves in contact");
-        let remedy = format!("at most {MOST_MOVES:.0} are written: build fewer or smaller stars at a time");
-        return refuse(key::stack::COUNT, found, remedy);
+/// The reason for which the programs of `design` would have more moves than a job may have; they are counted, not made.
+pub fn too_many_moves(spec: &Spec, machine: &Machine, design: &Design) -> Option<Refusal> {
+    let moves = moves(spec, machine, design);
+    if moves <= MOST_MOVES {
+        return None;
     }
-    if time >= LONGEST_TIME {
-        let found = format!("a program takes {:.0} h", time / 3600.0);
-        let remedy = format!(
-            "it must take less than {:.0} h: one program a star, a smaller star, or a speed above {} mm/s if a coupon holds it",
-            LONGEST_TIME / 3600.0,
-            spec.seal.speed.0
-        );
-        return refuse(key::seal::SPEED, found, remedy);
-    }
-    None
+    let found = format!("the job has {moves:.0} moves in contact");
+    let remedy = format!("at most {MOST_MOVES:.0} are written: build fewer or smaller stars at a time");
+    Some(Refusal::new(key::stack::COUNT, RefusalCode::JobTooLarge, found, remedy))
 }
 
-/// Moves in contact: a piece each, or its strokes.
-fn moves(program: &Program) -> f64 {
-    let strokes = |piece: &Segment, rise: f64| match program.pace {
-        Pace::Steady => 1.0,
-        Pace::Chopped(chop) => (piece.length().hypot(rise) / chop.longest).ceil().max(1.0),
+/// Moves in contact that the programs of `design` have: pieces, or the strokes of each.
+fn moves(spec: &Spec, machine: &Machine, design: &Design) -> f64 {
+    let cuts = Cuts::of_seal(spec, machine);
+    let of_way = |way: &[(Segment, f64)]| -> f64 {
+        let pace = Pace::new(spec, machine, lowest_along(&machine.motion, way.iter().copied()));
+        let of_segment = |(segment, rise): &(Segment, f64)| {
+            let pieces = f64::from(cuts.count(segment));
+            let strokes = match pace {
+                Pace::Steady => 1.0,
+                Pace::Chopped(chop) => {
+                    ((segment.length() / pieces).hypot(rise / pieces) / chop.longest).ceil().max(1.0)
+                }
+            };
+            pieces * strokes
+        };
+        way.iter().map(of_segment).sum()
     };
-    contact(&program.steps).map(|(piece, rise)| strokes(piece, rise)).sum()
+    let batches = batches(design, spec.machine.program);
+    batches.iter().map(|(_, stars)| of_way(&contacts(machine, design, stars))).sum()
+}
+
+/// What is travelled in contact to seal `stars`: each segment with the change of height along it.
+fn contacts(machine: &Machine, design: &Design, stars: &[&PlacedStar]) -> Vec<(Segment, f64)> {
+    let (heights, ramp) = (&machine.process.heights, machine.process.ramp.0);
+    let rise = heights.travel.0 - heights.contact.0;
+    let mut out = Vec::new();
+    for placed in stars {
+        for seam in &design.part(placed).seams {
+            for (path, rise) in [(seam.lead_in(ramp), rise), (seam.run(), 0.0), (seam.lead_out(ramp), rise)] {
+                let (path, flat) = (placed.placement.path(&path), path.length());
+                let along = |segment: &Segment| (*segment, rise * segment.length() / flat);
+                out.extend(path.segments.iter().map(along));
+            }
+        }
+    }
+    out
+}
+
+/// The reason for which one of `programs` takes longer than a program may.
+pub(super) fn too_long(spec: &Spec, programs: &[Program]) -> Option<Refusal> {
+    let time = programs.iter().map(|program| program.time).fold(0.0, f64::max);
+    if time < LONGEST_TIME {
+        return None;
+    }
+    let found = format!("a program takes {:.0} h", time / 3600.0);
+    let remedy = format!(
+        "it must take less than {:.0} h: one program a star, a smaller star, or a speed above {} mm/s if a coupon holds it",
+        LONGEST_TIME / 3600.0,
+        spec.seal.speed.0
+    );
+    Some(Refusal::new(key::seal::SPEED, RefusalCode::JobTooLarge, found, remedy))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plan::{Pacer, Step, seal_programs};
+    use crate::spec::{Source, read, starter};
+
+    /// Strokes of a program as they are made, one by one.
+    fn made(program: &Program, speed: f64) -> u32 {
+        let (mut pacer, mut made) = (Pacer::new(program.pace, speed), 0);
+        for step in &program.steps {
+            match step {
+                Step::TouchDown(ramp) | Step::Lift(ramp) => {
+                    for (piece, from, to) in ramp.with_heights() {
+                        pacer.strokes(piece, Some((from, to)), |_| made += 1);
+                    }
+                }
+                Step::Seal(pieces) => {
+                    pieces.iter().for_each(|piece| pacer.strokes(piece, None, |_| made += 1));
+                }
+                _ => {}
+            }
+        }
+        made
+    }
+
+    #[test]
+    fn moves_are_counted_as_they_are_made() {
+        let chop = "feed_floor = \"chop\"\n";
+        for (name, more, rest) in [
+            ("generic", "", ""),
+            ("grbl", chop, ""),
+            ("marlin", chop, "[accuracy]\npath = \"0.1 mm\"\n"),
+            ("fluidnc", "feed_floor = \"chop\"\nprogram = \"sheet\"\n", "[stack]\ncount = 3\n"),
+            ("klipper", "", "[stack]\ncount = 2\n[inlet]\nnone = true\n"),
+        ] {
+            let text = starter("x").expect("a name");
+            let star =
+                &text[text.find("\n[star]").expect("a star")..text.find("\n[stack]").expect("a stack")];
+            let text =
+                format!("schema = 1\nname = \"x\"\n{star}\n[machine]\nprofile = {name:?}\n{more}{rest}");
+            let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
+            let machine = Machine::builtin(name).expect("built in");
+            let design = Design::new(&spec, &machine).expect("a design");
+            let programs = seal_programs(&spec, &machine, &design);
+            let made: u32 = programs.iter().map(|program| made(program, spec.seal.speed.0)).sum();
+            assert_eq!(moves(&spec, &machine, &design), f64::from(made), "{name}");
+        }
+    }
 
     /// What the comments of a program say of its last seam, at the limits: the longest that they can get.
     #[test]

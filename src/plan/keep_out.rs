@@ -17,57 +17,112 @@ fn corner(zone: &KeepOut) -> Point {
     Point::new(zone.x.0, zone.y.0)
 }
 
+fn bounds(zone: &KeepOut) -> Bounds {
+    let far = Point::new(zone.x.0 + zone.width.0, zone.y.0 + zone.depth.0);
+    Bounds { min: corner(zone), max: far }
+}
+
 /// Distance from a path to a clamp; 0 inside.
 fn distance(zone: &KeepOut, piece: &Segment) -> f64 {
-    let size = Point::new(zone.x.0 + zone.width.0, zone.y.0 + zone.depth.0);
-    if (Bounds { min: corner(zone), max: size }).contains(piece.start()) {
+    if bounds(zone).contains(piece.start()) {
         return 0.0;
     }
     sides(zone).iter().map(|side| segment_distance(side, piece)).fold(f64::INFINITY, f64::min)
 }
 
-pub(super) fn clamp_in_the_way(
+/// A way of the iron, and how near to it no clamp may be.
+struct Way {
+    what: &'static str,
+    /// Number of its program.
+    program: usize,
+    piece: Segment,
+    /// The piece's box, grown by the reach.
+    near: Bounds,
+    reach: f64,
+    /// Whether the iron is down, so that it passes above no clamp.
+    low: bool,
+}
+
+/// Ways that follow each other, which mostly lie together, and the box around them.
+struct Block {
+    near: Bounds,
+    ways: Vec<Way>,
+}
+
+/// Ways in a block: as many as make boxes and their contents about equally long to look through.
+const BLOCK: usize = 32;
+
+/// Why the seals, or else the traces, cannot be run between the clamps of `machine`: one reason a clamp, that of the first way
+/// that it meets.
+pub(super) fn clamps_in_the_way(
     spec: &Spec,
     machine: &Machine,
-    programs: &[Program],
-    zone: &KeepOut,
-) -> Option<Refusal> {
-    let half_band = spec.seal.band.0 / 2.0;
-    let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
-    let refusal = |what: &str, program: &Program| {
-        let stars: Vec<String> = program.stars.iter().map(ToString::to_string).collect();
-        let piece = program.piece.clone().unwrap_or_else(|| format!("star {}", stars.join(", ")));
-        Refusal::new(
-            key::machine::PROFILE,
-            RefusalCode::ClampInTheWay,
-            format!("{what} of {piece} meets the clamp {:?}", zone.name),
-            "move the clamp; give its height, if it is below travel height; or change [sheet]".to_owned(),
-        )
-    };
-    for program in programs {
-        if contact(&program.steps).any(|(piece, _)| distance(zone, piece) <= half_band) {
-            return Some(refusal("the seal", program));
-        }
-        let mut at: Option<Point> = None;
-        for step in &program.steps {
-            if let (Step::Trace(pieces), false) = (step, passes)
-                && pieces.iter().any(|piece| distance(zone, piece) <= 0.0)
-            {
-                return Some(refusal("the trace", program));
-            }
-            if let (Step::Travel(to), Some(from), false) = (step, at, passes)
-                && from != *to
-                && distance(zone, &Line::new(from, *to).into()) <= half_band
-            {
-                return Some(refusal("the way to or from a seam", program));
-            }
-            at = match step {
-                Step::Travel(to) => Some(*to),
-                Step::Lift(ramp) => ramp.pieces.last().map(Segment::end),
-                Step::Trace(pieces) => pieces.last().map(Segment::end),
-                _ => at,
-            };
+    seals: &[Program],
+    traces: &[Program],
+) -> Vec<Refusal> {
+    if machine.bench.keep_out.is_empty() {
+        return Vec::new();
+    }
+    let reach = spec.seal.band.0 / 2.0;
+    let programs: Vec<&Program> = seals.iter().chain(traces).collect();
+    let mut blocks: Vec<Block> = Vec::new();
+    for (number, program) in programs.iter().enumerate() {
+        let mut ways = ways(number, program, reach).into_iter().peekable();
+        while ways.peek().is_some() {
+            let ways: Vec<Way> = ways.by_ref().take(BLOCK).collect();
+            let near = ways.iter().map(|way| way.near).fold(Bounds::EMPTY, Bounds::union);
+            blocks.push(Block { near, ways });
         }
     }
-    None
+    let refusal = |zone: &KeepOut| {
+        let passes = zone.height.is_some_and(|height| height.0 < machine.process.heights.travel.0);
+        let place = bounds(zone);
+        let blocks = blocks.iter().filter(|block| block.near.overlaps(&place));
+        let mut ways = blocks.flat_map(|block| &block.ways).filter(|way| way.low || !passes);
+        let met = ways.find(|way| way.near.overlaps(&place) && distance(zone, &way.piece) <= way.reach)?;
+        let program = programs.get(met.program)?;
+        let stars: Vec<String> = program.stars.iter().map(ToString::to_string).collect();
+        let piece = program.piece.clone().unwrap_or_else(|| format!("star {}", stars.join(", ")));
+        Some(Refusal::new(
+            key::machine::PROFILE,
+            RefusalCode::ClampInTheWay,
+            format!("{} of {piece} meets the clamp {:?}", met.what, zone.name),
+            "move the clamp; give its height, if it is below travel height; or change [sheet]".to_owned(),
+        ))
+    };
+    machine.bench.keep_out.iter().filter_map(refusal).collect()
+}
+
+/// The ways of a program: contacts first, for a clamp in a seal's way is best told so.
+fn ways(number: usize, program: &Program, reach: f64) -> Vec<Way> {
+    let way = |what, piece: Segment, reach: f64, low| Way {
+        what,
+        program: number,
+        piece,
+        near: piece.bounds().grown(reach),
+        reach,
+        low,
+    };
+    let mut ways: Vec<Way> =
+        contact(&program.steps).map(|(piece, _)| way("the seal", *piece, reach, true)).collect();
+    let mut at: Option<Point> = None;
+    for step in &program.steps {
+        match (step, at) {
+            (Step::Trace(pieces), _) => {
+                ways.extend(pieces.iter().map(|piece| way("the trace", *piece, 0.0, false)));
+            }
+            (Step::Travel(to), Some(from)) if from != *to => {
+                let line = Line::new(from, *to).into();
+                ways.push(way("the way to or from a seam", line, reach, false));
+            }
+            _ => {}
+        }
+        at = match step {
+            Step::Travel(to) => Some(*to),
+            Step::Lift(ramp) => ramp.pieces.last().map(Segment::end),
+            Step::Trace(pieces) => pieces.last().map(Segment::end),
+            _ => at,
+        };
+    }
+    ways
 }

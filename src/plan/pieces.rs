@@ -51,14 +51,20 @@ impl Cuts {
     pub(super) fn pieces(&self, path: &Path) -> Vec<Segment> {
         let mut out = Vec::with_capacity(path.segments.len());
         for segment in &path.segments {
-            let mut count = whole(segment.length() / self.longest);
-            if let Segment::Arc(arc) = segment {
-                count = self.chords(arc, count);
-            }
+            let count = self.count(segment);
             let steps = f64::from(count);
             out.extend((0..count).map(|i| segment.part(f64::from(i) / steps, f64::from(i + 1) / steps)));
         }
         out
+    }
+
+    /// The number of pieces of one segment.
+    pub(super) fn count(&self, segment: &Segment) -> u32 {
+        let count = whole(segment.length() / self.longest);
+        match segment {
+            Segment::Arc(arc) => self.chords(arc, count),
+            Segment::Line(_) => count,
+        }
     }
 
     /// The number of pieces of an arc, at least `count`.

@@ -16,6 +16,8 @@ pub enum NameFault {
     Control(char),
     /// It holds a mark that turns the direction of text, so that it reads as another one.
     Direction(char),
+    /// It holds a code point that is no character, which no XML or HTML file may hold.
+    NoCharacter(char),
 }
 
 impl fmt::Display for NameFault {
@@ -39,20 +41,28 @@ impl fmt::Display for NameFault {
                     u32::from(*c)
                 )
             }
+            Self::NoCharacter(c) => {
+                write!(
+                    f,
+                    "a name must consist of characters, and U+{:04X} is none: take it out",
+                    u32::from(*c)
+                )
+            }
         }
     }
 }
 
 impl std::error::Error for NameFault {}
 
-/// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break, and
-/// no mark that turns the direction of text (letters that are written from right to left need none).
+/// Checks that `text` can be a name: 1 to [`NAME_LENGTH`] characters, no control character, no line break,
+/// nothing that is no character, and no mark that turns the direction of text (letters that are written from right to left need none).
 ///
 /// # Errors
 /// If it cannot.
 pub fn check_name(text: &str) -> Result<(), NameFault> {
     match text.chars().find(|c| misleads(*c)) {
         Some(c) if turns(c) => return Err(NameFault::Direction(c)),
+        Some(c) if is_no_character(c) => return Err(NameFault::NoCharacter(c)),
         Some(c) => return Err(NameFault::Control(c)),
         None => {}
     }
@@ -77,9 +87,14 @@ fn is_blank(c: char) -> bool {
 }
 
 /// Whether `c` makes a line of text show something else than it says: a control character, one of Unicode's two line
-/// breaks, which Rust does not count as such, or a mark that turns the direction of text.
+/// breaks, which Rust does not count as such, a mark that turns the direction of text, or no character at all.
 pub fn misleads(c: char) -> bool {
-    c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') || turns(c)
+    c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') || turns(c) || is_no_character(c)
+}
+
+/// Whether `c` is one of the two code points that are no characters and that XML 1.0 forbids (2.2, production Char).
+fn is_no_character(c: char) -> bool {
+    matches!(c, '\u{fffe}' | '\u{ffff}')
 }
 
 /// Whether `c` is one of Unicode's controls of direction (UAX 9, 2.1 to 2.6).
@@ -106,6 +121,9 @@ mod tests {
         }
         for c in ['\u{202a}', '\u{202e}', '\u{2066}', '\u{2069}', '\u{200e}', '\u{200f}', '\u{61c}'] {
             assert_eq!(check_name(&format!("a{c}b")), Err(NameFault::Direction(c)));
+        }
+        for c in ['\u{fffe}', '\u{ffff}'] {
+            assert_eq!(check_name(&format!("a{c}b")), Err(NameFault::NoCharacter(c)));
         }
         assert_eq!(check_name("כוכב نجمة"), Ok(()), "right to left, by its letters alone");
     }

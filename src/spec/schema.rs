@@ -358,7 +358,7 @@ mod tests {
     fn a_profile_without_the_defaults_means_the_same() {
         let bare = "schema = 1\nname = \"m\"\ndialect = \"grbl\"\n";
         let rest = "[heights]\ncontact = \"0 mm\"\ntravel = \"5 mm\"\npark = \"30 mm\"\n\
-                    [program]\nstart = []\npause = \"M0\"\nend = [\"M2\"]\n\
+                    [program]\nstart = [\"G21 G17 G91.1 G90 G94\"]\npause = \"M0\"\nend = [\"M2\"]\n\
                     [[keep_out]]\nx = \"0 mm\"\ny = \"0 mm\"\nwidth = \"9 mm\"\ndepth = \"9 mm\"\n";
         let defaults: Vec<&str> = MORE
             .lines()

@@ -35,3 +35,11 @@ fn so_many_strokes_are_refused_and_as_many_smooth_moves_are_not() {
     assert_eq!((found.key, found.code), (key::stack::COUNT, RefusalCode::JobTooLarge));
     assert_eq!(refusal(1.0, "[stack]\ncount = 16\n", profile("generic")), None);
 }
+
+/// 33 million moves take 1.7 GB: they are counted, not made.
+#[test]
+fn a_stack_that_no_memory_holds_is_refused_by_its_count() {
+    let found = refusal(30.0, "[stack]\ncount = 64\n", profile("generic")).expect("64 stars of 30 m");
+    assert_eq!((found.key, found.code), (key::stack::COUNT, RefusalCode::JobTooLarge));
+    assert!(found.found.contains("moves in contact"), "{found}");
+}

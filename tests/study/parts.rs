@@ -93,6 +93,30 @@ fn parts_of_another_study_are_neither_joined_nor_written_over() {
     assert!(!at.join("joined.csv").exists());
 }
 
+/// Links and pipes may have no end: nothing is read of them.
+#[cfg(unix)]
+#[test]
+fn a_part_that_is_no_file_of_its_own_is_not_read() {
+    let dir = folder(STUDY);
+    let at = dir.path();
+    let _ = done(at, &["sweep", "study.toml", "--parts", "2", "-o", "parts"]);
+    let [part, ticket] = ["csv", "json"].map(|ending| at.join(format!("parts/part-2-of-2.{ending}")));
+    for path in [&part, &ticket] {
+        let whole = fs::read(path).expect("there");
+        fs::remove_file(path).expect("removed");
+        std::os::unix::fs::symlink("/dev/zero", path).expect("linked");
+        let said = refused(at, &["study", "join", "parts", "-o", "joined.csv"], 1);
+        assert!(said.contains("part-2-of-2.csv is foreign: it is not a file with a ticket"), "{said}");
+        fs::remove_file(path).expect("removed");
+        fs::write(path, whole).expect("written");
+    }
+    fs::remove_file(&part).expect("removed");
+    let made = std::process::Command::new("mkfifo").arg(&part).status().expect("it starts");
+    assert!(made.success());
+    let said = refused(at, &["study", "join", "parts", "-o", "joined.csv"], 1);
+    assert!(said.contains("part-2-of-2.csv is foreign"), "{said}");
+}
+
 #[test]
 fn a_study_says_what_it_asks_for() {
     let dir = folder(STUDY);

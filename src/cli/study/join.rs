@@ -80,7 +80,8 @@ fn whole(dir: &Path, files: &[PathBuf]) -> Result<(Vec<Part>, Form), Failure> {
             Some(ticket) => {
                 let _ = found.insert(ticket.part, (path.clone(), ticket));
             }
-            None => faults.push(format!("{} is foreign: it has no ticket of this study", shown(path))),
+            None => faults
+                .push(format!("{} is foreign: it is not a file with a ticket of this study", shown(path))),
         }
     }
     let missing: Vec<usize> = (1..=first.parts).filter(|part| !found.contains_key(part)).collect();

@@ -5,7 +5,7 @@
 //! a part without a ticket, or with another, is not ours, and is not written over.
 
 use std::fs;
-use std::fs::File;
+use std::fs::{File, Metadata};
 use std::io;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -147,13 +147,24 @@ pub(super) fn name(part: usize, parts: usize, ending: &str) -> String {
     format!("part-{part:0width$}-of-{parts}.{ending}")
 }
 
-/// The ticket of the part at `path`.
+/// Longest ticket that is read, bytes: many times what one has.
+const TICKET: u64 = 1 << 16;
+
+/// The ticket of the part at `path`; `None` also where it, or the part, is no file of its own: a link or a pipe may have no end.
 pub(super) fn ticket(path: &Path) -> Option<Ticket> {
-    serde_json::from_str(&fs::read_to_string(path.with_extension("json")).ok()?).ok()
+    let beside = path.with_extension("json");
+    let length = |path: &Path| fs::symlink_metadata(path).ok().filter(Metadata::is_file).map(|own| own.len());
+    let _ = length(path)?;
+    let _ = length(&beside).filter(|length| *length <= TICKET)?;
+    serde_json::from_str(&fs::read_to_string(beside).ok()?).ok()
 }
 
-/// Whether the file at `path` has the hash of its ticket.
+/// Whether the file at `path` has the length and the hash of its ticket.
 pub(super) fn is_sound(path: &Path, ticket: &Ticket) -> io::Result<bool> {
+    let own = fs::symlink_metadata(path)?;
+    if !own.is_file() || own.len() != ticket.bytes {
+        return Ok(false);
+    }
     let mut hashed = Hashed { out: io::sink(), hash: Running::default(), bytes: 0 };
     let _ = io::copy(&mut File::open(path)?, &mut hashed)?;
     let Hashed { hash, bytes, .. } = hashed;

@@ -7,7 +7,7 @@ mod glb;
 mod mesh;
 mod pose;
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use crate::design::{Design, Drawing, Edge, Layer, Side, Star, StarDesign};
 use crate::emit::palette;
@@ -217,8 +217,10 @@ fn band_of(design: &Design) -> f64 {
     design.distinct.first().map_or(0.0, |part| part.band)
 }
 
+/// A circle in quarters, so that its chords have corners where it is widest and highest.
 fn circle(center: Point, radius: f64) -> Path {
-    Path::closed(vec![Arc::new(center, radius, 0.0, TAU).into()])
+    let quarter = |i: f64| Arc::new(center, radius, i * FRAC_PI_2, FRAC_PI_2).into();
+    Path::closed([0.0, 1.0, 2.0, 3.0].map(quarter).into())
 }
 
 fn rectangle(width: f64, height: f64) -> Path {

@@ -2,6 +2,7 @@
 
 use crate::spec::allowed::Allowed;
 use crate::spec::machine::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating};
+use crate::spec::profile::modes::check_arcs;
 use crate::spec::section::Section;
 use crate::spec::{Fault, FaultCode};
 use crate::units::Duration;
@@ -15,7 +16,8 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
     let comments = root
         .choice("comments", &[("semicolon", Comments::Semicolon), ("parentheses", Comments::Parentheses)])
         .unwrap_or(Comments::Semicolon);
-    let arcs = root.truth("arcs").unwrap_or(true);
+    let arcs = root.truth("arcs");
+    let arcs = check_arcs(root, dialect, arcs);
     let thumbnails = root.truth("thumbnails").unwrap_or(false);
     if thumbnails && comments == Comments::Parentheses {
         let place = root.place_of("thumbnails");

@@ -8,6 +8,7 @@ mod builtin;
 mod controller;
 mod known;
 mod line;
+mod modes;
 mod motion;
 mod process;
 mod script;

@@ -32,11 +32,17 @@ pub(super) fn read_process(
     Process { spring_loaded, heights, ramp, travel_speed, trace_speed }
 }
 
+/// Heights are whole micrometres, which every program can state: a program that rounded one would not be at it.
+fn to_micrometres(mm: f64) -> f64 {
+    (mm * 1000.0).round() / 1000.0
+}
+
 fn read_heights(s: &mut Section<'_, '_>, spring_loaded: Option<bool>) -> Heights {
     s.require(&[("contact", "\"0 mm\""), ("travel", "\"5 mm\""), ("park", "\"30 mm\"")]);
-    let contact = s.quantity("contact", CONTACT);
-    let travel = s.quantity("travel", HEIGHT);
-    let park = s.quantity("park", HEIGHT);
+    let mut height = |key, allowed| s.quantity(key, allowed).map(|Length(x)| Length(to_micrometres(x)));
+    let contact = height("contact", CONTACT);
+    let travel = height("travel", HEIGHT);
+    let park = height("park", HEIGHT);
     if let (Some(false), Some(Length(contact))) = (spring_loaded, contact)
         && contact < 0.0
     {

@@ -7,6 +7,7 @@ use crate::spec::fault::{Fault, quoted};
 use crate::spec::machine::{Controller, Limits, Process, Script};
 use crate::spec::motion::Motion;
 use crate::spec::profile::line::{Effect, Part, Setting, allowed, effect};
+use crate::spec::profile::modes::check_modes;
 use crate::spec::section::{Reader, Section};
 use crate::spec::vocabulary::{Command, Vocabulary};
 use crate::units::{Duration, Speed};
@@ -31,6 +32,7 @@ pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Stated<'_>) -> Scrip
     program.require(&[("start", "[\"G21\", \"G90\"]"), ("pause", "\"M0\""), ("end", "[\"M2\"]")]);
     let mut limits = Limits::default();
     let start = read_commands(&mut program, ("start", Part::Start), stated, &mut limits);
+    check_modes(&mut program, &start, stated.controller);
     let pause = program.text("pause");
     let pause =
         pause.map(|(line, span)| read_command(&mut program, ("pause", Part::Pause), line, span, stated).0);

@@ -1,6 +1,6 @@
 //! Moves through clamps.
 
-use crate::geom::{Line, Point, Segment, segment_distance};
+use crate::geom::{Bounds, Line, Point, Segment, segment_distance};
 use crate::spec::KeepOut;
 use crate::verify::judge::Judge;
 use crate::verify::read::gcode;
@@ -13,7 +13,7 @@ const ROUNDING: f64 = 1e-3;
 /// Reports every move that comes nearer to a clamp than `reach`, below its height.
 pub(in crate::verify) struct Clamps<'a> {
     reach: f64,
-    zones: Vec<Zone<'a>>,
+    groups: Vec<Group<'a>>,
     findings: Findings,
 }
 
@@ -27,8 +27,35 @@ struct Zone<'a> {
 
 impl<'a> Clamps<'a> {
     pub(in crate::verify) fn new(clamps: &'a [KeepOut], reach: f64) -> Self {
-        Self { reach, zones: clamps.iter().map(Zone::new).collect(), findings: Findings::default() }
+        Self { reach, groups: grouped(clamps.iter().map(Zone::new).collect()), findings: Findings::default() }
     }
+}
+
+/// Clamps that lie near each other, and the box around them: most moves are near none of them.
+struct Group<'a> {
+    around: Bounds,
+    zones: Vec<Zone<'a>>,
+}
+
+/// Clamps in a group.
+const GROUP: usize = 32;
+
+/// The clamps in strips along Y, and each strip in groups.
+fn grouped(mut zones: Vec<Zone<'_>>) -> Vec<Group<'_>> {
+    let strips = zones.len().div_ceil(GROUP).isqrt().max(1);
+    let strip = zones.len().div_ceil(strips).next_multiple_of(GROUP).max(GROUP);
+    zones.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
+    for strip in zones.chunks_mut(strip) {
+        strip.sort_by(|a, b| a.min.y.total_cmp(&b.min.y));
+    }
+    let mut zones = zones.into_iter().peekable();
+    let mut groups = Vec::new();
+    while zones.peek().is_some() {
+        let zones: Vec<Zone<'_>> = zones.by_ref().take(GROUP).collect();
+        let around = zones.iter().map(Zone::bounds).fold(Bounds::EMPTY, Bounds::union);
+        groups.push(Group { around, zones });
+    }
+    groups
 }
 
 impl<'a> Zone<'a> {
@@ -38,6 +65,10 @@ impl<'a> Zone<'a> {
         let [b, d] = [Point::new(max.x, min.y), Point::new(min.x, max.y)];
         let sides = [(min, b), (b, max), (max, d), (d, min)].map(|(from, to)| Line::new(from, to).into());
         Self { clamp, min, max, sides }
+    }
+
+    fn bounds(&self) -> Bounds {
+        Bounds::of_points([self.min, self.max])
     }
 
     /// Whether `path` at height `z` comes nearer than `reach`.
@@ -56,8 +87,10 @@ impl Judge for Clamps<'_> {
         for event in line.events {
             let Event::Move(step) = event else { continue };
             let Some(path) = step.path else { continue };
-            let z = step.from.z.min(step.to.z);
-            for zone in self.zones.iter().filter(|zone| zone.is_met(&path, z, self.reach)) {
+            let (z, near) = (step.from.z.min(step.to.z), path.bounds().grown(self.reach + ROUNDING));
+            let groups = self.groups.iter().filter(|group| group.around.overlaps(&near));
+            let zones = groups.flat_map(|group| &group.zones).filter(|zone| zone.bounds().overlaps(&near));
+            for zone in zones.filter(|zone| zone.is_met(&path, z, self.reach)) {
                 let found = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
                 let allowed = format!("{} mm off every clamp", self.reach);
                 self.findings.add(FindingCode::ClampInTheWay, step.line, found, allowed);
@@ -101,6 +134,29 @@ mod tests {
             assert_eq!(lines(inside, 2.0, None), [Some(5)], "{inside}");
             assert_eq!(lines(outside, 2.0, None), [], "{outside}");
             assert_eq!(lines(inside, 0.0, None), [], "{inside}");
+        }
+    }
+
+    /// Each of many clamps is found by the moves through it alone, wherever it lies among the others.
+    #[test]
+    fn every_clamp_of_many_is_found() {
+        let at = |i: usize| Length(f64::from(u32::try_from(i).expect("few")) * 10.0);
+        let clamp = |i: usize| KeepOut {
+            name: i.to_string(),
+            x: at(i % 30),
+            y: at(i / 30),
+            width: Length(4.0),
+            depth: Length(4.0),
+            height: None,
+        };
+        let zones: Vec<KeepOut> = (0..900).map(clamp).collect();
+        for i in [0, 17, 31, 450, 899] {
+            let (x, y) = (zones[i].x.0, zones[i].y.0);
+            let text = format!("G21\nG90\nG0 X{} Y{} Z9\nG0 X{}\n", x - 3.0, y + 2.0, x + 5.0);
+            let mut judge = Clamps::new(&zones, 1.0);
+            let _ = each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line));
+            let found: Vec<String> = judge.end().into_vec().iter().map(ToString::to_string).collect();
+            assert!(found.len() == 1 && found[0].contains(&format!("the clamp \"{i}\"")), "{found:?}");
         }
     }
 

@@ -1,0 +1,38 @@
+//! The kinds of files that `build` makes and `check` proves: the same arguments for both.
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use crate::artifact::{Asked, Kind};
+
+/// Which kinds of files are made.
+#[derive(clap::Args, Clone, Debug)]
+pub(super) struct Kinds {
+    /// Make only these kinds; the spec, the machine profile and the manifest come always.
+    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = kind_parser(Kind::ALL))]
+    only: Vec<Kind>,
+    /// Make these kinds too, which do not come by default.
+    #[arg(long, value_name = "KIND,...", value_delimiter = ',', value_parser = extra_parser())]
+    with: Vec<Kind>,
+}
+
+impl Kinds {
+    /// The same for the rooms that make and read files.
+    pub(super) fn asked(&self) -> Asked {
+        Asked { only: self.only.clone(), with: self.with.clone() }
+    }
+
+    /// Whether no kind is named.
+    pub(super) fn is_default(&self) -> bool {
+        self.only.is_empty() && self.with.is_empty()
+    }
+}
+
+fn extra_parser() -> impl TypedValueParser<Value = Kind> {
+    let extras: Vec<Kind> = Kind::ALL.iter().copied().filter(|kind| kind.is_extra()).collect();
+    kind_parser(&extras)
+}
+
+fn kind_parser(kinds: &[Kind]) -> impl TypedValueParser<Value = Kind> + use<> {
+    PossibleValuesParser::new(kinds.iter().map(|kind| kind.name()))
+        .try_map(|name| Kind::from_name(&name).ok_or("no such kind"))
+}

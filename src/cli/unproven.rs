@@ -1,0 +1,88 @@
+//! Files that the program made and then found wrong: a fault of the program, unless a profile of the user's own is the reason.
+
+use crate::artifact::Format;
+use crate::cli::findings;
+use crate::cli::harmless::shown;
+use crate::spec;
+use crate::verify::Finding;
+
+/// What was found, and what to send with a report.
+#[derive(Clone, Debug)]
+pub struct Unproven {
+    /// Everything that is wrong with the files.
+    pub findings: Vec<Finding>,
+    /// The spec's name as it was read.
+    pub(super) spec: String,
+    /// The machine profile that the spec names.
+    pub(super) profile: String,
+}
+
+impl Unproven {
+    /// Whether the user's own profile may be the reason: all that is wrong is in programs.
+    fn may_be_the_profile(&self) -> bool {
+        let program = format!(".{}", Format::Gcode.ending());
+        let in_program = |finding: &Finding| finding.file.ends_with(&program);
+        spec::builtin_machine(&self.profile).is_none() && self.findings.iter().all(in_program)
+    }
+
+    /// Who is at fault, in a few words.
+    pub(super) fn heading(&self) -> String {
+        let counted = findings::counted(self.findings.len());
+        if self.may_be_the_profile() {
+            format!("error: the programs for {} fail their proof: {counted}", shown(&self.profile))
+        } else {
+            format!("fault of this program: {counted} in the files that it made")
+        }
+    }
+
+    /// What was found, and what to do about it.
+    pub(super) fn text(&self) -> String {
+        let lines = findings::lines(&self.findings).join("\n");
+        let (spec, profile, version) = (shown(&self.spec), shown(&self.profile), env!("CARGO_PKG_VERSION"));
+        let send =
+            format!("Send {spec}, the machine profile {profile}, the version {version} and these lines.");
+        let whose = if self.may_be_the_profile() {
+            "The profile may not fit its dialect: compare it with the built-in one (`stargrip-cam machines`). If it does \
+             fit, this is a fault of this program: please report it."
+        } else {
+            "This is a fault of this program, not of your spec: please report it."
+        };
+        format!("{lines}\nNothing was published. {whose} {send}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::verify::FindingCode;
+
+    fn unproven(profile: &str, file: &str) -> Unproven {
+        let finding = Finding::new(FindingCode::WrongFeed, 7, "F5", "F6").in_file(file);
+        Unproven { findings: vec![finding], spec: "star.toml".to_owned(), profile: profile.to_owned() }
+    }
+
+    #[test]
+    fn a_finding_of_the_program_against_itself_is_its_own_fault() {
+        let own = unproven("generic", "star-1-seal.gcode");
+        assert_eq!(own.heading(), "fault of this program: 1 finding in the files that it made");
+        let text = own.text();
+        for part in [
+            "star-1-seal.gcode:7: wrong-feed",
+            "not of your spec: please report it",
+            "Send star.toml",
+            "generic",
+        ] {
+            assert!(text.contains(part), "{text}");
+        }
+        assert!(text.contains(env!("CARGO_PKG_VERSION")), "{text}");
+    }
+
+    #[test]
+    fn a_profile_of_the_users_own_may_be_the_reason_for_a_wrong_program_and_for_nothing_else() {
+        let program = unproven("own.toml", "star-1-seal.gcode");
+        assert!(program.heading().contains("the programs for own.toml"), "{}", program.heading());
+        assert!(program.text().contains("If it does fit, this is a fault of this program"));
+        let drawing = unproven("own.toml", "outline.svg");
+        assert!(drawing.heading().starts_with("fault of this program"), "{}", drawing.heading());
+    }
+}

@@ -1,0 +1,120 @@
+//! Modes that a profile must set in `start`, and what its dialect cannot do: programs state every position and arc in these modes.
+
+use crate::spec::machine::{Controller, Dialect};
+use crate::spec::section::Section;
+use crate::spec::{Fault, FaultCode};
+
+/// A mode: the word that sets it, what it is, and whether only arcs need it.
+type Mode = (&'static str, &'static str, bool);
+
+const UNITS: Mode = ("G21", "millimetres", false);
+const PLANE: Mode = ("G17", "the XY plane", true);
+const CENTRES: Mode = ("G91.1", "arc centres relative to the start", true);
+const DISTANCE: Mode = ("G90", "absolute positions", false);
+const FEED: Mode = ("G94", "feed per minute", false);
+
+/// Modes that a controller of this family keeps from the program before, so that a program must set them.
+fn modes(dialect: Dialect) -> &'static [Mode] {
+    match dialect {
+        Dialect::Generic | Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => {
+            &[UNITS, PLANE, CENTRES, DISTANCE, FEED]
+        }
+        // Arc centres are always relative to the start (reprapfirmware.org, G2).
+        Dialect::RepRapFirmware => &[UNITS, PLANE, DISTANCE, FEED],
+        Dialect::Klipper => &[UNITS, DISTANCE],
+        Dialect::Marlin => &[DISTANCE],
+    }
+}
+
+/// Whether programs may hold arcs: `arcs` as written, and false where the dialect draws none; who asks for them there is refused.
+pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Option<bool>) -> bool {
+    let draws = !matches!(dialect, Dialect::Marlin | Dialect::Klipper);
+    if draws || arcs != Some(true) {
+        return arcs.unwrap_or(draws);
+    }
+    let found = format!("`arcs` is true, but G2 and G3 are options of {}", dialect.title());
+    let fault = Fault::error(FaultCode::Conflict, root.place_of("arcs"), found)
+        .label("must be false for this dialect: the program cuts arcs into chords");
+    root.report(fault);
+    false
+}
+
+/// Reports the modes that the lines of `start`, in [program], do not set and that programs for `controller` need.
+pub(super) fn check_modes(program: &mut Section<'_, '_>, start: &[String], controller: &Controller) {
+    if !program.has("start") {
+        return;
+    }
+    let is_set = |word: &str| start.iter().any(|line| words(line).any(|own| own == word));
+    let missing: Vec<&Mode> = modes(controller.dialect)
+        .iter()
+        .filter(|(word, _, for_arcs)| !is_set(word) && (controller.arcs || !for_arcs))
+        .collect();
+    if missing.is_empty() {
+        return;
+    }
+    let list = |texts: Vec<String>| texts.join(", ");
+    let what = list(missing.iter().map(|(_, what, _)| (*what).to_owned()).collect());
+    let words = list(missing.iter().map(|(word, ..)| format!("\"{word}\"")).collect());
+    let only_arcs = missing.iter().all(|(.., for_arcs)| *for_arcs);
+    let or = if only_arcs { "; or write `arcs = false`" } else { "" };
+    let found = format!("`start` does not set {what}");
+    let fault = Fault::error(FaultCode::ProgramLine, program.place_of("start"), found)
+        .label(format!("must hold {words}{or}"));
+    program.report(fault);
+}
+
+/// The words of a line of code, in capital letters.
+fn words(line: &str) -> impl Iterator<Item = String> + use<> {
+    let code = line.split([';', '(']).next().unwrap_or_default().to_ascii_uppercase();
+    let mut words: Vec<String> = Vec::new();
+    for c in code.chars().filter(|c| !c.is_whitespace()) {
+        match words.last_mut() {
+            Some(word) if !c.is_ascii_alphabetic() => word.push(c),
+            _ => words.push(c.to_string()),
+        }
+    }
+    words.into_iter()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::spec::source::Source;
+    use crate::spec::{builtin_machine, read_machine};
+
+    /// The faults' codes of profile `name` with `old` replaced by `new`.
+    fn codes(name: &str, old: &str, new: &str) -> Vec<&'static str> {
+        let text = builtin_machine(name).expect("built in");
+        assert!(text.contains(old), "{old}");
+        match read_machine(&Source::new("own", text.replace(old, new))) {
+            Ok(_) => Vec::new(),
+            Err(faults) => faults.list().iter().map(|fault| fault.code).collect(),
+        }
+    }
+
+    #[test]
+    fn arcs_need_a_dialect_that_draws_them_and_their_modes() {
+        let arcs = |name, old, new| codes(name, &format!("arcs = false{old}"), &format!("arcs = true{new}"));
+        assert_eq!(arcs("marlin", "", ""), ["conflict"]);
+        assert_eq!(arcs("klipper", "", ""), ["conflict"]);
+        assert_eq!(arcs("generic", "", ""), ["program-line"]);
+        assert_eq!(codes("grbl", "\"G91.1\", ", ""), ["program-line"]);
+        assert_eq!(codes("grbl", "\"G17\", \"G91.1\", ", ""), ["program-line"]);
+        assert_eq!(codes("reprapfirmware", "\"G17\", ", ""), ["program-line"]);
+    }
+
+    #[test]
+    fn modes_may_share_a_line_and_those_that_nothing_needs_may_be_left_out() {
+        assert_eq!(
+            codes(
+                "grbl",
+                "[\"G21\", \"G17\", \"G91.1\", \"G90\", \"G94\"]",
+                "[\"g21G17 G91.1\", \"G90 G94\"]"
+            ),
+            [""; 0]
+        );
+        assert_eq!(codes("generic", "\"G17\", ", ""), [""; 0]);
+        assert_eq!(codes("generic", "\"G21\", ", ""), ["program-line"]);
+        assert_eq!(codes("generic", "\"G94\"]", "\"; G94\"]"), ["program-line"]);
+        assert_eq!(codes("marlin", "\"G90\", ", ""), ["program-line"]);
+    }
+}

@@ -1,0 +1,89 @@
+//! Specs that `check` once passed and `build` refused, each with the fault that it found.
+
+use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::pipeline::{Forecast, Sources, prove_files};
+use stargrip_cam::spec;
+use stargrip_cam::spec::{Machine, Source};
+
+/// A star with its inner radius, and what else its spec says.
+fn star(radius: f64, rest: &str) -> String {
+    format!(
+        "schema = 1\nname = \"named\"\n[star]\npoints = 5\ninner_radius = \"{radius} mm\"\ntube_width = \"30 mm\"\n\
+         tip_angle = \"30 deg\"\n{rest}"
+    )
+}
+
+fn profile(name: &str) -> &'static str {
+    spec::builtin_machine(name).expect("built in")
+}
+
+/// The findings of `verify` about the files with these kinds, of a spec that `check` passes.
+fn findings(text: &str, profile: &str, with: &[Kind]) -> Vec<String> {
+    let reading = spec::read(&Source::new("spec", text)).unwrap_or_else(|faults| panic!("{faults}"));
+    let machine =
+        spec::read_machine(&Source::new("own", profile)).unwrap_or_else(|faults| panic!("{faults}"));
+    let forecast = Forecast::of(reading.spec, machine).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let asked = Asked { with: with.to_vec(), ..Asked::default() };
+    let built = forecast.build(Sources { spec: text, machine: profile }, &asked);
+    prove_files(&built.output_files()).findings.iter().map(ToString::to_string).collect()
+}
+
+/// The codes with which `check` refuses a spec on a profile.
+fn refused(text: &str, profile: &str) -> Vec<String> {
+    let reading = spec::read(&Source::new("spec", text)).unwrap_or_else(|faults| panic!("{faults}"));
+    let machine: Machine =
+        spec::read_machine(&Source::new("own", profile)).unwrap_or_else(|faults| panic!("{faults}"));
+    let refusals = Forecast::of(reading.spec, machine).err().unwrap_or_default();
+    refusals.iter().map(|refusal| refusal.code.to_string()).collect()
+}
+
+/// Chords whose number is no multiple of four missed the top and the bottom of a plate.
+#[test]
+fn a_plate_in_a_scene_is_as_high_as_wide() {
+    for radius in [70.0, 200.0] {
+        assert_eq!(findings(&star(radius, ""), profile("generic"), &[Kind::SceneGlb]), [""; 0], "{radius}");
+    }
+}
+
+/// A height is written to a thousandth, which of a thin mask is more than its edges may be off.
+#[test]
+fn a_thin_mask_in_a_scene_has_its_volume_but_for_rounding() {
+    let text = "schema = 1\nname = \"x\"\n[star]\npoints = 57\ninner_radius = \"978.66 mm\"\ntube_width = \"51.17 mm\"\n\
+                tip_angle = \"56.18 deg\"\n[inlet]\nnone = true\n[seal]\nspeed = \"3 mm/s\"\n[mask]\nthickness = \"0.2625 mm\"\n";
+    assert_eq!(findings(text, profile("generic"), &[Kind::SceneGlb]), [""; 0]);
+}
+
+/// 65 strokes on a ramp of 0.05 mm each began where the one before had ended.
+#[test]
+fn a_ramp_without_length_is_refused_and_the_length_that_the_remedy_names_is_not() {
+    let chop = star(50.0, "[machine]\nprofile = \"own.toml\"\nfeed_floor = \"chop\"\n");
+    let with = |ramp: &str| {
+        let text = profile("grbl").replace("contact = \"-0.3 mm\"", "contact = \"-5 mm\"");
+        text.replace("ramp = \"3 mm\"", &format!("ramp = \"{ramp} mm\""))
+    };
+    assert_eq!(refused(&chop, &with("0.005")), ["steep-ramp"]);
+    let reading = spec::read(&Source::new("spec", &chop)).unwrap_or_else(|faults| panic!("{faults}"));
+    let machine = spec::read_machine(&Source::new("own", with("0.005"))).expect("valid");
+    let refusals = Forecast::of(reading.spec, machine).expect_err("steep");
+    let least = refusals[0].remedy.split(' ').find(|word| word.parse::<f64>().is_ok()).expect("a length");
+    assert_eq!(findings(&chop, &with(least), &[]), [""; 0], "{least}");
+}
+
+/// Programs have three decimals, so that the iron went deeper than told, or below the height of its travels.
+#[test]
+fn heights_of_a_profile_are_those_of_its_programs() {
+    let text = profile("grbl").replace("contact = \"-0.3 mm\"", "contact = \"-2.6238638162612915 mm\"");
+    let text = text.replace("travel = \"5 mm\"", "travel = \"7.36466 mm\"");
+    let spec = star(50.0, "[seal]\nspeed = \"1 mm/s\"\n[machine]\nprofile = \"own.toml\"\n");
+    assert_eq!(findings(&spec, &text, &[]), [""; 0]);
+}
+
+/// A page has no place for the two code points, so that a report of this name could not be read back.
+#[test]
+fn a_name_consists_of_characters() {
+    for c in ["\\uFFFE", "\\uFFFF"] {
+        let text = star(50.0, "").replace("named", &format!("a{c}b"));
+        let faults = spec::read(&Source::new("spec", text)).expect_err("no character");
+        assert_eq!(faults.list()[0].code, "name", "{faults}");
+    }
+}
