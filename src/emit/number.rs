@@ -1,61 +1,40 @@
 //! The only place where a coordinate becomes text.
 
-use crate::geom::Point;
+use crate::geom::{Grid, Point};
 use crate::units::Length;
 
-/// A fixed number of decimals: every coordinate of a file is a whole multiple of one quantum.
+/// A fixed number of decimals: every coordinate of a file is on a [`Grid`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Decimals(u32);
+pub struct Decimals(Grid);
 
 impl Decimals {
-    /// As many decimals as keep rounding below a tenth of the tolerance `path`, so that the shape gets the rest: 3 to 6.
-    ///
-    /// Never fewer than 3: GRBL refuses an arc whose radii at its ends differ by more than 0.005 mm, which is
-    /// what hundredths would make of a small one.
+    /// As many decimals as keep rounding below a tenth of the tolerance `path`: see [`Grid::for_tolerance`].
     pub fn for_tolerance(path: Length) -> Self {
-        let quantum = path.0 / 10.0;
-        Self((3..6).find(|d| 10_f64.powi(-d) <= quantum * (1.0 + 1e-9)).map_or(6, i32::unsigned_abs))
+        Self(Grid::for_tolerance(path.0))
     }
 
     /// Exactly `n` decimals, at most 9.
     pub fn exactly(n: u32) -> Self {
-        Self(n.min(9))
-    }
-
-    fn scale(self) -> f64 {
-        // Looked up: this is asked more often than anything else.
-        const SCALES: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];
-        SCALES[self.0 as usize]
-    }
-
-    /// `x` in quanta, halves away from zero.
-    fn quanta(self, x: f64) -> i64 {
-        let scaled = x * self.scale();
-        // Coordinates are below 1e6 mm and quanta at least 1e-9 mm, so this is far inside the range of i64.
-        #[expect(clippy::cast_possible_truncation, reason = "a saturating cast; see above")]
-        let quanta = (scaled + 0.5_f64.copysign(scaled)) as i64;
-        quanta
+        Self(Grid::new(n))
     }
 
     /// The nearest number that the file can say.
     pub fn round(self, x: f64) -> f64 {
-        #[expect(clippy::cast_precision_loss, reason = "below 2^53, see `quanta`")]
-        let rounded = self.quanta(x) as f64 / self.scale();
-        rounded
+        self.0.round(x)
     }
 
     /// The nearest point that the file can say.
     pub fn round_point(self, p: Point) -> Point {
-        Point::new(self.round(p.x), self.round(p.y))
+        self.0.round_point(p)
     }
 
     /// Appends `x` in decimal notation without trailing zeros, never `-0`.
     pub fn write(self, out: &mut String, x: f64) {
-        let quanta = self.quanta(x);
+        let quanta = self.0.quanta(x);
         if quanta < 0 {
             out.push('-');
         }
-        let (mut rest, mut decimals) = (quanta.unsigned_abs(), self.0);
+        let (mut rest, mut decimals) = (quanta.unsigned_abs(), self.0.decimals());
         while decimals > 0 && rest.is_multiple_of(10) {
             rest /= 10;
             decimals -= 1;

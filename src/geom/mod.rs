@@ -5,6 +5,7 @@
 
 mod arc;
 mod bounds;
+mod grid;
 mod intersect;
 mod line;
 mod nearest;
@@ -16,6 +17,7 @@ mod transform;
 
 pub use arc::Arc;
 pub use bounds::Bounds;
+pub use grid::Grid;
 pub use intersect::{intersections, path_intersections};
 pub use line::Line;
 pub use nearest::{Nearest, path_distance, segment_distance};

@@ -4,6 +4,7 @@
 //! from it, so they cannot disagree about order, direction, starts and overlaps. The plan decides all of
 //! that, and also how long a single move is; the emitters only round and spell.
 
+mod chop;
 mod feedcheck;
 mod job_size;
 mod keep_out;
@@ -18,10 +19,12 @@ mod time;
 mod trace;
 mod travel;
 mod whole_rates;
+mod written;
 
+pub use chop::{Chop, move_time};
 pub use feedcheck::{CHECK_LENGTH, feed_checks};
 pub use lowest_feed::lowest_speed;
-pub use pace::{Chop, Pace, Pacer, Stroke, move_time};
+pub use pace::{Pace, Pacer, Stroke};
 pub use pieces::{LONGEST_MOVE, pieces, seal_pieces};
 pub use program::{Height, Program, Purpose, Ramp, SeamReport, Step};
 pub use refusals::refusals;
@@ -29,3 +32,4 @@ pub use seal::seal_programs;
 pub use stepper::Stepper;
 pub use time::{Clock, Scope, height_of};
 pub use trace::trace_programs;
+pub use written::{Precision, is_straight};

@@ -2,18 +2,17 @@
 //!
 //! A **chopped** path is cut into **strokes**, each travelled at a feed that the controller holds and followed by a
 //! dwell, so that the mean speed is the seal's. A stroke of length L at speed s from rest to rest takes
-//! `L/s + s/a` (`2 sqrt(L/a)` if s is not reached), a being the acceleration, or what a [`Stepper`] says; the dwell fills
+//! `L/s + s/a` (`2 sqrt(L/a)` if s is not reached), a being the acceleration, or what a [`crate::plan::Stepper`] says; the dwell fills
 //! up to `L/v`. Controllers round dwells up to a step; what a stroke is early or late is carried to the next one, so the
-//! iron is never off its schedule by more than half a step. Strokes are so long that each has a dwell; where the path is
-//! in shorter pieces, and one has none, the controller runs on into the next, and both are timed as one stroke.
+//! iron is never off its schedule by more than half a step. Lengths and steps are those of the file, whose positions are
+//! rounded. Strokes are so long that each has a dwell; where the path is in shorter pieces, and one has none, the controller
+//! runs on into the next, and both are timed as one stroke. A controller may join a move of a few steps to the next one
+//! (Marlin): no dwell follows such a move, for it would come before the move is made.
 
 use crate::geom::Segment;
-use crate::plan::Stepper;
-use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate};
-
-/// Strokes in a band, at least. Half a band then has six rests, or one more or less, so that the speed within it is right
-/// to 15 %; of twelve strokes it was 15.5 % on one controller, of ten 16 %. The more there are, the larger a part of a stroke is a step of the motors.
-const STROKES: f64 = 13.0;
+use crate::plan::chop::Chop;
+use crate::plan::written::Written;
+use crate::spec::{FeedFloor, Machine, Spec};
 
 /// How the seal's speed is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,25 +21,6 @@ pub enum Pace {
     Steady,
     /// Strokes and dwells.
     Chopped(Chop),
-}
-
-/// How a path is chopped.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Chop {
-    /// Speed of a stroke, mm/s.
-    pub speed: f64,
-    /// Longest stroke, mm: a thirteenth of the band, or as much as it takes to have time left for a dwell.
-    pub longest: f64,
-    /// Acceleration, mm/s^2.
-    pub acceleration: f64,
-    /// Dwells are multiples of this, s.
-    pub step: f64,
-    /// Longest dwell, s: what the iron takes to pass a tenth of the band. Longer, it leaves a scar.
-    pub rest: f64,
-    /// Wait of a move that meets an empty queue, s.
-    pub start_delay: f64,
-    /// How the controller steps, if it is one of GRBL's family and all is known that it takes.
-    pub stepper: Option<Stepper>,
 }
 
 /// One move in contact, and the wait after it.
@@ -75,80 +55,19 @@ struct Run {
     length: f64,
     /// Time counted for it, s.
     seconds: f64,
+    /// Steps that the controller has not made yet, for they are too few.
+    waiting: [f64; 3],
 }
 
 impl Pace {
     /// The pace of a program on a controller that holds `lowest`, mm/s, all along its way, if that is known.
     pub(super) fn new(spec: &Spec, machine: &Machine, lowest: Option<f64>) -> Self {
-        let (motion, speed) = (&machine.motion, spec.seal.speed.0);
+        let speed = spec.seal.speed.0;
         let slow_enough = lowest.is_some_and(|lowest| lowest <= speed * (1.0 + 1e-9));
         if spec.machine.feed_floor == FeedFloor::Refuse || slow_enough {
             return Self::Steady;
         }
-        let (Some(chop), Some(acceleration)) = (motion.chop_speed(speed), motion.acceleration) else {
-            return Self::Steady;
-        };
-        let chop = Chop {
-            speed: chop,
-            longest: spec.seal.band.0 / STROKES,
-            acceleration: acceleration.0,
-            step: machine.controller.dwell.step.0,
-            rest: spec.seal.band.0 / 10.0 / speed,
-            start_delay: motion.start_delay.0,
-            stepper: stepper(motion),
-        };
-        Self::Chopped(Chop { longest: chop.longest.max(chop.least_stroke(speed)), ..chop })
-    }
-}
-
-/// How the controller steps, if all is known that it takes.
-fn stepper(motion: &Motion) -> Option<Stepper> {
-    let StepRate::AtLeast(rate) = motion.step_rate else { return None };
-    Some(Stepper { steps_per_mm: motion.steps_per_mm?, rate, tick: motion.tick?.0, wraps: motion.wraps })
-}
-
-impl Chop {
-    /// What a stroke costs beside its length: one start, one stop, and the shortest dwell, s.
-    pub(super) fn cost(&self) -> f64 {
-        self.start_delay + self.speed / self.acceleration + self.step
-    }
-
-    /// The shortest stroke, mm, that leaves time for a dwell where the mean speed is to be `speed`, mm/s; infinite if none
-    /// does.
-    pub fn least_stroke(&self, speed: f64) -> f64 {
-        let spared = 1.0 / speed - 1.0 / self.speed;
-        if spared > 0.0 { self.cost() / spared } else { f64::INFINITY }
-    }
-
-    /// Time of one stroke from rest to rest, s, from one position to another along a path of this length, mm.
-    pub fn seconds(&self, from: [f64; 3], to: [f64; 3], length: f64) -> f64 {
-        self.moving(&Run { steps: self.steps(from, to), length, seconds: 0.0 })
-    }
-
-    /// Steps of the three axes between two positions; none where the stepper is not known.
-    fn steps(&self, from: [f64; 3], to: [f64; 3]) -> [f64; 3] {
-        let Some(stepper) = self.stepper else { return [0.0; 3] };
-        let (from, to) = (stepper.at(from), stepper.at(to));
-        std::array::from_fn(|i| (to[i] - from[i]).abs())
-    }
-
-    /// Time of a run from rest to rest, s.
-    fn moving(&self, run: &Run) -> f64 {
-        let Self { speed, acceleration, .. } = *self;
-        let moving = match &self.stepper {
-            Some(stepper) => stepper.seconds(run.steps, speed, acceleration),
-            None => move_time(run.length, speed, Some(acceleration)),
-        };
-        self.start_delay + moving
-    }
-}
-
-/// Time from rest to rest over `length`, s, at `speed` if it is reached; without an acceleration it always is.
-pub fn move_time(length: f64, speed: f64, acceleration: Option<f64>) -> f64 {
-    match acceleration {
-        Some(a) if speed * speed > a * length => 2.0 * (length / a).sqrt(),
-        Some(a) => length / speed + speed / a,
-        None => length / speed,
+        Chop::new(spec, machine).map_or(Self::Steady, Self::Chopped)
     }
 }
 
@@ -169,31 +88,38 @@ impl Pacer {
             return;
         };
         let base = heights.map_or(0.0, |(from, _)| from);
-        let count = (length / chop.longest - 1e-9).ceil().max(1.0);
-        let (mut i, each_length) = (0.0, length / count);
+        // Strokes that the controller makes, where there is room for them.
+        let room = (length / chop.least + 1e-9).floor();
+        let count = (length / chop.longest - 1e-9).ceil().min(room).max(1.0);
+        let mut i = 0.0;
         while i < count {
             let part = piece.part(i / count, (i + 1.0) / count);
             let (low, high) = (base + rise * (i / count), base + rise * ((i + 1.0) / count));
-            let (from, to) = (part.start(), part.end());
-            let steps = chop.steps([from.x, from.y, low], [to.x, to.y, high]);
-            let (moving, dwell) = self.stroke(&chop, steps, each_length);
             let is_last = i + 1.0 >= count;
             let height = heights.map(|(_, to)| if is_last { to } else { high });
+            let written = Written::new(&part, [low, height.unwrap_or(low)], chop.file);
+            let (moving, dwell) = self.stroke(&chop, &written);
             each(Stroke { piece: part, height, speed: chop.speed, dwell, seconds: moving + dwell });
             i += 1.0;
         }
     }
 
     /// Adds a stroke to the run; the time that it adds, and the dwell after it, s.
-    fn stroke(&mut self, chop: &Chop, steps: [f64; 3], length: f64) -> (f64, f64) {
-        let before = self.run;
-        let sum = std::array::from_fn(|i| before.steps[i] + steps[i]);
-        let mut run = Run { steps: sum, length: before.length + length, seconds: 0.0 };
-        run.seconds = chop.moving(&run);
+    fn stroke(&mut self, chop: &Chop, written: &Written) -> (f64, f64) {
+        let Written { from, to, length } = *written;
+        let (before, steps) = (self.run, chop.steps(from, to));
+        let waiting = std::array::from_fn(|i| before.waiting[i] + steps[i]);
+        let mut run = Run { length: before.length + length, waiting, ..before };
+        let is_made = chop.makes(waiting);
+        if is_made {
+            run.steps = std::array::from_fn(|i| before.steps[i] + waiting[i].abs());
+            run.waiting = [0.0; 3];
+            run.seconds = chop.moving(run.steps, run.length);
+        }
         let moving = run.seconds - before.seconds;
         self.early += length / self.speed - moving;
-        let steps = (self.early / chop.step).round().min((chop.rest / chop.step + 1e-9).floor());
-        let dwell = (steps * chop.step).max(0.0);
+        let most = if is_made { (chop.rest / chop.step + 1e-9).floor() } else { 0.0 };
+        let dwell = ((self.early / chop.step).round().min(most) * chop.step).max(0.0);
         self.early -= dwell;
         self.run = if dwell > 0.0 { Run::default() } else { run };
         (moving, dwell)
@@ -204,16 +130,47 @@ impl Pacer {
 mod tests {
     use super::*;
     use crate::geom::{Arc, Line, Point};
+    use crate::plan::chop::move_time;
+    use crate::plan::{Precision, Stepper};
+    use crate::units::Length;
 
     const GRBL: Chop = Chop {
         speed: 0.65,
         longest: 0.2,
+        least: 0.0,
+        file: Precision { path: Length(0.001), arcs: true },
         acceleration: 10.0,
         step: 0.05,
         rest: 2.0,
         start_delay: 0.0,
-        stepper: Some(Stepper { steps_per_mm: [80.0, 80.0, 400.0], rate: 30.52, tick: 0.01, wraps: false }),
+        stepper: Some(Stepper {
+            steps_per_mm: [80.0, 80.0, 400.0],
+            rate: 30.52,
+            tick: 0.01,
+            wraps: false,
+            first_rate: None,
+            least_steps: 0.0,
+        }),
     };
+
+    /// Marlin of most boards: six steps at 45 degrees are 0.106 mm.
+    fn marlin() -> Chop {
+        let least = 6.0 * 2.0_f64.sqrt() / 80.0;
+        let stepper = GRBL.stepper.map(|stepper| Stepper {
+            rate: 32.0,
+            tick: 0.0,
+            first_rate: Some(120.0),
+            least_steps: 6.0,
+            ..stepper
+        });
+        Chop { speed: 1.7, longest: 2.0 / 13.0, least, acceleration: 3000.0, step: 1e-3, stepper, ..GRBL }
+    }
+
+    /// Time of one stroke from rest to rest, s.
+    fn alone(chop: &Chop, from: [f64; 3], to: [f64; 3], length: f64) -> f64 {
+        let steps = chop.steps(from, to).map(f64::abs);
+        chop.moving(steps, length)
+    }
 
     fn strokes(piece: Segment, heights: Option<(f64, f64)>) -> Vec<Stroke> {
         let mut out = Vec::new();
@@ -252,11 +209,50 @@ mod tests {
             for stroke in &strokes {
                 let end = stroke.piece.end().x;
                 if stroke.dwell > 0.0 || end > 10.0 - 1e-9 {
-                    seconds += chop.seconds([begun, 0.0, 0.0], [end, 0.0, 0.0], end - begun) + stroke.dwell;
+                    seconds += alone(&chop, [begun, 0.0, 0.0], [end, 0.0, 0.0], end - begun) + stroke.dwell;
                     begun = end;
                 }
             }
             assert!((seconds - 20.0).abs() < 0.002 * 20.0, "{seconds}");
+        }
+    }
+
+    /// A controller that drops a move of few steps waits at once: no dwell follows until the steps are made.
+    #[test]
+    fn no_dwell_follows_a_move_that_is_joined_to_the_next() {
+        let chop = marlin();
+        let stepper = chop.stepper.expect("known");
+        let mut pacer = Pacer::new(Pace::Chopped(chop), 0.1);
+        let (mut at, mut due, mut spent, mut short) = (stepper.at([1.0, 0.0, 0.0]), 0.0, 0.0, 0);
+        for i in 0..40_u32 {
+            let arc: Segment = Arc::new(Point::ORIGIN, 1.0, 0.0446 * f64::from(i), 0.0446).into();
+            pacer.strokes(&arc, None, |stroke| {
+                due += stroke.piece.length() / 0.1;
+                spent += stroke.seconds;
+                short += usize::from(stroke.dwell == 0.0);
+                if stroke.dwell > 0.0 {
+                    let end = stroke.piece.end();
+                    let now = stepper.at([end.x, end.y, 0.0]);
+                    let most = (now[0] - at[0]).abs().max((now[1] - at[1]).abs());
+                    assert!(most >= 6.0 && most <= 12.0, "{most} steps");
+                    at = now;
+                }
+            });
+        }
+        assert!(short >= 20, "{short} of 40 moves have too few steps");
+        assert!((spent - due).abs() < 1.3, "{spent} of {due} s: off by what is not made yet");
+    }
+
+    #[test]
+    fn strokes_have_the_least_steps_where_there_is_room() {
+        let chop = marlin();
+        for length in [0.12, 0.16, 0.2, 0.25, 0.31, 5.0] {
+            let end = Point::polar(length, 45_f64.to_radians());
+            let line: Segment = Line::new(Point::ORIGIN, end).into();
+            let mut lengths = Vec::new();
+            Pacer::new(Pace::Chopped(chop), 0.1)
+                .strokes(&line, None, |stroke| lengths.push(stroke.piece.length()));
+            assert!(lengths.iter().all(|l| *l >= chop.least - 1e-9 && *l < 2.0 * chop.least), "{lengths:?}");
         }
     }
 
@@ -274,7 +270,7 @@ mod tests {
     #[test]
     fn the_wait_of_a_start_is_part_of_the_stroke() {
         let slow = Chop { start_delay: 0.1, ..GRBL };
-        let [a, b] = [GRBL, slow].map(|chop| chop.seconds([0.0; 3], [0.2, 0.0, 0.0], 0.2));
+        let [a, b] = [GRBL, slow].map(|chop| alone(&chop, [0.0; 3], [0.2, 0.0, 0.0], 0.2));
         assert!((b - a - 0.1).abs() < 1e-12);
     }
 

@@ -2,8 +2,8 @@
 
 use crate::design::{Design, PlacedStar};
 use crate::geom::{Path, Point};
-use crate::plan::pieces::{flat_pieces, sagitta};
-use crate::plan::{Height, LONGEST_MOVE, Program, Purpose, Ramp, Scope, SeamReport, Step};
+use crate::plan::pieces::Cuts;
+use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step};
 use crate::spec::{Machine, ProgramScope, Spec};
 
 /// A sheet, and stars on it in the order of sealing: what one program covers.
@@ -26,8 +26,8 @@ pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Pro
 }
 
 fn seal_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Batch<'_>) -> Program {
-    let sagitta = sagitta(spec, machine);
-    let mut plan = Planner { spec, machine, steps: Vec::new(), seams: Vec::new(), sagitta };
+    let cuts = Cuts::of_seal(spec, machine);
+    let mut plan = Planner { spec, machine, steps: Vec::new(), seams: Vec::new(), cuts };
     plan.steps.push(Step::Height(Height::Park));
     plan.steps.push(Step::Heat(spec.seal.temperature));
     for star in stars {
@@ -49,7 +49,7 @@ struct Planner<'a> {
     machine: &'a Machine,
     steps: Vec<Step>,
     seams: Vec<SeamReport>,
-    sagitta: Option<f64>,
+    cuts: Cuts,
 }
 
 impl Planner<'_> {
@@ -69,7 +69,7 @@ impl Planner<'_> {
                 Step::Height(Height::Travel),
                 Step::Seam(self.seams.len()),
                 Step::TouchDown(down),
-                Step::Seal(flat_pieces(&run, LONGEST_MOVE, self.sagitta)),
+                Step::Seal(self.cuts.pieces(&run)),
                 Step::Lift(up),
             ]);
             let (star, side, overlap) = (placed.index, seam.side, seam.overlap);
@@ -79,6 +79,6 @@ impl Planner<'_> {
 
     /// A ramp along `path`. It is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
     fn ramp(&self, path: &Path, from: f64, to: f64) -> Ramp {
-        Ramp { pieces: flat_pieces(path, LONGEST_MOVE, self.sagitta), from, to }
+        Ramp { pieces: self.cuts.pieces(path), from, to }
     }
 }

@@ -20,6 +20,10 @@ pub struct Stepper {
     pub tick: f64,
     /// Whether long steps may come too early, as FluidNC's do (`wrapped`).
     pub wraps: bool,
+    /// The rate of a stroke's first step at least, steps/s, if there is one ([`crate::spec::Motion::first_step_rate`]).
+    pub first_rate: Option<f64>,
+    /// Fewest steps of a move that is not joined to the next one.
+    pub least_steps: f64,
 }
 
 /// Steps that a segment makes at least, but for the last.
@@ -78,7 +82,8 @@ impl Stepper {
             return 0.0;
         }
         if self.tick == 0.0 {
-            return WholeRates::new(most / length, speed, acceleration, self.rate).seconds(most);
+            let rates = WholeRates::new(most / length, speed, acceleration, self.rate, self.first_rate);
+            return rates.seconds(most);
         }
         // Every axis speeds up at most so fast: together, at an angle, they are faster.
         let along = acceleration * length / way.iter().fold(0.0_f64, |most, d| most.max(*d));
@@ -163,8 +168,14 @@ mod tests {
     }
 
     /// GRBL on an AVR at 80 steps/mm.
-    const GRBL: Stepper =
-        Stepper { steps_per_mm: [80.0, 80.0, 400.0], rate: 30.52, tick: 0.01, wraps: false };
+    const GRBL: Stepper = Stepper {
+        steps_per_mm: [80.0, 80.0, 400.0],
+        rate: 30.52,
+        tick: 0.01,
+        wraps: false,
+        first_rate: None,
+        least_steps: 0.0,
+    };
     /// 1.2 times its lowest speed, mm/s.
     const SPEED: f64 = 0.64741;
 

@@ -2,7 +2,7 @@
 
 use crate::design::{Design, PlacedStar};
 use crate::geom::{Bounds, Line, Path, Point, Segment};
-use crate::plan::pieces::{flat_pieces, sagitta};
+use crate::plan::pieces::Cuts;
 use crate::plan::seal::{Batch, batches, scope};
 use crate::plan::{Height, Program, Purpose, Step};
 use crate::spec::{Machine, Spec};
@@ -14,13 +14,11 @@ pub fn trace_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Pr
 }
 
 fn trace_program(spec: &Spec, machine: &Machine, design: &Design, (sheet, stars): &Batch<'_>) -> Program {
-    let sagitta = sagitta(spec, machine);
+    let cuts = Cuts::of_trace(spec, machine);
     let mut steps = vec![Step::Height(Height::Park)];
     let mut follow = |path: &Path| {
         let Some(start) = path.start() else { return };
-        // Nothing here waits, so moves are as long as the segments; arcs are cut at 90 degrees all the same.
-        let moves = flat_pieces(path, f64::INFINITY, sagitta);
-        steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(moves)]);
+        steps.extend([Step::Travel(start), Step::Height(Height::Travel), Step::Trace(cuts.pieces(path))]);
     };
     follow(&frame(design, stars, machine.process.ramp.0));
     for placed in stars {

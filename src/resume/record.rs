@@ -1,7 +1,7 @@
 //! The record: what a program's structured comments say of its machine and its seal.
 
 use crate::emit::Facts;
-use crate::plan::{Chop, Pace, Stepper};
+use crate::plan::{Chop, Pace, Precision, Stepper};
 use crate::resume::ResumeFault;
 use crate::spec::{Comments, Controller, Dialect, DwellUnit, Dwells, Heating, Heights};
 use crate::spec::{Motion, Process, Seal, StepRate, TOXIC};
@@ -64,6 +64,8 @@ impl Record {
             start_delay: Duration(chop.start_delay),
             tick: chop.stepper.map(|stepper| Duration(stepper.tick)),
             wraps: chop.stepper.is_some_and(|stepper| stepper.wraps),
+            first_step_rate: chop.stepper.and_then(|stepper| stepper.first_rate),
+            min_move_steps: chop.stepper.map_or(0.0, |stepper| stepper.least_steps),
             ..Motion::UNKNOWN
         }
     }
@@ -73,6 +75,11 @@ impl Record {
         let Self { seal, process, controller, pace, .. } = self;
         let chops = matches!(pace, Pace::Chopped(_));
         IronRules { seal, process, motion, dwell_step: controller.dwell.step.0, chops, timed: self.is_timed }
+    }
+
+    /// Whether the controller joins short moves to the next one, so that a seam can be taken up only where it stands still.
+    pub(super) fn joins_moves(&self) -> bool {
+        matches!(self.pace, Pace::Chopped(chop) if chop.least > 0.0)
     }
 
     /// What the writing of further steps needs to know.
@@ -190,15 +197,25 @@ impl Header {
         if self.find("chop").is_err() {
             return Ok(Pace::Steady);
         }
+        let stepper = self.stepper()?;
+        let least = stepper.map_or(0.0, |Stepper { steps_per_mm: [x, y, _], least_steps, .. }| {
+            least_steps * (1.0 / x).hypot(1.0 / y)
+        });
         Ok(Pace::Chopped(Chop {
+            least,
+            file: Precision {
+                path: self.length("path", "tolerance_mm")?,
+                arcs: self.find("machine")?.word("arcs") == Some("yes"),
+            },
             speed: self.within("chop", "feed_mm_min")? / 60.0,
             longest: self.within("chop", "longest_mm")?,
             acceleration: self.within("chop-rest", "acceleration_mm_s2")?,
             step: self.number("chop-rest", "step_s")?,
-            rest: self.within("seal", "band_mm")? / 10.0 / self.within("seal", "speed_mm_s")?,
+            rest: (self.within("seal", "band_mm")? / 10.0).max(2.0 * least)
+                / self.within("seal", "speed_mm_s")?,
             // Older programs do not say it.
             start_delay: self.number("chop-start", "delay_s").map_or(0.0, |delay| delay.clamp(0.0, 1.0)),
-            stepper: self.stepper()?,
+            stepper,
         }))
     }
 
@@ -212,6 +229,11 @@ impl Header {
             rate: self.within("chop-ticks", "rate_Hz")?,
             tick: self.tick()?,
             wraps: self.find("machine")?.word("dialect") == Some("fluidnc"),
+            // Older programs do not say them.
+            first_rate: self.number("chop-moves", "first_Hz").ok().filter(|rate| (1e-3..=1e5).contains(rate)),
+            least_steps: self
+                .number("chop-moves", "least_steps")
+                .map_or(0.0, |steps| steps.clamp(0.0, 100.0)),
         }))
     }
 }

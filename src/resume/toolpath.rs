@@ -5,7 +5,6 @@
 use std::ops::ControlFlow;
 
 use crate::geom::Bounds;
-use crate::plan::Pace;
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
 use crate::verify::gcode::{Event, Interpreter, Move};
@@ -35,8 +34,10 @@ pub(super) struct TimedMove {
     pub(super) along: f64,
     /// Time before it, s.
     pub(super) begins: f64,
-    /// Its time, with the dwells after it, s.
+    /// Its time, s: in contact what the seal's speed makes of its length, for strokes and dwells keep that schedule.
     pub(super) seconds: f64,
+    /// Whether a dwell follows.
+    pub(super) rests: bool,
     /// Index of the line that is the title of its seam.
     pub(super) title: Option<usize>,
 }
@@ -124,7 +125,7 @@ impl<'a> Toolpath<'a> {
                     }
                     Event::Dwell(dwell) => {
                         if let Some(last) = &mut last {
-                            last.seconds += dwell.seconds;
+                            last.rests |= dwell.seconds > 0.0;
                         }
                     }
                     _ => {}
@@ -150,16 +151,13 @@ impl<'a> Toolpath<'a> {
             .filter(|b| matches!(b.phase, Phase::Contact | Phase::Up) && phase != Phase::Down)
             .map_or(0.0, |b| b.along + if b.phase == Phase::Contact { b.step.length() } else { 0.0 });
         let begins = before.map_or(0.0, |b| b.begins + b.seconds);
-        let seconds = match (record.pace, step.feed) {
-            (Pace::Chopped(chop), _) if phase != Phase::Clear => {
-                let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
-                chop.seconds(from, to, step.length())
-            }
-            (_, Some(feed)) => step.length() / feed * 60.0,
-            (_, None) => step.length() / record.process.travel_speed.0,
+        let seconds = match step.feed {
+            _ if phase != Phase::Clear => step.length() / record.seal.speed.0,
+            Some(feed) => step.length() / feed * 60.0,
+            None => step.length() / record.process.travel_speed.0,
         };
         let along = if phase == Phase::Clear { 0.0 } else { along };
-        TimedMove { step, phase, along, begins, seconds, title }
+        TimedMove { step, phase, along, begins, seconds, rests: false, title }
     }
 
     /// The line of this index.

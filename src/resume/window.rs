@@ -105,6 +105,24 @@ impl Window {
         self.steps.iter().filter(|step| step.phase == Phase::Contact)
     }
 
+    /// The last place at or before `from`, mm along the run, at which the iron stands still: where the run begins, or a dwell is.
+    pub(super) fn stop_before(&self, from: f64) -> Option<(f64, usize)> {
+        let begins = self.down().last().map(|step| (0.0, step.step.line));
+        let stops = self.contact().filter(|step| step.rests);
+        let ends = stops.map(|step| (step.along + step.flat(), step.step.line));
+        begins.into_iter().chain(ends).take_while(|(end, _)| *end <= from + 1e-6).last()
+    }
+
+    /// The way down along the seam, as long as the ramp, that ends at `from`.
+    pub(super) fn way_down(&self, from: f64, ramp: f64) -> Vec<Segment> {
+        let begins = self.begins();
+        self.track().part((from - ramp - begins).max(0.0), from - begins).segments
+    }
+
+    fn track(&self) -> Path {
+        Path::open(self.steps.iter().filter_map(|step| step.step.path).collect())
+    }
+
     /// The way down along the seam, as long as the ramp, that ends at `from`; then the rest of the move in which that lies, and the
     /// line of that move. The rest is at least as long as `least`, if need be with the next move: the old lines begin from a stop.
     pub(super) fn way_to(
@@ -113,9 +131,8 @@ impl Window {
         ramp: f64,
         least: f64,
     ) -> Option<(Vec<Segment>, Vec<Segment>, usize)> {
-        let track = Path::open(self.steps.iter().filter_map(|step| step.step.path).collect());
-        let begins = self.begins();
-        let down = track.part((from - ramp - begins).max(0.0), from - begins).segments;
+        let (track, begins) = (self.track(), self.begins());
+        let down = self.way_down(from, ramp);
         // A sliver left of a move is rounding: the next move is as good a beginning.
         let beyond = |far: f64| self.contact().find(|step| step.along + step.flat() > far);
         let within = beyond(from + least.max(1e-6)).or_else(|| beyond(from + 1e-6));

@@ -26,6 +26,12 @@ pub struct Motion {
     pub tick: Option<Duration>,
     /// Whether the timer of long steps wraps around, as FluidNC's does.
     pub wraps: bool,
+    /// The rate of a move's first step at least, steps/s, whatever its feed, where rates are whole (Marlin up to 2.0.x);
+    /// `None` where there is no such rate.
+    pub first_step_rate: Option<f64>,
+    /// Fewest steps of a move, on the axis that has most of them: a move of fewer is joined to the next one (Marlin,
+    /// `MIN_STEPS_PER_SEGMENT`); 0 where a controller makes every move.
+    pub min_move_steps: f64,
 }
 
 /// The lowest even step rate of a controller.
@@ -46,6 +52,9 @@ const CHOP_MARGIN: f64 = 1.2;
 /// timed with the rates as they become, whatever these are. Enough to leave time for dwells, and slow enough for short
 /// strokes to reach it: where one does not, its peak hangs on the rounding of a float (`calculate_trapezoid_for_block`).
 const CHOP_RATIO: f64 = 2.5;
+/// The part of the first step's rate that chopped moves have in the worst direction. Along an axis they step 1.41 times as
+/// often, so rates lie around that of the first step, and it makes little difference whether a version has one.
+const FIRST_SHARE: f64 = 0.81;
 /// By which part a steady move may be too fast where rates are rounded up to whole steps a second.
 const ROUNDED_UP: f64 = 0.002;
 
@@ -60,6 +69,8 @@ impl Motion {
         start_delay: Duration(0.0),
         tick: None,
         wraps: false,
+        first_step_rate: None,
+        min_move_steps: 0.0,
     };
 
     /// Whether rates are rounded up to whole steps a second (Marlin: module/planner.cpp, `nominal_rate`).
@@ -118,8 +129,15 @@ impl Motion {
         self.even_rate().map(|rate| (rate / speed, rate / speed * std::f64::consts::SQRT_2))
     }
 
+    /// The shortest straight move that the controller makes in every direction of the XY plane, mm; 0 where it makes any.
+    pub fn least_move(&self) -> f64 {
+        let [x, y, _] = self.steps_per_mm.unwrap_or([f64::INFINITY; 3]);
+        self.min_move_steps * (1.0 / x).hypot(1.0 / y)
+    }
+
     /// The feed of chopped moves, mm/s, of a seal at `speed`, mm/s: `chop_feed`, or 1.2 times the lowest that the worst
-    /// direction can be made to step at, and where rates are whole ones 2.5 times `speed` at least.
+    /// direction can be made to step at. Where rates are whole ones it is 2.5 times `speed` at least, and where the first
+    /// step has a rate of its own about that rate.
     pub fn chop_speed(&self, speed: f64) -> Option<f64> {
         if let Some(feed) = self.chop_feed {
             return Some(feed.0);
@@ -128,7 +146,11 @@ impl Motion {
             return self.speed_range().map(|(_, most)| CHOP_MARGIN * most);
         };
         let lowest = CHOP_MARGIN * self.speed_at(rate, self.worst_direction())?;
-        Some(if self.has_whole_rates() { lowest.max(CHOP_RATIO * speed) } else { lowest })
+        if !self.has_whole_rates() {
+            return Some(lowest);
+        }
+        let first = self.first_step_rate.and_then(|rate| self.speed_at(rate, self.worst_direction()));
+        Some(lowest.max(CHOP_RATIO * speed).max(FIRST_SHARE * first.unwrap_or(0.0)))
     }
 
     /// The direction of the XY plane in which X and Y step equally often: the slowest steps of all.
@@ -168,6 +190,36 @@ mod tests {
             }
             assert!((reached.0 / least - 1.0).abs() < 1e-3 && (reached.1 / most - 1.0).abs() < 1e-2);
         }
+    }
+
+    /// Six steps of 1/80 mm at 45 degrees; in no direction are there fewer in such a way.
+    #[test]
+    fn the_shortest_move_has_its_steps_in_every_direction() {
+        for steps in [[80.0, 80.0, 400.0], [100.0, 250.0, 400.0]] {
+            let m = Motion { min_move_steps: 6.0, ..motion(steps, 32.0) };
+            let least = m.least_move();
+            let most = |degrees: f64| {
+                let (s, c) = degrees.to_radians().sin_cos();
+                least * (steps[0] * c.abs()).max(steps[1] * s.abs())
+            };
+            let fewest = (0..3600).map(|i| most(0.1 * f64::from(i))).fold(f64::INFINITY, f64::min);
+            assert!(fewest > 6.0 - 1e-9 && fewest < 6.02, "{fewest}");
+        }
+        assert_eq!(Motion::UNKNOWN.least_move(), 0.0);
+    }
+
+    /// At 80 steps/mm: 97 steps/s at 45 degrees, 137 along an axis.
+    #[test]
+    fn chopped_moves_step_about_as_fast_as_the_first_step() {
+        let marlin = Motion {
+            tick: Some(Duration(0.0)),
+            first_step_rate: Some(120.0),
+            ..motion([80.0, 80.0, 400.0], 32.0)
+        };
+        let speed = marlin.chop_speed(0.1).expect("known");
+        assert!((speed * 80.0 / 2.0_f64.sqrt() - 97.2).abs() < 1e-9, "{speed}");
+        let newest = Motion { first_step_rate: None, ..marlin };
+        assert!((newest.chop_speed(0.1).expect("known") * 80.0 / 2.0_f64.sqrt() - 38.4).abs() < 1e-9);
     }
 
     #[test]

@@ -47,6 +47,8 @@ z_steps_per_mm = 400  # steps of this axis for a millimetre; say all three axes,
 # min_feed = "0 mm/s"  # the controller raises any lower feed to this
 acceleration = "10 mm/s^2"  # of X and Y; chopping counts with it
 # start_delay = "0 s"
+# first_step_rate = "none"
+# min_move_steps = 0
 [dwell]
 # unit = "s"
 # step = "1 ms"

@@ -61,6 +61,7 @@ codes! {
         ProfileLine "profile-line" "A line that the profile gives is missing, changed, or stands elsewhere.",
         RapidInContact "rapid-in-contact" "A rapid move touches the fabric.",
         RepeatedWord "repeated-word" "A letter stands twice on one line.",
+        ShortStroke "short-stroke" "A dwell follows a move that the controller joins to the next one.",
         Size "size" "The file has another size than the manifest says.",
         StrayHeat "stray-heat" "A heater is told what the design does not ask for.",
         StrayTravel "stray-travel" "A travel goes elsewhere than planned, or one is missing.",

@@ -2,7 +2,7 @@
 
 use crate::grbl::Grbl;
 use crate::legs::{Reading, Task, tasks};
-use crate::marlin::Marlin;
+use crate::marlin::{Marlin, Version};
 use crate::sweep::{Corner, Sweep};
 use crate::text::Text;
 use crate::timer::Timer;
@@ -39,17 +39,33 @@ pub(crate) fn run(dialect: &str, text: &Text, motors: Motors) -> Track {
         "grbl" => grbl(Timer::Avr, motors).run(&tasks, &mut track),
         "grblhal" => grbl(Timer::Esp32, motors).run(&tasks, &mut track),
         "fluidnc" => grbl(Timer::FluidNc, motors).run(&tasks, &mut track),
-        "marlin" => marlin(motors, 32.0).run(&tasks, &mut track),
+        "marlin" => marlin(motors, 32.0, Version::Two).run(&tasks, &mut track),
         _ => sweep(dialect, motors).run(&tasks, &mut track),
     }
     track
 }
 
-/// The same on a board of Marlin's with 32 bits, whose timer has no floor.
-pub(crate) fn run_marlin_32(text: &Text, motors: Motors) -> Track {
+/// A board of Marlin's: a timer of 8 bits has a floor of 32 steps/s, one of 32 bits has none.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Board {
+    pub(crate) bits: u32,
+    pub(crate) version: Version,
+}
+
+/// Every board of Marlin's.
+pub(crate) const BOARDS: [Board; 4] = [
+    Board { bits: 8, version: Version::Two },
+    Board { bits: 8, version: Version::Newest },
+    Board { bits: 32, version: Version::Two },
+    Board { bits: 32, version: Version::Newest },
+];
+
+/// What a board of Marlin's makes of a program.
+pub(crate) fn run_marlin(text: &Text, motors: Motors, board: Board) -> Track {
     let mut track = Track::default();
     let tasks: Vec<Task> = tasks(text, &reading("marlin"));
-    marlin(motors, 1.0).run(&tasks, &mut track);
+    let floor = if board.bits == 8 { 32.0 } else { 1.0 };
+    marlin(motors, floor, board.version).run(&tasks, &mut track);
     track
 }
 
@@ -87,9 +103,9 @@ fn grbl(timer: Timer, motors: Motors) -> Grbl {
     Grbl { steps_per_mm, acceleration, max_rate: [TRAVEL as f32 * 60.0; 3], timer }
 }
 
-fn marlin(motors: Motors, lowest_rate: f64) -> Marlin {
+fn marlin(motors: Motors, lowest_rate: f64, version: Version) -> Marlin {
     let Motors { acceleration, .. } = motors;
-    Marlin { steps_per_mm: motors.steps(), acceleration, speed: [TRAVEL; 3], lowest_rate }
+    Marlin { steps_per_mm: motors.steps(), acceleration, speed: [TRAVEL; 3], lowest_rate, version }
 }
 
 fn sweep(dialect: &str, motors: Motors) -> Sweep {

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use crate::controller::{Motors, run, run_marlin_32};
+use crate::controller::{BOARDS, Board, Motors, run, run_marlin};
 use crate::judge::{Deviations, deviations};
 use stargrip_cam::spec::Machine;
 
+use crate::marlin::Version;
 use crate::programs::{
-    DIALECTS, Named, coupon_programs, feed_check, has_floor, machine, machine_of_marlin_32, seals, spec,
+    DIALECTS, Named, coupon_programs, feed_check, has_floor, machine, machine_of_marlin, seals, spec,
 };
 use crate::text::Text;
 
@@ -27,16 +28,26 @@ const DESIGNS: [(&str, &str); 10] = [
     ("round-hinges", include_str!("../../designs/round-hinges.toml")),
 ];
 
-/// Marlin on a board with 32 bits; `marlin` is one on an AVR.
-const MARLIN_32: &str = "marlin, 32 bits";
+/// A controller: a dialect, and which board of Marlin's.
+type Controller = (&'static str, Option<Board>);
 
 /// What runs the programs of a dialect, each with its profile on these motors.
-fn boards(dialect: &'static str, motors: Motors) -> Vec<(&'static str, Machine)> {
-    let mut boards = vec![(dialect, machine(dialect, motors))];
+fn boards(dialect: &'static str, motors: Motors) -> Vec<(Controller, Machine)> {
     if dialect == "marlin" {
-        boards.push((MARLIN_32, machine_of_marlin_32(motors)));
+        let own = |board| (("marlin", Some(board)), machine_of_marlin(motors, board));
+        return BOARDS.map(own).into();
     }
-    boards
+    vec![((dialect, None), machine(dialect, motors))]
+}
+
+fn name((dialect, board): Controller) -> String {
+    match board {
+        Some(Board { bits, version }) => {
+            let version = if version == Version::Two { "2.0.x" } else { "newest" };
+            format!("{dialect} {version}, {bits} bits")
+        }
+        None => dialect.to_owned(),
+    }
 }
 
 /// The motors of a dialect: one number of steps stands for all where they do not count.
@@ -57,13 +68,13 @@ struct Worst {
 }
 
 impl Worst {
-    /// Judges a program on a controller, which is a dialect or [`MARLIN_32`].
-    fn take(&mut self, controller: &str, motors: Motors, speed: f64, (name, code): &Named) {
+    /// Judges a program on a controller.
+    fn take(&mut self, controller: Controller, motors: Motors, speed: f64, (program, code): &Named) {
         let text = Text::read(code);
         let speed = text.fact("seal.speed_mm_s").unwrap_or(speed);
         let track = match controller {
-            MARLIN_32 => run_marlin_32(&text, motors),
-            dialect => run(dialect, &text, motors),
+            (_, Some(board)) => run_marlin(&text, motors, board),
+            (dialect, None) => run(dialect, &text, motors),
         };
         let (found, complaints) = deviations(&text, &track, speed, motors.stop(speed));
         self.programs += 1;
@@ -73,7 +84,8 @@ impl Worst {
         most.total = if found.total.abs() > most.total.abs() { found.total } else { most.total };
         most.window = most.window.max(found.window);
         let Motors { acceleration, steps_per_mm } = motors;
-        let place = format!("{controller}, {acceleration} mm/s^2, {steps_per_mm} steps/mm, {name}");
+        let place =
+            format!("{}, {acceleration} mm/s^2, {steps_per_mm} steps/mm, {program}", name(controller));
         self.complaints.extend(complaints.into_iter().map(|complaint| format!("{place}: {complaint}")));
     }
 }
@@ -104,23 +116,23 @@ fn chosen(variable: &str) -> impl Fn(&str) -> bool {
 #[test]
 #[ignore = "takes minutes; its table is in docs/machines.md"]
 fn every_program_on_every_machine_of_the_grid() {
-    let mut table: BTreeMap<(&str, &str), Worst> = BTreeMap::new();
+    let mut table: BTreeMap<(String, &str), Worst> = BTreeMap::new();
     let (is_chosen, is_spoken) = (chosen("CLOCK_DESIGNS"), chosen("CLOCK_DIALECTS"));
     for dialect in DIALECTS.into_iter().filter(|dialect| is_spoken(dialect)) {
         for motors in motors(dialect) {
             let boards = boards(dialect, motors);
             let cases = DESIGNS.iter().filter(|(name, _)| is_chosen(name));
-            for ((name, design), (controller, machine)) in
+            for ((design_name, design), (controller, machine)) in
                 cases.flat_map(|one| boards.iter().map(move |board| (one, board)))
             {
                 let spec = spec(dialect, design);
                 let mut take = |kind, program: &Named| {
-                    let worst = table.entry((*controller, kind)).or_default();
-                    worst.take(controller, motors, spec.seal.speed.0, program);
+                    let worst = table.entry((name(*controller), kind)).or_default();
+                    worst.take(*controller, motors, spec.seal.speed.0, program);
                 };
                 seals(&spec, machine).0.iter().for_each(|program| take("seal", program));
                 // These do not depend on the design.
-                if *name == "paper-five-points" {
+                if *design_name == "paper-five-points" {
                     take("feedcheck", &feed_check(&spec, machine));
                     for program in &coupon_programs(&spec, machine) {
                         take("coupon", program);

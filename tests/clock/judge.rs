@@ -5,6 +5,8 @@ use crate::track::Track;
 
 /// How far the mean speed of a stretch may be off.
 pub(crate) const MEAN: f64 = 0.002;
+/// How far the mean speed may be off on a version of a controller that the profile does not state.
+pub(crate) const OTHER_VERSION: f64 = 0.005;
 /// How far the total time may be off.
 pub(crate) const TOTAL: f64 = 0.005;
 /// How far the speed within a window may be off, steady and chopped: six strokes have six rests, or one more or less.
@@ -25,6 +27,17 @@ pub(crate) struct Deviations {
 /// Deviations of `track`, which was made of `text`, from `speed` mm/s, and every one that is more than is allowed. `stop`
 /// is the part of a window's time that one stop may take where it goes steadily.
 pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, stop: f64) -> (Deviations, Vec<String>) {
+    deviations_within(MEAN, text, track, speed, stop)
+}
+
+/// The same with another tolerance of the mean speed.
+pub(crate) fn deviations_within(
+    tolerance: f64,
+    text: &Text,
+    track: &Track,
+    speed: f64,
+    stop: f64,
+) -> (Deviations, Vec<String>) {
     let chopped = text.commands.iter().any(|(_, command)| matches!(command, Command::Dwell(_)));
     let window = (STROKES * text.fact("chop.longest_mm").unwrap_or(0.0)).max(WINDOW);
     let allowed = if chopped { CHOPPED } else { STEADY + stop };
@@ -35,7 +48,7 @@ pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, stop: f64) -> (
         let (least, highest) = stretch.windows(window);
         let around = (least / speed - 1.0).abs().max((highest / speed - 1.0).abs());
         let around = if least.is_finite() { around } else { 0.0 };
-        if !(-MEAN..=MEAN).contains(&mean) {
+        if !(-tolerance..=tolerance).contains(&mean) {
             complaints.push(format!("line {}: mean speed {:+.2} %", stretch.line, 100.0 * mean));
         }
         if around > allowed {

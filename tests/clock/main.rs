@@ -24,12 +24,14 @@ mod text;
 mod timer;
 mod track;
 
-use crate::controller::{Motors, run, run_marlin_32};
-use crate::judge::deviations;
+use crate::controller::{BOARDS, Motors, run, run_marlin};
+use crate::judge::{OTHER_VERSION, deviations, deviations_within};
 use crate::programs::{DIALECTS, coupon_programs, feed_check, machine, seals, spec};
 use crate::text::Text;
 
 const FIVE: &str = include_str!("../../designs/paper-five-points.toml");
+const ROUND: &str = include_str!("../../designs/round-hinges.toml");
+const CONICAL: &str = include_str!("../../designs/conical-stack.toml");
 
 /// The motors that the profile of a dialect is of.
 fn own(dialect: &str) -> Motors {
@@ -75,14 +77,23 @@ fn traces_travel_and_do_not_crawl() {
     }
 }
 
-/// The same programs do on a board with 32 bits, whose timer has no floor.
+/// One program does on every board, whose versions differ in the rate of a first step, at tips and corners as well.
 #[test]
-fn marlin_with_32_bits_keeps_the_mean_speed_as_well() {
-    let motors = own("marlin");
-    let (spec, machine) = (spec("marlin", FIVE), machine("marlin", motors));
-    for (name, code) in seals(&spec, &machine).0 {
-        let text = Text::read(&code);
-        let (_, complaints) = deviations(&text, &run_marlin_32(&text, motors), spec.seal.speed.0, 0.0);
-        assert!(complaints.is_empty(), "{name}: {complaints:?}");
+fn every_marlin_keeps_the_speed_of_one_program() {
+    for design in [FIVE, ROUND, CONICAL] {
+        for acceleration in [3000.0, 500.0] {
+            let motors = Motors { acceleration, ..own("marlin") };
+            let (spec, machine) = (spec("marlin", design), machine("marlin", motors));
+            for (name, code) in seals(&spec, &machine).0 {
+                let text = Text::read(&code);
+                for board in BOARDS {
+                    let track = run_marlin(&text, motors, board);
+                    let (found, complaints) =
+                        deviations_within(OTHER_VERSION, &text, &track, spec.seal.speed.0, 0.0);
+                    println!("{name} {acceleration} {board:?} {found:?}");
+                    assert!(complaints.is_empty(), "{name}: {board:?}: {complaints:?}");
+                }
+            }
+        }
     }
 }

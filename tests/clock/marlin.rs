@@ -1,6 +1,7 @@
-//! Marlin: whole steps a second, ramps from a lowest rate, and the wait of a block that meets an empty queue
-//! (MarlinFirmware/Marlin, module/planner.cpp: `_populate_block`, `calculate_trapezoid_for_block`, `get_current_block`;
-//! module/stepper.cpp: `block_phase_isr`, `calc_timer_interval`).
+//! Marlin: whole steps a second, ramps from a lowest rate, the wait of a block that meets an empty queue, and moves of a few
+//! steps that are joined to the next (MarlinFirmware/Marlin, module/planner.cpp: `_populate_block`,
+//! `calculate_trapezoid_for_block`, `get_current_block`; module/stepper.cpp: `block_phase_isr`, `calc_timer_interval`), as 2.0.9.7
+//! and the newest sources have them.
 
 use crate::legs::{Leg, Task};
 use crate::track::Track;
@@ -12,6 +13,22 @@ const NO_WAIT: usize = 3;
 /// Configuration.h, JUNCTION_DEVIATION_MM.
 const JUNCTION_DEVIATION: f64 = 0.013;
 
+/// planner.cpp, `MINIMAL_STEP_RATE` of 2.0.x, steps/s.
+const FIRST_RATE: f64 = 120.0;
+/// Configuration_adv.h, `MINIMUM_PLANNER_SPEED` of 2.0.x, mm/s.
+const LEAST_SPEED: f64 = 0.05;
+/// Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`: a block of fewer steps is dropped, and the next one begins where it would have.
+const FEWEST: f64 = 6.0;
+
+/// Which sources a board is built from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Version {
+    /// 2.0.x, and 1.1 before it.
+    Two,
+    /// The newest.
+    Newest,
+}
+
 /// Settings of a board.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Marlin {
@@ -22,6 +39,7 @@ pub(crate) struct Marlin {
     pub(crate) speed: [f64; 3],
     /// The lowest step rate, steps/s: 1 with 32 bits, 32 on an AVR.
     pub(crate) lowest_rate: f64,
+    pub(crate) version: Version,
 }
 
 /// block_t.
@@ -43,15 +61,18 @@ struct Block {
 impl Marlin {
     pub(crate) fn run(self, tasks: &[Task], track: &mut Track) {
         let mut queue: Vec<Block> = Vec::new();
-        let mut position = None;
+        let (mut position, mut dropped) = (None, None);
         for task in tasks {
             match task {
                 Task::Leg(leg) => {
                     let from = position.unwrap_or_else(|| self.steps(leg.from));
                     let to = self.steps(leg.to);
-                    if let Some(block) = self.block(leg, from, to, queue.last()) {
+                    let leg = Leg { from: dropped.unwrap_or(leg.from), ..*leg };
+                    if let Some(block) = self.block(&leg, from, to, queue.last()) {
                         queue.push(block);
-                        position = Some(to);
+                        (position, dropped) = (Some(to), None);
+                    } else {
+                        (position, dropped) = (Some(from), Some(leg.from));
                     }
                 }
                 Task::Dwell(time) => {
@@ -78,7 +99,7 @@ impl Marlin {
         let steps = delta.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
         let mm: [f64; 3] = std::array::from_fn(|i| delta[i] / self.steps_per_mm[i]);
         let length = crate::legs::length(mm);
-        if steps < 1.0 {
+        if steps < FEWEST {
             return None;
         }
         let unit = mm.map(|d| d / length);
@@ -92,7 +113,10 @@ impl Marlin {
         let nominal = told * factor;
         // M204, along the way; LIMIT_ACCEL, what no axis exceeds, is no less where M201 says as much.
         let acceleration = (self.acceleration * steps_per_mm).ceil() / steps_per_mm;
-        let least = (0.5 * acceleration / steps_per_mm).min(nominal * nominal);
+        let least = match self.version {
+            Version::Two => LEAST_SPEED * LEAST_SPEED,
+            Version::Newest => (0.5 * acceleration / steps_per_mm).min(nominal * nominal),
+        };
         let entry = before.map_or(least, |before| {
             let bend = Self::bend(before.unit, unit, acceleration);
             bend.min(nominal.min(before.nominal).powi(2)).max(least)
@@ -142,7 +166,10 @@ impl Marlin {
         let exits: Vec<f64> = queue.iter().skip(1).map(|block| block.entry).chain([last]).collect();
         for (block, exit) in queue.drain(..).zip(exits) {
             track.begin(&block.leg);
-            self.step(&block, exit.sqrt(), track);
+            match self.version {
+                Version::Two => self.step_of_two(&block, exit.sqrt(), track),
+                Version::Newest => self.step(&block, exit.sqrt(), track),
+            }
         }
     }
 
@@ -179,6 +206,43 @@ impl Marlin {
             let seconds = 1.0 / now.max(self.lowest_rate);
             made += 1.0;
             track.moved(made / block.steps, seconds);
+        }
+    }
+
+    /// The same of 2.0.x: blocks begin and end at 120 steps/s, and the rate after a step is that of the time before it.
+    fn step_of_two(&self, block: &Block, exit: f64, track: &mut Track) {
+        let nominal = block.nominal_rate.max(self.lowest_rate);
+        let rate = |speed: f64| (nominal * speed / block.nominal).ceil().max(FIRST_RATE);
+        let (initial, last) = (rate(block.entry.sqrt()), rate(exit));
+        let a = block.acceleration * block.steps_per_mm;
+        let ramp = |from: f64| (nominal * nominal - from * from) * 0.5 / a;
+        // uint32_t of what is negative: none on an ARM, more than there are on other boards, with the same effect.
+        let (mut up, down) = (ramp(initial).ceil().max(0.0), ramp(last).floor().max(0.0));
+        let mut decelerate_after = block.steps - down;
+        if up + down > block.steps {
+            up = (0.5 * (block.steps + ramp(initial) - ramp(last))).ceil().clamp(0.0, block.steps);
+            decelerate_after = up;
+        }
+        let (mut speeding, mut braking, mut peak) = (0.0_f64, 0.0_f64, initial);
+        let mut interval = 1.0 / initial;
+        let mut made = 0.0;
+        while made < block.steps {
+            made += 1.0;
+            track.moved(made / block.steps, interval);
+            let now = if made <= up {
+                peak = (initial + (a * speeding).floor()).min(nominal);
+                peak
+            } else if made > decelerate_after {
+                (peak - (a * braking).floor()).max(last)
+            } else {
+                nominal
+            };
+            interval = 1.0 / now.max(self.lowest_rate);
+            if made <= up {
+                speeding += interval;
+            } else if made > decelerate_after {
+                braking += interval;
+            }
         }
     }
 }

@@ -7,7 +7,8 @@ use stargrip_cam::plan::feed_checks;
 use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
 use stargrip_cam::units::{Length, Speed, Temperature};
 
-use crate::controller::Motors;
+use crate::controller::{Board, Motors};
+use crate::marlin::Version;
 
 /// A program with its name.
 pub(crate) type Named = (String, String);
@@ -26,11 +27,20 @@ pub(crate) fn machine(dialect: &str, motors: Motors) -> Machine {
     adapted(builtin_machine(dialect).expect("built in"), has_floor(dialect), motors)
 }
 
-/// That of Marlin as its comment says it should be for a board with 32 bits.
-pub(crate) fn machine_of_marlin_32(motors: Motors) -> Machine {
-    let text = builtin_machine("marlin").expect("built in");
-    assert!(text.contains("min_step_rate = 32"));
-    adapted(&text.replace("min_step_rate = 32", "min_step_rate = 1"), true, motors)
+/// That of Marlin as its comments say it should be for a board.
+pub(crate) fn machine_of_marlin(motors: Motors, board: Board) -> Machine {
+    let mut text = builtin_machine("marlin").expect("built in").to_owned();
+    let mut replace = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
+    };
+    if board.bits == 32 {
+        replace("min_step_rate = 32", "min_step_rate = 1");
+    }
+    if board.version == Version::Newest {
+        replace("first_step_rate = 120", "first_step_rate = \"none\"");
+    }
+    adapted(&text, true, motors)
 }
 
 fn adapted(text: &str, has_floor: bool, motors: Motors) -> Machine {

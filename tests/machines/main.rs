@@ -1,6 +1,7 @@
 //! The machine really does what the design says: every dialect, every fault, every way of going on.
 
 mod airtight;
+mod chopped;
 mod clamps;
 mod coupons;
 mod dialects;

@@ -38,6 +38,9 @@ pub(super) fn header(
     if program.purpose == Purpose::Seal {
         let length: f64 = program.seams.iter().map(|seam| seam.length).sum();
         writer.comment(&format!("total: length_mm={length:.3} time_s={:.0}", program.time))?;
+    } else {
+        // Corners, which a slow machine brakes for, come on top.
+        writer.comment(&format!("total: time_s={:.0}", program.time))?;
     }
     if machine.controller.thumbnails {
         thumbnails(writer, program, facts.seal.band.0)?;
@@ -81,10 +84,14 @@ fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, progr
         let delay = number(chop.start_delay);
         writer.comment(&format!("chop-rest: acceleration_mm_s2={a} step_s={step}"))?;
         writer.comment(&format!("chop-start: delay_s={delay}"))?;
-        if let Some(Stepper { steps_per_mm, rate, tick, .. }) = chop.stepper {
+        if let Some(stepper @ Stepper { steps_per_mm, rate, tick, .. }) = chop.stepper {
             let ([x, y, z], rate, tick) = (steps_per_mm.map(number), number(rate), number(tick));
             writer.comment(&format!("chop-steps: x={x} y={y} z={z}"))?;
             writer.comment(&format!("chop-ticks: rate_Hz={rate} tick_s={tick}"))?;
+            if stepper.first_rate.is_some() || stepper.least_steps > 0.0 {
+                let (first, least) = (number(stepper.first_rate.unwrap_or(0.0)), number(stepper.least_steps));
+                writer.comment(&format!("chop-moves: first_Hz={first} least_steps={least}"))?;
+            }
         }
         let axes =
             if chop.stepper.is_some_and(|stepper| stepper.tick > 0.0) { "X, Y and Z" } else { "X and Y" };

@@ -7,6 +7,7 @@ use crate::emit::gcode::facts::Facts;
 use crate::emit::number::{Decimals, number};
 use crate::emit::text::inert;
 use crate::geom::{Point, Segment};
+use crate::plan::is_straight;
 use crate::spec::Comments;
 
 /// Spells lines, and remembers where the file says that the iron is.
@@ -139,11 +140,7 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
     /// Centre of the arc through the rounded points; `None` where a straight move is as good.
     fn center(&self, piece: &Segment, from: Point, to: Point) -> Option<Point> {
         let Segment::Arc(arc) = piece else { return None };
-        // A quarter of the tolerance; rounding has at most a tenth of it.
-        let straight = self.facts.path.0 / 4.0;
-        // `1 - cos x <= x^2 / 2` tells most without a cosine.
-        let at_most = arc.radius * arc.sweep * arc.sweep / 8.0;
-        if at_most <= straight || arc.radius * (1.0 - (arc.sweep / 2.0).cos()) <= straight {
+        if !self.facts.controller.arcs || is_straight(piece, self.facts.path) {
             return None;
         }
         let chord = to - from;

@@ -14,6 +14,11 @@ const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
 /// Lowest step rates, steps/s: from a step a quarter of an hour to what only a broken timer would have.
 const RATE: Allowed = Allowed::closed(1e-3, 1e5);
 
+/// Fewest steps of a move: more than a broken build would ask for.
+const MOVE: Allowed = Allowed::closed(0.0, 100.0);
+/// planner.cpp, `MINIMAL_STEP_RATE`, steps/s, and Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`: what most boards with Marlin have.
+const MARLIN: (f64, f64) = (120.0, 6.0);
+
 /// Reads `[motion]` of a controller of the family `dialect`.
 pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
     let axes = [
@@ -44,6 +49,17 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
     if dialect == Dialect::Marlin && step_rate == StepRate::NoLimit {
         refuse_no_floor(s);
     }
+    let (first, fewest) = match dialect {
+        Dialect::Marlin => (Some(MARLIN.0), MARLIN.1),
+        _ => (None, 0.0),
+    };
+    let first_step_rate = if says(s, "first_step_rate", "none") {
+        None
+    } else {
+        let rate = s.number("first_step_rate", RATE);
+        s.or_word("first_step_rate", "none");
+        rate.or(first)
+    };
     Motion {
         steps_per_mm,
         step_rate,
@@ -53,6 +69,8 @@ pub(super) fn read_motion(s: &mut Section<'_, '_>, dialect: Dialect) -> Motion {
         start_delay: s.quantity("start_delay", Allowed::closed(0.0, 1.0)).unwrap_or(Duration(0.0)),
         tick: known(s, "tick", Allowed::closed(0.0, 0.1)),
         wraps: dialect == Dialect::FluidNc,
+        first_step_rate,
+        min_move_steps: s.number("min_move_steps", MOVE).unwrap_or(fewest),
     }
 }
 

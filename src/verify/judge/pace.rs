@@ -2,12 +2,12 @@
 //!
 //! A **stroke** is a move that a dwell follows; moves without a dwell between them are one stroke to the controller, which
 //! does not stop there. Its schedule is the seal's speed: however it is chopped, a contact must never be off its schedule
-//! by more than 0.2 % and a dwell's step, nor a stroke on its own.
+//! by more than 0.2 % and a dwell's step, nor a stroke on its own. Where the controller joins short moves, no dwell follows one.
 
 use crate::geom::Segment;
 use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{IronRules, Phase};
-use crate::verify::judge::stroke::Run;
+use crate::verify::judge::stroke::{Run, shortest_move};
 use crate::verify::read::gcode::{Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 
@@ -95,6 +95,11 @@ impl Paced<'_> {
                 self.findings.add(FindingCode::WrongFeed, step.line, found, allowed);
             }
             self.stroke(step, feed, rest);
+            if rest > 0.0 && self.schedule.run.is_short() {
+                let allowed = format!("at least {} steps", self.rules.motion.min_move_steps);
+                let found = "a dwell after fewer steps than the controller makes at once";
+                self.findings.add(FindingCode::ShortStroke, step.line, found, allowed);
+            }
             let longest = self.longest(feed);
             if step.length() > longest + 0.01 {
                 let found = format!("a stroke of {:.3} mm", step.length());
@@ -111,8 +116,12 @@ impl Paced<'_> {
             self.findings.add(FindingCode::WrongFeed, step.line, found, allowed);
             return;
         };
-        if self.rules.timed {
+        // What the controller has not begun is late as soon as it is told: it is judged with what it is joined to.
+        if self.rules.timed && (stopped || !self.schedule.run.is_short()) {
             self.on_time(step, stopped);
+        }
+        if rest > 0.0 {
+            (self.schedule.run, self.schedule.counted) = (Run::default(), 0.0);
         }
         let motion = self.rules.motion;
         let is_steady = (feed - speed).abs() <= ROUNDING * speed;
@@ -134,12 +143,11 @@ impl Paced<'_> {
         let (motion, schedule) = (self.rules.motion, &mut self.schedule);
         let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
         schedule.run = schedule.run.and(motion, from, to, step.length());
-        let seconds = schedule.run.seconds(motion, feed);
+        // What the controller has not begun takes no time yet.
+        let seconds =
+            if schedule.run.is_short() { schedule.counted } else { schedule.run.seconds(motion, feed) };
         schedule.spent += seconds - schedule.counted + rest;
         schedule.counted = seconds;
-        if rest > 0.0 {
-            (schedule.run, schedule.counted) = (Run::default(), 0.0);
-        }
     }
 
     /// The longest stroke, mm: a tenth of the band, or what leaves time for the shortest dwell.
@@ -148,6 +156,8 @@ impl Paced<'_> {
         let least = self.start_and_stop(feed) + dwell_step;
         let spared = 1.0 / seal.speed.0 - 1.0 / feed;
         let needed = if spared > 0.0 { least / spared } else { 0.0 };
+        // Where there is no room for two strokes that the controller makes, one is nearly as long as both.
+        let needed = needed.max(2.0 * shortest_move(self.rules.motion));
         needed.clamp(seal.band.0 / 10.0, seal.band.0 / 2.0)
     }
 

@@ -2,6 +2,7 @@
 
 use crate::spec::{FeedFloor, Machine, Motion, Process, Seal, Spec};
 use crate::verify::judge::HEIGHT;
+use crate::verify::judge::stroke::shortest_move;
 use crate::verify::read::gcode::Move;
 
 /// How the iron is to be led, whatever its path.
@@ -58,9 +59,11 @@ impl<'a> IronRules<'a> {
         }
     }
 
-    /// The longest time at rest, s: what a tenth of the band takes; longer leaves a scar.
+    /// The longest time at rest, s: what a tenth of the band takes, for longer leaves a scar; or two of the shortest moves that
+    /// the controller makes.
     pub(in crate::verify) fn longest_rest(&self) -> f64 {
-        self.seal.band.0 / 10.0 / self.seal.speed.0
+        let way = (self.seal.band.0 / 10.0).max(2.0 * shortest_move(self.motion));
+        way / self.seal.speed.0 + 1e-9
     }
 
     /// Whether a height is below that of travels.

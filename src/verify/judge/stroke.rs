@@ -13,6 +13,9 @@ pub(super) struct Run {
     /// Whole steps of each axis; lengths in mm where the steps are not known.
     moved: [f64; 3],
     length: f64,
+    /// Steps of moves that have too few of them, and whether there are such moves: the controller joins them to the next one.
+    joined: [f64; 3],
+    is_short: bool,
 }
 
 impl Run {
@@ -20,8 +23,20 @@ impl Run {
     pub(super) fn and(self, motion: &Motion, from: [f64; 3], to: [f64; 3], length: f64) -> Self {
         let scale = motion.steps_per_mm.unwrap_or([1.0; 3]);
         let whole = |mm: f64, axis: usize| (mm * scale[axis]).round();
-        let moved = std::array::from_fn(|i| self.moved[i] + (whole(to[i], i) - whole(from[i], i)).abs());
-        Self { moved, length: self.length + length }
+        let joined: [f64; 3] = std::array::from_fn(|i| self.joined[i] + whole(to[i], i) - whole(from[i], i));
+        let most = joined.into_iter().map(f64::abs).fold(0.0, f64::max);
+        let is_short = motion.steps_per_mm.is_some() && most < motion.min_move_steps;
+        let run = Self { joined, is_short, length: self.length + length, ..self };
+        if is_short {
+            return run;
+        }
+        let moved = std::array::from_fn(|i| self.moved[i] + joined[i].abs());
+        Self { moved, joined: [0.0; 3], ..run }
+    }
+
+    /// Whether the last moves have so few steps that the controller has not made them yet.
+    pub(super) fn is_short(&self) -> bool {
+        self.is_short
     }
 
     /// Time from rest to rest, s, at `speed` mm/s.
@@ -38,7 +53,7 @@ impl Run {
                     return wait;
                 }
                 if tick.0 == 0.0 {
-                    return wait + whole_rates(steps, length, speed, a, rate);
+                    return wait + whole_rates(steps, length, (speed, a), rate, motion.first_step_rate);
                 }
                 // Every axis has this acceleration: along a diagonal they have more.
                 let share = mm.into_iter().fold(0.0, f64::max) / length;
@@ -57,11 +72,28 @@ pub fn stroke_seconds(motion: &Motion, from: [f64; 3], to: [f64; 3], speed: f64)
     Run::default().and(motion, from, to, length).seconds(motion, speed)
 }
 
+/// The shortest way in the plane that has the steps of a move in every direction, mm.
+pub(super) fn shortest_move(motion: &Motion) -> f64 {
+    let per_step = |scale: f64| 1.0 / scale;
+    motion.steps_per_mm.map_or(0.0, |[x, y, _]| motion.min_move_steps * per_step(x).hypot(per_step(y)))
+}
+
 /// Time as Marlin makes it (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its
-/// own, in whole steps a second, which is told rounded up and is never below the `least`.
-fn whole_rates(steps: f64, length: f64, speed: f64, acceleration: f64, least: f64) -> f64 {
+/// own, in whole steps a second, which is told rounded up and is never below the `least`; versions up to 2.0.x begin and
+/// end with the rate `first`.
+fn whole_rates(
+    steps: f64,
+    length: f64,
+    (speed, acceleration): (f64, f64),
+    least: f64,
+    first: Option<f64>,
+) -> f64 {
     let scale = steps / length;
     let even = (speed * scale - 1e-6).ceil().max(least);
+    if let Some(first) = first.filter(|_| steps <= 1e4) {
+        let first = first.max((0.05 * scale).ceil()).max(least);
+        return with_first(steps, even, (acceleration * scale).ceil(), first);
+    }
     let slow = (speed.min((acceleration / scale / 2.0).sqrt()) * scale).round().max(least);
     let gain = (acceleration * scale).ceil();
     let ramp = ((even.powi(2) - slow.powi(2)) / gain / 2.0).ceil().max(0.0);
@@ -84,6 +116,32 @@ fn whole_rates(steps: f64, length: f64, speed: f64, acceleration: f64, least: f6
             each
         };
         made += 1.0;
+    }
+    total
+}
+
+/// The same where a stroke begins and ends at the rate `first`: the rate after a step is that of the time before it.
+fn with_first(steps: f64, even: f64, gain: f64, first: f64) -> f64 {
+    let part = 0.5 * (even - first).max(0.0) * (even + first) / gain;
+    let meet = (0.5 * steps).ceil();
+    let (gained, lost) =
+        if part.ceil() + part.floor() > steps { (meet, steps - meet) } else { (part.ceil(), part.floor()) };
+    let (mut total, mut rising, mut falling, mut top) = (first.recip(), 0.0, 0.0, first);
+    let mut step = 1.0;
+    while step < steps {
+        let rate = if step <= gained {
+            top = (first + (gain * rising).floor()).min(even);
+            rising += top.recip();
+            top
+        } else if step + lost > steps {
+            let rate = first.max(top - (gain * falling).floor());
+            falling += rate.recip();
+            rate
+        } else {
+            even
+        };
+        total += rate.recip();
+        step += 1.0;
     }
     total
 }

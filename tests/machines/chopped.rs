@@ -1,0 +1,109 @@
+//! Chopped programs: what is written is what is judged, however coarse the file and the steps.
+
+use stargrip_cam::pipeline::read_back;
+
+use crate::{built, findings_with, profile, spec_text, text, try_built};
+
+const CHOP: &str = "[machine]\nfeed_floor = \"chop\"\n";
+const JOB: &str = "star-1-seal.gcode";
+
+fn with_path(path: &str) -> String {
+    spec_text(&format!("{CHOP}[accuracy]\npath = \"{path}\"\n"))
+}
+
+/// Positions of the file are rounded, the steps to them with them: at 0.01 mm a stroke may have a step more or less than its
+/// exact ends have, which on GRBL takes 33 ms.
+#[test]
+fn coarse_files_are_proven_on_every_chopping_profile() {
+    for name in ["grbl", "fluidnc", "marlin", "grblhal"] {
+        for path in ["0.01 mm", "0.1 mm", "1 mm"] {
+            let build = built(&with_path(path), profile(name));
+            assert_eq!(read_back(&build.output_files()).findings, [], "{name} {path}");
+        }
+    }
+}
+
+/// Round hinges at 160 steps/mm and 10 mm/s^2, at the default precision.
+#[test]
+fn round_hinges_are_proven_at_160_steps() {
+    let text = include_str!("../../designs/round-hinges.toml");
+    let fine = profile("grbl").replace("steps_per_mm = 80", "steps_per_mm = 160");
+    let build = built(&format!("{text}\n{CHOP}"), &fine);
+    assert_eq!(read_back(&build.output_files()).findings, []);
+}
+
+/// A ramp of 0.05 mm for 10 mm of height: where the file states thousandths, its strokes would go straight down.
+#[test]
+fn a_ramp_steeper_than_the_file_can_state_is_refused() {
+    let steep = profile("grbl")
+        .replace("ramp = \"3 mm\"", "ramp = \"0.05 mm\"")
+        .replace("contact = \"-0.3 mm\"", "contact = \"-5 mm\"");
+    let refusals = try_built(&with_path("0.01 mm"), &steep).map(|_| ()).expect_err("a plunge");
+    assert_eq!(refusals[0].code, "feed-floor");
+    let least =
+        refusals[0].remedy.split(' ').rev().nth(1).and_then(|x| x.parse::<f64>().ok()).expect("a ramp");
+    assert!(least > 0.05 && least < 1.0, "{}", refusals[0].remedy);
+    let enough = steep.replace("0.05 mm", &format!("{least} mm"));
+    for path in ["0.01 mm", "0.001 mm"] {
+        let build = built(&with_path(path), &enough);
+        assert_eq!(read_back(&build.output_files()).findings, [], "{path}");
+    }
+}
+
+/// Marlin joins a move of fewer than six steps to the next one and keeps its dwell: no dwell follows such a move.
+#[test]
+fn marlin_dwells_only_after_moves_that_it_makes() {
+    // Corners of 0.3 and 1 mm, whose chords are short.
+    for corner in ["0.3 mm", "1 mm", "2 mm"] {
+        let spec =
+            spec_text(CHOP).replace("corner_radius = \"2 mm\"", &format!("corner_radius = \"{corner}\""));
+        let build = built(&spec, profile("marlin"));
+        assert_eq!(read_back(&build.output_files()).findings, [], "{corner}");
+        let code = text(&build, JOB);
+        let (mut at, mut made) = ([0.0, 0.0], [0.0, 0.0]);
+        let (mut last, mut dwells) = (0.0_f64, 0);
+        for line in code.lines() {
+            let word = |letter: char| {
+                line.split(' ').find_map(|word| word.strip_prefix(letter)?.parse::<f64>().ok())
+            };
+            if line.starts_with("G0 ") || line.starts_with("G1 ") {
+                at = [word('X').unwrap_or(at[0]), word('Y').unwrap_or(at[1])];
+                let steps = |i: usize| ((at[i] * 80.0).round() - (made[i] * 80.0_f64).round()).abs();
+                last = steps(0).max(steps(1)).max(if line.contains('Z') { 6.0 } else { 0.0 });
+                if last >= 6.0 {
+                    made = at;
+                }
+            } else if line.starts_with("G4 ") {
+                dwells += 1;
+                assert!(last >= 6.0, "{corner}: {line} after {last} steps");
+            }
+        }
+        assert!(dwells > 500, "{corner}");
+    }
+}
+
+/// A dwell after a move of a few steps is a finding: the controller waits before it has made the move.
+#[test]
+fn a_dwell_after_a_joined_move_is_found() {
+    let build = built(&spec_text(CHOP), profile("marlin"));
+    let code = text(&build, JOB);
+    // The first long stroke of the seal is cut in two, the first of 2 steps, each with half of the dwell.
+    let lines: Vec<&str> = code.lines().collect();
+    let i = lines
+        .windows(2)
+        .position(|two| two[0].starts_with("G1 X") && !two[0].contains('Z') && two[1].starts_with("G4 P"));
+    let i = i.expect("a stroke");
+    let before = lines[..i].iter().rev().find(|line| line.starts_with("G1 ")).expect("a move");
+    let word = |line: &str, letter: char| {
+        line.split(' ').find_map(|word| word.strip_prefix(letter)?.parse::<f64>().ok()).expect("a word")
+    };
+    let part = |letter: char| 0.8 * word(before, letter) + 0.2 * word(lines[i], letter);
+    let mut edited: Vec<String> = lines.iter().map(|line| (*line).to_owned()).collect();
+    edited.insert(i, "G4 P200".to_owned());
+    edited.insert(i, format!("G1 X{:.4} Y{:.4}", part('X'), part('Y')));
+    let count = edited.len();
+    let _ = edited.pop();
+    edited.push(format!("; end of program, {count} lines"));
+    let found = findings_with(&build, JOB, &(edited.join("\n") + "\n"));
+    assert!(found.iter().any(|finding| finding.code == "short-stroke"), "{found:?}");
+}
