@@ -1,25 +1,36 @@
-//! The feed check: three lines of 10 mm that must take as long as the seal's speed says.
+//! The feed check: ways of 10 mm that must take as long as the seal's speed says.
 
-use crate::geom::{Line, Point, Segment};
+use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
+
+use crate::geom::{Arc, Line, Point, Segment};
 use crate::plan::{Height, Program, Purpose, Scope, Step};
 use crate::spec::{Machine, Spec};
 
-/// Length of each line, mm: at 0.1 mm/s it takes 100 s, long enough for a wristwatch.
+/// Length of each way, mm: at 0.1 mm/s it takes 100 s, long enough for a wristwatch.
 pub const CHECK_LENGTH: f64 = 10.0;
 
-/// The programs for X, Y and 45 degrees, in this order: cold, at travel height, at the seal's pace.
+/// The programs for X, Y and 45 degrees, in this order, and where the machine draws arcs for a quarter of a circle in either
+/// direction: cold, at travel height, at the seal's pace. A board may take G2 and not move (MKS DLC32, at G2 only).
 pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program)> {
-    let diagonal = CHECK_LENGTH / std::f64::consts::SQRT_2;
-    let ends = [
-        ("along X", Point::new(CHECK_LENGTH, 0.0)),
-        ("along Y", Point::new(0.0, CHECK_LENGTH)),
-        ("at 45 deg", Point::new(diagonal, diagonal)),
+    let diagonal = CHECK_LENGTH / SQRT_2;
+    let line = |x: f64, y: f64| Segment::from(Line::new(Point::ORIGIN, Point::new(x, y)));
+    let mut ways = vec![
+        ("along X", line(CHECK_LENGTH, 0.0)),
+        ("along Y", line(0.0, CHECK_LENGTH)),
+        ("at 45 deg", line(diagonal, diagonal)),
     ];
-    ends.map(|(name, end)| {
-        let line: Segment = Line::new(Point::ORIGIN, end).into();
-        let steps = vec![Step::Travel(Point::ORIGIN), Step::Height(Height::Travel), Step::Seal(vec![line])];
+    if machine.controller.arcs {
+        let radius = CHECK_LENGTH / FRAC_PI_2;
+        // Both lie above and to the right of the origin, as the lines do.
+        let clockwise = Arc::new(Point::new(radius, 0.0), radius, PI, -FRAC_PI_2);
+        let other = Arc::new(Point::ORIGIN, radius, 0.0, FRAC_PI_2);
+        ways.push(("of a circle clockwise (G2)", clockwise.into()));
+        ways.push(("of a circle counterclockwise (G3)", other.into()));
+    }
+    let program = |way: Segment| {
+        let steps = vec![Step::Travel(way.start()), Step::Height(Height::Travel), Step::Seal(vec![way])];
         let scope = Scope { purpose: Purpose::Trace, sheet: 1, stars: Vec::new() };
-        (name, Program::new(spec, machine, scope, steps, Vec::new()))
-    })
-    .into()
+        Program::new(spec, machine, scope, steps, Vec::new())
+    };
+    ways.into_iter().map(|(name, way)| (name, program(way))).collect()
 }

@@ -299,7 +299,11 @@ fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
                 _ => {}
             }
         }
-        assert_eq!(pauses, 6, "{name}");
+        // Three lines, and where the machine draws arcs one in either direction.
+        assert_eq!(pauses, if machine.controller.arcs { 10 } else { 6 }, "{name}");
+        for code_of in ["G2 ", "G3 "] {
+            assert_eq!(code.lines().any(|line| line.starts_with(code_of)), machine.controller.arcs, "{name}");
+        }
         for seconds in watch.iter().step_by(2) {
             assert!((seconds - 100.0).abs() < 0.2, "{name}: {watch:?}");
         }
