@@ -126,6 +126,7 @@ fn settings_stand_where_the_profile_puts_them() {
         ("reprapfirmware", "M203 I5"),
         ("marlin", "M205 S0 T0"),
         ("klipper", "SET_IDLE_TIMEOUT TIMEOUT=86400"),
+        ("klipper", "SET_IDLE_TIMEOUT TIMEOUT=600"),
         ("reprapfirmware", "M104 S0"),
         ("marlin", "M104 S0"),
         ("klipper", "M104 S0"),
