@@ -6,6 +6,7 @@ use serde_json::json;
 
 use crate::cli::failure::Failure;
 use crate::cli::harmless::shown;
+use crate::cli::summary::hours;
 use crate::cli::text_file::{read_text, write_new};
 use crate::cli::voice::Voice;
 use crate::geom::Point;
@@ -82,12 +83,13 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     write_new(&target, &resumed.text)?;
     let text = format!(
         "wrote {}\ngoes on in line {} of the old program, {:.1} % of its time done; seals {:.1} mm again\n\
-         {}\n\
+         about {} left\n{}\n\
          before you start it: same sheet, same zero, iron above the fabric\n",
         shown(&target),
         resumed.line,
         100.0 * resumed.done,
         resumed.overlap,
+        hours(resumed.seconds),
         if known {
             "the job is the one that its manifest names"
         } else {
@@ -99,6 +101,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "line": resumed.line,
         "done": resumed.done,
         "overlap_mm": resumed.overlap,
+        "remaining_s": resumed.seconds,
         "named_in_manifest": known,
     });
     args.voice.report(&text, &json)

@@ -3,9 +3,10 @@
 //! The **record** is what the file says of its machine and its seal (structured comments); the **toolpath** is its moves
 //! with what the iron does in each; a **stop** is a place on it, a **window** what of its seam lies before that. The new program is the old one's beginning up to the
 //! heating, a way down along the seam that ends an overlap before the stop, and then the old lines as they were, the
-//! first with its feed. Both programs are judged by what the old one says of itself: a comment alone is believed nothing.
+//! first with its feed. Its **figures** are its own: length and time of what is in it. Both programs are judged by what the old one says of itself: a comment alone is believed nothing.
 
 mod fault;
+mod figures;
 mod judge;
 mod record;
 mod resume_at;
@@ -14,9 +15,11 @@ mod window;
 
 use crate::emit;
 use crate::plan::{Height, Pace, Ramp, Step};
+use crate::resume::figures::Figures;
 use crate::resume::record::Record;
 use crate::resume::toolpath::Toolpath;
 use crate::resume::window::{Next, Window, with_feed};
+use crate::spec::Process;
 
 pub use fault::ResumeFault;
 pub use resume_at::ResumeAt;
@@ -32,6 +35,8 @@ pub struct Resumed {
     pub overlap: f64,
     /// Part of the job's time that was done at the stop, 0 to 1.
     pub done: f64,
+    /// Time of the new program, without heating and pauses, s.
+    pub seconds: f64,
 }
 
 /// The program that goes on from `place` in the sealing program `text`, sealing `overlap` mm again (`None`: as much as
@@ -46,37 +51,48 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
     judge::agrees(&record, text, &toolpath.reach)?;
     let stop = place.find(&toolpath)?;
     let wanted = overlap.unwrap_or(record.seal.overlap.0);
-    let back = wanted + record.process.ramp.0;
+    // Where the seam is taken up at a stop, that may be a stroke farther back.
+    let spare = if record.joins_moves() { record.seal.band.0 } else { 0.0 };
+    let back = wanted + record.process.ramp.0 + spare;
     let (mut way, mut overlap) = (String::new(), 0.0);
     let line = match Window::around(&toolpath, &stop, back).ok_or(ResumeFault::NothingLeft)? {
         Next::Within(window) => {
-            let from = (window.done - wanted).max(0.0);
+            let (from, line) = approach(&toolpath, &window, (window.done - wanted).max(0.0), &mut way)?;
             overlap = window.done - from;
-            approach(&toolpath, &window, from, &mut way)?
+            line
         }
         // Away from the fabric: the next seam is begun as it was meant to be.
         Next::Travel(line) => line,
     };
     let done = stop.done;
     let note = format!("resume: from_line={} overlap_mm={overlap:.3} percent={:.1}", line + 1, 100.0 * done);
-    let text = assembled(&toolpath, &record.comment(&note), &way, line);
+    let note = record.comment(&note);
+    // Once with the old figures, to see what the new ones are.
+    let draft = assembled(&toolpath, &note, &way, line, None);
+    let figures = Figures::new(&toolpath, &Toolpath::read(&draft, &record)?);
+    let text = assembled(&toolpath, &note, &way, line, Some(&figures));
     judge::proves(&record, &text, &toolpath.reach)?;
-    Ok(Resumed { text, line: line + 1, overlap, done })
+    Ok(Resumed { text, line: line + 1, overlap, done, seconds: figures.seconds })
 }
 
-/// Writes the way back to `from` (mm along the seam's run) into `out`, and the rest of the move in which that lies; the index of
-/// the old line that comes next.
+/// Writes the way back to `from` (mm along the seam's run) into `out`, and the rest of the move in which that lies; where the
+/// seam is taken up, and the index of the old line that comes next.
 fn approach(
     toolpath: &Toolpath<'_>,
     window: &Window,
     from: f64,
     out: &mut String,
-) -> Result<usize, ResumeFault> {
+) -> Result<(f64, usize), ResumeFault> {
     let record = toolpath.record;
-    let heights = &record.process.heights;
+    let Process { heights, ramp, .. } = &record.process;
     // The way down of the seam itself lies before its run: there is always room for a ramp.
-    let (pieces, rest, last) =
-        window.way_to(from, record.process.ramp.0, least_rest(record)).ok_or(ResumeFault::NothingLeft)?;
+    let (from, pieces, rest, last) = if record.joins_moves() {
+        let (from, last) = window.stop_before(from).ok_or(ResumeFault::NothingLeft)?;
+        (from, window.way_down(from, ramp.0), Vec::new(), last)
+    } else {
+        let way = window.way_to(from, ramp.0, least_rest(record)).ok_or(ResumeFault::NothingLeft)?;
+        (from, way.0, way.1, way.2)
+    };
     let start = pieces.first().ok_or(ResumeFault::NothingLeft)?.start();
     let steps = vec![
         Step::Travel(start),
@@ -91,7 +107,7 @@ fn approach(
     let _ = emit::write_steps(out, record.facts(), &steps, record.pace, start)
         .map_err(|_| ResumeFault::NothingLeft)?;
     // The dwells of the old move belong to it, and have been written anew with its rest.
-    Ok(toolpath.after(last))
+    Ok((from, toolpath.after(last)))
 }
 
 /// The shortest way after which a chopped program stops, whatever it owes; 0 of a steady one, mm.
@@ -106,9 +122,15 @@ fn least_rest(record: &Record) -> f64 {
 }
 
 /// The new file: what comes before the heat with a note, the way back, the rest from the line of index `from`, the first
-/// move of it with its feed, and a last line that counts.
-fn assembled(toolpath: &Toolpath<'_>, note: &str, way: &str, from: usize) -> String {
-    let (first, text) = (with_feed(toolpath, from), toolpath.text);
+/// move of it with its feed, and a last line that counts; with `figures`, what it says of its length and time is its own.
+fn assembled(
+    toolpath: &Toolpath<'_>,
+    note: &str,
+    way: &str,
+    from: usize,
+    figures: Option<&Figures>,
+) -> String {
+    let (first, record, text) = (with_feed(toolpath, from), toolpath.record, toolpath.text);
     let mut out = String::with_capacity(text.len() + way.len() + 200);
     let mut count = 1;
     let mut add = |line: &str| {
@@ -116,23 +138,25 @@ fn assembled(toolpath: &Toolpath<'_>, note: &str, way: &str, from: usize) -> Str
         out.push('\n');
         count += 1;
     };
+    let mut restate = |line: &str| match figures {
+        Some(figures) => figures.line(record, line).iter().for_each(|line| add(line)),
+        None => add(line),
+    };
     for (line, i) in text.lines().take(toolpath.hot).zip(0..) {
         // After the title and the name.
         if i == 2.min(toolpath.hot - 1) {
-            add(note);
+            restate(note);
         }
-        add(line);
+        restate(line);
     }
-    way.lines().for_each(&mut add);
+    way.lines().for_each(&mut restate);
     for (line, i) in text.lines().zip(0..).take(toolpath.lines.saturating_sub(1)).skip(from) {
         match &first {
-            Some((at, with_feed)) if *at == i => add(with_feed),
-            // That of the whole job.
-            _ if line.contains("estimated printing time") => {}
-            _ => add(line),
+            Some((at, with_feed)) if *at == i => restate(with_feed),
+            _ => restate(line),
         }
     }
-    out.push_str(&toolpath.record.comment(&format!("end of program, {count} lines")));
+    out.push_str(&record.comment(&format!("end of program, {count} lines")));
     out.push('\n');
     out
 }

@@ -57,7 +57,6 @@ fn length(steps: &[Move]) -> f64 {
 
 /// Resumes at `line` and compares what is sealed with what was left to seal.
 fn check(name: &str, job: &str, original: &[Move], line: usize) {
-    let overlap = 5.0;
     let whole = contacts(original);
     // What of the contacts had been done when `line` began, of the one that was interrupted.
     let done = |run: &[Move]| run.iter().filter(|step| step.line < line).map(Move::length).sum::<f64>();
@@ -69,6 +68,9 @@ fn check(name: &str, job: &str, original: &[Move], line: usize) {
         }
         Err(fault) => panic!("{name} line {line}: {fault}"),
     };
+    // Marlin joins short moves: there a seam is taken up where it stands still, up to a stroke farther back.
+    let overlap = if name == "marlin" { resumed.overlap.max(5.0) } else { 5.0 };
+    assert!(overlap < 5.2, "{name} line {line}: {overlap}");
     let rest_moves = moves(name, &resumed.text);
     let rest = contacts(&rest_moves);
     assert!(!rest.is_empty(), "{name} line {line}");
@@ -147,7 +149,8 @@ fn a_sliver_of_a_stroke_is_taken_up_with_the_next() {
             let overlap = length(&run[i - 20..i]) + sliver;
             let resumed = resume(&job, ResumeAt::Line(run[i].line), Some(overlap));
             let resumed = resumed.unwrap_or_else(|fault| panic!("{name} {i} {sliver}: {fault}"));
-            assert!((resumed.overlap - overlap).abs() < 1e-6, "{name} {i}: {}", resumed.overlap);
+            let most = if name == "marlin" { 0.2 } else { 1e-6 };
+            assert!((-1e-6..most).contains(&(resumed.overlap - overlap)), "{name} {i}: {}", resumed.overlap);
         }
     }
 }
@@ -186,6 +189,47 @@ fn the_way_back_is_timed_as_the_rest() {
         let count = format!("; end of program, {} lines", rest.len() + 1);
         assert!(last.starts_with("; end of program"));
         assert!(resume(&format!("{}\n{count}\n", rest.join("\n")), ResumeAt::Share(0.5), None).is_ok());
+    }
+}
+
+/// Word of the first comment with this key.
+fn word(text: &str, key: &str, word: &str) -> f64 {
+    let line = text.lines().find(|line| line.starts_with(&format!("; {key}: "))).expect(key);
+    let value = line.split(' ').find_map(|one| one.strip_prefix(&format!("{word}=")));
+    value.and_then(|value| value.parse().ok()).expect(word)
+}
+
+/// The rest states its own length and time, and what the whole job has; hosts read the time of the rest.
+#[test]
+fn the_rest_tells_its_own_time() {
+    for name in ["generic", "klipper", "grbl", "marlin"] {
+        let job = job(name);
+        let (length, time) = (word(&job, "total", "length_mm"), word(&job, "total", "time_s"));
+        for share in [0.1, 0.37, 0.8] {
+            let rest = resume(&job, ResumeAt::Share(share), Some(0.0)).expect("resumed");
+            let told = word(&rest.text, "total", "time_s");
+            assert!((told - rest.seconds).abs() <= 0.5, "{name}: {told}");
+            // A way down and travels more, which take a minute and a few seconds of speeding up.
+            let more = told - (1.0 - share) * time;
+            assert!((53.0..77.0).contains(&more), "{name} {share}: {told}, {more} more than the share");
+            assert_eq!(word(&rest.text, "job", "time_s"), time, "{name}");
+            assert_eq!(word(&rest.text, "job", "length_mm"), length, "{name}");
+            // In contact, as the moves are.
+            let sealed: f64 =
+                contacts(&moves(name, &rest.text)).iter().map(|(_, run)| self::length(run)).sum();
+            assert!((word(&rest.text, "total", "length_mm") - sealed).abs() < 0.1, "{name}");
+            let seams = rest.text.lines().filter(|line| line.starts_with("; length: ")).count();
+            assert_eq!(
+                seams,
+                rest.text.lines().filter(|line| line.starts_with("; seam: ")).count(),
+                "{name}"
+            );
+            let hosts = rest.text.lines().filter(|line| line.contains("estimated printing time = ")).count();
+            assert_eq!(hosts, usize::from(name == "klipper"), "{name}");
+            let twice = resume(&rest.text, ResumeAt::Share(0.5), None).expect("twice");
+            assert_eq!(word(&twice.text, "job", "time_s"), time, "{name}");
+            assert!(twice.seconds < 0.6 * rest.seconds + 60.0, "{name}");
+        }
     }
 }
 

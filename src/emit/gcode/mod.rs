@@ -17,13 +17,13 @@ mod writer;
 
 use std::fmt;
 
-use crate::emit::gcode::dialect::heat;
+use crate::emit::gcode::dialect::{Spelling, heat};
 use crate::emit::gcode::header::{header, seam_facts};
 use crate::emit::gcode::writer::Writer;
 use crate::emit::number::number;
 use crate::geom::{Point, Segment};
 use crate::plan::{Clock, Pace, Pacer, Program, Purpose, Step, height_of};
-use crate::spec::{Heating, Machine, Spec};
+use crate::spec::{Dialect, Heating, Machine, Spec};
 
 pub use facts::Facts;
 pub use feed_check::feed_check;
@@ -65,6 +65,11 @@ pub fn write_gcode(
         job.writer.comment(&estimate)?;
     }
     job.writer.sentinel()
+}
+
+/// What hosts of the dialect read of a program that takes `seconds`; `None` where they read nothing.
+pub fn estimate(dialect: Dialect, seconds: f64) -> Option<String> {
+    Spelling::of(dialect).estimate(seconds)
 }
 
 /// Writes `steps` alone at `pace`, with the iron at `from`, without header, start, pauses and end; the lines' number.

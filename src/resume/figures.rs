@@ -1,0 +1,114 @@
+//! Figures of the rest: what a new program says of its own length and time.
+
+use std::ops::ControlFlow;
+
+use crate::emit;
+use crate::resume::record::Record;
+use crate::resume::toolpath::{Phase, TimedMove, Toolpath};
+use crate::verify::gcode::Comment;
+
+/// Lengths and times of a new program, of which the first seam may be a part of the old one.
+pub(super) struct Figures {
+    /// Number of its first seam, as the old program counts.
+    seam: f64,
+    /// Way in contact of that seam, mm, and the time of it with its ramps, s.
+    first: (f64, f64),
+    /// Way in contact of all seams, mm.
+    length: f64,
+    /// Whether the old program goes on with another one itself.
+    is_again: bool,
+    /// Time of all of it, without heating and pauses, s.
+    pub(super) seconds: f64,
+}
+
+impl Figures {
+    /// The figures of `new`, of a program that goes on with `old`.
+    ///
+    /// Travels cost what the old program says beyond its contacts: acceleration is not known here.
+    pub(super) fn new(old: &Toolpath<'_>, new: &Toolpath<'_>) -> Self {
+        let (mut title, mut seam, mut first, mut length) = (None, 0.0, (0.0, 0.0), 0.0);
+        new.walk(|step: &TimedMove| {
+            if step.phase == Phase::Clear {
+                return ControlFlow::Continue(());
+            }
+            let flat = if step.phase == Phase::Contact { step.flat() } else { 0.0 };
+            length += flat;
+            if title.is_none() {
+                title = step.title;
+                seam = step.title.and_then(|i| number(new.record, new.line(i)?, "seam")).unwrap_or(0.0);
+            }
+            if step.title == title {
+                first = (first.0 + flat, first.1 + step.seconds);
+            }
+            ControlFlow::Continue(())
+        });
+        let header = || old.text.lines().take(old.hot);
+        let told = header().find(|line| is(old.record, line, "total"));
+        let told = told.and_then(|line| number(old.record, line, "time_s")).unwrap_or(old.seconds);
+        let is_again = header().any(|line| is(old.record, line, "job"));
+        Self { seam, first, length, is_again, seconds: (told - old.seconds + new.seconds).max(0.0) }
+    }
+
+    /// The lines that take the place of a line of the old program; none where the new one has nothing of the kind.
+    pub(super) fn line(&self, record: &Record, line: &str) -> Vec<String> {
+        let Some(comment) = comment(record, line) else { return vec![line.to_owned()] };
+        let (mm, s) = self.first;
+        let restated = |words: &[(&str, String)]| record.comment(&restated(&comment, words));
+        match comment.key() {
+            Some("total") => {
+                let words = [
+                    ("length_mm", format!("{:.3}", self.length)),
+                    ("time_s", format!("{:.0}", self.seconds)),
+                ];
+                let mut lines = vec![restated(&words)];
+                // Of a program that is resumed again the job is that of the first one.
+                if !self.is_again {
+                    lines.push(record.comment(&comment.text.replacen("total:", "job:", 1)));
+                }
+                lines
+            }
+            Some("length" | "seam") => match comment.number("seam") {
+                Some(seam) if seam < self.seam => Vec::new(),
+                Some(seam) if seam == self.seam => {
+                    vec![restated(&[("length_mm", format!("{mm:.3}")), ("time_s", format!("{s:.0}"))])]
+                }
+                _ => vec![line.to_owned()],
+            },
+            _ if comment.text.starts_with("estimated printing time") => {
+                let told = emit::estimate(record.controller.dialect, self.seconds);
+                told.map(|told| record.comment(&told)).into_iter().collect()
+            }
+            _ => vec![line.to_owned()],
+        }
+    }
+}
+
+/// The comment that a line is, if it is nothing else.
+fn comment(record: &Record, line: &str) -> Option<Comment> {
+    let text = match line.strip_prefix(';') {
+        Some(text) => text,
+        None => line.strip_prefix('(')?.strip_suffix(')')?,
+    };
+    let text = text.trim().to_owned();
+    (record.comment(&text) == line.trim_end()).then_some(Comment { line: 0, text })
+}
+
+fn is(record: &Record, line: &str, key: &str) -> bool {
+    comment(record, line).is_some_and(|comment| comment.key() == Some(key))
+}
+
+fn number(record: &Record, line: &str, word: &str) -> Option<f64> {
+    comment(record, line)?.number(word)
+}
+
+/// The text of a comment with other values for these words.
+fn restated(comment: &Comment, words: &[(&str, String)]) -> String {
+    let word = |text: &str| match text.split_once('=') {
+        Some((name, _)) => match words.iter().find(|(other, _)| *other == name) {
+            Some((_, value)) => format!("{name}={value}"),
+            None => text.to_owned(),
+        },
+        None => text.to_owned(),
+    };
+    comment.text.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
