@@ -2,6 +2,7 @@
 ; name: paper star, 5 points
 ; program: purpose=trace sheet=1 stars=1
 ; frame: origin at lower left of the sheet, Z0 on the release layer
+; total: time_s=207
 G21
 G17
 G90
@@ -2496,4 +2497,4 @@ G1 X318.5583 Y267.9073
 G0 Z30 F1200
 G0 X0 Y0 F1200
 M2
-; end of program, 2499 lines
+; end of program, 2500 lines

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use crate::cli::harmless::{harmless, shown};
 use crate::cli::terminal::{fitted, has_colours, width};
 use crate::cli::unproven::Unproven;
-use crate::cli::{PublishFault, findings, interrupt};
+use crate::cli::{PublishFault, interrupt};
 use crate::spec::{Fault, Faults, Severity};
 use crate::verify::Finding;
 
@@ -61,10 +61,15 @@ impl Failure {
         let bare = |found: String| vec![refusal(None, found)];
         match self {
             Self::Faults(faults) => Some(refused_by(faults)),
-            Self::Findings(findings) => Some(findings.iter().map(found_wrong).collect()),
+            Self::Unproven(unproven) => Some(unproven.findings.iter().map(found_wrong).collect()),
             Self::Publish(error) => Some(bare(error.to_string())),
             Self::Message(text) => Some(bare(text.clone())),
-            Self::Usage(_) | Self::Interrupted | Self::Stopped(_) | Self::Said | Self::Pipe => None,
+            Self::Usage(_)
+            | Self::Interrupted
+            | Self::Stopped(_)
+            | Self::Said
+            | Self::NotCompared
+            | Self::Pipe => None,
         }
     }
 

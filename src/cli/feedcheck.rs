@@ -60,23 +60,23 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         FeedFloor::Chop => "correct `chop_feed` and `acceleration` in the profile's [motion]",
         FeedFloor::Refuse => "use `feed_floor = \"chop\"`",
     };
+    let length = plan::CHECK_LENGTH;
+    let ways = if machine.controller.arcs {
+        format!("three lines (X, Y, 45 deg) and two arcs (G2, G3) of {length} mm")
+    } else {
+        format!("three lines of {length} mm (X, Y, 45 deg)")
+    };
     let text = format!(
-        "wrote {}\neach of its {} of {} mm must take {seconds:.0} s; if one is faster, the \
+        "wrote {}\neach of its {ways} must take {seconds:.0} s; if one is faster, the \
          machine cannot go at {}: {remedy}\nat each {} it must stop and wait, at the X, Y and Z that the comment before it \
          says; if it runs on, or stands elsewhere, do not seal with this profile\n",
         shown(&output),
-        if machine.controller.arcs {
-            "three lines (X, Y, 45 deg) and two arcs (G2, G3)"
-        } else {
-            "three lines (X, Y, 45 deg)"
-        },
-        plan::CHECK_LENGTH,
         spec.seal.speed,
         machine.script.pause
     );
     let json = json!({
         "wrote": output.to_string_lossy(),
-        "line_mm": plan::CHECK_LENGTH,
+        "line_mm": length,
         "line_time_s": seconds,
         "ways": checks.len(),
         "pause": machine.script.pause,

@@ -86,5 +86,5 @@ fn the_wait_of_marlin_is_seen() {
             None => line.to_owned(),
         })
     });
-    assert!(found.iter().any(|complaint| complaint.contains("mean speed -6.")), "{found:?}");
+    assert!(found.iter().any(|complaint| complaint.contains("mean speed -7.")), "{found:?}");
 }

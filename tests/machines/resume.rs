@@ -209,12 +209,9 @@ fn the_rest_tells_its_own_time() {
             let rest = resume(&job, ResumeAt::Share(share), Some(0.0)).expect("resumed");
             let told = word(&rest.text, "total", "time_s");
             assert!((told - rest.seconds).abs() <= 0.5, "{name}: {told}");
-            // A way down more, and a stroke at most.
-            let expected = (1.0 - share) * time;
-            assert!(
-                (told - expected - 60.0).abs() < 10.0,
-                "{name} {share}: {told}, expected {expected} and a ramp"
-            );
+            // A way down and travels more, which take a minute and a few seconds of speeding up.
+            let more = told - (1.0 - share) * time;
+            assert!((53.0..77.0).contains(&more), "{name} {share}: {told}, {more} more than the share");
             assert_eq!(word(&rest.text, "job", "time_s"), time, "{name}");
             assert_eq!(word(&rest.text, "job", "length_mm"), length, "{name}");
             // In contact, as the moves are.
