@@ -61,7 +61,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         return Err(Failure::Message(text));
     }
     let made = MadeCoupons::new(spec, machine, loaded.sources(), &grid, &groups);
-    let proven = made.map_err(|refusals| loaded.refused(refusals))?.prove().map_err(Failure::Findings)?;
+    let made = made.map_err(|refusals| loaded.refused(refusals))?;
+    let proven = made.prove().map_err(|findings| loaded.unproven(findings))?;
     let published = publish_files(&args.output, &proven.files())?;
     tell(&published.to_string());
     let made = proven.made();

@@ -41,7 +41,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let proven =
         pipeline::feed_check(spec, machine, loaded.sources(), &name).map_err(|fault| match fault {
             FeedCheckFault::Refused(refusals) => loaded.refused(refusals),
-            FeedCheckFault::Wrong(findings) => Failure::Findings(findings),
+            FeedCheckFault::Wrong(findings) => loaded.unproven(findings),
         })?;
     if args.force {
         replace(&output, &proven.text)?;

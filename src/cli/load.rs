@@ -15,6 +15,7 @@ use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Proven, Sources};
 use crate::spec;
 use crate::spec::{Fault, FaultCode, Faults, Machine, RawSpec, Reading, SIZE_LIMIT, Source, key};
+use crate::verify::Finding;
 
 /// The profile's name in a published directory.
 const MACHINE: &str = "machine.toml";
@@ -94,10 +95,13 @@ impl Loaded {
             progress.tell("proving the files");
             built.prove()
         })
-        .map_err(|findings| {
-            let (spec, profile) = (self.source.name.clone(), self.reading.spec.machine.profile.clone());
-            Failure::Unproven(Unproven { findings, spec, profile })
-        })
+        .map_err(|findings| self.unproven(findings))
+    }
+
+    /// What was found wrong with files that were just made.
+    pub(super) fn unproven(&self, findings: Vec<Finding>) -> Failure {
+        let (spec, profile) = (self.source.name.clone(), self.reading.spec.machine.profile.clone());
+        Failure::Unproven(Unproven { findings, spec, profile })
     }
 
     /// Refusals of the design as faults at the keys they speak of.
