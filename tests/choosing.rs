@@ -272,6 +272,8 @@ fn no_comment_is_about_values_that_were_replaced() {
     {
         assert!(spec.contains(stale) && !found.contains(stale), "{stale}: {found}");
     }
+}
+
 /// Objects that people described: across, mass, and what more was said; the height is the object's, where it matters.
 const WISHES: [(f64, &str, &[&str]); 18] = [
     (75.0, "1.2 kg", &["--height", "300 mm", "--shape", "cylinder"]),
