@@ -122,7 +122,7 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
         dir.path(),
         &["feedcheck", "star.toml"],
         1,
-        &["feedcheck.gcode exists already", "another name"],
+        &["feedcheck.gcode is there already", "--force replaces it, -o FILE writes another"],
     );
     assert_eq!(read(dir.path(), "feedcheck.gcode"), "mine");
     assert!(done(dir.path(), &["feedcheck", "star.toml", "-o", "a b.gcode"]).contains("wrote a b.gcode"));

@@ -87,11 +87,13 @@ impl Told<'_> {
         };
         let Some((needed, why)) = need else {
             let _ = steady(settings).map_err(refused)?;
-            args.voice.report(&listing(settings), &self.json(None, None))?;
-            return Err(Failure::Message(
-                "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
-                    .to_owned(),
-            ));
+            let why = "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
+                .to_owned();
+            if args.voice.json {
+                return Err(Failure::answered(self.json(None, None), why));
+            }
+            args.voice.remark(&listing(settings))?;
+            return Err(Failure::Message(why));
         };
         let chosen = calibrate(settings, needed, args.margin).map_err(refused)?;
         // One [fabric] in all, so that the lines can be copied as they are.

@@ -73,6 +73,12 @@ impl Failure {
         }
     }
 
+    /// A refusal for `text` beside an answer for programs, which is printed with it as one object.
+    pub(super) fn answered(mut answer: Value, text: String) -> Self {
+        answer["refused"] = json!([refusal(None, text)]);
+        say(&format!("{answer:#}\n")).err().unwrap_or(Self::Said)
+    }
+
     /// Prints it to standard error, and says with which code the process shall end.
     pub(super) fn report(self) -> u8 {
         let text = match self {

@@ -140,11 +140,8 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let (found, constraints) = answer(args, &loaded, None)?;
     let said = Said { found: &found, constraints: &constraints };
     let best = best(args, &loaded, &found, &constraints)?;
-    if args.voice.json {
-        say(&pretty(&said.json(best.as_ref())))?;
-    }
     match (best, args.voice) {
-        (Some(_), Voice { json: true, .. }) => Ok(()),
+        (Some(best), Voice { json: true, .. }) => say(&pretty(&said.json(Some(&best)))),
         (Some(best), Voice { quiet: true, .. }) => say(&best.spec),
         (Some(Best { spec, confirmed }), _) => {
             let mut lines = String::new();
@@ -159,11 +156,12 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             if voice.is_heard() {
                 tell(&said.text());
             }
-            Err(message(if found.front.is_empty() {
+            let why = if found.front.is_empty() {
                 "no design meets all constraints; `short` says by how much each misses which"
             } else {
                 "none of the best designs can be sealed and cut as the spec asks for"
-            }))
+            };
+            Err(if voice.json { Failure::answered(said.json(None), why.to_owned()) } else { message(why) })
         }
     }
 }

@@ -106,6 +106,7 @@ fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<Figure> {
     let sealing = Figure { name: "sealing", value: hours(sealing_time(forecast)), unit: "" };
     let known = [
         of("force", verdict.and_then(|verdict| verdict.force_N), " N"),
+        of("carries", star.and_then(|star| star.payload_kg), " kg"),
         of("opens to", opens, " mm"),
         of("closes to", closes, " mm"),
     ];

@@ -114,21 +114,13 @@ impl Claim {
         if let Some(coupons) = &self.coupons {
             return prove_coupons(coupons, files);
         }
+        if self.written.is_none() && self.forecast.is_ok() && files.get(MANIFEST).is_some() {
+            return self.without_manifest(files);
+        }
         let forecast = match self.forecast {
             Ok(forecast) => forecast,
             Err(findings) => return Proof { findings, ..Proof::default() },
         };
-        // Without a manifest no file was read, and each of them would seem empty.
-        if let (None, Some(_)) = (&self.written, files.get(MANIFEST)) {
-            let what = "it is damaged, or another program wrote it";
-            let finding = Finding::new(
-                FindingCode::Manifest,
-                None,
-                what,
-                "the manifest.json of the build: build it again",
-            );
-            return Proof { findings: vec![finding.in_file(MANIFEST)], ..Proof::default() };
-        }
         let mut proof = prove_claimed(&forecast, self.written.as_ref(), files);
         let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok());
         if let (Some(written), Some(spec), Some(machine)) =
@@ -142,6 +134,22 @@ impl Claim {
             }
         }
         proof
+    }
+
+    /// The findings where the manifest cannot be read: that, and the files that no build makes. Without its lengths no other file was
+    /// read, and each would seem empty.
+    fn without_manifest(&self, files: &OutputFiles<'_>) -> Proof {
+        let what = "it is damaged, or another program wrote it";
+        let finding =
+            Finding::new(FindingCode::Manifest, None, what, "the manifest.json of the build: build it again");
+        let wanted = self.wanted();
+        let is_ours = |name: &str| name == MANIFEST || wanted.iter().any(|wanted| wanted == name);
+        let foreign = files.files.iter().filter(|(name, _)| !is_ours(name)).map(|(name, _)| {
+            Finding::new(FindingCode::UnnamedFile, None, "no build makes it", "the files of the build")
+                .in_file(name)
+        });
+        let findings = [finding.in_file(MANIFEST)].into_iter().chain(foreign).collect();
+        Proof { findings, ..Proof::default() }
     }
 
     /// Proves `files` by reading alone, as [`Built::prove`] does.
