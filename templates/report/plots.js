@@ -127,7 +127,8 @@ function showPlots() {
   at("curves-lead").textContent = `One star at ${figure(load.pressure_kPa, "kPa")} unless stated.${several_stars} Dot: this design; bar: its range. Where nothing is known there is no line.`;
   const own = data.prediction.stars[0];
   const force = own.object_force_N;
-  const held = load.object_radius_mm && force !== null && force > 0;
+  const object = objectOf(0);
+  const held = object && force !== null && force > 0;
   const says = (range, unit) => (span(range, unit) ? `Range of this design: ${span(range, unit)}.` : "The range of this design is unknown.");
   const percent = (range) => (range ? range.map((end) => 100 * end) : null);
   const banded = (rows, x, range) => rows.filter((row) => row[range]).map((row) => [row[x], ...row[range]]);
@@ -139,7 +140,7 @@ function showPlots() {
     chart.by_radius.length > 1 && plot({
       title: "Force by the object's radius", x: { label: "radius of the object, mm" }, y: { label: "radial force, N" },
       line: runsOf(chart.by_radius.map((row) => [row.radius_mm, row.force_N])), band: runsOf(banded(chart.by_radius, "radius_mm", "force_range_N")),
-      own: held ? { x: load.object_radius_mm, y: force, range: rangeF, says: figure(force, "N") } : null,
+      own: held ? { x: object, y: force, range: rangeF, says: figure(force, "N") } : null,
       note: held ? says(rangeF, "N") : "This design's object is not on the curve.",
     }),
     chart.by_pressure.length > 1 && plot({

@@ -28,7 +28,7 @@ function stepOf() {
 
 function drawStar(svg, pose, full, says, extent) {
   const { points } = data.parts[star.which];
-  const object = data.load ? data.load.object_radius_mm : null;
+  const object = objectOf(star.which);
   const shapes = [draw("title", {}, says)];
   if (object) shapes.push(draw("circle", { class: "object", r: object }));
   shapes.push(draw("path", { class: "air", d: tubeOf(pose, points, [0, 1]), "fill-rule": "evenodd" }));
@@ -55,7 +55,7 @@ function showPressure(wanted) {
   const own_kPa = data.load.pressure_kPa;
   const flat = data.flat[star.which];
   const extent = reachOf(flat) * 1.04;
-  const object = data.load ? data.load.object_radius_mm : null;
+  const object = objectOf(star.which);
   const radius = at_p.pose.inner_radius_mm;
   const touches = object && Math.abs(radius - object) < 0.01 * object;
   const force = touches && at_p.object_force_N !== null ? `, pressing with ${figure(at_p.object_force_N, "N")}` : "";

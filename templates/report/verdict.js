@@ -29,7 +29,7 @@ function totalTime() {
 function verdict() {
   const { prediction, load } = data;
   if (!prediction) {
-    return ["plain", "Nothing is predicted", "The spec has no [load]: write a pressure, and the radius of an object, and this page says whether it is held."];
+    return ["plain", "Nothing is predicted", "The spec has no [load]: write a pressure, and the diameter of an object, and this page says whether it is held."];
   }
   const { pressure_kPa: pressure, object_radius_mm: object } = load;
   const found = prediction.verdict;
@@ -39,7 +39,7 @@ function verdict() {
   if (!found) {
     const closed = prediction.final_radius_mm;
     const title = closed === null ? "Nothing is known at this pressure" : `Closes to a radius of ${figure(closed, "mm")}`;
-    return ["plain", title, `At ${figure(pressure, "kPa")}. Write an object_radius in [load], and this page says whether it is held.`];
+    return ["plain", title, `At ${figure(pressure, "kPa")}. Write an \`object_diameter\` in [load], and this page says whether it is held.`];
   }
   const reasons = found.reasons.map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
   const friction = load.friction === null ? "" : `Counted with a friction of ${number(load.friction)}. `;

@@ -83,6 +83,14 @@ function rangeOf(prediction, quantity, hinge) {
   return hinge ? range[hinge] || null : range;
 }
 
+/** The radius of the object where a star of the stack meets it, mm, as its prediction says; `null` where it passes it, or without an object. */
+function objectOf(which) {
+  if (!data.load || !data.load.object_radius_mm) return null;
+  const placed = data.sheets.flatMap((sheet) => sheet.stars).find((other) => other.part === which);
+  const own = data.prediction && placed ? data.prediction.stars[placed.star - 1].object_radius_mm : undefined;
+  return (own === undefined || own === null ? data.load.object_radius_mm : own) || null;
+}
+
 /** A sentence of the program: what stands in backticks is shown as code. */
 function prose(text) {
   return text.split("`").map((part, i) => (i % 2 === 1 ? make("code", {}, part) : part));

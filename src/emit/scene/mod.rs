@@ -108,7 +108,7 @@ fn fabric_of(star: usize) -> String {
     format!("fabric of star {star}")
 }
 
-/// The spec's object in the middle of the stack, its axis that of the stars; `None` without one.
+/// The spec's object half way between the lowest and the highest star, its axis that of the stars; `None` without one.
 fn object(glb: &mut Glb, design: &Design, load: &Load) -> Option<Node> {
     let radius = load.object_radius?.0;
     let half = load.object_height.map_or(radius, |height| height.0 / 2.0);
@@ -125,7 +125,9 @@ fn object(glb: &mut Glb, design: &Design, load: &Load) -> Option<Node> {
         }
     };
     let mesh = glb.mesh("surface of the object", &[(Surface::Object as usize, Mesh::turned(&curve))]);
-    Some(Node { name: "object".to_owned(), mesh, at: [0.0, 0.0, design.stack.height / 2.0], turn: 0.0 })
+    let stars = &design.stack.stars;
+    let middle = f64::midpoint(*stars.first()?, *stars.last()?);
+    Some(Node { name: "object".to_owned(), mesh, at: [0.0, 0.0, middle], turn: 0.0 })
 }
 
 /// A star of the stack: tube, flaps, bands, and where they go if it inflates.

@@ -117,17 +117,19 @@ fn flat(name: String, bounds: &Bounds, least: Option<[f64; 3]>, surface: Option<
     Wanted { name, material: "fabric", size, least, surface }
 }
 
-/// The object of the spec, in the middle of the stack.
+/// The object of the spec, half way between the lowest and the highest star.
 fn object(expected: &Expected<'_>) -> Option<Wanted> {
     let load = expected.spec.load.as_ref()?;
     let radius = load.object_radius?.0;
     let height = load.object_height.map_or(2.0 * radius, |height| height.0);
+    let stars = &expected.design.stack.stars;
+    let middle = f64::midpoint(*stars.first()?, *stars.last()?);
     let is_cylinder = load.object_shape == Some(ObjectShape::Cylinder);
     Some(Wanted {
         name: "object/object".to_owned(),
         material: "object",
         size: [2.0 * radius, 2.0 * radius, height],
-        least: Some([-radius, -radius, (expected.design.stack.height - height) / 2.0]),
+        least: Some([-radius, -radius, middle - height / 2.0]),
         surface: is_cylinder.then_some([PI * radius * radius, TAU * radius]),
     })
 }
