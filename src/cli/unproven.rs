@@ -1,10 +1,15 @@
 //! Files that the program made and then found wrong: a fault of the program, unless a profile of the user's own is the reason.
 
-use crate::artifact::Format;
+use std::ffi::OsStr;
+use std::path::Path;
+
 use crate::cli::findings;
 use crate::cli::harmless::shown;
 use crate::spec;
 use crate::verify::Finding;
+
+/// How the names of programs end, that of LinuxCNC's last.
+const PROGRAMS: [&str; 2] = ["gcode", "ngc"];
 
 /// What was found, and what to send with a report.
 #[derive(Clone, Debug)]
@@ -20,8 +25,8 @@ pub struct Unproven {
 impl Unproven {
     /// Whether the user's own profile may be the reason: all that is wrong is in programs.
     fn may_be_the_profile(&self) -> bool {
-        let program = format!(".{}", Format::Gcode.ending());
-        let in_program = |finding: &Finding| finding.file.ends_with(&program);
+        let is_program = |ending: &OsStr| PROGRAMS.iter().any(|program| ending == *program);
+        let in_program = |finding: &Finding| Path::new(&finding.file).extension().is_some_and(is_program);
         spec::builtin_machine(&self.profile).is_none() && self.findings.iter().all(in_program)
     }
 
@@ -81,6 +86,7 @@ mod tests {
     fn a_profile_of_the_users_own_may_be_the_reason_for_a_wrong_program_and_for_nothing_else() {
         let program = unproven("own.toml", "star-1-seal.gcode");
         assert!(program.heading().contains("the programs for own.toml"), "{}", program.heading());
+        assert!(unproven("own.toml", "star-1-seal.ngc").may_be_the_profile());
         assert!(program.text().contains("If it does fit, this is a fault of this program"));
         let drawing = unproven("own.toml", "outline.svg");
         assert!(drawing.heading().starts_with("fault of this program"), "{}", drawing.heading());

@@ -54,12 +54,7 @@ fn what_check_lets_pass_build_publishes_and_verify_accepts() {
     let wrong: BTreeMap<u64, Vec<Finding>> = (from..from + cases)
         .into_par_iter()
         .filter_map(|n| {
-            let begun = std::time::Instant::now();
-            let found = findings(&case(n), n % 3 == 0);
-            if begun.elapsed().as_secs() > 3 {
-                eprintln!("case {n}: {:?} passed {}", begun.elapsed(), found.is_some());
-            }
-            let found = found?;
+            let found = findings(&case(n), n % 3 == 0)?;
             let _ = passed.fetch_add(1, Ordering::Relaxed);
             (!found.is_empty()).then_some((n, found))
         })

@@ -22,7 +22,7 @@ pub(crate) fn case(number: u64) -> Case {
     let _ = (0..4).map(|_| dice.below(2)).sum::<usize>();
     let own = dice.chance(0.4);
     let (machine, chops) = machine(&mut dice, own);
-    let spec = spec(&mut dice, own.then_some("own.toml").unwrap_or(machine.0), chops);
+    let spec = spec(&mut dice, if own { "own.toml" } else { machine.0 }, chops);
     Case { spec, machine: machine.1, asked: asked(&mut dice) }
 }
 

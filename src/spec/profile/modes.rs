@@ -108,13 +108,13 @@ mod tests {
             codes(
                 "grbl",
                 "[\"G21\", \"G17\", \"G91.1\", \"G90\", \"G94\"]",
-                "[\"g21G17 G91.1\", \"G90 G94\"]"
+                "[\"G21G17 G91.1\", \"G90 G94\"]"
             ),
             [""; 0]
         );
         assert_eq!(codes("generic", "\"G17\", ", ""), [""; 0]);
         assert_eq!(codes("generic", "\"G21\", ", ""), ["program-line"]);
-        assert_eq!(codes("generic", "\"G94\"]", "\"; G94\"]"), ["program-line"]);
+        assert_eq!(codes("generic", ", \"G94\"]", "]"), ["program-line"]);
         assert_eq!(codes("marlin", "\"G90\", ", ""), ["program-line"]);
     }
 }
