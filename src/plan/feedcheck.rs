@@ -24,8 +24,8 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
         // Both lie above and to the right of the origin, as the lines do.
         let clockwise = Arc::new(Point::new(radius, 0.0), radius, PI, -FRAC_PI_2);
         let other = Arc::new(Point::ORIGIN, radius, 0.0, FRAC_PI_2);
-        ways.push(("of a circle clockwise (G2)", clockwise.into()));
-        ways.push(("of a circle counterclockwise (G3)", other.into()));
+        ways.push(("clockwise, G2", clockwise.into()));
+        ways.push(("counterclockwise, G3", other.into()));
     }
     let program = |way: Segment| {
         let steps = vec![Step::Travel(way.start()), Step::Height(Height::Travel), Step::Seal(vec![way])];

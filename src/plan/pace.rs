@@ -186,7 +186,8 @@ mod tests {
             let found = strokes(piece, heights);
             let length = piece.length().hypot(heights.map_or(0.0, |(a, b)| b - a));
             let seconds: f64 = found.iter().map(|stroke| stroke.seconds).sum();
-            assert!((seconds - length / 0.1).abs() <= 0.025 + 1e-9, "{seconds} for {length} mm");
+            // Half a dwell's step; the file's positions, which are rounded, make the way a little longer or shorter.
+            assert!((seconds - length / 0.1).abs() <= 0.025 + 2e-3, "{seconds} for {length} mm");
             assert!(found.iter().all(|s| s.piece.length() <= 0.2 + 1e-9 && s.dwell < 2.0));
             let steps = |s: &Stroke| s.dwell / 0.05;
             assert!(found.iter().all(|s| (steps(s) - steps(s).round()).abs() < 1e-6));
