@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use crate::design::{Design, PlacedStar, Star};
+use crate::design::{Design, Meeting, PlacedStar, Star};
 use crate::forecast::case::Case;
 use crate::forecast::choice::{corrected, hinge_model, named, tabled};
 use crate::forecast::outcome::Outcome;
@@ -91,16 +91,20 @@ pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
     if spec.load.as_ref().and_then(|load| load.pressure).is_none() {
         return Vec::new();
     }
+    let meetings = design.meetings(spec);
     let of_star = |placed: &PlacedStar| {
         let star = &design.part(placed).star;
         let asked = spec.stars.get(placed.index - 1)?;
-        let own = Question { chosen: spec.accuracy.model, case: Case::of(spec, star).ok()?, star };
+        // Where this star meets the object, as its prediction has it.
+        let meeting = meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
+        let case = Case::of(spec, star).ok()?.meeting(meeting);
+        let own = Question { chosen: spec.accuracy.model, case, star };
         Some(Charts {
             star: placed.index,
             model: named(own.chosen).unwrap_or(Level::Section).name(),
             by_pressure: (1..=PRESSURES).filter_map(|k| own.at_pressure(k)).collect(),
             by_radius: own.by_radius().unwrap_or_default(),
-            by_points: own.by_points(spec, asked).unwrap_or_default(),
+            by_points: own.by_points(spec, asked, meeting).unwrap_or_default(),
         })
     };
     design.firsts().filter_map(of_star).collect()
@@ -168,13 +172,13 @@ impl Question<'_> {
         Some((0..=RADII).filter_map(at).collect())
     }
 
-    fn by_points(&self, spec: &Spec, asked: &StarSpec) -> Option<Vec<AtPoints>> {
+    fn by_points(&self, spec: &Spec, asked: &StarSpec, meeting: Option<Meeting>) -> Option<Vec<AtPoints>> {
         let pressure = self.case.pressure?;
         // Targets hang on R*, the pressure and the width, not on how many hinges there are.
         let model = self.model(pressure)?;
         let at = |points: u32| {
             let star = Star::new(&StarSpec { points, inlet_tip: 1, ..asked.clone() }).ok()?;
-            let (case, outcome) = Outcome::of(&Case::of(spec, &star).ok()?, &*model).ok()?;
+            let (case, outcome) = Outcome::of(&Case::of(spec, &star).ok()?.meeting(meeting), &*model).ok()?;
             outcome.known.then(|| AtPoints {
                 points,
                 contraction: outcome.contraction,

@@ -68,6 +68,12 @@ impl Chop {
         Some(Self { longest: chop.longest.max(chop.least_stroke(speed)), ..chop })
     }
 
+    /// In how many strokes a way of `length`, mm, is travelled: such as the controller makes, where there is room for them.
+    pub(super) fn strokes(&self, length: f64) -> f64 {
+        let room = (length / self.least + 1e-9).floor();
+        (length / self.longest - 1e-9).ceil().min(room).max(1.0)
+    }
+
     /// What a stroke costs beside its length: one start, one stop, and the shortest dwell, s.
     pub(super) fn cost(&self) -> f64 {
         self.start_delay + self.speed / self.acceleration + self.step

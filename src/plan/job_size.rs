@@ -36,9 +36,7 @@ fn moves(spec: &Spec, machine: &Machine, design: &Design) -> f64 {
             let pieces = f64::from(cuts.count(segment));
             let strokes = match pace {
                 Pace::Steady => 1.0,
-                Pace::Chopped(chop) => {
-                    ((segment.length() / pieces).hypot(rise / pieces) / chop.longest).ceil().max(1.0)
-                }
+                Pace::Chopped(chop) => chop.strokes((segment.length() / pieces).hypot(rise / pieces)),
             };
             pieces * strokes
         };

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::design::{Refusal, RefusalCode};
-use crate::geom::{Grid, Segment};
+use crate::geom::Segment;
 use crate::plan::whole_rates::rounded_up;
 use crate::plan::{Chop, Pace, Program, Step};
 use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
@@ -141,33 +141,6 @@ fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
             chop.speed
         ),
         format!("speed must be below {} mm/s", Most(limit)),
-    ))
-}
-
-/// Ramps so steep that a stroke along one has no way in the plane that a file can state: the iron would go straight down.
-pub(super) fn steep_ramp(spec: &Spec, machine: &Machine, programs: &[Program]) -> Option<Refusal> {
-    let heights = &machine.process.heights;
-    let (ramp, rise) = (machine.process.ramp.0, heights.travel.0 - heights.contact.0);
-    // Two steps of the file's positions.
-    let least = 2.0 * Grid::for_tolerance(spec.accuracy.path.0).quantum();
-    let stroke = programs.iter().filter_map(|program| match program.pace {
-        Pace::Chopped(chop) => Some(chop.longest.min(ramp.hypot(rise))),
-        Pace::Steady => (!program.seams.is_empty()).then_some(ramp.hypot(rise)),
-    });
-    let stroke = stroke.fold(f64::INFINITY, f64::min);
-    // Strokes of a ramp are equal, and at worst half as long as they may be.
-    let along = 0.5 * stroke * ramp / ramp.hypot(rise);
-    if along >= least || along.is_nan() {
-        return None;
-    }
-    let needed = 2.0 * least * rise / (stroke * stroke - 4.0 * least * least).max(least * least).sqrt();
-    Some(Refusal::new(
-        key::machine::PROFILE,
-        RefusalCode::FeedFloor,
-        format!(
-            "a ramp of {ramp} mm for {rise} mm of height is steeper than the program can state: strokes along it advance {along:.6} mm"
-        ),
-        format!("`ramp` in the profile must be at least {:.2} mm", (100.0 * needed).ceil() / 100.0),
     ))
 }
 

@@ -88,9 +88,7 @@ impl Pacer {
             return;
         };
         let base = heights.map_or(0.0, |(from, _)| from);
-        // Strokes that the controller makes, where there is room for them.
-        let room = (length / chop.least + 1e-9).floor();
-        let count = (length / chop.longest - 1e-9).ceil().min(room).max(1.0);
+        let count = chop.strokes(length);
         let mut i = 0.0;
         while i < count {
             let part = piece.part(i / count, (i + 1.0) / count);
