@@ -140,8 +140,18 @@ fn at_a_pressure_everything_has_its_range() {
             let found = found.as_f64().expect("a number");
             assert!(low <= found && found <= high && low < high, "n = {points}, {key}: {found} in {range}");
         };
-        for key in ["final_radius_mm", "contraction", "seal_pull_N_per_mm", "burst_pressure_kPa"] {
+        for key in ["final_radius_mm", "contraction"] {
             within(&value[key], &value["ranges"][key], key);
+        }
+        if points < 6 {
+            // A band of 1 mm makes hinges sharper than any whose pull was computed as a shell.
+            assert!(value["ranges"]["seal_pull_N_per_mm"].is_null(), "n = {points}");
+            let mut wider = spec.clone();
+            wider.seal.band = Length(2.0);
+            let value = json(&predict(&wider).expect("predictable"));
+            for key in ["seal_pull_N_per_mm", "burst_pressure_kPa"] {
+                within(&value[key], &value["ranges"][key], key);
+            }
         }
         for hinge in ["tip", "corner"] {
             let key = "hinge_stiffness_Nm";
@@ -197,8 +207,11 @@ fn all_models_answer_and_agree() {
     assert!((tip(&ring) - tip(&bvp)).abs() < 0.02 && (tip(&ring) - tip(&fit)).abs() < 0.02);
     let radius = |of: &StarPrediction| of.final_radius_mm.expect("a limit");
     assert!((radius(&ring) / radius(&bvp) - 1.0).abs() < 0.15);
-    // A limit has no range, whatever it says.
-    assert_eq!([fit.ranges, ring.ranges, bvp.ranges], [StarRanges::default(); 3]);
+    // A limit has no range, whatever it says; the seal's do not depend on the model.
+    let StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, .. } = ring.ranges;
+    assert!(seal_pull_N_per_mm.is_some() && burst_pressure_kPa.is_some());
+    let of_the_seal = StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, ..StarRanges::default() };
+    assert_eq!([fit.ranges, ring.ranges, bvp.ranges], [of_the_seal; 3]);
     assert!(fit.nonlinear.is_none() && ring.nonlinear.is_some() && bvp.nonlinear.is_some());
     assert!(!fit.evidence.warnings.is_empty(), "the published coiling does not cover R* = 0");
 }
