@@ -11,6 +11,7 @@
 //! | [`outcome`] | an inflated star with its load, in closed forms with their ranges: for all that follow |
 //! | [`pressures`] | what it does at several pressures, where none is given |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
+//! | [`keys`] | every key of an answer with its meaning |
 //! | [`mod@verdict`] | whether the object is held |
 //! | [`mod@shut`] | the shape of the star that has closed |
 //! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
@@ -32,6 +33,7 @@ pub mod case;
 pub mod charts;
 pub mod choice;
 pub mod choosing;
+pub mod keys;
 pub mod optimize;
 pub mod outcome;
 pub mod predict;

@@ -1,4 +1,4 @@
-"""The types of the compiled part. What each thing means stands in the docstrings, which `help()` shows."""
+"""The types of the compiled part. `python/stubs.py` writes the docstrings, and the attributes of predictions."""
 
 import os
 from collections.abc import Callable, Sequence
@@ -37,6 +37,7 @@ class Spec:
 
 @final
 class Line:
+    def __new__(cls, start: tuple[float, float], end: tuple[float, float]) -> Line: ...
     @property
     def start(self) -> tuple[float, float]: ...
     @property
@@ -44,6 +45,9 @@ class Line:
 
 @final
 class Arc:
+    def __new__(
+        cls, center: tuple[float, float], radius_mm: float, start_angle_deg: float, sweep_deg: float
+    ) -> Arc: ...
     @property
     def center(self) -> tuple[float, float]: ...
     @property
@@ -143,49 +147,17 @@ class Mesh:
 
 @final
 class Prediction:
-    # Those that every model has; the others of `to_dict()` come untyped.
-    model: str
-    arm_length_mm: float
-    tip_equilibrium_angle_deg: float | None
-    final_radius_mm: float | None
-    contraction: float | None
-    hinge_stiffness_Nm: dict[str, float] | None
-    radial_stiffness_N_per_m: float | None
-    preload_N: float | None
-    graspable_radius_mm: _Interval
-    object_force_N: float | None
-    bendability: float | None
-    operating_pressure_kPa: float
-    realised_radius_mm: dict[str, float]
-    burst_pressure_kPa: float | None
-    mass_g: float | None
-    stack_mass_g: float | None
-    payload_kg: float | None
-    ranges: dict[str, Any]
-    evidence: dict[str, Any]
-    stars: list[dict[str, Any]]
     @property
     def mesh(self) -> Mesh | None: ...
     def to_dict(self) -> dict[str, Any]: ...
     def _repr_html_(self) -> str: ...
-    def __getattr__(self, name: str) -> Any: ...
 
 @final
 class ActuatorPrediction:
-    model: str
-    bendability: float
-    stretch: float
-    angle_deg: float
-    coiling: float
-    volume_mm3: float | None
-    stiffness_Nm: float
-    ranges: dict[str, Any]
-    evidence: dict[str, Any]
     @property
     def mesh(self) -> Mesh | None: ...
     def to_dict(self) -> dict[str, Any]: ...
     def _repr_html_(self) -> str: ...
-    def __getattr__(self, name: str) -> Any: ...
 
 @final
 class Build:
@@ -274,6 +246,7 @@ def sweep(
     threads: int | None = None,
     progress: _Progress = None,
 ) -> dict[str, NDArray[Any]]: ...
+def keys() -> dict[str, list[tuple[str, str]]]: ...
 def repeat(spec: Spec, model: _Model | None, times: int) -> None: ...
 def prove(path: str, progress: _Progress) -> dict[str, Any]: ...
 def run(args: Sequence[str], file: str) -> int: ...
