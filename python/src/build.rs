@@ -52,8 +52,8 @@ enum Stopped {
 pub(crate) fn build(
     py: Python<'_>,
     spec: &Spec,
-    #[pyo3(from_py_with = arguments::kinds)] only: Option<Vec<Kind>>,
-    #[pyo3(from_py_with = arguments::kinds)] with_: Option<Vec<Kind>>,
+    #[pyo3(from_py_with = arguments::only)] only: Option<Vec<Kind>>,
+    #[pyo3(from_py_with = arguments::with)] with_: Option<Vec<Kind>>,
     anyway: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Build> {
@@ -150,8 +150,8 @@ impl Build {
         _class: &Bound<'_, PyType>,
         py: Python<'_>,
         spec: &Spec,
-        #[pyo3(from_py_with = arguments::kinds)] only: Option<Vec<Kind>>,
-        #[pyo3(from_py_with = arguments::kinds)] with_: Option<Vec<Kind>>,
+        #[pyo3(from_py_with = arguments::only)] only: Option<Vec<Kind>>,
+        #[pyo3(from_py_with = arguments::with)] with_: Option<Vec<Kind>>,
         anyway: bool,
         version: &str,
     ) -> PyResult<Self> {

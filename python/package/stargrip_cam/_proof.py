@@ -28,8 +28,7 @@ class Proof:
 def verify(path: str | os.PathLike[str], *, progress: bool | Callable[[float, str], object] | None = None) -> Proof:
     """Proves the build in the directory `path` from its own spec and machine profile, as the command `verify` does.
 
-    Raises OSError if there is no such directory, Error if it holds no build or cannot be read. What is wrong in it is a finding, not
-    an exception.
+    Raises OSError if there is no such directory, Error if it cannot be read. What is wrong in it is a finding, not an exception.
     """
     # Python's own exception, as for a spec's file that does not exist.
     os.stat(path)
