@@ -118,6 +118,21 @@ pub const PREDICTION: &[Key] = &[
         "Smallest and largest radius of a round object that the star can hold, mm.",
     ),
     maybe(
+        "hole_radius_mm",
+        Number,
+        "Radius of the hole's cut edge, mm. A wider object does not enter the flat star.",
+    ),
+    maybe(
+        "object_radius_mm",
+        Number,
+        "Radius of the object at the star's height, mm; 0 if the star passes above or below it.",
+    ),
+    maybe(
+        "object_gap_mm",
+        Number,
+        "Room between the cut hole and the object before inflation, mm. Below 0 the object does not enter.",
+    ),
+    maybe(
         "object_force_N",
         Number,
         "Radial force of one star on the object, N. Needs a pressure and an object.",
@@ -144,9 +159,15 @@ pub const PREDICTION: &[Key] = &[
         "Seal load k at the realised radius: the inner edge carries k p W per length.",
     ),
     maybe(
+        "seal_pull_N_per_mm",
+        Number,
+        "Largest force that pulls one sheet off the seam's plane, N per mm of seam, as a T-peel test measures it. Needs a pressure.",
+    ),
+    maybe("seal_pull_at", Text, "The hinges at which the seal's pull is largest: tips or corners."),
+    maybe(
         "burst_pressure_kPa",
         Number,
-        "Pressure at which the seal peels at its sharpest hinge, kPa. Needs `seal_strength`.",
+        "Pressure at which the pull on the seal is `seal_strength`, kPa. Needs `seal_strength`.",
     ),
     maybe(
         "seal_tension",
@@ -165,6 +186,11 @@ pub const PREDICTION: &[Key] = &[
         "Stretch p W / Y of the fabric. By the shell the largest principal stretch with mesh error and place. Needs a pressure.",
     ),
     maybe("burst_margin", Number, "Burst pressure over the pressure. Needs both."),
+    maybe(
+        "ranges_of",
+        Text,
+        "Whose values the ranges hold: those of computed shells. No gripper was measured.",
+    ),
     always(
         "ranges",
         Object,

@@ -11,7 +11,6 @@
 //! | [`outcome`] | an inflated star with its load, in closed forms with their ranges: for all that follow |
 //! | [`pressures`] | what it does at several pressures, where none is given |
 //! | [`mod@predict`], [`prediction`], [`report`] | the answer with its evidence, for programs and for people |
-//! | [`keys`] | every key of an answer with its meaning |
 //! | [`mod@verdict`] | whether the object is held |
 //! | [`mod@shut`] | the shape of the star that has closed |
 //! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
@@ -23,6 +22,7 @@
 //! | [`stiffness`] | from bench tests to what a spec says of its fabric |
 //! | [`choosing`] | from an object to a spec |
 //! | [`trade`] | what each model costs, and how far it is off |
+//! | [`keys`] | every key of an answer with its meaning |
 
 pub mod actuator;
 mod answered;

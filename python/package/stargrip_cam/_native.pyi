@@ -292,6 +292,15 @@ class Prediction:
     def graspable_radius_mm(self) -> tuple[float, float] | None:
         """Smallest and largest radius of a round object that the star can hold, mm."""
     @property
+    def hole_radius_mm(self) -> float | None:
+        """Radius of the hole's cut edge, mm. A wider object does not enter the flat star."""
+    @property
+    def object_radius_mm(self) -> float | None:
+        """Radius of the object at the star's height, mm; 0 if the star passes above or below it."""
+    @property
+    def object_gap_mm(self) -> float | None:
+        """Room between the cut hole and the object before inflation, mm. Below 0 the object does not enter."""
+    @property
     def object_force_N(self) -> float | None:
         """Radial force of one star on the object, N. Needs a pressure and an object."""
     @property
@@ -310,8 +319,14 @@ class Prediction:
     def seal_load(self) -> dict[str, float | None] | None:
         """Seal load k at the realised radius: the inner edge carries k p W per length."""
     @property
+    def seal_pull_N_per_mm(self) -> float | None:
+        """Largest force that pulls one sheet off the seam's plane, N per mm of seam, as a T-peel test measures it. Needs a pressure."""
+    @property
+    def seal_pull_at(self) -> str | None:
+        """The hinges at which the seal's pull is largest: tips or corners."""
+    @property
     def burst_pressure_kPa(self) -> float | None:
-        """Pressure at which the seal peels at its sharpest hinge, kPa. Needs `seal_strength`."""
+        """Pressure at which the pull on the seal is `seal_strength`, kPa. Needs `seal_strength`."""
     @property
     def seal_tension(self) -> dict[str, Any] | None:
         """Largest pull across the rim: `value` in N/mm, its mesh error and its place on the flat star. By the shell only."""
@@ -327,6 +342,9 @@ class Prediction:
     @property
     def burst_margin(self) -> float | None:
         """Burst pressure over the pressure. Needs both."""
+    @property
+    def ranges_of(self) -> str | None:
+        """Whose values the ranges hold: those of computed shells. No gripper was measured."""
     @property
     def ranges(self) -> dict[str, Any]:
         """For each number that depends on a model the interval that holds a computed shell's value in at least 95 % of cases. Some may be unknown."""
