@@ -2,11 +2,14 @@
 
 #[path = "support/asked.rs"]
 mod asked;
+#[path = "support/keys.rs"]
+mod keys;
 
 use asked::GRIPPER as PAPER;
 use proptest::prelude::*;
 use serde_json::Value;
 use stargrip_cam::design::{Design, Refusals};
+use stargrip_cam::forecast::keys::PREDICTION;
 use stargrip_cam::forecast::predict;
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::forecast::prediction::{Prediction, StarPrediction};
@@ -91,6 +94,21 @@ fn the_keys_are_the_published_ones() {
     assert_eq!(value["stars"].as_array().map(Vec::len), Some(3));
     let share = value["stars"][0]["payload_kg"].as_f64().expect("a number");
     assert!((value["payload_kg"].as_f64().expect("a number") / share - 3.0).abs() < 1e-12);
+}
+
+/// With and without a load, by every model of hinges: what `keys` says of an answer is so.
+#[test]
+fn every_key_has_its_meaning() {
+    let bare = PAPER.split("[load]").next().unwrap_or_default();
+    let models =
+        [ModelChoice::Auto, ModelChoice::Fit, ModelChoice::Ring, ModelChoice::Bvp, ModelChoice::Section];
+    for (text, model) in [PAPER, bare].iter().flat_map(|text| models.map(|model| (text, model))) {
+        let mut spec = spec(text);
+        spec.accuracy.model = model;
+        let Ok(prediction) = predict(&spec) else { continue };
+        let found = keys::misfits(&json(&prediction), PREDICTION);
+        assert_eq!(found, Vec::<String>::new(), "{model:?}");
+    }
 }
 
 #[test]

@@ -4,27 +4,44 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stargrip_cam::cli::embedded::{ActuatorQuestion, actuator_question};
+use stargrip_cam::cli::embedded::{ActuatorQuestion, Keywords, actuator_question};
 use stargrip_cam::forecast::actuator::actuate;
 use stargrip_cam::forecast::by_shell;
 use stargrip_cam::shell::cases::{ShellFault, Watch};
 
+use crate::answer::ActuatorPrediction;
 use crate::faults::{of_failure, plain};
 use crate::options::options;
-use crate::prediction::ActuatorPrediction;
 use crate::waiting::wait;
 
-/// What a V-actuator does: two arms, one hinge, sealed ends. The keywords are the options of the command `actuator`, quantities as
-/// strings: tube_width, radius, arm_length, angle and pressure are needed; thickness, young_modulus, poisson_ratio, model, angles
-/// ("30 deg..90 deg/7") and fineness are not.
+/// Predicts what a V-actuator does: two arms, one hinge, sealed ends. The keywords are the options of the command `actuator`;
+/// quantities are strings with a unit. The first five are required.
+///
+/// tube_width: flat width of the tube.
+/// radius: inner radius of the flat hinge.
+/// arm_length: straight length from the hinge's end to the sealed end.
+/// angle: flat angle between the arms.
+/// pressure: gauge pressure.
+/// thickness, young_modulus, poisson_ratio: of the fabric; default: those of a spec.
+/// model: "fit", "ring", "bvp", "section", "shell" or "auto", which is section.
+/// angles: also the moment that holds it at each of these angles, "30 deg..90 deg/7".
+/// fineness: of the shell's meshes: "coarse", "medium" (default) or "fine".
+/// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
+///
+/// Raises PredictionError if the model has no answer, UsageError for wrong arguments.
 #[pyfunction]
-#[pyo3(signature = (*, progress = None, **question))]
+#[pyo3(
+    signature = (*, progress = None, **question),
+    text_signature = "(*, tube_width, radius, arm_length, angle, pressure, thickness=None, young_modulus=None, poisson_ratio=None, \
+                      model=None, angles=None, fineness=None, progress=None)"
+)]
 pub(crate) fn actuator(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
     question: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<ActuatorPrediction> {
-    let asked = actuator_question(&options(question)?).map_err(|failure| of_failure(py, &failure))?;
+    let asked = actuator_question(&options("actuator", &Keywords::of_actuator(), question)?)
+        .map_err(|failure| of_failure(py, &failure))?;
     let ActuatorQuestion { actuator, angles, level, detail } = asked;
     let refused = |text: String| plain(py, "PredictionError", "no-prediction", &text);
     if let Some(level) = level {

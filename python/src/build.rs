@@ -5,17 +5,20 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::{PyBytes, PyDict};
+use pyo3::types::{PyBytes, PyDict, PyTuple, PyType};
 use stargrip_cam::artifact::{Asked, Kind};
 use stargrip_cam::cli::embedded;
 use stargrip_cam::cli::embedded::Given;
 use stargrip_cam::cli::publish;
 use stargrip_cam::design::Refusals;
+use stargrip_cam::manifest::Tool;
 use stargrip_cam::pipeline::{Forecast, Proven, Sources};
 use stargrip_cam::verify::Finding;
 
-use crate::faults::{of_design, of_failure, of_findings, plain, usage};
-use crate::prediction::Prediction;
+use crate::answer::Prediction;
+use crate::arguments;
+use crate::design::counted;
+use crate::faults::{of_design, of_failure, of_findings, plain};
 use crate::spec::Spec;
 use crate::waiting::{Line, wait};
 
@@ -23,6 +26,8 @@ use crate::waiting::{Line, wait};
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Build {
     given: Arc<Given>,
+    asked: Asked,
+    anyway: bool,
     proven: Proven,
     files: PyOnceLock<Py<PyDict>>,
 }
@@ -34,24 +39,32 @@ enum Stopped {
     Cancelled,
 }
 
-/// Builds `spec` and proves every file. `only` names the kinds to make, `with_` those to make beside the default ones
-/// ("preview-png", "scene-glb", "report"); `anyway` takes a gripper that bursts, or does not hold its own object.
+/// Builds the files of `spec` in memory and proves every one.
+///
+/// only: the only kinds of file to make, a list: ["seal-gcode"]. Default: all but preview-png, scene-glb and report.
+/// with_: kinds to make in addition: ["report"].
+/// anyway: True builds a gripper that bursts, or that does not hold its own object.
+/// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
+///
+/// Raises DesignError if there is no such gripper or it is refused, ProofError for a fault of the program.
 #[pyfunction]
 #[pyo3(signature = (spec, *, only = None, with_ = None, anyway = false, progress = None))]
 pub(crate) fn build(
     py: Python<'_>,
     spec: &Spec,
-    only: Option<Vec<String>>,
-    with_: Option<Vec<String>>,
+    #[pyo3(from_py_with = arguments::only)] only: Option<Vec<Kind>>,
+    #[pyo3(from_py_with = arguments::with)] with_: Option<Vec<Kind>>,
     anyway: bool,
     progress: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Build> {
-    let asked = Asked { only: kinds(py, only)?, with: kinds(py, with_)? };
-    let given = Arc::clone(&spec.given);
-    let made = wait(py, progress, move |line| made(&given, &asked, anyway, line))?;
+    let asked = Asked { only: only.unwrap_or_default(), with: with_.unwrap_or_default() };
+    let made = {
+        let (given, asked) = (Arc::clone(&spec.given), asked.clone());
+        wait(py, progress, move |line| made(&given, &asked, anyway, line))?
+    };
     let given = Arc::clone(&spec.given);
     match made {
-        Ok(proven) => Ok(Build { given, proven, files: PyOnceLock::new() }),
+        Ok(proven) => Ok(Build { given, asked, anyway, proven, files: PyOnceLock::new() }),
         Err(Stopped::Refused(refusals)) => Err(of_design(py, &given, refusals)),
         Err(Stopped::Wrong(findings)) => Err(of_findings(py, &findings)),
         Err(Stopped::Cancelled) => Err(of_failure(py, &embedded::Failure::Interrupted)),
@@ -71,15 +84,6 @@ fn made(given: &Given, asked: &Asked, anyway: bool, line: &Line) -> Result<Prove
     line.goes_on().ok_or(Stopped::Cancelled)?;
     line.tell(0.5, "reading them back");
     built.prove().map_err(Stopped::Wrong)
-}
-
-fn kinds(py: Python<'_>, names: Option<Vec<String>>) -> PyResult<Vec<Kind>> {
-    let known = || Kind::ALL.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(", ");
-    let kind = |name: String| {
-        Kind::from_name(&name)
-            .ok_or_else(|| usage(py, format!("`{name}` is no kind of file; there are {}", known())))
-    };
-    names.unwrap_or_default().into_iter().map(kind).collect()
 }
 
 #[pymethods]
@@ -140,9 +144,37 @@ impl Build {
         slf.py().import("stargrip_cam._shown")?.getattr("build")?.call1((slf,))
     }
 
+    /// What `__reduce__` calls: only what was read back is a build, so it is built again.
+    #[classmethod]
+    fn _restored(
+        _class: &Bound<'_, PyType>,
+        py: Python<'_>,
+        spec: &Spec,
+        #[pyo3(from_py_with = arguments::only)] only: Option<Vec<Kind>>,
+        #[pyo3(from_py_with = arguments::with)] with_: Option<Vec<Kind>>,
+        anyway: bool,
+        version: &str,
+    ) -> PyResult<Self> {
+        let own = Tool::this().version;
+        if version != own {
+            let text =
+                format!("a build of version {version} was pickled, this is version {own}: build it again");
+            return Err(plain(py, "Error", "refused", &text));
+        }
+        build(py, spec, only, with_, anyway, None)
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let Self { given, asked, anyway, .. } = slf.get();
+        let names = |kinds: &[Kind]| kinds.iter().map(|kind| kind.name()).collect::<Vec<_>>();
+        let spec = Spec { given: Arc::clone(given) };
+        let kept = (spec, names(&asked.only), names(&asked.with), *anyway, Tool::this().version);
+        Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
+    }
+
     fn __repr__(&self) -> String {
         let built = self.proven.built();
-        format!("<Build {:?}: {} files>", built.manifest.name, built.artifacts.len() + 1)
+        format!("<Build {:?}: {}>", built.manifest.name, counted(built.artifacts.len() + 1, "file"))
     }
 }
 

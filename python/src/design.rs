@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList};
+use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 use stargrip_cam::artifact::{Asked, Kind};
 use stargrip_cam::cli::embedded::Given;
 use stargrip_cam::design as exact;
@@ -12,7 +12,7 @@ use stargrip_cam::geom::{Path, Point};
 use stargrip_cam::pipeline::{Forecast, Sources};
 
 use crate::arrays::{floats, rows};
-use crate::faults::of_design;
+use crate::faults::{of_design, usage};
 use crate::shapes::{Contour, TOLERANCE, polygon};
 use crate::spec::Spec;
 
@@ -26,11 +26,11 @@ pub(crate) struct Design {
 /// One star of a design, in its own frame: the axis at the origin, corner 1 on +X.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Star {
-    design: Arc<exact::Design>,
+    whole: Py<Design>,
     placed: PlacedStar,
 }
 
-/// The design of `spec`, or DesignError with every reason for which there is none.
+/// The exact geometry of `spec`. Raises DesignError with all reasons if there is none.
 #[pyfunction]
 pub(crate) fn design(py: Python<'_>, spec: &Spec) -> PyResult<Design> {
     let given = Arc::clone(&spec.given);
@@ -43,12 +43,12 @@ pub(crate) fn design(py: Python<'_>, spec: &Spec) -> PyResult<Design> {
 impl Design {
     /// Its stars, bottom first.
     #[getter]
-    fn stars(&self) -> Vec<Star> {
-        let star = |placed: &PlacedStar| Star { design: Arc::clone(&self.design), placed: *placed };
-        self.design.stars.iter().map(star).collect()
+    fn stars(slf: &Bound<'_, Self>) -> Vec<Star> {
+        let star = |placed: &PlacedStar| Star { whole: slf.clone().unbind(), placed: *placed };
+        slf.get().design.stars.iter().map(star).collect()
     }
 
-    /// The sheets: dicts of `width_mm` and `height_mm`.
+    /// The sheets: dicts of `index`, `width_mm` and `height_mm`.
     #[getter]
     fn sheets<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let all = self.design.sheets.iter().map(|sheet| {
@@ -85,20 +85,32 @@ impl Design {
         String::from_utf8(preview.bytes).ok()
     }
 
-    fn __repr__(&self) -> String {
-        let Given { reading, .. } = self.given.as_ref();
-        format!(
-            "<Design {:?}: {} stars, {} sheets>",
-            reading.spec.name,
-            self.design.stars.len(),
-            self.design.sheets.len()
-        )
+    /// What `__reduce__` calls.
+    #[classmethod]
+    fn _restored(_class: &Bound<'_, PyType>, py: Python<'_>, spec: &Spec) -> PyResult<Self> {
+        design(py, spec)
     }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Spec,))> {
+        let spec = Spec { given: Arc::clone(&slf.get().given) };
+        Ok((slf.get_type().getattr("_restored")?, (spec,)))
+    }
+
+    fn __repr__(&self) -> String {
+        let name = &self.given.reading.spec.name;
+        let (stars, sheets) = (self.design.stars.len(), self.design.sheets.len());
+        format!("<Design {name:?}: {}, {}>", counted(stars, "star"), counted(sheets, "sheet"))
+    }
+}
+
+/// "1 star", "2 stars".
+pub(crate) fn counted(number: usize, what: &str) -> String {
+    format!("{number} {what}{}", if number == 1 { "" } else { "s" })
 }
 
 impl Star {
     fn part(&self) -> &StarDesign {
-        self.design.part(&self.placed)
+        self.whole.get().design.part(&self.placed)
     }
 
     fn flat(&self) -> &exact::Star {
@@ -253,6 +265,20 @@ impl Star {
     #[getter]
     fn __geo_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.polygon(py, TOLERANCE)
+    }
+
+    /// What `__reduce__` calls.
+    #[classmethod]
+    fn _restored(class: &Bound<'_, PyType>, whole: Py<Design>, index: usize) -> PyResult<Self> {
+        let placed = whole.get().design.stars.iter().find(|placed| placed.index == index).copied();
+        let placed = placed.ok_or_else(|| usage(class.py(), format!("the design has no star {index}")))?;
+        Ok(Self { whole, placed })
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let Self { whole, placed } = slf.get();
+        let kept = (whole, placed.index).into_pyobject(slf.py())?;
+        Ok((slf.get_type().getattr("_restored")?, kept))
     }
 
     fn __repr__(&self) -> String {

@@ -9,8 +9,10 @@
 //! | `arrays` | NumPy arrays, each by one copy of memory |
 //! | `shapes`, `design` | `Line`, `Arc`, `Contour`, `Star`, `Design` |
 //! | `build` | `Build`, and the proof of a directory |
-//! | `prediction`, `mesh` | `Prediction`, `ActuatorPrediction`, `Mesh` |
-//! | `options`, `actuator` | a single hinge |
+//! | `answer`, `mesh` | `Prediction`, `ActuatorPrediction`, `Mesh` |
+//! | `prediction` | what a gripper does |
+//! | `arguments`, `options` | arguments of functions, and as options of commands |
+//! | `actuator` | a single hinge |
 //! | `optimum` | the best star |
 //! | `sweep` | many designs, a column an array |
 //! | `command` | the command `stargrip-cam` |
@@ -18,6 +20,8 @@
 #![allow(missing_docs, reason = "what macros make of a module has none; the rooms have theirs")]
 
 mod actuator;
+mod answer;
+mod arguments;
 mod arrays;
 mod build;
 mod command;
@@ -43,6 +47,8 @@ mod _native {
     #[pymodule_export]
     use super::actuator::actuator;
     #[pymodule_export]
+    use super::answer::{ActuatorPrediction, Prediction, keys};
+    #[pymodule_export]
     use super::build::{Build, build, prove};
     #[pymodule_export]
     use super::command::run;
@@ -53,7 +59,7 @@ mod _native {
     #[pymodule_export]
     use super::optimum::{Optimum, optimize};
     #[pymodule_export]
-    use super::prediction::{ActuatorPrediction, Prediction, predict, repeat};
+    use super::prediction::{predict, repeat};
     #[pymodule_export]
     use super::shapes::{Arc, Contour, Line};
     #[pymodule_export]
@@ -63,6 +69,8 @@ mod _native {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        super::answer::add_properties::<Prediction>(module.py())?;
+        super::answer::add_properties::<ActuatorPrediction>(module.py())?;
         module.add("__version__", stargrip_cam::manifest::Tool::this().version)
     }
 }

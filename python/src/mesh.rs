@@ -1,10 +1,11 @@
 //! The inflated sheet in triangles, as arrays.
 
 use pyo3::prelude::*;
+use pyo3::types::{PyTuple, PyType};
 use stargrip_cam::shell::cases::Shape;
 
 use crate::arrays::{floats, integers, rows};
-use crate::faults::plain;
+use crate::faults::{plain, usage};
 
 /// The sheet that a shell has modelled, at rest under pressure, on its finest mesh: N nodes, M triangles. Of a star it is one of the
 /// two sheets of half a sector beside corner 1, of a V-actuator one of half: the rest of the tube is its mirror images.
@@ -68,6 +69,29 @@ impl Mesh {
     /// The same as the text of a VTU file, which ParaView reads.
     fn vtu(&self, py: Python<'_>) -> PyResult<String> {
         self.0.vtu().map_err(|fault| plain(py, "Error", "vtu", &fault.to_string()))
+    }
+
+    /// What `__reduce__` calls: nodes and flat nodes in m, triangles, tensions in N/m, stretches, curvatures in 1/m.
+    #[classmethod]
+    fn _restored(
+        class: &Bound<'_, PyType>,
+        nodes: (Vec<[f64; 3]>, Vec<[f64; 2]>),
+        triangles: Vec<[usize; 3]>,
+        of_triangles: [Vec<[f64; 2]>; 3],
+    ) -> PyResult<Self> {
+        let ((points, flat), [tension, stretch, curvature]) = (nodes, of_triangles);
+        let same = [&tension, &stretch, &curvature].iter().all(|values| values.len() == triangles.len());
+        let known = triangles.as_flattened().iter().all(|node| *node < points.len());
+        if !(same && known && points.len() == flat.len()) {
+            return Err(usage(class.py(), "the lists of a mesh do not fit together"));
+        }
+        Ok(Self(Shape { points, flat, triangles, tension, stretch, curvature }))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let Shape { points, flat, triangles, tension, stretch, curvature } = &slf.get().0;
+        let kept = ((points, flat), triangles, [tension, stretch, curvature]);
+        Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
     }
 
     fn __repr__(&self) -> String {

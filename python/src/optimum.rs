@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
-use stargrip_cam::cli::embedded::{self, Given};
+use pyo3::types::{IntoPyDict, PyDict, PyTuple, PyType};
+use stargrip_cam::cli::embedded::{self, Given, Keywords};
 use stargrip_cam::forecast::optimize::Evaluated;
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::units::Length;
@@ -15,79 +15,128 @@ use crate::options::options;
 use crate::spec::{Spec, of_text};
 use crate::waiting::wait;
 
-/// What a search has come to.
+/// The values of some designs, a list for each column.
+type Columns = Vec<(String, Vec<f64>)>;
+
+/// The result of a search: the best star, and the designs that it was compared with.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Optimum {
-    given: Arc<Given>,
-    found: embedded::Optimum,
+    spec: Option<Spec>,
+    computed: usize,
+    best: Columns,
+    short: Vec<Vec<(String, f64)>>,
+    front: Columns,
 }
 
-/// Searches around `spec` for the best star. The keywords are the options of the command `optimize`: goal, points=(3, 8),
-/// tip_angle=("20 deg", "60 deg"), tube_width, tip_radius, corner_radius, inner_radius, pressure, count, grasp, payload,
-/// largest_force, burst_margin. A search that is interrupted stops at its next design.
+/// Searches around `spec` for the best star. The keywords are the options of the command `optimize`. Ranges are pairs or texts:
+/// points=(3, 8), tip_angle=("20 deg", "60 deg") or "20 deg..60 deg".
+///
+/// goal: "hold" (the object's mass with the least fabric), "contraction", "stiffness" or "fabric" (the least). Default: "hold" if
+///     [load] has an object, else "contraction".
+/// points: numbers of points; default: (3, 12).
+/// tip_angle: tip angles; default: 10 to 90 deg.
+/// tube_width: tube widths; default: half to one and a half times the spec's.
+/// tip_radius, corner_radius, inner_radius, pressure: default: the spec's.
+/// count: numbers of stars; default: the spec's.
+/// grasp: radii of objects that the star must close to and open to.
+/// payload: least payload of the stack, kg.
+/// largest_force: largest radial force of one star, N; default: that of [load].
+/// burst_margin: least burst pressure over the pressure; default: 1 if the seal's strength is known.
+/// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
+///
+/// Raises UsageError for wrong arguments. A search that is interrupted stops at its next design.
 #[pyfunction]
-#[pyo3(signature = (spec, *, progress = None, **question))]
+#[pyo3(
+    signature = (spec, *, progress = None, **question),
+    text_signature = "(spec, *, goal=None, points=None, tip_angle=None, tube_width=None, tip_radius=None, corner_radius=None, \
+                      inner_radius=None, pressure=None, count=None, grasp=None, payload=None, largest_force=None, \
+                      burst_margin=None, progress=None)"
+)]
 pub(crate) fn optimize(
     py: Python<'_>,
     spec: &Spec,
     progress: Option<&Bound<'_, PyAny>>,
     question: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Optimum> {
-    let options = options(question)?;
+    let options = options("optimize", &Keywords::of_optimize(), question)?;
     let given = Arc::clone(&spec.given);
-    let found = wait(py, progress, move |line| {
+    let optimum = wait(py, progress, move |line| {
         line.tell(0.0, "searching");
         embedded::optimum(&given, &options, &line.cancel)
     })?;
-    let found = found.map_err(|failure| of_failure(py, &failure))?;
-    Ok(Optimum { given: Arc::clone(&spec.given), found })
+    let embedded::Optimum { found, best, short } = optimum.map_err(|failure| of_failure(py, &failure))?;
+    let Given { source, path, .. } = spec.given.as_ref();
+    let owned =
+        |missed: Vec<(&str, f64)>| missed.into_iter().map(|(what, part)| (what.to_owned(), part)).collect();
+    Ok(Optimum {
+        spec: best.map(|text| of_text(py, text, &source.name, path)).transpose()?,
+        computed: found.computed,
+        best: columns(&found.best),
+        short: short.into_iter().map(owned).collect(),
+        front: columns(&found.front),
+    })
 }
 
 #[pymethods]
 impl Optimum {
     /// The spec with the best star that can be built; None if no design meets all constraints and can be built.
     #[getter]
-    fn spec(&self, py: Python<'_>) -> PyResult<Option<Spec>> {
-        let Given { source, path, .. } = self.given.as_ref();
-        let best = self.found.best.as_ref();
-        best.map(|text| of_text(py, text.clone(), &source.name, path)).transpose()
+    fn spec(&self) -> Option<Spec> {
+        self.spec.clone()
     }
 
-    /// Designs that were computed.
+    /// The number of designs that were computed.
     #[getter]
     fn computed(&self) -> usize {
-        self.found.found.computed
+        self.computed
     }
 
-    /// The best for each number of points, best first: arrays by column, NaN where nothing is known. `violation` is 0 where all
-    /// constraints are met.
+    /// The best design for each number of points, not only the best of all: a dict of arrays, one for each column. Entry 0 of each is
+    /// the best design. NaN where a number is unknown; `violation` is 0 where all constraints are met.
     #[getter]
     fn best<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        columns(py, &self.found.found.best)
+        arrays(py, &self.best)
     }
 
-    /// Of each of `best` the constraints that it misses, and by which part.
+    /// For each design in `best` the constraints that it misses, and by which part.
     #[getter]
     fn short<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
-        let all = self.found.short.iter().map(|missed| {
-            let one = PyDict::new(py);
-            for (what, part) in missed {
-                one.set_item(what, part)?;
-            }
-            Ok(one)
-        });
-        all.collect()
+        self.short
+            .iter()
+            .map(|missed| missed.iter().map(|(what, part)| (what, part)).into_py_dict(py))
+            .collect()
     }
 
-    /// Designs that meet all constraints, and that none beats in contraction, stiffness and fabric at once: arrays by column.
+    /// The designs that meet all constraints, and that none beats in contraction, stiffness and fabric at once: a dict of arrays, one
+    /// for each column, by falling contraction.
     #[getter]
     fn front<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        columns(py, &self.found.found.front)
+        arrays(py, &self.front)
+    }
+
+    /// What `__reduce__` calls.
+    #[classmethod]
+    fn _restored(
+        _class: &Bound<'_, PyType>,
+        spec: Option<Spec>,
+        computed: usize,
+        best: Columns,
+        short: Vec<Vec<(String, f64)>>,
+        front: Columns,
+    ) -> Self {
+        Self { spec, computed, best, short, front }
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let Self { spec, computed, best, short, front } = slf.get();
+        let kept = (spec.clone(), *computed, best.clone(), short.clone(), front.clone());
+        Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
     }
 
     fn __repr__(&self) -> String {
-        let (best, front) = (&self.found.found.best, &self.found.found.front);
-        format!("<Optimum of {} designs: {} best, {} on the front>", self.computed(), best.len(), front.len())
+        let rows = |columns: &Columns| columns.first().map_or(0, |(_, values)| values.len());
+        let (best, front) = (rows(&self.best), rows(&self.front));
+        format!("<Optimum of {} designs: {best} best by points, {front} on the front>", self.computed)
     }
 }
 
@@ -129,11 +178,18 @@ const COLUMNS: &[Column] = &[
     ("violation", |one| Some(one.violation)),
 ];
 
-fn columns<'py>(py: Python<'py>, designs: &[Evaluated]) -> PyResult<Bound<'py, PyDict>> {
+fn columns(designs: &[Evaluated]) -> Columns {
+    let column = |(name, value): &Column| {
+        let values = designs.iter().map(|one| value(one).unwrap_or(f64::NAN)).collect();
+        ((*name).to_owned(), values)
+    };
+    COLUMNS.iter().map(column).collect()
+}
+
+fn arrays<'py>(py: Python<'py>, columns: &Columns) -> PyResult<Bound<'py, PyDict>> {
     let all = PyDict::new(py);
-    for (name, value) in COLUMNS {
-        let values: Vec<f64> = designs.iter().map(|one| value(one).unwrap_or(f64::NAN)).collect();
-        all.set_item(name, floats(py, &values, &[values.len()])?)?;
+    for (name, values) in columns {
+        all.set_item(name, floats(py, values, &[values.len()])?)?;
     }
     Ok(all)
 }

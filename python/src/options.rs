@@ -1,13 +1,29 @@
-//! Keywords as the options of a command, which has their meaning, defaults and limits: `tube_width="30 mm"` is `--tube-width=30 mm`.
+//! Keywords as the options of a command, which has their names, defaults and limits: `tube_width="30 mm"` is `--tube-width=30 mm`.
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use stargrip_cam::cli::embedded::Keywords;
 
-/// The options that `keywords` put. None is not said; a pair (from, to) is the range "from..to"; True is a flag.
-pub(crate) fn options(keywords: Option<&Bound<'_, PyDict>>) -> PyResult<Vec<String>> {
+/// The options that `keywords` put. None is left out; a pair (from, to) is the range "from..to". A keyword that is not among those that
+/// `function` knows is a TypeError, as for any function of Python.
+pub(crate) fn options(
+    function: &str,
+    known: &Keywords,
+    keywords: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Vec<String>> {
     let mut options = Vec::new();
     for (name, value) in keywords.into_iter().flatten() {
-        let name = name.extract::<String>()?.replace('_', "-");
+        let name = name.extract::<String>()?;
+        if !known.names().contains(&name) {
+            let near =
+                known.nearest(&name).map_or_else(String::new, |near| format!("Did you mean '{near}'? "));
+            return Err(PyTypeError::new_err(format!(
+                "{function}() got an unexpected keyword argument '{name}'. {near}Allowed are {}",
+                known.names().join(", ")
+            )));
+        }
+        let name = name.replace('_', "-");
         if value.is_none() {
             continue;
         }

@@ -1,7 +1,7 @@
 //! Lines, arcs and what is made of them, exactly; as polygons where a tolerance is named.
 
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::types::{PyDict, PyTuple, PyType};
 use stargrip_cam::emit::chords;
 use stargrip_cam::geom;
 use stargrip_cam::geom::{Path, Point, Segment};
@@ -16,12 +16,24 @@ pub(crate) const TOLERANCE: f64 = 0.01;
 #[pyclass(frozen, get_all, eq, skip_from_py_object, module = "stargrip_cam")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Line {
+    /// First point, (x, y) in mm.
     start: (f64, f64),
+    /// Last point, (x, y) in mm.
     end: (f64, f64),
 }
 
 #[pymethods]
 impl Line {
+    #[new]
+    fn new(start: (f64, f64), end: (f64, f64)) -> Self {
+        Self { start, end }
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, ((f64, f64), (f64, f64))) {
+        let Self { start, end } = slf.get();
+        (slf.get_type(), (*start, *end))
+    }
+
     fn __repr__(&self) -> String {
         format!("Line(start={:?}, end={:?})", self.start, self.end)
     }
@@ -32,14 +44,28 @@ impl Line {
 #[pyclass(frozen, get_all, eq, skip_from_py_object, module = "stargrip_cam")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Arc {
+    /// Centre of the circle, (x, y) in mm.
     center: (f64, f64),
+    /// Radius, mm.
     radius_mm: f64,
+    /// Direction from the centre to the first point, degrees.
     start_angle_deg: f64,
+    /// Turn from the first to the last point, degrees, counterclockwise if positive.
     sweep_deg: f64,
 }
 
 #[pymethods]
 impl Arc {
+    #[new]
+    fn new(center: (f64, f64), radius_mm: f64, start_angle_deg: f64, sweep_deg: f64) -> Self {
+        Self { center, radius_mm, start_angle_deg, sweep_deg }
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, ((f64, f64), f64, f64, f64)) {
+        let Self { center, radius_mm, start_angle_deg, sweep_deg } = slf.get();
+        (slf.get_type(), (*center, *radius_mm, *start_angle_deg, *sweep_deg))
+    }
+
     /// First point, (x, y) in mm.
     #[getter]
     fn start(&self) -> (f64, f64) {
@@ -122,6 +148,31 @@ impl Contour {
     #[getter]
     fn __geo_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         if self.0.closed { polygon(py, std::slice::from_ref(&self.0), TOLERANCE) } else { line(py, &self.0) }
+    }
+
+    /// What `__reduce__` calls: of a line its ends, of an arc centre, radius, first angle and turn in rad.
+    #[classmethod]
+    fn _restored(class: &Bound<'_, PyType>, segments: Vec<Vec<f64>>, closed: bool) -> PyResult<Self> {
+        let segment = |numbers: Vec<f64>| match numbers[..] {
+            [x, y, to_x, to_y] => {
+                Ok(Segment::Line(geom::Line::new(Point::new(x, y), Point::new(to_x, to_y))))
+            }
+            [x, y, radius, start, sweep] => {
+                Ok(Segment::Arc(geom::Arc::new(Point::new(x, y), radius, start, sweep)))
+            }
+            _ => Err(usage(class.py(), "a segment has four or five numbers")),
+        };
+        let segments = segments.into_iter().map(segment).collect::<PyResult<_>>()?;
+        Ok(Self(Path { segments, closed }))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Vec<Vec<f64>>, bool))> {
+        let Path { segments, closed } = &slf.get().0;
+        let segments = segments.iter().map(|segment| match segment {
+            Segment::Line(line) => vec![line.start.x, line.start.y, line.end.x, line.end.y],
+            Segment::Arc(arc) => vec![arc.center.x, arc.center.y, arc.radius, arc.start_angle, arc.sweep],
+        });
+        Ok((slf.get_type().getattr("_restored")?, (segments.collect(), *closed)))
     }
 
     fn __repr__(&self) -> String {

@@ -16,7 +16,7 @@ use crate::toml;
 /// The specification of a gripper: TOML, read and valid. It never changes; `replace` makes another.
 ///
 /// Quantities are strings with a unit, "50 mm"; a bare number where a unit is needed is refused.
-#[pyclass(frozen, skip_from_py_object, module = "stargrip_cam")]
+#[pyclass(frozen, from_py_object, module = "stargrip_cam")]
 #[derive(Clone)]
 pub(crate) struct Spec {
     pub(crate) given: Arc<Given>,

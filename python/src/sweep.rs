@@ -4,12 +4,13 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyList, PyString};
+use pyo3::types::{PyDict, PyList};
 use rayon::ThreadPoolBuilder;
 use stargrip_cam::forecast::study::{Batch, Study, Values};
 use stargrip_cam::spec::Source;
 use stargrip_cam::spec::study::{Block, Lane, StudyFile, Wanted, read_study};
 
+use crate::arguments;
 use crate::arrays::{floats, integers};
 use crate::faults::{of_spec, usage};
 use crate::spec::Spec;
@@ -18,12 +19,17 @@ use crate::waiting::{Line, wait};
 /// Rows between two words about progress.
 const STEP: usize = 1 << 14;
 
-/// Computes many designs around `spec`: a dict of arrays, one for each column, NaN where nothing is known; the columns of text are
-/// arrays of str and None.
+/// Computes many designs around `spec`. Returns a dict of arrays, one for each column: NaN where a number is unknown; columns of text
+/// are arrays of str and None.
 ///
-/// `vary` maps keys to values: a list, or "10 mm..40 mm/31". Every combination is computed, the last key runs fastest. Or `study` is the
-/// text of a study file, whose own `spec` is then not read. `outputs` names the columns that are wanted, all by default. `part` = (k, n)
-/// computes part k of n, from 1: rows are the same whoever computes them. `threads`: all by default.
+/// vary: a dict from keys to values, each a list or "10 mm..40 mm/31". Every combination is computed; the last key runs fastest.
+/// study: instead of `vary`, the text of a study file. Its own `spec` is not read.
+/// outputs: a list of the columns to compute; default: all.
+/// part: (k, n) computes part k of n, from 1. Rows do not depend on how a sweep is split.
+/// threads: the number of threads; default: one a core.
+/// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
+///
+/// Raises SpecError for a study or a column that is refused, UsageError for wrong arguments.
 #[pyfunction]
 #[pyo3(signature = (spec, vary = None, *, study = None, outputs = None, part = None, threads = None, progress = None))]
 #[expect(clippy::too_many_arguments, reason = "keywords, of which a call names few")]
@@ -31,10 +37,10 @@ pub(crate) fn sweep<'py>(
     py: Python<'py>,
     spec: &Spec,
     vary: Option<&Bound<'py, PyDict>>,
-    study: Option<String>,
-    outputs: Option<Vec<String>>,
-    part: Option<(usize, usize)>,
-    threads: Option<usize>,
+    #[pyo3(from_py_with = arguments::study)] study: Option<String>,
+    #[pyo3(from_py_with = arguments::outputs)] outputs: Option<Vec<String>>,
+    #[pyo3(from_py_with = arguments::part)] part: Option<(usize, usize)>,
+    #[pyo3(from_py_with = arguments::threads)] threads: Option<usize>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let file = match (vary, study) {
@@ -48,9 +54,6 @@ pub(crate) fn sweep<'py>(
     let file = StudyFile { outputs: wanted.or(file.outputs), ..file };
     let study = Study::new(&file, &spec.given.source).map_err(|faults| of_spec(py, &faults))?;
     let (k, n) = part.unwrap_or((1, 1));
-    if !(1..=n).contains(&k) {
-        return Err(usage(py, format!("part is ({k}, {n}); allowed is (k, n) with k from 1 to n")));
-    }
     let rows = study.part(k, n);
     let pool = threads.map(|threads| ThreadPoolBuilder::new().num_threads(threads).build()).transpose();
     let pool = pool.map_err(|error| usage(py, format!("cannot start the threads: {error}")))?;
@@ -74,12 +77,7 @@ fn varied(vary: &Bound<'_, PyDict>) -> PyResult<StudyFile> {
     let py = vary.py();
     let mut blocks = Vec::new();
     for (key, values) in vary {
-        let list = if values.is_instance_of::<PyString>() {
-            values.to_string()
-        } else {
-            let items = values.try_iter()?.map(|item| Ok(item?.str()?.to_string()));
-            items.collect::<PyResult<Vec<_>>>()?.join(",")
-        };
+        let list = arguments::values(&key.str()?.to_cow()?, &values)?;
         let lane = Lane::parse(&format!("{key}={list}")).map_err(|text| usage(py, text))?;
         let block = Block::new(vec![lane]);
         blocks.push(block.ok_or_else(|| usage(py, format!("`{key}` is given no values")))?);

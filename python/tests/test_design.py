@@ -75,4 +75,6 @@ def test_stars_lie_on_their_sheet(gripper: sg.Spec) -> None:
         sheet = design.sheets[star.sheet - 1]
         edge = star.outline[0].points() @ star.placement[:, :2].T + star.placement[:, 2]
         assert edge.min() > 0 and edge[:, 0].max() < sheet["width_mm"] and edge[:, 1].max() < sheet["height_mm"]
+    one = sg.Spec.starter("x")
+    assert repr(design).endswith(": 3 stars, 1 sheet>") and repr(sg.design(one)) == '<Design "x": 1 star, 1 sheet>'
     assert (design._repr_svg_() or "").startswith("<?xml") or "<svg" in (design._repr_svg_() or "")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -69,6 +70,8 @@ def test_arguments_that_are_wrong_are_told() -> None:
         (lambda: sg.sweep(STARTER, {"star.points": ["five"]}), "five"),
         (lambda: sg.sweep(STARTER), "vary"),
         (lambda: sg.sweep(STARTER, {"star.points": [5]}, part=(3, 2)), "(3, 2)"),
+        (lambda: sg.sweep(STARTER, {"star.points": []}), "the list of values of `star.points` is empty"),
+        (lambda: sg.sweep(STARTER, {"star.points": [5]}, threads=-1), "threads is -1; allowed is a number from 1"),
         (lambda: STARTER.replace({"star.poinst": 5}), "star.points"),
     ]
     for call, word in wrong:
@@ -76,6 +79,29 @@ def test_arguments_that_are_wrong_are_told() -> None:
             call()
         assert word in str(caught.value), str(caught.value)
         assert isinstance(caught.value, ValueError) and caught.value.code == "usage"
+
+
+def test_types_that_are_wrong_are_told_with_what_is_allowed() -> None:
+    hold: Any = sg
+    wrong = [
+        (lambda: hold.build(STARTER, only="gcode"), ["`only`", "found str", "a list of kinds of file: spec,", "seal-gcode"]),
+        (lambda: hold.build(STARTER, with_=["report", 3]), ["`with_`", "a list of kinds of file"]),
+        (lambda: hold.predict(STARTER, radii=[30]), ["`radii`", "found list", '"20 mm..40 mm/5"']),
+        (lambda: hold.predict(STARTER, model=3), ["`model`", "found int", "section"]),
+        (lambda: hold.predict("star.toml"), ["'str'", "'Spec'"]),
+        (lambda: hold.sweep(STARTER, {"star.points": 5}), ["`star.points`", "found int", "a list of values"]),
+        (lambda: hold.sweep(STARTER, {"star.points": [5]}, outputs="final_radius_mm"), ["`outputs`", "found str"]),
+        (lambda: hold.sweep(STARTER, {"star.points": [5]}, part=3), ["`part`", "found int", "(k, n)"]),
+        (lambda: hold.optimize(STARTER, goall="fabric"), ["optimize()", "'goall'", "Did you mean 'goal'?", "tube_width, "]),
+        (lambda: hold.optimize(STARTER, json=True), ["optimize()", "'json'", "Allowed are goal, "]),
+        (lambda: hold.actuator(tube_widht="3 mm"), ["actuator()", "Did you mean 'tube_width'?"]),
+    ]
+    for call, words in wrong:
+        with pytest.raises(TypeError) as caught:
+            call()
+        text = str(caught.value)
+        assert all(word in text for word in words), text
+        assert not any(word in text for word in ("Vec", "PyO3", "`str`", "usize", "i64", "&str")), text
 
 
 def test_values_that_are_no_toml_are_type_errors() -> None:
@@ -86,8 +112,9 @@ def test_values_that_are_no_toml_are_type_errors() -> None:
 def test_files_that_are_not_there_are_pythons_own_errors(tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError):
         sg.Spec.from_toml(tmp_path / "none.toml")
-    with pytest.raises(sg.Error):
+    with pytest.raises(FileNotFoundError):
         sg.verify(tmp_path / "none")
+    assert not sg.verify(tmp_path), "a directory without a build"
 
 
 def test_exceptions_travel_between_processes() -> None:

@@ -59,6 +59,14 @@ def test_a_study_is_the_same_however_it_is_split_and_after_a_worker_was_killed(d
     assert same(whole, {name: np.concatenate([piece[name] for piece in pieces]) for name in whole})
 
 
+def test_a_task_returns_results(gripper: sg.Spec) -> None:
+    with distributed.LocalCluster(n_workers=1, threads_per_worker=1, dashboard_address=None) as cluster:
+        with distributed.Client(cluster) as client:
+            said, design = client.gather([client.submit(sg.predict, gripper), client.submit(sg.design, gripper)])
+    assert said.to_dict() == sg.predict(gripper).to_dict() and str(said) == str(sg.predict(gripper))
+    assert [star.seams for star in design.stars] == [star.seams for star in sg.design(gripper).stars]
+
+
 def test_the_study_runs_as_a_program(tmp_path: Path, root: Path) -> None:
     output = tmp_path / "study.npz"
     program = [sys.executable, str(EXAMPLES / "dask_study.py"), str(root / "designs" / "paper-gripper.toml")]

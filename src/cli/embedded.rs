@@ -165,6 +165,42 @@ pub fn actuator_question(options: &[String]) -> Result<ActuatorQuestion, Failure
     })
 }
 
+/// The options of a command as keywords of a function: "tube_width". Those about printing are left out.
+#[derive(Clone, Debug)]
+pub struct Keywords(Vec<String>);
+
+impl Keywords {
+    /// Those of `optimize`.
+    pub fn of_optimize() -> Self {
+        Self::of::<optimize::Args>()
+    }
+
+    /// Those of `actuator`.
+    pub fn of_actuator() -> Self {
+        Self::of::<actuator::Args>()
+    }
+
+    fn of<A: clap::Args>() -> Self {
+        let command = A::augment_args(Command::new("stargrip-cam"));
+        let options = command.get_arguments().filter_map(clap::Arg::get_long);
+        let asked = options.filter(|option| !OF_THE_SCREEN.contains(option));
+        Self(asked.map(|option| option.replace('-', "_")).collect())
+    }
+
+    /// All, in the order of the command's help.
+    pub fn names(&self) -> &[String] {
+        &self.0
+    }
+
+    /// The one that `name` was probably meant to be.
+    pub fn nearest(&self, name: &str) -> Option<&str> {
+        spec::nearest(name, self.0.iter().map(String::as_str))
+    }
+}
+
+/// Options about how an answer is shown and kept, and one that asks a second model.
+const OF_THE_SCREEN: [&str; 6] = ["verbose", "quiet", "json", "vtu", "no-cache", "confirm"];
+
 /// The arguments of a command from its options and the spec's path, if it takes one.
 fn parsed<A: clap::Args>(options: &[String], spec: Option<&Path>) -> Result<A, Failure> {
     let usage = |fault: clap::Error| Failure::Usage(without_dashes(&fault));

@@ -22,6 +22,7 @@
 //! | [`stiffness`] | from bench tests to what a spec says of its fabric |
 //! | [`choosing`] | from an object to a spec |
 //! | [`trade`] | what each model costs, and how far it is off |
+//! | [`keys`] | every key of an answer with its meaning |
 
 pub mod actuator;
 mod answered;
@@ -32,6 +33,7 @@ pub mod case;
 pub mod charts;
 pub mod choice;
 pub mod choosing;
+pub mod keys;
 pub mod optimize;
 pub mod outcome;
 pub mod pose;

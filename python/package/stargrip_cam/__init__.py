@@ -10,8 +10,6 @@ give are strings with a unit, "50 mm"; numbers that you get carry their unit in 
     16.1
 """
 
-from __future__ import annotations
-
 from stargrip_cam._native import (
     ActuatorPrediction,
     Arc,

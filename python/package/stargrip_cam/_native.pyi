@@ -1,4 +1,4 @@
-"""The types of the compiled part. What each thing means stands in the docstrings, which `help()` shows."""
+"""The types of the compiled part. `python/stubs.py` writes the docstrings, and the attributes of predictions."""
 
 import os
 from collections.abc import Callable, Sequence
@@ -20,204 +20,446 @@ _Interval = Union[tuple[float, float], None]
 
 @final
 class Spec:
+    """The specification of a gripper: TOML, read and valid. It never changes; `replace` makes another.
+
+    Quantities are strings with a unit, "50 mm"; a bare number where a unit is needed is refused.
+    """
     @classmethod
-    def from_toml(cls, source: str | os.PathLike[str]) -> Spec: ...
+    def from_toml(cls, source: str | os.PathLike[str]) -> Spec:
+        """Reads a spec: `source` is its text, or names its file, as a path or as a string that ends in ".toml" (no spec is one
+        line). A machine profile named by path is looked for beside the file; of a text, in the current directory.
+
+        Raises SpecError with all faults at once, OSError if there is no such file.
+        """
     @classmethod
-    def from_dict(cls, sections: Mapping[str, Any]) -> Spec: ...
+    def from_dict(cls, sections: Mapping[str, Any]) -> Spec:
+        """Makes a spec of a dict, as `to_dict` gives it: sections are dicts, `stack["star"]` a list of dicts.
+
+        Raises SpecError with all faults at once; their lines are those of `to_toml()`.
+        """
     @classmethod
-    def starter(cls, name: str) -> Spec: ...
-    def replace(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Spec: ...
-    def to_toml(self) -> str: ...
-    def to_dict(self) -> dict[str, Any]: ...
-    def settings(self) -> dict[str, str | None]: ...
+    def starter(cls, name: str) -> Spec:
+        """The commented spec of the paper's star, with every key and its default."""
+    def replace(self, values: Mapping[str, Any] | None = None, /, **more: Any) -> Spec:
+        """The same spec with other values: `replace({"star.points": 6})`, or `replace(**{"star.points": 6})`. None takes a key away, so
+        that its default holds. Comments and layout stay. Only all values together need be valid.
+
+        Raises SpecError; its lines are those of the text with the new values.
+        """
+    def to_toml(self) -> str:
+        """The text."""
+    def to_dict(self) -> dict[str, Any]:
+        """The keys that are written, as a dict of sections."""
+    def settings(self) -> dict[str, str | None]:
+        """Every key with its value, defaults included, as strings: {"star.points": "5", ...}; None where a key has no default."""
     @property
-    def name(self) -> str: ...
+    def name(self) -> str:
+        """What the spec calls the gripper."""
     @property
-    def warnings(self) -> list[Fault]: ...
+    def warnings(self) -> list[Fault]:
+        """What a person should know although the spec is valid: Faults."""
 
 @final
 class Line:
+    """A straight piece of a contour, from `start` to `end`: (x, y) in mm."""
+    def __new__(cls, start: tuple[float, float], end: tuple[float, float]) -> Line: ...
     @property
-    def start(self) -> tuple[float, float]: ...
+    def start(self) -> tuple[float, float]:
+        """First point, (x, y) in mm."""
     @property
-    def end(self) -> tuple[float, float]: ...
+    def end(self) -> tuple[float, float]:
+        """Last point, (x, y) in mm."""
 
 @final
 class Arc:
+    """A circular piece of a contour: around `center`, (x, y) in mm, from the direction `start_angle_deg`, turning by `sweep_deg`,
+    counterclockwise if positive.
+    """
+    def __new__(
+        cls, center: tuple[float, float], radius_mm: float, start_angle_deg: float, sweep_deg: float
+    ) -> Arc: ...
     @property
-    def center(self) -> tuple[float, float]: ...
+    def center(self) -> tuple[float, float]:
+        """Centre of the circle, (x, y) in mm."""
     @property
-    def radius_mm(self) -> float: ...
+    def radius_mm(self) -> float:
+        """Radius, mm."""
     @property
-    def start_angle_deg(self) -> float: ...
+    def start_angle_deg(self) -> float:
+        """Direction from the centre to the first point, degrees."""
     @property
-    def sweep_deg(self) -> float: ...
+    def sweep_deg(self) -> float:
+        """Turn from the first to the last point, degrees, counterclockwise if positive."""
     @property
-    def start(self) -> tuple[float, float]: ...
+    def start(self) -> tuple[float, float]:
+        """First point, (x, y) in mm."""
     @property
-    def end(self) -> tuple[float, float]: ...
+    def end(self) -> tuple[float, float]:
+        """Last point, (x, y) in mm."""
 
 @final
 class Contour:
+    """A chain of lines and arcs, exact, in mm."""
     @property
-    def segments(self) -> tuple[Line | Arc, ...]: ...
+    def segments(self) -> tuple[Line | Arc, ...]:
+        """Its pieces in order, each a Line or an Arc."""
     @property
-    def closed(self) -> bool: ...
+    def closed(self) -> bool:
+        """Whether it ends where it begins."""
     @property
-    def length_mm(self) -> float: ...
+    def length_mm(self) -> float:
+        """Its length, mm."""
     @property
-    def area_mm2(self) -> float | None: ...
-    def points(self, tolerance_mm: float = 0.01) -> _Floats: ...
+    def area_mm2(self) -> float | None:
+        """The area that it encloses, mm^2, positive if it runs counterclockwise; None if it is open."""
+    def points(self, tolerance_mm: float = 0.01) -> _Floats:
+        """Its corners as a polygon that leaves it by `tolerance_mm` at most: an array of shape (N, 2), mm. A closed one does not
+        repeat its first point.
+        """
     @property
-    def __geo_interface__(self) -> dict[str, Any]: ...
+    def __geo_interface__(self) -> dict[str, Any]:
+        """As GeoJSON, within 0.01 mm: what shapely.geometry.shape and others take."""
 
 @final
 class Star:
+    """One star of a design, in its own frame: the axis at the origin, corner 1 on +X."""
     @property
-    def index(self) -> int: ...
+    def index(self) -> int:
+        """Its number, 1 = bottom."""
     @property
-    def sheet(self) -> int: ...
+    def sheet(self) -> int:
+        """Number of its sheet, from 1."""
     @property
-    def placement(self) -> _Floats: ...
+    def placement(self) -> _Floats:
+        """From the star's frame to its sheet's: an array of shape (2, 3), `xy_sheet = placement[:, :2] @ xy + placement[:, 2]`."""
     @property
-    def points(self) -> int: ...
+    def points(self) -> int:
+        """Number of points n."""
     @property
-    def inner_radius_mm(self) -> float: ...
+    def inner_radius_mm(self) -> float:
+        """Inner radius rho_0, mm."""
     @property
-    def tube_width_mm(self) -> float: ...
+    def tube_width_mm(self) -> float:
+        """Tube width W between the inner edges of the bands, mm."""
     @property
-    def tip_angle_deg(self) -> float: ...
+    def tip_angle_deg(self) -> float:
+        """Internal angle phi_i0 of the tips, degrees."""
     @property
-    def corner_angle_deg(self) -> float: ...
+    def corner_angle_deg(self) -> float:
+        """External angle phi_e0 of the reentrant corners, degrees."""
     @property
-    def arm_length_mm(self) -> float: ...
+    def arm_length_mm(self) -> float:
+        """Arm length l, mm."""
     @property
-    def fabric_mm2(self) -> float: ...
+    def fabric_mm2(self) -> float:
+        """Fabric of both sheets, mm^2."""
     @property
-    def tip_centers_mm(self) -> _Floats: ...
+    def tip_centers_mm(self) -> _Floats:
+        """Centres of the tips' arcs: (n, 2), mm, tip 1 first."""
     @property
-    def corner_centers_mm(self) -> _Floats: ...
+    def corner_centers_mm(self) -> _Floats:
+        """Centres of the corners' arcs: (n, 2), mm, corner 1 first."""
     @property
-    def arms_mm(self) -> _Floats: ...
+    def arms_mm(self) -> _Floats:
+        """The straight tubes as rectangles: (2n, 4, 2), mm. Arm 2k - 1 runs from corner k to tip k, arm 2k on to corner k + 1; of each
+        the start and the end of its edge towards the hole, then the end and the start of the outer one.
+        """
     @property
-    def edges(self) -> tuple[Contour, Contour]: ...
+    def edges(self) -> tuple[Contour, Contour]:
+        """The tube's edges as drawn, towards the hole and outside; that one is open where the inlet is."""
     @property
-    def seams(self) -> tuple[Contour, Contour]: ...
+    def seams(self) -> tuple[Contour, Contour]:
+        """The iron's paths, inner and outer loop: the centre lines of the bands, without overlap."""
     @property
-    def outline(self) -> tuple[Contour, Contour]: ...
+    def outline(self) -> tuple[Contour, Contour]:
+        """Where the fabric is cut: around the star and around the hole."""
     @property
-    def windows(self) -> list[Contour]: ...
+    def windows(self) -> list[Contour]:
+        """The windows of the coating mask."""
     @property
-    def registration_mm(self) -> _Floats: ...
-    def polygon(self, tolerance_mm: float = 0.01) -> dict[str, Any]: ...
+    def registration_mm(self) -> _Floats:
+        """Registration holes: (m, 3), centre and diameter, mm."""
+    def polygon(self, tolerance_mm: float = 0.01) -> dict[str, Any]:
+        """The cut fabric as a GeoJSON polygon with its hole, within `tolerance_mm`: shapely.geometry.shape(star.polygon())."""
     @property
-    def __geo_interface__(self) -> dict[str, Any]: ...
+    def __geo_interface__(self) -> dict[str, Any]:
+        """The same within 0.01 mm: shapely.geometry.shape(star)."""
 
 @final
 class Design:
+    """The exact flat geometry of a gripper. Lengths in mm, angles in degrees; everything counts counterclockwise seen from above."""
     @property
-    def stars(self) -> list[Star]: ...
+    def stars(self) -> list[Star]:
+        """Its stars, bottom first."""
     @property
-    def sheets(self) -> list[dict[str, Any]]: ...
+    def sheets(self) -> list[dict[str, Any]]:
+        """The sheets: dicts of `index`, `width_mm` and `height_mm`."""
     @property
-    def warnings(self) -> list[dict[str, Any]]: ...
-    def _repr_svg_(self) -> str | None: ...
+    def warnings(self) -> list[dict[str, Any]]:
+        """What a person should know before making it: dicts of code, key, found and remedy."""
+    def _repr_svg_(self) -> str | None:
+        """The preview of its first sheet, for notebooks: None where the machine cannot seal it."""
 
 @final
 class Mesh:
+    """The sheet that a shell has modelled, at rest under pressure, on its finest mesh: N nodes, M triangles. Of a star it is one of the
+    two sheets of half a sector beside corner 1, of a V-actuator one of half: the rest of the tube is its mirror images.
+    """
     @property
-    def nodes_mm(self) -> _Floats: ...
+    def nodes_mm(self) -> _Floats:
+        """Where the nodes are: (N, 3), mm; the axis of a star is z."""
     @property
-    def flat_mm(self) -> _Floats: ...
+    def flat_mm(self) -> _Floats:
+        """Where the nodes were on the flat sheet: (N, 2), mm."""
     @property
-    def triangles(self) -> NDArray[np.int64]: ...
+    def triangles(self) -> NDArray[np.int64]:
+        """The nodes of each triangle: (M, 3), int64, from 0."""
     @property
-    def tension_N_per_mm(self) -> _Floats: ...
+    def tension_N_per_mm(self) -> _Floats:
+        """Principal tensions of each triangle, the larger first: (M, 2), N/mm. Below 0 it is compressed."""
     @property
-    def stretch(self) -> _Floats: ...
+    def stretch(self) -> _Floats:
+        """Stretches of each triangle along the principal tensions: (M, 2); 0.01 is one per cent longer."""
     @property
-    def curvature_per_mm(self) -> _Floats: ...
+    def curvature_per_mm(self) -> _Floats:
+        """Principal curvatures of each triangle: (M, 2), 1/mm."""
     @property
-    def node_stretch(self) -> _Floats: ...
-    def vtu(self) -> str: ...
+    def node_stretch(self) -> _Floats:
+        """Largest stretch of each node's triangles: (N,), for plots that colour nodes."""
+    def vtu(self) -> str:
+        """The same as the text of a VTU file, which ParaView reads."""
 
 @final
 class Prediction:
-    # Those that every model has; the others of `to_dict()` come untyped.
-    model: str
-    arm_length_mm: float
-    tip_equilibrium_angle_deg: float | None
-    final_radius_mm: float | None
-    contraction: float | None
-    hinge_stiffness_Nm: dict[str, float] | None
-    radial_stiffness_N_per_m: float | None
-    preload_N: float | None
-    graspable_radius_mm: _Interval
-    hole_radius_mm: float
-    object_radius_mm: float | None
-    object_gap_mm: float | None
-    object_force_N: float | None
-    bendability: float | None
-    operating_pressure_kPa: float
-    realised_radius_mm: dict[str, float]
-    burst_pressure_kPa: float | None
-    mass_g: float | None
-    stack_mass_g: float | None
-    payload_kg: float | None
-    ranges: dict[str, Any]
-    evidence: dict[str, Any]
-    stars: list[dict[str, Any]]
+    """The predicted behaviour of a gripper. Every key of `predict --json` is an attribute: lengths in mm, angles in degrees, forces in N,
+    with the unit in the name. None where the value is unknown, or needs something that the spec does not give.
+    """
     @property
-    def mesh(self) -> Mesh | None: ...
-    def to_dict(self) -> dict[str, Any]: ...
-    def _repr_html_(self) -> str: ...
-    def __getattr__(self, name: str) -> Any: ...
+    def model(self) -> str:
+        """Model that answered: fit, ring, bvp, section or shell."""
+    @property
+    def verdict(self) -> dict[str, Any] | None:
+        """Whether the gripper holds the object: `holds` (yes, no or unknown), the force with its range, the needed force and reasons."""
+    @property
+    def lambda_t(self) -> dict[str, float | None]:
+        """Target coiling factor of the hinges. By hinges' models only."""
+    @property
+    def lambda_c(self) -> dict[str, float | None]:
+        """Coiling factor at the onset of hoop tension away from the rim. Some models have none."""
+    @property
+    def d2v_dlambda2(self) -> dict[str, float | None]:
+        """Second derivative of the dimensionless volume by the coiling factor, at the target. By hinges' models only."""
+    @property
+    def arm_length_mm(self) -> float:
+        """Length of the straight arms, mm."""
+    @property
+    def tip_target_angle_deg(self) -> float | None:
+        """Target angle of a free tip, degrees. Below 0 its arms would cross."""
+    @property
+    def corner_target_angle_deg(self) -> float | None:
+        """Target angle of a free corner, degrees."""
+    @property
+    def tip_equilibrium_angle_deg(self) -> float | None:
+        """Angle of the star's tips at equilibrium, degrees, not clamped where arms touch."""
+    @property
+    def tip_angle_deg(self) -> float | None:
+        """Angle between the arms of a tip, degrees, with or without contact. By the shell only."""
+    @property
+    def final_radius_mm(self) -> float | None:
+        """Inner radius of the inflated, empty star, mm: from the axis to the apex of a corner's inner rim."""
+    @property
+    def contraction(self) -> float | None:
+        """1 - final radius / inner radius of the flat star."""
+    @property
+    def hinge_stiffness_Nm(self) -> dict[str, float | None] | None:
+        """Stiffness of the hinges at the target, N m per rad. Needs a pressure."""
+    @property
+    def radial_stiffness_N_per_m(self) -> float | None:
+        """Radial stiffness at rest, all corners together, N/m. Needs a pressure."""
+    @property
+    def preload_N(self) -> float | None:
+        """Radial force stored in a star whose arms press on each other, N; 0 if they are free. Needs a pressure."""
+    @property
+    def arm_contact_N(self) -> float | None:
+        """Force with which the two arms of a tip press on each other, N; 0 if they do not touch. By the shell only."""
+    @property
+    def arm_contact_mm2(self) -> float | None:
+        """Flat area of an arm's sheet that touches the next arm, mm^2. By the shell only."""
+    @property
+    def volume_mm3(self) -> float | None:
+        """Volume of the inflated star, mm^3. By the shell only."""
+    @property
+    def graspable_radius_mm(self) -> tuple[float, float] | None:
+        """Smallest and largest radius of a round object that the star can hold, mm."""
+    @property
+    def hole_radius_mm(self) -> float | None:
+        """Radius of the hole's cut edge, mm. A wider object does not enter the flat star."""
+    @property
+    def object_radius_mm(self) -> float | None:
+        """Radius of the object at the star's height, mm; 0 if the star passes above or below it."""
+    @property
+    def object_gap_mm(self) -> float | None:
+        """Room between the cut hole and the object before inflation, mm. Below 0 the object does not enter."""
+    @property
+    def object_force_N(self) -> float | None:
+        """Radial force of one star on the object, N. Needs a pressure and an object."""
+    @property
+    def force_curve(self) -> list[tuple[float | None, ...]] | None:
+        """Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were asked for."""
+    @property
+    def bendability(self) -> float | None:
+        """Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B. Needs a pressure."""
+    @property
+    def operating_pressure_kPa(self) -> float:
+        """Pressure from which the hinges are fully coiled, kPa."""
+    @property
+    def realised_radius_mm(self) -> dict[str, float | None]:
+        """Inner radius of curvature of the hinges as the sealed band makes them, mm."""
+    @property
+    def seal_load(self) -> dict[str, float | None] | None:
+        """Seal load k at the realised radius: the inner edge carries k p W per length."""
+    @property
+    def seal_pull_N_per_mm(self) -> float | None:
+        """Largest force that pulls one sheet off the seam's plane, N per mm of seam, as a T-peel test measures it. Needs a pressure."""
+    @property
+    def seal_pull_at(self) -> str | None:
+        """The hinges at which the seal's pull is largest: tips or corners."""
+    @property
+    def burst_pressure_kPa(self) -> float | None:
+        """Pressure at which the pull on the seal is `seal_strength`, kPa. Needs `seal_strength`."""
+    @property
+    def seal_tension(self) -> dict[str, Any] | None:
+        """Largest pull across the rim: `value` in N/mm, its mesh error and its place on the flat star. By the shell only."""
+    @property
+    def mass_g(self) -> float | None:
+        """Mass of the fabric of one star, both sheets, g. Needs `areal_density`."""
+    @property
+    def payload_kg(self) -> float | None:
+        """Mass that friction holds, kg: of the whole stack, in `stars` of each star. Needs a pressure, an object and friction."""
+    @property
+    def stretch(self) -> Any:
+        """Stretch p W / Y of the fabric. By the shell the largest principal stretch with mesh error and place. Needs a pressure."""
+    @property
+    def burst_margin(self) -> float | None:
+        """Burst pressure over the pressure. Needs both."""
+    @property
+    def ranges_of(self) -> str | None:
+        """Whose values the ranges hold: those of computed shells. No gripper was measured."""
+    @property
+    def ranges(self) -> dict[str, Any]:
+        """For each number that depends on a model the interval that holds a computed shell's value in at least 95 % of cases. Some may be unknown."""
+    @property
+    def pressures(self) -> list[dict[str, Any]] | None:
+        """What the star does at several pressures. Only if the spec has no pressure."""
+    @property
+    def nonlinear(self) -> dict[str, Any] | None:
+        """The same star with the model's own, asymmetric hinges instead of linear ones. By ring and bvp only."""
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """Why this model answered, residuals, iterations, error estimates and `warnings`."""
+    @property
+    def stack_mass_g(self) -> float | None:
+        """Mass of the fabric of all stars, g. Needs `areal_density`."""
+    @property
+    def stars(self) -> list[dict[str, Any]]:
+        """The same keys for each star, bottom first. Those at the top are star 1's, except `payload_kg`."""
+    @property
+    def mesh(self) -> Mesh | None:
+        """The sheet as the shell found it; None by every other model."""
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, as the command prints it with `--json`."""
+    def _repr_html_(self) -> str:
+        """The answer as a table of its numbers with their ranges, for notebooks."""
 
 @final
 class ActuatorPrediction:
-    model: str
-    bendability: float
-    stretch: float
-    angle_deg: float
-    coiling: float
-    volume_mm3: float | None
-    stiffness_Nm: float
-    ranges: dict[str, Any]
-    evidence: dict[str, Any]
+    """The predicted behaviour of a V-actuator. Every key of `actuator --json` is an attribute, None where the value is unknown."""
     @property
-    def mesh(self) -> Mesh | None: ...
-    def to_dict(self) -> dict[str, Any]: ...
-    def _repr_html_(self) -> str: ...
-    def __getattr__(self, name: str) -> Any: ...
+    def model(self) -> str:
+        """Model that answered: fit, ring, bvp, section or shell."""
+    @property
+    def bendability(self) -> float:
+        """Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B."""
+    @property
+    def stretch(self) -> float:
+        """Stretch p W / Y of the fabric."""
+    @property
+    def angle_deg(self) -> float:
+        """Angle between the arms at rest under pressure, degrees."""
+    @property
+    def coiling(self) -> float:
+        """Coiling factor (pi - phi) / (pi - phi_0) at rest."""
+    @property
+    def volume_mm3(self) -> float | None:
+        """Volume of the whole actuator, mm^3. Unknown to models of the hinge alone."""
+    @property
+    def stiffness_Nm(self) -> float:
+        """Stiffness d2U/dphi2 at rest, whole tube, N m per rad."""
+    @property
+    def moment(self) -> list[tuple[float | None, ...]] | None:
+        """Rows of an angle (deg) and the applied moment dU/dphi (N m) that holds it, for the angles that were asked for. A positive one opens."""
+    @property
+    def ranges(self) -> dict[str, Any]:
+        """For each of these numbers the interval that holds a computed shell's value in at least 95 % of cases. Some may be unknown."""
+    @property
+    def evidence(self) -> dict[str, Any]:
+        """Residuals, iterations, error estimates and `warnings`."""
+    @property
+    def mesh(self) -> Mesh | None:
+        """The sheet as the shell found it; None by every other model."""
+    def to_dict(self) -> dict[str, Any]:
+        """All of it, as the command prints it with `--json`."""
+    def _repr_html_(self) -> str:
+        """The answer as a table of its numbers with their ranges, for notebooks."""
 
 @final
 class Build:
+    """All files of a gripper, in memory. They have been read back and say what the design says: nothing else can be written."""
     @property
-    def files(self) -> dict[str, bytes]: ...
+    def files(self) -> dict[str, bytes]:
+        """Name and content of every file, the manifest last: the bytes that the command writes."""
     @property
-    def manifest(self) -> dict[str, Any]: ...
+    def manifest(self) -> dict[str, Any]:
+        """The manifest, as `manifest.json` has it."""
     @property
-    def prediction(self) -> Prediction | None: ...
+    def prediction(self) -> Prediction | None:
+        """What the gripper does; None if the spec has no [load]."""
     @property
-    def deviation_mm(self) -> dict[str, float | None]: ...
-    def write(self, path: str | os.PathLike[str]) -> str: ...
-    def _repr_svg_(self) -> str | None: ...
+    def deviation_mm(self) -> dict[str, float | None]:
+        """Of every file that was measured, how far it is from the exact design at most, mm."""
+    def write(self, path: str | os.PathLike[str]) -> str:
+        """Writes the files into the directory `path`, whole or not at all, as the command does. Returns what a person should know: a line
+        each, "" if all is as usual. Raises PublishError, and leaves what was there as it was.
+        """
+    def _repr_svg_(self) -> str | None:
+        """The preview of its first sheet; None if none was built."""
     def _repr_html_(self) -> str: ...
 
 @final
 class Optimum:
+    """The result of a search: the best star, and the designs that it was compared with."""
     @property
-    def spec(self) -> Spec | None: ...
+    def spec(self) -> Spec | None:
+        """The spec with the best star that can be built; None if no design meets all constraints and can be built."""
     @property
-    def computed(self) -> int: ...
+    def computed(self) -> int:
+        """The number of designs that were computed."""
     @property
-    def best(self) -> dict[str, _Floats]: ...
+    def best(self) -> dict[str, _Floats]:
+        """The best design for each number of points, not only the best of all: a dict of arrays, one for each column. Entry 0 of each is
+        the best design. NaN where a number is unknown; `violation` is 0 where all constraints are met.
+        """
     @property
-    def short(self) -> list[dict[str, float]]: ...
+    def short(self) -> list[dict[str, float]]:
+        """For each design in `best` the constraints that it misses, and by which part."""
     @property
-    def front(self) -> dict[str, _Floats]: ...
+    def front(self) -> dict[str, _Floats]:
+        """The designs that meet all constraints, and that none beats in contraction, stiffness and fabric at once: a dict of arrays, one
+        for each column, by falling contraction.
+        """
 
-def design(spec: Spec) -> Design: ...
+def design(spec: Spec) -> Design:
+    """The exact geometry of `spec`. Raises DesignError with all reasons if there is none."""
 def predict(
     spec: Spec,
     *,
@@ -225,7 +467,16 @@ def predict(
     radii: str | None = None,
     fineness: _Fineness | None = None,
     progress: _Progress = None,
-) -> Prediction: ...
+) -> Prediction:
+    """Predicts what the gripper of `spec` does.
+
+    model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
+    radii: also the force on round objects of these radii, "20 mm..40 mm/5".
+    fineness: of the shell's meshes: "coarse", "medium" (default) or "fine".
+    progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
+
+    Raises DesignError if there is no such gripper, PredictionError if the model has no answer, UsageError for wrong arguments.
+    """
 def build(
     spec: Spec,
     *,
@@ -233,7 +484,16 @@ def build(
     with_: Sequence[str] | None = None,
     anyway: bool = False,
     progress: _Progress = None,
-) -> Build: ...
+) -> Build:
+    """Builds the files of `spec` in memory and proves every one.
+
+    only: the only kinds of file to make, a list: ["seal-gcode"]. Default: all but preview-png, scene-glb and report.
+    with_: kinds to make in addition: ["report"].
+    anyway: True builds a gripper that bursts, or that does not hold its own object.
+    progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
+
+    Raises DesignError if there is no such gripper or it is refused, ProofError for a fault of the program.
+    """
 def optimize(
     spec: Spec,
     *,
@@ -251,7 +511,25 @@ def optimize(
     largest_force: float | None = None,
     burst_margin: float | None = None,
     progress: _Progress = None,
-) -> Optimum: ...
+) -> Optimum:
+    """Searches around `spec` for the best star. The keywords are the options of the command `optimize`. Ranges are pairs or texts:
+    points=(3, 8), tip_angle=("20 deg", "60 deg") or "20 deg..60 deg".
+
+    goal: "hold" (the object's mass with the least fabric), "contraction", "stiffness" or "fabric" (the least). Default: "hold" if
+        [load] has an object, else "contraction".
+    points: numbers of points; default: (3, 12).
+    tip_angle: tip angles; default: 10 to 90 deg.
+    tube_width: tube widths; default: half to one and a half times the spec's.
+    tip_radius, corner_radius, inner_radius, pressure: default: the spec's.
+    count: numbers of stars; default: the spec's.
+    grasp: radii of objects that the star must close to and open to.
+    payload: least payload of the stack, kg.
+    largest_force: largest radial force of one star, N; default: that of [load].
+    burst_margin: least burst pressure over the pressure; default: 1 if the seal's strength is known.
+    progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
+
+    Raises UsageError for wrong arguments. A search that is interrupted stops at its next design.
+    """
 def actuator(
     *,
     tube_width: str,
@@ -266,7 +544,23 @@ def actuator(
     angles: str | None = None,
     fineness: _Fineness | None = None,
     progress: _Progress = None,
-) -> ActuatorPrediction: ...
+) -> ActuatorPrediction:
+    """Predicts what a V-actuator does: two arms, one hinge, sealed ends. The keywords are the options of the command `actuator`;
+    quantities are strings with a unit. The first five are required.
+
+    tube_width: flat width of the tube.
+    radius: inner radius of the flat hinge.
+    arm_length: straight length from the hinge's end to the sealed end.
+    angle: flat angle between the arms.
+    pressure: gauge pressure.
+    thickness, young_modulus, poisson_ratio: of the fabric; default: those of a spec.
+    model: "fit", "ring", "bvp", "section", "shell" or "auto", which is section.
+    angles: also the moment that holds it at each of these angles, "30 deg..90 deg/7".
+    fineness: of the shell's meshes: "coarse", "medium" (default) or "fine".
+    progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
+
+    Raises PredictionError if the model has no answer, UsageError for wrong arguments.
+    """
 def sweep(
     spec: Spec,
     vary: Mapping[str, str | Sequence[Any]] | None = None,
@@ -276,7 +570,24 @@ def sweep(
     part: tuple[int, int] | None = None,
     threads: int | None = None,
     progress: _Progress = None,
-) -> dict[str, NDArray[Any]]: ...
-def repeat(spec: Spec, model: _Model | None, times: int) -> None: ...
-def prove(path: str, progress: _Progress) -> dict[str, Any]: ...
-def run(args: Sequence[str], file: str) -> int: ...
+) -> dict[str, NDArray[Any]]:
+    """Computes many designs around `spec`. Returns a dict of arrays, one for each column: NaN where a number is unknown; columns of text
+    are arrays of str and None.
+
+    vary: a dict from keys to values, each a list or "10 mm..40 mm/31". Every combination is computed; the last key runs fastest.
+    study: instead of `vary`, the text of a study file. Its own `spec` is not read.
+    outputs: a list of the columns to compute; default: all.
+    part: (k, n) computes part k of n, from 1. Rows do not depend on how a sweep is split.
+    threads: the number of threads; default: one a core.
+    progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
+
+    Raises SpecError for a study or a column that is refused, UsageError for wrong arguments.
+    """
+def keys() -> dict[str, list[tuple[str, str]]]:
+    """Name and type of every key of each class: what `python/stubs` writes into `_native.pyi`."""
+def repeat(spec: Spec, model: _Model | None, times: int) -> None:
+    """Computes what `predict` does `times` times, without Python: what tests/overhead.py compares its calls with."""
+def prove(path: str, progress: _Progress) -> dict[str, Any]:
+    """The proof of the build in the directory `path`, as `verify --json` prints it."""
+def run(args: Sequence[str], file: str) -> int:
+    """Runs the command with `args`, of which the first is its name; returns the exit code. `file` is where this code is."""

@@ -28,8 +28,10 @@ class Proof:
 def verify(path: str | os.PathLike[str], *, progress: bool | Callable[[float, str], object] | None = None) -> Proof:
     """Proves the build in the directory `path` from its own spec and machine profile, as the command `verify` does.
 
-    Raises Error if nobody published there, or it cannot be read; what is wrong in it is no exception but a finding.
+    Raises OSError if there is no such directory, Error if it cannot be read. What is wrong in it is a finding, not an exception.
     """
+    # Python's own exception, as for a spec's file that does not exist.
+    os.stat(path)
     said: dict[str, Any] = _native.prove(os.fspath(path), progress)
     return Proof(
         findings=tuple(Fault(**finding) for finding in said["findings"]),

@@ -1,0 +1,218 @@
+//! `Prediction` and `ActuatorPrediction`: answers as attributes, as dicts, as pages, and as what a pickle keeps.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use pyo3::PyClass;
+use pyo3::prelude::*;
+use pyo3::pyclass::boolean_struct::True;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyCFunction, PyDict, PyTuple, PyType};
+use stargrip_cam::cli::embedded::Given;
+use stargrip_cam::forecast::actuator::ActuatorPrediction as Actuated;
+use stargrip_cam::forecast::keys::{ACTUATOR, Key, Kind, PREDICTION};
+use stargrip_cam::forecast::prediction as said;
+use stargrip_cam::forecast::report;
+use stargrip_cam::forecast::shell_prediction::ShellPrediction;
+use stargrip_cam::shell::cases::Shape;
+
+use crate::mesh::Mesh;
+
+/// An answer: the crate's own structure, or what a pickle has kept of one.
+pub(crate) enum Answer {
+    Star(Arc<Given>, Box<said::Prediction>),
+    Shell(Arc<Given>, Box<ShellPrediction>),
+    Actuator(Box<Actuated>),
+    Restored { fields: Py<PyDict>, page: String, shown: String },
+}
+
+impl Answer {
+    /// A new dict, as the command prints it with `--json`.
+    fn dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let made = match self {
+            Self::Star(_, star) => pythonize::pythonize(py, star)?,
+            Self::Shell(_, shell) => pythonize::pythonize(py, shell)?,
+            Self::Actuator(actuated) => pythonize::pythonize(py, actuated)?,
+            Self::Restored { fields, .. } => py.import("copy")?.call_method1("deepcopy", (fields,))?,
+        };
+        Ok(made.cast_into::<PyDict>()?)
+    }
+
+    /// The page that the command prints.
+    fn page(&self) -> String {
+        match self {
+            Self::Star(given, star) => report::text(&given.reading.spec, star),
+            Self::Shell(given, shell) => shell.to_text(&given.reading.spec),
+            Self::Actuator(actuated) => actuated.to_text(),
+            Self::Restored { page, .. } => page.clone(),
+        }
+    }
+
+    /// What `repr` shows.
+    fn shown(&self) -> String {
+        let star = |given: &Given, model| format!("<Prediction {:?} by {model}>", given.reading.spec.name);
+        match self {
+            Self::Star(given, answer) => star(given, answer.first.model),
+            Self::Shell(given, answer) => star(given, answer.first.model),
+            Self::Actuator(answer) => format!("<ActuatorPrediction by {}>", answer.model),
+            Self::Restored { shown, .. } => shown.clone(),
+        }
+    }
+}
+
+/// What both classes hold: an answer, its dict, made when it is first read, and the shell's mesh.
+pub(crate) struct Said {
+    answer: Answer,
+    fields: PyOnceLock<Py<PyDict>>,
+    mesh: Option<Py<Mesh>>,
+}
+
+impl Said {
+    fn new(py: Python<'_>, answer: Answer, shape: Option<Shape>) -> PyResult<Self> {
+        let mesh = shape.map(|shape| Py::new(py, Mesh(shape))).transpose()?;
+        Ok(Self { answer, fields: PyOnceLock::new(), mesh })
+    }
+
+    /// The value of the key `name`; None where this answer has no such key.
+    fn value(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
+        let fields = self.fields.get_or_try_init(py, || self.answer.dict(py).map(Bound::unbind))?;
+        Ok(fields.bind(py).get_item(name)?.map_or_else(|| py.None(), Bound::unbind))
+    }
+}
+
+/// A class whose attributes are the keys of an answer.
+pub(crate) trait Keyed: PyClass<Frozen = True> + Sync {
+    /// The keys.
+    const KEYS: &'static [Key];
+    /// What it holds.
+    fn said(&self) -> &Said;
+}
+
+/// Gives the class `T` a property for each of its keys, with its meaning.
+pub(crate) fn add_properties<T: Keyed>(py: Python<'_>) -> PyResult<()> {
+    let class = py.get_type::<T>();
+    let property = py.import("builtins")?.getattr("property")?;
+    for key in T::KEYS {
+        let get = move |of: &Bound<'_, PyTuple>, _: Option<&Bound<'_, PyDict>>| -> PyResult<Py<PyAny>> {
+            of.get_item(0)?.cast::<T>()?.get().said().value(of.py(), key.name)
+        };
+        let get = PyCFunction::new_closure(py, None, None, get)?;
+        class.setattr(key.name, property.call1((get, py.None(), py.None(), key.about))?)?;
+    }
+    Ok(())
+}
+
+/// The type of a key's value, as a stub spells it.
+fn spelled(key: &Key) -> String {
+    let kind = match key.kind {
+        Kind::Text => "str",
+        Kind::Number => "float",
+        Kind::Pair => "tuple[float, float]",
+        Kind::Hinges => "dict[str, float | None]",
+        Kind::Object => "dict[str, Any]",
+        Kind::List => "list[dict[str, Any]]",
+        Kind::Rows => "list[tuple[float | None, ...]]",
+        Kind::Variant => return "Any".to_owned(),
+    };
+    if key.always { kind.to_owned() } else { format!("{kind} | None") }
+}
+
+/// Name and type of every key of each class: what `python/stubs` writes into `_native.pyi`.
+#[pyfunction]
+pub(crate) fn keys() -> BTreeMap<&'static str, Vec<(&'static str, String)>> {
+    let typed = |keys: &'static [Key]| keys.iter().map(|key| (key.name, spelled(key))).collect();
+    BTreeMap::from([
+        ("Prediction", typed(Prediction::KEYS)),
+        ("ActuatorPrediction", typed(ActuatorPrediction::KEYS)),
+    ])
+}
+
+/// The methods of a class of answers with these keys.
+macro_rules! answer {
+    ($class:ident, $keys:expr) => {
+        impl Keyed for $class {
+            const KEYS: &'static [Key] = $keys;
+
+            fn said(&self) -> &Said {
+                &self.0
+            }
+        }
+
+        #[pymethods]
+        impl $class {
+            /// The sheet as the shell found it; None by every other model.
+            #[getter]
+            fn mesh(&self, py: Python<'_>) -> Option<Py<Mesh>> {
+                self.0.mesh.as_ref().map(|mesh| mesh.clone_ref(py))
+            }
+
+            /// All of it, as the command prints it with `--json`.
+            fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+                self.0.answer.dict(py)
+            }
+
+            fn __str__(&self) -> String {
+                self.0.answer.page()
+            }
+
+            fn __repr__(&self) -> String {
+                self.0.answer.shown()
+            }
+
+            /// The answer as a table of its numbers with their ranges, for notebooks.
+            fn _repr_html_<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+                slf.py().import("stargrip_cam._shown")?.getattr("prediction")?.call1((slf,))
+            }
+
+            #[classmethod]
+            fn _restored(
+                _class: &Bound<'_, PyType>,
+                fields: Py<PyDict>,
+                page: String,
+                shown: String,
+                mesh: Option<Py<Mesh>>,
+            ) -> Self {
+                let answer = Answer::Restored { fields, page, shown };
+                Self(Said { answer, fields: PyOnceLock::new(), mesh })
+            }
+
+            fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+                let (py, Said { answer, mesh, .. }) = (slf.py(), &slf.get().0);
+                let kept = (answer.dict(py)?, answer.page(), answer.shown(), mesh.as_ref());
+                Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(py)?))
+            }
+        }
+    };
+}
+
+/// The predicted behaviour of a gripper. Every key of `predict --json` is an attribute: lengths in mm, angles in degrees, forces in N,
+/// with the unit in the name. None where the value is unknown, or needs something that the spec does not give.
+#[pyclass(frozen, module = "stargrip_cam")]
+pub(crate) struct Prediction(Said);
+
+impl Prediction {
+    /// Of an answer by hinges or by the shell, which has a shape.
+    pub(crate) fn new(py: Python<'_>, answer: Answer, shape: Option<Shape>) -> PyResult<Self> {
+        Said::new(py, answer, shape).map(Self)
+    }
+
+    /// Of an answer by hinges.
+    pub(crate) fn of_star(given: Arc<Given>, prediction: said::Prediction) -> Self {
+        let answer = Answer::Star(given, Box::new(prediction));
+        Self(Said { answer, fields: PyOnceLock::new(), mesh: None })
+    }
+}
+
+answer!(Prediction, PREDICTION);
+
+/// The predicted behaviour of a V-actuator. Every key of `actuator --json` is an attribute, None where the value is unknown.
+#[pyclass(frozen, module = "stargrip_cam")]
+pub(crate) struct ActuatorPrediction(Said);
+
+impl ActuatorPrediction {
+    pub(crate) fn new(py: Python<'_>, answer: Actuated, shape: Option<Shape>) -> PyResult<Self> {
+        Said::new(py, Answer::Actuator(Box::new(answer)), shape).map(Self)
+    }
+}
+
+answer!(ActuatorPrediction, ACTUATOR);

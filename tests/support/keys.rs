@@ -1,0 +1,42 @@
+//! Answers against the keys that are documented.
+
+use serde_json::Value;
+use stargrip_cam::forecast::keys::{Key, Kind};
+
+/// Every key of `answer` that `keys` does not have, with an entry to copy, and every key whose value is of another kind.
+pub(crate) fn misfits(answer: &Value, keys: &[Key]) -> Vec<String> {
+    let answer = answer.as_object().expect("an object");
+    let unknown = answer.iter().filter(|(name, _)| keys.iter().all(|key| key.name != name.as_str()));
+    let unknown = unknown.map(|(name, value)| {
+        format!(
+            "add to src/forecast/keys.rs: maybe(\"{name}\", ..., \"its meaning, unit.\"), such as {value}"
+        )
+    });
+    let wrong = keys.iter().filter(|key| match answer.get(key.name) {
+        None | Some(Value::Null) => key.always,
+        Some(value) => !is_of(key.kind, value),
+    });
+    let wrong = wrong.map(|key| format!("{} is {:?}, not {:?}", key.name, answer.get(key.name), key.kind));
+    unknown.chain(wrong).collect()
+}
+
+fn is_of(kind: Kind, value: &Value) -> bool {
+    let number = |value: &Value| value.is_number() || value.is_null();
+    let rows = |row: fn(&Value) -> bool| value.as_array().is_some_and(|rows| rows.iter().all(row));
+    match kind {
+        Kind::Text => value.is_string(),
+        Kind::Number => value.is_number(),
+        Kind::Pair => {
+            value.as_array().is_some_and(|ends| ends.len() == 2 && ends.iter().all(Value::is_number))
+        }
+        Kind::Hinges => value.as_object().is_some_and(|pair| {
+            pair.len() == 2 && ["tip", "corner"].iter().all(|at| pair.get(*at).is_some_and(number))
+        }),
+        Kind::Object => value.is_object(),
+        Kind::List => rows(Value::is_object),
+        Kind::Rows => {
+            rows(|row| row.as_array().is_some_and(|row| row.iter().all(|v| v.is_number() || v.is_null())))
+        }
+        Kind::Variant => true,
+    }
+}
