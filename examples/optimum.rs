@@ -73,6 +73,7 @@ impl Problem {
         let grasp = [hole * dice.even(0.4, 1.0), hole * dice.even(0.7, 1.0)].map(Length);
         let constraints = Constraints {
             grasp: dice.one_in(2.0).then_some(grasp),
+            hole: None,
             payload: dice.one_in(2.0).then(|| dice.even(0.05, 1.5)),
             largest_force: dice.one_in(4.0).then(|| dice.even(5.0, 60.0)),
             sheet: dice.one_in(4.0).then(|| Length(hole * dice.even(4.0, 8.0))),

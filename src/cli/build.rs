@@ -7,6 +7,7 @@ use std::time::Instant;
 use jiff::Zoned;
 use serde_json::Value;
 
+use crate::artifact::{Asked, Kind};
 use crate::cli::failure::{Failure, tell};
 use crate::cli::harmless::shown;
 use crate::cli::kinds::Kinds;
@@ -94,7 +95,7 @@ fn rebuilt(
     let seconds = began.elapsed().as_secs_f64();
     voice.remark(&format!("{time} {spec} rebuilt in {seconds:.1} s: {}\n", now.changes(before)))?;
     if !voice.quiet {
-        glance::warn(&now.new_notes(before));
+        glance::warn_of(&now.new_notes(before));
     }
     Ok(())
 }
@@ -148,7 +149,6 @@ fn made(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path, voice: Voi
     loaded.fit(&forecast, args.anyway)?;
     let notes = forecast.precautions(&shown(spec));
     let proven = loaded.proven(forecast, &asked)?;
-    let forecast = &proven.built().forecast;
     // What became of files that were there is told however quiet one is.
     tell(&publish(&target, &proven)?.to_string());
     let (source, machine) = (loaded.source.clone(), loaded.sources().machine.to_owned());

@@ -162,11 +162,16 @@ pub(super) fn show(rows: &[Row]) -> Result<(), Failure> {
 
 /// Prints what to see to before sealing, on standard error: who keeps the answer in a file must still see it.
 pub(super) fn warn(list: &[Precaution]) {
+    warn_of(&list.iter().map(|one| one.text.clone()).collect::<Vec<_>>());
+}
+
+/// The same for texts.
+pub(super) fn warn_of(list: &[String]) {
     if list.is_empty() {
         return;
     }
     let width = width(&stderr());
-    let lines = list.iter().map(|one| wrapped(&format!("  - {}", shown(&one.text)), 4, width));
+    let lines = list.iter().map(|text| wrapped(&format!("  - {}", shown(text)), 4, width));
     tell_under("before you seal", &lines.collect::<Vec<_>>().join("\n"));
 }
 

@@ -1,10 +1,10 @@
 //! One line for a build that replaces another: which values changed, and what that does to the gripper.
 
-use crate::cli::figure::rounded;
 use crate::cli::glance::sealing_time;
 use crate::cli::summary::hours;
+use crate::forecast::ranges::shown::rounded;
 use crate::forecast::verdict::Verdict;
-use crate::pipeline::Forecast;
+use crate::pipeline::{Forecast, Precaution};
 use crate::spec::{Setting, Source, settings};
 
 /// What is compared between two builds of one spec.
@@ -30,7 +30,7 @@ const NAMED: usize = 4;
 
 impl Snapshot {
     /// Of the spec in `source`, with the profile's text and what to see to before sealing.
-    pub(super) fn new(source: &Source, machine: &str, forecast: &Forecast, notes: &[String]) -> Self {
+    pub(super) fn new(source: &Source, machine: &str, forecast: &Forecast, notes: &[Precaution]) -> Self {
         let verdict = forecast.verdict();
         let design = forecast.design.warnings.iter().map(|warning| warning.found.clone());
         Self {
@@ -38,7 +38,7 @@ impl Snapshot {
             machine: machine.to_owned(),
             verdict: verdict.as_ref().map(Verdict::word),
             figures: figures(forecast, verdict.as_ref()),
-            notes: notes.iter().cloned().chain(design).collect(),
+            notes: notes.iter().map(|note| note.text.clone()).chain(design).collect(),
         }
     }
 

@@ -131,7 +131,7 @@ mod tests {
         };
         assert!(!loose(30.0, 40.0) && loose(13.0, 40.0));
         let pitch = pitch_for(Length(13.0), Length(5.0));
-        assert!(!loose(13.0, pitch.0) && pitch.0 > 2.0 * 13.0 / PI + 5.0 && pitch.0 < 18.0, "{pitch}");
+        assert!(!loose(13.0, pitch.0) && pitch.0 > round_tube(13.0) + 5.0 && pitch.0 < 18.0, "{pitch}");
         assert_eq!(pitch_for(Length(13.0), Length(5.0)), least_pitch(Length(13.0), Length(8.0)));
     }
 }

@@ -10,7 +10,7 @@ use crate::pipeline::{Built, Forecast, Sources};
 use crate::spec;
 use crate::spec::Machine;
 use crate::verify;
-use crate::verify::{By, Expected, Finding, OutputFiles, Proof};
+use crate::verify::{By, Expected, Finding, FindingCode, OutputFiles, Proof};
 
 /// A gripper whose files have been read back and say what the design says: the only thing that can be published.
 #[derive(Clone, Debug)]

@@ -25,8 +25,8 @@ mod written;
 
 pub use chop::{Chop, move_time};
 pub use feedcheck::{CHECK_LENGTH, feed_checks};
-pub use limits::contradictions;
 pub use job_size::too_many_moves;
+pub use limits::contradictions;
 pub use lowest_feed::lowest_speed;
 pub use pace::{Pace, Pacer, Stroke};
 pub use pieces::{LONGEST_MOVE, pieces};

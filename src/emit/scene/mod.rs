@@ -7,7 +7,7 @@ mod glb;
 mod mesh;
 mod pose;
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::{Design, Drawing, Edge, Layer, Side, Star, StarDesign};
 use crate::emit::palette;
