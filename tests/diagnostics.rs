@@ -101,7 +101,13 @@ fn a_star_without_an_inlet_has_no_way_for_air_at_all() {
 #[test]
 fn a_default_window_that_is_cut_says_so() {
     let dir = tempfile::tempdir().expect("a directory");
-    let many = star(12, "30 mm", "8 mm", "30 deg", "[inlet]\nnone = true\n[mask]\ncreep = \"0 mm\"\n");
+    let many = star(
+        12,
+        "30 mm",
+        "8 mm",
+        "30 deg",
+        "[stack]\npitch = \"14 mm\"\n[inlet]\nnone = true\n[mask]\ncreep = \"0 mm\"\n",
+    );
     let (line, said) = pointed_at(dir.path(), &many, "short-window", 0);
     assert_eq!(line, "[mask]", "{said}");
     assert!(said.contains("warning[short-window]") && said.contains("less than the hinge of"), "{said}");

@@ -10,6 +10,7 @@ use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use stargrip_cam::design::RefusalCode;
+use stargrip_cam::pipeline::PrecautionCode;
 use stargrip_cam::spec::{Code, FaultCode};
 use stargrip_cam::verify::FindingCode;
 use support::program::{run, stderr, stdout, workshop};
@@ -67,6 +68,9 @@ fn every_code_is_explained_and_a_misspelt_one_is_found() {
         there(code.as_str(), code.meaning());
     }
     for code in FindingCode::ALL {
+        there(code.as_str(), code.meaning());
+    }
+    for code in PrecautionCode::ALL {
         there(code.as_str(), code.meaning());
     }
     assert_eq!(all.lines().count(), number, "none else");
@@ -215,7 +219,10 @@ fn a_rebuild_says_what_changed_in_one_line() {
     let _ = child.wait().expect("it ends");
     let line = both.strip_prefix(&first).expect("what was said stays").trim_end();
     assert!(!line.contains('\n') && line.contains(" star.toml rebuilt in "), "{line}");
-    assert!(line.contains(" s: inner_radius 50 mm -> 51 mm: ") && line.contains("opens to 1"), "{line}");
+    assert!(
+        line.contains(" s: inner_radius 50 mm -> 51 mm: ") && line.contains("opens to 94 -> 96 mm"),
+        "{line}"
+    );
 }
 
 /// What is opened is the page that shows most; that it cannot be opened is no failure of the build.

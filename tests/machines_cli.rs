@@ -572,7 +572,7 @@ fn calibrate_says_what_data_do_not_support() {
 fn calibrate_names_the_line_it_cannot_read() {
     let good = table(&[(0.1, &[74.0, 75.0, 76.0])]);
     for (text, words) in [
-        (String::new(), &["error[no-header]: an empty table", "results.csv:1"][..]),
+        (String::new(), &["error[no-header]: an empty table", "results.csv"][..]),
         (
             "a,b\n1,2\n".to_owned(),
             &["error[no-header]", "results.csv:1:1", "must name `temperature_C`, `speed_mm_s`"],

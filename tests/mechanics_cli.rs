@@ -151,7 +151,11 @@ fn cone_reads_a_table_right_or_not_at_all() {
     }
     fs::write(dir.path().join("test.csv"), b"\xff\xfet\0").expect("written");
     let output = run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm"]);
-    assert!(text(&output.stderr).contains("it must be UTF-8"), "{}", text(&output.stderr));
+    assert!(
+        text(&output.stderr).contains("is not UTF-8: save the file as UTF-8"),
+        "{}",
+        text(&output.stderr)
+    );
 }
 
 #[test]
@@ -247,7 +251,7 @@ fn optimize_writes_into_every_layout() {
     let output = run(dir.path(), &args);
     let said = text(&output.stderr);
     assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(1), ""));
-    assert!(said.contains("error[own-value]") && said.contains("spec.toml:19:14"), "{said}");
+    assert!(said.contains("error[own-value]") && said.contains("spec.toml:21:14"), "{said}");
     assert!(!said.contains("designs computed"), "{said}");
 }
 

@@ -33,8 +33,6 @@ pub(super) fn quantity<Q: Quantity>(
         })?;
         if allowed.holds(found.base()) {
             Ok(found)
-        } else if found.base() <= 0.0 && !allowed.holds(0.0) {
-            Err(format!("the {} must be more than 0", Q::KIND))
         } else {
             Err(format!("the {} {}", Q::KIND, allowed.in_words(Q::UNITS[0].0)))
         }
@@ -122,7 +120,10 @@ mod tests {
         let range_of = "the length must be at least 0 mm and at most 100000 mm";
         assert_eq!((length("-1 mm"), length("1e3 m")), (Err(range_of.to_owned()), Err(range_of.to_owned())));
         assert_eq!(length("5"), Err("write the length as a number and one of mm, cm, m, um, in".to_owned()));
-        assert_eq!(quantity::<Length>(SIZE)("-75 mm"), Err("the length must be more than 0".to_owned()));
+        assert_eq!(
+            quantity::<Length>(SIZE)("-75 mm"),
+            Err("the length must be at least 0.001 mm and at most 100000 mm".to_owned())
+        );
         assert!(length("nan mm").is_err() && length("5 deg").is_err());
         assert!(length("5,5 mm").expect_err("a comma").starts_with("a decimal comma: write 5.5 mm"));
     }

@@ -153,7 +153,7 @@ fn strength(forecast: &Forecast) -> Option<Precaution> {
     let loads = report.stars.iter().flat_map(|star| &star.loads).filter_map(|load| load.load);
     let most = loads.map(|load| load.0).reduce(f64::max)?;
     let text = format!(
-        "at which pressure it bursts is unknown: the seal bears {} N/mm, and `seal_strength` in [fabric] is not written",
+        "the burst pressure is unknown: the seal must withstand {} N/mm; measure yours (`coupon`) and set `seal_strength` in [fabric]",
         rounded(most)
     );
     Some(Precaution::new(PrecautionCode::UnknownStrength, text))

@@ -162,7 +162,8 @@ mod tests {
                 section.clone_from(&setting.section);
                 text.extend(["[", &section, "]\n"]);
             }
-            let plain = value == "true" || value == "false" || value.parse::<f64>().is_ok();
+            let plain =
+                value == "true" || value == "false" || value.starts_with('[') || value.parse::<f64>().is_ok();
             let quote = if plain { "" } else { "\"" };
             text.extend([setting.key.as_ref(), " = ", quote, value, quote, "\n"]);
         }
