@@ -122,15 +122,15 @@ fn a_table_comes_from_standard_input() {
 fn numbers_that_no_quantity_has_are_refused_by_what_they_are() {
     let dir = folder();
     for (args, words) in [
-        (&["new", "x", "--object", "-75 mm", "--mass", "1 kg"][..], "the length must be more than 0"),
+        (&["new", "x", "--object", "-75 mm", "--mass", "1 kg"][..], "the length must be at least 0.001 mm"),
         (&["new", "x", "--object", "75 mm", "--mass", "-1 kg"], "the mass must be more than 0"),
         (
             &["new", "x", "--object", "75 mm", "--mass", "1 kg", "--friction", "50%"],
             "not a percentage: write 0.5",
         ),
         (&["new", "x", "--object", "75 mm", "--mass", "1 kg", "--sheet", "A9"], "not A0 to A5"),
-        (&["optimize", "star.toml", "--tube-width", "-5 mm..20 mm"], "the length must be more than 0"),
-        (&["predict", "star.toml", "--radii", "-5 mm..20 mm/3"], "the length must be more than 0"),
+        (&["optimize", "star.toml", "--tube-width", "-5 mm..20 mm"], "the length must be at least 0.001 mm"),
+        (&["predict", "star.toml", "--radii", "-5 mm..20 mm/3"], "the length must be at least 0.001 mm"),
     ] {
         let output = run(dir.path(), args);
         let heard = text(&output.stderr);
