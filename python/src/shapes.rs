@@ -29,9 +29,9 @@ impl Line {
         Self { start, end }
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, ((f64, f64), (f64, f64))) {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
         let Self { start, end } = slf.get();
-        (slf.get_type(), (*start, *end))
+        Ok((slf.get_type(), (*start, *end).into_pyobject(slf.py())?))
     }
 
     fn __repr__(&self) -> String {
@@ -61,9 +61,10 @@ impl Arc {
         Self { center, radius_mm, start_angle_deg, sweep_deg }
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> (Bound<'py, PyType>, ((f64, f64), f64, f64, f64)) {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
         let Self { center, radius_mm, start_angle_deg, sweep_deg } = slf.get();
-        (slf.get_type(), (*center, *radius_mm, *start_angle_deg, *sweep_deg))
+        let kept = (*center, *radius_mm, *start_angle_deg, *sweep_deg);
+        Ok((slf.get_type(), kept.into_pyobject(slf.py())?))
     }
 
     /// First point, (x, y) in mm.
@@ -166,13 +167,14 @@ impl Contour {
         Ok(Self(Path { segments, closed }))
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (Vec<Vec<f64>>, bool))> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
         let Path { segments, closed } = &slf.get().0;
         let segments = segments.iter().map(|segment| match segment {
             Segment::Line(line) => vec![line.start.x, line.start.y, line.end.x, line.end.y],
             Segment::Arc(arc) => vec![arc.center.x, arc.center.y, arc.radius, arc.start_angle, arc.sweep],
         });
-        Ok((slf.get_type().getattr("_restored")?, (segments.collect(), *closed)))
+        let kept = (segments.collect::<Vec<_>>(), *closed);
+        Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
     }
 
     fn __repr__(&self) -> String {

@@ -39,6 +39,18 @@ def test_what_is_written_is_proven_and_one_byte_less_is_found(gripper: sg.Spec, 
     assert not proof and {finding.file for finding in proof.findings} == {"star-1-seal.gcode"}
 
 
+def test_a_directory_of_another_version_is_read_back_and_not_taken_for_proven(gripper: sg.Spec, tmp_path: Path) -> None:
+    sg.build(gripper, only=["seal-gcode"]).write(tmp_path / "out")
+    assert sg.verify(tmp_path / "out").written_by is None
+    manifest = tmp_path / "out" / "manifest.json"
+    manifest.write_text(manifest.read_text().replace(sg.__version__, "0.0.9", 1))
+    proof = sg.verify(tmp_path / "out")
+    assert proof.findings == () and proof.written_by == "0.0.9" and not proof
+    program = tmp_path / "out" / "star-1-seal.gcode"
+    program.write_bytes(program.read_bytes().replace(b"X", b"Y", 1))
+    assert {finding.file for finding in sg.verify(tmp_path / "out").findings} == {"star-1-seal.gcode"}
+
+
 def test_what_is_not_ours_is_not_replaced(gripper: sg.Spec, tmp_path: Path) -> None:
     (tmp_path / "diary.txt").write_text("mine")
     build = sg.build(gripper, only=["seal-gcode"])

@@ -1,11 +1,14 @@
-"""The code of docs/python.md runs as it stands, from top to bottom."""
+"""The code of docs/python.md and of the package's docstring runs as it stands, from top to bottom."""
 
 from __future__ import annotations
 
+import doctest
 import re
 from pathlib import Path
 
 import pytest
+
+import stargrip_cam as sg
 
 
 def test_the_tour_runs(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -16,3 +19,8 @@ def test_the_tour_runs(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPat
     for block in blocks:
         exec(compile(block, "docs/python.md", "exec"), names)  # noqa: S102
     assert (tmp_path / "out" / "my-gripper" / "manifest.json").is_file()
+
+
+def test_the_example_of_the_package_says_what_it_says() -> None:
+    tried = doctest.testmod(sg)
+    assert tried.attempted >= 3 and tried.failed == 0

@@ -64,6 +64,8 @@ def test_a_notebook_shows_numbers_with_ranges(gripper: sg.Spec) -> None:
     page = said._repr_html_()
     low, high = said.ranges["final_radius_mm"]
     assert "final_radius_mm" in page and f"{low:.5g} to {high:.5g}" in page
+    wide = sg.predict(gripper.replace({"load.object_diameter": "130 mm"}))
+    assert ">yes<" in page and ">no<" in wide._repr_html_() and "does not enter" in wide._repr_html_()
 
 
 def test_an_actuator_is_what_the_command_prints() -> None:

@@ -90,7 +90,7 @@ impl Told<'_> {
             let why = "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
                 .to_owned();
             if args.voice.json {
-                return Err(Failure::answered(self.json(None, None), why));
+                return Err(Failure::answered(self.json(None, None), &why));
             }
             args.voice.remark(&listing(settings))?;
             return Err(Failure::Message(why));

@@ -58,12 +58,12 @@ impl Failure {
 
     /// What is refused, one object each; `None` if this is not a refusal, or has been printed already.
     pub(super) fn refused(&self) -> Option<Vec<Value>> {
-        let bare = |found: String| vec![refusal(None, found)];
+        let bare = |found: &str| vec![refusal(None, found)];
         match self {
             Self::Faults(faults) => Some(refused_by(faults)),
             Self::Unproven(unproven) => Some(unproven.findings.iter().map(found_wrong).collect()),
-            Self::Publish(error) => Some(bare(error.to_string())),
-            Self::Message(text) => Some(bare(text.clone())),
+            Self::Publish(error) => Some(bare(&error.to_string())),
+            Self::Message(text) => Some(bare(text)),
             Self::Usage(_)
             | Self::Interrupted
             | Self::Stopped(_)
@@ -74,7 +74,7 @@ impl Failure {
     }
 
     /// A refusal for `text` beside an answer for programs, which is printed with it as one object.
-    pub(super) fn answered(mut answer: Value, text: String) -> Self {
+    pub(super) fn answered(mut answer: Value, text: &str) -> Self {
         answer["refused"] = json!([refusal(None, text)]);
         say(&format!("{answer:#}\n")).err().unwrap_or(Self::Said)
     }
@@ -126,7 +126,7 @@ impl From<PublishFault> for Failure {
 }
 
 /// One refusal: a code where there is one, and what was found. Keys that mean nothing here are null.
-fn refusal(code: Option<&str>, found: String) -> Value {
+fn refusal(code: Option<&str>, found: &str) -> Value {
     let none = Value::Null;
     json!({ "code": code, "key": none, "found": found, "allowed": none, "remedy": none, "file": none, "line": none })
 }
@@ -135,7 +135,7 @@ fn refusal(code: Option<&str>, found: String) -> Value {
 fn refused_by(faults: &Faults) -> Vec<Value> {
     let errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
     let one = |fault: &Fault| {
-        let mut value = refusal(Some(fault.code), fault.message.clone());
+        let mut value = refusal(Some(fault.code), &fault.message);
         value["key"] = json!(faults.key_of(fault));
         value["allowed"] = json!(fault.label);
         value["remedy"] = json!(fault.help);
@@ -147,7 +147,7 @@ fn refused_by(faults: &Faults) -> Vec<Value> {
 }
 
 fn found_wrong(finding: &Finding) -> Value {
-    let mut value = refusal(Some(finding.code), finding.found.clone());
+    let mut value = refusal(Some(finding.code), &finding.found);
     value["allowed"] = json!(finding.allowed);
     value["file"] = json!(finding.file);
     value["line"] = json!(finding.line);

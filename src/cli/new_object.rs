@@ -123,9 +123,9 @@ impl Made {
             if spec.stars.len() == 1 { "1 star".to_owned() } else { format!("{} stars", spec.stars.len()) };
         let [width, height] = self.fabric()?.map(f64::round);
         let at = load.pressure.map_or_else(String::new, |pressure| format!("; {pressure}"));
-        let friction = load.friction.map_or_else(String::new, |friction| match self.friction_assumed {
-            true => format!("; friction {friction} assumed: change it with --friction"),
-            false => format!("; friction {friction}"),
+        let friction = load.friction.map_or_else(String::new, |friction| {
+            let assumed = if self.friction_assumed { " assumed: change it with --friction" } else { "" };
+            format!("; friction {friction}{assumed}")
         });
         Some(format!(
             "{stars} of {} points, tube {} wide, {width} x {height} mm of fabric{at}; {} of sealing{friction}",

@@ -161,7 +161,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             } else {
                 "none of the best designs can be sealed and cut as the spec asks for"
             };
-            Err(if voice.json { Failure::answered(said.json(None), why.to_owned()) } else { message(why) })
+            Err(if voice.json { Failure::answered(said.json(None), why) } else { message(why) })
         }
     }
 }
@@ -215,7 +215,7 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
         return Err(message("stiffness needs a pressure: give [load] one"));
     }
     if (args.payload.is_some() || asked == GoalArg::Hold) && !holds {
-        return Err(message("payload needs [load] with pressure, object_radius and friction"));
+        return Err(message("payload needs [load] with pressure, object_diameter and friction"));
     }
     let strong = pressed && base.fabric.seal_strength.is_some();
     if args.burst_margin.is_some() && !strong {
@@ -309,7 +309,7 @@ fn recommented(loaded: &Loaded, text: &str) -> Result<String, Failure> {
         None => (!is_result(comment)).then(|| comment.to_owned()),
     })?;
     let lines = text.lines().filter(|line| !line.strip_prefix("# ").is_some_and(is_result));
-    Ok(lines.map(|line| format!("{line}\n")).collect())
+    Ok(lines.flat_map(|line| [line, "\n"]).collect())
 }
 
 /// The design, if the design stage accepts it.

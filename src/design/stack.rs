@@ -88,8 +88,7 @@ impl Stack {
             key,
             code: RefusalCode::WideFrame,
             found: format!(
-                "the plates leave {:.1} mm for star {index}, whose inflated tube is {tube:.1} mm high",
-                gap
+                "the plates leave {gap:.1} mm for star {index}, whose inflated tube is {tube:.1} mm high"
             ),
             remedy: format!("a pitch of {} keeps its arms in their plane", pitch_for(width, plate)),
         })

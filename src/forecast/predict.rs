@@ -53,14 +53,13 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
         let meeting = meetings.as_ref().and_then(|all| all.get(i)).copied();
         let twin =
             known.iter().find(|(distinct, other, _)| *distinct == placed.distinct && *other == meeting);
-        let star = match twin {
-            Some((_, _, star)) => star.clone(),
-            None => {
-                let star = predict_star(spec, design.part(placed), meeting)
-                    .map_err(|fault| located(placed.index, &fault))?;
-                known.push((placed.distinct, meeting, star.clone()));
-                star
-            }
+        let star = if let Some((_, _, star)) = twin {
+            star.clone()
+        } else {
+            let star = predict_star(spec, design.part(placed), meeting)
+                .map_err(|fault| located(placed.index, &fault))?;
+            known.push((placed.distinct, meeting, star.clone()));
+            star
         };
         stars.push(star);
     }

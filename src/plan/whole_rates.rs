@@ -58,9 +58,9 @@ impl WholeRates {
         if steps > MANY {
             steps / self.even
         } else if self.has_first {
-            self.from_first(steps)
+            self.time_from_first(steps)
         } else {
-            self.from_rest(steps)
+            self.time_from_rest(steps)
         }
     }
 
@@ -71,7 +71,7 @@ impl WholeRates {
     }
 
     /// Time where the first step has a rate of its own: rates change after a step, the first time by nothing.
-    fn from_first(&self, steps: f64) -> f64 {
+    fn time_from_first(&self, steps: f64) -> f64 {
         let Self { slow, even, acceleration, .. } = *self;
         let (mut up, mut down) = (self.ramp().ceil(), self.ramp().floor());
         if up + down > steps {
@@ -99,7 +99,7 @@ impl WholeRates {
     }
 
     /// Time where ramps begin at the rate of their acceleration.
-    fn from_rest(&self, steps: f64) -> f64 {
+    fn time_from_rest(&self, steps: f64) -> f64 {
         let Self { slow, even, acceleration, .. } = *self;
         let whole = self.ramp().ceil();
         // Where the even rate is not reached, half of the steps speed up.

@@ -7,7 +7,7 @@ give are strings with a unit, "50 mm"; numbers that you get carry their unit in 
     >>> import stargrip_cam as sg
     >>> spec = sg.Spec.starter("my star").replace({"load.pressure": "37 kPa"})
     >>> round(sg.predict(spec).final_radius_mm, 1)
-    16.1
+    17.7
 """
 
 from stargrip_cam._native import (

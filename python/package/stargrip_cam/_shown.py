@@ -26,7 +26,7 @@ def _range(value: Any) -> str:
 
 
 def prediction(of: Prediction | ActuatorPrediction) -> str:
-    """Every plain number with its range where it has one, then what a person should know."""
+    """Whether it holds its object, every plain number with its range where it has one, then what a person should know."""
     said = of.to_dict()
     ranges = said.get("ranges", {})
     rows = [
@@ -34,8 +34,11 @@ def prediction(of: Prediction | ActuatorPrediction) -> str:
         for name, value in said.items()
         if isinstance(value, (int, float, str)) and not isinstance(value, bool)
     ]
-    warnings = said.get("evidence", {}).get("warnings", [])
-    listed = "".join(f"<li>{escape(warning)}</li>" for warning in warnings)
+    verdict = said.get("verdict") or {}
+    if verdict:
+        rows.insert(0, ("verdict.holds", verdict["holds"], ""))
+    remarks = [*verdict.get("reasons", []), *said.get("evidence", {}).get("warnings", [])]
+    listed = "".join(f"<li>{escape(remark)}</li>" for remark in remarks)
     return _table(rows, ("", "value", "range")) + (f"<ul>{listed}</ul>" if listed else "")
 
 

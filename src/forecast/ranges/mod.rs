@@ -111,7 +111,7 @@ fn standing(case: &Case, model: &dyn HingeModel) -> Option<(Standing, f64)> {
     } else {
         // In proportion to the distance, so that no end of a range jumps where stars were no longer tried.
         let far = factor.ln() / errors::NOT_FAR.ln();
-        (factor <= errors::NOT_FAR).then(|| (Standing::Beyond, 1.0 + (errors::BEYOND - 1.0) * far))
+        (factor <= errors::NOT_FAR).then_some((Standing::Beyond, 1.0 + (errors::BEYOND - 1.0) * far))
     }
 }
 
