@@ -30,6 +30,7 @@ impl Forecast {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::design::RefusalCode;
     use crate::pipeline::Forecast;
     use crate::spec::{Machine, Source, read, starter};
 
@@ -114,7 +115,7 @@ mod tests {
         let with =
             |mm: f64| forecast(&format!("[load]\npressure = \"37 kPa\"\nobject_diameter = \"{mm} mm\"\n"));
         let warned = |forecast: &Forecast| {
-            forecast.design.warnings.iter().any(|warning| warning.code.to_string() == "tight-hole")
+            forecast.design.warnings.iter().any(|warning| warning.code == RefusalCode::TightHole)
         };
         let (free, tight, wide) = (with(80.0), with(92.0), with(95.0));
         assert!(!warned(&free) && warned(&tight) && !warned(&wide));

@@ -95,7 +95,9 @@ mod tests {
                     }
                 }
                 Step::Seal(pieces) => {
-                    pieces.iter().for_each(|piece| pacer.strokes(piece, None, |_| made += 1));
+                    for piece in pieces {
+                        pacer.strokes(piece, None, |_| made += 1);
+                    }
                 }
                 _ => {}
             }

@@ -233,7 +233,7 @@ mod tests {
                     let end = stroke.piece.end();
                     let now = stepper.at([end.x, end.y, 0.0]);
                     let most = (now[0] - at[0]).abs().max((now[1] - at[1]).abs());
-                    assert!(most >= 6.0 && most <= 12.0, "{most} steps");
+                    assert!((6.0..=12.0).contains(&most), "{most} steps");
                     at = now;
                 }
             });

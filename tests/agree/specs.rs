@@ -325,11 +325,11 @@ fn asked(dice: &mut Dice) -> Asked {
     match dice.below(10) {
         0 => Asked { with: extras, ..Asked::default() },
         1 | 2 => {
-            let only: Vec<Kind> = (0..1 + dice.below(3)).map(|_| dice.one_of(Kind::ALL)).collect();
+            let only: Vec<Kind> = (0..=dice.below(3)).map(|_| dice.one_of(Kind::ALL)).collect();
             Asked::only(&only)
         }
         3..=6 => {
-            let with = (0..1 + dice.below(2)).map(|_| dice.one_of(&extras)).collect();
+            let with = (0..=dice.below(2)).map(|_| dice.one_of(&extras)).collect();
             Asked { with, ..Asked::default() }
         }
         _ => Asked::default(),
