@@ -39,7 +39,7 @@ pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Opt
     false
 }
 
-/// Reports the modes that the lines of `start`, in [program], do not set and that programs for `controller` need.
+/// Reports the modes that the lines of `start`, in `[program]`, do not set and that programs for `controller` need.
 pub(super) fn check_modes(program: &mut Section<'_, '_>, start: &[String], controller: &Controller) {
     if !program.has("start") {
         return;
