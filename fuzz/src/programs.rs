@@ -100,7 +100,9 @@ fn judge(old_text: &str, resumed: &Resumed, overlap: Option<f64>) {
     let new = read_program(&resumed.text, dialect);
     assert_eq!(new.findings, [], "the new program is without fault");
     assert!((0.0..=1.0).contains(&resumed.done) && resumed.overlap >= 0.0, "{resumed:?}");
-    assert!(overlap.is_none_or(|asked| resumed.overlap <= asked + 1e-6), "{resumed:?}");
+    // Where short moves are joined, a seam is taken up only where the iron stood still: at most a stroke farther back.
+    let farther = if old_text.contains("chop-moves:") { longest_stroke(&old) } else { 0.0 };
+    assert!(overlap.is_none_or(|asked| resumed.overlap <= asked + farther + 1e-6), "{resumed:?}");
     assert!(resumed.line >= 1 && resumed.line <= old.lines, "{}", resumed.line);
     let (area, contact) = (area(&old).grown(0.01), contact(&old));
     let fastest = |program: &Program| {
@@ -140,6 +142,20 @@ fn area(program: &Program) -> Bounds {
 /// The lowest that a program goes.
 fn contact(program: &Program) -> f64 {
     program.moves.iter().map(|step| step.to.z).fold(f64::INFINITY, f64::min)
+}
+
+/// The longest way in contact between two dwells, mm.
+fn longest_stroke(program: &Program) -> f64 {
+    let mut dwells = program.dwells.iter().map(|dwell| dwell.line).peekable();
+    let (mut run, mut longest) = (0.0, 0.0_f64);
+    for step in low(program, contact(program)) {
+        while dwells.next_if(|line| *line < step.line).is_some() {
+            run = 0.0;
+        }
+        run += step.length();
+        longest = longest.max(run);
+    }
+    longest
 }
 
 /// The moves at the height of contact.

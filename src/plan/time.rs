@@ -6,6 +6,7 @@
 use crate::geom::{Point, Segment};
 use crate::plan::lowest_feed::lowest_of;
 use crate::plan::travel::Travel;
+use crate::plan::written::{Precision, Written};
 use crate::plan::{Height, Pace, Pacer, Program, Purpose, SeamReport, Step};
 use crate::spec::{Machine, Process, Spec};
 
@@ -95,18 +96,20 @@ impl Program {
             Purpose::Trace => motion.speed_range().map(|(_, most)| most),
         };
         let pace = Pace::new(spec, machine, lowest);
-        let time = times_of(&steps, pace, machine, spec.seal.speed.0).last().copied().unwrap_or(0.0);
+        let time = times_of(&steps, pace, machine, spec).last().copied().unwrap_or(0.0);
         Self { purpose, sheet, stars, piece, steps, seams, pace, time }
     }
 
     /// When each of its steps is done, s from the beginning: one time a step, the last one is that of the whole program.
     pub fn timeline(&self, spec: &Spec, machine: &Machine) -> Vec<f64> {
-        times_of(&self.steps, self.pace, machine, spec.seal.speed.0)
+        times_of(&self.steps, self.pace, machine, spec)
     }
 }
 
-/// When each of `steps` is done, s, without heating and pauses; `speed` is the seal's, mm/s.
-fn times_of(steps: &[Step], pace: Pace, machine: &Machine, speed: f64) -> Vec<f64> {
+/// When each of `steps` is done, s, without heating and pauses.
+fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> Vec<f64> {
+    let (speed, level) = (spec.seal.speed.0, machine.process.heights.travel.0);
+    let file = Precision { path: spec.accuracy.path, arcs: machine.controller.arcs };
     let mut clock = Clock::new(machine);
     let mut pacer = Pacer::new(pace, speed);
     let mut times = Vec::with_capacity(steps.len());
@@ -130,7 +133,9 @@ fn times_of(steps: &[Step], pace: Pace, machine: &Machine, speed: f64) -> Vec<f6
             }
             Step::Trace(pieces) => {
                 for piece in pieces {
-                    clock.add(piece.end(), None, piece.length() / machine.process.trace_speed.0);
+                    // Chords are shorter than their arcs: where the path is coarse by 3 % at the tips.
+                    let length = Written::new(piece, [level, level], file).length;
+                    clock.add(piece.end(), None, length / machine.process.trace_speed.0);
                 }
             }
             Step::Heat(_) | Step::Seam(_) => {}

@@ -166,7 +166,9 @@ mod tests {
     fn the_first_step_comes_early_up_to_2_0_x() {
         let first = rates(80.0, 0.68, 3000.0, Some(120.0)).seconds(12.0);
         assert!((first - (1.0 / 120.0 + 11.0 / 55.0)).abs() < 1e-12, "{first}");
-        assert!((rates(80.0, 0.68, 3000.0, None).seconds(12.0) - 12.0 / 55.0).abs() < 1e-12);
+        // Later versions round 54.4 steps/s to the nearest for the ends of ramps, and up for the rest.
+        let later = rates(80.0, 0.68, 3000.0, None).seconds(12.0);
+        assert!((later - (2.0 / 54.0 + 10.0 / 55.0)).abs() < 1e-12, "{later}");
         // Faster than the first step there is a ramp of a step, and none down.
         let fast = rates(80.0, 1.7, 3000.0, Some(120.0)).seconds(12.0);
         assert!((fast - (2.0 / 120.0 + 10.0 / 136.0)).abs() < 1e-12, "{fast}");

@@ -124,6 +124,17 @@ impl Dialect {
         ("reprapfirmware", Self::RepRapFirmware),
     ];
 
+    /// Longest line that any of its controllers reads, in characters without the line end: GRBL's protocol.h, Marlin's
+    /// `MAX_CMD_SIZE`; up to 255 where others read longer ones. Generic programs fit into all of them, with a reserve.
+    pub fn longest_line(self) -> u32 {
+        match self {
+            Self::Generic => 72,
+            Self::Grbl => 80,
+            Self::Marlin => 95,
+            _ => 255,
+        }
+    }
+
     /// What people call it.
     pub fn title(self) -> &'static str {
         match self {

@@ -136,7 +136,7 @@ impl Motion {
     }
 
     /// The feed of chopped moves, mm/s, of a seal at `speed`, mm/s: `chop_feed`, or 1.2 times the lowest that the worst
-    /// direction can be made to step at. Where rates are whole ones it is 2.5 times `speed` at least, and where the first
+    /// direction can be made to step at, and no less than the lowest on any ramp. Where rates are whole ones it is 2.5 times `speed` at least, and where the first
     /// step has a rate of its own about that rate.
     pub fn chop_speed(&self, speed: f64) -> Option<f64> {
         if let Some(feed) = self.chop_feed {
@@ -145,7 +145,9 @@ impl Motion {
         let StepRate::AtLeast(rate) = self.step_rate else {
             return self.speed_range().map(|(_, most)| CHOP_MARGIN * most);
         };
-        let lowest = CHOP_MARGIN * self.speed_at(rate, self.worst_direction())?;
+        // On a ramp Z may step too, and where it has few steps that is slower still.
+        let climbing = self.speed_at(rate, self.steps_per_mm?.map(f64::recip))?;
+        let lowest = climbing.max(CHOP_MARGIN * self.speed_at(rate, self.worst_direction())?);
         if !self.has_whole_rates() {
             return Some(lowest);
         }
@@ -206,6 +208,25 @@ mod tests {
             assert!(fewest > 6.0 - 1e-9 && fewest < 6.02, "{fewest}");
         }
         assert_eq!(Motion::UNKNOWN.least_move(), 0.0);
+    }
+
+    /// With fewer steps of Z than of X and Y, a steep ramp is the slowest way of all.
+    #[test]
+    fn chopped_moves_are_held_on_every_ramp() {
+        for steps in [[463.0, 461.0, 400.0], [800.0, 300.0, 100.0], [80.0, 80.0, 400.0]] {
+            let m = motion(steps, 38.15);
+            let speed = m.chop_speed(0.1).expect("known");
+            for i in 0..900 {
+                let (s, c) = (f64::from(i) * 0.1_f64.to_radians()).sin_cos();
+                for rise in [0.0, 0.3, 1.0, 1.2, 3.0, 30.0] {
+                    let lowest = m.lowest_stroke([c, s, rise]).expect("known");
+                    assert!(speed >= lowest * (1.0 - 1e-12), "{steps:?} {i} {rise}: {speed} < {lowest}");
+                }
+            }
+        }
+        let usual = motion([80.0, 80.0, 400.0], 30.52);
+        let flat = usual.speed_range().expect("known").1;
+        assert!((usual.chop_speed(0.1).expect("known") - 1.2 * flat).abs() < 1e-12);
     }
 
     /// At 80 steps/mm: 97 steps/s at 45 degrees, 137 along an axis.

@@ -15,7 +15,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use stargrip_cam::pipeline::{Forecast, Sources, prove_files};
-use stargrip_cam::plan::Pace;
 use stargrip_cam::spec;
 use stargrip_cam::spec::Source;
 use stargrip_cam::verify::Finding;
@@ -37,14 +36,7 @@ fn findings(case: &Case, verified: bool) -> Option<Vec<Finding>> {
     let built = forecast.build(Sources { spec: &case.spec, machine: &case.machine }, &case.asked);
     // `verify` makes every file again beside reading it.
     let found = if verified { prove_files(&built.output_files()).findings } else { built.proof().findings };
-    let chopped = built.forecast.programs.iter().any(|program| program.pace != Pace::Steady);
-    Some(found.into_iter().filter(|finding| !is_known(finding, chopped)).collect())
-}
-
-/// Faults that are known and being mended: chopped programs whose path is coarse, and curves of a radius that is unknown.
-fn is_known(finding: &Finding, chopped: bool) -> bool {
-    chopped && ["wrong-feed", "more-findings"].contains(&finding.code)
-        || finding.code == "other-report" && finding.allowed.starts_with("null")
+    Some(found)
 }
 
 #[test]

@@ -4,6 +4,7 @@ use stargrip_cam::artifact::{Asked, Kind};
 use stargrip_cam::pipeline::{Forecast, Sources, prove_files};
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Machine, Source};
+use stargrip_cam::verify::gcode::Dialect;
 
 /// A star with its inner radius, and what else its spec says.
 fn star(radius: f64, rest: &str) -> String {
@@ -86,4 +87,56 @@ fn a_name_consists_of_characters() {
         let faults = spec::read(&Source::new("spec", text)).expect_err("no character");
         assert_eq!(faults.list()[0].code, "name", "{faults}");
     }
+}
+
+/// Stars of one kind shared the first one's mesh, which on a ball closes less far than those beside its middle.
+#[test]
+fn each_star_of_a_scene_closes_on_the_ball_at_its_own_height() {
+    let load = "[stack]\ncount = 3\n[load]\npressure = \"37 kPa\"\nobject_radius = \"45 mm\"\n";
+    assert_eq!(findings(&star(50.0, load), profile("generic"), &[Kind::SceneGlb]), [""; 0]);
+}
+
+/// A trace was timed along its arcs, and is written as chords.
+#[test]
+fn a_coarse_trace_states_the_time_of_its_chords() {
+    let text = profile("generic").replace("trace = \"20 mm/s\"", "trace = \"1 mm/s\"");
+    let spec = star(50.0, "[accuracy]\npath = \"1 mm\"\n[machine]\nprofile = \"own.toml\"\n");
+    assert_eq!(findings(&spec, &text, &[]), [""; 0]);
+}
+
+/// A profile could have longer lines than its dialect, and long figures then filled them.
+#[test]
+fn a_profile_has_no_longer_lines_than_its_dialect() {
+    for dialect in Dialect::ALL {
+        let text = |length: usize| {
+            let text = profile(dialect.name);
+            let line = text.lines().find(|line| line.starts_with("line_length")).expect("a length");
+            text.replace(line, &format!("line_length = {length}"))
+        };
+        let most = dialect.line_length.min(255);
+        let machine = spec::read_machine(&Source::new("own", text(most)));
+        assert_eq!(machine.expect("valid").controller.line_length, most, "{}", dialect.name);
+        if most < 255 {
+            let faults = spec::read_machine(&Source::new("own", text(most + 1))).expect_err("too long");
+            assert_eq!(faults.list()[0].code, "conflict", "{faults}");
+        }
+    }
+    let seal = "[seal]\nspeed = \"2.6086207022772157 mm/s\"\nband = \"1.6123456789 mm\"\n\
+                [machine]\nprofile = \"own.toml\"\n";
+    assert_eq!(findings(&star(50.0, seal), profile("generic"), &[]), [""; 0]);
+}
+
+/// Chopped moves had 1.2 times the lowest feed of the plane, which ramps are below where Z has few steps.
+#[test]
+fn chopped_moves_are_held_on_ramps_of_a_coarse_z() {
+    let text = [("x", 80, 463), ("y", 80, 463), ("z", 400, 200)].into_iter().fold(
+        profile("fluidnc").to_owned(),
+        |text, (axis, old, new)| {
+            let [old, new] = [old, new].map(|steps| format!("{axis}_steps_per_mm = {steps}"));
+            assert!(text.contains(&old), "{old}");
+            text.replace(&old, &new)
+        },
+    );
+    let spec = star(50.0, "[machine]\nprofile = \"own.toml\"\nfeed_floor = \"chop\"\n");
+    assert_eq!(findings(&spec, &text, &[]), [""; 0]);
 }

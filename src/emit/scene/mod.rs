@@ -90,15 +90,17 @@ fn stack(glb: &mut Glb, design: &Design, inflated: &[Star]) -> Option<Vec<Node>>
             stand(format!("post {number}"), mesh, [post.x, post.y, 0.0], 0.0);
         }
     }
-    let mut meshes = Vec::new();
-    for first in design.firsts() {
-        let mesh = star(glb, design.part(first), inflated.get(first.index - 1), &fabric_of(first.index))?;
-        meshes.push((first.index, mesh));
-    }
+    // Stars of one kind have one mesh where they close alike: on a ball each meets it at its own height.
+    let mut meshes: Vec<(usize, Option<&Star>, usize)> = Vec::new();
     for ((placed, z), turn) in design.stars.iter().zip(&stack.stars).zip(&stack.turns) {
-        let (first, mesh) = *meshes.get(placed.distinct)?;
-        let own = if first == placed.index { mesh } else { glb.again(mesh, &fabric_of(placed.index)) };
-        stand(format!("star {}", placed.index), own, [0.0, 0.0, *z], *turn);
+        let (to, name) = (inflated.get(placed.index - 1), fabric_of(placed.index));
+        let alike = meshes.iter().find(|(kind, closed, _)| *kind == placed.distinct && *closed == to);
+        let mesh = match alike {
+            Some((.., mesh)) => glb.again(*mesh, &name),
+            None => star(glb, design.part(placed), to, &name)?,
+        };
+        meshes.push((placed.distinct, to, mesh));
+        stand(format!("star {}", placed.index), mesh, [0.0, 0.0, *z], *turn);
     }
     Some(nodes)
 }

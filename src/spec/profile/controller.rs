@@ -29,8 +29,24 @@ pub(super) fn read_controller(root: &mut Section<'_, '_>) -> Controller {
         .label("hosts read pictures behind `;` only: write false, or `comments = \"semicolon\"`");
         root.report(fault);
     }
-    let line_length = root.count("line_length", 72, 255).map_or(72, |length| length as usize);
+    let line_length = read_line_length(root, dialect);
     Controller { dialect, line_length, comments, arcs, dwell: EXACT, heating, thumbnails }
+}
+
+/// Reads the length of a line: `verify` accepts no program with longer ones than the dialect has.
+fn read_line_length(root: &mut Section<'_, '_>, dialect: Dialect) -> usize {
+    let (found, most) = (root.count("line_length", 72, 255).unwrap_or(72), dialect.longest_line());
+    if found > most {
+        let place = root.place_of("line_length");
+        let message = format!(
+            "`line_length` is {found}, but controllers of `{}` read no longer lines than {most}",
+            dialect.name()
+        );
+        root.report(
+            Fault::error(FaultCode::Conflict, place, message).label(format!("must be at most {most}")),
+        );
+    }
+    found.min(most) as usize
 }
 
 /// Dwells that are as long as told.
