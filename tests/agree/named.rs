@@ -140,3 +140,14 @@ fn chopped_moves_are_held_on_ramps_of_a_coarse_z() {
     let spec = star(50.0, "[machine]\nprofile = \"own.toml\"\nfeed_floor = \"chop\"\n");
     assert_eq!(findings(&spec, &text, &[]), [""; 0]);
 }
+
+/// Around a sharp corner Marlin joins moves that go back on each other: the wait after them would have been too long for one place.
+#[test]
+fn what_the_longest_wait_leaves_over_is_made_up_for_at_the_next() {
+    let text = "schema = 1\nname = \"x\"\n[star]\npoints = 4\ninner_radius = \"5.191886932942953 mm\"\n\
+                tube_width = \"9.541801810117967 mm\"\ntip_angle = \"18.980064392089844 deg\"\n\
+                [inlet]\ntube_diameter = \"1.2796252271151292 mm\"\nlength = \"10.846852452343184 mm\"\n\
+                [seal]\noverlap = \"6.811753511428833 mm\"\n[sheet]\nmargin = \"29.766620993614197 mm\"\n\
+                [machine]\nprofile = \"marlin\"\nfeed_floor = \"chop\"\n";
+    assert_eq!(findings(text, profile("marlin"), &[]), [""; 0]);
+}
