@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::manifest::{ManifestFile, Tool};
 
-/// Content of `manifest.json` in a directory of coupons: what was wanted, and what was written.
+/// Content of `manifest.json` in a directory of coupons: the settings, and the files written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CouponManifest {
     /// Name and version of the tool that wrote it.

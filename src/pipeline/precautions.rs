@@ -17,7 +17,7 @@ const SLOW: Speed = Speed(5.0);
 /// Above this a seal is sealed ten times as fast as those of the paper, 0.1 mm/s.
 const FAST: Speed = Speed(1.0);
 
-/// The profile for a machine of which nothing is known.
+/// The profile for an unknown machine.
 const UNKNOWN: &str = "generic";
 
 /// One thing to see to.
@@ -25,7 +25,7 @@ const UNKNOWN: &str = "generic";
 pub struct Precaution {
     /// What it is about.
     pub code: PrecautionCode,
-    /// What to see to, in a sentence without its full stop. Commands stand in backticks.
+    /// What to see to, in a sentence without its full stop. Commands are in backticks.
     pub text: String,
 }
 
