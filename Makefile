@@ -3,6 +3,10 @@
 # for `deny`, `audit`, `mutants` and `fuzz`, which say what to install.
 
 CARGO ?= cargo
+# Lints and pages of the Python package are made without Python.
+NO_PYTHON = PYO3_NO_PYTHON=1 PYO3_BUILD_EXTENSION_MODULE=1
+# The program for CI. With the features that the Python package asks of shared dependencies, so that the wheel compiles none of them again.
+RELEASE = $(CARGO) build --release --locked -p stargrip-cam -p stargrip-cam-python --bin stargrip-cam
 
 .PHONY: demo install dist portable wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
 
@@ -31,18 +35,21 @@ python:
 portable:
 	packaging/portable $(TARGETS)
 
+# Examples are compiled by the lints of `check`; a test that needs one has it as a module.
 test:
-	$(CARGO) test --locked
+	$(CARGO) test --locked --tests
+	$(CARGO) test --locked --doc
 
-# What CI runs first: format, dependencies, lints, the tests in debug, the fuzz targets' lock file, the golden files in release, the
-# documentation.
+# What CI runs first: format, dependencies, lints, the tests in debug, the fuzz targets' lock file, the release program's files against
+# those of the tests, the documentation.
 check:
-	$(CARGO) fmt --check
+	$(CARGO) fmt --all --check
 	$(MAKE) deny
-	$(CARGO) clippy --locked --all-targets -- -D warnings
+	$(NO_PYTHON) $(CARGO) clippy --locked --workspace --all-targets -- -D warnings
 	$(MAKE) test
 	$(CARGO) tree --manifest-path fuzz/Cargo.toml --locked >/dev/null
-	$(CARGO) test --locked --release --test golden
+	$(RELEASE)
+	$(CARGO) test --locked --test golden -- --ignored
 	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items
 
 # The pages of docs/ as a book, target/book/index.html. `make test` holds its list, links and pictures, so CI does not build it.
@@ -68,7 +75,7 @@ SHARD ?= 0/1
 mutants:
 	@$(call needs,mutants,cargo-mutants)
 	mkdir -p target
-	PROPTEST_RNG_SEED=20 INSTA_UPDATE=no $(CARGO) mutants -f '$(FILES)' --shard $(SHARD) -o target/mutants -- --locked
+	PROPTEST_RNG_SEED=20 INSTA_UPDATE=no $(CARGO) mutants -f '$(FILES)' --shard $(SHARD) -o target/mutants -- --locked --tests
 
 # Every fuzz target for TIME seconds in turn, and what was run in all (docs/reliability.md): `make fuzz TIME=600 TARGETS='resume gcode'`.
 TIME ?= 60
@@ -79,7 +86,7 @@ fuzz:
 
 # Kills and errors at every system call of a publication, by strace (docs/reliability.md). Minutes.
 faults:
-	$(CARGO) build --release --locked
+	$(RELEASE)
 	tests/faults/run target/release/stargrip-cam
 
 # Says how to get a cargo subcommand that is not there.
@@ -87,12 +94,12 @@ needs = $(CARGO) $(1) --version >/dev/null 2>&1 || { echo "$(2) is missing: run 
 
 # Readers that no one here wrote, on every output of every shipped design. Needs root for apt-get.
 strangers:
-	$(CARGO) build --release --locked
+	$(RELEASE)
 	tests/strangers/run
 
 # Larger programs on some designs, before a release: FreeCAD, PrusaSlicer, OctoPrint's analysis, a CUPS filter (docs/testing.md).
 strangers-more:
-	$(CARGO) build --release --locked
+	$(RELEASE)
 	tests/strangers/more
 
 bench:

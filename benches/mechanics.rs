@@ -9,7 +9,7 @@ use stargrip_cam::mechanics::hinge::bvp::Bvp;
 use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
 use stargrip_cam::mechanics::hinge::section::{Section, SectionTable};
 use stargrip_cam::spec;
-use stargrip_cam::spec::study::Lane;
+use stargrip_cam::spec::study::Axis;
 use stargrip_cam::spec::{Source, Spec, read, starter};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -82,8 +82,8 @@ fn bvp_state_at_beta_1000(r_star: f64) -> f64 {
 fn sweep_of_a_million_designs(bencher: Bencher) {
     let axes =
         ["star.points=3,4,5,6", "star.tube_width=10 mm..40 mm/500", "star.tip_angle=15 deg..60 deg/500"];
-    let lanes = axes.map(|text| Lane::parse(text).expect("valid")).to_vec();
-    let study = Study::vary(&source(), lanes).expect("valid").expect("small");
+    let axes = axes.map(|text| Axis::parse(text).expect("valid")).to_vec();
+    let study = Study::vary(&source(), axes).expect("valid").expect("small");
     assert_eq!(study.rows(), 1_000_000);
     bencher.bench_local(|| {
         let mut bytes = 0;

@@ -10,9 +10,9 @@ use dice::Dice;
 use rayon::prelude::*;
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
 use stargrip_cam::forecast::optimize::{
-    Bounds, Constraints, Evaluated, Goal, search, shortfalls, sure_payload,
+    Bounds, Constraints, Evaluation, Goal, search, shortfalls, sure_payload,
 };
-use stargrip_cam::forecast::star_by_shell::flat;
+use stargrip_cam::forecast::shell::star::flat;
 use stargrip_cam::mechanics::hinge::ring::RingTable;
 use stargrip_cam::mechanics::strength::payload as mass_held;
 use stargrip_cam::shell::cases::{Fineness, Objects, Watch, star};
@@ -99,7 +99,7 @@ impl Problem {
     }
 
     /// What the search finds; `None` if nothing meets the constraints.
-    fn winner(&self, table: &RingTable) -> Option<Evaluated> {
+    fn winner(&self, table: &RingTable) -> Option<Evaluation> {
         let found = search(&self.base, &self.bounds, &self.constraints, self.goal, table);
         found.best.into_iter().next().filter(|best| best.violation == 0.0)
     }
@@ -136,7 +136,7 @@ impl Problem {
 const FINENESS: Fineness = Fineness { cells: 8.0, cuts: 2 };
 
 /// What the shell says of a winner: each constraint that it can judge, and whether it holds.
-fn judged(problem: &Problem, winner: &Evaluated) -> Result<Vec<(String, bool)>, Box<dyn Error>> {
+fn judged(problem: &Problem, winner: &Evaluation) -> Result<Vec<(String, bool)>, Box<dyn Error>> {
     let (point, answer) = (&winner.point, &winner.answer);
     let Constraints { grasp, payload, largest_force, .. } = problem.constraints;
     let flat = flat(&answer.case).map_err(|refusal| format!("{refusal:?}"))?;

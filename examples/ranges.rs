@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example ranges`
 
-use stargrip_cam::forecast::ranges::against::{Against, Pair, against};
+use stargrip_cam::forecast::ranges::validation::{Comparison, Pair, compare};
 use stargrip_cam::forecast::stars::draw::Set;
 use stargrip_cam::forecast::stars::shipped::shipped;
 use std::fmt::Write;
@@ -27,7 +27,7 @@ const GROUPS: [Group; 8] = [
 
 /// All tables, in the order of the page.
 pub fn tables() -> String {
-    let all: Vec<Against> = shipped().iter().filter_map(against).collect();
+    let all: Vec<Comparison> = shipped().iter().filter_map(compare).collect();
     let of = |(_, set, first, last): Group| {
         all.iter().filter(move |one| one.set == set && (first..=last).contains(&one.number))
     };
@@ -56,11 +56,11 @@ pub fn tables() -> String {
     out.push('\n');
     out += "| set | rho_f off by, rms | in the middle | at most | 4 to 8 points within 4 % |\n|---|---|---|---|---|\n";
     for set in GROUPS {
-        let off = |one: &Against| (one.radius.predicted / one.radius.shell - 1.0).abs();
+        let off = |one: &Comparison| (one.radius.predicted / one.radius.shell - 1.0).abs();
         let mut parts: Vec<f64> = of(set).map(off).collect();
         parts.sort_by(f64::total_cmp);
         let [middle, most] = [0.5, 1.0].map(|part| 100.0 * quantile(&parts, part));
-        let many: Vec<&Against> = of(set).filter(|one| one.points > 3).collect();
+        let many: Vec<&Comparison> = of(set).filter(|one| one.points > 3).collect();
         let near = many.iter().filter(|one| off(one) <= 0.04).count();
         let _ = writeln!(
             out,
@@ -76,14 +76,14 @@ pub fn tables() -> String {
 }
 
 /// How far forces are off at equal openings, up to 20 mm.
-fn forces(all: &[Against]) -> String {
+fn forces(all: &[Comparison]) -> String {
     let mut out = String::from(
         "| set | opened by | forces | off by, rms | within 15 % | within 15 % and the mesh error |\n|---|---|---|---|---|---|\n",
     );
     for (name, set, first, last) in GROUPS {
         for opening in [0.15, 0.45, 0.9] {
-            let near = |one: &&Against| one.set == set && (first..=last).contains(&one.number);
-            let small = |one: &&Against| opening * one.width <= MOST_OPENED;
+            let near = |one: &&Comparison| one.set == set && (first..=last).contains(&one.number);
+            let small = |one: &&Comparison| opening * one.width <= MOST_OPENED;
             let stars = all.iter().filter(near).filter(small);
             let pairs: Vec<Pair> = stars
                 .flat_map(|one| one.forces.iter().filter(|(part, _)| *part == opening).map(|(_, pair)| *pair))

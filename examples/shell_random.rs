@@ -70,7 +70,15 @@ impl Dice {
             let reach = (inner_radius + tube.width + corner_radius) * (PI / f64::from(points)).sin();
             let arm = (reach - (tube.width + tip_radius + corner_radius) * cosine) / sine;
             if (0.5..10.0).contains(&(arm / tube.width)) {
-                return FlatStar { tube, points, inner_radius, tip_angle, tip_radius, corner_radius };
+                return FlatStar {
+                    tube,
+                    points,
+                    inner_radius,
+                    tip_angle,
+                    tip_radius,
+                    corner_radius,
+                    band: 0.0,
+                };
             }
         }
     }

@@ -8,6 +8,8 @@
 //! and arcs, which becomes a machine-neutral plan ([`plan::Program`]); [`emit`] writes both as text, and
 //! [`verify`] reads the text back and compares it with the design. [`pipeline`] has every stage by name.
 //!
+//! The physics is a crate of its own, `inflatable`. Its modules are here under their names, since designs and predictions have its types.
+//!
 //! ```
 //! use stargrip_cam::design::Design;
 //! use stargrip_cam::spec::{self, Machine, Source};
@@ -29,23 +31,19 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub use inflatable::{geom, mechanics, numerics, shell};
+
 // In the order in which data flows; imports go up this list only.
 
 pub mod digest;
 
 pub mod units;
 
-pub mod geom;
-
-pub mod numerics;
+pub mod shape;
 
 pub mod spec;
 
 pub mod design;
-
-pub mod mechanics;
-
-pub mod shell;
 
 pub mod forecast;
 

@@ -3,6 +3,7 @@
 mod bill;
 mod coupons;
 mod feed_check;
+mod pieces;
 mod predicted;
 
 use std::path::Path;
@@ -18,8 +19,9 @@ use crate::spec::Spec;
 
 pub use crate::digest::sha256;
 pub use bill::{ManifestMask, ManifestPiece, ManifestPlates, ManifestPosts};
-pub use coupons::{CouponChoice, CouponManifest, ManifestCoupon, ManifestCouponSeam};
+pub use coupons::{CouponChoice, CouponManifest};
 pub use feed_check::{FEED_CHECK_MANIFEST, FeedCheckManifest};
+pub use pieces::{SealedPiece, SealedSeam};
 pub use predicted::{ManifestPrediction, ManifestStarPrediction};
 
 /// The manifest's file name in an output directory.
@@ -34,6 +36,9 @@ pub struct Manifest {
     pub name: String,
     /// Every file beside the manifest.
     pub files: Vec<ManifestFile>,
+    /// Every piece with its seams, in the order of the programs.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pieces: Vec<SealedPiece>,
     /// Every star, bottom to top.
     pub stars: Vec<ManifestStar>,
     /// The frame's posts.
@@ -151,13 +156,13 @@ impl Manifest {
     pub fn new(spec: &Spec, design: &Design, programs: &[Program]) -> Self {
         let mut stars: Vec<ManifestStar> = Vec::new();
         for program in programs {
-            for &index in &program.stars {
+            for index in program.numbers() {
                 let seams: Vec<ManifestSeam> = program
                     .seams
                     .iter()
-                    .filter(|seam| seam.star() == Some(index))
+                    .filter(|seam| seam.name.piece.number() == Some(index))
                     .map(|seam| ManifestSeam {
-                        loop_name: seam.loop_name().to_owned(),
+                        loop_name: seam.name.seam.clone(),
                         length_mm: thousandths(seam.length),
                         overlap_mm: thousandths(seam.overlap),
                         time_s: thousandths(seam.time),
@@ -187,6 +192,7 @@ impl Manifest {
             masks: bill::masks(spec, design),
             fabric_mm2: thousandths(stars.iter().map(|star| star.fabric_mm2).sum()),
             mass_g: stars.iter().map(|star| star.mass_g).sum::<Option<f64>>().map(thousandths),
+            pieces: SealedPiece::stars(programs),
             stars,
             prediction: None,
             only: Vec::new(),
@@ -232,18 +238,7 @@ impl ManifestFile {
 
     /// The entry of a file that belongs to no sheet, star or plate.
     pub fn plain(path: &str, kind: Kind, bytes: &[u8]) -> Self {
-        Self {
-            path: path.to_owned(),
-            kind,
-            bytes: bytes.len(),
-            sha256: sha256(bytes),
-            sheet: None,
-            star: None,
-            plate: None,
-            piece: None,
-            paper: None,
-            mirrored: false,
-        }
+        Self::of(&Artifact { output: Output::of(kind), name: path.to_owned(), bytes: bytes.to_vec() })
     }
 
     /// The same for who knows the hash of its content already.

@@ -4,7 +4,10 @@
 //! written in. A quantity is written as a decimal number, optional blanks, and a unit: `50 mm`,
 //! `0.3mm`, `1.5e-1 mm`. The first unit in a table is the one it is printed in.
 
+use inflatable::readable::decimals;
 use std::fmt;
+
+pub use inflatable::readable::Readable;
 
 /// Why a text is not a quantity of the wanted kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -197,22 +200,6 @@ impl Percent {
     }
 }
 
-/// Prints a number for people: at most six significant digits, no trailing zeros, no exponent.
-pub struct Readable(pub f64);
-
-impl fmt::Display for Readable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let x = self.0;
-        if x == 0.0 || !x.is_finite() {
-            return write!(f, "{}", if x == 0.0 { 0.0 } else { x });
-        }
-        let decimals = decimals(x);
-        let text = format!("{x:.decimals$}");
-        let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-        f.write_str(if text == "-0" { "0" } else { text })
-    }
-}
-
 /// Prints a limit below which something is too small: as [`Readable`], but rounded up, so that what is printed will do.
 pub struct Least(pub f64);
 
@@ -241,13 +228,6 @@ fn directed(x: f64, round: fn(f64) -> f64) -> f64 {
     let rounded = if (scaled - nearest).abs() <= 1e-14 * scaled.abs() { nearest } else { round(scaled) };
     let rounded = rounded / scale;
     if rounded.is_finite() { rounded } else { x }
-}
-
-/// Decimals that give a number other than 0 six significant digits, if it has fractions so far up.
-fn decimals(x: f64) -> usize {
-    #[expect(clippy::cast_possible_truncation, reason = "the exponent of an f64 is below 400")]
-    let exponent = x.abs().log10().floor() as i32;
-    usize::try_from(5 - exponent).unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Golden files: every output of every shipped design, in debug and in release.
+//! Golden files: every output of every shipped design; and the release program writes the same bytes.
 //!
 //! Three designs that have every feature between them are kept whole: `snapshots/<design>/` is what a build writes.
 //! Of the others there is a digest, `snapshots/<design>.digest.snap`: a line a file, with its hash, and with what the
@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use stargrip_cam::artifact::{Asked, Kind};
 use stargrip_cam::geom::{Bounds, Path as Curve};
@@ -61,12 +62,16 @@ fn designs() -> Vec<(String, String)> {
 }
 
 fn build(text: &str) -> (Built, Machine) {
+    build_with(text, &[])
+}
+
+fn build_with(text: &str, with: &[Kind]) -> (Built, Machine) {
     let reading = spec::read(&Source::new("design", text)).expect("a valid design");
     let machine_text = spec::builtin_machine(&reading.spec.machine.profile).expect("a built-in profile");
     let machine = spec::read_machine(&Source::new("machine", machine_text)).expect("a valid profile");
     let sources = Sources { spec: text, machine: machine_text };
-    let build = pipeline::build(&reading.spec, &machine, sources, &Asked::default())
-        .expect("a design that can be made");
+    let asked = Asked { with: with.to_vec(), ..Asked::default() };
+    let build = pipeline::build(&reading.spec, &machine, sources, &asked).expect("a design that can be made");
     let proof = build.proof();
     assert_eq!(proof.findings, []);
     (build, machine)
@@ -220,6 +225,30 @@ fn the_whole_designs_have_every_feature() {
         designs.flat_map(|(_, text)| files(&build(&text).0)).map(|(name, _)| name).collect();
     for feature in FEATURES {
         assert!(names.iter().any(|name| name.ends_with(feature)), "no {feature} in {names:?}");
+    }
+}
+
+/// What the program of the release profile writes; `make check` builds it first.
+#[test]
+#[ignore = "needs a release build: make check"]
+fn the_release_program_writes_these_bytes() {
+    let program = Path::new(ROOT).join("target/release/stargrip-cam");
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, text) in designs() {
+        let (spec, out) = (folder.path().join(format!("{name}.toml")), folder.path().join(&name));
+        fs::write(&spec, &text).expect("written");
+        let mut command = Command::new(&program);
+        let _ = command.arg("build").args([&spec, &PathBuf::from("-o"), &out]);
+        let built =
+            command.args(["-q", "--with", "preview-png"]).output().expect("target/release/stargrip-cam");
+        assert!(built.status.success(), "{name}: {}", String::from_utf8_lossy(&built.stderr));
+        let here = build_with(&text, &[Kind::PreviewPng]).0;
+        let files: Vec<(String, Vec<u8>)> =
+            here.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect();
+        assert_eq!(fs::read_dir(&out).expect("a directory").count(), files.len(), "{name}");
+        for (file, bytes) in files {
+            assert!(fs::read(out.join(&file)).expect(&file) == bytes, "{name}/{file} differs in release");
+        }
     }
 }
 

@@ -2,11 +2,11 @@
 
 use stargrip_cam::design::{Refusal, Star};
 use stargrip_cam::forecast::case::{Case, mechanism};
-use stargrip_cam::forecast::choice::tabled;
+use stargrip_cam::forecast::model_selection::tabled;
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::forecast::ranges::Interval;
-use stargrip_cam::forecast::ranges::against::{Against, against, case_of};
-use stargrip_cam::forecast::stars::computed::Computed;
+use stargrip_cam::forecast::ranges::validation::{Comparison, case_of, compare};
+use stargrip_cam::forecast::stars::computed::ComputedStar;
 use stargrip_cam::forecast::stars::draw::{PAPER_PRESSURES, Set};
 use stargrip_cam::forecast::stars::shipped::shipped;
 use stargrip_cam::mechanics::hinge::fit::Fit;
@@ -57,9 +57,9 @@ pub(crate) fn closed_form() -> String {
 }
 
 /// The paper's stars as shells, with what `section` says of them.
-pub(crate) fn stars() -> Vec<(Computed, Option<Against>)> {
+pub(crate) fn stars() -> Vec<(ComputedStar, Option<Comparison>)> {
     let own = shipped().into_iter().filter(|star| star.star.set == Set::Paper);
-    own.map(|star| (star.clone(), against(&star))).collect()
+    own.map(|star| (star.clone(), compare(&star))).collect()
 }
 
 /// Final radii at the pressures of the shells.
@@ -82,7 +82,7 @@ pub(crate) fn radii() -> String {
                 100.0 * (1.0 - radius.value / HOLE)
             );
             let _ = match own {
-                Some(Against { radius, .. }) => {
+                Some(Comparison { radius, .. }) => {
                     let [low, high] = radius.range.map(|end| 1e3 * end);
                     writeln!(out, " | {:.1} mm | {low:.1} to {high:.1} mm |", 1e3 * radius.predicted)
                 }

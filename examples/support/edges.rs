@@ -4,10 +4,10 @@ use std::fmt::Write;
 
 use stargrip_cam::design::Star;
 use stargrip_cam::forecast::case::Case;
-use stargrip_cam::forecast::choice::tabled;
+use stargrip_cam::forecast::model_selection::tabled;
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::forecast::ranges::shown::known;
-use stargrip_cam::forecast::ranges::{Standing, mm};
+use stargrip_cam::forecast::ranges::{Domain, mm};
 use stargrip_cam::spec::{Source, read};
 
 /// Keys and values in place of the paper's.
@@ -51,11 +51,11 @@ fn said(edits: Edits) -> Result<String, String> {
     let model = tabled(&case, pressure).map_err(|fault| fault.to_string())?;
     let (case, own) = Outcome::of(&case, &model).map_err(|fault| fault.to_string())?;
     let (width, arm) = (case.mechanism.width, case.mechanism.arm);
-    let standing = match own.ranges.standing {
-        Standing::Tried if own.ranges.stiffness.is_none() => "tried; its arms touch",
-        Standing::Tried => "tried",
-        Standing::Beyond => "near: wider",
-        Standing::Unknown => "none",
+    let standing = match own.ranges.domain {
+        Domain::Validated if own.ranges.stiffness.is_none() => "tried; its arms touch",
+        Domain::Validated => "tried",
+        Domain::Extrapolated => "near: wider",
+        Domain::Unknown => "none",
     };
     Ok(format!(
         "{:.0}, {:.4}, {:.4}, {:.2} | {standing} | {} | {}",

@@ -5,7 +5,7 @@ use stargrip_cam::pipeline::{Sources, build, prove_files, read_back};
 use stargrip_cam::spec;
 use stargrip_cam::spec::{FeedFloor, Source};
 use stargrip_cam::verify::gcode::{Dialect, read_program};
-use stargrip_cam::verify::{By, Proof};
+use stargrip_cam::verify::{Method, Proof};
 
 use super::builds::{Directory, directories, output_files};
 use super::edits::{Choices, counted, edited};
@@ -79,7 +79,7 @@ pub(super) fn accepted(files: &Directory, proof: &Proof) {
     let sources = Sources { spec: spec_text, machine: machine_text };
     let built = build(&spec, &machine, sources, &manifest.asked()).expect("a gripper");
     if manifest.tool != built.manifest.tool {
-        assert!(proof.files.iter().all(|file| file.by != By::Bytes), "{:?}", manifest.tool);
+        assert!(proof.files.iter().all(|file| file.by != Method::Bytes), "{:?}", manifest.tool);
         return;
     }
     for (name, right) in built.files() {

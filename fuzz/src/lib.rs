@@ -1,4 +1,4 @@
-//! What the fuzz targets do with the bytes they are given, without the fuzzer: `tests/fuzzed.rs` runs the same functions
+//! What the fuzz targets do with the bytes they are given, without the fuzzer: `tests/laws/fuzzed.rs` runs the same functions
 //! on the seeds in `corpus/`, so that neither a target nor a case that once failed can be forgotten.
 //!
 //! Each target asks more than that nothing panics. What is read holds no number that is none, what was accepted says the

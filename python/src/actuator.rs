@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stargrip_cam::cli::embedded::{ActuatorQuestion, Keywords, actuator_question};
 use stargrip_cam::forecast::actuator::actuate;
-use stargrip_cam::forecast::by_shell;
+use stargrip_cam::forecast::shell::actuator as by_shell;
 use stargrip_cam::shell::cases::{ShellFault, Watch};
 
 use crate::answer::ActuatorPrediction;

@@ -13,7 +13,6 @@ use stargrip_cam::forecast::actuator::ActuatorPrediction as Actuated;
 use stargrip_cam::forecast::keys::{ACTUATOR, Key, Kind, PREDICTION};
 use stargrip_cam::forecast::prediction as said;
 use stargrip_cam::forecast::report;
-use stargrip_cam::forecast::shell_prediction::ShellPrediction;
 use stargrip_cam::shell::cases::Shape;
 
 use crate::mesh::Mesh;
@@ -21,7 +20,6 @@ use crate::mesh::Mesh;
 /// An answer: the crate's own structure, or what a pickle has kept of one.
 pub(crate) enum Answer {
     Star(Arc<Given>, Box<said::Prediction>),
-    Shell(Arc<Given>, Box<ShellPrediction>),
     Actuator(Box<Actuated>),
     Restored { fields: Py<PyDict>, page: String, shown: String },
 }
@@ -31,7 +29,6 @@ impl Answer {
     fn dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let made = match self {
             Self::Star(_, star) => pythonize::pythonize(py, star)?,
-            Self::Shell(_, shell) => pythonize::pythonize(py, shell)?,
             Self::Actuator(actuated) => pythonize::pythonize(py, actuated)?,
             Self::Restored { fields, .. } => py.import("copy")?.call_method1("deepcopy", (fields,))?,
         };
@@ -42,7 +39,6 @@ impl Answer {
     fn page(&self) -> String {
         match self {
             Self::Star(given, star) => report::text(&given.reading.spec, star),
-            Self::Shell(given, shell) => shell.to_text(&given.reading.spec),
             Self::Actuator(actuated) => actuated.to_text(),
             Self::Restored { page, .. } => page.clone(),
         }
@@ -53,7 +49,6 @@ impl Answer {
         let star = |given: &Given, model| format!("<Prediction {:?} by {model}>", given.reading.spec.name);
         match self {
             Self::Star(given, answer) => star(given, answer.first.model),
-            Self::Shell(given, answer) => star(given, answer.first.model),
             Self::Actuator(answer) => format!("<ActuatorPrediction by {}>", answer.model),
             Self::Restored { shown, .. } => shown.clone(),
         }

@@ -230,7 +230,7 @@ impl Star {
     /// The iron's paths, inner and outer loop: the centre lines of the bands, without overlap.
     #[getter]
     fn seams(&self) -> (Contour, Contour) {
-        both(self.part().seams.each_ref().map(|seam| &seam.center_line))
+        both([0, 1].map(|i| &self.part().shape.seams[i].center_line))
     }
 
     /// Where the fabric is cut: around the star and around the hole.

@@ -65,7 +65,7 @@ mod _native {
     #[pymodule_export]
     use super::spec::Spec;
     #[pymodule_export]
-    use super::sweep::sweep;
+    use super::sweep::{sweep, sweep_columns};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyTuple, PyType};
 use stargrip_cam::cli::embedded::{self, Given, Keywords};
-use stargrip_cam::forecast::optimize::Evaluated;
+use stargrip_cam::forecast::optimize::Evaluation;
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::units::Length;
 
@@ -141,9 +141,9 @@ impl Optimum {
 }
 
 /// A column: its name and the value of one design.
-type Column = (&'static str, fn(&Evaluated) -> Option<f64>);
+type Column = (&'static str, fn(&Evaluation) -> Option<f64>);
 
-fn own(one: &Evaluated) -> Option<&Outcome> {
+fn own(one: &Evaluation) -> Option<&Outcome> {
     one.answer.outcome.as_ref()
 }
 
@@ -178,7 +178,7 @@ const COLUMNS: &[Column] = &[
     ("violation", |one| Some(one.violation)),
 ];
 
-fn columns(designs: &[Evaluated]) -> Columns {
+fn columns(designs: &[Evaluation]) -> Columns {
     let column = |(name, value): &Column| {
         let values = designs.iter().map(|one| value(one).unwrap_or(f64::NAN)).collect();
         ((*name).to_owned(), values)

@@ -6,10 +6,10 @@ use pyo3::prelude::*;
 use stargrip_cam::cli::embedded;
 use stargrip_cam::cli::embedded::{Given, StarQuestion};
 use stargrip_cam::design::{self, Refusals};
-use stargrip_cam::forecast::by_shell::Detail;
 use stargrip_cam::forecast::predict as ask;
 use stargrip_cam::forecast::predict::PredictFault;
-use stargrip_cam::forecast::star_by_shell::{self, Refusal};
+use stargrip_cam::forecast::shell::Detail;
+use stargrip_cam::forecast::shell::star::{self, Refusal};
 use stargrip_cam::shell::cases::{Shape, Watch};
 use stargrip_cam::spec::{ModelChoice, Spec as Read};
 use stargrip_cam::units::Length;
@@ -117,10 +117,10 @@ fn by_shell(
     let design = design::Design::new(&spec, &given.machine).map_err(Refused::Design)?;
     let tell = |part: f64, what: &str| line.tell(part, what);
     let watch = Watch { progress: Some(&tell), cancel: Arc::clone(&line.cancel) };
-    let found = star_by_shell::predict((&spec, &design), &asked.radii, asked.detail, &watch);
+    let found = star::predict((&spec, &design), &asked.radii, asked.detail, &watch);
     let (prediction, shape) = found.map_err(|refusal| match refusal {
         Refusal::Cancelled => Refused::Cancelled,
         Refusal::Fault(fault) => Refused::Fault(fault),
     })?;
-    Ok((Answer::Shell(Arc::clone(given), Box::new(prediction)), Some(shape)))
+    Ok((Answer::Star(Arc::clone(given), Box::new(prediction)), Some(shape)))
 }

@@ -8,7 +8,7 @@ use pyo3::types::{PyDict, PyList};
 use rayon::ThreadPoolBuilder;
 use stargrip_cam::forecast::study::{Batch, Study, Values};
 use stargrip_cam::spec::Source;
-use stargrip_cam::spec::study::{Block, Lane, StudyFile, Wanted, read_study};
+use stargrip_cam::spec::study::{Axis, Block, StudyFile, Wanted, read_study};
 
 use crate::arguments;
 use crate::arrays::{floats, integers};
@@ -43,16 +43,7 @@ pub(crate) fn sweep<'py>(
     #[pyo3(from_py_with = arguments::threads)] threads: Option<usize>,
     progress: Option<&Bound<'py, PyAny>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let file = match (vary, study) {
-        (Some(vary), None) => varied(vary)?,
-        (None, Some(text)) => {
-            read_study(&Source::new("study", text)).map_err(|faults| of_spec(py, &faults))?
-        }
-        _ => return Err(usage(py, "a sweep takes either `vary` or `study`")),
-    };
-    let wanted = outputs.map(|names| names.into_iter().map(|name| Wanted { name, place: 0..0 }).collect());
-    let file = StudyFile { outputs: wanted.or(file.outputs), ..file };
-    let study = Study::new(&file, &spec.given.source).map_err(|faults| of_spec(py, &faults))?;
+    let study = study_of(py, spec, vary, study, outputs)?;
     let (k, n) = part.unwrap_or((1, 1));
     let rows = study.part(k, n);
     let pool = threads.map(|threads| ThreadPoolBuilder::new().num_threads(threads).build()).transpose();
@@ -72,14 +63,52 @@ pub(crate) fn sweep<'py>(
     Ok(columns)
 }
 
+/// What a sweep with these arguments computes: (number of rows, fingerprint, columns), each column as (name, unit, meaning).
+#[pyfunction]
+#[pyo3(signature = (spec, vary = None, *, study = None, outputs = None))]
+pub(crate) fn sweep_columns(
+    py: Python<'_>,
+    spec: &Spec,
+    vary: Option<&Bound<'_, PyDict>>,
+    #[pyo3(from_py_with = arguments::study)] study: Option<String>,
+    #[pyo3(from_py_with = arguments::outputs)] outputs: Option<Vec<String>>,
+) -> PyResult<(usize, String, Vec<Described>)> {
+    let study = study_of(py, spec, vary, study, outputs)?;
+    let columns =
+        study.columns().iter().map(|column| (column.name.clone(), column.unit, column.about.clone()));
+    Ok((study.rows(), study.fingerprint(), columns.collect()))
+}
+
+/// A column's name, unit and meaning.
+type Described = (String, Option<&'static str>, String);
+
+fn study_of(
+    py: Python<'_>,
+    spec: &Spec,
+    vary: Option<&Bound<'_, PyDict>>,
+    study: Option<String>,
+    outputs: Option<Vec<String>>,
+) -> PyResult<Study> {
+    let file = match (vary, study) {
+        (Some(vary), None) => varied(vary)?,
+        (None, Some(text)) => {
+            read_study(&Source::new("study", text)).map_err(|faults| of_spec(py, &faults))?
+        }
+        _ => return Err(usage(py, "a sweep takes either `vary` or `study`")),
+    };
+    let wanted = outputs.map(|names| names.into_iter().map(|name| Wanted { name, place: 0..0 }).collect());
+    let file = StudyFile { outputs: wanted.or(file.outputs), ..file };
+    Study::new(&file, &spec.given.source).map_err(|faults| of_spec(py, &faults))
+}
+
 /// The study of every combination of the values of `vary`.
 fn varied(vary: &Bound<'_, PyDict>) -> PyResult<StudyFile> {
     let py = vary.py();
     let mut blocks = Vec::new();
     for (key, values) in vary {
         let list = arguments::values(&key.str()?.to_cow()?, &values)?;
-        let lane = Lane::parse(&format!("{key}={list}")).map_err(|text| usage(py, text))?;
-        let block = Block::new(vec![lane]);
+        let axis = Axis::parse(&format!("{key}={list}")).map_err(|text| usage(py, text))?;
+        let block = Block::new(vec![axis]);
         blocks.push(block.ok_or_else(|| usage(py, format!("`{key}` is given no values")))?);
     }
     let source = Source::new("vary", "");

@@ -42,7 +42,9 @@ def test_polygons_stay_within_their_tolerance(points: int, radius: float, tolera
         assert contour.closed and exact is not None
         lost = abs(area(contour.points(tolerance)) - exact)
         assert lost <= tolerance * contour.length_mm
-        assert abs(area(contour.points(tolerance / 100)) - exact) <= max(lost, 1e-9 * exact)
+        # Losses of convex and concave arcs may cancel, so only the bound falls with the tolerance.
+        fine = abs(area(contour.points(tolerance / 100)) - exact)
+        assert fine <= tolerance / 100 * contour.length_mm + 1e-9 * exact
 
 
 def test_exact_pieces_meet_and_measure_what_the_contour_says(gripper: sg.Spec) -> None:

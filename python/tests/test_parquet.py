@@ -11,6 +11,9 @@ from pathlib import Path
 
 import pytest
 
+import stargrip_cam as sg
+from stargrip_cam import _parquet
+
 pq = pytest.importorskip("pyarrow.parquet")
 
 COMMAND = Path(sys.executable).with_name("stargrip-cam")
@@ -34,13 +37,11 @@ def study(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("study")
     shutil.copy(root / "designs" / "paper-gripper.toml", folder / "spec.toml")
     (folder / "study.toml").write_text(STUDY)
-    for args in (
-        ["sweep", "study.toml", "-o", "whole.csv"],
-        ["sweep", "study.toml", "-o", "whole.parquet"],
-        ["sweep", "study.toml", "--format", "parquet", "--parts", "5", "-o", "parts"],
-        ["study", "join", "parts", "-o", "joined.parquet"],
-    ):
-        subprocess.run([COMMAND, *args], cwd=folder, check=True, timeout=120)
+    subprocess.run([COMMAND, "sweep", "study.toml", "-o", "whole.csv"], cwd=folder, check=True, timeout=120)
+    spec = sg.Spec.from_toml(folder / "spec.toml")
+    sg.sweep_to_parquet(folder / "whole.parquet", spec, study=STUDY)
+    for k in range(1, 6):
+        sg.sweep_to_parquet(folder / f"part-{k}.parquet", spec, study=STUDY, part=(k, 5))
     return folder
 
 
@@ -72,6 +73,25 @@ def test_a_column_says_its_unit_and_its_meaning(study: Path) -> None:
 
 def test_parts_are_one_table(study: Path) -> None:
     whole = pq.read_table(study / "whole.parquet")
-    assert pq.read_table(study / "joined.parquet").equals(whole)
-    parts = sorted((study / "parts").glob("*.parquet"))
+    parts = sorted(study.glob("part-*.parquet"))
     assert len(parts) == 5 and pq.read_table(parts).equals(whole)
+
+
+def test_pieces_are_one_table(study: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(_parquet, "PIECE", 50)
+    told: list[float] = []
+    path = study / "pieces.parquet"
+    sg.sweep_to_parquet(path, sg.Spec.from_toml(study / "spec.toml"), study=STUDY, progress=lambda part, what: told.append(part))
+    assert pq.read_table(path).equals(pq.read_table(study / "whole.parquet"))
+    assert told == sorted(told)
+
+
+def test_the_command_names_this_function(study: Path) -> None:
+    ran = subprocess.run([COMMAND, "sweep", "study.toml", "-o", "x.parquet"], cwd=study, capture_output=True, text=True, timeout=120)
+    assert ran.returncode == 1 and "stargrip_cam.sweep_to_parquet(" in ran.stderr
+
+
+def test_a_fault_leaves_no_file(study: Path) -> None:
+    with pytest.raises(sg.Error):
+        sg.sweep_to_parquet(study / "never.parquet", sg.Spec.from_toml(study / "spec.toml"), {"star.points": ["5 mm"]})
+    assert not list(study.glob("never*"))

@@ -3,6 +3,7 @@
 //! A **leak** is a way for air that the design leaves open; a **weakness** is a place that may fail. Both are read off the
 //! geometry and the order in which the iron travels it, not assumed from how they were made.
 
+mod leaks;
 mod topology;
 
 use std::fmt;
@@ -12,7 +13,8 @@ use crate::forecast::case::Case;
 use crate::forecast::seal_load::{SealLoad, seal_loads};
 use crate::spec::{Machine, Spec, key};
 
-pub use topology::{Passage, passage, pouch_leaks};
+pub use leaks::shape_leaks;
+pub use topology::{Passage, passage};
 
 /// What is to be said about the seals of a design.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,14 +2,11 @@
 
 use std::fmt;
 
-use crate::design::{Design, LaidSeam, Refusal, RefusalCode, Refusals, Seam, Side, StarDesign};
-use crate::geom::{
-    Bounds, Path, Segment, intersections, path_distance, path_intersections, segment_distance,
-};
+use crate::airtight::shape_leaks;
+use crate::design::{Design, Refusal, RefusalCode, Refusals, StarDesign};
+use crate::shape::Seam;
 use crate::spec::{KeyPath, Machine, Spec, key};
-
-/// Gaps below this are rounding, mm.
-const GAP: f64 = 1e-9;
+use inflatable::geom::{Bounds, Segment, path_distance, segment_distance};
 
 /// What was found about the seams of one star. Lengths in mm, times in s.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +31,7 @@ pub struct Passage {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
     /// "inner" or "outer".
-    pub name: &'static str,
+    pub name: String,
     /// Whether it returns to its start.
     pub closed: bool,
     /// Path sealed twice at the closure.
@@ -60,12 +57,13 @@ impl Found {
 
 /// What the seams of `part` leave open.
 pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
-    let [inner, outer] = &part.seams;
-    let band = part.band;
-    let mut found = Found::default();
-    let loops = [inner, outer].map(|seam| closure(spec, machine, seam, part.channel.is_some(), &mut found));
-    crossings(part, &mut found);
-    let channel = path_distance(&inner.center_line, &outer.center_line) - band;
+    let (shape, band) = (&part.shape, part.shape.band);
+    let mut found = Found { leaks: shape_leaks(shape).into_iter().collect(), weaknesses: Vec::new() };
+    let loops = shape.seams.iter().map(|seam| closure(spec, machine, seam, &mut found)).collect();
+    let pairs =
+        || shape.seams.iter().enumerate().flat_map(|(i, a)| shape.seams[i + 1..].iter().map(move |b| (a, b)));
+    let apart = |(a, b): (&Seam, &Seam)| path_distance(&a.center_line, &b.center_line);
+    let channel = pairs().map(apart).fold(f64::INFINITY, f64::min) - band;
     if channel <= 0.0 {
         let what = format!("the bands meet: {channel:.3} mm are left between them");
         found.leak(
@@ -79,96 +77,20 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
             .weaknesses
             .push(format!("the tube is {channel:.3} mm wide at its narrowest, of {} mm", part.star.w));
     }
-    let inlet = mouth(part, &mut found);
-    let nearest = |path: &Path, other: &Path| match (path.start(), other.start()) {
-        (Some(a), Some(b)) => a.distance(b),
-        _ => 0.0,
-    };
-    let starts_apart = nearest(&inner.center_line, &outer.center_line);
+    let inlet = part.channel.map(|_| shape.port_width(0).unwrap_or(0.0));
+    let starts = |(a, b): (&Seam, &Seam)| Some(a.center_line.start()?.distance(b.center_line.start()?));
+    let starts_apart = pairs().filter_map(starts).fold(f64::INFINITY, f64::min);
     if starts_apart < 2.0 * band + spec.seal.overlap.0 {
         found.weaknesses.push(format!("the two loops start only {starts_apart:.1} mm from each other"));
     }
     let (tip, corner) = (part.realised_tip(), part.realised_corner());
     let eaten = [(part.star.r_i, tip.radius), (part.star.r_e, corner.radius)];
     let Found { leaks, weaknesses } = found;
-    Passage { loops: loops.into(), starts_apart, channel, inlet, eaten, leaks, weaknesses }
+    Passage { loops, starts_apart, channel, inlet, eaten, leaks, weaknesses }
 }
 
-/// Where a seam meets the other, or itself.
-fn crossings(part: &StarDesign, found: &mut Found) {
-    let [inner, outer] = &part.seams;
-    let both = path_intersections(&inner.center_line, &outer.center_line).len();
-    if both > 0 {
-        let what = format!("the two seams cross or touch in {both} places");
-        let remedy = "make tube_width larger, or the band narrower";
-        found.leak(key::star::TUBE_WIDTH, RefusalCode::SeamsCross, what, remedy);
-    }
-    for seam in [inner, outer] {
-        let own = self_crossings(&seam.center_line);
-        if own > 0 {
-            let what = format!("the {} seam crosses itself in {own} places", seam.side.loop_name());
-            let remedy = "make band narrower, or the arms longer";
-            found.leak(key::seal::BAND, RefusalCode::SeamCrossesItself, what, remedy);
-        }
-    }
-}
-
-/// Width of the inlet's mouth between its bands, mm, if there is an inlet.
-fn mouth(part: &StarDesign, found: &mut Found) -> Option<f64> {
-    let [_, outer] = &part.seams;
-    let needed = 2.0 * part.channel?.half_width;
-    let ends = outer.center_line.start().zip(outer.center_line.end());
-    let width = ends.map_or(0.0, |(a, b)| a.distance(b)) - part.band;
-    if width < needed - 1e-6 {
-        let what = format!("the inlet's mouth is {width:.3} mm wide, too narrow for the hose");
-        let remedy = format!("it needs {needed:.3} mm: make tube_diameter smaller");
-        found.leak(key::inlet::TUBE_DIAMETER, RefusalCode::NarrowMouth, what, &remedy);
-    }
-    Some(width)
-}
-
-/// The ways for air out of a pouch but its mouth, which a hose needs `mouth` mm wide between bands of `band` mm.
-pub fn pouch_leaks(seam: &LaidSeam, band: f64, mouth: f64) -> Vec<Refusal> {
-    let (name, path, mut found) = (&seam.name, &seam.run, Found::default());
-    if path.largest_gap() > GAP {
-        let what = format!("a gap of {:.6} mm in the {name}", path.largest_gap());
-        found.leak(key::seal::BAND, RefusalCode::SeamGap, what, "a seam has no gap: try another band");
-    }
-    let own = self_crossings(path);
-    if own > 0 {
-        let what = format!("the {name} crosses itself in {own} places");
-        found.leak(
-            key::seal::BAND,
-            RefusalCode::SeamCrossesItself,
-            what,
-            "make band narrower, or the arms longer",
-        );
-    }
-    let width = path.start().zip(path.end()).map_or(0.0, |(a, b)| a.distance(b)) - band;
-    if width < mouth - 1e-6 {
-        let what = format!("the mouth in the {name} is {width:.3} mm wide, too narrow for the hose");
-        let remedy = format!("it needs {mouth:.3} mm: make tube_diameter smaller");
-        found.leak(key::inlet::TUBE_DIAMETER, RefusalCode::NarrowMouth, what, &remedy);
-    }
-    found.leaks.into_iter().collect()
-}
-
-fn closure(spec: &Spec, machine: &Machine, seam: &Seam, has_inlet: bool, found: &mut Found) -> Loop {
-    let path = &seam.center_line;
-    let (name, may_open) = (seam.side.loop_name(), seam.side == Side::Outside && has_inlet);
-    if path.largest_gap() > GAP {
-        let what = format!("a gap of {:.6} mm in the {name} seam", path.largest_gap());
-        found.leak(key::seal::BAND, RefusalCode::SeamGap, what, "a seam has no gap: try another band");
-    }
-    if path.closed == may_open {
-        let is = if path.closed { "closed, and the inlet with it" } else { "open without an inlet" };
-        found.leak(
-            key::inlet::NONE,
-            RefusalCode::WrongOpening,
-            format!("the {name} loop is {is}"),
-            "change [inlet]",
-        );
-    }
+fn closure(spec: &Spec, machine: &Machine, seam: &Seam, found: &mut Found) -> Loop {
+    let (path, name) = (&seam.center_line, seam.name.clone());
     let run = seam.run();
     let twice = run.length() - path.length();
     if path.closed {
@@ -201,26 +123,16 @@ fn closure(spec: &Spec, machine: &Machine, seam: &Seam, has_inlet: bool, found: 
     Loop { name, closed: path.closed, overlap: twice, to_hinge, between_passes }
 }
 
-/// How often a path meets itself, neighbours left out.
-fn self_crossings(path: &Path) -> usize {
-    let (segments, n) = (&path.segments, path.segments.len());
-    let pairs = (0..n).flat_map(|i| (i + 2..n).map(move |j| (i, j)));
-    pairs
-        .filter(|(i, j)| !(path.closed && *i == 0 && *j == n - 1))
-        .filter(|(i, j)| !intersections(&segments[*i], &segments[*j]).is_empty())
-        .count()
-}
-
 /// Least distance between the bands of two stars on one sheet; `None` where there is only one.
 pub(super) fn between_stars(design: &Design) -> Option<f64> {
     let lines = |index: usize| {
         let placed = &design.stars[index];
         let part = design.part(placed);
-        let paths = part.seams.iter().map(move |seam| placed.placement.path(&seam.center_line));
+        let paths = part.shape.seams.iter().map(move |seam| placed.placement.path(&seam.center_line));
         let segments = paths.flat_map(|path| path.segments).map(|segment| (segment, segment.bounds()));
         let segments: Vec<(Segment, Bounds)> = segments.collect();
         let around = segments.iter().map(|(_, bounds)| *bounds).fold(Bounds::EMPTY, Bounds::union);
-        (placed.sheet, part.band, around, segments)
+        (placed.sheet, part.shape.band, around, segments)
     };
     let all: Vec<_> = (0..design.stars.len()).map(lines).collect();
     let mut least: Option<f64> = None;

@@ -4,15 +4,15 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::predict::Model;
 use crate::cli::quantity::{EXTRA, SIZE, evenly, number, quantity, range};
 use crate::cli::shell::{ShellArgs, Shown, refused};
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::forecast::actuator::{Actuator, actuate};
-use crate::forecast::by_shell;
-use crate::forecast::by_shell::Detail;
-use crate::mechanics::fault::StarFault;
-use crate::mechanics::hinge::Level;
-use crate::mechanics::strength::ElasticSheet;
+use crate::forecast::shell::Detail;
+use crate::forecast::shell::actuator;
 use crate::spec::Allowed;
 use crate::units::{Angle, Length, Pressure};
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::hinge::Level;
+use inflatable::mechanics::strength::ElasticSheet;
 
 /// Angles between arms.
 const BETWEEN: Allowed = Allowed::between(0.0, 180.0);
@@ -55,7 +55,7 @@ pub(super) struct Args {
     #[command(flatten)]
     shell: ShellArgs,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Evenly spaced angles, rad.
@@ -109,14 +109,18 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(level) = args.level() else { return run_shell(args, &actuator, angles) };
     args.shell.not_by_others()?;
     let prediction = actuate(&actuator, level, angles).map_err(refused_by_model)?;
-    if args.voice.json { say(&prediction.to_json()) } else { args.voice.remark(&prediction.to_text()) }
+    if args.verbosity.json {
+        say(&prediction.to_json())
+    } else {
+        args.verbosity.remark(&prediction.to_text())
+    }
 }
 
 /// The same by the shell.
 fn run_shell(args: &Args, actuator: &Actuator, angles: &[f64]) -> Result<(), Failure> {
     let question = format!("actuator {actuator:?} {angles:?}");
-    args.shell.show(&question, args.voice, |watch| {
-        let (prediction, shape) = by_shell::actuate(actuator, angles, args.shell.detail(), watch)
+    args.shell.show(&question, args.verbosity, |watch| {
+        let (prediction, shape) = actuator::actuate(actuator, angles, args.shell.detail(), watch)
             .map_err(|fault| refused(&fault))?;
         let vtu = args.shell.wants_vtu().then(|| shape.vtu()).transpose();
         let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;

@@ -4,18 +4,18 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
-use crate::cli::quantity::{number, quantity};
+use crate::cli::quantity::{number, quantity, quantity_or_number};
 use crate::coupon::DISC;
 use crate::forecast::case::sheet;
 use crate::forecast::stiffness::{BenchFault, DiscBench, VBench};
-use crate::mechanics::hinge::ring::Ring;
-use crate::mechanics::hinge::{Hinge, HingeModel};
-use crate::mechanics::strength::ElasticSheet;
 use crate::spec::{Allowed, Spec};
-use crate::units::{BendingStiffness, Length, LineForce, Pressure};
+use crate::units::{Angle, BendingStiffness, Length, LineForce, Pressure};
+use inflatable::mechanics::hinge::ring::Ring;
+use inflatable::mechanics::hinge::{Hinge, HingeModel};
+use inflatable::mechanics::strength::ElasticSheet;
 
 /// Pressures of a bench, kPa: as those of a spec.
 const PRESSURE: Allowed = Allowed::closed(1e-3, 1e6);
@@ -26,11 +26,11 @@ const OFF_WIDTH: f64 = 0.2e-3;
 /// Arguments about the bench.
 #[derive(clap::Args, Debug)]
 pub(super) struct Bench {
-    /// The V-actuator's angle between its arms, flat, deg.
-    #[arg(long, requires = "inflated_angle", allow_hyphen_values = true, value_parser = number(Allowed::between(0.0, 180.0)))]
+    /// The V-actuator's angle between its arms, flat, such as "58 deg".
+    #[arg(long, value_name = "ANGLE", requires = "inflated_angle", allow_hyphen_values = true, value_parser = quantity_or_number::<Angle>(Allowed::between(0.0, 180.0)))]
     flat_angle: Option<f64>,
-    /// The same, inflated and free, deg; not above the flat one.
-    #[arg(long, requires = "flat_angle", allow_hyphen_values = true, value_parser = number(Allowed::between(-180.0, 180.0)))]
+    /// The same, inflated and free; not above the flat one.
+    #[arg(long, value_name = "ANGLE", requires = "flat_angle", allow_hyphen_values = true, value_parser = quantity_or_number::<Angle>(Allowed::between(-180.0, 180.0)))]
     inflated_angle: Option<f64>,
     /// The V-actuator's pressure, such as "30 kPa": with it and --spec the fabric's bending_stiffness is found.
     #[arg(long, value_name = "PRESSURE", requires_all = ["inflated_angle", "spec"], allow_hyphen_values = true, value_parser = quantity::<Pressure>(PRESSURE))]

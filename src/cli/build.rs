@@ -8,15 +8,15 @@ use jiff::Zoned;
 use serde_json::Value;
 
 use crate::artifact::{Asked, Kind};
+use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
-use crate::cli::harmless::shown;
 use crate::cli::kinds::Kinds;
 use crate::cli::load::{Loaded, is_standard_input};
 use crate::cli::open::open;
 use crate::cli::publish::extras_of;
 use crate::cli::rebuilt::Snapshot;
-use crate::cli::voice::Voice;
-use crate::cli::{again, each, glance, new, publish, summary};
+use crate::cli::verbosity::Verbosity;
+use crate::cli::{batch, details, new, overview, publish, watch};
 use crate::pipeline::{Forecast, Precaution, Proven};
 use crate::spec::Source;
 
@@ -41,7 +41,7 @@ pub(super) struct Args {
     #[arg(long)]
     open: bool,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Builds, proves and publishes each spec.
@@ -53,30 +53,35 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         }
         watched(args, &targets);
     }
-    each::each(&args.specs, args.voice, |spec| one(args, &targets, spec))
+    batch::run(&args.specs, args.verbosity, |spec| one(args, &targets, spec))
 }
 
 /// Builds each spec, and again whenever it is saved: the whole answer once, and one line for each build that follows.
 fn watched(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
     let mut snapshots: BTreeMap<PathBuf, Snapshot> = BTreeMap::new();
     let mut is_first = true;
-    again::on_every_save(&args.specs, |saved| {
-        let _ = each::each(saved, args.voice, |spec| {
+    watch::on_every_save(&args.specs, |saved| {
+        let _ = batch::run(saved, args.verbosity, |spec| {
             let began = Instant::now();
             // Until a spec has been built once, there is nothing to compare with.
             let before = snapshots.get(spec).cloned();
-            let voice = Voice { quiet: args.voice.quiet || before.is_some(), ..args.voice };
-            let made = made(args, targets, spec, voice)?;
+            let verbosity = Verbosity { quiet: args.verbosity.quiet || before.is_some(), ..args.verbosity };
+            let made = made(args, targets, spec, verbosity).inspect_err(|_| {
+                // Faults of one save are told from those of the save before by their time.
+                if !is_first {
+                    tell(&format!("{} {} was not rebuilt:", time_of_day(), shown(spec)));
+                }
+            })?;
             let now = Snapshot::new(&made.source, &made.machine, &made.proven.built().forecast, &made.notes);
             match &before {
-                Some(before) => rebuilt(args.voice, spec, began, &now, before)?,
+                Some(before) => rebuilt(args.verbosity, spec, began, &now, before)?,
                 None => drop(answered(args, &made)?),
             }
             let _ = snapshots.insert(spec.to_owned(), now);
             Ok(None)
         })
         .map_err(Failure::report);
-        if is_first && !args.voice.quiet {
+        if is_first && !args.verbosity.quiet {
             tell("waiting for the next save; Ctrl-C ends it");
         }
         is_first = false;
@@ -85,19 +90,24 @@ fn watched(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
 
 /// Says what a build has changed: when, how long it took, which values, and what that does.
 fn rebuilt(
-    voice: Voice,
+    verbosity: Verbosity,
     spec: &Path,
     began: Instant,
     now: &Snapshot,
     before: &Snapshot,
 ) -> Result<(), Failure> {
-    let (time, spec) = (Zoned::now().strftime("%H:%M:%S").to_string(), shown(spec));
+    let (time, spec) = (time_of_day(), shown(spec));
     let seconds = began.elapsed().as_secs_f64();
-    voice.remark(&format!("{time} {spec} rebuilt in {seconds:.1} s: {}\n", now.changes(before)))?;
-    if !voice.quiet {
-        glance::warn_of(&now.new_notes(before));
+    verbosity.remark(&format!("{time} {spec} rebuilt in {seconds:.1} s: {}\n", now.changes(before)))?;
+    if !verbosity.quiet {
+        overview::warn_of(&now.new_notes(before));
     }
     Ok(())
+}
+
+/// "13:02:11"
+fn time_of_day() -> String {
+    Zoned::now().strftime("%H:%M:%S").to_string()
 }
 
 /// Where each spec's files go, where its path says so; two specs in one directory are one too many.
@@ -136,16 +146,21 @@ struct Made {
 
 /// Builds, proves and publishes one spec, and answers; what programs are told, if they are.
 fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<Option<Value>, Failure> {
-    answered(args, &made(args, targets, spec, args.voice)?)
+    answered(args, &made(args, targets, spec, args.verbosity)?)
 }
 
 /// Builds, proves and publishes one spec.
-fn made(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path, voice: Voice) -> Result<Made, Failure> {
-    let loaded = Loaded::spoken(spec, voice)?;
+fn made(
+    args: &Args,
+    targets: &BTreeMap<&Path, PathBuf>,
+    spec: &Path,
+    verbosity: Verbosity,
+) -> Result<Made, Failure> {
+    let loaded = Loaded::spoken(spec, verbosity)?;
     let forecast = loaded.forecast()?;
     let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
     let target = targets.get(spec).cloned().unwrap_or_else(named);
-    let asked = asked(args, &forecast, &target);
+    let asked = asked(args, &forecast, &target, verbosity);
     loaded.fit(&forecast, args.anyway)?;
     let notes = forecast.precautions(&shown(spec));
     let proven = loaded.proven(forecast, &asked)?;
@@ -158,40 +173,40 @@ fn made(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path, voice: Voi
 /// Answers for one build, and opens its page if that is wanted.
 fn answered(args: &Args, made: &Made) -> Result<Option<Value>, Failure> {
     let Made { proven, target, notes, .. } = made;
-    let (voice, forecast) = (args.voice, &proven.built().forecast);
+    let (verbosity, forecast) = (args.verbosity, &proven.built().forecast);
     if args.open {
-        match glance::to_look_at(proven) {
+        match overview::to_look_at(proven) {
             Some(page) => open(&target.join(page)),
             None => tell("note: neither a report nor a preview was built: nothing to open"),
         }
     }
-    if voice.json {
-        let mut said = glance::json(forecast, notes);
-        said["written"] = glance::written_json(proven, target);
+    if verbosity.json {
+        let mut said = overview::json(forecast, notes);
+        said["written"] = overview::written_json(proven, target);
         return Ok(Some(said));
     }
-    if voice.quiet {
-        glance::warn(forecast.doubt().as_slice());
+    if verbosity.quiet {
+        overview::warn(forecast.doubt().as_slice());
         return Ok(None);
     }
-    glance::show(&glance::head(forecast))?;
-    glance::warn(notes);
+    overview::show(&overview::head(forecast))?;
+    overview::warn(notes);
     // Without a program there is nothing to wait for.
     if proven.sealing_time().is_some() {
-        glance::show(&glance::work(forecast, &Zoned::now()))?;
+        overview::show(&overview::work(forecast, &Zoned::now()))?;
     }
-    glance::show(&glance::written(proven, target))?;
-    if voice.verbose {
-        voice.remark(&summary::built(proven))?;
+    overview::show(&overview::written(proven, target))?;
+    if verbosity.verbose {
+        verbosity.remark(&details::built(proven))?;
     } else {
-        glance::show(&[("details", "-v".to_owned())])?;
+        overview::show(&[("details", "-v".to_owned())])?;
     }
     Ok(None)
 }
 
 /// What is built: what the options and the spec name, and where neither `--with` nor `--only` says otherwise, what the build that is
 /// replaced had. Says what was kept, and what is left out.
-fn asked(args: &Args, forecast: &Forecast, target: &Path) -> Asked {
+fn asked(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity) -> Asked {
     let mut asked = args.kinds.asked().of_spec(&forecast.spec);
     let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !asked.takes(*kind)).collect();
     if before.is_empty() {
@@ -200,7 +215,7 @@ fn asked(args: &Args, forecast: &Forecast, target: &Path) -> Asked {
     let names = before.iter().map(|kind| kind.name()).collect::<Vec<_>>().join(",");
     if args.kinds.is_default() {
         asked.add(before);
-        if !args.voice.quiet {
+        if !verbosity.quiet {
             tell(&format!(
                 "note: {names} comes again, as {} had it; `--with` names other kinds",
                 shown(target)

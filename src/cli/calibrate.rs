@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use crate::cli::bench::{Bench, Coiling, Stiffnesses};
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{number, quantity};
 use crate::cli::text_file::read_table;
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::coupon::{Calibration, Row, calibrate, listing, read_rows, settings, steady};
 use crate::design::Design;
 use crate::forecast::case::Case;
@@ -40,7 +40,7 @@ pub(super) struct Args {
     #[command(flatten)]
     bench: Bench,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Says what the spec should say.
@@ -49,25 +49,25 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         Some(path) => settings(&read_rows(&Source::new(path.display().to_string(), read_table(path)?))?),
         None => Vec::new(),
     };
-    let spec = args.spec.as_deref().map(|path| Loaded::spoken(path, args.voice)).transpose()?;
+    let spec = args.spec.as_deref().map(|path| Loaded::spoken(path, args.verbosity)).transpose()?;
     let coiling = args.bench.coiling(spec.as_ref())?;
     let fabric =
         spec.as_ref().map_or_else(|| Ok(Stiffnesses::default()), |spec| args.bench.stiffnesses(spec))?;
-    args.voice.remark(&coiling.as_ref().map_or_else(String::new, Coiling::text))?;
-    let told = Told { args, spec, settings, coiling, fabric };
+    args.verbosity.remark(&coiling.as_ref().map_or_else(String::new, Coiling::text))?;
+    let told = BenchResult { args, spec, settings, coiling, fabric };
     let Some(results) = &args.results else {
-        return args.voice.report(&told.fabric.section(), &told.json(None, None));
+        return args.verbosity.report(&told.fabric.section(), &told.json(None, None));
     };
     // What the V-actuator tells does not hang on the strips.
     let chosen = told.choose(results);
     if chosen.is_err() {
-        args.voice.remark(&told.fabric.section())?;
+        args.verbosity.remark(&told.fabric.section())?;
     }
     chosen
 }
 
 /// What the bench and the strips told.
-struct Told<'a> {
+struct BenchResult<'a> {
     args: &'a Args,
     spec: Option<Loaded>,
     settings: Vec<Calibration>,
@@ -75,7 +75,7 @@ struct Told<'a> {
     fabric: Stiffnesses,
 }
 
-impl Told<'_> {
+impl BenchResult<'_> {
     /// Chooses a setting of the table at `results`, and says it with what the bench told.
     fn choose(&self, results: &Path) -> Result<(), Failure> {
         let Self { args, settings, .. } = self;
@@ -89,18 +89,18 @@ impl Told<'_> {
             let _ = steady(settings).map_err(refused)?;
             let why = "no setting is chosen: what must the seal hold? --needed FORCE, or --spec SPEC with a pressure in [load]"
                 .to_owned();
-            if args.voice.json {
+            if args.verbosity.json {
                 return Err(Failure::answered(self.json(None, None), &why));
             }
-            args.voice.remark(&listing(settings))?;
+            args.verbosity.remark(&listing(settings))?;
             return Err(Failure::Message(why));
         };
         let chosen = calibrate(settings, needed, args.margin).map_err(refused)?;
         // One [fabric] in all, so that the lines can be copied as they are.
         let fabric = format!("[fabric]\n{}", self.fabric.toml());
         let chosen_toml = chosen.toml().replacen("[fabric]\n", &fabric, 1);
-        let all = if args.voice.verbose { listing(settings) } else { String::new() };
-        args.voice.report(&format!("{all}{why}{chosen_toml}"), &self.json(Some(needed), Some(&chosen)))
+        let all = if args.verbosity.verbose { listing(settings) } else { String::new() };
+        args.verbosity.report(&format!("{all}{why}{chosen_toml}"), &self.json(Some(needed), Some(&chosen)))
     }
 
     /// The answer for programs.

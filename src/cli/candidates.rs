@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::cli::terminal::width;
 use crate::forecast::optimize::{
-    Confirmed, Constraints, Evaluated, Found, SEARCHED, is_at_pressure, shortfalls, thinned,
+    Confirmation, Constraints, Evaluation, SEARCHED, SearchResult, is_at_pressure, shortfalls, thinned,
 };
 use crate::forecast::outcome::{Hold, Outcome};
 use crate::forecast::ranges::{mm, shown};
@@ -21,19 +21,19 @@ pub(super) struct Best {
     /// Its spec.
     pub(super) spec: String,
     /// What the shell says of it, if it was asked.
-    pub(super) confirmed: Option<Confirmed>,
+    pub(super) confirmed: Option<Confirmation>,
 }
 
 /// All that was found.
 pub(super) struct Said<'a> {
-    pub(super) found: &'a Found,
+    pub(super) found: &'a SearchResult,
     pub(super) constraints: &'a Constraints,
 }
 
 impl Said<'_> {
     /// For people; every line begins with "# ", so that with a spec below it the whole is a spec.
     pub(super) fn text(&self) -> String {
-        let Found { best, front, computed } = self.found;
+        let SearchResult { best, front, computed } = self.found;
         let mut out = format!(
             "# {computed} designs computed; the best for each number of points, the best of all first. `short`: what one misses, and by \
              how much; one that misses nothing loses by the goal.\n"
@@ -61,7 +61,7 @@ impl Said<'_> {
 
     /// For programs.
     pub(super) fn json(&self, winner: Option<&Best>) -> Value {
-        let all = |list: &[Evaluated]| list.iter().map(|one| row(one, self.constraints)).collect::<Vec<_>>();
+        let all = |list: &[Evaluation]| list.iter().map(|one| row(one, self.constraints)).collect::<Vec<_>>();
         json!({
             "computed": self.found.computed,
             "best": all(&self.found.best),
@@ -73,8 +73,8 @@ impl Said<'_> {
 }
 
 /// A candidate for programs; null where nothing is known.
-fn row(candidate: &Evaluated, constraints: &Constraints) -> Value {
-    let Evaluated { point, answer, .. } = candidate;
+fn row(candidate: &Evaluation, constraints: &Constraints) -> Value {
+    let Evaluation { point, answer, .. } = candidate;
     let (star, own) = (&point.star, answer.outcome.as_ref());
     let known = own.filter(|own| own.known);
     let short: Vec<Value> = shortfalls(point, answer, constraints)
@@ -111,8 +111,8 @@ fn row(candidate: &Evaluated, constraints: &Constraints) -> Value {
 }
 
 /// Burst pressure over pressure.
-fn burst_margin(candidate: &Evaluated) -> Option<f64> {
-    let Evaluated { point, answer, .. } = candidate;
+fn burst_margin(candidate: &Evaluation) -> Option<f64> {
+    let Evaluation { point, answer, .. } = candidate;
     answer.burst.zip(point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0)
 }
 
@@ -151,7 +151,7 @@ fn shown_columns(width: Option<usize>) -> [bool; COLUMNS.len()] {
 }
 
 /// Candidates as a table.
-fn rows(candidates: &[Evaluated], constraints: &Constraints) -> String {
+fn rows(candidates: &[Evaluation], constraints: &Constraints) -> String {
     let columns = shown_columns(width(&stdout()));
     let line = |cells: [String; COLUMNS.len()]| {
         let mut line = String::from("#");
@@ -169,8 +169,8 @@ fn rows(candidates: &[Evaluated], constraints: &Constraints) -> String {
 }
 
 /// What stands in the columns.
-fn cells(candidate: &Evaluated, constraints: &Constraints) -> [String; COLUMNS.len()] {
-    let Evaluated { point, answer, .. } = candidate;
+fn cells(candidate: &Evaluation, constraints: &Constraints) -> [String; COLUMNS.len()] {
+    let Evaluation { point, answer, .. } = candidate;
     let (star, own) = (&point.star, answer.outcome.as_ref());
     let ranged = |value: Option<f64>, range| match (value, range) {
         (Some(value), Some(range)) => shown::with(value, range, ""),

@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use jiff::Zoned;
 use serde_json::Value;
 
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::harmless::shown;
 use crate::cli::kinds::Kinds;
 use crate::cli::load::Loaded;
-use crate::cli::voice::Voice;
-use crate::cli::{each, glance, summary};
+use crate::cli::verbosity::Verbosity;
+use crate::cli::{batch, details, overview};
 
 /// Arguments of `check`.
 #[derive(clap::Args, Debug)]
@@ -24,40 +24,40 @@ pub(super) struct Args {
     #[arg(long)]
     anyway: bool,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Makes and proves the files as `build` does, in memory, and says what came out.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    each::each(&args.specs, args.voice, |spec| one(args, spec))
+    batch::run(&args.specs, args.verbosity, |spec| one(args, spec))
 }
 
 fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
-    let voice = args.voice;
-    let loaded = Loaded::spoken(spec, voice)?;
+    let verbosity = args.verbosity;
+    let loaded = Loaded::spoken(spec, verbosity)?;
     let forecast = loaded.forecast()?;
     loaded.fit(&forecast, args.anyway)?;
     let list = forecast.precautions(&shown(spec));
     let asked = args.kinds.asked().of_spec(&forecast.spec);
     let proven = loaded.proven(forecast, &asked)?;
     let forecast = &proven.built().forecast;
-    if voice.json {
-        let mut said = glance::json(forecast, &list);
-        said["proven"] = glance::proven_json(&proven);
+    if verbosity.json {
+        let mut said = overview::json(forecast, &list);
+        said["proven"] = overview::proven_json(&proven);
         return Ok(Some(said));
     }
-    if voice.quiet {
-        glance::warn(forecast.doubt().as_slice());
+    if verbosity.quiet {
+        overview::warn(forecast.doubt().as_slice());
         return Ok(None);
     }
-    glance::show(&glance::head(forecast))?;
-    glance::warn(&list);
-    glance::show(&glance::work(forecast, &Zoned::now()))?;
-    glance::show(&glance::proven(&proven))?;
-    if voice.verbose {
-        voice.remark(&summary::checked(forecast))?;
+    overview::show(&overview::head(forecast))?;
+    overview::warn(&list);
+    overview::show(&overview::work(forecast, &Zoned::now()))?;
+    overview::show(&overview::proven(&proven))?;
+    if verbosity.verbose {
+        verbosity.remark(&details::checked(forecast))?;
     } else {
-        glance::show(&[("details", "-v".to_owned())])?;
+        overview::show(&[("details", "-v".to_owned())])?;
     }
     Ok(None)
 }

@@ -4,7 +4,7 @@ use clap::Command;
 use clap_complete::{Shell, generate};
 
 use crate::cli::failure::{Failure, say};
-use crate::cli::voice::Quiet;
+use crate::cli::verbosity::Quiet;
 
 /// Arguments of `completions`.
 #[derive(clap::Args, Debug)]

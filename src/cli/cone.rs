@@ -8,16 +8,16 @@ use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, number, quantity};
 use crate::cli::text_file::read_table;
-use crate::cli::voice::{Voice, pretty};
+use crate::cli::verbosity::{Verbosity, pretty};
 use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, Reduced, csv, read_test, reduce};
 use crate::design::Star;
 use crate::forecast::case::Case;
-use crate::forecast::choice::of_spec;
+use crate::forecast::model_selection::of_spec;
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::errors;
-use crate::mechanics::fault::StarFault;
 use crate::spec::{Allowed, Source};
 use crate::units::{Angle, Length};
+use inflatable::mechanics::fault::StarFault;
 
 /// Arguments of `cone`.
 #[derive(clap::Args, Debug)]
@@ -40,7 +40,7 @@ pub(super) struct Args {
     #[arg(long)]
     spec: Option<PathBuf>,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
@@ -69,7 +69,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             .ok_or_else(|| message("give --contact-radius, or a --spec that predicts it".to_owned()))?;
         return reduced(first, None);
     };
-    let spec = Loaded::spoken(path, args.voice)?.reading.spec;
+    let spec = Loaded::spoken(path, args.verbosity)?.reading.spec;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let pressure = pressure.ok_or_else(|| message("the spec's [load] has no pressure".to_owned()))?;
     let star = spec.stars.first().ok_or_else(|| message("the spec has no star".to_owned()))?;
@@ -94,14 +94,14 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 /// Prints the points; how they were reduced is told to who asks.
 fn show(args: &Args, ratio: f64, first: f64, points: &[Reduced]) -> Result<(), Failure> {
     let first = Length::from_metres(first);
-    if args.voice.json {
+    if args.verbosity.json {
         return say(&pretty(&json!({
             "force_per_load": ratio,
             "contact_radius_mm": first.0,
             "points": points.iter().map(point).collect::<Vec<_>>(),
         })));
     }
-    if args.voice.verbose {
+    if args.verbosity.verbose {
         tell(&format!("radial force over load {ratio:.4}; radius at first contact {:.3} mm", first.0));
     }
     say(&csv(points))

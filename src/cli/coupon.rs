@@ -6,13 +6,13 @@ use std::path::PathBuf;
 use serde_json::json;
 
 use crate::artifact::Kind;
+use crate::cli::details::hours;
+use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
-use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::publish::publish_files;
 use crate::cli::quantity::quantity;
-use crate::cli::summary::hours;
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::coupon::{Grid, Group};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use crate::spec::Allowed;
@@ -42,12 +42,12 @@ pub(super) struct Args {
     #[arg(long, default_value_t = 3, value_parser = clap::value_parser!(u8).range(1..=20))]
     repeats: u8,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Writes the coupons.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::spoken(&args.spec, args.voice)?;
+    let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     let (grid, groups) = (grid(args, &loaded)?, groups(args));
     if args.output.symlink_metadata().is_ok() {
@@ -88,7 +88,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "heights_mm": grid.heights.iter().map(|height| height.0).collect::<Vec<_>>(),
         "repeats": grid.repeats,
     });
-    args.voice.report(&text(args, &proven, &programs, &drawings), &json)
+    args.verbosity.report(&text(args, &proven, &programs, &drawings), &json)
 }
 
 /// The kinds of coupons that are wanted: all, if none was named.
@@ -138,19 +138,20 @@ fn text(args: &Args, proven: &ProvenCoupons, programs: &[&String], drawings: &[&
     for (name, coupon) in programs.iter().zip(&proven.made().coupons) {
         let _ = writeln!(out, "  {name:32} {}", hours(coupon.program.time));
     }
-    if args.voice.verbose {
+    if args.verbosity.verbose {
         for (name, _) in proven.files() {
             let _ = writeln!(out, "  {}", place(name));
         }
     }
-    let settings = proven.made().coupons.iter().filter(|coupon| coupon.mouth.is_none()).count();
+    let settings = proven.made().coupons.iter().filter(|coupon| coupon.is_strips()).count();
     if settings > 0 {
         let (look, results) = (place(OVERVIEW), place(TABLE));
         let _ = writeln!(out, "look at {look}: every strip with its setting and its cut");
         let _ = writeln!(
             out,
             "seal the strips of {settings} programs, cut each 25 mm wide with legs of 75 mm, pull them apart (T-peel), fill in \
-             peel_N in {results}, then: stargrip-cam calibrate {results}"
+             peel_N in {results}, then: stargrip-cam calibrate {results} --spec {}",
+            shown(&args.spec)
         );
     }
     out

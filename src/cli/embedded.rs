@@ -13,13 +13,13 @@ use crate::cli::load::{Loaded, machine_source, read_source, refused};
 use crate::cli::{actuator, cache, optimize, predict, verify};
 use crate::design::Refusals;
 use crate::forecast::actuator::Actuator;
-use crate::forecast::by_shell::Detail;
-use crate::forecast::optimize::{Evaluated, Found, shortfalls};
-use crate::mechanics::hinge::Level;
-use crate::pipeline::Claim;
+use crate::forecast::optimize::{Evaluation, SearchResult, shortfalls};
+use crate::forecast::shell::Detail;
+use crate::pipeline::PublishedBuild;
 use crate::spec;
 use crate::spec::{Faults, Machine, ModelChoice, Reading, Source};
 use crate::verify::{OutputFiles, Proof};
+use inflatable::mechanics::hinge::Level;
 
 pub use crate::cli::failure::Failure;
 
@@ -72,8 +72,8 @@ impl Given {
 /// If it cannot be read, or nobody published there.
 pub fn prove(dir: &Path) -> Result<Proof, Failure> {
     verify::holds_a_build(dir)?;
-    let (claim, files): (Claim, OutputFiles<'_>) = verify::read_directory(dir)?;
-    Ok(claim.prove(&files))
+    let (published, files): (PublishedBuild, OutputFiles<'_>) = verify::read_directory(dir)?;
+    Ok(published.prove(&files))
 }
 
 /// A proof as `verify --json` prints it.
@@ -85,7 +85,7 @@ pub fn proof_json(proof: &Proof) -> String {
 #[derive(Clone, Debug)]
 pub struct Optimum {
     /// All that was found.
-    pub found: Found,
+    pub found: SearchResult,
     /// The spec's text with the best design that can be built; `None` if there is none.
     pub best: Option<String>,
     /// Of each of `found.best` the constraints that it misses, and by which part.
@@ -109,7 +109,7 @@ pub fn optimum(given: &Given, options: &[String], cancel: &AtomicBool) -> Result
     }
     let best = optimize::best(&args, &loaded, &found, &constraints)?;
     let short =
-        found.best.iter().map(|Evaluated { point, answer, .. }| shortfalls(point, answer, &constraints));
+        found.best.iter().map(|Evaluation { point, answer, .. }| shortfalls(point, answer, &constraints));
     Ok(Optimum { short: short.collect(), best: best.map(|best| best.spec), found })
 }
 

@@ -4,10 +4,10 @@ use std::io::stdout;
 
 use serde_json::{Value, json};
 
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::harmless::shown;
 use crate::cli::terminal::{width, wrapped};
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::spec;
 
 /// Where every code stands with its meaning.
@@ -19,7 +19,7 @@ pub(super) struct Args {
     /// The code, as it stands in a message: no-arm. Without it, all codes are listed.
     code: Option<String>,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// One code of the page.
@@ -28,11 +28,13 @@ struct Row {
     about: &'static str,
     code: &'static str,
     meaning: &'static str,
+    /// A message with this code.
+    example: &'static str,
 }
 
 impl Row {
     fn json(&self) -> Value {
-        json!({ "code": self.code, "about": self.about, "meaning": self.meaning })
+        json!({ "code": self.code, "about": self.about, "meaning": self.meaning, "example": self.example })
     }
 }
 
@@ -43,13 +45,15 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let line = |row: &Row| wrapped(&format!("{:24} {}", row.code, row.meaning), 25, width(&stdout()));
         let lines: Vec<String> = rows.iter().map(line).collect();
         let all = json!({ "codes": rows.iter().map(Row::json).collect::<Vec<_>>() });
-        return args.voice.report(&(lines.join("\n") + "\n"), &all);
+        return args.verbosity.report(&(lines.join("\n") + "\n"), &all);
     };
     // Who copies it from a message may copy its brackets.
     let word = code.trim_start_matches("error").trim_start_matches("warning").trim_matches(['[', ']', ':']);
     if let Some(row) = rows.iter().find(|row| row.code == word) {
-        let Row { about, code, meaning } = row;
-        return args.voice.report(&format!("{code} ({about})\n{meaning}\n"), &row.json());
+        let Row { about, code, meaning, example } = row;
+        let example = example.replace("&lt;", "<").replace("\\|", "|");
+        let example = if example.is_empty() { example } else { format!("Example: {example}\n") };
+        return args.verbosity.report(&format!("{code} ({about})\n{meaning}\n{example}"), &row.json());
     }
     let codes = || rows.iter().map(|row| row.code);
     let near = spec::nearest(&word.replace('-', "_"), codes());
@@ -70,8 +74,9 @@ fn rows() -> Vec<Row> {
         let row = line
             .strip_prefix("| `")
             .and_then(|line| line.strip_suffix(" |"))
-            .and_then(|line| line.split_once("` | "));
-        rows.extend(row.map(|(code, meaning)| Row { about, code, meaning }));
+            .and_then(|line| line.split_once("` | "))
+            .and_then(|(code, line)| Some((code, line.split_once(" | ")?)));
+        rows.extend(row.map(|(code, (meaning, example))| Row { about, code, meaning, example }));
     }
     rows
 }

@@ -6,11 +6,12 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::cli::harmless::{harmless, shown};
+use crate::cli::escape::{escaped, shown};
 use crate::cli::terminal::{fitted, has_colours, width};
 use crate::cli::unproven::Unproven;
 use crate::cli::{PublishFault, interrupt};
-use crate::spec::{Fault, Faults, Severity};
+use crate::pipeline::CommandCode;
+use crate::spec::{Code, Fault, Faults, Severity};
 use crate::verify::Finding;
 
 /// Why a command did not do what it was asked for, or only a part of it.
@@ -22,6 +23,8 @@ pub enum Failure {
     Unproven(Unproven),
     /// Nothing could be published.
     Publish(PublishFault),
+    /// No gripper does what is asked: why, and what comes nearest.
+    Infeasible(String),
     /// Anything else, in one sentence.
     Message(String),
     /// Arguments that do not go together.
@@ -58,12 +61,13 @@ impl Failure {
 
     /// What is refused, one object each; `None` if this is not a refusal, or has been printed already.
     pub(super) fn refused(&self) -> Option<Vec<Value>> {
-        let bare = |found: &str| vec![refusal(None, found)];
+        let bare = |code: CommandCode, found: &str| vec![refusal(code.as_str(), found)];
         match self {
             Self::Faults(faults) => Some(refused_by(faults)),
             Self::Unproven(unproven) => Some(unproven.findings.iter().map(found_wrong).collect()),
-            Self::Publish(error) => Some(bare(&error.to_string())),
-            Self::Message(text) => Some(bare(text)),
+            Self::Publish(error) => Some(bare(CommandCode::NotPublished, &error.to_string())),
+            Self::Infeasible(text) => Some(bare(CommandCode::Infeasible, text)),
+            Self::Message(text) => Some(bare(CommandCode::Failed, text)),
             Self::Usage(_)
             | Self::Interrupted
             | Self::Stopped(_)
@@ -75,7 +79,7 @@ impl Failure {
 
     /// A refusal for `text` beside an answer for programs, which is printed with it as one object.
     pub(super) fn answered(mut answer: Value, text: &str) -> Self {
-        answer["refused"] = json!([refusal(None, text)]);
+        answer["refused"] = json!([refusal(CommandCode::Failed.as_str(), text)]);
         say(&format!("{answer:#}\n")).err().unwrap_or(Self::Said)
     }
 
@@ -91,7 +95,7 @@ impl Failure {
                 return 1;
             }
             Self::Publish(error) => format!("error: {error}"),
-            Self::Message(text) => format!("error: {text}"),
+            Self::Infeasible(text) | Self::Message(text) => format!("error: {text}"),
             Self::Usage(text) => {
                 tell(&fitted(&format!("error: {text}"), width(&io::stderr())));
                 return 2;
@@ -125,8 +129,8 @@ impl From<PublishFault> for Failure {
     }
 }
 
-/// One refusal: a code where there is one, and what was found. Keys that mean nothing here are null.
-fn refusal(code: Option<&str>, found: &str) -> Value {
+/// One refusal: its code, and what was found. Keys that mean nothing here are null.
+fn refusal(code: &str, found: &str) -> Value {
     let none = Value::Null;
     json!({ "code": code, "key": none, "found": found, "allowed": none, "remedy": none, "file": none, "line": none })
 }
@@ -135,7 +139,7 @@ fn refusal(code: Option<&str>, found: &str) -> Value {
 fn refused_by(faults: &Faults) -> Vec<Value> {
     let errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
     let one = |fault: &Fault| {
-        let mut value = refusal(Some(fault.code), &fault.message);
+        let mut value = refusal(fault.code, &fault.message);
         value["key"] = json!(faults.key_of(fault));
         value["allowed"] = json!(fault.label);
         value["remedy"] = json!(fault.help);
@@ -147,7 +151,7 @@ fn refused_by(faults: &Faults) -> Vec<Value> {
 }
 
 fn found_wrong(finding: &Finding) -> Value {
-    let mut value = refusal(Some(finding.code), &finding.found);
+    let mut value = refusal(finding.code, &finding.found);
     value["allowed"] = json!(finding.allowed);
     value["file"] = json!(finding.file);
     value["line"] = json!(finding.line);
@@ -164,7 +168,7 @@ pub(super) fn warn(faults: &Faults) {
 /// Prints to standard output; a closed pipe ends the command quietly, as other filters do.
 pub(super) fn say(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    let written = out.write_all(harmless(text).as_bytes()).and_then(|()| out.flush());
+    let written = out.write_all(escaped(text).as_bytes()).and_then(|()| out.flush());
     written.map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::Pipe,
         _ => Failure::Message(format!("cannot write to standard output: {error}")),
@@ -173,7 +177,7 @@ pub(super) fn say(text: &str) -> Result<(), Failure> {
 
 /// Prints to standard error, if there is anything to say.
 pub(super) fn tell(text: &str) {
-    print(&harmless(text));
+    print(&escaped(text));
 }
 
 /// Prints to standard error under a heading that stands out where there are colours.
@@ -183,7 +187,7 @@ pub(super) fn tell_under(heading: &str, text: &str) {
     } else {
         heading.to_owned()
     };
-    print(&format!("{heading}\n{}", harmless(text)));
+    print(&format!("{heading}\n{}", escaped(text)));
 }
 
 /// Prints faults to standard error, with colour where somebody sees it. What they quote is harmless already.

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use serde_json::json;
 
 use crate::artifact::program_ending;
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::harmless::shown;
 use crate::cli::load::Loaded;
 use crate::cli::text_file::{replace, write_new};
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::manifest::FEED_CHECK_MANIFEST;
 use crate::pipeline;
 use crate::pipeline::FeedCheckFault;
@@ -28,12 +28,12 @@ pub(super) struct Args {
     #[arg(long)]
     force: bool,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Writes the program that shows at which speed the machine really goes.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::spoken(&args.spec, args.voice)?;
+    let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
     let default = || PathBuf::from("feedcheck").with_extension(program_ending(machine.controller.dialect));
     let output = args.output.clone().unwrap_or_else(default);
@@ -81,7 +81,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "ways": if machine.controller.arcs { 5 } else { 3 },
         "pause": machine.script.pause,
     });
-    args.voice.report(&text, &json)
+    args.verbosity.report(&text, &json)
 }
 
 /// The manifest beside the feed check `program`, by which `verify` proves it.

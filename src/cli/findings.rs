@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::cli::harmless::shown;
+use crate::cli::escape::shown;
 use crate::verify::Finding;
 
 /// Findings of one kind in one file that are shown: the first says what is wrong, a few more whether it is everywhere.

@@ -5,11 +5,11 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use crate::artifact::Asked;
+use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell, warn};
-use crate::cli::harmless::shown;
 use crate::cli::progress;
 use crate::cli::unproven::Unproven;
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::design::{Refusal, Refusals, Warning};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Proven, Sources};
@@ -29,27 +29,27 @@ pub(super) struct Loaded {
     pub(super) source: Source,
     pub(super) machine: Machine,
     machine_text: String,
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 impl Loaded {
     /// Reads the spec at `path` and the machine profile it names; prints warnings unless they are not wanted.
-    pub(super) fn spoken(path: &Path, voice: Voice) -> Result<Self, Failure> {
+    pub(super) fn spoken(path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
         let source = read_source(path)?;
         let reading = spec::read(&source)?;
         let (profile, note) = machine_source(path, &source, &reading)?;
-        if !voice.quiet {
+        if !verbosity.quiet {
             warn(&reading.warnings);
             tell(&note.unwrap_or_default());
         }
         let machine = spec::read_machine(&profile)?;
-        Ok(Self { reading, source, machine, machine_text: profile.text, voice })
+        Ok(Self { reading, source, machine, machine_text: profile.text, verbosity })
     }
 
     /// What was read elsewhere; nothing is printed.
     pub(super) fn quiet(source: Source, reading: Reading, machine: Machine, machine_text: String) -> Self {
-        let voice = Voice { quiet: true, ..Voice::default() };
-        Self { reading, source, machine, machine_text, voice }
+        let verbosity = Verbosity { quiet: true, ..Verbosity::default() };
+        Self { reading, source, machine, machine_text, verbosity }
     }
 
     /// The texts as read.
@@ -59,7 +59,7 @@ impl Loaded {
 
     /// Prints what a person should know about a design, at the keys it speaks of.
     pub(super) fn warn(&self, warnings: &[Warning]) {
-        if self.voice.quiet {
+        if self.verbosity.quiet {
             return;
         }
         let faults = warnings.iter().map(|warning| {
@@ -72,7 +72,7 @@ impl Loaded {
     /// Everything that can be known of it without making its files; prints the design's warnings.
     pub(super) fn forecast(&self) -> Result<Forecast, Failure> {
         let (spec, machine) = (self.reading.spec.clone(), self.machine.clone());
-        let forecast = progress::during(self.voice, "designing", |_| Forecast::of(spec, machine))
+        let forecast = progress::during(self.verbosity, "designing", |_| Forecast::of(spec, machine))
             .map_err(|refusals| self.refused(refusals))?;
         self.warn(&forecast.design.warnings);
         Ok(forecast)
@@ -90,7 +90,7 @@ impl Loaded {
 
     /// Makes the files that are `asked` for and reads them back, in memory: what `check` and `build` have in common.
     pub(super) fn proven(&self, forecast: Forecast, asked: &Asked) -> Result<Proven, Failure> {
-        progress::during(self.voice, "making the files", |progress| {
+        progress::during(self.verbosity, "making the files", |progress| {
             let built = forecast.build(self.sources(), asked);
             progress.tell("proving the files");
             built.prove()

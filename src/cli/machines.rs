@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 use serde_json::json;
 
+use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
-use crate::cli::harmless::shown;
-use crate::cli::voice::{Voice, pretty};
+use crate::cli::verbosity::{Verbosity, pretty};
 use crate::spec;
 use crate::spec::{Machine, Motion};
 
@@ -17,7 +17,7 @@ pub(super) struct Args {
     #[command(subcommand)]
     command: Option<Command>,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 #[derive(clap::Subcommand, Debug)]
@@ -33,10 +33,10 @@ enum Command {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(Command::Show { name }) = &args.command else {
         let machines = machines()?;
-        return match args.voice {
-            Voice { json: true, .. } => say(&json(&machines)),
-            Voice { quiet: true, .. } => say(&names(&machines)),
-            voice => voice.remark(&list(&machines)),
+        return match args.verbosity {
+            Verbosity { json: true, .. } => say(&json(&machines)),
+            Verbosity { quiet: true, .. } => say(&names(&machines)),
+            verbosity => verbosity.remark(&list(&machines)),
         };
     };
     let known: Vec<&str> = spec::builtin_machines().collect();

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use clap::Command;
 use clap_mangen::Man;
 
+use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
-use crate::cli::harmless::shown;
 use crate::cli::text_file::replace;
-use crate::cli::voice::Quiet;
+use crate::cli::verbosity::Quiet;
 
 /// Arguments of `man`.
 #[derive(clap::Args, Debug)]

@@ -4,7 +4,7 @@
 //! standard output, faults to standard error.
 
 mod actuator;
-mod again;
+mod batch;
 mod bench;
 mod build;
 mod cache;
@@ -16,14 +16,13 @@ mod completions;
 mod cone;
 mod coupon;
 mod defaults;
-mod each;
+mod details;
 pub mod embedded;
+mod escape;
 mod explain;
 mod failure;
 mod feedcheck;
 mod findings;
-mod glance;
-mod harmless;
 mod interrupt;
 mod kinds;
 mod load;
@@ -33,6 +32,7 @@ mod new;
 mod new_object;
 mod open;
 mod optimize;
+mod overview;
 mod predict;
 mod progress;
 mod publish;
@@ -42,16 +42,15 @@ mod resume;
 mod schema;
 mod shell;
 mod study;
-mod summary;
-mod sweep;
 mod table;
 mod terminal;
 mod text_file;
 mod trade;
 mod unproven;
+mod verbosity;
 mod verdict;
 mod verify;
-mod voice;
+mod watch;
 mod whole_file;
 
 use std::env;
@@ -60,7 +59,7 @@ use std::process::ExitCode;
 
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use crate::cli::harmless::shown;
+use crate::cli::escape::shown;
 
 pub use publish::{PublishFault, Published, publish};
 
@@ -72,50 +71,75 @@ struct Cli {
     command: Command,
 }
 
+/// The commands as `--help` lists them; those that are in no group are old words for `study run`.
+const GROUPS: [(&str, &[&str]); 4] = [
+    ("Design", &["new", "check", "build", "verify"]),
+    ("Workshop", &["machines", "feedcheck", "coupon", "calibrate", "resume"]),
+    ("Numbers", &["predict", "actuator", "optimize", "study", "trade", "cone"]),
+    ("Shell", &["schema", "explain", "completions", "man"]),
+];
+
 #[derive(Subcommand, Debug)]
 enum Command {
-    /// Build everything that a spec asks for, prove it, and publish it as one directory.
-    Build(build::Args),
-    /// Read a spec and say what would be built, or everything that is wrong with it.
-    Check(check::Args),
-    /// Say what the gripper of a spec does: closing, force, pressures, payload.
-    Predict(predict::Args),
-    /// Say what one hinge between two arms does: angle, stiffness, moment against angle.
-    Actuator(actuator::Args),
-    /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
-    Optimize(optimize::Args),
-    /// Compute many designs at once: a row for every combination of values, or for every row of a study file.
-    Sweep(sweep::Args),
-    /// Show what a study file asks for, or join its parts.
-    Study(study::Args),
-    /// Compute many shells: the rows of a study file, or the shipped tables of arms and stars anew, or a part of them.
-    Table(table::Args),
-    /// Measure time and error of every model on this machine.
-    Trade(trade::Args),
-    /// Reduce a cone test to radial force against radius.
-    Cone(cone::Args),
-    /// Prove a published directory: hashes, and every file against the exact geometry.
-    Verify(verify::Args),
     /// Write a commented starter spec, or with --object that of a gripper which holds the object.
     New(new::Args),
+    /// Read a spec and print what would be built, or everything that is wrong with it.
+    Check(check::Args),
+    /// Build everything that a spec asks for, prove it, and publish it as one directory.
+    Build(build::Args),
+    /// Prove a published directory: hashes, and every file against the exact geometry.
+    Verify(verify::Args),
     /// List the built-in machine profiles, and what each can do at 0.1 mm/s.
     Machines(machines::Args),
     /// Write a program that shows at which speed the machine really goes.
     Feedcheck(feedcheck::Args),
-    /// Write programs for seal strips and pouches that tell what a machine and a fabric can do.
+    /// Write programs for seal strips and pouches that show what a machine and a fabric can do.
     Coupon(coupon::Args),
-    /// Turn tests on the bench (peeled strips, a V-actuator, a disc) into what the spec should say.
+    /// Turn tests on the bench (peeled strips, a V-actuator, a disc) into values for the spec.
     Calibrate(calibrate::Args),
     /// Write a program for the rest of a job that was interrupted.
     Resume(resume::Args),
+    /// Predict what the gripper of a spec does: closing, force, pressures, payload.
+    Predict(predict::Args),
+    /// Predict what one hinge between two arms does: angle, stiffness, moment against angle.
+    Actuator(actuator::Args),
+    /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
+    Optimize(optimize::Args),
+    /// Compute many designs at once: a row for each of a study file, or for every combination of values; show or join studies.
+    Study(study::Args),
+    /// Measure time and error of every model on this machine.
+    Trade(trade::Args),
+    /// Reduce a cone test to radial force against radius.
+    Cone(cone::Args),
     /// Print the JSON Schema of a spec, for editors.
     Schema(schema::Args),
-    /// Say what the code of a message means, and what to do.
+    /// Print what the code of a message means, and what to do.
     Explain(explain::Args),
     /// Print what makes a shell complete commands and options.
     Completions(completions::Args),
     /// Print a page of the manual.
     Man(man::Args),
+    /// The same as `study run`.
+    #[command(hide = true)]
+    Sweep(study::compute::Args),
+    /// Compute the shipped tables of arms and stars anew, or a part of them; a study file as `study run`.
+    #[command(hide = true)]
+    Table(table::Args),
+}
+
+/// The program's commands, with its help in groups.
+fn program() -> clap::Command {
+    let program = Cli::command();
+    let about = |name: &str| program.find_subcommand(name).and_then(clap::Command::get_about);
+    let line =
+        |name: &&str| format!("  {name:12} {}\n", about(name).map(ToString::to_string).unwrap_or_default());
+    let group = |(title, names): &(&str, &[&str])| {
+        format!("{title}:\n{}\n", names.iter().map(line).collect::<String>())
+    };
+    let groups: String = GROUPS.iter().map(group).collect();
+    program.help_template(format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{groups}Options:\n{{options}}{{after-help}}"
+    ))
 }
 
 /// Runs the program with the arguments of the process.
@@ -126,7 +150,7 @@ pub fn main() -> ExitCode {
 /// Runs the program with `args`, of which the first is its name, and says with which code the process shall end. `build --watch`
 /// does not return: Ctrl-C ends it.
 pub fn run(args: Vec<OsString>) -> u8 {
-    let parsed = Cli::command().try_get_matches_from(&args);
+    let parsed = program().try_get_matches_from(&args);
     let parsed = parsed.and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, wants_json(&matches))));
     let (cli, json) = match parsed {
         Ok(parsed) => parsed,
@@ -138,7 +162,7 @@ pub fn run(args: Vec<OsString>) -> u8 {
         Command::Predict(args) => predict::run(&args),
         Command::Actuator(args) => actuator::run(&args),
         Command::Optimize(args) => optimize::run(&args),
-        Command::Sweep(args) => sweep::run(&args),
+        Command::Sweep(args) => study::compute::run(&args),
         Command::Study(args) => study::run(&args),
         Command::Table(args) => table::run(&args),
         Command::Trade(args) => trade::run(&args),
@@ -152,8 +176,8 @@ pub fn run(args: Vec<OsString>) -> u8 {
         Command::Resume(args) => resume::run(&args),
         Command::Schema(args) => schema::run(&args),
         Command::Explain(args) => explain::run(&args),
-        Command::Completions(args) => completions::run(&args, Cli::command()),
-        Command::Man(args) => man::run(&args, Cli::command()),
+        Command::Completions(args) => completions::run(&args, program()),
+        Command::Man(args) => man::run(&args, program()),
     };
     match result {
         Ok(()) => 0,
@@ -170,7 +194,7 @@ fn wants_json(matches: &ArgMatches) -> bool {
 
 /// Prints what `clap` has to say: help, or wrong usage. It quotes arguments, so it gets to see harmless ones.
 fn misused(args: Vec<OsString>, fault: clap::Error) -> u8 {
-    let fault = Cli::try_parse_from(args.into_iter().map(shown)).err().unwrap_or(fault);
+    let fault = program().try_get_matches_from(args.into_iter().map(shown)).err().unwrap_or(fault);
     // Nobody is left to tell if it cannot be printed.
     let _ = fault.print();
     u8::try_from(fault.exit_code()).unwrap_or(2)
@@ -183,11 +207,11 @@ mod tests {
     /// Commands that have no other answer than a document for other programs, whole and always the same.
     const DOCUMENTS: [&str; 3] = ["schema", "completions", "man"];
     /// Commands that compute for hours and whose answers are files, a row or a file for each.
-    const FILES: [&str; 4] = ["show", "join", "sweep", "table"];
+    const FILES: [&str; 5] = ["run", "show", "join", "sweep", "table"];
 
     #[test]
     fn every_command_that_reports_speaks_as_loud_as_one_likes() {
-        let program = Cli::command();
+        let program = program();
         let study = program.find_subcommand("study").expect("a command").get_subcommands();
         for command in program.get_subcommands().filter(|command| command.get_name() != "study").chain(study)
         {
@@ -198,6 +222,16 @@ mod tests {
             assert!(all == 3 || (excepted && all == 1), "{name} has {all} of --quiet, --verbose, --json");
             assert!(has("quiet"), "{name}");
         }
-        program.debug_assert();
+        program.clone().debug_assert();
+        // Each command is in one group, or is an old word.
+        let mut grouped: Vec<&str> = GROUPS.iter().flat_map(|(_, names)| names.iter().copied()).collect();
+        let mut shown: Vec<&str> = program
+            .get_subcommands()
+            .filter(|command| !command.is_hide_set())
+            .map(clap::Command::get_name)
+            .collect();
+        grouped.sort_unstable();
+        shown.sort_unstable();
+        assert_eq!(grouped, shown);
     }
 }

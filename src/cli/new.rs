@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use serde_json::json;
 
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::harmless::shown;
 use crate::cli::new_object::{Made, ObjectArgs, chosen};
 use crate::cli::text_file::write_new;
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::cli::{defaults, progress, schema};
 use crate::spec;
 
@@ -21,14 +21,14 @@ pub(super) struct Args {
     #[command(flatten)]
     object: ObjectArgs,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Writes a starter spec into the current directory; never over a file that is there.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
     let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
-    let found = progress::during(args.voice, "searching for a gripper", |_| chosen(name, &args.object))?;
+    let found = progress::during(args.verbosity, "searching for a gripper", |_| chosen(name, &args.object))?;
     let text = match &found {
         // The search has used the user's own defaults already.
         Some(made) => format!("#:schema ./{}\n{}", spec::SCHEMA_FILE, made.text),
@@ -43,7 +43,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let path = shown(&path);
     let said = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
     let wrote = format!("wrote {path}, and beside it {} for editors", spec::SCHEMA_FILE);
-    args.voice.report(&format!("{said}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
+    args.verbosity.report(&format!("{said}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
 }
 
 /// The name as a file name anywhere: ASCII letters, digits, dashes, and points between them.

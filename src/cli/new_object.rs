@@ -7,21 +7,23 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde_json::{Value, json};
 
 use crate::cli::defaults;
+use crate::cli::details::hours;
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::glance::sealing_time;
-use crate::cli::harmless::shown;
 use crate::cli::load::read_source;
+use crate::cli::overview::sealing_time;
 use crate::cli::quantity::{SIZE, number, quantity};
-use crate::cli::summary::hours;
 use crate::design::{RefusalCode, Refusals};
 use crate::forecast::candidate::Candidate;
-use crate::forecast::choosing::{Choice, FRICTION, Miss, Nearest, Room, Wish, choose, spec_text};
+use crate::forecast::sizing::{
+    Choice, FRICTION, Infeasible, Nearest, Requirements, Workspace, choose, spec_text,
+};
 use crate::forecast::verdict::Verdict;
-use crate::mechanics::hinge::ring::RingTable;
 use crate::pipeline::Forecast;
 use crate::spec;
 use crate::spec::{Allowed, FeedFloor, Machine, ObjectShape, Source, Spec};
 use crate::units::{Force, Length, Mass, Pressure};
+use inflatable::mechanics::hinge::ring::RingTable;
 
 /// What the gripper is wanted for.
 #[derive(clap::Args, Debug)]
@@ -166,7 +168,7 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Fail
     let _ = spec::quoted(name).map_err(|fault| Failure::Message(fault.to_string()))?;
     // The inlet reaches beyond the tip on one side.
     let inlet = base.inlet.as_ref().map_or(0.0, |inlet| inlet.length.0);
-    let wish = Wish {
+    let requirements = Requirements {
         object: Length(0.5 * object.0),
         height: args.height,
         shape: args.shape,
@@ -174,7 +176,7 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Fail
         pressure: args.pressure,
         friction: args.friction.unwrap_or(FRICTION),
         largest_force: args.fragile,
-        room: Room {
+        room: Workspace {
             sheet: smaller(base.sheet.width, base.sheet.height),
             machine: machine.bench.work_area.and_then(|(x, y)| smaller(Some(x), Some(y))),
             edge: Length(2.0 * base.sheet.margin.0 + inlet),
@@ -195,19 +197,19 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Fail
         }
         Err(why.unwrap_or_default())
     };
-    let choices = choose(&wish, &candidate, &ring).map_err(|Miss { reasons, nearest }| {
-        // What is named can be had: it is tried as far as a wish is.
+    let choices = choose(&requirements, &candidate, &ring).map_err(|Infeasible { reasons, nearest }| {
+        // What is named can be had: it is tried as far as the requirements are.
         let nearest = nearest.filter(|nearest| {
             let mut base = base.clone();
-            if nearest.wish.room.sheet != wish.room.sheet {
-                [base.sheet.width, base.sheet.height] = [nearest.wish.room.sheet; 2];
+            if nearest.requirements.room.sheet != requirements.room.sheet {
+                [base.sheet.width, base.sheet.height] = [nearest.requirements.room.sheet; 2];
             }
             made(&nearest.choices, &base).is_ok()
         });
         let unit = (!USUAL_SIZES.holds(object.0))
             .then(|| format!("an object {object} across: is the unit right (mm, cm, m, in)?"));
         let reasons: Vec<String> = unit.into_iter().chain(reasons).collect();
-        missed(&reasons, nearest.and_then(|nearest| in_words(name, args, &wish, &nearest)))
+        missed(&reasons, nearest.and_then(|nearest| in_words(name, args, &requirements, &nearest)))
     })?;
     made(&choices, &base).map(Some).map_err(|why| {
         let why: Vec<String> = why.iter().map(|one| format!("{}: {}", one.found, one.remedy)).collect();
@@ -226,9 +228,9 @@ fn argument(text: &str) -> String {
     if text.chars().all(is_plain) { text.to_owned() } else { format!("\"{}\"", shown(text)) }
 }
 
-/// What can be had in place of `wish`, and the command that has it.
-fn in_words(name: &str, args: &ObjectArgs, wish: &Wish, nearest: &Nearest) -> Option<String> {
-    let (had, best) = (&nearest.wish, &nearest.choices.first()?.best.point);
+/// What can be had in place of `requirements`, and the command that has it.
+fn in_words(name: &str, args: &ObjectArgs, requirements: &Requirements, nearest: &Nearest) -> Option<String> {
+    let (had, best) = (&nearest.requirements, &nearest.choices.first()?.best.point);
     let stars = if best.stars == 1 { "1 star".to_owned() } else { format!("{} stars", best.stars) };
     let at = best.load.pressure.map_or(String::new(), |pressure| format!(" at {pressure}"));
     let mut words = vec![format!("stargrip-cam new {}", argument(name))];
@@ -241,9 +243,11 @@ fn in_words(name: &str, args: &ObjectArgs, wish: &Wish, nearest: &Nearest) -> Op
         word("shape", shape.word().to_owned());
     }
     word("mass", had.mass.to_string());
+    let is_assumed = args.friction.is_none() && had.friction == requirements.friction;
+    let friction = (!is_assumed).then_some(had.friction);
     for (option, value) in [
         ("pressure", had.pressure.map(|pressure| pressure.to_string())),
-        ("friction", args.friction.map(|friction| friction.to_string())),
+        ("friction", friction.map(|friction| friction.to_string())),
         ("fragile", had.largest_force.map(|force| force.to_string())),
         ("fabric", args.fabric.clone()),
         ("machine", args.machine.clone()),
@@ -252,8 +256,11 @@ fn in_words(name: &str, args: &ObjectArgs, wish: &Wish, nearest: &Nearest) -> Op
             word(option, value);
         }
     }
-    let sheet =
-        if had.room.sheet == wish.room.sheet { args.sheet } else { had.room.sheet.map(|side| [side; 2]) };
+    let sheet = if had.room.sheet == requirements.room.sheet {
+        args.sheet
+    } else {
+        had.room.sheet.map(|side| [side; 2])
+    };
     if let Some([width, height]) = sheet {
         word("sheet", format!("{}x{}", width.0, height.0));
     }
@@ -334,9 +341,9 @@ fn missed(reasons: &[String], nearest: Option<String>) -> Failure {
         let _ = write!(text, "\n  {reason}");
     }
     if let Some(nearest) = nearest {
-        let _ = write!(text, "\nthe closest request that can be met: {nearest}");
+        let _ = write!(text, "\na request near it that can be met: {nearest}");
     }
-    Failure::Message(text)
+    Failure::Infeasible(text)
 }
 
 #[cfg(test)]

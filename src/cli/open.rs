@@ -5,8 +5,8 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
+use crate::cli::escape::shown;
 use crate::cli::failure::tell;
-use crate::cli::harmless::shown;
 
 /// The platform's command that opens a file.
 const OPENER: &str = if cfg!(target_os = "macos") {

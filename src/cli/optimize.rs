@@ -7,23 +7,24 @@ use crate::cli::candidates::{Best, Said};
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
 use crate::cli::progress;
-use crate::cli::quantity::{EXTRA, SIZE, number, range};
+use crate::cli::quantity::{EXTRA, SIZE, number, quantity_or_number, range};
 use crate::cli::shell::watched_by;
-use crate::cli::voice::{Voice, pretty};
+use crate::cli::verbosity::{Verbosity, pretty};
 use crate::design::{Design, room};
-use crate::forecast::by_shell::Detail;
 use crate::forecast::candidate::Candidate;
-use crate::forecast::choosing::is_result;
 use crate::forecast::optimize::{
-    Bounds, Confirmed, Constraints, Effort, Evaluated, Found, Goal, ROUNDING, Search, is_at_pressure,
+    Bounds, Confirmation, Constraints, Effort, Evaluation, Goal, ROUNDING, Search, SearchResult,
+    is_at_pressure,
 };
-use crate::forecast::star_by_shell;
-use crate::forecast::star_by_shell::Refusal;
-use crate::mechanics::hinge::ring::RingTable;
+use crate::forecast::shell::Detail;
+use crate::forecast::shell::star;
+use crate::forecast::shell::star::Refusal;
+use crate::forecast::sizing::is_result;
 use crate::spec;
 use crate::spec::edit::{StarEdit, with_comments, with_star, with_value};
 use crate::spec::{Allowed, Setting, Source, key, settings};
-use crate::units::{Angle, Length, Mass, Pressure};
+use crate::units::{Angle, Force, Length, Mass, Pressure};
+use inflatable::mechanics::hinge::ring::RingTable;
 
 /// Arguments of `optimize`.
 #[derive(clap::Args, Debug)]
@@ -60,11 +61,11 @@ pub(super) struct Args {
     /// Radii that it must be able to hold, inflated: close to the first, open to the second.
     #[arg(long, value_name = "FROM..TO", allow_hyphen_values = true, value_parser = range::<Length>(SIZE))]
     grasp: Option<(Length, Length)>,
-    /// Payload of the stack in kg, with the pressure, object and friction of `[load]`.
-    #[arg(long, value_name = "KG", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e6)))]
+    /// Payload of the stack, such as "1.2 kg", with the pressure, object and friction of `[load]`.
+    #[arg(long, value_name = "MASS", allow_hyphen_values = true, value_parser = quantity_or_number::<Mass>(Allowed::above(0.0, 1e6)))]
     payload: Option<f64>,
-    /// Largest radial force of one star, N; default: the `[load]`'s largest_force.
-    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e6)))]
+    /// Largest radial force of one star, such as "20 N"; default: the `[load]`'s largest_force.
+    #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity_or_number::<Force>(Allowed::above(0.0, 1e6)))]
     largest_force: Option<f64>,
     /// Least burst pressure over pressure; default: 1 where the seal's strength is known.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
@@ -73,7 +74,7 @@ pub(super) struct Args {
     #[arg(long)]
     confirm: bool,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Pressures that a spec may have, kPa.
@@ -112,7 +113,7 @@ pub(super) fn answer(
     args: &Args,
     loaded: &Loaded,
     cancel: Option<&AtomicBool>,
-) -> Result<(Found, Constraints), Failure> {
+) -> Result<(SearchResult, Constraints), Failure> {
     let read = &loaded.reading.spec;
     let base = Candidate::of(read).ok_or_else(|| message("the spec has no star"))?;
     // Whether the text can take a star is known before the search.
@@ -131,29 +132,29 @@ pub(super) fn answer(
         effort: Effort::default(),
         cancel,
     };
-    Ok((progress::during(args.voice, "searching", |_| search.run()), constraints))
+    Ok((progress::during(args.verbosity, "searching", |_| search.run()), constraints))
 }
 
 /// Searches, and prints the candidates, the front, and the best one's spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::spoken(&args.spec, args.voice)?;
+    let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let (found, constraints) = answer(args, &loaded, None)?;
     let said = Said { found: &found, constraints: &constraints };
     let best = best(args, &loaded, &found, &constraints)?;
-    match (best, args.voice) {
-        (Some(best), Voice { json: true, .. }) => say(&pretty(&said.json(Some(&best)))),
-        (Some(best), Voice { quiet: true, .. }) => say(&best.spec),
+    match (best, args.verbosity) {
+        (Some(best), Verbosity { json: true, .. }) => say(&pretty(&said.json(Some(&best)))),
+        (Some(best), Verbosity { quiet: true, .. }) => say(&best.spec),
         (Some(Best { spec, confirmed }), _) => {
             let mut lines = String::new();
-            for line in confirmed.iter().flat_map(Confirmed::lines) {
+            for line in confirmed.iter().flat_map(Confirmation::lines) {
                 lines += "# ";
                 lines += &line;
                 lines.push('\n');
             }
             say(&format!("{}{lines}# the best that can be built:\n{spec}\n", said.text()))
         }
-        (None, voice) => {
-            if voice.is_heard() {
+        (None, verbosity) => {
+            if verbosity.is_heard() {
                 tell(&said.text());
             }
             let why = if found.front.is_empty() {
@@ -161,7 +162,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             } else {
                 "none of the best designs can be sealed and cut as the spec asks for"
             };
-            Err(if voice.json { Failure::answered(said.json(None), why) } else { message(why) })
+            Err(if verbosity.json { Failure::answered(said.json(None), why) } else { message(why) })
         }
     }
 }
@@ -170,7 +171,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 pub(super) fn best(
     args: &Args,
     loaded: &Loaded,
-    found: &Found,
+    found: &SearchResult,
     constraints: &Constraints,
 ) -> Result<Option<Best>, Failure> {
     if found.front.is_empty() {
@@ -180,7 +181,7 @@ pub(super) fn best(
         // Other values in the spec may forbid this star: four points have no inlet at tip 5.
         let Ok(spec) = edited(loaded, candidate) else { continue };
         if let Some(design) = buildable(loaded, &spec) {
-            let shell = || confirmed(args.voice, (&spec, &design), candidate, constraints);
+            let shell = || confirmed(args.verbosity, (&spec, &design), candidate, constraints);
             let confirmed = args.confirm.then(shell);
             return Ok(Some(Best { spec, confirmed: confirmed.transpose()? }));
         }
@@ -261,8 +262,8 @@ fn bounds(args: &Args, base: &Candidate) -> Bounds {
 }
 
 /// The spec's text with the candidate's values, rounded to a micrometre, a thousandth of a degree and a Pascal.
-fn edited(loaded: &Loaded, candidate: &Evaluated) -> Result<String, Failure> {
-    let Evaluated { point, .. } = candidate;
+fn edited(loaded: &Loaded, candidate: &Evaluation) -> Result<String, Failure> {
+    let Evaluation { point, .. } = candidate;
     let star = &point.star;
     let thousandths = |value: f64| (value * 1e3).round() / 1e3;
     let mm = |length: Length| Length(thousandths(length.0));
@@ -320,19 +321,19 @@ fn buildable(loaded: &Loaded, text: &str) -> Option<Design> {
 
 /// What the shell says of the winner.
 fn confirmed(
-    voice: Voice,
+    verbosity: Verbosity,
     (text, design): (&str, &Design),
-    candidate: &Evaluated,
+    candidate: &Evaluation,
     constraints: &Constraints,
-) -> Result<Confirmed, Failure> {
+) -> Result<Confirmation, Failure> {
     let spec = spec::read(&Source::new("optimised", text))?.spec;
-    let (found, _) = watched_by(voice, |watch| {
-        star_by_shell::predict((&spec, design), &[], Detail::Medium, watch).map_err(|refusal| match refusal {
+    let (found, _) = watched_by(verbosity, |watch| {
+        star::predict((&spec, design), &[], Detail::Medium, watch).map_err(|refusal| match refusal {
             Refusal::Cancelled => Failure::Interrupted,
             Refusal::Fault(fault) => {
                 message(&format!("the shell refuses the best design, which --confirm asks for: {fault}"))
             }
         })
     })?;
-    Ok(Confirmed::new(candidate, constraints, &found))
+    Ok(Confirmation::new(candidate, constraints, &found))
 }

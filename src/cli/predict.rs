@@ -6,13 +6,13 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, evenly, range};
 use crate::cli::shell::{ShellArgs, Shown};
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::design::Design;
-use crate::forecast::by_shell::Detail;
 use crate::forecast::predict::{PredictFault, add_curve, predict};
 use crate::forecast::report;
-use crate::forecast::star_by_shell;
-use crate::forecast::star_by_shell::Refusal;
+use crate::forecast::shell::Detail;
+use crate::forecast::shell::star;
+use crate::forecast::shell::star::Refusal;
 use crate::pipeline::no_prediction;
 use crate::spec::{ModelChoice, Spec};
 use crate::units::Length;
@@ -34,7 +34,7 @@ pub(super) struct Args {
     #[command(flatten)]
     shell: ShellArgs,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// The models, as words of the command line.
@@ -87,7 +87,7 @@ impl Args {
 
 /// Predicts, and prints the answer.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::spoken(&args.spec, args.voice)?;
+    let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let mut spec = loaded.reading.spec.clone();
     if let Some(model) = args.model {
         spec.accuracy.model = model.choice();
@@ -103,25 +103,25 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         let radii: Vec<Length> = radii.iter().copied().map(Length::from_metres).collect();
         add_curve((&spec, &design), &radii, &mut prediction).map_err(refused)?;
     }
-    if args.voice.json {
+    if args.verbosity.json {
         return say(&prediction.to_json());
     }
-    args.voice.remark(&report::text(&spec, &prediction))
+    args.verbosity.remark(&report::text(&spec, &prediction))
 }
 
 /// The same by the shell.
 fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Result<(), Failure> {
     let radii = args.radii.as_ref().map_or(&[][..], |radii| &radii.0);
     let question = format!("predict {spec:?} {radii:?}");
-    args.shell.show(&question, args.voice, |watch| {
-        let found = star_by_shell::predict((spec, design), radii, args.shell.detail(), watch);
+    args.shell.show(&question, args.verbosity, |watch| {
+        let found = star::predict((spec, design), radii, args.shell.detail(), watch);
         let (prediction, shape) = found.map_err(|refusal| match refusal {
             Refusal::Cancelled => Failure::Interrupted,
             Refusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
         })?;
         let vtu = args.shell.wants_vtu().then(|| shape.vtu()).transpose();
         let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;
-        Ok(Shown { json: prediction.to_json(), text: prediction.to_text(spec), vtu })
+        Ok(Shown { json: prediction.to_json(), text: report::text(spec, &prediction), vtu })
     })
 }
 

@@ -14,7 +14,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use crate::cli::failure::Failure;
 use crate::cli::interrupt::{self, Listening};
 use crate::cli::terminal;
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 
 /// Before it comes: what is over sooner needs no line.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -39,19 +39,19 @@ enum OnInterrupt {
 }
 
 /// Does `work`, which writes nothing, under a line that says `what`.
-pub(super) fn during<T>(voice: Voice, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
-    work(&Progress::new(voice, what, OnInterrupt::End))
+pub(super) fn during<T>(verbosity: Verbosity, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
+    work(&Progress::new(verbosity, what, OnInterrupt::End))
 }
 
 /// Does `work`, which hears Ctrl-C itself, under a line that says `what`.
-pub(super) fn listening<T>(voice: Voice, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
-    work(&Progress::new(voice, what, OnInterrupt::Leave))
+pub(super) fn listening<T>(verbosity: Verbosity, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
+    work(&Progress::new(verbosity, what, OnInterrupt::Leave))
 }
 
 impl Progress {
-    fn new(voice: Voice, what: &str, on_interrupt: OnInterrupt) -> Self {
+    fn new(verbosity: Verbosity, what: &str, on_interrupt: OnInterrupt) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        if !(voice.is_heard() && terminal::takes_lines_back(&stderr())) {
+        if !(verbosity.is_heard() && terminal::takes_lines_back(&stderr())) {
             return Self { bar, ticker: None };
         }
         bar.set_style(style("{spinner} {msg}, {elapsed}"));

@@ -39,6 +39,18 @@ pub(super) fn quantity<Q: Quantity>(
     }
 }
 
+/// Reads a quantity with its unit, "1.2 kg", or a bare number of its base unit, which older commands take; the base unit's number.
+pub(super) fn quantity_or_number<Q: Quantity>(
+    allowed: Allowed,
+) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
+    let quantity = quantity::<Q>(allowed);
+    move |text| match text.trim().parse::<f64>() {
+        Ok(number) if allowed.holds(number) => Ok(number),
+        Ok(_) => Err(format!("the {} {}", Q::KIND, allowed.in_words(Q::UNITS[0].0))),
+        Err(_) => quantity(text).map(Quantity::base),
+    }
+}
+
 /// Reads a range "FROM..TO" with both ends in `allowed`, or one quantity for a fixed value.
 pub(super) fn range<Q: Quantity>(
     allowed: Allowed,
@@ -99,7 +111,7 @@ pub(super) fn evenly(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::units::{Angle, Length};
+    use crate::units::{Angle, Length, Mass};
 
     #[test]
     fn numbers_are_finite_and_in_their_range() {
@@ -126,6 +138,15 @@ mod tests {
         );
         assert!(length("nan mm").is_err() && length("5 deg").is_err());
         assert!(length("5,5 mm").expect_err("a comma").starts_with("a decimal comma: write 5.5 mm"));
+    }
+
+    #[test]
+    fn a_bare_number_is_one_of_the_base_unit() {
+        let mass = quantity_or_number::<Mass>(Allowed::above(0.0, 1e6));
+        assert_eq!([mass("1.2"), mass("1.2 kg"), mass("1200 g")], [Ok(1.2), Ok(1.2), Ok(1.2)]);
+        assert_eq!(mass("1.2 N"), Err("write the mass as a number and one of kg, g, lb, oz".to_owned()));
+        assert_eq!(mass("-1"), Err("the mass must be more than 0 kg and at most 1000000 kg".to_owned()));
+        assert!(mass("nan").is_err() && mass("1,5").expect_err("a comma").starts_with("a decimal comma"));
     }
 
     #[test]

@@ -4,15 +4,15 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
+use crate::cli::details::hours;
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::harmless::shown;
-use crate::cli::summary::hours;
 use crate::cli::text_file::{read_text, write_new};
-use crate::cli::voice::Voice;
-use crate::geom::Point;
+use crate::cli::verbosity::Verbosity;
 use crate::manifest::{MANIFEST, Manifest, sha256};
 use crate::resume::{ResumeAt, resume};
 use crate::units::{Length, Quantity};
+use inflatable::geom::Point;
 
 /// Arguments of `resume`.
 #[derive(clap::Args, Debug)]
@@ -26,7 +26,7 @@ pub(super) struct Args {
     /// The part of the job's time that was over: 37%.
     #[arg(long, group = "place", value_name = "PERCENT", value_parser = share)]
     at: Option<f64>,
-    /// A point near which the iron stopped, in mm from the sheet's lower left corner.
+    /// A point near which the iron stopped, from the sheet's lower left corner: "120.5 mm,80 mm".
     #[arg(long, group = "place", value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     near: Option<Point>,
     /// What to seal again before the stop, such as "5 mm"; default: as much as the closures overlap.
@@ -37,7 +37,7 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 fn share(text: &str) -> Result<f64, String> {
@@ -47,11 +47,14 @@ fn share(text: &str) -> Result<f64, String> {
 }
 
 fn point(text: &str) -> Result<Point, String> {
-    let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.abs() < 1e6);
+    let number = |text: &str| {
+        let mm = text.trim().parse::<f64>().ok().or_else(|| Length::parse(text).ok().map(|length| length.0));
+        mm.filter(|x| x.abs() < 1e6)
+    };
     let (x, y) = text.split_once(',').unwrap_or((text, ""));
     match (number(x), number(y)) {
         (Some(x), Some(y)) => Ok(Point::new(x, y)),
-        _ => Err("two numbers, such as 120.5,80".to_owned()),
+        _ => Err("two lengths, such as \"120.5 mm,80 mm\"".to_owned()),
     }
 }
 
@@ -104,7 +107,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         "remaining_s": resumed.seconds,
         "named_in_manifest": known,
     });
-    args.voice.report(&text, &json)
+    args.verbosity.report(&text, &json)
 }
 
 /// Where the program goes by default: beside the job, or where that is in a published directory, beside the directory.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::failure::{Failure, say};
 use crate::cli::text_file::write_new;
-use crate::cli::voice::Quiet;
+use crate::cli::verbosity::Quiet;
 use crate::spec;
 
 /// Arguments of `schema`.

@@ -7,9 +7,9 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::interrupt::Listening;
 use crate::cli::progress;
 use crate::cli::text_file::replace;
-use crate::cli::voice::Voice;
-use crate::forecast::by_shell::Detail;
-use crate::shell::cases::{ShellFault, Watch};
+use crate::cli::verbosity::Verbosity;
+use crate::forecast::shell::Detail;
+use inflatable::shell::cases::{ShellFault, Watch};
 
 /// Arguments that only the shell heeds.
 #[derive(clap::Args, Debug)]
@@ -72,7 +72,7 @@ impl ShellArgs {
     pub(super) fn show(
         &self,
         question: &str,
-        voice: Voice,
+        verbosity: Verbosity,
         compute: impl FnOnce(&Watch<'_>) -> Result<Shown, Failure>,
     ) -> Result<(), Failure> {
         let cache = Cache::new(self.no_cache);
@@ -80,14 +80,14 @@ impl ShellArgs {
         let shown = if let Some(shown) = cache.get(&key).and_then(Shown::from_parts) {
             shown
         } else {
-            let shown = watched_by(voice, compute)?;
+            let shown = watched_by(verbosity, compute)?;
             cache.put(&key, &shown.parts());
             shown
         };
         if let (Some(path), Some(vtu)) = (&self.vtu, &shown.vtu) {
             replace(path, vtu)?;
         }
-        if voice.json { say(&shown.json) } else { voice.remark(&shown.text) }
+        if verbosity.json { say(&shown.json) } else { verbosity.remark(&shown.text) }
     }
 }
 
@@ -115,13 +115,13 @@ pub(super) fn refused(fault: &ShellFault) -> Failure {
 }
 
 /// Computes while Ctrl-C is heard, the first time as a wish and the second time as an order; a terminal shows the progress unless
-/// `voice` is quiet.
+/// `verbosity` is quiet.
 pub(super) fn watched_by<T>(
-    voice: Voice,
+    verbosity: Verbosity,
     compute: impl FnOnce(&Watch<'_>) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
     let listening = Listening::new();
-    progress::listening(voice, "the shell", |progress| {
+    progress::listening(verbosity, "the shell", |progress| {
         let tell = |part: f64, what: &str| progress.tell_part(part, &format!("shell: {what}"));
         compute(&Watch { progress: Some(&tell), cancel: listening.flag() })
     })

@@ -1,4 +1,4 @@
-//! `stargrip-cam table`: many shells at once, each kept when it is there. Those of a study file are rows, as `sweep` computes them; those of
+//! `stargrip-cam table`: many shells at once, each kept when it is there. Those of a study file are rows, as `study run` computes them; those of
 //! the shipped tables are ladders of V-actuators and drawn stars, a file each.
 
 use std::fs;
@@ -9,11 +9,11 @@ use crate::cli::shell::{refused, watched_by};
 use crate::cli::study::{Destination, Span, loaded};
 use crate::cli::text_file::{read_table, replace};
 use crate::cli::whole_file::sweep_leftovers;
-use crate::forecast::arms::{Climbed, FINENESS, Ladder, join, ladders};
-use crate::forecast::stars::computed::{self, Computed, FORCE_FINENESS, OPENINGS, in_turn};
-use crate::forecast::stars::draw::{Drawn, Set};
+use crate::forecast::arms::{FINENESS, Ladder, LadderTable, join, ladders};
+use crate::forecast::stars::computed::{self, ComputedStar, FORCE_FINENESS, OPENINGS, in_turn};
+use crate::forecast::stars::draw::{DrawnStar, Set};
 use crate::forecast::stars::shipped;
-use crate::shell::cases::Fineness;
+use inflatable::shell::cases::Fineness;
 
 /// Arguments of `table`.
 #[derive(clap::Args, Debug)]
@@ -25,7 +25,7 @@ use crate::shell::cases::Fineness;
                         stargrip-cam table study.toml --parts 4 -o parts; stargrip-cam study join parts -o study.csv"
 )]
 pub(super) struct Args {
-    /// Where each ladder or star is a file; those that are there already are not computed again. Or a study file, as for `sweep`.
+    /// Where each ladder or star is a file; those that are there already are not computed again. Or a study file, as for `study run`.
     #[arg(value_name = "DIR|STUDY")]
     dir: PathBuf,
     /// Stars of a set, fit, range, test, paper or all, in place of ladders.
@@ -79,12 +79,12 @@ fn study(args: &Args) -> Result<(), Failure> {
                     are joined by `study join`";
         return Err(Failure::Usage(text.to_owned()));
     }
-    args.rows.run(&loaded(&args.dir, args.rows.quiet.voice())?)
+    args.rows.run(&loaded(&args.dir, args.rows.quiet.verbosity())?)
 }
 
 fn all_ladders(args: &Args) -> Result<(), Failure> {
     if args.join {
-        let climbed: Vec<Climbed> =
+        let climbed: Vec<LadderTable> =
             ladders().iter().filter_map(|ladder| climbed(&file(&args.dir, ladder))).collect();
         return say(&join(&climbed).map_err(|fault| Failure::Message(fault.to_string()))?);
     }
@@ -94,8 +94,8 @@ fn all_ladders(args: &Args) -> Result<(), Failure> {
             continue;
         }
         let fineness = Fineness { cells: args.cells.unwrap_or(FINENESS.cells), ..FINENESS };
-        let text = watched_by(args.rows.quiet.voice(), |watch| {
-            ladder.climb(fineness, watch).map_err(|fault| refused(&fault))
+        let text = watched_by(args.rows.quiet.verbosity(), |watch| {
+            ladder.compute(fineness, watch).map_err(|fault| refused(&fault))
         })?;
         replace(&path, &text)?;
         if !args.rows.quiet.quiet {
@@ -106,10 +106,10 @@ fn all_ladders(args: &Args) -> Result<(), Failure> {
 }
 
 fn stars(args: &Args, sets: &[Set]) -> Result<(), Failure> {
-    let all: Vec<Drawn> = in_turn().into_iter().filter(|star| sets.contains(&star.set)).collect();
+    let all: Vec<DrawnStar> = in_turn().into_iter().filter(|star| sets.contains(&star.set)).collect();
     if args.join {
         let known = shipped::shipped();
-        let joined: Vec<Computed> = all.iter().filter_map(|star| both(&args.dir, star, &known)).collect();
+        let joined: Vec<ComputedStar> = all.iter().filter_map(|star| both(&args.dir, star, &known)).collect();
         return say(&shipped::join(&joined));
     }
     for star in of_part(args, all) {
@@ -121,7 +121,7 @@ fn stars(args: &Args, sets: &[Set]) -> Result<(), Failure> {
         let fineness = Fineness { cells: args.cells.unwrap_or(fineness.cells), ..fineness };
         let path = star_file(&args.dir, &star, args.forces);
         if read_star(&path, &star).is_none() {
-            let found = watched_by(args.rows.quiet.voice(), |watch| {
+            let found = watched_by(args.rows.quiet.verbosity(), |watch| {
                 star.compute(openings, fineness, watch).map_err(|fault| refused(&fault))
             })?;
             replace(&path, &found)?;
@@ -145,20 +145,20 @@ fn file(dir: &Path, ladder: &Ladder) -> PathBuf {
 }
 
 /// The ladder in a file; `None` if it is not there, or torn.
-fn climbed(path: &Path) -> Option<Climbed> {
-    path.exists().then(|| read_table(path).ok()).flatten().and_then(|text| Climbed::read(&text))
+fn climbed(path: &Path) -> Option<LadderTable> {
+    path.exists().then(|| read_table(path).ok()).flatten().and_then(|text| LadderTable::read(&text))
 }
 
-fn star_file(dir: &Path, star: &Drawn, forces: bool) -> PathBuf {
+fn star_file(dir: &Path, star: &DrawnStar, forces: bool) -> PathBuf {
     dir.join(format!("{}-{:02}{}.txt", star.set.name(), star.number, if forces { "-forces" } else { "" }))
 }
 
-fn read_star(path: &Path, star: &Drawn) -> Option<Computed> {
+fn read_star(path: &Path, star: &DrawnStar) -> Option<ComputedStar> {
     path.exists().then(|| read_table(path).ok()).flatten().and_then(|text| star.read(&text))
 }
 
 /// A star at rest, as the shipped table has it if it is not there, with its secants where they are there.
-fn both(dir: &Path, star: &Drawn, known: &[Computed]) -> Option<Computed> {
+fn both(dir: &Path, star: &DrawnStar, known: &[ComputedStar]) -> Option<ComputedStar> {
     let shipped = || known.iter().find(|one| one.star == *star).cloned();
     let mut rest = read_star(&star_file(dir, star, false), star).or_else(shipped)?;
     let opened = read_star(&star_file(dir, star, true), star).and_then(|opened| opened.found);

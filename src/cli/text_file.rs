@@ -5,8 +5,8 @@ use std::io;
 use std::io::{Read, Write};
 use std::path::Path;
 
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::harmless::shown;
 use crate::cli::load::is_standard_input;
 use crate::cli::whole_file::WholeFile;
 

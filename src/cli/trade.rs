@@ -10,14 +10,14 @@ use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::progress;
 use crate::cli::progress::Progress;
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::forecast::trade;
 use crate::forecast::trade::TradeRow;
 use crate::forecast::trade::picture::picture;
 use crate::forecast::trade::shells::{ShellRow, StarErrors, against_shells};
 use crate::forecast::trade::shown;
-use crate::mechanics::fault::StarFault;
 use crate::spec::StarSpec;
+use inflatable::mechanics::fault::StarFault;
 
 /// Arguments of `trade`.
 #[derive(clap::Args, Debug)]
@@ -31,20 +31,20 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Measures on this machine, and prints the table.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let base = match &args.spec {
-        Some(path) => Loaded::spoken(path, args.voice)?.reading.spec.stars.first().cloned(),
+        Some(path) => Loaded::spoken(path, args.verbosity)?.reading.spec.stars.first().cloned(),
         None => None,
     };
     let start = Instant::now();
     let base = base.unwrap_or_else(|| StarSpec::paper(5));
     let clock = || start.elapsed().as_secs_f64();
     let measure = |_: &Progress| Ok((trade::measure(&base, &clock)?, against_shells(&clock)?));
-    let (rows, shells) = progress::during(args.voice, "measuring every model", measure)
+    let (rows, shells) = progress::during(args.verbosity, "measuring every model", measure)
         .map_err(|fault: StarFault| Failure::Message(fault.to_string()))?;
     let beside = args.svg.as_ref().map(|path| {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -65,7 +65,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         trade::table(&rows),
         shown::tables(&shells)
     );
-    args.voice.report(
+    args.verbosity.report(
         &text,
         &json!({
             "models": rows.iter().map(row).collect::<Vec<_>>(),

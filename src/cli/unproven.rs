@@ -3,8 +3,8 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
+use crate::cli::escape::shown;
 use crate::cli::findings;
-use crate::cli::harmless::shown;
 use crate::spec;
 use crate::verify::Finding;
 

@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::forecast::prediction::StarPrediction;
+use crate::forecast::ranges::scaled;
 use crate::forecast::ranges::shown::{known, rounded, with};
 use crate::pipeline::Forecast;
 use crate::spec::key;
@@ -78,6 +79,7 @@ fn closing(star: &StarPrediction) -> String {
         _ => String::new(),
     };
     let Some([_, most]) = star.graspable_radius_mm else { return format!("unknown; {hole}{room}") };
-    let radius = known(star.final_radius_mm, star.ranges.final_radius_mm, "mm");
-    format!("to a radius of {radius}; takes objects up to {} mm across; {hole}{room}", rounded(2.0 * most))
+    let across = star.ranges.final_radius_mm.map(|range| scaled(range, 2.0));
+    let across = known(star.final_radius_mm.map(|radius| 2.0 * radius), across, "mm");
+    format!("to {across} across; takes objects up to {} mm across; {hole}{room}", rounded(2.0 * most))
 }

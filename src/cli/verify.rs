@@ -8,15 +8,15 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
+use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
 use crate::cli::feedcheck::manifest_of;
-use crate::cli::harmless::shown;
 use crate::cli::terminal::{fitted, width};
-use crate::cli::voice::Voice;
-use crate::cli::{findings, progress, summary};
+use crate::cli::verbosity::Verbosity;
+use crate::cli::{details, findings, progress};
 use crate::manifest::MANIFEST;
-use crate::pipeline::{Claim, prove_feed_check};
-use crate::verify::{By, FileProof, OutputFiles, Proof};
+use crate::pipeline::{PublishedBuild, prove_feed_check};
+use crate::verify::{FileProof, Method, OutputFiles, Proof};
 
 /// Arguments of `verify`.
 #[derive(clap::Args, Debug)]
@@ -27,7 +27,7 @@ pub(super) struct Args {
     #[arg(long)]
     read_back: bool,
     #[command(flatten)]
-    voice: Voice,
+    verbosity: Verbosity,
 }
 
 /// Largest file that is read back, bytes, whatever the manifest says: above what a build writes, below what hurts.
@@ -48,15 +48,17 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         feed_check(&args.dir)?
     } else {
         holds_a_build(&args.dir)?;
-        let (claim, files) = read_directory(&args.dir)?;
-        progress::during(args.voice, "proving", |_| claim.prove(&files))
+        let (published, files) = read_directory(&args.dir)?;
+        progress::during(args.verbosity, "proving", |_| published.prove(&files))
     };
     let right = proof.findings.is_empty();
     let accepted = proof.written_by.is_none() || args.read_back;
-    match args.voice {
-        Voice { json: true, .. } => say(&json(&proof))?,
-        Voice { quiet: true, .. } if right && accepted => {}
-        Voice { quiet: true, .. } if right => say(&fitted(&verdict(&args.dir, &proof), width(&stdout())))?,
+    match args.verbosity {
+        Verbosity { json: true, .. } => say(&json(&proof))?,
+        Verbosity { quiet: true, .. } if right && accepted => {}
+        Verbosity { quiet: true, .. } if right => {
+            say(&fitted(&verdict(&args.dir, &proof), width(&stdout())))?;
+        }
         _ => say(&fitted(&text(&args.dir, &proof), width(&stdout())))?,
     }
     match (right, accepted) {
@@ -126,9 +128,9 @@ fn text(dir: &Path, proof: &Proof) -> String {
     let mut text = String::new();
     for FileProof { path, deviation, by, .. } in &proof.files {
         let how = match by {
-            By::Bytes => "made anew, equal to the byte",
-            By::Reading => "read back",
-            By::Hash => "only its hash was looked at",
+            Method::Bytes => "made anew, equal to the byte",
+            Method::Reading => "read back",
+            Method::Hash => "only its hash was looked at",
         };
         let near = deviation.map_or(String::new(), |mm| format!("within {mm:.6} mm, "));
         let _ = writeln!(text, "{:28} {near}{how}", shown(path));
@@ -148,12 +150,12 @@ fn verdict(dir: &Path, proof: &Proof) -> String {
     match proof.findings.len() {
         0 if proof.written_by.is_some() => {
             let (equal, all) = (proof.equal(), proof.files.len());
-            let scope = summary::scope(proof);
+            let scope = details::scope(proof);
             parts.push(format!(
                 "no findings; {scope}; {equal} of {all} files equal those of this version to the byte"
             ));
         }
-        0 => parts.push(format!("proven, no findings; {}", summary::scope(proof))),
+        0 => parts.push(format!("proven, no findings; {}", details::scope(proof))),
         n => parts.push(findings::counted(n)),
     }
     if !proof.unproven.is_empty() {
@@ -165,7 +167,7 @@ fn verdict(dir: &Path, proof: &Proof) -> String {
 
 /// The files of a directory, of which only those are read that its design asks for, and no more of them than their manifest
 /// says; of all others nothing but the name is known.
-pub(super) fn read_directory(dir: &Path) -> Result<(Claim, OutputFiles<'static>), Failure> {
+pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<'static>), Failure> {
     let mut names = Vec::new();
     for entry in fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))? {
         let entry = entry.map_err(|error| Failure::file("read", dir, &error))?;
@@ -180,9 +182,9 @@ pub(super) fn read_directory(dir: &Path) -> Result<(Claim, OutputFiles<'static>)
             files.files.push((name.into(), read(&dir.join(name), SOURCE_LIMIT)?.into()));
         }
     }
-    let claim = Claim::of(&files);
-    let wanted: BTreeSet<String> = claim.wanted().into_iter().collect();
-    let stated: BTreeMap<&str, usize> = claim.stated_sizes().collect();
+    let published = PublishedBuild::of(&files);
+    let wanted: BTreeSet<String> = published.wanted().into_iter().collect();
+    let stated: BTreeMap<&str, usize> = published.stated_sizes().collect();
     for (name, is_file) in names {
         if files.get(&name).is_some() {
             continue;
@@ -196,7 +198,7 @@ pub(super) fn read_directory(dir: &Path) -> Result<(Claim, OutputFiles<'static>)
         files.files.push((name.into(), bytes.into()));
     }
     files.files.sort();
-    Ok((claim, files))
+    Ok((published, files))
 }
 
 /// At most the first `most` bytes of a file.

@@ -14,14 +14,15 @@ mod table;
 
 use crate::coupon::reach::beyond;
 use crate::coupon::strips::program_name;
-use crate::design::{Drawing, LaidSeam, Layer, Origin, Refusals, Shape, lettered};
+use crate::design::{Drawing, Layer, Origin, Refusals, Shape, lettered};
 use crate::emit;
-use crate::geom::{Bounds, Isometry, Path, Point};
 use crate::plan::{Program, Purpose, Scope, refusals, seal_program};
+use crate::shape::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_seams};
 use crate::spec::{Machine, Spec};
+use inflatable::geom::{Bounds, Isometry, Path, Point};
 
 pub use calibration::{Calibration, CalibrationFault, Row, calibrate, listing, read_rows, settings, steady};
-pub use shapes::{Pouch, disc, hose, vee};
+pub use shapes::{disc, hose, vee};
 pub use strips::{Grid, Strip, overview, table};
 pub use table::{Column, read_table};
 
@@ -57,10 +58,8 @@ pub struct Coupon {
     pub spec: Spec,
     /// The machine with the coupon's own height in contact.
     pub machine: Machine,
-    /// Its seams, in the order of sealing.
-    pub seams: Vec<LaidSeam>,
-    /// Flat width of the mouth that a pouch needs for its hose, mm; `None` for strips.
-    pub mouth: Option<f64>,
+    /// Its pieces in the sheet's frame, in the order of sealing.
+    pub pieces: Vec<CouponPiece>,
     /// The program.
     pub program: Program,
     /// Its seams, cuts and numbers in the sheet's frame, as SVG.
@@ -69,14 +68,13 @@ pub struct Coupon {
 
 /// One piece of a coupon, where it lies.
 #[derive(Clone, Debug)]
-struct Piece {
-    number: usize,
-    /// The iron's way in contact.
-    seam: Path,
-    /// The cut around it; `None` for a strip, whose specimen is cut out of the middle.
-    cut: Option<Path>,
-    /// Lower left corner of the number on the drawing, if it has one.
-    label: Option<Point>,
+pub struct CouponPiece {
+    /// Its name: "strip-7", or that of the coupon where there is one piece.
+    pub name: PieceName,
+    /// What is sealed and cut; a strip has no cut, its specimen is cut out of the middle.
+    pub shape: SealedShape,
+    /// Its number on the drawing, and the lower left corner of it, if it has one.
+    label: Option<(usize, Point)>,
 }
 
 /// Flat diameter of the disc between its bands, mm.
@@ -96,9 +94,20 @@ impl Coupon {
 
     /// Where the iron may go: from the origin to the farthest end of a seam.
     pub fn area(&self) -> Bounds {
-        let paths = self.seams.iter().flat_map(|seam| [&seam.lead_in, &seam.run, &seam.lead_out]);
+        let seams = self.seams();
+        let paths = seams.iter().flat_map(LaidSeam::paths);
         let reached = paths.map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
         Bounds { min: Point::ORIGIN, max: reached.max }
+    }
+
+    /// Its seams in the order of sealing.
+    pub fn seams(&self) -> Vec<LaidSeam> {
+        seams_of(&self.pieces, self.machine.process.ramp.0)
+    }
+
+    /// Whether its pieces are strips, which no hose goes into.
+    pub fn is_strips(&self) -> bool {
+        self.pieces.iter().all(|piece| piece.shape.ports.is_empty())
     }
 }
 
@@ -121,40 +130,46 @@ pub fn coupons(
             let strips = grid.strips(&machine);
             machine.process.heights.contact = height;
             let is_own = |s: &&Strip| s.temperature == temperature && s.speed == speed && s.height == height;
-            let piece = |strip: &Strip| Piece {
-                number: strip.number,
-                seam: strip.seam(),
-                cut: None,
-                label: Some(strip.label(spec.seal.band.0)),
+            let band = spec.seal.band.0;
+            let piece = |strip: &Strip| {
+                let seams = vec![Seam::weld(strip.seam())];
+                let shape = SealedShape { seams, band, cut: None, ports: Vec::new() };
+                CouponPiece {
+                    name: named("strip", strip.number),
+                    shape,
+                    label: Some((strip.number, strip.label(band))),
+                }
             };
-            let pieces: Vec<Piece> = strips.iter().filter(is_own).map(piece).collect();
+            let pieces: Vec<CouponPiece> = strips.iter().filter(is_own).map(piece).collect();
             let name = program_name(grid, temperature, speed, height);
-            out.push(coupon(&spec, &machine, &name, "strip", None, &pieces)?);
+            out.push(coupon(&spec, &machine, &name, pieces)?);
         }
     }
     let hose = hose(spec.inlet.as_ref());
     let flap = 0.5 * spec.seal.band.0 + spec.seal.allowance.0 + 1.0;
     let edge = machine.process.ramp.0.max(10.0).max(flap);
-    let place = |number: usize, pouch: &Pouch, x: f64, y: f64| {
-        let motion = Isometry::translation(Point::new(x + edge, y + edge) - pouch.seam.bounds().min);
-        let seam = motion.path(&pouch.seam);
-        let label = Some(seam.bounds().min.lerp(seam.bounds().max, 0.4));
-        Piece { number, seam, cut: Some(motion.path(&pouch.cut)), label }
+    let place = |name: PieceName, number: usize, pouch: &SealedShape, x: f64, y: f64| {
+        let shape =
+            pouch.moved(Isometry::translation(Point::new(x + edge, y + edge) - pouch.seam_bounds().min));
+        let bounds = shape.seam_bounds();
+        let label = bounds.min.lerp(bounds.max, 0.4);
+        CouponPiece { name, shape, label: Some((number, label)) }
     };
+    let only = |name: &str| PieceName::Named(name.to_owned());
     if has(Group::Disc) {
         let pouch = disc(DISC, hose, &spec.seal)?;
-        out.push(coupon(spec, machine, "disc", "disc", Some(pouch.mouth), &[place(1, &pouch, 0.0, 0.0)])?);
+        out.push(coupon(spec, machine, "disc", vec![place(only("disc"), 1, &pouch, 0.0, 0.0)])?);
     }
     if let Some(star) = spec.stars.first().filter(|_| has(Group::VActuator)) {
         let pouch = vee(star, hose, &spec.seal)?;
         // There is one of it, and a number might fall onto its band.
-        let piece = Piece { label: None, ..place(1, &pouch, 0.0, 0.0) };
-        out.push(coupon(spec, machine, "v-actuator", "v-actuator", Some(pouch.mouth), &[piece])?);
+        let piece = CouponPiece { label: None, ..place(only("v-actuator"), 1, &pouch, 0.0, 0.0) };
+        out.push(coupon(spec, machine, "v-actuator", vec![piece])?);
     }
     if has(Group::Burst) {
         let pouch = disc(BURST_DISC, hose, &spec.seal)?;
         let (x, y) = machine.bench.work_area.map_or((USUAL_BED, USUAL_BED), |(x, y)| (x.0, y.0));
-        let bounds = pouch.seam.bounds();
+        let bounds = pouch.seam_bounds();
         let (w, h) = (bounds.width() + 2.0 * edge, bounds.height() + 2.0 * edge);
         let (right, top) = ((x - w).max(w), (y - h).max(h));
         let mut places = vec![(0.0, 0.0), (right, 0.0), (right, top), (0.0, top)];
@@ -162,46 +177,54 @@ pub fn coupons(
         if right >= 2.0 * w || top >= 2.0 * h {
             places.push((0.5 * right, 0.5 * top));
         }
-        let pieces: Vec<Piece> = (1..).zip(places).map(|(i, (x, y))| place(i, &pouch, x, y)).collect();
-        out.push(coupon(spec, machine, "burst", "burst", Some(pouch.mouth), &pieces)?);
+        let pieces = (1..).zip(places).map(|(i, (x, y))| place(named("burst", i), i, &pouch, x, y));
+        out.push(coupon(spec, machine, "burst", pieces.collect())?);
     }
     Ok(out)
 }
 
-/// The coupon `name` of `pieces`, each called `kind` and its number.
-fn coupon(
-    spec: &Spec,
-    machine: &Machine,
-    name: &str,
-    kind: &str,
-    mouth: Option<f64>,
-    pieces: &[Piece],
-) -> Result<Coupon, Refusals> {
-    let seam = |piece: &Piece| {
-        let own = if pieces.len() == 1 && kind == name {
-            name.to_owned()
-        } else {
-            format!("{kind}-{}", piece.number)
-        };
-        LaidSeam::open(own, piece.seam.clone(), machine.process.ramp.0)
-    };
-    let seams: Vec<LaidSeam> = pieces.iter().map(seam).collect();
-    let scope = Scope { purpose: Purpose::Seal, sheet: 1, stars: Vec::new(), piece: Some(name.to_owned()) };
+/// The name of piece number `number` of `kind`: "strip-7".
+fn named(kind: &str, number: usize) -> PieceName {
+    PieceName::Named(format!("{kind}-{number}"))
+}
+
+/// The seams of `pieces` in the order of sealing, with ways down and up of `ramp` mm; a coupon is drawn where it lies.
+fn seams_of(pieces: &[CouponPiece], ramp: f64) -> Vec<LaidSeam> {
+    let pieces: Vec<PlacedPiece<'_>> = pieces
+        .iter()
+        .map(|piece| PlacedPiece {
+            name: piece.name.clone(),
+            shape: &piece.shape,
+            placement: Isometry::IDENTITY,
+        })
+        .collect();
+    laid_seams(&pieces, ramp)
+}
+
+/// The coupon `name` of `pieces`.
+fn coupon(spec: &Spec, machine: &Machine, name: &str, pieces: Vec<CouponPiece>) -> Result<Coupon, Refusals> {
+    let seams = seams_of(&pieces, machine.process.ramp.0);
+    let scope = Scope { purpose: Purpose::Seal, sheet: 1, pieces: vec![PieceName::Named(name.to_owned())] };
     let program = seal_program(spec, machine, scope, &seams);
     let mut found = refusals(spec, machine, std::slice::from_ref(&program), &[]);
     found.extend(beyond(machine, name, &program));
     found.or(())?;
-    let svg = drawing(name, spec, pieces);
+    let svg = drawing(name, spec, &pieces);
     let (spec, machine) = (spec.clone(), machine.clone());
-    Ok(Coupon { name: name.to_owned(), spec, machine, seams, mouth, program, svg })
+    Ok(Coupon { name: name.to_owned(), spec, machine, pieces, program, svg })
 }
 
 /// The seams, the cuts and the numbers at 1:1.
-fn drawing(name: &str, spec: &Spec, pieces: &[Piece]) -> String {
-    let label = |piece: &Piece| Shape::figure(lettered(&piece.number.to_string(), piece.label?, LABEL));
+fn drawing(name: &str, spec: &Spec, pieces: &[CouponPiece]) -> String {
+    let label = |piece: &CouponPiece| {
+        let (number, at) = piece.label?;
+        Shape::figure(lettered(&number.to_string(), at, LABEL))
+    };
     let labels: Vec<Shape> = pieces.iter().filter_map(label).collect();
-    let seals: Vec<Shape> = pieces.iter().map(|piece| Shape::Path(piece.seam.clone())).collect();
-    let cuts: Vec<Shape> = pieces.iter().filter_map(|piece| piece.cut.clone()).map(Shape::Path).collect();
+    let seams = pieces.iter().flat_map(|piece| &piece.shape.seams);
+    let seals: Vec<Shape> = seams.map(|seam| Shape::Path(seam.center_line.clone())).collect();
+    let cuts: Vec<Shape> =
+        pieces.iter().filter_map(|piece| piece.shape.cut.clone()).map(Shape::Path).collect();
     let bounds =
         seals.iter().chain(&cuts).chain(&labels).map(Shape::bounds).fold(Bounds::EMPTY, Bounds::union);
     let layers = [(Layer::SealOuter, seals), (Layer::CutOutside, cuts), (Layer::Label, labels)];

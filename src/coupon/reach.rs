@@ -1,9 +1,9 @@
 //! What the machine reaches: every seam of a coupon, with its ways down and up, inside the work area.
 
 use crate::design::{Refusal, RefusalCode};
-use crate::geom::{Bounds, Path, Point};
 use crate::plan::{Program, Step};
 use crate::spec::{Machine, key};
+use inflatable::geom::{Bounds, Path, Point};
 
 /// Slack, mm: rounding.
 const SLACK: f64 = 1e-6;

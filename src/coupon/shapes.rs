@@ -2,21 +2,11 @@
 
 use std::f64::consts::PI;
 
-use crate::design::{Channel, MOUTH_OVERRUN, Refusal, RefusalCode};
-use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
+use crate::design::{Channel, MOUTH_OVERRUN, Refusal, RefusalCode, round_tube};
+use crate::shape::{Port, Role, SealedShape, Seam};
 use crate::spec::{Inlet, Seal, StarSpec, key};
 use crate::units::{Least, Length, Most, Readable};
-
-/// A pouch in a frame of its own.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Pouch {
-    /// The centre line of its band, from one side of the mouth to the other.
-    pub seam: Path,
-    /// The cut around it, square across the mouth.
-    pub cut: Path,
-    /// Flat width of the mouth that the hose needs, mm.
-    pub mouth: f64,
-}
+use inflatable::geom::{Arc, Line, Path, Point, Segment, Vec2};
 
 /// The hose of a spec without an inlet.
 const USUAL_HOSE: Inlet = Inlet { tube_diameter: Length(4.0), length: Length(20.0), fillet: Length(1.0) };
@@ -30,15 +20,15 @@ pub fn hose(inlet: Option<&Inlet>) -> &Inlet {
 ///
 /// # Errors
 /// If the hose is too thick for it.
-pub fn disc(diameter: f64, hose: &Inlet, seal: &Seal) -> Result<Pouch, Refusal> {
+pub fn disc(diameter: f64, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Refusal> {
     let (radius, half, flap) = (diameter / 2.0, seal.band.0 / 2.0, seal.band.0 + seal.allowance.0);
     outside_the_flap(hose, flap)?;
     let channel = Channel::of_disc(radius, hose);
     let opened = |delta, least, beyond| channel.open_disc(radius, delta, least, beyond);
     let (seam, cut) = opened(half, 0.0, MOUTH_OVERRUN)
         .zip(opened(flap, 0.0, 0.0))
-        .ok_or_else(|| too_thick(hose, 2.0 * (diameter - 2.0 * flap) / PI))?;
-    Ok(Pouch { seam, cut: Channel::mouth_cut(cut), mouth: 2.0 * channel.half_width })
+        .ok_or_else(|| too_thick(hose, round_tube(diameter - 2.0 * flap)))?;
+    Ok(pouch(seal, seam, Channel::mouth_cut(cut), 2.0 * channel.half_width))
 }
 
 /// The paper's single actuator: two arms of the star's width, one tip of its angle and radius, 4 W from the hinge to
@@ -46,10 +36,10 @@ pub fn disc(diameter: f64, hose: &Inlet, seal: &Seal) -> Result<Pouch, Refusal> 
 ///
 /// # Errors
 /// If the hose is too thick for the arm's end.
-pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<Pouch, Refusal> {
+pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Refusal> {
     let half_mouth = PI * hose.tube_diameter.0 / 4.0;
     if 2.0 * half_mouth >= star.tube_width.0 {
-        return Err(too_thick(hose, 2.0 * star.tube_width.0 / PI));
+        return Err(too_thick(hose, round_tube(star.tube_width.0)));
     }
     let (half, flap) = (seal.band.0 / 2.0, seal.band.0 + seal.allowance.0);
     outside_the_flap(hose, flap)?;
@@ -58,7 +48,15 @@ pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<Pouch, Refusal>
     let arm = Arm { star, half_mouth, mouth: hose.length.0 };
     let seam = arm.vee(half, half, MOUTH_OVERRUN);
     let cut = Channel::mouth_cut(arm.vee(flap, flap.min(notch.max(seal.band.0)), 0.0));
-    Ok(Pouch { seam, cut, mouth: 2.0 * half_mouth })
+    Ok(pouch(seal, seam, cut, 2.0 * half_mouth))
+}
+
+/// A pouch in a frame of its own: one band around a tube, from one side of the mouth of `width` mm to the other.
+fn pouch(seal: &Seal, band: Path, cut: Path, width: f64) -> SealedShape {
+    let at = band.start().zip(band.end()).map(|(start, end)| start.midpoint(end));
+    let seam = Seam { role: Role::Boundary, ..Seam::weld(band) };
+    let ports = at.map(|at| Port { at, width }).into_iter().collect();
+    SealedShape { seams: vec![seam], band: seal.band.0, cut: Some(cut), ports }
 }
 
 /// Whether the mouth lies outside of a flap of this width with its band.
@@ -161,20 +159,23 @@ mod tests {
         path.start().expect("a path").distance(path.end().expect("a path"))
     }
 
+    fn parts(pouch: &SealedShape) -> (&Path, &Path) {
+        (&pouch.seams[0].center_line, pouch.cut.as_ref().expect("a cut"))
+    }
+
     #[test]
     fn a_disc_has_its_diameter_and_a_mouth_for_its_hose() {
         for hose in [4.0, 8.0] {
             let pouch = disc(100.0, &of(hose), &seal()).expect("a disc");
-            assert!(pouch.seam.largest_gap() < 1e-9 && pouch.cut.largest_gap() < 1e-9);
-            assert!((pouch.seam.bounds().height() - 102.0).abs() < 1e-9);
-            assert!((pouch.cut.bounds().height() - 120.0).abs() < 1e-9);
+            let (seam, cut) = parts(&pouch);
+            assert_eq!(pouch.topology().leaks, []);
+            assert!(seam.largest_gap() < 1e-9 && cut.largest_gap() < 1e-9);
+            assert!((seam.bounds().height() - 102.0).abs() < 1e-9);
+            assert!((cut.bounds().height() - 120.0).abs() < 1e-9);
             // Half the hose's circumference between the bands.
-            assert!((width(&pouch.seam) - 2.0 - PI * hose / 2.0).abs() < 1e-9);
-            assert!((pouch.mouth - PI * hose / 2.0).abs() < 1e-9);
-            assert!(
-                (pouch.seam.bounds().max.x - 71.0).abs() < 1e-9
-                    && (pouch.cut.bounds().max.x - 70.0).abs() < 1e-9
-            );
+            assert!((width(seam) - 2.0 - PI * hose / 2.0).abs() < 1e-9);
+            assert!((pouch.ports[0].width - PI * hose / 2.0).abs() < 1e-9);
+            assert!((seam.bounds().max.x - 71.0).abs() < 1e-9 && (cut.bounds().max.x - 70.0).abs() < 1e-9);
         }
         assert_eq!(
             disc(40.0, &of(30.0), &seal()).map_err(|refusal| refusal.code),
@@ -196,7 +197,9 @@ mod tests {
                 pitch: Length(40.0),
                 inlet_tip: 1,
             };
-            let Pouch { seam, cut, .. } = vee(&star, &of(8.0), &seal()).expect("a V");
+            let pouch = vee(&star, &of(8.0), &seal()).expect("a V");
+            let (seam, cut) = parts(&pouch);
+            assert_eq!(pouch.topology().leaks, []);
             assert!(
                 seam.largest_gap() < 1e-9 && cut.largest_gap() < 1e-9,
                 "{radius}: {}",
@@ -206,7 +209,7 @@ mod tests {
             let out = Vec2::new(15_f64.to_radians().sin(), 15_f64.to_radians().cos());
             let middle = Point::ORIGIN + Vec2::new(-out.y, out.x) * 60.0 + out * (radius + 15.0);
             assert!((seam.distance(middle) - 16.0).abs() < 1e-9, "{radius}");
-            assert!((width(&seam) - 2.0 - 4.0 * PI).abs() < 1e-9, "{radius}");
+            assert!((width(seam) - 2.0 - 4.0 * PI).abs() < 1e-9, "{radius}");
             // The cut leaves the band whole all around, but at the mouth.
             let least = seam.segments[1..seam.segments.len() - 1]
                 .iter()

@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 use crate::emit;
 use crate::emit::Cell;
-use crate::geom::{Bounds, Line, Path, Point, Vec2};
 use crate::spec::{Machine, Spec};
 use crate::units::{Length, Speed, Temperature};
+use inflatable::geom::{Bounds, Line, Path, Point, Vec2};
 
 /// Width of a specimen of the T-peel test, mm (ASTM F88).
 pub(super) const WIDTH: f64 = 25.0;

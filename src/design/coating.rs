@@ -28,7 +28,7 @@ impl MaskPlate {
 
 #[cfg(test)]
 mod tests {
-    use crate::geom::Path;
+    use inflatable::geom::Path;
 
     use super::*;
 

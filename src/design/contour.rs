@@ -14,7 +14,7 @@
 use std::f64::consts::PI;
 
 use crate::design::Star;
-use crate::geom::{Arc, Line, Path, Point, Segment};
+use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
 /// Which edge of the tube: towards the hole in the star's middle, or outside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,9 +5,9 @@
 
 use crate::design::offset::offset;
 use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};
-use crate::geom::{Isometry, Path};
-use crate::spec::key;
-use crate::units::Readable;
+use crate::spec::{SMALLEST_HOLE, key};
+use crate::units::{Most, Readable};
+use inflatable::geom::{Isometry, Path};
 
 /// The cut lines of one star and its mask, in the star's frame. All are closed and counterclockwise.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,11 +30,12 @@ impl CutLines {
     /// # Errors
     /// If the cut is wider than something that it is to cut out.
     pub fn new(kerf: f64, star: &Star, outline: &Outline, mask: &MaskPlate) -> Result<Self, Refusal> {
-        if let Some(hole) = outline.registration.iter().find(|hole| hole.diameter <= kerf) {
+        let is_lost = |diameter: f64| kerf > 0.0 && diameter - kerf < SMALLEST_HOLE;
+        if let Some(hole) = outline.registration.iter().find(|hole| is_lost(hole.diameter)) {
             let (found, diameter) = (Readable(kerf), Readable(hole.diameter));
             return Err(refusal(
                 format!("a cut of {found} mm leaves nothing of a registration hole of {diameter} mm"),
-                format!("kerf must be below {diameter} mm"),
+                format!("kerf must be at most {} mm", Most((hole.diameter - SMALLEST_HOLE).max(0.0))),
             ));
         }
         let moved = |path: &Path, share: f64, what| {

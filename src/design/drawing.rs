@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::f64::consts::TAU;
 
 use crate::design::{Design, Plate, Side, StarDesign, label, lettering};
-use crate::geom::{Arc, Bounds, Isometry, Line, Path, Point};
+use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point};
 
 /// Exact geometry on a page.
 #[derive(Clone, Debug, PartialEq)]
@@ -159,7 +159,7 @@ impl Drawing {
     pub fn seals(design: &Design, sheet: usize) -> Option<Self> {
         let seam = |layer: Layer, side: Side| {
             let shapes = design.on_sheet(sheet).flat_map(|placed| {
-                let seams = design.part(placed).seams.iter().filter(move |seam| seam.side == side);
+                let seams = design.part(placed).shape.seam(side.loop_name()).into_iter();
                 seams.map(|seam| Shape::Path(placed.placement.path(&seam.center_line)))
             });
             (layer, shapes.collect())

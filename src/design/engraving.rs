@@ -7,7 +7,7 @@
 use std::collections::BTreeMap;
 
 use crate::design::lettering;
-use crate::geom::{Line, Path, Point, Vec2};
+use inflatable::geom::{Line, Path, Point, Vec2};
 
 /// How deep engravings go, mm: two layers of a common print.
 const ENGRAVED: f64 = 0.4;
@@ -220,7 +220,7 @@ fn straightened(outline: &[[f64; 2]]) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::Segment;
+    use inflatable::geom::Segment;
 
     fn paths(c: char) -> Vec<Path> {
         let loops = outlines(c).into_iter().map(|outline| {

@@ -7,9 +7,9 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::design::{Refusal, RefusalCode, Refusals, Stack, Star, StarDesign, round_tube};
-use crate::geom::Point;
-use crate::spec::{Spec, key};
-use crate::units::Readable;
+use crate::spec::{SMALLEST_HOLE, Spec, key};
+use crate::units::{Most, Readable};
+use inflatable::geom::Point;
 
 /// The frame, its axis at the origin and corner 1 of an unturned star on +X.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,12 +48,12 @@ impl Frame {
         let frame = &spec.frame;
         let (post, clearance) = (frame.post_diameter.0, frame.clearance.0);
         let mut refusals = Refusals::new();
-        if frame.kerf.0 >= post {
+        if post - frame.kerf.0 < SMALLEST_HOLE && frame.kerf.0 > 0.0 {
             refusals.push(Refusal::new(
                 key::frame::KERF,
                 RefusalCode::WideKerf,
                 format!("a cut of {} leaves no hole for a post of {}", frame.kerf, frame.post_diameter),
-                format!("kerf must be below {}", frame.post_diameter),
+                format!("kerf must be at most {} mm", Most((post - SMALLEST_HOLE).max(0.0))),
             ));
         }
         let reach = stars.iter().map(|part| part.outline.reach).fold(0.0, f64::max);
@@ -129,7 +129,7 @@ struct Hose {
 impl Hose {
     /// Distance of `p` from the half line from the axis outwards.
     fn distance(&self, p: Point) -> f64 {
-        let along = crate::geom::Vec2::unit(self.direction);
+        let along = inflatable::geom::Vec2::unit(self.direction);
         let v = p - Point::ORIGIN;
         if v.dot(along) > 0.0 { along.cross(v).abs() } else { v.length() }
     }

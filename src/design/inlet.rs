@@ -4,9 +4,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::star_fault::blamed;
 use crate::design::{Contour, Part, Refusal, RefusalCode, Star, Warning, round_tube};
-use crate::geom::{Arc, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Inlet, key};
 use crate::units::{Least, Most, Readable};
+use inflatable::geom::{Arc, Line, Path, Point, Segment, Vec2};
 
 /// The channel of one star, in the star's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,7 +7,7 @@
 use std::f64::consts::PI;
 
 use crate::design::{MaskPlate, Outline, Star};
-use crate::geom::{Arc, Bounds, Isometry, Line, Path, Point, Segment, Vec2, intersections};
+use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point, Segment, Vec2, intersections};
 
 /// Least plate between a joint and a window, mm: what is left between windows, too.
 const BRIDGE: f64 = 4.0;

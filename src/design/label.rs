@@ -5,7 +5,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::design::{MaskPlate, PlacedStar, StarDesign, lettering};
-use crate::geom::{Isometry, Line, Path, Point, Vec2};
+use inflatable::geom::{Isometry, Line, Path, Point, Vec2};
 
 /// Height of a capital, mm: what a laser or a pen still writes well, and as high as a label needs to be.
 const HEIGHTS: (f64, f64) = (1.0, 3.5);
@@ -23,7 +23,7 @@ struct Stretch {
 
 /// Number, side and warp direction on the flap of a placed star, in the sheet's frame: the warp runs along X.
 pub(super) fn on_outline(part: &StarDesign, placed: &PlacedStar) -> Vec<Path> {
-    let rim = part.star.r_i + part.star.w + part.band;
+    let rim = part.star.r_i + part.star.w + part.shape.band;
     let strip = part.outline.flap;
     let text = format!("STAR {} THIS SIDE UP WARP ", placed.index);
     let at = |p: Point| placed.placement.point(p);
@@ -40,7 +40,7 @@ pub(super) fn on_outline(part: &StarDesign, placed: &PlacedStar) -> Vec<Path> {
 
 /// The star's number and its side on the border of a mask, mirrored or not, in the mask's frame.
 pub(super) fn on_mask(part: &StarDesign, mask: &MaskPlate, star: usize, mirrored: bool) -> Vec<Path> {
-    let rim = part.star.r_i + part.star.w + part.band + part.outline.flap;
+    let rim = part.star.r_i + part.star.w + part.shape.band + part.outline.flap;
     let side = if mirrored { "OTHER SIDE" } else { "THIS SIDE UP" };
     let text = format!("MASK STAR {star} {side}");
     let radius = rim + mask.border / 2.0;

@@ -2,7 +2,7 @@
 //!
 //! Every glyph stands on a grid 4 wide and 6 high; a stroke is a chain of grid points, two digits each.
 
-use crate::geom::{Line, Path, Point, Vec2};
+use inflatable::geom::{Line, Path, Point, Vec2};
 
 /// Height of a capital on the grid.
 pub(super) const CAPITAL: f64 = 6.0;
@@ -135,7 +135,8 @@ mod tests {
             assert!(strokes.split(' ').all(|s| s.len() >= 4 && s.len() % 2 == 0), "{c}: {strokes}");
             let mut out = Vec::new();
             glyph(c, GlyphPlace { origin: Point::ORIGIN, along: Vec2::new(1.0, 0.0), height: 6.0 }, &mut out);
-            let bounds = out.iter().map(Path::bounds).reduce(crate::geom::Bounds::union).expect("strokes");
+            let bounds =
+                out.iter().map(Path::bounds).reduce(inflatable::geom::Bounds::union).expect("strokes");
             assert!(bounds.min.x >= 0.0 && bounds.min.y >= 0.0, "{c}");
             assert!(bounds.max.x <= 4.0 && bounds.max.y <= 6.0, "{c}");
         }

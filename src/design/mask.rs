@@ -3,9 +3,9 @@
 use crate::design::offset::offset;
 use crate::design::window::{Reach, Zone};
 use crate::design::{Outline, Refusal, RefusalCode, Star, Warning};
-use crate::geom::{Isometry, Path};
 use crate::spec::{Spec, StarSpec, key};
 use crate::units::Readable;
+use inflatable::geom::{Isometry, Path};
 
 /// The mask of one star, in the star's frame, for the face that the iron touches; seen from above it is
 /// turned over, mirrored, for the other face. Its registration holes are the outline's.

@@ -1,8 +1,7 @@
 //! From a valid spec to the exact geometry of everything that is sealed and cut.
 //!
 //! A [`Star`] is the flat geometry with its hinges; a [`Contour`] is a curve at a constant distance
-//! from the tube's edge; a [`Seam`] is the centre line of a band as the iron travels it; an [`Outline`]
-//! is the cut. A [`StarDesign`] holds all of one star in the star's own frame (axis at the origin,
+//! from the tube's edge; an [`Outline`] is the cut. A [`StarDesign`] makes a sealed shape of them and holds all of one star in the star's own frame (axis at the origin,
 //! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
 
 mod arm;
@@ -16,7 +15,6 @@ mod frame;
 mod inlet;
 mod joint;
 mod label;
-mod laid_seam;
 mod lettering;
 mod mask;
 mod object;
@@ -29,12 +27,12 @@ mod pieces;
 mod placement;
 mod refusal;
 mod registration;
-mod seam;
 mod sheet;
 mod solid;
 mod stack;
 mod star;
 mod star_fault;
+mod star_seam;
 mod tube;
 mod window;
 
@@ -47,7 +45,6 @@ pub use drawing::{Drawing, Edge, Layer, Origin, Shape};
 pub use engraving::engraved_depth;
 pub use frame::{Frame, Plate, shut_reach};
 pub use inlet::Channel;
-pub use laid_seam::{LaidSeam, SeamName};
 pub use lettering::lettered;
 pub use mask::MaskPlate;
 pub use object::{Meeting, Object, does_not_enter, room};
@@ -57,8 +54,8 @@ pub use part::{Realised, SHEETS, StarDesign};
 pub use pieces::{Piece, Pieces};
 pub use placement::SheetLayout;
 pub use refusal::{Refusal, Refusals, Warning};
-pub use seam::{MOUTH_OVERRUN, Seam};
 pub use sheet::{Design, PlacedStar};
 pub use stack::{Stack, inflated_height, least_pitch, pitch_for};
 pub use star::Star;
+pub use star_seam::MOUTH_OVERRUN;
 pub use tube::{round_tube, tube_height};

@@ -2,7 +2,7 @@
 
 use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
 
-use crate::geom::{Arc, Line, Path, Point, Segment};
+use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
 /// A closed counterclockwise path whose every point lies `by` outside `path`, round at its outward corners, or `-by` inside
 /// it; `None` if nothing comes out, or what is shrunk falls apart.

@@ -1,10 +1,10 @@
 //! The outline: where the fabric is cut, and the registration holes.
 
 use crate::design::contour::Trimmed;
-use crate::design::seam::hole_closed;
+use crate::design::star_seam::hole_closed;
 use crate::design::{Channel, Contour, Part, Refusal, Refusals, Side, Star, registration};
-use crate::geom::{Path, Point, Segment};
 use crate::spec::{Inlet, Seal};
+use inflatable::geom::{Path, Point, Segment};
 
 /// A round hole.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use crate::design::paper::{Page, Tile, TileGrid, at, rectangle};
 use crate::design::{Drawing, Layer, Shape, lettering};
-use crate::geom::{Arc, Bounds, Line, Path, Point, Segment, Vec2};
+use inflatable::geom::{Arc, Bounds, Line, Path, Point, Segment, Vec2};
 
 /// Height of a page's name in the overview, by the smaller side of its part.
 const NAME: f64 = 0.2;

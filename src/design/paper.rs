@@ -8,7 +8,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::design::{Drawing, Layer, Origin, Shape, lettering};
-use crate::geom::{Bounds, Isometry, Line, Path, Point, Vec2, path_intersections};
+use inflatable::geom::{Bounds, Isometry, Line, Path, Point, Vec2, path_intersections};
 
 /// Strip along the border that printers leave white, mm: 3 to 6 mm are common, some inkjets need half an inch at the bottom,
 /// and a page may go in either way up.

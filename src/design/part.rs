@@ -1,24 +1,24 @@
 //! One distinct star with everything that is drawn of it, in the star's own frame.
 
-use crate::design::{Channel, CutLines, MaskPlate, Outline, Pieces, Refusal, Refusals, Seam, Side, Star};
-use crate::geom::{Bounds, Path};
+use crate::design::star_seam::star_seam;
+use crate::design::{Channel, CutLines, MaskPlate, Outline, Pieces, Refusal, Refusals, Side, Star};
+use crate::shape::{Port, SealedShape};
 use crate::spec::{Fabric, Spec, StarSpec};
+use inflatable::geom::{Bounds, Path};
 
 /// A star with its seams and its cut.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StarDesign {
     /// The flat geometry.
     pub star: Star,
-    /// Width of the band.
-    pub band: f64,
     /// The inlet; `None` if the tube is closed all around.
     pub channel: Option<Channel>,
     /// The tube's edges as drawn, towards the hole and outside (that one open where the inlet is).
     pub edges: [Path; 2],
     /// The tube's edges as a round iron makes them: no concave hinge sharper than half a band.
     pub realised_edges: [Path; 2],
-    /// The seams in the order in which they are sealed: inner loop, then outer loop.
-    pub seams: [Seam; 2],
+    /// The sealed shape: the inner loop, then the outer loop.
+    pub shape: SealedShape,
     /// The cut.
     pub outline: Outline,
     /// The coating mask.
@@ -56,14 +56,14 @@ impl StarDesign {
                 }
             }
         };
-        let inner = Seam::new(&star, Side::Hole, None, seal).map_err(|r| refuse(r.into())).ok();
+        let inner = star_seam(&star, Side::Hole, None, seal).map_err(|r| refuse(r.into())).ok();
         // Before the outer seam: the cut lies farther out, so its limits for the inlet are the stricter ones.
         let outline =
             Outline::new(&star, channel.as_ref(), star_spec.inlet_tip, seal, spec.sheet.hole_diameter.0)
                 .map_err(&mut refuse)
                 .ok();
         let outer =
-            Seam::new(&star, Side::Outside, channel.as_ref(), seal).map_err(|r| refuse(r.into())).ok();
+            star_seam(&star, Side::Outside, channel.as_ref(), seal).map_err(|r| refuse(r.into())).ok();
         let mut edges = |least_radius| {
             edges(&star, channel.as_ref(), least_radius).map_err(|refusal| refuse(refusal.into())).ok()
         };
@@ -87,19 +87,17 @@ impl StarDesign {
                 Some(mask),
                 Some((cut, pieces)),
             ) if refusals.is_empty() => {
-                let seams = [inner, outer];
-                Ok(Self {
-                    star,
+                let port = |channel: &Channel| Port {
+                    at: channel.mouth_center(&star),
+                    width: 2.0 * channel.half_width,
+                };
+                let shape = SealedShape {
+                    seams: vec![inner, outer],
                     band: seal.band.0,
-                    channel,
-                    edges,
-                    realised_edges,
-                    seams,
-                    outline,
-                    mask,
-                    cut,
-                    pieces,
-                })
+                    cut: Some(outline.outside.clone()),
+                    ports: channel.iter().map(port).collect(),
+                };
+                Ok(Self { star, channel, edges, realised_edges, shape, outline, mask, cut, pieces })
             }
             _ => Err(refusals),
         }
@@ -107,12 +105,12 @@ impl StarDesign {
 
     /// What the band makes of the tips.
     pub fn realised_tip(&self) -> Realised {
-        self.star.realised_tip(self.band)
+        self.star.realised_tip(self.shape.band)
     }
 
     /// What the band makes of the reentrant corners.
     pub fn realised_corner(&self) -> Realised {
-        self.star.realised_corner(self.band)
+        self.star.realised_corner(self.shape.band)
     }
 
     /// Fabric of the star, both sheets, mm^2: what lies inside the cut, registration holes included.
@@ -128,16 +126,17 @@ impl StarDesign {
 
     /// The box that the part needs on the sheet: its cut, and the bands with ramps of length `ramp`.
     pub fn footprint(&self, ramp: f64) -> Bounds {
-        self.seams
+        self.shape
+            .seams
             .iter()
             .map(|seam| seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp)).bounds())
-            .map(|bounds| bounds.grown(self.band / 2.0))
+            .map(|bounds| bounds.grown(self.shape.band / 2.0))
             .fold(self.cut.outside.bounds(), Bounds::union)
     }
 
     /// Radius of the largest circle around the axis that the hole-side flap leaves free.
     pub fn clear_radius(&self) -> f64 {
-        self.outline.hole.distance(crate::geom::Point::ORIGIN)
+        self.outline.hole.distance(inflatable::geom::Point::ORIGIN)
     }
 }
 

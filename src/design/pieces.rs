@@ -8,9 +8,9 @@
 use crate::design::engraving::Spot;
 use crate::design::joint::{Cut, RADII, WALL};
 use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};
-use crate::geom::{Bounds, Isometry, Path, Point, Vec2};
 use crate::spec::{Bed, key};
 use crate::units::Readable;
+use inflatable::geom::{Bounds, Isometry, Path, Point, Vec2};
 
 /// The pieces in which the mask of one star is printed.
 #[derive(Clone, Debug, PartialEq)]

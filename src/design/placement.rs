@@ -3,9 +3,9 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::design::{Refusal, RefusalCode};
-use crate::geom::{Bounds, Isometry, Point};
 use crate::spec::{KeyPath, Machine, Sheet, key};
 use crate::units::{Least, Length, Most, Readable};
+use inflatable::geom::{Bounds, Isometry, Point};
 
 /// One sheet: its frame has the origin at the lower left.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,7 @@ pub(super) fn place(
     sheet: &Sheet,
     machine: &Machine,
 ) -> Result<(Vec<Placement>, Vec<SheetLayout>), Refusal> {
-    let room = Room::new(sheet, machine);
+    let room = FreeArea::new(sheet, machine);
     boxes.iter().try_for_each(|bounds| room.refuse(bounds, sheet, machine))?;
     let columns = match sheet.width {
         Some(_) => usize::MAX,
@@ -47,7 +47,7 @@ pub(super) fn place(
 
 /// The largest extent that parts may take on a sheet, mm.
 #[derive(Clone, Copy)]
-struct Room {
+struct FreeArea {
     width: f64,
     height: f64,
 }
@@ -55,7 +55,7 @@ struct Room {
 /// Rows of parts, filled from the lower left.
 struct Rows<'a> {
     sheet: &'a Sheet,
-    room: Room,
+    room: FreeArea,
     /// Most parts in a row.
     columns: usize,
     /// Where the next part would stand, without the margin.
@@ -67,7 +67,7 @@ struct Rows<'a> {
     done: Vec<SheetLayout>,
 }
 
-impl Room {
+impl FreeArea {
     /// What the sheet and the machine leave between the margins.
     fn new(sheet: &Sheet, machine: &Machine) -> Self {
         let area = machine.bench.work_area;
@@ -117,7 +117,7 @@ impl Room {
 }
 
 impl<'a> Rows<'a> {
-    fn new(sheet: &'a Sheet, room: Room, columns: usize) -> Self {
+    fn new(sheet: &'a Sheet, room: FreeArea, columns: usize) -> Self {
         let (next, used) = (Point::ORIGIN, Point::ORIGIN);
         Self { sheet, room, columns, next, row_height: 0.0, in_row: 0, used, done: Vec::new() }
     }

@@ -6,9 +6,9 @@
 //! bisector by at least the sine of half the turn times the star's diameter.
 
 use crate::design::{Refusal, RefusalCode, Star};
-use crate::geom::{Arc, Point, Segment, Vec2};
 use crate::spec::{Seal, key};
 use crate::units::{Length, Readable};
+use inflatable::geom::{Arc, Point, Segment, Vec2};
 
 /// Turn of the second hole, rad: 40 degrees, well inside the 150-degree arcs of the paper's tips and far from a mirror image.
 const TURN: f64 = 40.0 * std::f64::consts::PI / 180.0;

@@ -3,8 +3,9 @@
 use crate::design::object::tight;
 use crate::design::placement::{SheetLayout, place};
 use crate::design::{Frame, Meeting, Object, Refusals, Stack, StarDesign, Warning};
-use crate::geom::{Bounds, Isometry, Point};
+use crate::shape::{PieceName, PlacedPiece};
 use crate::spec::{Machine, Spec};
+use inflatable::geom::{Bounds, Isometry, Point};
 
 /// Everything that is made, exactly.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,6 +35,13 @@ pub struct PlacedStar {
     pub sheet: usize,
     /// From the star's frame to the sheet's.
     pub placement: Isometry,
+}
+
+impl PlacedStar {
+    /// Its name as a piece: star 2.
+    pub fn name(&self) -> PieceName {
+        PieceName::numbered("star", self.index)
+    }
 }
 
 impl Design {
@@ -99,6 +107,16 @@ impl Design {
         let meetings = self.meetings(spec)?;
         let mut stars = self.stars.iter().zip(meetings);
         stars.find_map(|(placed, meeting)| tight(spec, placed.index, &self.part(placed).star, meeting))
+    }
+
+    /// `stars` as pieces, in their order.
+    pub fn pieces(&self, stars: &[&PlacedStar]) -> Vec<PlacedPiece<'_>> {
+        let piece = |placed: &&PlacedStar| PlacedPiece {
+            name: placed.name(),
+            shape: &self.part(placed).shape,
+            placement: placed.placement,
+        };
+        stars.iter().map(piece).collect()
     }
 
     /// The design of a placed star.

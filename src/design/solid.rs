@@ -6,7 +6,7 @@
 use crate::design::engraving::{Spot, engraved};
 use crate::design::joint::WALL;
 use crate::design::{Design, Drawing, Edge, Layer, Piece, Plate, Shape, StarDesign, lettering};
-use crate::geom::{Isometry, Path, Point, Vec2};
+use inflatable::geom::{Isometry, Path, Point, Vec2};
 
 /// Height of the numbers in the picture of all pieces, mm.
 const NUMBER: f64 = 12.0;

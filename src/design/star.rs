@@ -16,9 +16,9 @@ use std::f64::consts::PI;
 use crate::design::arm::arm_length;
 use crate::design::star_fault::{blamed, no_arm};
 use crate::design::{Refusal, RefusalCode};
-use crate::geom::Point;
 use crate::spec::{StarSpec, key};
 use crate::units::{Most, Readable};
+use inflatable::geom::Point;
 
 /// The flat geometry of a star that exists: every length positive. Lengths in mm, angles in rad.
 #[derive(Clone, Copy, Debug, PartialEq)]

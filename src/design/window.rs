@@ -16,9 +16,9 @@
 use std::f64::consts::PI;
 
 use crate::design::{Refusal, RefusalCode, Star};
-use crate::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 use crate::spec::{Mask, Seal, key};
 use crate::units::Readable;
+use inflatable::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 
 /// Width of plate left between neighbouring windows, mm, where there is room for it: a strip of a 2 mm
 /// plate that is narrower breaks when it is peeled off. At worst half of what lies between two apices stays.

@@ -5,9 +5,9 @@
 use crate::design::{Drawing, Layer, Shape};
 use crate::emit::number::Decimals;
 use crate::emit::palette::ink;
-use crate::geom::{Path, Point, Segment};
 use crate::spec::Colours;
 use crate::units::Length;
+use inflatable::geom::{Path, Point, Segment};
 
 const SKELETON: &str = include_str!("../../templates/drawing.dxf");
 

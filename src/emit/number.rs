@@ -1,7 +1,7 @@
 //! The only place where a coordinate becomes text.
 
-use crate::geom::{Grid, Point};
 use crate::units::Length;
+use inflatable::geom::{Grid, Point};
 
 /// A fixed number of decimals: every coordinate of a file is on a [`Grid`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

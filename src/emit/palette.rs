@@ -7,21 +7,21 @@ use crate::design::Layer;
 use crate::spec::Colours;
 
 /// A colour as files say it.
-pub(super) struct Ink {
+pub(super) struct LayerColour {
     /// In SVG.
     pub(super) svg: &'static str,
     /// In DXF, by its index in AutoCAD's palette.
     pub(super) dxf: &'static str,
 }
 
-const RED: Ink = Ink { svg: "#ff0000", dxf: "1" };
-const GREEN: Ink = Ink { svg: "#00ff00", dxf: "3" };
-const CYAN: Ink = Ink { svg: "#00ffff", dxf: "4" };
-const BLUE: Ink = Ink { svg: "#0000ff", dxf: "5" };
-const MAGENTA: Ink = Ink { svg: "#ff00ff", dxf: "6" };
+const RED: LayerColour = LayerColour { svg: "#ff0000", dxf: "1" };
+const GREEN: LayerColour = LayerColour { svg: "#00ff00", dxf: "3" };
+const CYAN: LayerColour = LayerColour { svg: "#00ffff", dxf: "4" };
+const BLUE: LayerColour = LayerColour { svg: "#0000ff", dxf: "5" };
+const MAGENTA: LayerColour = LayerColour { svg: "#ff00ff", dxf: "6" };
 
 /// The colour of `layer`.
-pub(super) fn ink(layer: Layer, colours: Colours) -> Ink {
+pub(super) fn ink(layer: Layer, colours: Colours) -> LayerColour {
     match (layer, colours) {
         (Layer::SealInner, _)
         | (Layer::Label | Layer::PaperMark, Colours::One)

@@ -10,7 +10,7 @@ use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, TextStr};
 use crate::design::{Layer, PaperPage};
 use crate::emit::number::Decimals;
 use crate::emit::text::inert;
-use crate::geom::{Arc, Path, Point, Segment};
+use inflatable::geom::{Arc, Path, Point, Segment};
 
 /// Points in a millimetre.
 const POINTS: f64 = 72.0 / 25.4;

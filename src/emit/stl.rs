@@ -13,7 +13,7 @@ use crate::design::{Drawing, Layer};
 use crate::emit::chords::pieces;
 use crate::emit::number::Decimals;
 use crate::emit::text::inert;
-use crate::geom::{Path, Point};
+use inflatable::geom::{Path, Point};
 
 /// How far a chord may leave its arc, mm: a fifth of what a fine printer resolves.
 const CHORD: f64 = 0.02;

@@ -7,9 +7,9 @@ use crate::design::{Drawing, Origin, Shape};
 use crate::emit::number::Decimals;
 use crate::emit::palette::ink;
 use crate::emit::text::inert;
-use crate::geom::{Path, Point, Segment};
 use crate::spec::Colours;
 use crate::units::Length;
+use inflatable::geom::{Path, Point, Segment};
 
 /// One pixel wide at any zoom, so that the line is seen; Inkscape knows it as its hairline, which printer drivers of lasers
 /// get as the thinnest line there is, and so as a cut. Readers of outlines pass over it. It must stand on every

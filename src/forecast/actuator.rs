@@ -3,11 +3,11 @@
 //! All models that know a hinge answer here through [`HingeModel`]; they know no arms, so the volume of the whole
 //! actuator is `None`.
 
-use crate::forecast::choice::{ARMS_LET_OUT, hinge_model};
+use crate::forecast::model_selection::{ARMS_LET_OUT, hinge_model};
 use crate::forecast::ranges::{Interval, errors, scaled, shown};
-use crate::mechanics::fault::StarFault;
-use crate::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
-use crate::mechanics::strength::ElasticSheet;
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
+use inflatable::mechanics::strength::ElasticSheet;
 use serde::Serialize;
 
 /// One V-actuator under pressure; SI units.

@@ -4,17 +4,16 @@
 //! checksum of its own in its last line. All texts together are joined into the table, `section` subtracted.
 
 use crate::digest::sha256;
-use crate::mechanics::fault::HingeFault;
-use crate::mechanics::hinge::HingeModel;
-use crate::mechanics::hinge::section::{Section, arms};
-use crate::shell::cases::{Fineness, Inflation, ShellFault, Tube, VActuator, Value, Watch, inflations};
-use crate::shell::element::Fabric;
+use inflatable::mechanics::fault::HingeFault;
+use inflatable::mechanics::hinge::HingeModel;
+use inflatable::mechanics::hinge::section::{Section, arms};
+use inflatable::mechanics::star::correction::TABLE_ARM;
+use inflatable::shell::cases::{Fineness, Inflation, ShellFault, Tube, VActuator, Value, Watch, inflations};
+use inflatable::shell::element::Fabric;
 use std::f64::consts::{FRAC_PI_4, PI};
 use std::fmt;
 use std::fmt::Write;
 
-/// Length of their arms by W.
-const ARM: f64 = 4.0;
 /// Their width, m. Ratios alone matter.
 const WIDTH: f64 = 0.02;
 /// Their Y, N/m.
@@ -76,7 +75,7 @@ impl Ladder {
     ///
     /// # Errors
     /// If the shell refuses, or was told to stop.
-    pub fn climb(&self, fineness: Fineness, watch: &Watch<'_>) -> Result<String, ShellFault> {
+    pub fn compute(&self, fineness: Fineness, watch: &Watch<'_>) -> Result<String, ShellFault> {
         let bendabilities = arms::bendabilities(self.tau);
         let bending = STRETCH * (self.tau * WIDTH).powi(2);
         let fabric = Fabric { stretch: STRETCH, bending, poisson: self.poisson };
@@ -84,7 +83,7 @@ impl Ladder {
         let case = VActuator {
             tube: Tube { width: WIDTH, fabric, pressure: pressures[0] },
             radius: self.r_star * WIDTH,
-            arm_length: ARM * WIDTH,
+            arm_length: TABLE_ARM * WIDTH,
             angle: self.angle.to_radians(),
         };
         let found = inflations(&case, &pressures, fineness, watch)?;
@@ -117,14 +116,14 @@ fn value(value: Value, decimals: usize) -> String {
 
 /// A ladder's text as it is read back.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Climbed {
+pub struct LadderTable {
     /// Which one it is.
     pub ladder: Ladder,
     /// 1/eps; alpha, deg, and its mesh error; C alpha_0 / (p W^3) and its mesh error.
     pub points: Vec<[f64; 5]>,
 }
 
-impl Climbed {
+impl LadderTable {
     /// Reads a text; `None` if it is torn, or not one of the ladders.
     pub fn read(text: &str) -> Option<Self> {
         let (body, last) = text.trim_end().rsplit_once('\n')?;
@@ -200,7 +199,7 @@ impl std::error::Error for JoinFault {}
 ///
 /// # Errors
 /// If one of them is missing or incomplete.
-pub fn join(climbed: &[Climbed]) -> Result<String, JoinFault> {
+pub fn join(climbed: &[LadderTable]) -> Result<String, JoinFault> {
     let mut body = String::new();
     for ladder in ladders().into_iter().filter(Ladder::is_in_table) {
         let number = ladder.number;
@@ -230,14 +229,15 @@ mod tests {
     use super::*;
 
     /// A coarse ladder of the table's own, which takes seconds.
-    fn coarse(number: usize) -> Climbed {
+    fn coarse(number: usize) -> LadderTable {
         let ladder = ladders()[number - 1];
-        let text = ladder.climb(Fineness { cells: 4.0, cuts: 2 }, &Watch::default()).expect("an equilibrium");
+        let text =
+            ladder.compute(Fineness { cells: 4.0, cuts: 2 }, &Watch::default()).expect("an equilibrium");
         for torn in [text.len() / 2, text.len() - 2] {
-            assert_eq!(Climbed::read(&text[..torn]), None);
+            assert_eq!(LadderTable::read(&text[..torn]), None);
         }
-        assert_eq!(Climbed::read(&text.replacen("alpha", "beta", 1)), None);
-        Climbed::read(&text).expect("whole")
+        assert_eq!(LadderTable::read(&text.replacen("alpha", "beta", 1)), None);
+        LadderTable::read(&text).expect("whole")
     }
 
     /// Two of the table's ladders, R* = 0.15 at two tau, phi_0 of 60 and of 120 deg: C within a twentieth, of the thicker within a hundredth, or as

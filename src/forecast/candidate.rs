@@ -2,16 +2,16 @@
 
 use crate::design::{Meeting, Object, Refusal, RefusalCode, SHEETS, Star, cut_area};
 use crate::forecast::case::Case;
-use crate::forecast::choice::tabled;
+use crate::forecast::model_selection::tabled;
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::{Interval, scaled, sum};
 use crate::forecast::seal_load::burst;
-use crate::mechanics::fault::{HingeFault, StarFault};
-use crate::mechanics::hinge::fit::Fit;
-use crate::mechanics::hinge::ring::{Ring, RingTable};
-use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level};
 use crate::spec::{Code, Fabric, Inlet, Load, ModelChoice, Seal, Spec, StarSpec};
 use crate::units::{Length, Pressure};
+use inflatable::mechanics::fault::{HingeFault, StarFault};
+use inflatable::mechanics::hinge::fit::Fit;
+use inflatable::mechanics::hinge::ring::{Ring, RingTable};
+use inflatable::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level};
 use std::fmt;
 
 /// The exact ring with its targets from the table.
@@ -97,28 +97,28 @@ pub struct Answer {
 
 /// Why there is no answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Refused {
+pub struct RefusedDesign {
     /// The word for scripts, "no-arm": one of docs/codes.md.
     pub code: &'static str,
     /// What was found, what is allowed, and the remedy.
     pub text: String,
 }
 
-impl fmt::Display for Refused {
+impl fmt::Display for RefusedDesign {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
     }
 }
 
-impl std::error::Error for Refused {}
+impl std::error::Error for RefusedDesign {}
 
-impl From<&Refusal> for Refused {
+impl From<&Refusal> for RefusedDesign {
     fn from(refusal: &Refusal) -> Self {
         Self { code: refusal.code.as_str(), text: refusal.to_string() }
     }
 }
 
-impl From<StarFault> for Refused {
+impl From<StarFault> for RefusedDesign {
     fn from(fault: StarFault) -> Self {
         Self { code: RefusalCode::NoPrediction.as_str(), text: fault.to_string() }
     }
@@ -144,7 +144,7 @@ impl Candidate {
     ///
     /// # Errors
     /// If there is no such star, or a model has no answer for it.
-    pub fn answer(&self, ring: &RingTable) -> Result<Answer, Refused> {
+    pub fn answer(&self, ring: &RingTable) -> Result<Answer, RefusedDesign> {
         self.answer_by(ring, |case| match self.model {
             ModelChoice::Ring => Outcome::of(case, &TableRing(ring)).map(Some),
             ModelChoice::Fit => Outcome::of(case, &Fit).map(Some),
@@ -162,8 +162,8 @@ impl Candidate {
         &self,
         ring: &RingTable,
         known: impl Fn(&Case) -> Result<Option<(Case, Outcome)>, StarFault>,
-    ) -> Result<Answer, Refused> {
-        let star = Star::new(&self.star).map_err(|refusal| Refused::from(&refusal))?;
+    ) -> Result<Answer, RefusedDesign> {
+        let star = Star::new(&self.star).map_err(|refusal| RefusedDesign::from(&refusal))?;
         let asked = Case::new(&star, &self.fabric, &self.seal, Some(&self.load))?;
         let ring = TableRing(ring);
         let answered = |case: &Case| {

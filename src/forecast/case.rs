@@ -1,11 +1,11 @@
 //! What a spec asks about one star, in SI units: the one place where mm become m and kPa become Pa.
 
 use crate::design::{Meeting, Star};
-use crate::mechanics::fault::StarFault;
-use crate::mechanics::star::{Correction, Mechanism};
-use crate::mechanics::strength::ElasticSheet;
 use crate::spec::{Fabric, Load, Seal, Spec};
 use crate::units::{BendingStiffness, Length, LineForce, Pressure};
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::star::{Correction, Mechanism};
+use inflatable::mechanics::strength::ElasticSheet;
 use serde::Serialize;
 
 /// One value for the tips, one for the reentrant corners.

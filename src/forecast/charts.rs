@@ -7,15 +7,15 @@ use serde::Serialize;
 
 use crate::design::{Design, Meeting, PlacedStar, Star};
 use crate::forecast::case::Case;
-use crate::forecast::choice::{corrected, hinge_model, named, tabled};
+use crate::forecast::model_selection::{corrected, hinge_model, named, tabled};
 use crate::forecast::outcome::Outcome;
 use crate::forecast::pose::{Pose, at_angle, held};
 use crate::forecast::ranges::{Interval, mm};
-use crate::mechanics::fault::HingeFault;
-use crate::mechanics::hinge::{Arms, HingeModel, HingeState, Level};
-use crate::mechanics::star::response::Inflated;
 use crate::spec::{ModelChoice, Spec, StarSpec};
 use crate::units::{Length, Pressure};
+use inflatable::mechanics::fault::HingeFault;
+use inflatable::mechanics::hinge::{Arms, HingeModel, HingeState, Level};
+use inflatable::mechanics::star::response::Inflated;
 
 /// Pressures of a table: up to one and a half times the spec's own, which is one of them, so that every picture has it.
 const PRESSURES: u32 = 24;
@@ -128,7 +128,7 @@ impl Question<'_> {
         let [tip, corner] = [mechanism.tip(), mechanism.corner()].map(|hinge| hinge.r_star);
         let first = (tip, model.target(tip).ok()?);
         let second = if tip == corner { first } else { (corner, model.target(corner).ok()?) };
-        Some(Box::new(Known { model, targets: [first, second] }))
+        Some(Box::new(ModelTargets { model, targets: [first, second] }))
     }
 
     /// The star at `k` parts of [`OWN`] of the spec's own pressure; `None` where a prediction calls it unknown.
@@ -192,12 +192,12 @@ impl Question<'_> {
 }
 
 /// A model that has been asked for the two targets of one star already: they are most of its work.
-struct Known {
+struct ModelTargets {
     model: Box<dyn HingeModel>,
     targets: [(f64, HingeState); 2],
 }
 
-impl HingeModel for Known {
+impl HingeModel for ModelTargets {
     fn level(&self) -> Level {
         self.model.level()
     }

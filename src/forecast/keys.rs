@@ -165,6 +165,11 @@ pub const PREDICTION: &[Key] = &[
     ),
     maybe("seal_pull_at", Text, "The hinges at which the seal's pull is largest: tips or corners."),
     maybe(
+        "seal_pull_at_mm",
+        Pair,
+        "Where on the flat star the seal's pull is largest, mm. By the shell only.",
+    ),
+    maybe(
         "burst_pressure_kPa",
         Number,
         "Pressure at which the pull on the seal is `seal_strength`, kPa. Needs `seal_strength`.",

@@ -6,7 +6,7 @@
 //! |---|---|
 //! | [`case`] | what a spec asks about one star, in SI units: the only conversion |
 //! | [`seal_load`] | the load on the seal, burst pressure, the radius that would hold |
-//! | [`choice`] | which model answers |
+//! | [`model_selection`] | which model answers |
 //! | [`mod@ranges`] | in which intervals the values of computed shells lie |
 //! | [`outcome`] | an inflated star with its load, in closed forms with their ranges: for all that follow |
 //! | [`pressures`] | what it does at several pressures, where none is given |
@@ -15,25 +15,23 @@
 //! | [`mod@pose`] | the shape of the inflated star, for every picture |
 //! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
-//! | [`by_shell`], [`star_by_shell`], [`shell_prediction`] | the same by the shell, which is asked by name only |
+//! | [`shell`] | the same by the shell, which is asked by name only |
 //! | [`arms`] | what arms add to a hinge: ladders of shells, and the table made of them |
 //! | [`stars`] | stars as shells, by which predictions without shells are judged |
 //! | [`candidate`], [`mod@study`], [`optimize`] | the same answer for one design among millions |
 //! | [`stiffness`] | from bench tests to what a spec says of its fabric |
-//! | [`choosing`] | from an object to a spec |
+//! | [`sizing`] | from an object to a spec |
 //! | [`trade`] | what each model costs, and how far it is off |
 //! | [`keys`] | every key of an answer with its meaning |
 
 pub mod actuator;
-mod answered;
 pub mod arms;
-pub mod by_shell;
 pub mod candidate;
 pub mod case;
 pub mod charts;
-pub mod choice;
-pub mod choosing;
 pub mod keys;
+mod load_check;
+pub mod model_selection;
 pub mod optimize;
 pub mod outcome;
 pub mod pose;
@@ -43,12 +41,11 @@ pub mod pressures;
 pub mod ranges;
 pub mod report;
 pub mod seal_load;
-pub mod shell_prediction;
-mod shell_star;
-pub mod star_by_shell;
+pub mod shell;
+pub mod sizing;
+mod star_answer;
 pub mod stars;
 pub mod stiffness;
 pub mod study;
 pub mod trade;
-mod unfit;
 pub mod verdict;

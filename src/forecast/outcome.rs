@@ -1,16 +1,16 @@
 //! What an inflated star does with its load: one set of closed forms, with their ranges, for predictions, sweeps and searches.
 
 use crate::forecast::case::Case;
-use crate::forecast::choice::corrected;
-use crate::forecast::ranges::{Interval, Ranges, Standing, scaled};
-use crate::mechanics::fault::StarFault;
-use crate::mechanics::hinge::HingeModel;
-use crate::mechanics::star::response::{Inflated, Rest};
-use crate::mechanics::strength::payload;
+use crate::forecast::model_selection::{corrected, tabled};
+use crate::forecast::ranges::{Domain, Interval, Ranges, errors, pressure_edge, scaled};
 use crate::units::Length;
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::hinge::HingeModel;
+use inflatable::mechanics::star::response::{Inflated, Rest};
+use inflatable::mechanics::strength::payload;
 
 /// Shortest arm over tube width: shorter ones are no straight tube any more, and the model's hinges would overlap.
-pub const SHORTEST_ARM: f64 = 0.5;
+pub const SHORTEST_ARM: f64 = errors::ARM[0];
 /// The last part of the way from rest to the widest opening, where the arms lock. The radius is a parabola there, so at a
 /// sixteenth its slope has fallen to a quarter: the same torque makes four times the force.
 const LOCKING: f64 = 1.0 / 16.0;
@@ -88,17 +88,31 @@ impl Outcome {
     pub fn linear(case: &Case, inflated: &Inflated<'_>) -> Self {
         let own = Self::at(case, inflated.linear_rest(), |rho, rest| inflated.linear_force(rho, rest));
         let ranges = Ranges::new(case, inflated, &own.rest);
-        let force_range =
-            own.object_force().and(case.object).and_then(|rho| ranges.force(case, rho, &own.rest));
+        let edge = if ranges.domain == Domain::Extrapolated { at_the_edge(case) } else { None };
+        let ranges =
+            edge.map_or(ranges, |edge| ranges.bounded(&edge.ranges, [own.rest.radius, edge.rest.radius]));
+        let held = own.object_force();
+        let force_range = held.and(case.object).and_then(|rho| ranges.force(case, rho, &own.rest));
+        let force_range = force_range.map(|range| own.at_least_as_at(edge.as_ref(), range));
         let payload_range =
             case.friction.zip(force_range).map(|(mu, range)| scaled(range, payload(mu, [1.0])));
         let own = Self { ranges, force_range, payload_range, ..own };
-        if case.mechanism.correction.gives { own.as_far_as_known() } else { own }
+        if case.mechanism.correction.corner_compliance { own.as_far_as_known() } else { own }
+    }
+
+    /// `range`, the force's, with the lower end that it has at the edge of what was tried where the model's force has grown since; where it
+    /// has fallen, in proportion.
+    fn at_least_as_at(&self, edge: Option<&Self>, [low, high]: Interval) -> Interval {
+        let known = edge.and_then(|edge| edge.force_range.zip(edge.object_force()));
+        let floor = known.zip(self.object_force()).map_or(0.0, |(([floor, _], there), here)| {
+            if here < there { floor * here / there } else { floor }
+        });
+        [low.max(floor), high]
     }
 
     /// Without the numbers of which no range is known: those are of a star at its pressure, and not of a limit.
     fn as_far_as_known(self) -> Self {
-        let known = self.ranges.standing != Standing::Unknown;
+        let known = self.ranges.domain != Domain::Unknown;
         let untried = matches!(self.hold, Some(Hold::Held(_))) && self.force_range.is_none();
         Self {
             known,
@@ -155,28 +169,28 @@ impl Outcome {
     /// What a person should know about the object, if anything.
     pub fn object_warning(&self, case: &Case) -> Option<String> {
         let (least, most) = (self.rest.radius, self.rest.widest.radius);
-        let mm = |metres: f64| format!("{:.2} mm", Length::from_metres(metres).0);
+        let across = |radius: f64| format!("{:.2} mm across", 2.0 * Length::from_metres(radius).0);
         match self.hold? {
             Hold::Held(_) => self.locks(case).then(|| {
                 format!(
                     "the object is nearly as wide as the inflated star opens, {}: the arms lock there, and the \
                      predicted force grows without bound",
-                    mm(most)
+                    across(most)
                 )
             }),
             Hold::TooThin => Some(format!(
-                "the object is thinner than the final radius, {}: the star does not reach it",
-                mm(least)
+                "the object is thinner than the closed star, {}: the star does not reach it",
+                across(least)
             )),
             Hold::Beside => Some("the object ends below or above the star: it does not touch it".to_owned()),
             Hold::TooWideToEnter => Some(format!(
-                "the object is wider than the cut hole, {} in radius: it does not enter",
-                mm(case.hole)
+                "the object is wider than the cut hole, {}: it does not enter",
+                across(case.hole)
             )),
             Hold::TooWideToOpen => Some(format!(
                 "the object is wider than the inflated star opens, {}: the arms lock there, and the star does not \
                  close around it; a larger inner radius, fewer points or a narrower tube open it wider",
-                mm(most)
+                across(most)
             )),
             Hold::Unknown(fault) => Some(format!("no force on the object: {fault}")),
             Hold::Untried if self.ranges.stiffness.is_none() => Some(
@@ -193,7 +207,7 @@ impl Outcome {
 
     /// Whether the object is so wide that rigid arms are about to lock around it.
     pub fn locks(&self, case: &Case) -> bool {
-        if case.mechanism.correction.gives {
+        if case.mechanism.correction.corner_compliance {
             return false;
         }
         let (least, most) = (self.rest.radius, self.rest.widest.radius);
@@ -201,6 +215,15 @@ impl Outcome {
         let near = case.object.is_some_and(|rho| most - rho < LOCKING * (most - least));
         near && slope(self.rest.widest.angle) < LOCKING.sqrt() * slope(self.rest.angle)
     }
+}
+
+/// The same star at the largest pressure at which its ranges are not wider for the pressure; `None` where its
+/// own is not above that.
+fn at_the_edge(case: &Case) -> Option<Outcome> {
+    let pressure = pressure_edge(case)?;
+    let case = Case { pressure: Some(pressure), ..*case };
+    let model = tabled(&case, pressure).ok()?;
+    Some(Outcome::of(&case, &model).ok()?.1)
 }
 
 impl Hold {

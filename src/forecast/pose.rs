@@ -8,11 +8,11 @@ use std::f64::consts::PI;
 use crate::design::{Design, Star};
 use crate::forecast::case::mechanism;
 use crate::forecast::prediction::{Prediction, StarPrediction};
-use crate::mechanics::fault::StarFault;
-use crate::mechanics::star::{Correction, Mechanism};
-use crate::numerics::bracketed_root;
 use crate::spec::Spec;
 use crate::units::Length;
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::star::{Correction, Mechanism};
+use inflatable::numerics::bracketed_root;
 use serde::Serialize;
 
 /// What it takes to draw a star: its tube lies between r and r + w around the centres of tips and corners.
@@ -64,7 +64,7 @@ fn closed(star: &Star, predicted: &StarPrediction, object: Option<Length>) -> Op
     let moves = Mechanism { correction: predicted.correction, ..mechanism(star) };
     // A ball is thinner beside its middle.
     let object = object.map(|object| predicted.object_radius_mm.map_or(object, Length));
-    let rest = predicted.tip_equilibrium_angle_deg?.to_radians().max(predicted.correction.touch);
+    let rest = predicted.tip_equilibrium_angle_deg?.to_radians().max(predicted.correction.contact_angle);
     Some(at_angle(star, &moves, held(&moves, rest, object).unwrap_or(rest)))
 }
 

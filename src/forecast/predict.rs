@@ -1,21 +1,23 @@
 //! From a spec to the answer: chooses the model, asks it about every star, and says how good the answer is.
 
 use crate::design::{Design, Meeting, StarDesign};
-use crate::forecast::answered::{Answered, mm, of_the_shape};
-use crate::forecast::case::{Case, measured_stiffnesses};
-use crate::forecast::choice::{corrected, hinge_model, limits_of_validity, named, tabled};
+use crate::forecast::case::Case;
+use crate::forecast::model_selection::{corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::forecast::outcome::{Hold, Outcome};
 use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Prediction, StarPrediction};
 use crate::forecast::pressures::{LEAST, MOST, modelled, rows};
-use crate::forecast::ranges::{Interval, Ranges, Standing, StarRanges, errors, outside, sum};
-use crate::forecast::seal_load::{burst, burst_range, factor, largest_pull, remedy, safe_radius};
+use crate::forecast::ranges::{Domain, Interval, Ranges, StarRanges, errors, outside, sum};
+use crate::forecast::seal_load::{
+    Bursting, Hinge, burst, burst_range, factor, largest_pull, remedy, safe_radius,
+};
+use crate::forecast::star_answer::{StarAnswer, bare, of_the_shape};
 use crate::forecast::verdict::verdict;
-use crate::mechanics::fault::{HingeFault, StarFault};
-use crate::mechanics::hinge::ring::Ring;
-use crate::mechanics::hinge::{HingeModel, Level};
-use crate::mechanics::star::response::Inflated;
 use crate::spec::{KeyPath, ModelChoice, ObjectShape, Spec, key};
 use crate::units::{Length, LineForce, Pressure};
+use inflatable::mechanics::fault::{HingeFault, StarFault};
+use inflatable::mechanics::hinge::ring::Ring;
+use inflatable::mechanics::hinge::{HingeModel, Level};
+use inflatable::mechanics::star::response::Inflated;
 use std::fmt;
 
 /// Why there is no prediction.
@@ -111,7 +113,7 @@ pub fn add_curve(
 const ENDLESS: Length = Length(1e5);
 
 /// One star, and what is asked about it.
-struct Asked<'a> {
+struct StarQuestion<'a> {
     spec: &'a Spec,
     part: &'a StarDesign,
     case: Case,
@@ -124,14 +126,14 @@ fn predict_star(
     meeting: Option<Meeting>,
 ) -> Result<StarPrediction, StarFault> {
     let case = Case::of(spec, &part.star)?.meeting(meeting);
-    let asked = Asked { spec, part, case, seal: Seal::new(&case) };
+    let asked = StarQuestion { spec, part, case, seal: Seal::new(&case) };
     let width = case.mechanism.width;
     let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
     let model = hinge_model(level, &case.sheet, case.pressure, width)?;
     asked.by(model.as_ref(), format!("{} was asked for", level.name()))
 }
 
-impl Asked<'_> {
+impl StarQuestion<'_> {
     /// The cheapest model that knows a star at its pressure: `section`, from its table.
     fn automatic(&self) -> Result<StarPrediction, StarFault> {
         let Some(pressure) = self.case.pressure else {
@@ -168,7 +170,7 @@ impl Asked<'_> {
         let inflated = Inflated::new(&case.mechanism, model, case.pressure.unwrap_or(1.0))?;
         let outcome = Outcome::linear(case, &inflated);
         let known = outcome.known;
-        let answered = Answered { model, inflated, outcome };
+        let answered = StarAnswer { model, inflated, outcome };
         let mut star = self.unknown(if outcome.known { choice } else { unlike(case) });
         let warnings = &mut star.evidence.warnings;
         warnings.extend(limits_of_validity(model, case));
@@ -189,9 +191,6 @@ impl Asked<'_> {
     /// All that is known without a model, and why there is none.
     fn unknown(&self, choice: String) -> StarPrediction {
         let Self { case, part, spec, seal } = self;
-        let bursts = seal.burst.map(|p| Pressure::from_pascals(p).0);
-        let width = case.mechanism.width;
-        let stretch = case.pressure.map(|p| case.sheet.stretch(p, width));
         let of_burst = seal.warning(case);
         let mut warnings: Vec<String> = of_burst.iter().cloned().collect();
         if spec.accuracy.model == ModelChoice::Shell {
@@ -201,69 +200,34 @@ impl Asked<'_> {
                     .to_owned(),
             );
         }
+        let bare = bare(spec, part, case);
         StarPrediction {
             model: Level::Section.name(),
-            lambda_t: Hinges::default(),
-            lambda_c: Hinges::default(),
-            d2v_dlambda2: Hinges::default(),
-            arm_length_mm: part.star.l,
-            tip_target_angle_deg: None,
-            corner_target_angle_deg: None,
-            tip_equilibrium_angle_deg: None,
-            final_radius_mm: None,
-            contraction: None,
-            hinge_stiffness_Nm: None,
-            radial_stiffness_N_per_m: None,
-            preload_N: None,
-            graspable_radius_mm: None,
-            hole_radius_mm: mm(case.hole),
-            object_radius_mm: case.object.map(mm),
-            object_gap_mm: case.entering.map(|entering| mm(case.hole) - mm(entering)),
-            object_force_N: None,
-            force_curve: None,
-            bendability: case.pressure.map(|p| case.sheet.bendability(p, width)),
-            operating_pressure_kPa: Pressure::from_pascals(case.operating_pressure()).0,
-            realised_radius_mm: Hinges {
-                tip: part.realised_tip().radius,
-                corner: part.realised_corner().radius,
-            },
             seal_load: seal.load,
             seal_pull_N_per_mm: seal.pull.map(|(pull, ..)| per_mm(pull)),
             seal_pull_at: seal.pull.map(|(.., place)| place),
-            burst_pressure_kPa: bursts,
-            mass_g: part.mass(&spec.fabric),
-            payload_kg: None,
-            stretch,
+            burst_pressure_kPa: seal.burst.map(|p| Pressure::from_pascals(p).0),
             burst_margin: seal.burst.zip(case.pressure).map(|(burst, p)| burst / p),
-            ranges_of: "shell",
             ranges: seal.ranges(),
-            pressures: None,
-            nonlinear: None,
             evidence: Evidence {
                 choice,
-                fabric: measured_stiffnesses(&spec.fabric),
-                residual: 0.0,
-                iterations: 0,
-                numerical_error: 0.0,
-                stretch,
-                hinge_width: Hinges::default(),
+                numerical_error: Some(0.0),
                 safe_radius_mm: seal.safe.map(|radius| radius.0),
                 warnings,
                 of_burst,
-                of_object: None,
+                ..bare.evidence.clone()
             },
             hold: case.pressure.and(case.object).map(|_| Hold::Untried),
-            modelled_kPa: None,
-            correction: case.mechanism.correction,
+            ..bare
         }
     }
 
     /// What is to be said of ranges that are wide, or that stand on nothing.
     fn of_the_ranges(&self, outcome: &Outcome) -> Option<String> {
-        let Ranges { standing, radius, .. } = outcome.ranges;
+        let Ranges { domain, radius, .. } = outcome.ranges;
         let (accepted, found) = (self.spec.accuracy.response, outcome.rest.radius);
-        match standing {
-            Standing::Beyond => {
+        match domain {
+            Domain::Extrapolated => {
                 let outside = outside(&self.case);
                 Some(format!(
                     "{}, {outside}: ranges are {:.1} times as wide",
@@ -318,14 +282,15 @@ struct Seal {
 impl Seal {
     fn new(case: &Case) -> Self {
         let load = |radius: f64| factor(&Ring, radius / case.mechanism.width);
-        let burst = burst(case, &Ring);
-        let bursts = burst.zip(case.pressure).is_some_and(|(burst, p)| burst < p);
+        let (burst, burst_range) = (burst(case, &Ring), burst_range(case));
+        let at = burst.zip(case.pressure).map(|(burst, p)| Bursting::at(p, burst, burst_range));
+        let bursts = at.is_some_and(|at| at != Bursting::No);
         Self {
             load: Hinges { tip: load(case.realised.tip), corner: load(case.realised.corner) },
             pull: largest_pull(case),
             burst,
-            burst_range: burst_range(case),
-            safe: if bursts { safe_radius(case) } else { None },
+            burst_range,
+            safe: if bursts { safe_radius(case, Hinge::Tip) } else { None },
         }
     }
 
@@ -338,12 +303,13 @@ impl Seal {
     }
 
     fn warning(&self, case: &Case) -> Option<String> {
-        let burst = self.burst.filter(|burst| case.pressure.is_some_and(|p| *burst < p))?;
-        Some(format!(
-            "the pressure is above the seal's burst pressure, {:.2} kPa; {}",
-            Pressure::from_pascals(burst).0,
-            remedy(self.safe)
-        ))
+        let (burst, pressure) = self.burst.zip(case.pressure)?;
+        let what = match Bursting::at(pressure, burst, self.burst_range) {
+            Bursting::No => return None,
+            Bursting::Perhaps => "the seal may burst: the pressure is within the range of its burst pressure",
+            Bursting::Yes => "the pressure is above the seal's burst pressure",
+        };
+        Some(format!("{what}, {:.2} kPa; {}", Pressure::from_pascals(burst).0, remedy(self.safe)))
     }
 }
 

@@ -4,7 +4,7 @@ pub use crate::forecast::case::Hinges;
 use crate::forecast::outcome::Hold;
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, StarRanges, scaled, shown};
-use crate::mechanics::star::Correction;
+use inflatable::mechanics::star::Correction;
 use serde::Serialize;
 
 /// What a gripper does. The keys at the top speak of star 1, `stars` of each.
@@ -122,7 +122,7 @@ impl Verdict {
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct StarPrediction {
-    /// The model that answered: fit, ring, bvp or section.
+    /// The model that answered: fit, ring, bvp, section or shell.
     pub model: &'static str,
     /// Target coiling factor lambda_t.
     pub lambda_t: Hinges<Option<f64>>,
@@ -138,7 +138,10 @@ pub struct StarPrediction {
     pub corner_target_angle_deg: Option<f64>,
     /// Equilibrium angle phi_i^eq of the star's tips, linear hinges, not clamped.
     pub tip_equilibrium_angle_deg: Option<f64>,
-    /// Final inner radius rho_f, linear hinges.
+    /// Angle of the tips between the lines of their arms, contact or not; by the shell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tip_angle_deg: Option<f64>,
+    /// Final inner radius rho_f: of hinges' models with linear hinges.
     pub final_radius_mm: Option<f64>,
     /// 1 - rho_f / rho_0.
     pub contraction: Option<f64>,
@@ -148,6 +151,15 @@ pub struct StarPrediction {
     pub radial_stiffness_N_per_m: Option<f64>,
     /// Radial force stored in a star that is pressed shut; 0 for one that is free; needs a pressure.
     pub preload_N: Option<f64>,
+    /// Force with which the two arms of a tip press on each other, 0 where they do not touch; by the shell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arm_contact_N: Option<f64>,
+    /// Flat area of an arm's sheet that touches the next arm; by the shell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arm_contact_mm2: Option<f64>,
+    /// Volume of the star; by the shell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub volume_mm3: Option<f64>,
     /// Radii that the star can hold: from rho_f to the largest that the inflated star opens to, or to hole_radius_mm where that is
     /// less, because a wider object does not enter the flat star.
     pub graspable_radius_mm: Option<[f64; 2]>,
@@ -176,14 +188,21 @@ pub struct StarPrediction {
     pub seal_pull_N_per_mm: Option<f64>,
     /// At which kind of hinge it is: tips or corners.
     pub seal_pull_at: Option<&'static str>,
+    /// Where on the flat star it is, as in `seal_tension`; by the shell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seal_pull_at_mm: Option<[f64; 2]>,
     /// Pressure at which the pull on the seal is seal_strength; needs it.
     pub burst_pressure_kPa: Option<f64>,
+    /// The fabric's largest tension at the rim, at one point: its part across the seam's plane is what peels,
+    /// see docs/models.md; by the shell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seal_tension: Option<Place>,
     /// Mass of the two sheets that are cut for the star; needs areal_density.
     pub mass_g: Option<f64>,
     /// Mass that friction holds; needs pressure, object_radius and friction.
     pub payload_kg: Option<f64>,
-    /// Stretch p W / Y of the fabric; needs a pressure.
-    pub stretch: Option<f64>,
+    /// Stretch of the fabric; needs a pressure.
+    pub stretch: Stretch,
     /// Burst pressure over the pressure; needs both.
     pub burst_margin: Option<f64>,
     /// Whose values `ranges` hold: those of computed shells; no gripper was measured.
@@ -206,6 +225,38 @@ pub struct StarPrediction {
     /// What inflation does to the star beyond hinges and rigid arms.
     #[serde(skip)]
     pub correction: Correction,
+}
+
+/// Stretch of the fabric.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Stretch {
+    /// p W / Y; `None` without a pressure.
+    Ratio(Option<f64>),
+    /// The largest principal stretch; by the shell.
+    Largest(Place),
+}
+
+impl Stretch {
+    /// p W / Y, where it is that.
+    pub fn ratio(self) -> Option<f64> {
+        match self {
+            Self::Ratio(ratio) => ratio,
+            Self::Largest(_) => None,
+        }
+    }
+}
+
+/// The hardest loaded place for one quantity.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Place {
+    /// Its value: N/mm of pull, or a stretch.
+    pub value: f64,
+    /// Its mesh error; where a hinge turns on a point there is no largest value, and this says so by being as
+    /// large.
+    pub mesh_error: f64,
+    /// Where on the flat star: in the half sector next to corner 1, the axis at the origin.
+    pub at_mm: [f64; 2],
 }
 
 /// A radius, mm, the radial force there, N, and the ends of its range; `None` where they are not known.
@@ -252,12 +303,19 @@ pub struct Evidence {
     pub residual: f64,
     /// Newton steps.
     pub iterations: u32,
-    /// Estimated relative error of V_bar against the exact solution of the model's own equations.
-    pub numerical_error: f64,
+    /// Estimated relative error of V_bar against the exact solution of the model's own equations; the shell
+    /// has mesh errors.
+    pub numerical_error: Option<f64>,
+    /// Of the shell: unknowns of each mesh, coarse to fine.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unknowns: Option<Vec<usize>>,
     /// Stretch p W / Y of the fabric.
     pub stretch: Option<f64>,
     /// Inflated width of the hinges over W; the arms' is 2/pi.
     pub hinge_width: Hinges<Option<f64>>,
+    /// Of the shell: how far the meshes leave each number open, in its unit.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mesh_errors: Option<MeshErrors>,
     /// Inner radius from which the seal would hold the pressure, mm, rounded up to a hundredth; `None` if it holds, no
     /// radius helps, or nothing is known.
     pub safe_radius_mm: Option<f64>,
@@ -269,4 +327,31 @@ pub struct Evidence {
     /// Which of the warnings is of an object that is not held.
     #[serde(skip)]
     pub of_object: Option<String>,
+}
+
+/// Mesh errors: the difference of the last two meshes, or what the extrapolation adds if that is more.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the keys carry their units as people write them")]
+pub struct MeshErrors {
+    /// Of the final radius.
+    pub final_radius_mm: f64,
+    /// Of the contraction.
+    pub contraction: f64,
+    /// Of the tips' angle.
+    pub tip_angle_deg: f64,
+    /// Of the radial stiffness.
+    pub radial_stiffness_N_per_m: f64,
+    /// Of the force between arms.
+    pub arm_contact_N: f64,
+    /// Of the area of contact.
+    pub arm_contact_mm2: f64,
+    /// Of the volume.
+    pub volume_mm3: f64,
+    /// Of the pull on the seal.
+    pub seal_pull_N_per_mm: f64,
+    /// Of the force on the object.
+    pub object_force_N: Option<f64>,
+    /// Of each force of the curve, N.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force_curve: Option<Vec<f64>>,
 }

@@ -1,11 +1,11 @@
 //! What a star does at several pressures: the answer to a spec that names none.
 
 use crate::forecast::case::Case;
-use crate::forecast::choice::tabled;
+use crate::forecast::model_selection::tabled;
 use crate::forecast::outcome::Outcome;
-use crate::forecast::ranges::{Interval, Standing, mm};
-use crate::mechanics::fault::StarFault;
+use crate::forecast::ranges::{Domain, Interval, mm};
 use crate::units::{Length, Pressure};
+use inflatable::mechanics::fault::StarFault;
 use serde::Serialize;
 
 /// One pressure, and what the star does there.
@@ -49,9 +49,10 @@ pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
     let merit = |row: &PressureRow| merit(row, case.object.is_some());
     let better = |a: &PressureRow, b: &PressureRow| merit(a).total_cmp(&merit(b)).is_gt();
     let mut best: Option<usize> = None;
-    for (i, row) in
-        rows.iter().enumerate().filter(|(_, row)| row.burst_margin.is_none_or(|margin| margin >= 1.0))
-    {
+    let any_tried = rows.iter().any(|row| row.tried);
+    let fit =
+        |row: &PressureRow| row.burst_margin.is_none_or(|margin| margin >= 1.0) && (row.tried || !any_tried);
+    for (i, row) in rows.iter().enumerate().filter(|(_, row)| fit(row)) {
         if best.is_none_or(|best| better(row, &rows[best])) {
             best = Some(i);
         }
@@ -120,7 +121,7 @@ fn row(case: &Case, burst: Option<f64>, kpa: f64) -> Result<Option<PressureRow>,
         force_range_N: outcome.force_range,
         stretch: case.sheet.stretch(pressure, case.mechanism.width),
         burst_margin: burst.map(|burst| burst / pressure),
-        tried: outcome.ranges.standing == Standing::Tried,
+        tried: outcome.ranges.domain == Domain::Validated,
         best: false,
     }))
 }

@@ -4,9 +4,11 @@ use crate::forecast::outcome::Hold;
 use crate::forecast::prediction::{ForceAt, Hinges, Prediction, StarPrediction};
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, scaled, shown};
-use crate::mechanics::hinge::Level;
+use crate::forecast::shell::SHELL;
+use crate::forecast::shell::result::{self, payload_mesh_error};
 use crate::spec::Spec;
 use crate::units::Readable;
+use inflatable::mechanics::hinge::Level;
 use std::fmt::Write;
 
 /// A page about `prediction`.
@@ -36,6 +38,11 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     if let Some(payload) = prediction.first.payload_kg {
         let said = match prediction.first.ranges.payload_kg {
             Some(range) => shown::with(payload, range, "kg"),
+            None if prediction.first.model == SHELL => {
+                let open =
+                    prediction.stars.iter().filter_map(payload_mesh_error).reduce(|sum, one| sum + one);
+                open.map_or(format!("{} kg", Readable(payload)), |open| shown::meshed(payload, open, "kg"))
+            }
             None if prediction.first.model == Level::Section.name() => "unknown".to_owned(),
             None => format!("{} kg, range unknown", Readable(payload)),
         };
@@ -51,6 +58,9 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
 }
 
 fn star_text(out: &mut String, star: &StarPrediction) {
+    if star.evidence.mesh_errors.is_some() {
+        return result::star_text(out, star);
+    }
     let mut line = |what: &str, value: String| {
         let _ = writeln!(out, "  {what:30}{value}");
     };
@@ -81,7 +91,7 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     let optional = [
         ("full actuation from", Some(star.operating_pressure_kPa), "kPa"),
         ("bendability", star.bendability, ""),
-        ("stretch of the fabric p W / Y", star.stretch.map(|stretch| 100.0 * stretch), "%"),
+        ("stretch of the fabric p W / Y", star.stretch.ratio().map(|stretch| 100.0 * stretch), "%"),
         ("preload when shut", star.preload_N.filter(|f| *f > 0.0), "N"),
         ("burst margin", star.burst_margin, ""),
         ("mass", star.mass_g, "g"),
@@ -89,11 +99,11 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     if let Some([least, most]) = star.graspable_radius_mm {
         // Nothing is known of the second that is better than the first.
         let end = |radius: f64| match star.ranges.final_radius_mm {
-            Some(range) => shown::as_exact_as(radius, range, "mm"),
-            None => show(radius, "mm"),
+            Some(range) => shown::as_exact_as(2.0 * radius, scaled(range, 2.0), "mm"),
+            None => show(2.0 * radius, "mm"),
         };
-        line("holds radii from, to", format!("{}, {}", end(least), end(most)));
-        line("cut hole, radius", show(star.hole_radius_mm, "mm"));
+        line("holds objects across from, to", format!("{}, {}", end(least), end(most)));
+        line("cut hole, across", show(2.0 * star.hole_radius_mm, "mm"));
         if let Some(gap) = star.object_gap_mm {
             line("room around the object", show(gap, "mm"));
         }
@@ -165,7 +175,8 @@ fn quantities(star: &StarPrediction) -> [(&'static str, Option<f64>, Option<Inte
     let ranges = &star.ranges;
     let percent = |range: Interval| scaled(range, 100.0);
     let stiffness = star.hinge_stiffness_Nm.map(|c| (c.tip, c.corner)).unzip();
-    let shut = star.tip_equilibrium_angle_deg.map(|angle| angle.max(star.correction.touch.to_degrees()));
+    let shut =
+        star.tip_equilibrium_angle_deg.map(|angle| angle.max(star.correction.contact_angle.to_degrees()));
     [
         ("final radius", star.final_radius_mm, ranges.final_radius_mm, "mm"),
         ("contraction", star.contraction.map(|c| 100.0 * c), ranges.contraction.map(percent), "%"),

@@ -3,10 +3,10 @@
 //! Both turn `section` round. A V-actuator's arms are those of the table, so B is found where that reaches. A disc wrinkles
 //! at its rim, so its section is the tension field's, from its middle to the rim and with a whole turn kept: lambda = 1.
 
-use crate::mechanics::fault::StarFault;
-use crate::mechanics::hinge::section::{Section, arms};
-use crate::mechanics::hinge::{Hinge, HingeModel};
-use crate::numerics::{RootFault, bracketed_root};
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::hinge::section::{Section, arms};
+use inflatable::mechanics::hinge::{Hinge, HingeModel};
+use inflatable::numerics::{RootFault, bracketed_root};
 use std::fmt;
 
 /// p W / Y of discs that are looked at.

@@ -1,22 +1,23 @@
 //! Whether a gripper holds the object of its `[load]`, in one word and with reasons; and why it is refused if it cannot.
 
 use crate::design::{Object, Refusal, RefusalCode};
+use crate::forecast::load_check::{
+    bursts, may_burst, outside_models, too_hard, too_heavy, too_short, too_thin, too_wide_to_enter,
+    too_wide_to_open,
+};
 use crate::forecast::outcome::Hold;
 use crate::forecast::prediction::StarPrediction;
 pub use crate::forecast::prediction::{Holds, Verdict};
 use crate::forecast::ranges::{Interval, sum};
-use crate::forecast::unfit::{
-    bursts, outside_models, too_hard, too_heavy, too_short, too_thin, too_wide_to_enter, too_wide_to_open,
-};
-use crate::mechanics::strength::GRAVITY;
 use crate::spec::{Code, Load, Spec};
 use crate::units::{Force, Mass};
+use inflatable::mechanics::strength::GRAVITY;
 
 /// The verdict on the object of `spec` between `stars`; `None` without an object or a pressure.
 pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
     let load = spec.load.as_ref()?;
     let _ = load.object_radius.filter(|_| load.pressure.is_some())?;
-    let judged = Judged::of(spec, load, stars);
+    let judged = Findings::of(spec, load, stars);
     let hardest = stars
         .iter()
         .filter(|star| star.object_force_N.is_some())
@@ -40,7 +41,7 @@ pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
 /// object, or no model covers it. Empty if none of this is certain, or nothing is asked.
 pub fn refusals(spec: &Spec, stars: &[StarPrediction]) -> Vec<Refusal> {
     let Some(load) = spec.load.as_ref().filter(|load| load.pressure.is_some()) else { return Vec::new() };
-    let judged = Judged::of(spec, load, stars);
+    let judged = Findings::of(spec, load, stars);
     // One star that holds the object will do.
     let idle = judged.is_idle();
     let counts = |finding: &&Finding| match finding.weight {
@@ -115,13 +116,13 @@ impl Finding {
 
 /// What was found.
 #[derive(Debug, Default)]
-struct Judged {
+struct Findings {
     findings: Vec<Finding>,
     /// Distinct stars: one that holds the object will do.
     stars: usize,
 }
 
-impl Judged {
+impl Findings {
     fn of(spec: &Spec, load: &Load, stars: &[StarPrediction]) -> Self {
         let is_first =
             |(index, star): &(usize, &StarPrediction)| !stars.iter().take(*index).any(|other| other == *star);
@@ -180,6 +181,9 @@ impl Judged {
     fn star(&mut self, spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction)) {
         if let Some(refusal) = bursts(load, star) {
             self.add(Weight::Refuted, index, What::Refusal(refusal));
+        }
+        if let Some(reason) = may_burst(load, star) {
+            self.add(Weight::Doubted, index, What::Reason(reason));
         }
         if let Some(refusal) = outside_models(load, star) {
             return self.add(Weight::Unknown, index, What::Refusal(refusal));

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::manifest::{ManifestFile, Tool};
+use crate::manifest::{ManifestFile, SealedPiece, Tool};
 
 /// Content of `manifest.json` in a directory of coupons: the settings, and the files written.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -16,7 +16,7 @@ pub struct CouponManifest {
     /// Every file beside the manifest and the table that a person fills in.
     pub files: Vec<ManifestFile>,
     /// Every program with its seams.
-    pub pieces: Vec<ManifestCoupon>,
+    pub pieces: Vec<SealedPiece>,
 }
 
 /// The settings of the strips, and which coupons there are.
@@ -35,30 +35,6 @@ pub struct CouponChoice {
     pub repeats: usize,
     /// Kinds of coupons: "strips", "disc", "v-actuator", "burst".
     pub only: Vec<String>,
-}
-
-/// One program.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ManifestCoupon {
-    /// Name of the piece.
-    pub name: String,
-    /// "coupon".
-    pub kind: String,
-    /// Time of the program without heating and pauses, s.
-    pub time_s: f64,
-    /// Its seams, in the order of sealing.
-    pub seams: Vec<ManifestCouponSeam>,
-}
-
-/// One seam.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct ManifestCouponSeam {
-    /// Its name in the program.
-    pub name: String,
-    /// Path in contact, mm.
-    pub length_mm: f64,
-    /// Time in contact, ramps included, s.
-    pub time_s: f64,
 }
 
 impl CouponManifest {

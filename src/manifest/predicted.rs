@@ -72,7 +72,7 @@ impl ManifestStarPrediction {
             object_force_N: star.object_force_N,
             object_force_range_N: ranges.object_force_N,
             bendability: star.bendability,
-            stretch: star.stretch,
+            stretch: star.stretch.ratio(),
             burst_margin: star.burst_margin,
         }
     }

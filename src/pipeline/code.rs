@@ -1,4 +1,5 @@
-//! The codes of what a person should see to before sealing.
+//! The codes of what a person should see to before sealing, and of commands that fail for no fault of a spec
+//! or a design.
 
 use crate::spec::codes;
 
@@ -16,5 +17,14 @@ codes! {
         UnknownReach "unknown-reach" "Whether the machine reaches all of the sheet is unknown; write `work_area` into its profile.",
         UnknownStrength "unknown-strength" "The burst pressure is unknown; measure `seal_strength` with `coupon`, and write it.",
         WeakSeal "weak-seal" "The seal may fail at this place; see the remedy, if one is shown.",
+    }
+}
+
+codes! {
+    /// Why a command fails where neither a spec nor a design is refused.
+    CommandCode {
+        Failed "failed" "The command cannot do this; the message says why.",
+        Infeasible "infeasible" "No gripper that was found does what is asked; the message names a request near it that can be met.",
+        NotPublished "not-published" "The files could not be put in place; nothing was replaced.",
     }
 }

@@ -4,19 +4,16 @@ use std::borrow::Cow;
 
 use crate::airtight;
 use crate::artifact::{Kind, Output, program_ending};
-use crate::coupon::{Coupon, Grid, Group, coupons, overview, table};
-use crate::design::Refusals;
-use crate::geom::Path;
-use crate::manifest::{
-    CouponChoice, CouponManifest, MANIFEST, ManifestCoupon, ManifestCouponSeam, ManifestFile, Tool, sha256,
-};
+use crate::coupon::{Coupon, CouponPiece, Grid, Group, coupons, overview, table};
+use crate::design::{Refusal, Refusals};
+use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, SealedPiece, Tool, sha256};
 use crate::pipeline::Sources;
 use crate::pipeline::directory::{refused, sources_of};
-use crate::plan::{Program, SeamReport};
 use crate::spec::{Machine, Spec};
 use crate::units::{Length, Speed, Temperature};
 use crate::verify;
-use crate::verify::{By, FileProof, Finding, FindingCode, Findings, OutputFiles, ProgramTask, Proof};
+use crate::verify::{FileProof, Finding, FindingCode, Findings, Method, OutputFiles, ProgramTask, Proof};
+use inflatable::geom::Path;
 
 /// Every strip with its setting and its cut.
 pub const OVERVIEW: &str = "strips.svg";
@@ -56,13 +53,14 @@ impl MadeCoupons {
         groups: &[Group],
     ) -> Result<Self, Refusals> {
         let coupons = coupons(spec, machine, grid, groups)?;
-        let leaks = coupons.iter().filter_map(|coupon| Some((coupon, coupon.mouth?)));
-        let leaks: Refusals = leaks
-            .flat_map(|(coupon, mouth)| {
-                let seams = coupon.seams.iter();
-                seams
-                    .flat_map(move |seam| airtight::pouch_leaks(seam, spec.seal.band.0, mouth))
-                    .collect::<Vec<_>>()
+        let pieces = coupons.iter().flat_map(|coupon| &coupon.pieces);
+        let of_piece = |piece: &CouponPiece, leak: Refusal| Refusal {
+            found: format!("{}: {}", piece.name, leak.found),
+            ..leak
+        };
+        let leaks: Refusals = pieces
+            .flat_map(|piece| {
+                airtight::shape_leaks(&piece.shape).into_iter().map(move |leak| of_piece(piece, leak))
             })
             .collect();
         leaks.or(())?;
@@ -160,10 +158,10 @@ impl MadeCoupons {
         }
         let by = match (equal, coupon) {
             // Nothing makes spec and profile anew.
-            _ if matches!(kind, Kind::Spec | Kind::Machine) => By::Hash,
-            (true, _) => By::Bytes,
-            (false, Some(_)) => By::Reading,
-            (false, None) => By::Hash,
+            _ if matches!(kind, Kind::Spec | Kind::Machine) => Method::Hash,
+            (true, _) => Method::Bytes,
+            (false, Some(_)) => Method::Reading,
+            (false, None) => Method::Hash,
         };
         proof.files.push(FileProof {
             path: name.to_owned(),
@@ -239,13 +237,13 @@ fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(Grid, Vec<Group>)
 
 /// What the program of a coupon should do.
 fn coupon_task(coupon: &Coupon) -> ProgramTask<'_> {
-    let Coupon { name, spec, machine, seams, .. } = coupon;
+    let Coupon { name, spec, machine, .. } = coupon;
     ProgramTask {
         spec,
         machine,
         hot: true,
         scope: format!("piece={name}"),
-        seams: seams.clone(),
+        seams: coupon.seams(),
         frame: Path::default(),
         area: coupon.area(),
     }
@@ -258,20 +256,6 @@ fn manifest(
     coupons: &[Coupon],
     files: &[(String, Kind, Vec<u8>)],
 ) -> CouponManifest {
-    let seam = |seam: &SeamReport| ManifestCouponSeam {
-        name: seam.name.piece().unwrap_or_default().to_owned(),
-        length_mm: thousandths(seam.length),
-        time_s: thousandths(seam.time),
-    };
-    let piece = |coupon: &Coupon| {
-        let Program { time, seams, .. } = &coupon.program;
-        ManifestCoupon {
-            name: coupon.name.clone(),
-            kind: "coupon".to_owned(),
-            time_s: thousandths(*time),
-            seams: seams.iter().map(seam).collect(),
-        }
-    };
     let only = Group::NAMES.iter().filter(|(_, group)| groups.contains(group));
     CouponManifest {
         tool: Tool::this(),
@@ -284,10 +268,6 @@ fn manifest(
             only: only.map(|(name, _)| (*name).to_owned()).collect(),
         },
         files: files.iter().map(|(name, kind, bytes)| ManifestFile::plain(name, *kind, bytes)).collect(),
-        pieces: coupons.iter().map(piece).collect(),
+        pieces: coupons.iter().map(|coupon| SealedPiece::coupon(&coupon.name, &coupon.program)).collect(),
     }
-}
-
-fn thousandths(x: f64) -> f64 {
-    (x * 1e3).round() / 1e3
 }

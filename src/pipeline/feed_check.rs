@@ -3,7 +3,6 @@
 use crate::artifact::{Kind, Output};
 use crate::design::Refusals;
 use crate::emit;
-use crate::geom::Path;
 use crate::manifest::{FeedCheckManifest, ManifestFile, Tool, sha256};
 use crate::pipeline::Sources;
 use crate::plan;
@@ -11,7 +10,8 @@ use crate::plan::{Program, Step};
 use crate::spec;
 use crate::spec::{Machine, Source, Spec};
 use crate::verify;
-use crate::verify::{By, FeedCheckTask, FileProof, Finding, FindingCode, Findings, Proof};
+use crate::verify::{FeedCheckTask, FileProof, Finding, FindingCode, Findings, Method, Proof};
+use inflatable::geom::Path;
 
 /// A feed check that was read back: the only one that can be written.
 #[derive(Clone, Debug)]
@@ -85,7 +85,7 @@ pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) 
     if !equal && other.is_none() {
         findings.push(verify::first_difference(found, right.as_bytes()));
     }
-    let by = if equal { By::Bytes } else { By::Reading };
+    let by = if equal { Method::Bytes } else { Method::Reading };
     let file =
         FileProof { path: name.to_owned(), output: Output::of(Kind::TraceGcode), by, sha256, deviation };
     let findings = findings.into_vec().into_iter().map(|finding| finding.in_file(name)).collect();

@@ -105,7 +105,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
 /// The one of `programs` that is for the output's star, or its sheet.
 fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option<String> {
     let is_for = |program: &&Program| match output.star {
-        Some(star) => program.stars == [star],
+        Some(star) => program.numbers() == [star],
         None => Some(program.sheet) == output.sheet,
     };
     let program = programs.iter().find(is_for)?;

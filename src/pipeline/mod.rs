@@ -14,7 +14,7 @@ mod coupons;
 mod directory;
 mod feed_check;
 mod files;
-mod fitness;
+mod load_check;
 mod precautions;
 mod proven;
 
@@ -28,11 +28,11 @@ use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
-pub use code::PrecautionCode;
+pub use code::{CommandCode, PrecautionCode};
 pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 pub use feed_check::{FeedCheckFault, ProvenFeedCheck, feed_check, prove_feed_check};
 pub use precautions::Precaution;
-pub use proven::{Claim, Proven, prove_files, read_back};
+pub use proven::{Proven, PublishedBuild, prove_files, read_back};
 
 /// A gripper whose geometry exists, without a way for air but the inlet.
 #[derive(Clone, Debug)]

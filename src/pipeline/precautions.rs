@@ -3,7 +3,7 @@
 use crate::airtight;
 use crate::design::SheetLayout;
 use crate::forecast::ranges::shown::rounded;
-use crate::forecast::seal_load::SealLoad;
+use crate::forecast::seal_load::{Bursting, SealLoad};
 use crate::pipeline::Forecast;
 use crate::pipeline::code::PrecautionCode;
 use crate::plan::Pace;
@@ -116,7 +116,8 @@ fn weak_seal(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
     let mut list = Vec::new();
     for star in &report.stars {
-        let bursting = star.loads.iter().filter_map(SealLoad::weakness).filter(|_| is_fit);
+        let unsaid = |load: &&SealLoad| is_fit || load.bursting == Some(Bursting::Perhaps);
+        let bursting = star.loads.iter().filter(unsaid).filter_map(SealLoad::weakness);
         let texts = star.passage.weaknesses.iter().cloned().chain(bursting);
         list.extend(
             texts.map(|text| {
@@ -127,15 +128,16 @@ fn weak_seal(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     list
 }
 
-/// What the prediction warns of; not what makes the gripper unfit, which is said already.
+/// What the prediction warns of; not what makes the gripper unfit, nor how near the seal is to bursting,
+/// which is said already.
 fn predicted(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     let mut list = Vec::new();
     for star in forecast.prediction.iter().flat_map(|prediction| &prediction.stars) {
         let evidence = &star.evidence;
         let is_said = |text: &String| {
             *text == evidence.choice
-                || !is_fit
-                    && [&evidence.of_burst, &evidence.of_object].into_iter().flatten().any(|own| own == text)
+                || evidence.of_burst.as_ref() == Some(text)
+                || !is_fit && evidence.of_object.as_ref() == Some(text)
         };
         let texts = evidence.warnings.iter().filter(|text| !is_said(text));
         list.extend(texts.map(|text| Precaution::new(PrecautionCode::Prediction, text.clone())));

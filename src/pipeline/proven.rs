@@ -10,7 +10,7 @@ use crate::pipeline::{Built, Forecast, Sources};
 use crate::spec;
 use crate::spec::Machine;
 use crate::verify;
-use crate::verify::{By, Expected, Finding, FindingCode, OutputFiles, Proof};
+use crate::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
 
 /// A gripper whose files have been read back and say what the design says: the only thing that can be published.
 #[derive(Clone, Debug)]
@@ -66,7 +66,7 @@ impl Proven {
 
 /// What a directory's own spec, profile and manifest ask for: what its files are held to.
 #[derive(Clone, Debug)]
-pub struct Claim {
+pub struct PublishedBuild {
     forecast: Result<Forecast, Vec<Finding>>,
     /// The manifest, if it is one of a build.
     written: Option<Manifest>,
@@ -74,7 +74,7 @@ pub struct Claim {
     coupons: Option<CouponManifest>,
 }
 
-impl Claim {
+impl PublishedBuild {
     /// Reads spec, profile and manifest among `files`.
     pub fn of(files: &OutputFiles<'_>) -> Self {
         let coupons = files.get(MANIFEST).and_then(|bytes| serde_json::from_slice(bytes).ok());
@@ -203,7 +203,7 @@ fn compare_with_other(
         let _ = verify::mark_equal(&made.name, &made.bytes, files, proof);
     });
     let is_shown = |kind: Kind| matches!(kind.subject(), Subject::Preview | Subject::Report | Subject::Scene);
-    let differs = proof.files.iter().filter(|file| file.by != By::Bytes && is_shown(file.output.kind));
+    let differs = proof.files.iter().filter(|file| file.by != Method::Bytes && is_shown(file.output.kind));
     let mut unproven: Vec<String> = differs.map(|file| file.path.clone()).collect();
     if other_profile(forecast, files).is_some() {
         unproven.push(format!("machine.toml as the profile {:?}", forecast.spec.machine.profile));
@@ -214,14 +214,14 @@ fn compare_with_other(
     proof.unproven = unproven;
 }
 
-/// Proves an output directory from its files alone: see [`Claim::prove`].
+/// Proves an output directory from its files alone: see [`PublishedBuild::prove`].
 pub fn prove_files(files: &OutputFiles<'_>) -> Proof {
-    Claim::of(files).prove(files)
+    PublishedBuild::of(files).prove(files)
 }
 
-/// Proves an output directory by reading alone: see [`Claim::read_back`].
+/// Proves an output directory by reading alone: see [`PublishedBuild::read_back`].
 pub fn read_back(files: &OutputFiles<'_>) -> Proof {
-    Claim::of(files).read_back(files)
+    PublishedBuild::of(files).read_back(files)
 }
 
 /// Proves `files` of a directory, whose profile also has to be what the spec calls it.

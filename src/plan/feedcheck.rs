@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-use crate::geom::{Arc, Line, Point, Segment};
 use crate::plan::{Height, Program, Purpose, Scope, Step};
 use crate::spec::{Machine, Spec};
+use inflatable::geom::{Arc, Line, Point, Segment};
 
 /// Length of each way, mm: at 0.1 mm/s it takes 100 s, long enough for a wristwatch.
 pub const CHECK_LENGTH: f64 = 10.0;
@@ -29,7 +29,7 @@ pub fn feed_checks(spec: &Spec, machine: &Machine) -> Vec<(&'static str, Program
     }
     let program = |way: Segment| {
         let steps = vec![Step::Travel(way.start()), Step::Height(Height::Travel), Step::Seal(vec![way])];
-        let scope = Scope { purpose: Purpose::Trace, sheet: 1, stars: Vec::new(), piece: None };
+        let scope = Scope { purpose: Purpose::Trace, sheet: 1, pieces: Vec::new() };
         Program::new(spec, machine, scope, steps, Vec::new())
     };
     ways.into_iter().map(|(name, way)| (name, program(way))).collect()

@@ -3,13 +3,14 @@
 //! The limits keep a build within some hundred megabytes, and every figure of a program's comments within the shortest
 //! line that a profile may have.
 
-use crate::design::{Design, PlacedStar, Refusal, RefusalCode};
-use crate::geom::Segment;
+use crate::design::{Design, Refusal, RefusalCode};
 use crate::plan::lowest_feed::lowest_along;
 use crate::plan::pieces::Cuts;
 use crate::plan::seal::batches;
 use crate::plan::{Pace, Program};
+use crate::shape::{PlacedPiece, laid_seams};
 use crate::spec::{Machine, Spec, key};
+use inflatable::geom::Segment;
 
 /// Most moves in contact of all programs together: 40 times those of three large stars, chopped.
 const MOST_MOVES: f64 = 2e6;
@@ -43,21 +44,19 @@ fn moves(spec: &Spec, machine: &Machine, design: &Design) -> f64 {
         way.iter().map(of_segment).sum()
     };
     let batches = batches(design, spec.machine.program);
-    batches.iter().map(|(_, stars)| of_way(&contacts(machine, design, stars))).sum()
+    batches.iter().map(|(_, pieces)| of_way(&contacts(machine, pieces))).sum()
 }
 
-/// What is travelled in contact to seal `stars`: each segment with the change of height along it.
-fn contacts(machine: &Machine, design: &Design, stars: &[&PlacedStar]) -> Vec<(Segment, f64)> {
-    let (heights, ramp) = (&machine.process.heights, machine.process.ramp.0);
+/// The segments in contact that seal `pieces`, each with the change of height along it.
+fn contacts(machine: &Machine, pieces: &[PlacedPiece<'_>]) -> Vec<(Segment, f64)> {
+    let heights = &machine.process.heights;
     let rise = heights.travel.0 - heights.contact.0;
     let mut out = Vec::new();
-    for placed in stars {
-        for seam in &design.part(placed).seams {
-            for (path, rise) in [(seam.lead_in(ramp), rise), (seam.run(), 0.0), (seam.lead_out(ramp), rise)] {
-                let (path, flat) = (placed.placement.path(&path), path.length());
-                let along = |segment: &Segment| (*segment, rise * segment.length() / flat);
-                out.extend(path.segments.iter().map(along));
-            }
+    for seam in laid_seams(pieces, machine.process.ramp.0) {
+        for (path, rise) in [(&seam.lead_in, rise), (&seam.run, 0.0), (&seam.lead_out, rise)] {
+            let flat = path.length();
+            let along = |segment: &Segment| (*segment, rise * segment.length() / flat);
+            out.extend(path.segments.iter().map(along));
         }
     }
     out

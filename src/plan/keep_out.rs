@@ -1,10 +1,11 @@
 //! Clamps: places that the iron must not enter.
 
 use crate::design::{Refusal, RefusalCode};
-use crate::geom::{Bounds, Line, Point, Segment, segment_distance};
 use crate::plan::lowest_feed::contact;
 use crate::plan::{Program, Step};
+use crate::shape::PieceName;
 use crate::spec::{KeepOut, Machine, Spec, key};
+use inflatable::geom::{Bounds, Line, Point, Segment, segment_distance};
 
 /// The sides of a clamp, counterclockwise.
 fn sides(zone: &KeepOut) -> [Segment; 4] {
@@ -81,8 +82,7 @@ pub(super) fn clamps_in_the_way(
         let mut ways = blocks.flat_map(|block| &block.ways).filter(|way| way.low || !passes);
         let met = ways.find(|way| way.near.overlaps(&place) && distance(zone, &way.piece) <= way.reach)?;
         let program = programs.get(met.program)?;
-        let stars: Vec<String> = program.stars.iter().map(ToString::to_string).collect();
-        let piece = program.piece.clone().unwrap_or_else(|| format!("star {}", stars.join(", ")));
+        let piece = listed(&program.pieces);
         Some(Refusal::new(
             key::machine::PROFILE,
             RefusalCode::ClampInTheWay,
@@ -91,6 +91,12 @@ pub(super) fn clamps_in_the_way(
         ))
     };
     machine.bench.keep_out.iter().filter_map(refusal).collect()
+}
+
+/// The pieces in words: "star 1, 2", "disc".
+fn listed(pieces: &[PieceName]) -> String {
+    let numbers = pieces.iter().filter_map(PieceName::number).skip(1).map(|number| format!(", {number}"));
+    pieces.first().map_or(String::new(), ToString::to_string) + &numbers.collect::<String>()
 }
 
 /// The ways of a program: contacts first, for a clamp in a seal's way is best told so.

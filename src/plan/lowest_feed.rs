@@ -3,20 +3,30 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::design::{Refusal, RefusalCode};
-use crate::geom::Segment;
 use crate::plan::whole_rates::rounded_up;
 use crate::plan::{Chop, Pace, Program, Step};
 use crate::spec::{FeedFloor, Machine, Motion, Spec, StepRate, key};
-use crate::units::Most;
+use crate::units::{Least, Most};
+use inflatable::geom::Segment;
 
 /// The lowest speed that `motion` holds all along `piece`, which climbs by `rise`: that of its worst direction.
 ///
 /// `None` if it is unknown. On an arc the worst direction is at an end, or where X and Y step equally often.
 pub fn lowest_speed(motion: &Motion, piece: &Segment, rise: f64) -> Option<f64> {
+    lowest_on(motion, piece, rise, Motion::lowest_speed)
+}
+
+/// The same where `lowest` is that of a straight move with these displacements.
+fn lowest_on(
+    motion: &Motion,
+    piece: &Segment,
+    rise: f64,
+    lowest: impl Fn(&Motion, [f64; 3]) -> Option<f64>,
+) -> Option<f64> {
     let length = piece.length();
     let along = |t: f64| {
         let u = piece.tangent(t);
-        motion.lowest_speed([u.x * length, u.y * length, rise])
+        lowest(motion, [u.x * length, u.y * length, rise])
     };
     let mut worst = along(0.0)?.max(along(1.0)?);
     if let Segment::Arc(arc) = piece {
@@ -38,8 +48,10 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     let mut most = 0.0_f64;
     for program in programs {
         if let Pace::Chopped(chop) = program.pace {
-            if let Some(refusal) = too_fast_to_chop(spec, &chop) {
-                return Some(refusal);
+            let refusal = too_fast_to_chop(spec, &chop).or_else(|| slow_chop_feed(machine, program));
+            let refusal = refusal.or_else(|| long_rest(&chop, program));
+            if refusal.is_some() {
+                return refusal;
             }
             continue;
         }
@@ -141,6 +153,59 @@ fn too_fast_to_chop(spec: &Spec, chop: &Chop) -> Option<Refusal> {
             chop.speed
         ),
         format!("speed must be below {} mm/s", Most(limit)),
+    ))
+}
+
+/// The iron would have to rest for too long in one place: around a corner, where the controller joins moves of few steps, or
+/// after every stroke, where strokes are long because the axes speed up slowly.
+fn long_rest(chop: &Chop, program: &Program) -> Option<Refusal> {
+    if program.overdue <= 0.0 {
+        return None;
+    }
+    let (rest, overdue) = (chop.rest, program.overdue);
+    let (key, found, remedy) = if chop.least > 0.0 {
+        (
+            key::star::CORNER_RADIUS,
+            format!(
+                "beside a sharp corner the controller joins moves below {:.3} mm, and the iron would rest for {:.2} s in one \
+                 place; without a scar it may for {rest:.2} s",
+                chop.least,
+                rest + overdue
+            ),
+            "make the arms longer, round tips and corners, or use a machine with more steps per mm",
+        )
+    } else {
+        (
+            key::seal::SPEED,
+            format!(
+                "after strokes of {:.3} mm the iron would rest for more than {rest:.2} s in one place",
+                chop.longest
+            ),
+            "choose another speed, or a higher acceleration in the profile if the machine has it",
+        )
+    };
+    Some(Refusal::new(key, RefusalCode::NoChop, found, remedy.to_owned()))
+}
+
+/// The profile's own `chop_feed` is one that the controller runs faster, on the ramps or in the plane.
+fn slow_chop_feed(machine: &Machine, program: &Program) -> Option<Refusal> {
+    let (motion, feed) = (&machine.motion, machine.motion.chop_feed?.0);
+    let lowest = contact(&program.steps).try_fold(0.0_f64, |most, (piece, rise)| {
+        Some(most.max(lowest_on(motion, piece, rise, Motion::lowest_stroke)?))
+    })?;
+    if feed >= lowest * (1.0 - 1e-9) {
+        return None;
+    }
+    Some(Refusal::new(
+        key::machine::PROFILE,
+        RefusalCode::NoChop,
+        format!(
+            "`chop_feed` of the profile is {feed:.3} mm/s, and the controller runs it at up to {lowest:.3} mm/s"
+        ),
+        format!(
+            "`chop_feed` must be at least {} mm/s; without the key the program takes a fitting one",
+            Least(lowest)
+        ),
     ))
 }
 

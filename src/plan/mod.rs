@@ -1,4 +1,4 @@
-//! What the machine does, step by step, in no controller's words.
+//! The plan: what the machine does, step by step, in no controller's language.
 //!
 //! A [`Program`] is a list of [`Step`]s in the sheet's frame. The preview and the G-code are both made
 //! from it, so they cannot disagree about order, direction, starts and overlaps. The plan decides all of

@@ -9,10 +9,13 @@
 //! runs on into the next, and both are timed as one stroke. A controller may join a move of a few steps to the next one
 //! (Marlin): no dwell follows such a move, for it would come before the move is made.
 
-use crate::geom::Segment;
 use crate::plan::chop::Chop;
 use crate::plan::written::Written;
 use crate::spec::{FeedFloor, Machine, Spec};
+use inflatable::geom::Segment;
+
+/// By how much the iron may be early after a stop beside half of a dwell's step, s: what rounding leaves.
+const OVERDUE: f64 = 0.01;
 
 /// How the seal's speed is made.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,6 +48,8 @@ pub struct Pacer {
     speed: f64,
     /// Time by which the iron is early, s.
     early: f64,
+    /// The most by which it was early after the longest wait, s.
+    overdue: f64,
     run: Run,
 }
 
@@ -74,7 +79,7 @@ impl Pace {
 impl Pacer {
     /// A pacer at the start of a contact; `speed` is the seal's, mm/s.
     pub fn new(pace: Pace, speed: f64) -> Self {
-        Self { pace, speed, early: 0.0, run: Run::default() }
+        Self { pace, speed, early: 0.0, overdue: 0.0, run: Run::default() }
     }
 
     /// Hands the strokes of `piece` to `each`, in order; `heights` are those of its two ends where they differ.
@@ -102,6 +107,15 @@ impl Pacer {
         }
     }
 
+    /// The most by which the iron was early where it stood still for as long as it may, s; a dwell's step is none.
+    ///
+    /// Around a sharp corner beside a short piece a controller that joins short moves has made hardly any steps when more time
+    /// has passed than it may rest in one place.
+    pub(super) fn overdue(&self) -> f64 {
+        let Pace::Chopped(chop) = self.pace else { return 0.0 };
+        Some(self.overdue).filter(|early| *early > 0.5 * chop.step + OVERDUE).unwrap_or(0.0)
+    }
+
     /// Adds a stroke to the run; the time that it adds, and the dwell after it, s.
     fn stroke(&mut self, chop: &Chop, written: &Written) -> (f64, f64) {
         let Written { from, to, length } = *written;
@@ -119,6 +133,9 @@ impl Pacer {
         let most = if is_made { (chop.rest / chop.step + 1e-9).floor() } else { 0.0 };
         let dwell = ((self.early / chop.step).round().min(most) * chop.step).max(0.0);
         self.early -= dwell;
+        if is_made {
+            self.overdue = self.overdue.max(self.early);
+        }
         self.run = if dwell > 0.0 { Run::default() } else { run };
         (moving, dwell)
     }
@@ -127,10 +144,10 @@ impl Pacer {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::{Arc, Line, Point};
     use crate::plan::chop::move_time;
     use crate::plan::{Precision, Stepper};
     use crate::units::Length;
+    use inflatable::geom::{Arc, Line, Point};
 
     const GRBL: Chop = Chop {
         speed: 0.65,
@@ -141,14 +158,7 @@ mod tests {
         step: 0.05,
         rest: 2.0,
         start_delay: 0.0,
-        stepper: Some(Stepper {
-            steps_per_mm: [80.0, 80.0, 400.0],
-            rate: 30.52,
-            tick: 0.01,
-            wraps: false,
-            first_rate: None,
-            least_steps: 0.0,
-        }),
+        stepper: Some(Stepper::GRBL),
     };
 
     /// Marlin of most boards: six steps at 45 degrees are 0.106 mm.

@@ -2,10 +2,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::geom::{Arc, Path, Segment};
 use crate::plan::chop::Chop;
 use crate::plan::written::STRAIGHT;
 use crate::spec::{FeedFloor, Machine, Spec};
+use inflatable::geom::{Arc, Path, Segment};
 
 /// Longest single move in contact, mm. At 0.1 mm/s it takes 50 s: the most that a pause has to wait for.
 pub const LONGEST_MOVE: f64 = 5.0;
@@ -114,7 +114,7 @@ fn below(ratio: f64) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::Point;
+    use inflatable::geom::Point;
 
     /// Six steps at 80 steps/mm and 45 degrees are 0.106 mm: chords are as long, or two go to a stroke.
     #[test]

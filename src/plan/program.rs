@@ -1,9 +1,9 @@
 //! Programs and their steps.
 
-use crate::design::SeamName;
-use crate::geom::{Point, Segment};
 use crate::plan::Pace;
+use crate::shape::{PieceName, SeamName};
 use crate::units::Temperature;
+use inflatable::geom::{Point, Segment};
 
 /// What a program is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,17 +14,15 @@ pub enum Purpose {
     Trace,
 }
 
-/// One program of one sheet, for one star or for all of its stars.
+/// One program of one sheet, for one piece or several.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Program {
     /// What it is for.
     pub purpose: Purpose,
     /// Number of its sheet, from 1.
     pub sheet: usize,
-    /// The stars it covers, by number.
-    pub stars: Vec<usize>,
-    /// The piece that it covers, if it is no star's.
-    pub piece: Option<String>,
+    /// The pieces it covers, in the order of sealing.
+    pub pieces: Vec<PieceName>,
     /// What is done, in order.
     pub steps: Vec<Step>,
     /// The seams it seals, in order; empty for a trace.
@@ -33,6 +31,8 @@ pub struct Program {
     pub pace: Pace,
     /// Time for all of it without heating and pauses, s.
     pub time: f64,
+    /// By how much the iron is early, at most, after the longest rest that leaves no scar, s; 0 where it is on time.
+    pub overdue: f64,
 }
 
 /// One step. Heights and speeds are the machine's; positions are in the sheet's frame.
@@ -89,18 +89,10 @@ pub struct SeamReport {
     pub time: f64,
 }
 
-impl SeamReport {
-    /// Number of the star that it is a seam of.
-    pub fn star(&self) -> Option<usize> {
-        self.name.star()
-    }
-
-    /// The name of a star's loop in files; "seam" of any other piece.
-    pub fn loop_name(&self) -> &'static str {
-        match &self.name {
-            SeamName::Star { side, .. } => side.loop_name(),
-            SeamName::Piece(_) => "seam",
-        }
+impl Program {
+    /// The numbers of its pieces that are numbered, such as stars.
+    pub fn numbers(&self) -> Vec<usize> {
+        self.pieces.iter().filter_map(PieceName::number).collect()
     }
 }
 

@@ -1,10 +1,10 @@
 //! Ramps so short that a move on them has no length in the plane: the iron would go straight down.
 
 use crate::design::{Refusal, RefusalCode};
-use crate::geom::Segment;
 use crate::plan::{Pace, Program, Ramp, Step};
 use crate::spec::{Machine, Spec, key};
 use crate::units::Least;
+use inflatable::geom::Segment;
 
 /// Shortest way in the plane, mm, of a move on a ramp: programs tell two places apart that are a fifth of the tolerance from each
 /// other, and 0.002 mm, whatever the tolerance.

@@ -1,36 +1,38 @@
-//! The sealing programs: seam after seam; of every star the inner loop, then the outer loop.
+//! The sealing programs: piece after piece, seam after seam.
 
-use crate::design::{Design, LaidSeam, PlacedStar};
-use crate::geom::{Path, Point, Segment};
+use crate::design::Design;
 use crate::plan::pieces::Cuts;
 use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step};
+use crate::shape::{LaidSeam, PlacedPiece, laid_seams};
 use crate::spec::{Machine, ProgramScope, Spec};
+use inflatable::geom::{Path, Point, Segment};
 
-/// A sheet, and stars on it in the order of sealing: what one program covers.
-pub(super) type Batch<'a> = (usize, Vec<&'a PlacedStar>);
+/// A sheet, and pieces on it in the order of sealing: what one program covers.
+pub(super) type Batch<'a> = (usize, Vec<PlacedPiece<'a>>);
 
 /// What every program covers, by the spec's choice of one a star or one a sheet.
 pub(super) fn batches(design: &Design, scope: ProgramScope) -> Vec<Batch<'_>> {
     match scope {
-        ProgramScope::Star => design.stars.iter().map(|star| (star.sheet, vec![star])).collect(),
+        ProgramScope::Star => design.stars.iter().map(|star| (star.sheet, design.pieces(&[star]))).collect(),
         ProgramScope::Sheet => {
-            design.sheets.iter().map(|sheet| (sheet.index, design.nearest_first(sheet.index))).collect()
+            let pieces = |sheet: usize| design.pieces(&design.nearest_first(sheet));
+            design.sheets.iter().map(|sheet| (sheet.index, pieces(sheet.index))).collect()
         }
     }
 }
 
 /// All sealing programs of `design`.
 pub fn seal_programs(spec: &Spec, machine: &Machine, design: &Design) -> Vec<Program> {
-    let program = |(sheet, stars): Batch<'_>| {
-        let seams = design.laid_seams(&stars, machine.process.ramp.0);
-        seal_program(spec, machine, scope(Purpose::Seal, sheet, &stars), &seams)
+    let program = |(sheet, pieces): Batch<'_>| {
+        let seams = laid_seams(&pieces, machine.process.ramp.0);
+        seal_program(spec, machine, scope(Purpose::Seal, sheet, &pieces), &seams)
     };
     batches(design, spec.machine.program).into_iter().map(program).collect()
 }
 
 /// What the program of a batch covers.
-pub(super) fn scope(purpose: Purpose, sheet: usize, stars: &[&PlacedStar]) -> Scope {
-    Scope { purpose, sheet, stars: stars.iter().map(|star| star.index).collect(), piece: None }
+pub(super) fn scope(purpose: Purpose, sheet: usize, pieces: &[PlacedPiece<'_>]) -> Scope {
+    Scope { purpose, sheet, pieces: pieces.iter().map(|piece| piece.name.clone()).collect() }
 }
 
 /// The program that seals `seams`, in their order.

@@ -154,6 +154,19 @@ fn wrapped(told: f64) -> f64 {
 }
 
 #[cfg(test)]
+impl Stepper {
+    /// GRBL on an AVR at 80 steps/mm.
+    pub(super) const GRBL: Self = Self {
+        steps_per_mm: [80.0, 80.0, 400.0],
+        rate: 30.52,
+        tick: 0.01,
+        wraps: false,
+        first_rate: None,
+        least_steps: 0.0,
+    };
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
@@ -167,19 +180,10 @@ mod tests {
         }
     }
 
-    /// GRBL on an AVR at 80 steps/mm.
-    const GRBL: Stepper = Stepper {
-        steps_per_mm: [80.0, 80.0, 400.0],
-        rate: 30.52,
-        tick: 0.01,
-        wraps: false,
-        first_rate: None,
-        least_steps: 0.0,
-    };
     /// 1.2 times its lowest speed, mm/s.
     const SPEED: f64 = 0.64741;
 
-    /// Reckoned with the firmware's rules in 32-bit floats, as it does itself, by `tests/clock`.
+    /// Reckoned with the firmware's rules in 32-bit floats, as it does itself, by `tests/machines/clock`.
     #[test]
     fn strokes_take_as_long_as_on_the_controller() {
         for (acceleration, steps, seconds) in [
@@ -192,14 +196,14 @@ mod tests {
             (200.0, [16.0, 0.0, 0.0], 0.31216),
             (500.0, [12.0, 12.0, 0.0], 0.32858),
         ] {
-            let found = GRBL.seconds(steps, SPEED, acceleration);
+            let found = Stepper::GRBL.seconds(steps, SPEED, acceleration);
             assert!((found - seconds).abs() < 5e-5, "{acceleration} {steps:?}: {found}");
         }
     }
 
     #[test]
     fn fast_ramps_and_fine_steps_are_as_told() {
-        let fine = Stepper { steps_per_mm: [800.0; 3], ..GRBL };
+        let fine = Stepper { steps_per_mm: [800.0; 3], ..Stepper::GRBL };
         let ideal = 0.2 / SPEED + SPEED / 500.0;
         assert!((fine.seconds([160.0, 0.0, 0.0], SPEED, 500.0) - ideal).abs() < 1e-3);
         assert_eq!(fine.seconds([0.0; 3], SPEED, 500.0), 0.0);

@@ -3,12 +3,13 @@
 //! Heating and pauses last as long as the operator and the heater want: they are not counted. At the seal's speed
 //! acceleration does not count (a hundredth of a second at each corner at most); where a path is chopped it does.
 
-use crate::geom::{Point, Segment};
 use crate::plan::lowest_feed::lowest_of;
 use crate::plan::travel::Travel;
 use crate::plan::written::{Precision, Written};
 use crate::plan::{Height, Pace, Pacer, Program, Purpose, SeamReport, Step};
+use crate::shape::PieceName;
 use crate::spec::{Machine, Process, Spec};
+use inflatable::geom::{Point, Segment};
 
 /// Follows a program step by step, and knows how long it has taken.
 #[derive(Clone, Debug)]
@@ -73,10 +74,8 @@ pub struct Scope {
     pub purpose: Purpose,
     /// Number of its sheet, from 1.
     pub sheet: usize,
-    /// The stars, by number.
-    pub stars: Vec<usize>,
-    /// The piece, if it is no star.
-    pub piece: Option<String>,
+    /// Its pieces, in the order of sealing.
+    pub pieces: Vec<PieceName>,
 }
 
 impl Program {
@@ -88,7 +87,7 @@ impl Program {
         steps: Vec<Step>,
         seams: Vec<SeamReport>,
     ) -> Self {
-        let Scope { purpose, sheet, stars, piece } = scope;
+        let Scope { purpose, sheet, pieces } = scope;
         let motion = &machine.motion;
         let lowest = match purpose {
             Purpose::Seal => lowest_of(motion, &steps),
@@ -96,22 +95,24 @@ impl Program {
             Purpose::Trace => motion.speed_range().map(|(_, most)| most),
         };
         let pace = Pace::new(spec, machine, lowest);
-        let time = times_of(&steps, pace, machine, spec).last().copied().unwrap_or(0.0);
-        Self { purpose, sheet, stars, piece, steps, seams, pace, time }
+        let (times, overdue) = times_of(&steps, pace, machine, spec);
+        let time = times.last().copied().unwrap_or(0.0);
+        Self { purpose, sheet, pieces, steps, seams, pace, time, overdue }
     }
 
     /// When each of its steps is done, s from the beginning: one time a step, the last one is that of the whole program.
     pub fn timeline(&self, spec: &Spec, machine: &Machine) -> Vec<f64> {
-        times_of(&self.steps, self.pace, machine, spec)
+        times_of(&self.steps, self.pace, machine, spec).0
     }
 }
 
-/// When each of `steps` is done, s, without heating and pauses.
-fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> Vec<f64> {
+/// When each of `steps` is done, s, without heating and pauses; and by how much the iron is early, at most, after a stop.
+fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> (Vec<f64>, f64) {
     let (speed, level) = (spec.seal.speed.0, machine.process.heights.travel.0);
     let file = Precision { path: spec.accuracy.path, arcs: machine.controller.arcs };
     let mut clock = Clock::new(machine);
     let mut pacer = Pacer::new(pace, speed);
+    let mut overdue = 0.0_f64;
     let mut times = Vec::with_capacity(steps.len());
     for step in steps {
         match step {
@@ -120,6 +121,7 @@ fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> Vec<f
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
                 // Every contact has a schedule of its own.
                 if matches!(step, Step::TouchDown(_)) {
+                    overdue = overdue.max(pacer.overdue());
                     pacer = Pacer::new(pace, speed);
                 }
                 for (piece, from, to) in ramp.with_heights() {
@@ -142,7 +144,7 @@ fn times_of(steps: &[Step], pace: Pace, machine: &Machine, spec: &Spec) -> Vec<f
         }
         times.push(clock.elapsed);
     }
-    times
+    (times, overdue.max(pacer.overdue()))
 }
 
 /// Time for all strokes of `piece`, s.

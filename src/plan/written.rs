@@ -2,8 +2,8 @@
 //!
 //! A controller steps to the positions of the file, so whoever counts its steps has to begin with these.
 
-use crate::geom::{Grid, Segment};
 use crate::units::Length;
+use inflatable::geom::{Grid, Segment};
 
 /// The part of the tolerance within which a piece is written as a straight move; rounding takes a tenth at most.
 pub(super) const STRAIGHT: f64 = 0.25;
@@ -59,7 +59,7 @@ impl Written {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::{Arc, Line, Point};
+    use inflatable::geom::{Arc, Line, Point};
 
     fn file(path: f64) -> Precision {
         Precision { path: Length(path), arcs: true }

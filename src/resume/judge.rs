@@ -1,10 +1,10 @@
 //! The judge: what the programs do against what the old one's comments say, by the verifier's own rules.
 
-use crate::geom::Bounds;
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
 use crate::spec::Heating;
 use crate::verify::{Finding, judge_iron};
+use inflatable::geom::Bounds;
 
 /// Whether the old program, which goes no farther than `reach`, does what its comments say.
 ///

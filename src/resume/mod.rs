@@ -8,6 +8,7 @@
 mod fault;
 mod figures;
 mod judge;
+mod limits;
 mod record;
 mod resume_at;
 mod toolpath;
@@ -48,6 +49,9 @@ pub struct Resumed {
 pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resumed, ResumeFault> {
     let record = Record::read(text)?;
     let toolpath = Toolpath::read(text, &record)?;
+    if let Some(finding) = limits::contradiction(&record, text, toolpath.seconds) {
+        return Err(ResumeFault::Disagrees(finding));
+    }
     judge::agrees(&record, text, &toolpath.reach)?;
     let stop = place.find(&toolpath)?;
     let wanted = overlap.unwrap_or(record.seal.overlap.0);

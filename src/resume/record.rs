@@ -30,7 +30,7 @@ impl Record {
     pub(super) fn read(text: &str) -> Result<Self, ResumeFault> {
         let comments = if text.starts_with('(') { Comments::Parentheses } else { Comments::Semicolon };
         let header = Header::read(text, comments);
-        if header.find("program")?.word("purpose") != Some("seal") {
+        if header.word("program", "purpose") != Some("seal") {
             return Err(ResumeFault::NotOurs("program: purpose=seal"));
         }
         let pace = header.pace()?;
@@ -110,11 +110,20 @@ impl Header {
     }
 
     fn find(&self, key: &'static str) -> Result<&Comment, ResumeFault> {
-        self.0.iter().find(|comment| comment.key() == Some(key)).ok_or(ResumeFault::NotOurs(key))
+        self.all(key).next().ok_or(ResumeFault::NotOurs(key))
+    }
+
+    /// The value of a word: what a line has no room for goes on in the next one, under the same key.
+    fn word(&self, key: &'static str, word: &str) -> Option<&str> {
+        self.all(key).find_map(|comment| comment.word(word))
     }
 
     fn number(&self, key: &'static str, word: &str) -> Result<f64, ResumeFault> {
-        self.find(key)?.number(word).ok_or(ResumeFault::NotOurs(key))
+        self.all(key).find_map(|comment| comment.number(word)).ok_or(ResumeFault::NotOurs(key))
+    }
+
+    fn all(&self, key: &'static str) -> impl Iterator<Item = &Comment> {
+        self.0.iter().filter(move |comment| comment.key() == Some(key))
     }
 
     fn length(&self, key: &'static str, word: &str) -> Result<Length, ResumeFault> {
@@ -136,14 +145,13 @@ impl Header {
     }
 
     fn controller(&self, comments: Comments, pace: Pace) -> Result<Controller, ResumeFault> {
-        let machine = self.find("machine")?;
-        let name = machine.word("dialect").unwrap_or_default();
+        let name = self.word("machine", "dialect").unwrap_or_default();
         let dialect = Dialect::NAMES.iter().find(|(known, _)| *known == name).map(|(_, dialect)| *dialect);
-        let heating = match machine.word("heating") {
+        let heating = match self.word("machine", "heating") {
             Some("hotend") => Heating::Hotend,
             _ => Heating::Operator,
         };
-        let unit = match self.find("path")?.word("dwell") {
+        let unit = match self.word("path", "dwell") {
             Some("ms") => DwellUnit::Milliseconds,
             _ => DwellUnit::Seconds,
         };
@@ -158,7 +166,7 @@ impl Header {
             dialect: dialect.ok_or(ResumeFault::NotOurs("machine"))?,
             line_length,
             comments,
-            arcs: machine.word("arcs") == Some("yes"),
+            arcs: self.word("machine", "arcs") == Some("yes"),
             dwell: Dwells { unit, step: Duration(step) },
             heating,
             thumbnails: false,
@@ -205,7 +213,7 @@ impl Header {
             least,
             file: Precision {
                 path: self.length("path", "tolerance_mm")?,
-                arcs: self.find("machine")?.word("arcs") == Some("yes"),
+                arcs: self.word("machine", "arcs") == Some("yes"),
             },
             speed: self.within("chop", "feed_mm_min")? / 60.0,
             longest: self.within("chop", "longest_mm")?,
@@ -228,7 +236,7 @@ impl Header {
             steps_per_mm: [steps("x")?, steps("y")?, steps("z")?],
             rate: self.within("chop-ticks", "rate_Hz")?,
             tick: self.tick()?,
-            wraps: self.find("machine")?.word("dialect") == Some("fluidnc"),
+            wraps: self.word("machine", "dialect") == Some("fluidnc"),
             // Older programs do not say them.
             first_rate: self.number("chop-moves", "first_Hz").ok().filter(|rate| (1e-3..=1e5).contains(rate)),
             least_steps: self

@@ -2,9 +2,9 @@
 
 use std::ops::ControlFlow;
 
-use crate::geom::Point;
 use crate::resume::ResumeFault;
 use crate::resume::toolpath::{Phase, TimedMove, Toolpath};
+use inflatable::geom::Point;
 
 /// Farthest from a seam that a point may be told, mm: as well as one reads a position off a display or a ruler.
 const REACH: f64 = 10.0;

@@ -4,10 +4,10 @@
 
 use std::ops::ControlFlow;
 
-use crate::geom::Bounds;
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
 use crate::verify::gcode::{Event, Interpreter, Move};
+use inflatable::geom::Bounds;
 
 /// Slack on heights, mm.
 const HEIGHT: f64 = 1e-6;

@@ -4,10 +4,10 @@ use std::collections::VecDeque;
 use std::ops::ControlFlow;
 
 use crate::emit::Decimals;
-use crate::geom::{Path, Segment};
 use crate::resume::resume_at::Stop;
 use crate::resume::toolpath::{Phase, TimedMove, Toolpath};
 use crate::verify::gcode::MoveKind;
+use inflatable::geom::{Path, Segment};
 
 /// How the job goes on.
 pub(super) enum Next {

@@ -1,7 +1,7 @@
 //! The machine: what a profile in `templates/machines/` or of the user's own says about one controller.
 
 use crate::spec::motion::Motion;
-use crate::units::{Duration, Length, Speed};
+use crate::units::{Acceleration, Duration, Length, Speed};
 
 /// A complete and valid machine profile.
 #[derive(Clone, Debug, PartialEq)]
@@ -80,13 +80,29 @@ pub struct Script {
     pub limits: Limits,
 }
 
-/// What a controller is told not to exceed.
+/// What lines of a program set for the moves that follow.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Limits {
+    /// No move is slower than this.
+    pub lowest_speed: Option<Speed>,
     /// No move is faster than this.
     pub top_speed: Option<Speed>,
+    /// Axes speed up by this.
+    pub acceleration: Option<Acceleration>,
     /// The heater is switched off after so long without a move.
     pub idle_timeout: Option<Duration>,
+}
+
+impl Limits {
+    /// These, and what a `later` line sets.
+    pub(in crate::spec) fn then(self, later: Self) -> Self {
+        Self {
+            lowest_speed: later.lowest_speed.or(self.lowest_speed),
+            top_speed: later.top_speed.or(self.top_speed),
+            acceleration: later.acceleration.or(self.acceleration),
+            idle_timeout: later.idle_timeout.or(self.idle_timeout),
+        }
+    }
 }
 
 /// A family of controllers that read the same words.

@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::spec::FaultCode;
 use crate::spec::fault::Fault;
 use crate::spec::message::header;
-use crate::spec::unknown::{Known, nearest};
+use crate::spec::unknown::{Known, nearest, radius_of};
 
 /// Required keys of one section that are not written.
 pub(super) struct Missing {
@@ -20,8 +20,8 @@ pub(super) struct Missing {
 }
 
 impl Missing {
-    /// The same without the keys that are only misspelt: an unknown key of the section, or an unknown section, that is near;
-    /// `None` if nothing is left.
+    /// The same without the keys that are only misspelt: an unknown key of the section, or an unknown
+    /// section, that is near, or a diameter; `None` if nothing is left.
     pub(super) fn but_for(mut self, known: &[Known<'_>]) -> Option<Self> {
         let is_known = |section: &str| known.iter().any(|one| one.section == section);
         let misspelt = |section: &str, key: &str| {
@@ -29,7 +29,9 @@ impl Missing {
                 let words = one.table.into_iter().flat_map(|table| &table.0).map(|entry| entry.key.as_str());
                 let mut unknown =
                     words.filter(|word| !(one.keys.contains(word) || section.is_empty() && is_known(word)));
-                unknown.any(|word| nearest(word, [key]).is_some())
+                unknown.any(|word| {
+                    nearest(word, [key]).is_some() || radius_of(word).is_some_and(|radius| radius == key)
+                })
             })
         };
         if !self.is_written && misspelt("", self.section) {

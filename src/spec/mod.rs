@@ -59,9 +59,9 @@ pub use model::{
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};
-pub use profile::{builtin_machine, builtin_machines, read_machine, usual_profile};
+pub use profile::{builtin_machine, builtin_machines, limits_set_by, read_machine, usual_profile};
 pub use raw::RawSpec;
-pub use reading::{Reading, TOXIC, read};
+pub use reading::{Reading, SMALLEST_HOLE, TOXIC, read};
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{quoted, starter};

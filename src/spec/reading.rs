@@ -32,7 +32,7 @@ pub struct Reading {
 /// Reads a spec.
 ///
 /// Ranges, ends included unless said otherwise: sizes 1 um to 100 m; radii, allowances, margins, creep, kerf, overlap
-/// and fillet 0 to 100 m; `points` and `posts` 3 to 64; `count` 1 to 64; `tip` and `inlet_tip` 1 to the star's points;
+/// and fillet 0 to 100 m; `hole_diameter` 0 or from 0.2 mm; `points` and `posts` 3 to 64; `count` 1 to 64; `tip` and `inlet_tip` 1 to the star's points;
 /// `tip_angle` between 0 and 180 deg, both excluded; `rotation` up to 3600 deg either way; `temperature` above 0 C and
 /// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
 /// above -1, to 0.5; `seal_strength` 1e-6 to 1e4 N/mm; `areal_density` 1e-6 to 1e4 kg/m^2; `bending_stiffness`
@@ -202,6 +202,21 @@ fn read_cut(s: &mut Section<'_, '_>) -> CutSpec {
     }
 }
 
+/// Smallest diameter of a hole in a file, mm: those of the coarsest `path` round coordinates to a tenth.
+pub const SMALLEST_HOLE: f64 = 0.2;
+
+/// The diameter of the registration holes; 0 for none.
+fn read_hole(s: &mut Section<'_, '_>) -> Length {
+    let diameter = length(s, "hole_diameter", EXTRA, 3.0);
+    if diameter.0 > 0.0 && diameter.0 < SMALLEST_HOLE {
+        let message = format!("`hole_diameter` is {diameter}");
+        let fault = Fault::error(FaultCode::OutOfRange, s.place_of("hole_diameter"), message)
+            .label("must be at least 0.2 mm, or 0 mm for no registration holes");
+        s.report(fault);
+    }
+    diameter
+}
+
 pub(super) fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
     Sheet {
         width: s.quantity("width", SIZE),
@@ -209,7 +224,7 @@ pub(super) fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
         margin: length(s, "margin", EXTRA, 10.0),
         gap: length(s, "gap", EXTRA, 10.0),
         turn: s.truth("turn").unwrap_or(false),
-        hole_diameter: length(s, "hole_diameter", EXTRA, 3.0),
+        hole_diameter: read_hole(s),
     }
 }
 

@@ -1,11 +1,13 @@
 //! Takes values out of what was written: key by key, each with its kind and its range.
 //!
-//! A **section** is a table with a name. Taking a key registers it as known, so that a key nobody asked
-//! for is an unknown one, and there is no second list of keys to keep in step.
+//! A **section** is a table with a name. Taking a key registers it as known, so that a key that is never
+//! taken is an unknown one, and there is no second list of keys to keep in step.
 
-use crate::spec::FaultCode;
+mod words;
+
 use std::ops::Range;
 
+use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::message::{article, header, malformed, out_of_range};
@@ -14,7 +16,7 @@ use crate::spec::raw::RawSpec;
 use crate::spec::shape::Shape;
 use crate::spec::unknown::{self, Known};
 use crate::spec::value::{RawKind, RawTable, RawValue};
-use crate::units::{Length, Quantity, QuantityFault};
+use crate::units::{Length, Percent, Quantity, QuantityFault};
 
 /// Reads one document and collects its faults.
 pub(super) struct Reader<'r> {
@@ -279,7 +281,13 @@ impl<'r> Section<'_, 'r> {
     pub(super) fn number(&mut self, key: &'static str, allowed: Allowed) -> Option<f64> {
         let value = self.take(key, Shape::Number(allowed))?;
         let RawKind::Number(number) = &value.kind else {
-            return self.refuse_type(key, value, "must be a plain number, without quotes and unit");
+            let fault = self.wrong_type(key, value, "must be a plain number, without quotes and unit");
+            let meant = plain(value).filter(|number| allowed.holds(*number));
+            self.report(match meant {
+                Some(number) => fault.help(format!("write {key} = {number}")),
+                None => fault,
+            });
+            return None;
         };
         if allowed.holds(number.value) {
             return Some(number.value);
@@ -312,84 +320,6 @@ impl<'r> Section<'_, 'r> {
         }
     }
 
-    /// A text in quotes and its place; `None` if it is absent or something else.
-    pub(super) fn text(&mut self, key: &'static str) -> Option<(&'r str, Range<usize>)> {
-        self.word(key, Shape::Text)
-    }
-
-    /// A text of some shape.
-    fn word(&mut self, key: &'static str, shape: Shape) -> Option<(&'r str, Range<usize>)> {
-        let value = self.take(key, shape)?;
-        match value.as_text() {
-            Some(found) => Some((found, value.span.clone())),
-            None => self.refuse_type(key, value, "must be a text in quotes"),
-        }
-    }
-
-    /// A list of texts, each with its place; `None` if it is absent or something else.
-    pub(super) fn texts(&mut self, key: &'static str) -> Option<Vec<(&'r str, Range<usize>)>> {
-        self.listed(key, Shape::Texts)
-    }
-
-    /// A list of texts of some shape.
-    fn listed(&mut self, key: &'static str, shape: Shape) -> Option<Vec<(&'r str, Range<usize>)>> {
-        let value = self.take(key, shape)?;
-        let label = "must be a list of texts: [\"...\", \"...\"]";
-        let Some(list) = value.as_list() else { return self.refuse_type(key, value, label) };
-        list.iter()
-            .map(|item| match item.as_text() {
-                Some(text) => Some((text, item.span.clone())),
-                None => self.refuse_type(key, item, label),
-            })
-            .collect()
-    }
-
-    /// One of `choices`, a word in quotes; `None` if it is absent or none of them.
-    pub(super) fn choice<T: Copy>(&mut self, key: &'static str, choices: &[(&'static str, T)]) -> Option<T> {
-        let shape = Shape::Choice(choices.iter().map(|(name, _)| *name).collect());
-        let (word, span) = self.word(key, shape)?;
-        self.chosen(key, (word, span), choices)
-    }
-
-    /// Some of `choices`, words in quotes in a list, none twice; `None` if it is absent or one of them is none of these.
-    pub(super) fn choices<T: Copy + PartialEq>(
-        &mut self,
-        key: &'static str,
-        choices: &[(&'static str, T)],
-    ) -> Option<Vec<T>> {
-        let shape = Shape::Choices(choices.iter().map(|(name, _)| *name).collect());
-        let mut all = Vec::new();
-        for word in self.listed(key, shape)? {
-            let found = self.chosen(key, word, choices)?;
-            if !all.contains(&found) {
-                all.push(found);
-            }
-        }
-        Some(all)
-    }
-
-    /// The one of `choices` that `word` names; reports one that is none of them.
-    fn chosen<T: Copy>(
-        &mut self,
-        key: &'static str,
-        (word, span): (&str, Range<usize>),
-        choices: &[(&'static str, T)],
-    ) -> Option<T> {
-        if let Some((_, found)) = choices.iter().find(|(name, _)| *name == word) {
-            return Some(*found);
-        }
-        let list = choices.iter().map(|(name, _)| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
-        let mut fault =
-            Fault::error(FaultCode::UnknownChoice, span, format!("`{key}` is {}", quoted(word))).label(
-                if choices.len() == 1 { format!("must be {list}") } else { format!("must be one of {list}") },
-            );
-        if let Some(near) = unknown::nearest(word, choices.iter().map(|(name, _)| *name)) {
-            fault = fault.help(format!("did you mean \"{near}\"?"));
-        }
-        self.report(fault);
-        None
-    }
-
     fn wrong_type(&self, key: &str, value: &RawValue, label: &str) -> Fault {
         let section = if self.name.is_empty() { String::new() } else { format!(" in {}", header(self.name)) };
         let message = format!("`{key}`{section} is {}", value.in_words());
@@ -404,37 +334,11 @@ impl<'r> Section<'_, 'r> {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::spec::allowed::SIZE;
-
-    /// What `bed = text` is read as, mm; without a value the code and the words of the fault.
-    fn bed(text: &str) -> Result<[f64; 2], (&'static str, String)> {
-        let (raw, _) = RawSpec::parse(&format!("[mask]\nbed = \"{text}\"\n"));
-        let mut reader = Reader::new(&raw);
-        let found = reader.section("mask").area("bed", SIZE);
-        let fault = reader.faults.first().map(|fault| (fault.code, fault.message.clone()));
-        found.map(|both| both.map(|length| length.0)).ok_or_else(|| fault.expect("a fault"))
-    }
-
-    #[test]
-    fn a_bed_is_two_lengths() {
-        for text in ["220 mm x 210 mm", "220 x 210 mm", "220x210mm", "22 cm x 210 mm", "220 mm \u{d7} 210 mm"]
-        {
-            assert_eq!(bed(text), Ok([220.0, 210.0]), "{text}");
-        }
-        assert_eq!(bed("8 x 10 in"), Ok([8.0 * 25.4, 254.0]));
-        for (text, code) in [
-            ("220 mm", "wrong-type"),
-            ("220 x 210", "no-unit"),
-            ("220 ells x 210 mm", "unknown-unit"),
-            ("wide x 210 mm", "not-a-number"),
-            ("0 mm x 210 mm", "out-of-range"),
-            ("", "wrong-type"),
-            ("x", "not-a-number"),
-        ] {
-            assert_eq!(bed(text).map_err(|(code, _)| code), Err(code), "{text}");
-        }
-    }
+/// The number that a text means: 0.5 of "0.5" and of "50 %".
+fn plain(value: &RawValue) -> Option<f64> {
+    let RawKind::Text(text) = &value.kind else { return None };
+    text.trim().parse().ok().or_else(|| Percent::parse(text).ok().map(Percent::ratio))
 }
+
+#[cfg(test)]
+mod tests;

@@ -88,9 +88,14 @@ fn section_hint(word: &str, known: &[Known<'_>]) -> String {
     }
 }
 
+/// The radius that goes with a diameter: `inner_radius` for `inner_diameter`.
+pub(super) fn radius_of(word: &str) -> Option<String> {
+    Some(format!("{}radius", word.strip_suffix("diameter")?))
+}
+
 /// Of a diameter where the radius is a key: that, with half of the value.
 fn diameter_hint(word: &str, value: &RawValue, here: &Known<'_>) -> Option<String> {
-    let radius = format!("{}radius", word.strip_suffix("diameter")?);
+    let radius = radius_of(word)?;
     let _ = here.keys.iter().find(|key| **key == radius)?;
     let half = match &value.kind {
         RawKind::Text(text) => Length::parse(text).ok().map(|length| Length(0.5 * length.0)),
@@ -112,7 +117,10 @@ fn key_hint(word: &str, here: &Known<'_>, known: &[Known<'_>]) -> String {
     if let Some(there) = elsewhere().find(|one| one.keys.contains(&word)) {
         return format!("`{word}` belongs {}", home(there));
     }
-    if let Some(near) = nearest(word, here.keys.iter().copied()) {
+    // A key with a word before it, `object_mass` for `mass`, is that key.
+    let is_last = |key: &&str| word.strip_suffix(key).is_some_and(|before| before.ends_with('_'));
+    let last = here.keys.iter().copied().find(|key| is_last(key));
+    if let Some(near) = last.or_else(|| nearest(word, here.keys.iter().copied())) {
         return format!("did you mean `{near}`?");
     }
     let near = elsewhere().find_map(|one| nearest(word, one.keys.iter().copied()).map(|near| (near, one)));
@@ -130,9 +138,17 @@ mod tests {
     fn a_diameter_is_twice_a_radius() {
         let text = "schema = 1\nname = \"x\"\n[star]\npoints = 5\ninner_diameter = \"79 mm\"\n";
         let faults = crate::spec::read(&crate::spec::Source::new("a", text)).expect_err("no such key");
+        assert!(faults.list().iter().all(|fault| !fault.message.contains("`inner_radius`")), "{faults}");
         let help =
             faults.list().iter().find_map(|fault| fault.help.clone().filter(|_| fault.code == "unknown-key"));
         assert_eq!(help.as_deref(), Some("write inner_radius = \"39.5 mm\", half of the diameter"));
+    }
+
+    #[test]
+    fn a_word_before_a_key_is_no_other_key() {
+        let text = "schema = 1\nname = \"x\"\n[load]\nobject_mass = \"1 kg\"\n";
+        let faults = crate::spec::read(&crate::spec::Source::new("a", text)).expect_err("no such key");
+        assert!(faults.to_string().contains("did you mean `mass`?"), "{faults}");
     }
 
     #[test]

@@ -59,7 +59,7 @@ function showPressure(wanted) {
   const radius = at_p.pose.inner_radius_mm;
   const touches = object && Math.abs(radius - object) < 0.01 * object;
   const force = touches && at_p.object_force_N !== null ? `, pressing with ${figure(at_p.object_force_N, "N")}` : "";
-  const where = touches ? `on the object of radius ${figure(object, "mm")}${force}` : `closed to a radius of ${figure(radius, "mm")}`;
+  const where = touches ? `on the object, ${figure(2 * object, "mm")} across${force}` : `closed to ${figure(2 * radius, "mm")} across`;
   const says = `at ${figure(pressure, "kPa")} ${where}`;
   drawStar(at("star-round"), at_p.pose, 1, `The star: ${says}`, extent);
   at("star-round-says").textContent = says;

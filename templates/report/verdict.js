@@ -38,14 +38,14 @@ function verdict() {
   }
   if (!found) {
     const closed = prediction.final_radius_mm;
-    const title = closed === null ? "Nothing is known at this pressure" : `Closes to a radius of ${figure(closed, "mm")}`;
+    const title = closed === null ? "Nothing is known at this pressure" : `Closes to ${figure(2 * closed, "mm")} across`;
     return ["plain", title, `At ${figure(pressure, "kPa")}. Write an \`object_diameter\` in [load], and this page says whether it is held.`];
   }
   const reasons = found.reasons.map((reason) => `${reason.charAt(0).toUpperCase()}${reason.slice(1)}.`).join(" ");
   const friction = load.friction === null ? "" : `Counted with a friction of ${number(load.friction)}. `;
   if (bursts(1)) return ["bad", "The seal bursts at this pressure", `${friction}${reasons}`];
   if (found.holds === "no") return ["bad", "Does not hold the object", `${reasons} ${friction}`];
-  const force = found.force_N === null || found.holds !== "yes" ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object of radius ${figure(object, "mm")} with ${figure(found.force_N, "N")}${simulated(found.force_range_N, "N")} at ${figure(pressure, "kPa")}. `;
+  const force = found.force_N === null || found.holds !== "yes" ? "" : `${several(data.bill.stars.length, "star")} press${data.bill.stars.length === 1 ? "es" : ""} on an object ${figure(2 * object, "mm")} across with ${figure(found.force_N, "N")}${simulated(found.force_range_N, "N")} at ${figure(pressure, "kPa")}. `;
   const needed = found.needed_N === null ? friction : `With a friction of ${number(load.friction)}, ${figure(found.needed_N, "N")} are needed to hold its ${figure(load.mass_kg, "kg")}. `;
   if (found.holds !== "yes") return ["fair", "May hold the object", `${force}${needed}${reasons}`];
   // Green means that nothing stands against it: not with a seal of which nobody knows what it bears.
@@ -80,9 +80,10 @@ function keyFigures() {
     predicted("Force on the object, each star", "object_force_N", "N", 1, prediction.object_force_N === null ? "needs a pressure and an object" : null);
     predicted("It carries, whole stack", "payload_kg", "kg", 1, prediction.payload_kg === null ? "needs friction and an object" : null);
     if (prediction.payload_kg !== null && load.friction !== null) out[out.length - 1][2] += `, friction ${number(load.friction)}`;
-    predicted("Closes to a radius of", "final_radius_mm", "mm");
+    predicted("Closes to, across", "final_radius_mm", "mm", 2);
+    const across = prediction.graspable_radius_mm ? prediction.graspable_radius_mm.map((radius) => 2 * radius) : null;
     predicted("Contraction", "contraction", "%", 100);
-    out.push(["Holds radii", span(prediction.graspable_radius_mm, "mm") || UNKNOWN, `between closed and open; the cut hole has ${figure(prediction.hole_radius_mm, "mm")}`]);
+    out.push(["Holds objects across", span(across, "mm") || UNKNOWN, `between closed and open; the cut hole is ${figure(2 * prediction.hole_radius_mm, "mm")} across`]);
     predicted("Radial stiffness, each star", "radial_stiffness_N_per_m", "N/m");
     out.push(["Pressure", figure(load.pressure_kPa, "kPa"), "above that outside"]);
     predicted("Bursts at", "burst_pressure_kPa", "kPa", 1, prediction.burst_pressure_kPa === null ? "peel a coupon, write its seal_strength" : null);

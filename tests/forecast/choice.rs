@@ -1,7 +1,7 @@
 //! Which model answers, and where each is outside of its validity.
 
 use crate::{case, gripper, paper, predict};
-use stargrip_cam::forecast::choice::{hinge_model, limits_of_validity};
+use stargrip_cam::forecast::model_selection::{hinge_model, limits_of_validity};
 use stargrip_cam::mechanics::hinge::Level;
 use stargrip_cam::spec::ModelChoice;
 

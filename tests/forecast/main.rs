@@ -4,9 +4,12 @@ mod choice;
 mod optimize;
 mod outcome;
 mod page;
+mod prediction;
 mod ranges;
 mod seal_load;
 mod study;
+#[path = "../support/mod.rs"]
+mod support;
 mod verdict;
 
 use stargrip_cam::design::{Design, Star};

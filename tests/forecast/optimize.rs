@@ -5,7 +5,7 @@
 use crate::{candidate, close, paper};
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
 use stargrip_cam::forecast::optimize::{
-    Bounds, Constraints, Evaluated, Found, Goal, ROUNDING, search, thinned,
+    Bounds, Constraints, Evaluation, Goal, ROUNDING, SearchResult, search, thinned,
 };
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::mechanics::hinge::ring::RingTable;
@@ -103,7 +103,7 @@ fn what_is_not_known_is_as_bad_as_nothing() {
 }
 
 /// Angle and width in a box, three to six points.
-fn found(goal: Goal) -> Found {
+fn found(goal: Goal) -> SearchResult {
     let base = candidate(&paper(5));
     let bounds = Bounds {
         points: 3..=6,
@@ -115,7 +115,7 @@ fn found(goal: Goal) -> Found {
 }
 
 /// What a goal makes least.
-fn cost(goal: Goal, of: &Evaluated) -> f64 {
+fn cost(goal: Goal, of: &Evaluation) -> f64 {
     match goal {
         Goal::Contraction => -of.answer.outcome.expect("a limit").contraction,
         Goal::Stiffness => -of.answer.outcome.expect("a limit").stiffness.expect("a pressure"),

@@ -86,21 +86,21 @@ fn the_last_sixteenth_before_the_arms_lock_is_warned_of() {
 }
 
 #[test]
-fn each_refusal_names_its_radius() {
+fn each_refusal_names_a_size() {
     let text = |points, radius| {
         let (case, outcome) = holding(points, radius);
         outcome.object_warning(&case).expect("a warning")
     };
-    let mm = |metres: f64| format!("{:.2} mm", metres * 1e3);
+    let mm = |metres: f64| format!("{:.2} mm across", 2.0 * metres * 1e3);
     let rest = holding(8, 0.03).1.rest;
     assert_eq!(
         text(8, 0.01),
         format!(
-            "the object is thinner than the final radius, {}: the star does not reach it",
+            "the object is thinner than the closed star, {}: the star does not reach it",
             mm(rest.radius)
         )
     );
-    assert_eq!(text(8, 0.06), "the object is wider than the cut hole, 48.00 mm in radius: it does not enter");
+    assert_eq!(text(8, 0.06), "the object is wider than the cut hole, 96.00 mm across: it does not enter");
     let wide = text(8, 0.045);
     let opens = format!("the object is wider than the inflated star opens, {}: ", mm(rest.widest.radius));
     assert!(wide.starts_with(&opens), "{wide}");

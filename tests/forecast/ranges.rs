@@ -3,10 +3,10 @@
 use crate::{case, close, gripper};
 use stargrip_cam::design::Star;
 use stargrip_cam::forecast::case::{Case, mechanism};
-use stargrip_cam::forecast::choice::{corrected, tabled};
+use stargrip_cam::forecast::model_selection::{corrected, tabled};
 use stargrip_cam::forecast::outcome::Outcome;
-use stargrip_cam::forecast::ranges::against::{Against, Pair, against};
-use stargrip_cam::forecast::ranges::{Standing, angle_unit, errors, sum};
+use stargrip_cam::forecast::ranges::validation::{Comparison, Pair, compare};
+use stargrip_cam::forecast::ranges::{Domain, angle_unit, errors, pressure_edge, sum};
 use stargrip_cam::forecast::stars::draw::Set;
 use stargrip_cam::forecast::stars::shipped::shipped;
 use stargrip_cam::mechanics::star::response::Inflated;
@@ -58,8 +58,8 @@ fn the_papers_stars_lie_in_their_ranges() {
 /// and of 60 stars that leaves room for three more outside.
 #[test]
 fn ranges_hold_on_stars_that_they_were_not_taken_from() {
-    let unused = |one: &Against| one.set == Set::Test && (241..=300).contains(&one.number);
-    let all: Vec<Against> = shipped().iter().filter_map(against).filter(unused).collect();
+    let unused = |one: &Comparison| one.set == Set::Test && (241..=300).contains(&one.number);
+    let all: Vec<Comparison> = shipped().iter().filter_map(compare).filter(unused).collect();
     assert_eq!(all.len(), 60);
     let quantities: [(&str, Vec<Pair>); 3] = [
         ("radius", all.iter().map(|one| one.radius).collect()),
@@ -77,7 +77,7 @@ fn ranges_hold_on_stars_that_they_were_not_taken_from() {
 fn beyond_what_was_tried_ranges_widen_with_the_distance_and_further_away_there_are_none() {
     let star = case(&gripper(5));
     let tried = at(star, 30.0);
-    assert_eq!(tried.ranges.standing, Standing::Tried);
+    assert_eq!(tried.ranges.domain, Domain::Validated);
     let width = |own: &Outcome, case: &Case| {
         let [low, high] = own.ranges.radius.expect("known");
         (high - low) / case.mechanism.width * (std::f64::consts::PI / f64::from(case.mechanism.points)).sin()
@@ -86,7 +86,7 @@ fn beyond_what_was_tried_ranges_widen_with_the_distance_and_further_away_there_a
     let mut long = star;
     long.mechanism.arm = 6.0 * long.mechanism.width;
     let beyond = at(long, 30.0);
-    assert_eq!(beyond.ranges.standing, Standing::Beyond);
+    assert_eq!(beyond.ranges.domain, Domain::Extrapolated);
     // Arms of 5 W were tried, and 7.5 W are known: 6 W are 45 % of the way on a logarithmic scale.
     let wider = 1.0 + (errors::BEYOND - 1.0) * 1.2_f64.ln() / 1.5_f64.ln();
     close(beyond.ranges.wider, wider, 1e-9);
@@ -95,11 +95,11 @@ fn beyond_what_was_tried_ranges_widen_with_the_distance_and_further_away_there_a
     close(at(long, 30.0).ranges.wider, errors::BEYOND, 1e-5);
     long.mechanism.arm = 9.0 * long.mechanism.width;
     let unknown = at(long, 30.0).ranges;
-    assert_eq!((unknown.standing, unknown.radius, unknown.stiffness), (Standing::Unknown, None, None));
+    assert_eq!((unknown.domain, unknown.radius, unknown.stiffness), (Domain::Unknown, None, None));
     // Where the table of arms ends nothing is known either: 0.2 mm of fabric in a tube of 30 mm.
     let mut thin = star;
     thin.sheet.thickness = 0.2e-3;
-    assert_eq!(at(thin, 10.0).ranges.standing, Standing::Unknown);
+    assert_eq!(at(thin, 10.0).ranges.domain, Domain::Unknown);
 }
 
 #[test]
@@ -132,8 +132,22 @@ struct Varied {
     pressure: f64,
 }
 
-/// The ends of its ranges: radius, stiffness, force.
-fn ends(varied: &Varied) -> Option<[Option<f64>; 6]> {
+/// The star that is varied.
+const VARIED: Varied = Varied {
+    points: 5,
+    inner_radius: 60.0,
+    width: 24.0,
+    tip_angle: 50.0,
+    tip_radius: 2.0,
+    corner_radius: 2.0,
+    thickness: 0.3,
+    modulus: 128.0,
+    object: 45.0,
+    pressure: 30.0,
+};
+
+/// Its case.
+fn varied(varied: &Varied) -> Option<Case> {
     let star = Star::new(&StarSpec {
         inner_radius: Length(varied.inner_radius),
         tube_width: Length(varied.width),
@@ -148,7 +162,17 @@ fn ends(varied: &Varied) -> Option<[Option<f64>; 6]> {
     case.inner_radius = 1e-3 * varied.inner_radius;
     case.object = Some(1e-3 * varied.object);
     (case.sheet.thickness, case.sheet.young_modulus) = (1e-3 * varied.thickness, 1e6 * varied.modulus);
-    let own = maybe_at(case, varied.pressure)?;
+    Some(case)
+}
+
+/// What the section says of it.
+fn outcome(star: &Varied) -> Option<Outcome> {
+    maybe_at(varied(star)?, star.pressure)
+}
+
+/// The ends of its ranges: radius, stiffness, force.
+fn ends(varied: &Varied) -> Option<[Option<f64>; 6]> {
+    let own = outcome(varied)?;
     let pairs = [own.ranges.radius, own.ranges.stiffness, own.force_range];
     let mut ends = [None; 6];
     for (two, pair) in ends.chunks_exact_mut(2).zip(pairs) {
@@ -157,8 +181,49 @@ fn ends(varied: &Varied) -> Option<[Option<f64>; 6]> {
     Some(ends)
 }
 
-/// Along 20 lines of 2,000 points no end jumps by more than 2 % of the range's upper end but to unknown; where a force begins, by not more
-/// than half a per cent of the largest upper end on the line. Steps are up to 0.16 %.
+/// Beyond the largest pressure of the stars that were computed as shells, 1/eps = 5000, ranges widen; where
+/// the force has grown since, its lower end is not less than there. Below, near the largest force of a star,
+/// the lower end falls a little before the force does.
+#[test]
+fn more_pressure_does_not_lower_a_force_that_grows() {
+    const COUNT: i32 = 600;
+    let (mut grown, mut beyond, mut fallen) = (0, 0, [0.0_f64; 2]);
+    let low = |own: &Outcome| own.force_range.map(|[low, _]| low);
+    for points in 3..=8 {
+        for (width, object) in [(18.0, 50.0), (24.0, 45.0), (24.0, 54.0), (28.0, 50.0)] {
+            let (mut before, mut best) = (None, 0.0);
+            for i in 0..=COUNT {
+                let pressure = 5.0 * f64::powf(150.0 / 5.0, f64::from(i) / f64::from(COUNT));
+                let star = Varied { points, width, object, pressure, ..VARIED };
+                let Some((own, case)) = outcome(&star).zip(varied(&star)) else { continue };
+                let force = own.object_force();
+                if let Some(edge) = pressure_edge(&Case { pressure: Some(1e3 * pressure), ..case }) {
+                    let edge = outcome(&Varied { pressure: 1e-3 * edge, ..star }).expect("covered");
+                    if let Some((here, there)) = low(&own).zip(low(&edge))
+                        && force >= edge.object_force()
+                    {
+                        beyond += 1;
+                        assert!(here >= there * (1.0 - 1e-6), "{pressure} kPa: {there} to {here}");
+                    }
+                } else if let (Some(low), true) = (low(&own), force >= before) {
+                    grown += 1;
+                    best = f64::max(best, low);
+                    let worst = &mut fallen[usize::from(own.ranges.domain == Domain::Extrapolated)];
+                    *worst = if best > 0.0 { worst.max(1.0 - low / best) } else { *worst };
+                } else {
+                    best = low(&own).unwrap_or(0.0);
+                }
+                before = force;
+            }
+        }
+    }
+    assert!(fallen[0] < 0.03 && fallen[1] < 0.17, "{fallen:?}");
+    assert!(grown > 4000 && beyond > 100, "{grown} {beyond}");
+}
+
+/// Along 20 lines of 2,000 points no end steps by more than 2 % of itself but to unknown, and where a force
+/// begins. There, at some 2,000 of the 200,000 steps, it grows from 0 in even steps of at most half a per
+/// cent of the largest upper end on the line.
 #[test]
 fn no_end_of_a_range_jumps_along_a_line() {
     const COUNT: i32 = 2000;
@@ -175,21 +240,10 @@ fn no_end_of_a_range_jumps_along_a_line() {
         ("object", 20.0, 60.0, |star| &mut star.object),
         ("all lengths of the tube", 15.0, 33.0, |star| &mut star.width),
     ];
-    let mut known = 0;
+    let (mut known, mut begins) = (0, 0);
     for points in [5, 7] {
         for (what, from, to, of) in lines {
-            let mut star = Varied {
-                points,
-                inner_radius: 60.0,
-                width: 24.0,
-                tip_angle: 50.0,
-                tip_radius: 2.0,
-                corner_radius: 2.0,
-                thickness: 0.3,
-                modulus: 128.0,
-                object: 45.0,
-                pressure: 30.0,
-            };
+            let mut star = Varied { points, ..VARIED };
             let all: Vec<_> = (0..=COUNT)
                 .map(|i| {
                     *of(&mut star) = from * f64::powf(to / from, f64::from(i) / f64::from(COUNT));
@@ -202,18 +256,22 @@ fn no_end_of_a_range_jumps_along_a_line() {
             for end in 0..6 {
                 let most =
                     all.iter().filter_map(|ends| ends[end | 1]).fold(0.0, |most: f64, x| most.max(x.abs()));
+                let step = |i: usize| Some((all.get(i)?[end]? - all.get(i + 1)?[end]?).abs());
                 for (i, pair) in all.windows(2).enumerate() {
-                    let (Some(a), Some(b)) = (pair[0][end], pair[1][end]) else { continue };
+                    let (Some(a), Some(b), Some(own)) = (pair[0][end], pair[1][end], step(i)) else {
+                        continue;
+                    };
                     known += 1;
-                    let high = pair[0][end | 1].unwrap_or(0.0).abs();
-                    let allowed = (0.02 * a.abs().max(b.abs()).max(high)).max(5e-3 * most);
-                    assert!(
-                        (a - b).abs() <= allowed,
-                        "n = {points}, {what}, point {i}, end {end}: {a} to {b}"
-                    );
+                    // What begins at 0 has steps as large as itself, one like the next; a jump stands alone.
+                    let beside =
+                        step(i + 1).unwrap_or(0.0).max(i.checked_sub(1).and_then(step).unwrap_or(0.0));
+                    let allowed = (0.02 * a.abs().max(b.abs())).max((1.5 * beside).min(5e-3 * most));
+                    assert!(own <= allowed, "n = {points}, {what}, point {i}, end {end}: {a} to {b}");
+                    begins += i32::from(own > 0.02 * a.abs().max(b.abs()));
+                    assert!(own <= 0.02 * a.abs().max(b.abs()) || end >= 4, "{what}, point {i}: {a} to {b}");
                 }
             }
         }
     }
-    assert!(known > 60_000, "{known}");
+    assert!(known > 60_000 && begins < 2500, "{known} {begins}");
 }

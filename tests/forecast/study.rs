@@ -7,7 +7,7 @@ use stargrip_cam::forecast::study::{Batch, Kind, Study, Values, csv};
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
 use stargrip_cam::spec::Source;
-use stargrip_cam::spec::study::{Field, Lane, read_study};
+use stargrip_cam::spec::study::{Axis, Field, read_study};
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::sync::{Arc, LazyLock};
@@ -19,13 +19,13 @@ fn ring() -> Source {
     Source::new("spec.toml", format!("{PAPER}[accuracy]\nmodel = \"ring\"\n"))
 }
 
-fn vary(spec: &Source, lanes: &[&str]) -> Result<Study, String> {
-    let lanes = lanes.iter().map(|text| Lane::parse(text).expect("valid")).collect();
-    Study::vary(spec, lanes).expect("a valid spec")
+fn vary(spec: &Source, axes: &[&str]) -> Result<Study, String> {
+    let axes = axes.iter().map(|text| Axis::parse(text).expect("valid")).collect();
+    Study::vary(spec, axes).expect("a valid spec")
 }
 
-fn sweep(lanes: &[&str]) -> Study {
-    vary(&ring(), lanes).expect("small")
+fn sweep(axes: &[&str]) -> Study {
+    vary(&ring(), axes).expect("small")
 }
 
 /// A study of the paper's gripper at its pressure.
@@ -77,11 +77,11 @@ fn whole(study: &Study) -> Batch {
 #[test]
 fn what_was_swept_before_is_swept_the_same() {
     let spec = Source::new("spec.toml", PAPER.replace("[seal]\nband = \"1 mm\"\n", ""));
-    let lanes =
+    let axes =
         ["star.points=3,5,9", "star.tube_width=20 mm..40 mm/3", "load.pressure=0.001 kPa,37 kPa,600 kPa"];
-    let study = vary(&spec, &lanes).expect("small");
+    let study = vary(&spec, &axes).expect("small");
     let found = csv::header(study.columns(), false) + &text(&study, 0..study.rows());
-    assert!(found == include_str!("../study/vary.csv").replace("\r\n", "\n"), "{found}");
+    assert!(found == include_str!("vary.csv").replace("\r\n", "\n"), "{found}");
 }
 
 #[test]
@@ -181,7 +181,7 @@ fn every_key_sets_its_own_value() {
 
 #[test]
 fn faults_of_a_sweep_say_which_axis() {
-    let new = |lanes: &[&str]| vary(&ring(), lanes).map(|study| study.rows());
+    let new = |axes: &[&str]| vary(&ring(), axes).map(|study| study.rows());
     assert_eq!(new(&[]), Err("nothing is varied".to_owned()));
     let twice = new(&["star.points=3", "load.friction=1", "star.points=4"]);
     assert_eq!(twice, Err("`star.points` is varied twice".to_owned()));

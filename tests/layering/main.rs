@@ -3,29 +3,35 @@
 //! Imports are written `use crate::room::{A, B};`, a line a module, so the rooms a file knows can be read from its lines.
 
 mod circles;
+mod portable;
 
 use std::fs;
 use std::path::Path;
 
-/// (room, the rooms it may use). A room is a directory or file directly in src/.
-const MAY_USE: [(&str, &[&str]); 20] = [
+/// Where rooms are.
+const SOURCES: [&str; 2] = ["crates/inflatable/src", "src"];
+
+/// (room, the rooms it may use). A room is a directory or file directly in one of [`SOURCES`].
+const MAY_USE: [(&str, &[&str]); 22] = [
     ("digest", &[]),
-    ("units", &[]),
     ("geom", &[]),
     ("numerics", &[]),
+    ("readable", &[]),
+    ("units", &["readable"]),
+    ("shape", &["geom"]),
     ("spec", &["units"]),
-    ("design", &["geom", "spec", "units"]),
-    ("mechanics", &["digest", "numerics", "units"]),
+    ("design", &["geom", "shape", "spec", "units"]),
+    ("mechanics", &["numerics", "readable"]),
     ("shell", &["geom", "numerics"]),
     ("forecast", &["design", "digest", "mechanics", "numerics", "shell", "spec", "units"]),
-    ("airtight", &["design", "forecast", "geom", "spec", "units"]),
-    ("plan", &["design", "geom", "spec", "units"]),
+    ("airtight", &["design", "forecast", "geom", "shape", "spec", "units"]),
+    ("plan", &["design", "geom", "shape", "spec", "units"]),
     ("artifact", &["design", "spec"]),
-    ("manifest", &["artifact", "design", "digest", "forecast", "plan", "spec"]),
-    ("emit", &["design", "forecast", "geom", "manifest", "plan", "spec", "units"]),
-    ("verify", &["artifact", "design", "forecast", "geom", "manifest", "spec", "units"]),
+    ("manifest", &["artifact", "design", "digest", "forecast", "plan", "shape", "spec"]),
+    ("emit", &["design", "forecast", "geom", "manifest", "plan", "shape", "spec", "units"]),
+    ("verify", &["artifact", "design", "forecast", "geom", "manifest", "shape", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
-    ("coupon", &["design", "emit", "geom", "plan", "spec", "units"]),
+    ("coupon", &["design", "emit", "geom", "plan", "shape", "spec", "units"]),
     (
         "pipeline",
         &[
@@ -58,11 +64,16 @@ const MAY_USE: [(&str, &[&str]); 20] = [
     ("main", &["cli"]),
 ];
 
-/// The rooms that a line of code names.
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The rooms of this crate and of `inflatable` that a line of code names.
 fn rooms_named(line: &str) -> Vec<&str> {
     let code = line.split("//").next().unwrap_or("");
-    code.split("crate::")
-        .skip(1)
+    let after = |word: &'static str| code.split(word).skip(1);
+    after("crate::")
+        .chain(after("inflatable::"))
         .map(|rest| rest.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap_or(""))
         .collect()
 }
@@ -72,7 +83,7 @@ fn trespasses(room: &str, file: &Path, text: &str) -> Vec<String> {
     let allowed = MAY_USE.iter().find(|(name, _)| *name == room).map_or(&[][..], |(_, rooms)| rooms);
     let mut found = Vec::new();
     for (line, number) in text.lines().zip(1..) {
-        if line.contains("crate::{") {
+        if line.contains("crate::{") || line.contains("inflatable::{") {
             found.push(format!("{}:{number}: write one `use` a line", file.display()));
         }
         for other in rooms_named(line) {
@@ -96,9 +107,8 @@ fn walk(room: &str, path: &Path, found: &mut Vec<String>) {
 
 #[test]
 fn every_room_knows_only_what_lies_before_it() {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut found = Vec::new();
-    for entry in fs::read_dir(&src).expect("src/") {
+    for entry in SOURCES.into_iter().flat_map(|source| fs::read_dir(root().join(source)).expect("src/")) {
         let path = entry.expect("an entry").path();
         let room = path.file_stem().expect("a name").to_string_lossy().into_owned();
         if room != "lib" {
@@ -115,19 +125,21 @@ fn a_trespass_is_seen() {
     assert_eq!(trespasses("geom", file, "use crate::design::Star;").len(), 1);
     assert_eq!(trespasses("verify", file, "let x = crate::emit::svg();").len(), 1);
     assert_eq!(trespasses("geom", file, "use crate::{geom, spec};").len(), 1);
+    assert_eq!(trespasses("plan", file, "use inflatable::shell::mesh::Mesh;").len(), 1);
     assert!(trespasses("plan", file, "use crate::geom::Point; // not crate::emit").is_empty());
 }
 
 /// Only the command line touches files, clocks and the environment.
 #[test]
 fn only_the_face_touches_the_world() {
-    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut found = Vec::new();
     let worldly = ["std::fs", "std::env::", "std::time", "std::net", "std::process", "jiff"];
     for (room, _) in MAY_USE.iter().filter(|(room, _)| !["cli", "main"].contains(room)) {
-        for path in [src.join(room), src.join(format!("{room}.rs"))] {
-            if path.exists() {
-                scan(&path, &worldly, &mut found);
+        for source in SOURCES.map(|source| root().join(source)) {
+            for path in [source.join(room), source.join(format!("{room}.rs"))] {
+                if path.exists() {
+                    scan(&path, &worldly, &mut found);
+                }
             }
         }
     }
@@ -155,10 +167,12 @@ fn scan(path: &Path, words: &[&str], found: &mut Vec<String>) {
 /// Two files that know each other are one subject in two places, or two in one.
 #[test]
 fn no_files_know_each_other_in_a_circle() {
-    let imports = circles::imports(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"));
-    assert!(imports.len() > 150, "only {} files were read", imports.len());
-    let found = circles::circles(&imports);
-    assert!(found.is_empty(), "{found:#?}");
+    for (source, least) in SOURCES.into_iter().zip([60, 150]) {
+        let imports = circles::imports(&root().join(source));
+        assert!(imports.len() > least, "only {} files of {source} were read", imports.len());
+        let found = circles::circles(&imports);
+        assert!(found.is_empty(), "{found:#?}");
+    }
 }
 
 #[test]

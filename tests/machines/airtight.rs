@@ -39,29 +39,29 @@ fn every_seeded_leak_is_seen() {
     };
     assert!(leaks(&|_| {}).is_empty());
     // The inner loop left open.
-    let open = leaks(&|d| d.distinct[0].seams[0].center_line.closed = false);
+    let open = leaks(&|d| d.distinct[0].shape.seams[0].center_line.closed = false);
     assert!(
         open.iter().any(|leak| leak.code == "wrong-opening" && leak.found.contains("open without an inlet")),
         "{open:?}"
     );
     // A piece of a seam missing.
     let gap = leaks(&|d| {
-        let _ = d.distinct[0].seams[1].center_line.segments.remove(4);
+        let _ = d.distinct[0].shape.seams[1].center_line.segments.remove(4);
     });
     assert!(gap.iter().any(|leak| leak.code == "seam-gap" && leak.found.contains("a gap of")), "{gap:?}");
     // A closure without overlap.
-    let bare = leaks(&|d| d.distinct[0].seams[0].overlap = 0.0);
+    let bare = leaks(&|d| d.distinct[0].shape.seams[0].overlap = 0.0);
     assert!(bare.iter().any(|leak| leak.code == "no-overlap" && leak.key == key::seal::OVERLAP), "{bare:?}");
     assert_eq!(bare[0].key.star(), None, "no star has an overlap of its own");
     // Bands that meet, and seams that cross.
-    let wide = leaks(&|d| d.distinct[0].band = 12.0);
+    let wide = leaks(&|d| d.distinct[0].shape.band = 12.0);
     assert!(
         wide.iter().any(|leak| leak.code == "bands-meet" && leak.found.contains("the bands meet")),
         "{wide:?}"
     );
     let cross = leaks(&|d| {
         let moved = stargrip_cam::geom::Isometry::translation(stargrip_cam::geom::Vec2::new(16.0, 0.0));
-        let seam = &mut d.distinct[0].seams[0];
+        let seam = &mut d.distinct[0].shape.seams[0];
         seam.center_line = Path { closed: true, ..moved.path(&seam.center_line) };
     });
     assert!(
@@ -69,10 +69,10 @@ fn every_seeded_leak_is_seen() {
         "{cross:?}"
     );
     // A tube without an inlet that is open all the same.
-    let lost = leaks(&|d| d.distinct[0].channel = None);
+    let lost = leaks(&|d| d.distinct[0].shape.ports.clear());
     assert!(
         lost.iter().any(|leak| leak.code == "wrong-opening"
-            && leak.found.contains("the outer loop is open without an inlet")),
+            && leak.found.contains("the outer seam is open without an inlet")),
         "{lost:?}"
     );
 }

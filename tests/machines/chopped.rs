@@ -81,6 +81,26 @@ fn marlin_dwells_only_after_moves_that_it_makes() {
     }
 }
 
+/// Only `verify` found a `chop_feed` of one's own that the controller cannot go at: the remedy's value is one that it can.
+#[test]
+fn a_chop_feed_below_the_floor_is_refused() {
+    let own = |feed: &str| {
+        let both = format!("acceleration = \"10 mm/s^2\"\nchop_feed = \"{feed}\"");
+        profile("grbl").replace("acceleration = \"10 mm/s^2\"", &both)
+    };
+    // 22.9 mm/min along an axis and 32.4 mm/min at 45 degrees are the least.
+    for feed in ["12 mm/min", "24 mm/min", "32 mm/min"] {
+        let refusals = try_built(&spec_text(CHOP), &own(feed)).map(|_| ()).expect_err(feed);
+        let [refusal] = &refusals[..] else { panic!("{refusals:?}") };
+        assert_eq!(refusal.code, "no-chop", "{refusals:?}");
+        let word = |unit: &&str| *unit == "mm/s;";
+        let words: Vec<&str> = refusal.remedy.split(' ').collect();
+        let least = words.iter().position(word).and_then(|i| words.get(i - 1)).expect("a speed");
+        let build = built(&spec_text(CHOP), &own(&format!("{least} mm/s")));
+        assert_eq!(read_back(&build.output_files()).findings, [], "{least}");
+    }
+}
+
 /// A dwell after a move of a few steps is a finding: the controller waits before it has made the move.
 #[test]
 fn a_dwell_after_a_joined_move_is_found() {

@@ -118,6 +118,13 @@ fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
         let found = crate::findings_with(&build, "star-1-seal.gcode", &slow);
         let expected = printer.then_some(("travel-feed", Some(line + 1)));
         assert_eq!(found.first().map(|f| (f.code, f.line)), expected, "{name}: {found:?}");
+        // So is another speed of the first ones, which begin at a place that no line names.
+        for (line, first) in code.lines().enumerate().filter(|(_, l)| l.starts_with("G0")).take(2) {
+            let fast = code.replacen(first, &first.replace(" F1200", " F12000"), 1);
+            let found = crate::findings_with(&build, "star-1-seal.gcode", &fast);
+            let expected = printer.then_some(("travel-feed", Some(line + 1)));
+            assert_eq!(found.first().map(|f| (f.code, f.line)), expected, "{name}: {found:?}");
+        }
     }
 }
 

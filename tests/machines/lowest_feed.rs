@@ -158,22 +158,25 @@ fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
     assert_eq!(at(speed - 0.01).map(|refusal| refusal.code), Some(RefusalCode::FeedFloor));
 }
 
-/// Strokes grow up to half a band to leave time for their dwells: 1 mm at 0.1 mm/s^2 takes 6.3 s from rest to rest, which is
-/// time enough at 0.1 mm/s and too long at 0.3.
+/// Strokes grow up to half a band to leave time for their dwells: 1 mm at 2 mm/s^2 takes 1.9 s from rest to rest, which is
+/// time enough at 0.1 mm/s and too long at 0.53. At 0.1 mm/s^2 strokes have to be so long that the rest after each leaves a scar.
 #[test]
 fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
-    let slow = |speed: f64| {
+    let at = |acceleration: f64, speed: f64| {
         let rest = format!("[seal]\nspeed = \"{speed} mm/s\"\n[machine]\nfeed_floor = \"chop\"\n");
-        grbl_says(&rest, "acceleration = \"10 mm/s^2\"", "acceleration = \"0.1 mm/s^2\"")
+        grbl_says(&rest, "acceleration = \"10 mm/s^2\"", &format!("acceleration = \"{acceleration} mm/s^2\""))
     };
+    let scar = at(0.1, 0.1).expect("too slow");
+    assert!(scar.code == RefusalCode::NoChop && scar.found.contains("rest for more than 2.00 s"), "{scar:?}");
+    let slow = |speed: f64| at(2.0, speed);
     assert_eq!(slow(0.1), None);
-    let refusal = slow(0.3).expect("too slow");
+    let refusal = slow(0.53).expect("too slow");
     assert_eq!((refusal.key, refusal.code), (stargrip_cam::spec::key::seal::SPEED, RefusalCode::NoChop));
     assert!(refusal.found.starts_with("a stroke of 1.000 mm at "), "{}", refusal.found);
-    assert!(refusal.found.ends_with("with the shortest dwell, too long for 0.3 mm/s"), "{}", refusal.found);
+    assert!(refusal.found.ends_with("with the shortest dwell, too long for 0.53 mm/s"), "{}", refusal.found);
     let advised = refusal.remedy.trim_start_matches("speed must be below ").trim_end_matches(" mm/s");
     let advised: f64 = advised.parse().expect("a number");
-    assert!((0.1..0.3).contains(&advised), "{}", refusal.remedy);
+    assert!((0.1..0.53).contains(&advised), "{}", refusal.remedy);
     assert_eq!(slow(advised - 0.002), None);
     assert_eq!(slow(advised + 0.002).map(|refusal| refusal.code), Some(RefusalCode::NoChop));
 }

@@ -3,12 +3,15 @@
 mod airtight;
 mod chopped;
 mod clamps;
+mod clock;
 mod coupons;
 mod dangerous_lines;
 mod dialects;
 mod faults;
 mod job_size;
 mod lowest_feed;
+#[path = "../design/readers/png.rs"]
+mod png;
 mod profile_lines;
 mod resume;
 mod speed;

@@ -3,6 +3,7 @@
 use std::env;
 
 use stargrip_cam::geom::{Path, Point, Segment};
+use stargrip_cam::pipeline::read_back;
 use stargrip_cam::resume::{ResumeAt, ResumeFault, resume};
 use stargrip_cam::verify::follow;
 use stargrip_cam::verify::gcode::{Dialect, Move, read_program};
@@ -315,6 +316,10 @@ fn a_job_that_plunges_or_changes_settings_is_not_resumed() {
         ("generic", "G0 Z30", "G0 Z-50 F1200", "blind-move"),
         ("linuxcnc", "G0 Z30", "G0 Z-50", "blind-move"),
         ("klipper", "G0 Z30", "G0 Z-50 F1200", "blind-move"),
+        ("reprapfirmware", "G0 Z30", "M203 I600", "profile-line"),
+        ("marlin", "G0 Z30", "M205 T500", "profile-line"),
+        ("klipper", "G0 Z30", "SET_IDLE_TIMEOUT TIMEOUT=1", "profile-line"),
+        ("klipper", "G0 Z30", "SET_VELOCITY_LIMIT VELOCITY=0.05", "profile-line"),
         ("reprapfirmware", "G1 ", "M203 I600", "profile-line"),
         ("klipper", "G1 ", "SET_IDLE_TIMEOUT TIMEOUT=1", "profile-line"),
         ("marlin", "G1 ", "M205 T500", "profile-line"),
@@ -327,6 +332,30 @@ fn a_job_that_plunges_or_changes_settings_is_not_resumed() {
             }
             other => panic!("{name} {line}: {other:?}"),
         }
+    }
+}
+
+/// Comments longer than a line lost their last digits, and with them `resume` its seal.
+#[test]
+fn a_comment_that_is_longer_than_a_line_keeps_its_digits() {
+    let seal = "[seal]\nspeed = \"2.608620702277 mm/s\"\nband = \"1.6123456789 mm\"\noverlap = \"6.8117535114 mm\"\n";
+    let build = built(&spec_text(seal), profile("generic"));
+    assert_eq!(read_back(&build.output_files()).findings, []);
+    let job = text(&build, FILE);
+    for part in [
+        "; seal: temperature_C=200 speed_mm_s=2.608620702 band_mm=1.612345679\n",
+        "; seal: overlap_mm=6.811753511\n",
+    ] {
+        assert!(job.contains(part), "{part}");
+    }
+    let rest = resume(&job, ResumeAt::Share(0.4), None).expect("resumed");
+    assert!((rest.overlap - 6.811_753_511).abs() < 1e-9, "{}", rest.overlap);
+    // Digits that are missing, or others, are found.
+    for (from, to) in
+        [("overlap_mm=6.811753511", "overlap_mm=6.8117"), ("; seal: overlap", "; path: overlap")]
+    {
+        let found = crate::findings_with(&build, FILE, &job.replace(from, to));
+        assert_eq!(found.first().map(|finding| finding.code), Some("other-comment"), "{to}");
     }
 }
 

@@ -1,9 +1,12 @@
 //! Pictures in the head of programs: there where the profile asks for them, whole, and nowhere else.
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::spec::{Source, read_machine};
 
-use crate::{built, findings_with, profile, spec_text, text};
+use crate::png::read_png;
+use crate::{built, profile, spec_text, text};
 
 const SEAL: &str = "star-1-seal.gcode";
 
@@ -30,7 +33,7 @@ fn pictures(program: &str) -> Vec<(String, String)> {
 }
 
 #[test]
-fn a_host_finds_two_pictures_and_the_proof_reads_them() {
+fn a_host_finds_two_pictures_of_their_sizes() {
     for name in ["generic", "klipper", "reprapfirmware"] {
         let build = built(&spec_text(""), &with_pictures(name));
         assert_eq!(read_back(&build.output_files()).findings, [], "{name}");
@@ -47,50 +50,15 @@ fn a_host_finds_two_pictures_and_the_proof_reads_them() {
                 told,
                 "{name}: {file}"
             );
+            for ((_, body), side) in found.iter().zip([32, 300]) {
+                let raster = read_png(&STANDARD.decode(body).expect("base64")).expect("a PNG");
+                assert_eq!((raster.width, raster.height), (side, side), "{name}: {file}");
+                let [corner, middle] = [0, side / 2].map(|at| raster.pixel(at, side / 8));
+                assert!(corner.is_some() && middle.is_some(), "{name}: {file}");
+            }
             assert!(program.len() < 600_000 && program.lines().all(|line| line.len() <= 72), "{name}");
         }
     }
-}
-
-#[test]
-fn a_picture_that_is_none_or_is_not_asked_for_is_found() {
-    let build = built(&spec_text(""), &with_pictures("klipper"));
-    let program = text(&build, SEAL);
-    let codes = |text: &str| -> Vec<&str> {
-        findings_with(&build, SEAL, text)
-            .iter()
-            .filter(|one| one.code == "other-comment")
-            .map(|one| one.code)
-            .collect()
-    };
-    let (_, body) = &pictures(&program)[1];
-    let line = &body[640..704];
-    let turned: String = line.chars().rev().collect();
-    for edited in [
-        // Its bytes are no PNG any more.
-        program.replacen(line, &turned, 1),
-        // Another size than it has, or another length.
-        program.replacen("begin 300x300", "begin 301x300", 1),
-        program.replacen(&format!("300x300 {}", body.len()), &format!("300x300 {}", body.len() - 1), 1),
-        // Words between its lines.
-        program.replacen("; thumbnail end", "; set the iron to 450 C\n; thumbnail end", 1),
-        // It does not end.
-        program.replace("; thumbnail end", "; thumbnail fin"),
-        // It is there twice, or not at all.
-        program.replacen("; thumbnail end", "; thumbnail end\n; thumbnail begin 32x32 0\n; thumbnail end", 1),
-        program.replacen("; thumbnail begin 32x32", "; 32x32", 1),
-    ] {
-        assert_ne!(edited, program);
-        assert!(!codes(&edited).is_empty(), "{}", &edited[..3000]);
-    }
-    // Where the profile asks for none.
-    let plain = built(&spec_text(""), profile("klipper"));
-    let head =
-        program.find("; thumbnail begin").expect("one")..program.rfind("; thumbnail end").expect("one") + 15;
-    let old = text(&plain, SEAL);
-    let at = old.find("\nG90").expect("the start") + 1;
-    let forged = format!("{}{}\n{}", &old[..at], &program[head], &old[at..]);
-    assert!(findings_with(&plain, SEAL, &forged).iter().any(|one| one.code == "other-comment"));
 }
 
 #[test]

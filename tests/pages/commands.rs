@@ -19,7 +19,6 @@ use crate::{home, renews};
 
 /// The blocks that are not run: page, beginning of the first line.
 const NOT_RUN: [(&str, &str); 30] = [
-    ("README.md", "make demo    # builds the program and the paper's five-point"),
     ("README.md", "cargo install --locked --path .    # or `make install`: docs"),
     ("README.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/benchmarks.md", "valgrind --tool=callgrind target/release/stargrip-cam build"),
@@ -27,11 +26,14 @@ const NOT_RUN: [(&str, &str); 30] = [
     ("docs/benchmarks.md", "cargo bench --bench mechanics -- section"),
     ("docs/benchmarks.md", "/usr/bin/time -f \"%U s %M kB\" stargrip-cam actuator --tube-w"),
     ("docs/hosts.md", "tests/strangers/octoprint        # OctoPrint's analysis of t"),
-    ("docs/install.md", "make install                       # program, completions, m"),
-    ("docs/machines.md", "cargo test --release --locked --test clock -- --ignored --no"),
+    ("docs/install.md", "cargo install --locked --path .    # the program alone, in ~"),
+    ("docs/install.md", "cd ~/.local && rm -r bin/stargrip-cam share/stargrip-cam sha"),
+    ("docs/install.md", "make dist                                    # target/dist/s"),
+    ("docs/machines.md", "cargo test --release --locked --test machines clock:: -- --i"),
     ("docs/models.md", "cargo run --release --example section_table > /tmp/table.txt"),
     ("docs/models.md", "stargrip-cam table ladders --part 1/2 & stargrip-cam table l"),
     ("docs/models.md", "stargrip-cam table stars --set all"),
+    ("docs/models.md", "stargrip-cam predict five.toml --model shell --vtu five.vtu"),
     ("docs/models.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/paper.md", "cargo run --release --example paper -- --svg docs"),
     ("docs/paper.md", "cargo run --release --example paper -- --shells > /tmp/shell"),
@@ -39,16 +41,14 @@ const NOT_RUN: [(&str, &str); 30] = [
     ("docs/ranges.md", "cargo run --release --example ranges"),
     ("docs/stability.md", "cargo run --release --example extremes"),
     ("docs/stability.md", "cargo run --release --example shell_random -- 100"),
-    ("docs/studies.md", "stargrip-cam sweep study.toml -o study.csv"),
+    ("docs/studies.md", "stargrip-cam study run study.toml -o study.csv"),
     ("docs/testing.md", "make test        # everything below but the strangers; rando"),
     ("docs/testing.md", "cargo run --release --example optimum -- 200"),
     ("docs/testing.md", "cargo run --release --example optimum -- 200 shell 20"),
-    ("docs/testing.md", "cargo test --test lyon our_curves -- --nocapture"),
+    ("docs/testing.md", "cargo test --test laws our_curves -- --nocapture"),
     ("docs/testing.md", "cargo install --locked cargo-mutants"),
     ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
-    ("docs/trade.md", "for model in fit ring bvp section; do"),
     ("docs/trade.md", "python3 src/forecast/trade/by_shell.py target/release/stargr"),
-    ("docs/trade.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
 ];
 
 #[test]

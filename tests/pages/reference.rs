@@ -1,4 +1,4 @@
-//! The references of keys are made of the schemas, which are made of the reader.
+//! The references of keys are generated from the schemas, which are generated from the reader.
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -10,14 +10,14 @@ use crate::{home, renews};
 
 const SPEC: &str = "# Every key of a spec
 
-This page is made of `stargrip-cam schema`, which is made of what the reader takes. `new` writes a spec in which the same keys stand with their defaults; which of them
-matter first, and why, is said in [choosing.md](choosing.md). A quantity is a text with its unit, `\"50 mm\"`; the units of each kind stand at the end.
+This page is generated from `stargrip-cam schema`. `new` writes a spec with the same keys and their defaults;
+[choosing.md](choosing.md) explains the important ones. A quantity is a text with its unit, `\"50 mm\"`; the last table lists units.
 ";
 
 const PROFILE: &str = "# Every key of a machine profile
 
-This page is made of `stargrip-cam schema --machine`, which is made of what the reader takes. `stargrip-cam machines show grbl` prints a profile to start from;
-[machines.md](machines.md) says what the figures are for, and where to find them. What has no default and is left out, or \"unknown\", is not checked.
+This page is generated from `stargrip-cam schema --machine`. `stargrip-cam machines show grbl` prints a profile to start from;
+[machines.md](machines.md) explains the values. A key without default that is absent or \"unknown\" is not checked.
 ";
 
 #[test]
@@ -123,7 +123,7 @@ fn table(
         about[..1].make_ascii_uppercase();
         let _ = writeln!(out, "{}.\n", about.trim_end_matches('.'));
     }
-    out += "| key | what it is | takes | default |\n|---|---|---|---|\n";
+    out += "| key | meaning | values | default |\n|---|---|---|---|\n";
     let required = object["required"].as_array();
     for (key, property) in keys {
         let (meaning, takes) = told(property, units);

@@ -8,6 +8,8 @@ import os
 import re
 import sys
 
+import numpy
+
 TOLERANCE = 0.001  # mm, the designs' own
 
 canon, program, manifest_path = sys.argv[1:4]
@@ -26,11 +28,12 @@ class Line:
     def point(self, t):
         return tuple(p + t * (q - p) for p, q in zip(self.a, self.b))
 
-    def distance(self, p):
-        d = (self.b[0] - self.a[0], self.b[1] - self.a[1])
-        square = d[0] ** 2 + d[1] ** 2
-        t = ((p[0] - self.a[0]) * d[0] + (p[1] - self.a[1]) * d[1]) / square if square else 0.0
-        return math.dist(p, self.point(min(max(t, 0.0), 1.0)))
+    def distances(self, points):
+        """Of each point, a row of an array, to the nearest one of the line."""
+        a, d = numpy.array(self.a), numpy.subtract(self.b, self.a)
+        square = d @ d
+        t = numpy.clip((points - a) @ d / square, 0.0, 1.0) if square else numpy.zeros(len(points))
+        return numpy.linalg.norm(points - a - t[:, None] * d, axis=1)
 
 
 class Arc:
@@ -42,23 +45,24 @@ class Arc:
         angle = self.start + t * self.sweep
         return (self.center[0] + self.radius * math.cos(angle), self.center[1] + self.radius * math.sin(angle))
 
-    def distance(self, p):
-        angle = math.atan2(p[1] - self.center[1], p[0] - self.center[0])
+    def distances(self, points):
+        """Of each point, a row of an array, to the nearest one of the arc."""
+        out = points - numpy.array(self.center)
+        angle = numpy.arctan2(out[:, 1], out[:, 0])
         turn = ((angle - self.start) * math.copysign(1.0, self.sweep)) % (2 * math.pi)
-        if turn <= abs(self.sweep):
-            return abs(math.dist(p, self.center) - self.radius)
-        return min(math.dist(p, self.point(0.0)), math.dist(p, self.point(1.0)))
+        beside = numpy.abs(numpy.linalg.norm(out, axis=1) - self.radius)
+        ends = [numpy.linalg.norm(points - numpy.array(self.point(t)), axis=1) for t in (0.0, 1.0)]
+        return numpy.where(turn <= abs(self.sweep), beside, numpy.minimum(*ends))
 
 
 def farthest(probes, targets, step):
     """Largest distance from points on `probes`, `step` mm apart at most, to `targets`."""
-    worst = 0.0
-    for probe in probes:
-        count = max(2, math.ceil(probe.length / step))
-        for i in range(count + 1):
-            p = probe.point(i / count)
-            worst = max(worst, min(target.distance(p) for target in targets))
-    return worst
+    counts = [max(2, math.ceil(probe.length / step)) for probe in probes]
+    points = numpy.array([probe.point(i / count) for probe, count in zip(probes, counts) for i in range(count + 1)])
+    nearest = numpy.full(len(points), math.inf)
+    for target in targets:
+        nearest = numpy.minimum(nearest, target.distances(points))
+    return nearest.max()
 
 
 at = (0.0, 0.0, 0.0)

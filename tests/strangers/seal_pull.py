@@ -3,7 +3,8 @@
 Usage: python3 tests/strangers/seal_pull.py FILE.vtu BAND_MM PRESSURE_KPA [THICKNESS_MM YOUNG_MPA POISSON]. Needs NumPy.
 
 Each triangle's membrane force and pressure are put on its corners; what is left over across the plane at the rim is what the seal holds.
-Bending moves some of it within the first row of triangles. The pull is the mean over a piece of rim as long as the band is wide.
+Bending is left out: it carries a part of the force near the rim, so `seal_pull_N_per_mm` of `predict --model shell` is larger. The pull is
+the mean over a piece of rim as long as the band is wide.
 """
 import base64
 import re

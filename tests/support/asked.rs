@@ -1,5 +1,4 @@
 //! What tests of predictions ask about.
-#![allow(dead_code, unreachable_pub, reason = "every test file is a crate of its own and uses some of it")]
 
 /// The paper's three stars, with all that can be asked about them.
 pub const GRIPPER: &str = include_str!("gripper.toml");

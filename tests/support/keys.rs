@@ -4,7 +4,7 @@ use serde_json::Value;
 use stargrip_cam::forecast::keys::{Key, Kind};
 
 /// Every key of `answer` that `keys` does not have, with an entry to copy, and every key whose value is of another kind.
-pub(crate) fn misfits(answer: &Value, keys: &[Key]) -> Vec<String> {
+pub fn misfits(answer: &Value, keys: &[Key]) -> Vec<String> {
     let answer = answer.as_object().expect("an object");
     let unknown = answer.iter().filter(|(name, _)| keys.iter().all(|key| key.name != name.as_str()));
     let unknown = unknown.map(|(name, value)| {

@@ -1,7 +1,9 @@
 //! What the tests of whole designs share: random stars, and builds of them.
-#![allow(dead_code, unreachable_pub, reason = "every test file is a crate of its own and uses some of it")]
+#![allow(dead_code, unreachable_pub, reason = "every test binary uses some of it")]
 
+pub mod asked;
 pub mod dice;
+pub mod keys;
 pub mod program;
 
 use std::f64::consts::PI;

@@ -30,6 +30,7 @@ from stargrip_cam._native import (
     predict,
     sweep,
 )
+from stargrip_cam._parquet import sweep_to_parquet
 from stargrip_cam._proof import Proof, verify
 from stargrip_cam.errors import (
     DesignError,
@@ -70,5 +71,6 @@ __all__ = [
     "optimize",
     "predict",
     "sweep",
+    "sweep_to_parquet",
     "verify",
 ]

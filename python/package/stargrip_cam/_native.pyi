@@ -325,6 +325,9 @@ class Prediction:
     def seal_pull_at(self) -> str | None:
         """The hinges at which the seal's pull is largest: tips or corners."""
     @property
+    def seal_pull_at_mm(self) -> tuple[float, float] | None:
+        """Where on the flat star the seal's pull is largest, mm. By the shell only."""
+    @property
     def burst_pressure_kPa(self) -> float | None:
         """Pressure at which the pull on the seal is `seal_strength`, kPa. Needs `seal_strength`."""
     @property
@@ -583,6 +586,15 @@ def sweep(
 
     Raises SpecError for a study or a column that is refused, UsageError for wrong arguments.
     """
+def sweep_columns(
+    spec: Spec,
+    vary: Mapping[str, str | Sequence[Any]] | None = None,
+    *,
+    study: str | None = None,
+    outputs: Sequence[str] | None = None,
+) -> tuple[int, str, list[tuple[str, str | None, str]]]:
+    """What a sweep with these arguments computes: (number of rows, fingerprint, columns), each column as (name, unit, meaning)."""
+
 def keys() -> dict[str, list[tuple[str, str]]]:
     """Name and type of every key of each class: what `python/stubs` writes into `_native.pyi`."""
 def repeat(spec: Spec, model: _Model | None, times: int) -> None:

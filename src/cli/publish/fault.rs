@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
 
-use crate::cli::harmless::shown;
+use crate::cli::escape::shown;
 
 /// Why nothing was published; the target is as it was.
 #[derive(Debug)]

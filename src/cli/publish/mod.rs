@@ -21,7 +21,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::artifact::Kind;
-use crate::cli::harmless::shown;
+use crate::cli::escape::shown;
 use crate::cli::publish::place::Place;
 use crate::cli::publish::record::Record;
 use crate::cli::publish::stage::File;

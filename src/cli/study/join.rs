@@ -7,25 +7,27 @@ use std::io;
 use std::io::{BufRead, BufReader, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
+use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
-use crate::cli::harmless::shown;
-use crate::cli::study::part::{Ticket, is_sound, name, ticket};
-use crate::cli::study::rows::Form;
-use crate::cli::voice::Voice;
+use crate::cli::study::part::{Job, is_sound, job, name};
+use crate::cli::study::run::{refuse_foreign, refuse_parquet};
+use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 
-/// A part with its ticket.
-type Part = (PathBuf, Ticket);
+/// A part with its job.
+type Part = (PathBuf, Job);
 
 /// Joins the parts in `dir` to the file `output`.
-pub(super) fn run(dir: &Path, output: &Path, voice: Voice) -> Result<(), Failure> {
+pub(super) fn run(dir: &Path, output: &Path, verbosity: Verbosity) -> Result<(), Failure> {
+    refuse_parquet(output)?;
+    refuse_foreign(output)?;
     let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;
     let mut files: Vec<PathBuf> =
         entries.flatten().map(|entry| entry.path()).filter(|path| is_part(path)).collect();
     files.sort();
-    let (parts, form) = whole(dir, &files)?;
-    for (path, ticket) in &parts {
-        let sound = is_sound(path, ticket).map_err(|error| Failure::file("read", path, &error))?;
+    let parts = whole(dir, &files)?;
+    for (path, job) in &parts {
+        let sound = is_sound(path, job).map_err(|error| Failure::file("read", path, &error))?;
         if !sound {
             let text = format!(
                 "{} is damaged: it is not what was written; delete it, and compute it again",
@@ -34,21 +36,16 @@ pub(super) fn run(dir: &Path, output: &Path, voice: Voice) -> Result<(), Failure
             return Err(Failure::Message(text));
         }
     }
-    let form = form.built_in()?;
     let into = output.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let own = output.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     sweep_leftovers(into, |name| name == own);
     let joined = || -> io::Result<()> {
-        let out = BufWriter::new(WholeFile::begin(output)?);
-        let out = match form {
-            Form::Csv => csv(&parts, out)?,
-            Form::Parquet => parquet(&parts, out)?,
-        };
+        let out = csv(&parts, BufWriter::new(WholeFile::begin(output)?))?;
         out.into_inner().map_err(io::IntoInnerError::into_error)?.publish()
     };
     joined().map_err(|error| Failure::file("write", output, &error))?;
-    let rows = parts.last().map_or(0, |(_, ticket)| ticket.rows[1]);
-    if voice.is_heard() {
+    let rows = parts.last().map_or(0, |(_, job)| job.rows[1]);
+    if verbosity.is_heard() {
         tell(&format!("{} parts joined, {rows} rows", parts.len()));
     }
     Ok(())
@@ -56,32 +53,27 @@ pub(super) fn run(dir: &Path, output: &Path, voice: Voice) -> Result<(), Failure
 
 fn is_part(path: &Path) -> bool {
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    name.starts_with("part-")
-        && [Form::Csv, Form::Parquet].iter().any(|form| name.ends_with(&format!(".{}", form.ending())))
+    name.starts_with("part-") && path.extension().is_some_and(|ending| ending == "csv")
 }
 
 /// All parts of one study in order, or what is missing or foreign.
-fn whole(dir: &Path, files: &[PathBuf]) -> Result<(Vec<Part>, Form), Failure> {
+fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<Part>, Failure> {
     let mut faults = Vec::new();
     let mut found: BTreeMap<usize, Part> = BTreeMap::new();
-    let tickets: Vec<(&PathBuf, Option<Ticket>)> = files.iter().map(|path| (path, ticket(path))).collect();
-    let first = tickets.iter().find_map(|(path, ticket)| ticket.as_ref().map(|ticket| (*path, ticket)));
-    let Some((path, first)) = first else {
-        let text = format!("{} holds no parts; `sweep STUDY --part k/N -o DIR` writes them", shown(dir));
+    let jobs: Vec<(&PathBuf, Option<Job>)> = files.iter().map(|path| (path, job(path))).collect();
+    let first = jobs.iter().find_map(|(_, job)| job.as_ref());
+    let Some(first) = first else {
+        let text = format!("{} holds no parts; `study run STUDY --part k/N -o DIR` writes them", shown(dir));
         return Err(Failure::Message(text));
     };
-    let form = Form::of(path);
-    let alike = |ticket: &Ticket| {
-        (&ticket.study, ticket.parts, ticket.units) == (&first.study, first.parts, first.units)
-    };
-    for (path, ticket) in tickets.iter().cloned() {
-        let own = ticket.filter(|ticket| alike(ticket) && is_named(path, ticket, form));
+    let alike = |job: &Job| (&job.study, job.parts, job.units) == (&first.study, first.parts, first.units);
+    for (path, job) in jobs.iter().cloned() {
+        let own = job.filter(|job| alike(job) && is_named(path, job));
         match own {
-            Some(ticket) => {
-                let _ = found.insert(ticket.part, (path.clone(), ticket));
+            Some(job) => {
+                let _ = found.insert(job.part, (path.clone(), job));
             }
-            None => faults
-                .push(format!("{} is foreign: it is not a file with a ticket of this study", shown(path))),
+            None => faults.push(format!("{} is foreign: it is not a part of this study", shown(path))),
         }
     }
     let missing: Vec<usize> = (1..=first.parts).filter(|part| !found.contains_key(part)).collect();
@@ -96,23 +88,23 @@ fn whole(dir: &Path, files: &[PathBuf]) -> Result<(Vec<Part>, Form), Failure> {
         ));
     }
     if faults.is_empty() {
-        Ok((found.into_values().collect(), form))
+        Ok(found.into_values().collect())
     } else {
         Err(Failure::Message(faults.join("\n")))
     }
 }
 
-/// Whether the file has the name and the form of its part.
-fn is_named(path: &Path, ticket: &Ticket, form: Form) -> bool {
-    path.file_name().is_some_and(|own| *own == *name(ticket.part, ticket.parts, form.ending()))
+/// Whether the file has the name of its part.
+fn is_named(path: &Path, job: &Job) -> bool {
+    path.file_name().is_some_and(|own| *own == *name(job.part, job.parts))
 }
 
 /// The header of the first, and all rows.
 fn csv<W: Write>(parts: &[Part], mut out: W) -> io::Result<W> {
-    for (i, (path, ticket)) in parts.iter().enumerate() {
+    for (i, (path, job)) in parts.iter().enumerate() {
         let mut file = BufReader::with_capacity(1 << 16, File::open(path)?);
         let mut header = Vec::new();
-        for _ in 0..=usize::from(ticket.units) {
+        for _ in 0..=usize::from(job.units) {
             let _ = file.read_until(b'\n', &mut header)?;
         }
         if i == 0 {
@@ -121,23 +113,4 @@ fn csv<W: Write>(parts: &[Part], mut out: W) -> io::Result<W> {
         let _ = io::copy(&mut file, &mut out)?;
     }
     Ok(out)
-}
-
-#[cfg(feature = "parquet")]
-fn parquet<W: Write + Send>(parts: &[Part], out: W) -> io::Result<W> {
-    use crate::forecast::study::parquet::{Reader, Writer};
-    let open = |path: &Path| Reader::new(File::open(path)?);
-    let (first, _) = parts.first().ok_or(io::ErrorKind::NotFound)?;
-    let mut writer = Writer::like(out, &open(first)?)?;
-    for (path, _) in parts {
-        for batch in open(path)?.batches() {
-            writer.write(batch?)?;
-        }
-    }
-    writer.finish()
-}
-
-#[cfg(not(feature = "parquet"))]
-fn parquet<W: Write>(_: &[Part], _: W) -> io::Result<W> {
-    Err(io::ErrorKind::Unsupported.into())
 }

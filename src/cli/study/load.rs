@@ -4,26 +4,26 @@ use std::path::Path;
 
 use crate::cli::failure::Failure;
 use crate::cli::load::{Loaded, read_source};
-use crate::cli::voice::Voice;
+use crate::cli::verbosity::Verbosity;
 use crate::forecast::study::Study;
 use crate::spec;
-use crate::spec::study::{Lane, read_study};
+use crate::spec::study::{Axis, read_study};
 
 /// The study in the file `path`, around the spec that it names.
-pub(in crate::cli) fn loaded(path: &Path, voice: Voice) -> Result<Study, Failure> {
+pub(in crate::cli) fn loaded(path: &Path, verbosity: Verbosity) -> Result<Study, Failure> {
     let source = read_source(path)?;
     if spec::read(&source).is_ok() {
         let text = "this is a spec, and nothing is varied: add --vary KEY=VALUES, or name a study file";
         return Err(Failure::Usage(text.to_owned()));
     }
     let file = read_study(&source)?;
-    let around = Loaded::spoken(&path.parent().unwrap_or(Path::new("")).join(&file.spec), voice)?;
+    let around = Loaded::spoken(&path.parent().unwrap_or(Path::new("")).join(&file.spec), verbosity)?;
     Ok(Study::new(&file, &around.source)?)
 }
 
 /// The spec at `path` with the values of `vary`, "KEY=VALUES" each.
-pub(in crate::cli) fn varied(path: &Path, vary: &[String], voice: Voice) -> Result<Study, Failure> {
-    let around = Loaded::spoken(path, voice)?;
-    let lanes = vary.iter().map(|text| Lane::parse(text)).collect::<Result<Vec<_>, _>>();
-    Study::vary(&around.source, lanes.map_err(Failure::Message)?)?.map_err(Failure::Message)
+pub(in crate::cli) fn varied(path: &Path, vary: &[String], verbosity: Verbosity) -> Result<Study, Failure> {
+    let around = Loaded::spoken(path, verbosity)?;
+    let axes = vary.iter().map(|text| Axis::parse(text)).collect::<Result<Vec<_>, _>>();
+    Study::vary(&around.source, axes.map_err(Failure::Message)?)?.map_err(Failure::Message)
 }

@@ -1,20 +1,21 @@
-//! `stargrip-cam study`, and what `sweep` and `table` do with a study: its parts, and how they become files.
+//! `stargrip-cam study`: its rows, its parts, and how they become files.
 
+mod checkpoint;
+pub(super) mod compute;
 mod join;
-mod kept;
 mod load;
 mod part;
 mod rows;
 mod run;
 
-pub(super) use load::{loaded, varied};
+pub(super) use load::loaded;
 pub(super) use run::{Destination, Span};
 
 use std::fmt::Write;
 use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
-use crate::cli::voice::Quiet;
+use crate::cli::verbosity::Quiet;
 use crate::forecast::study::{Kind, Study};
 
 /// Arguments of `study`.
@@ -26,17 +27,19 @@ pub(super) struct Args {
 
 #[derive(clap::Subcommand, Debug)]
 enum What {
-    /// Say what a study file asks for: rows, and every column with its unit and meaning.
+    /// Compute the rows of a study file, or of every combination of the values of --vary.
+    Run(compute::Args),
+    /// Print what a study file asks for: rows, and every column with its unit and meaning.
     Show {
         /// The study file.
         study: PathBuf,
         #[command(flatten)]
         quiet: Quiet,
     },
-    /// Join the parts in a directory to one file, or say which are missing, damaged or of another study.
+    /// Join the parts in a directory to one file, or print which are missing, damaged or of another study.
     #[command(after_help = "Example: stargrip-cam study join parts -o study.csv")]
     Join {
-        /// The directory that `sweep STUDY --part k/N -o DIR` or `--parts N -o DIR` has filled.
+        /// The directory that `study run STUDY --part k/N -o DIR` or `--parts N -o DIR` has filled.
         dir: PathBuf,
         /// The file; it appears when it is whole.
         #[arg(short, long, value_name = "FILE")]
@@ -49,8 +52,9 @@ enum What {
 /// Shows a study, or joins its parts.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     match &args.what {
-        What::Show { study, quiet } => say(&shown(&loaded(study, quiet.voice())?)),
-        What::Join { dir, output, quiet } => join::run(dir, output, quiet.voice()),
+        What::Run(args) => compute::run(args),
+        What::Show { study, quiet } => say(&shown(&loaded(study, quiet.verbosity())?)),
+        What::Join { dir, output, quiet } => join::run(dir, output, quiet.verbosity()),
     }
 }
 

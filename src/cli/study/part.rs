@@ -1,8 +1,8 @@
-//! Parts of a study in a directory: each a file that stands alone, with a **ticket** beside it, a line of JSON that says which part
-//! of which study it is, how long it is, and its hash.
+//! Parts of a study in a directory: each a file that stands alone, with a **job** beside it, a line of JSON
+//! that says which part of which study it is, how long it is, and its hash.
 //!
-//! A ticket is written before its part, and both appear whole. So a part with the right ticket is done, and is not computed again;
-//! a part without a ticket, or with another, is not ours, and is not written over.
+//! A job is written before its part, and both appear whole. So a part with the right job is done, and is not
+//! computed again; a part without a job, or with another, is not ours, and is not written over.
 
 use std::fs;
 use std::fs::{File, Metadata};
@@ -12,16 +12,16 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
+use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::harmless::shown;
-use crate::cli::study::rows::{Ear, Form, Rows};
+use crate::cli::study::rows::{Ear, Rows};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 use crate::digest::Running;
 use crate::forecast::study::Study;
 
 /// What is known of a part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Ticket {
+pub(super) struct Job {
     /// Fingerprint of the study.
     pub(super) study: String,
     /// Which part, from 1.
@@ -30,7 +30,7 @@ pub(super) struct Ticket {
     pub(super) parts: usize,
     /// Its first row, and the one after its last.
     pub(super) rows: [usize; 2],
-    /// Whether CSV has a line of units.
+    /// Whether it has a line of units.
     pub(super) units: bool,
     /// Its length.
     pub(super) bytes: u64,
@@ -44,7 +44,6 @@ pub(in crate::cli) struct Parts<'a> {
     pub(in crate::cli) study: &'a Study,
     /// How many there are.
     pub(in crate::cli) of: usize,
-    pub(in crate::cli) form: Form,
     pub(in crate::cli) units: bool,
 }
 
@@ -84,32 +83,31 @@ impl Parts<'_> {
     }
 
     fn path(&self, part: usize) -> PathBuf {
-        self.dir.join(name(part, self.of, self.form.ending()))
+        self.dir.join(name(part, self.of))
     }
 
     fn rows<'b>(&'b self, part: usize, path: &'b Path) -> Rows<'b> {
         Rows {
             study: self.study,
             range: self.study.part(part, self.of),
-            form: self.form,
             header: true,
             units: self.units,
             target: Some(path),
         }
     }
 
-    fn ticket(&self, part: usize, study: &str, (bytes, sha256): (u64, String)) -> Ticket {
+    fn job(&self, part: usize, study: &str, (bytes, sha256): (u64, String)) -> Job {
         let rows = self.study.part(part, self.of);
         let rows = [rows.start, rows.end];
-        Ticket { study: study.to_owned(), part, parts: self.of, rows, units: self.units, bytes, sha256 }
+        Job { study: study.to_owned(), part, parts: self.of, rows, units: self.units, bytes, sha256 }
     }
 
     fn found(&self, part: usize, study: &str) -> Found {
         let path = self.path(part);
         let Ok(metadata) = fs::symlink_metadata(&path) else { return Found::Nothing };
-        let Some(ticket) = ticket(&path) else { return Found::Foreign };
-        let right = self.ticket(part, study, (metadata.len(), ticket.sha256.clone()));
-        if metadata.is_file() && ticket == right { Found::Done } else { Found::Foreign }
+        let Some(job) = job(&path) else { return Found::Foreign };
+        let right = self.job(part, study, (metadata.len(), job.sha256.clone()));
+        if metadata.is_file() && job == right { Found::Done } else { Found::Foreign }
     }
 
     fn write(&self, part: usize, study: &str, ear: &Ear<'_>) -> Result<(), Failure> {
@@ -120,9 +118,9 @@ impl Parts<'_> {
             let hashed = Hashed { out: file, hash: Running::default(), bytes: 0 };
             let written = rows.write(BufWriter::new(hashed), ear)?;
             let Hashed { out, hash, bytes } = written.into_inner().map_err(io::IntoInnerError::into_error)?;
-            let ticket = self.ticket(part, study, (bytes, hash.finish()));
+            let job = self.job(part, study, (bytes, hash.finish()));
             let mut beside = WholeFile::begin(&path.with_extension("json"))?;
-            beside.write_all((serde_json::to_string(&ticket)? + "\n").as_bytes())?;
+            beside.write_all((serde_json::to_string(&job)? + "\n").as_bytes())?;
             beside.publish()?;
             out.publish()?;
             rows.forget();
@@ -142,16 +140,17 @@ impl Parts<'_> {
 }
 
 /// The name of a part: names in the order of the alphabet are parts in order.
-pub(super) fn name(part: usize, parts: usize, ending: &str) -> String {
+pub(super) fn name(part: usize, parts: usize) -> String {
     let width = parts.to_string().len();
-    format!("part-{part:0width$}-of-{parts}.{ending}")
+    format!("part-{part:0width$}-of-{parts}.csv")
 }
 
-/// Longest ticket that is read, bytes: many times what one has.
+/// Longest job that is read, bytes: many times what one has.
 const TICKET: u64 = 1 << 16;
 
-/// The ticket of the part at `path`; `None` also where it, or the part, is no file of its own: a link or a pipe may have no end.
-pub(super) fn ticket(path: &Path) -> Option<Ticket> {
+/// The job of the part at `path`; `None` also where it, or the part, is no file of its own: a link or a pipe
+/// may have no end.
+pub(super) fn job(path: &Path) -> Option<Job> {
     let beside = path.with_extension("json");
     let length = |path: &Path| fs::symlink_metadata(path).ok().filter(Metadata::is_file).map(|own| own.len());
     let _ = length(path)?;
@@ -159,16 +158,16 @@ pub(super) fn ticket(path: &Path) -> Option<Ticket> {
     serde_json::from_str(&fs::read_to_string(beside).ok()?).ok()
 }
 
-/// Whether the file at `path` has the length and the hash of its ticket.
-pub(super) fn is_sound(path: &Path, ticket: &Ticket) -> io::Result<bool> {
+/// Whether the file at `path` has the length and the hash of its job.
+pub(super) fn is_sound(path: &Path, job: &Job) -> io::Result<bool> {
     let own = fs::symlink_metadata(path)?;
-    if !own.is_file() || own.len() != ticket.bytes {
+    if !own.is_file() || own.len() != job.bytes {
         return Ok(false);
     }
     let mut hashed = Hashed { out: io::sink(), hash: Running::default(), bytes: 0 };
     let _ = io::copy(&mut File::open(path)?, &mut hashed)?;
     let Hashed { hash, bytes, .. } = hashed;
-    Ok(bytes == ticket.bytes && hash.finish() == ticket.sha256)
+    Ok(bytes == job.bytes && hash.finish() == job.sha256)
 }
 
 /// A writer that knows the hash of what went through it.

@@ -1,59 +1,23 @@
-//! Rows of a study as bytes of a form: CSV, or Parquet where it was built in.
+//! Rows of a study as CSV, computed, and kept where each takes long.
 
 use std::io;
 use std::io::Write;
 use std::ops::Range;
 use std::path::Path;
 
-use crate::cli::failure::Failure;
 use crate::cli::interrupt::Listening;
 use crate::cli::progress::Progress;
-use crate::cli::study::kept::{Kept, beside, drop_beside};
+use crate::cli::study::checkpoint::{Checkpoint, beside, drop_beside};
 use crate::forecast::study::{Batch, Study, csv};
-
-/// The form of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
-pub(in crate::cli) enum Form {
-    /// Text: a header, a line a row.
-    Csv,
-    /// Columns, for pandas, polars, `DuckDB`.
-    Parquet,
-}
-
-impl Form {
-    /// How its files end.
-    pub(in crate::cli) fn ending(self) -> &'static str {
-        match self {
-            Self::Csv => "csv",
-            Self::Parquet => "parquet",
-        }
-    }
-
-    /// The form that the name of a file says; CSV for every ending but Parquet's.
-    pub(in crate::cli) fn of(path: &Path) -> Self {
-        let is_parquet = path.extension().is_some_and(|ending| ending == Self::Parquet.ending());
-        if is_parquet { Self::Parquet } else { Self::Csv }
-    }
-
-    /// Refuses what this program was built without.
-    pub(in crate::cli) fn built_in(self) -> Result<Self, Failure> {
-        if self == Self::Csv || cfg!(feature = "parquet") {
-            return Ok(self);
-        }
-        let text = "this program was built without Parquet; write CSV, or build it with `--features parquet`";
-        Err(Failure::Message(text.to_owned()))
-    }
-}
 
 /// Some rows of a study, as they are to be written.
 pub(in crate::cli) struct Rows<'a> {
     pub(in crate::cli) study: &'a Study,
     /// Which.
     pub(in crate::cli) range: Range<usize>,
-    pub(in crate::cli) form: Form,
-    /// Of CSV: whether it begins with the names of the columns.
+    /// Whether the text begins with the names of the columns.
     pub(in crate::cli) header: bool,
-    /// Of CSV: whether a comment under the header says the units.
+    /// Whether a comment under the header says the units.
     pub(in crate::cli) units: bool,
     /// The file that they are for; where one takes long, each is kept beside it until it is whole.
     pub(in crate::cli) target: Option<&'a Path>,
@@ -67,19 +31,13 @@ pub(in crate::cli) struct Ear<'a> {
 
 impl Rows<'_> {
     /// Computes the rows and writes them to `out`, which is handed back. An error of the kind `Interrupted` is a signal's.
-    pub(in crate::cli) fn write<W: Write + Send>(&self, out: W, ear: &Ear<'_>) -> io::Result<W> {
-        match self.form {
-            Form::Csv => self.csv(out, ear),
-            #[cfg(feature = "parquet")]
-            Form::Parquet => {
-                use crate::forecast::study::parquet::Writer;
-                let mut writer = Writer::new(out, self.study.columns(), &self.study.fingerprint())?;
-                self.run(ear, |batch| batch, |batch| writer.write(batch))?;
-                writer.finish()
-            }
-            #[cfg(not(feature = "parquet"))]
-            Form::Parquet => Err(io::ErrorKind::Unsupported.into()),
+    pub(in crate::cli) fn write<W: Write + Send>(&self, mut out: W, ear: &Ear<'_>) -> io::Result<W> {
+        if self.header {
+            out.write_all(csv::header(self.study.columns(), self.units).as_bytes())?;
         }
+        self.run(ear, |batch| csv::lines(&batch), |text| out.write_all(&text))?;
+        out.flush()?;
+        Ok(out)
     }
 
     /// Drops what was kept for the file, which is whole.
@@ -87,15 +45,6 @@ impl Rows<'_> {
         if let Some(target) = self.target.filter(|_| self.study.is_slow()) {
             drop_beside(target);
         }
-    }
-
-    fn csv<W: Write + Send>(&self, mut out: W, ear: &Ear<'_>) -> io::Result<W> {
-        if self.header {
-            out.write_all(csv::header(self.study.columns(), self.units).as_bytes())?;
-        }
-        self.run(ear, |batch| csv::lines(&batch), |text| out.write_all(&text))?;
-        out.flush()?;
-        Ok(out)
     }
 
     fn run<T: Send>(
@@ -121,8 +70,8 @@ impl Rows<'_> {
     }
 
     /// All rows, those that were kept beside `target` and those that are computed now, and kept.
-    fn kept(&self, target: &Path, ear: &Ear<'_>) -> io::Result<Kept> {
-        let mut kept = Kept::open(&beside(target), self.study)?;
+    fn kept(&self, target: &Path, ear: &Ear<'_>) -> io::Result<Checkpoint> {
+        let mut kept = Checkpoint::open(&beside(target), self.study)?;
         let missing: Vec<usize> = self.range.clone().filter(|row| !kept.has(*row)).collect();
         let (mut done, mut result) = (self.range.len() - missing.len(), Ok(()));
         self.tell(done, ear);

@@ -1,16 +1,16 @@
 //! Rows of a study to standard output, a file, or parts in a directory: what commands have in common that compute a study.
 
 use std::fs::File;
-use std::io::{self, BufWriter, IsTerminal, Write, stdout};
+use std::io::{self, BufWriter, IsTerminal, Read, Write, stdout};
 use std::path::{Path, PathBuf};
 
+use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
-use crate::cli::harmless::shown;
 use crate::cli::interrupt::Listening;
 use crate::cli::progress;
 use crate::cli::study::part::Parts;
-use crate::cli::study::rows::{Ear, Form, Rows};
-use crate::cli::voice::{Quiet, Voice};
+use crate::cli::study::rows::{Ear, Rows};
+use crate::cli::verbosity::{Quiet, Verbosity};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 use crate::forecast::study::Study;
 
@@ -27,8 +27,8 @@ pub(in crate::cli) struct Destination {
     /// Where to write; default: standard output. With --parts, or with --part and a name without an ending, a directory of parts.
     #[arg(short, long, value_name = "FILE|DIR")]
     output: Option<PathBuf>,
-    /// The form; default: what the name of the file says, else CSV.
-    #[arg(long, value_name = "FORM")]
+    /// The form: `csv`. Parquet is written by the Python package.
+    #[arg(long, value_name = "FORM", hide = true)]
     format: Option<Form>,
     /// Add a line to the header that begins with # and says the unit of each column.
     #[arg(long)]
@@ -38,6 +38,40 @@ pub(in crate::cli) struct Destination {
     threads: Option<usize>,
     #[command(flatten)]
     pub(in crate::cli) quiet: Quiet,
+}
+
+/// The form of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+enum Form {
+    /// Text: a header, a line a row.
+    Csv,
+    /// Columns for analysis, which this program no longer writes.
+    Parquet,
+}
+
+/// Refuses a file whose name ends in `.parquet`.
+pub(super) fn refuse_parquet(path: &Path) -> Result<(), Failure> {
+    if path.extension().is_none_or(|ending| ending != "parquet") {
+        return Ok(());
+    }
+    let text = "this program writes studies as CSV, not as Parquet: give the file a name that ends in .csv; or take the Python \
+                package: stargrip_cam.sweep_to_parquet(\"study.parquet\", spec, study=\"study.toml\")";
+    Err(Failure::Message(text.to_owned()))
+}
+
+/// Refuses to replace a file that is no table of a study: every table begins with the column `row`.
+pub(super) fn refuse_foreign(path: &Path) -> Result<(), Failure> {
+    if !path.is_file() {
+        return Ok(());
+    }
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(4).read_to_end(&mut start));
+    let _ = read.map_err(|error| Failure::file("read", path, &error))?;
+    if start.is_empty() || start == b"row," {
+        return Ok(());
+    }
+    let text = format!("{} exists and is no table of a study: name another file with -o", shown(path));
+    Err(Failure::Message(text))
 }
 
 /// Parts `from` to `to` of `of`, from 1.
@@ -71,6 +105,14 @@ impl Destination {
 
     /// Computes the rows of `study`, and writes them in order.
     pub(in crate::cli) fn run(&self, study: &Study) -> Result<(), Failure> {
+        match (self.format, &self.output) {
+            (Some(Form::Csv), _) | (None, None) => {}
+            (Some(Form::Parquet), _) => refuse_parquet(Path::new("study.parquet"))?,
+            (None, Some(output)) => refuse_parquet(output)?,
+        }
+        if let Some(output) = &self.output {
+            refuse_foreign(output)?;
+        }
         if let Some(threads) = self.threads {
             rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)
@@ -85,14 +127,15 @@ impl Destination {
         // Rows on a terminal show by themselves how far they are.
         let quiet = self.quiet.quiet || (self.output.is_none() && stdout().is_terminal());
         let listening = Listening::new();
-        let there = progress::listening(Voice { quiet, ..Voice::default() }, "designs", |progress| {
-            let ear = Ear { progress, listening: &listening };
-            match &self.output {
-                None => self.to_stdout(study, span, &ear).map(|()| 0),
-                Some(path) if self.is_directory(path) => self.to_parts(path, (study, span), &ear),
-                Some(path) => self.to_file(path, (study, span), &ear).map(|()| 0),
-            }
-        })?;
+        let there =
+            progress::listening(Verbosity { quiet, ..Verbosity::default() }, "designs", |progress| {
+                let ear = Ear { progress, listening: &listening };
+                match &self.output {
+                    None => self.to_stdout(study, span, &ear).map(|()| 0),
+                    Some(path) if self.is_directory(path) => self.to_parts(path, (study, span), &ear),
+                    Some(path) => self.to_file(path, (study, span), &ear).map(|()| 0),
+                }
+            })?;
         if there > 0 && !self.quiet.quiet {
             tell(&format!("{there} of {} parts were there already", span.to - span.from + 1));
         }
@@ -108,20 +151,15 @@ impl Destination {
             || (self.part.is_some() && path.extension().is_none())
     }
 
-    fn rows<'a>(&self, study: &'a Study, span: Span, form: Form) -> Rows<'a> {
+    fn rows<'a>(&self, study: &'a Study, span: Span) -> Rows<'a> {
         let range = study.part(span.from, span.of).start..study.part(span.to, span.of).end;
-        Rows { study, range, form, header: true, units: self.units, target: None }
+        Rows { study, range, header: true, units: self.units, target: None }
     }
 
     fn to_stdout(&self, study: &Study, span: Span, ear: &Ear<'_>) -> Result<(), Failure> {
-        let form = self.format.unwrap_or(Form::Csv).built_in()?;
-        let rows = Rows { header: span.from == 1, ..self.rows(study, span, form) };
-        let written = match form {
-            // Whole chunks are written at a time; a buffer of lines would only slow them down.
-            Form::Csv => rows.write(stdout(), ear).map(drop),
-            Form::Parquet => rows.write(BufWriter::new(stdout()), ear).and_then(|mut out| out.flush()),
-        };
-        written.map_err(|error| match error.kind() {
+        let rows = Rows { header: span.from == 1, ..self.rows(study, span) };
+        // Whole chunks are written at a time; a buffer of lines would only slow them down.
+        rows.write(stdout(), ear).map(drop).map_err(|error| match error.kind() {
             io::ErrorKind::BrokenPipe => Failure::Pipe,
             io::ErrorKind::Interrupted if ear.listening.has_heard() => Failure::Stopped("stopped".to_owned()),
             _ => Failure::Message(format!("cannot write the rows: {error}")),
@@ -130,13 +168,12 @@ impl Destination {
 
     /// Returns how many parts were there already.
     fn to_parts(&self, dir: &Path, (study, span): (&Study, Span), ear: &Ear<'_>) -> Result<usize, Failure> {
-        let form = self.format.unwrap_or(Form::Csv).built_in()?;
-        let parts = Parts { dir, study, of: span.of, form, units: self.units };
+        let parts = Parts { dir, study, of: span.of, units: self.units };
         parts.compute([span.from, span.to], ear)
     }
 
     fn to_file(&self, path: &Path, (study, span): (&Study, Span), ear: &Ear<'_>) -> Result<(), Failure> {
-        let rows = self.rows(study, span, self.format.unwrap_or(Form::of(path)).built_in()?);
+        let rows = self.rows(study, span);
         let own = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let dir = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let written = || -> io::Result<()> {

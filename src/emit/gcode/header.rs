@@ -7,6 +7,7 @@ use crate::emit::gcode::thumbnail::thumbnails;
 use crate::emit::gcode::writer::Writer;
 use crate::emit::number::number;
 use crate::plan::{Pace, Program, Purpose, SeamReport, Stepper};
+use crate::shape::scope;
 use crate::spec::{DwellUnit, Heating, Machine};
 
 /// Writes the header of `program`.
@@ -25,7 +26,7 @@ pub(super) fn header(
     if let Some(maker) = writer.spelling.maker() {
         writer.comment(&maker)?;
     }
-    writer.comment(&format!("program: purpose={purpose} {}", scope(program)))?;
+    writer.comment(&format!("program: purpose={purpose} {}", sheet_and_pieces(program)))?;
     writer.comment("frame: origin at lower left of the sheet, Z0 on the release layer")?;
     if program.purpose == Purpose::Seal {
         job_facts(writer, facts)?;
@@ -52,26 +53,25 @@ fn job_facts(writer: &mut Writer<'_, impl fmt::Write>, facts: Facts<'_>) -> fmt:
     let Facts { seal, controller, process, .. } = facts;
     let (t, v) = (number(seal.temperature.0), number(seal.speed.0));
     let (w, o) = (number(seal.band.0), number(seal.overlap.0));
-    writer.comment(&format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"))?;
+    writer.facts(&format!("seal: temperature_C={t} speed_mm_s={v} band_mm={w} overlap_mm={o}"))?;
     let heating = match controller.heating {
         Heating::Operator => "operator",
         Heating::Hotend => "hotend",
     };
     let (dialect, line) = (controller.dialect.name(), controller.line_length);
     let arcs = if controller.arcs { "yes" } else { "no" };
-    writer.comment(&format!("machine: dialect={dialect} heating={heating} arcs={arcs} line={line}"))?;
+    writer.facts(&format!("machine: dialect={dialect} heating={heating} arcs={arcs} line={line}"))?;
     let heights = &process.heights;
     let (contact, travel) = (number(heights.contact.0), number(heights.travel.0));
     let (park, ramp) = (number(heights.park.0), number(process.ramp.0));
-    writer.comment(&format!(
-        "heights: contact_mm={contact} travel_mm={travel} park_mm={park} ramp_mm={ramp}"
-    ))?;
+    writer
+        .facts(&format!("heights: contact_mm={contact} travel_mm={travel} park_mm={park} ramp_mm={ramp}"))?;
     let (path, rapid) = (number(facts.path.0), number(process.travel_speed.0));
     let unit = match controller.dwell.unit {
         DwellUnit::Seconds => "s",
         DwellUnit::Milliseconds => "ms",
     };
-    writer.comment(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"))
+    writer.facts(&format!("path: tolerance_mm={path} travel_mm_s={rapid} dwell={unit}"))
 }
 
 /// What the operator has to see to, and what a chopped program relies on.
@@ -79,17 +79,17 @@ fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, progr
     if let Pace::Chopped(chop) = program.pace {
         let (feed, a) = (number(chop.speed * 60.0), number(chop.acceleration));
         let (longest, step) = (number(chop.longest), number(chop.step));
-        writer.comment(&format!("chop: feed_mm_min={feed} longest_mm={longest}"))?;
+        writer.facts(&format!("chop: feed_mm_min={feed} longest_mm={longest}"))?;
         let delay = number(chop.start_delay);
-        writer.comment(&format!("chop-rest: acceleration_mm_s2={a} step_s={step}"))?;
-        writer.comment(&format!("chop-start: delay_s={delay}"))?;
+        writer.facts(&format!("chop-rest: acceleration_mm_s2={a} step_s={step}"))?;
+        writer.facts(&format!("chop-start: delay_s={delay}"))?;
         if let Some(stepper @ Stepper { steps_per_mm, rate, tick, .. }) = chop.stepper {
             let ([x, y, z], rate, tick) = (steps_per_mm.map(number), number(rate), number(tick));
-            writer.comment(&format!("chop-steps: x={x} y={y} z={z}"))?;
-            writer.comment(&format!("chop-ticks: rate_Hz={rate} tick_s={tick}"))?;
+            writer.facts(&format!("chop-steps: x={x} y={y} z={z}"))?;
+            writer.facts(&format!("chop-ticks: rate_Hz={rate} tick_s={tick}"))?;
             if stepper.first_rate.is_some() || stepper.least_steps > 0.0 {
                 let (first, least) = (number(stepper.first_rate.unwrap_or(0.0)), number(stepper.least_steps));
-                writer.comment(&format!("chop-moves: first_Hz={first} least_steps={least}"))?;
+                writer.facts(&format!("chop-moves: first_Hz={first} least_steps={least}"))?;
             }
         }
         let axes =
@@ -106,14 +106,10 @@ fn conditions(writer: &mut Writer<'_, impl fmt::Write>, machine: &Machine, progr
 }
 
 /// What the program covers: "sheet=1 stars=1-3", "piece=disc".
-fn scope(program: &Program) -> String {
-    let stars = match (&program.piece, program.stars.first(), program.stars.last()) {
-        (Some(piece), ..) => return format!("piece={piece}"),
-        (None, Some(first), Some(last)) if first != last => format!("{first}-{last}"),
-        (None, Some(only), _) => only.to_string(),
-        _ => "none".to_owned(),
-    };
-    format!("sheet={} stars={stars}", program.sheet)
+fn sheet_and_pieces(program: &Program) -> String {
+    let pieces = scope(&program.pieces);
+    let is_numbered = program.pieces.iter().any(|piece| piece.number().is_some());
+    if is_numbered { format!("sheet={} {pieces}", program.sheet) } else { pieces }
 }
 
 /// The structured comment about one seam.

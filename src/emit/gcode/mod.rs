@@ -21,9 +21,10 @@ use crate::emit::gcode::dialect::{Spelling, heat};
 use crate::emit::gcode::header::{header, seam_facts};
 use crate::emit::gcode::writer::Writer;
 use crate::emit::number::number;
-use crate::geom::{Point, Segment};
 use crate::plan::{Clock, Pace, Pacer, Program, Purpose, Step, height_of};
 use crate::spec::{Dialect, Heating, Machine, Spec};
+use crate::units::Readable;
+use inflatable::geom::{Point, Segment};
 
 pub use facts::Facts;
 pub use feed_check::feed_check;
@@ -159,6 +160,8 @@ impl<'a, W: fmt::Write> Job<'a, W> {
         self.writer.comment(&format!("heat: temperature_C={t}"))?;
         match self.facts.controller.heating {
             Heating::Operator => {
+                // As many digits as a line has room for.
+                let t = Readable(temperature.0);
                 let told = format!("set the iron to {t} C, standby off, wait until hot, press start");
                 self.writer.comment(&told)?;
                 let pause = self.whole.as_ref().map(|whole| &whole.machine.script.pause);

@@ -9,9 +9,9 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use crate::emit::gcode::writer::Writer;
-use crate::emit::picture::{Group, Ink, Pen, Picture};
-use crate::geom::{Bounds, Path, Vec2};
+use crate::emit::picture::{Colour, Group, Pen, Picture};
 use crate::plan::{Program, Step};
+use inflatable::geom::{Bounds, Path, Vec2};
 
 /// Sides, pixels: for a list, and for the one that is looked at.
 const SIDES: [f64; 2] = [32.0, 300.0];
@@ -22,8 +22,8 @@ const LEAST: f64 = 1.6;
 /// Blank around, as a part of the way's extent.
 const BLANK: f64 = 0.06;
 /// What is sealed, and what is only shown.
-const SEAM: Ink = Ink(0xe8, 0xa3, 0x3d);
-const TRACED: Ink = Ink(0x5b, 0x8d, 0xb8);
+const SEAM: Colour = Colour(0xe8, 0xa3, 0x3d);
+const TRACED: Colour = Colour(0x5b, 0x8d, 0xb8);
 
 /// Writes the pictures of `program`, whose band is so wide, mm.
 pub(super) fn thumbnails(
@@ -49,7 +49,7 @@ pub(super) fn thumbnails(
 
 /// The ways of the iron on a square; `None` if there are none.
 fn picture(program: &Program, band: f64, side: f64) -> Option<Picture> {
-    let ways: Vec<(Path, Ink)> = program
+    let ways: Vec<(Path, Colour)> = program
         .steps
         .iter()
         .filter_map(|step| match step {

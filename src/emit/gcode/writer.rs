@@ -6,9 +6,9 @@ use crate::emit::gcode::dialect::Spelling;
 use crate::emit::gcode::facts::Facts;
 use crate::emit::number::{Decimals, number};
 use crate::emit::text::inert;
-use crate::geom::{Point, Segment};
 use crate::plan::is_straight;
 use crate::spec::Comments;
+use inflatable::geom::{Point, Segment};
 
 /// Spells lines, and remembers where the file says that the iron is.
 pub(super) struct Writer<'a, W> {
@@ -57,6 +57,23 @@ impl<'a, W: fmt::Write> Writer<'a, W> {
     pub(super) fn comment(&mut self, text: &str) -> fmt::Result {
         let room = self.facts.controller.line_length.saturating_sub(2);
         self.marked(&inert(text, room))
+    }
+
+    /// A structured comment, "key: word=value word=value": words that a line has no room for go on in the next one, under the
+    /// same key, so that no digit is cut.
+    pub(super) fn facts(&mut self, text: &str) -> fmt::Result {
+        let room = self.facts.controller.line_length.saturating_sub(2);
+        let Some((key, words)) = text.split_once(": ") else { return self.comment(text) };
+        let mut line = format!("{key}:");
+        for word in words.split(' ') {
+            if line.len() + 1 + word.len() > room && line.len() > key.len() + 1 {
+                self.comment(&line)?;
+                line.truncate(key.len() + 1);
+            }
+            line.push(' ');
+            line.push_str(word);
+        }
+        self.comment(&line)
     }
 
     /// A comment of the profile's own, which may name settings such as `$1`.

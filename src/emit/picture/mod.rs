@@ -1,10 +1,10 @@
-//! A **picture** for people: marks on a page, in the frame of what is drawn, as a list that SVG and PNG both can say.
+//! A **picture**: a list of marks on a page, in the frame of the drawing. The writers of SVG and PNG share it.
 
 mod png;
 mod svg;
 mod typeface;
 
-use crate::geom::{Bounds, Path, Point, Vec2};
+use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// Marks on a page, group by group, the later above the earlier.
 pub(super) struct Picture {
@@ -28,7 +28,7 @@ pub(super) struct Group {
 /// Something that is seen.
 enum Mark {
     /// What lies inside of an odd number of these paths.
-    Area { paths: Vec<Path>, ink: Ink },
+    Area { paths: Vec<Path>, ink: Colour },
     /// A line along a path.
     Line { path: Path, pen: Pen },
     /// A line of text.
@@ -37,12 +37,12 @@ enum Mark {
 
 /// A colour: red, green, blue.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) struct Ink(pub(super) u8, pub(super) u8, pub(super) u8);
+pub(super) struct Colour(pub(super) u8, pub(super) u8, pub(super) u8);
 
 /// How a line looks.
 #[derive(Clone, Copy)]
 pub(super) struct Pen {
-    ink: Ink,
+    ink: Colour,
     /// Its width, mm.
     width: f64,
     /// Lengths of a dash and of a gap, mm; `None` for an unbroken line.
@@ -70,7 +70,7 @@ pub(super) struct Text {
     /// What of it stands there.
     pub(super) anchor: Anchor,
     /// Its colour.
-    pub(super) ink: Ink,
+    pub(super) ink: Colour,
     /// What it says: printable ASCII.
     pub(super) content: String,
 }
@@ -81,7 +81,7 @@ const FALL: f64 = 0.24;
 
 impl Text {
     /// A text whose box has its middle at `center`.
-    pub(super) fn centered(center: Point, size: f64, ink: Ink, content: impl Into<String>) -> Self {
+    pub(super) fn centered(center: Point, size: f64, ink: Colour, content: impl Into<String>) -> Self {
         let at = center - Vec2::new(0.0, 0.5 * (RISE - FALL) * size);
         Self { at, size, anchor: Anchor::Middle, ink, content: content.into() }
     }
@@ -111,7 +111,7 @@ impl Text {
 
 impl Pen {
     /// An unbroken line.
-    pub(super) fn new(ink: Ink, width: f64) -> Self {
+    pub(super) fn new(ink: Colour, width: f64) -> Self {
         Self { ink, width, dash: None }
     }
 
@@ -128,7 +128,7 @@ impl Group {
     }
 
     /// Fills what lies inside of an odd number of `paths`.
-    pub(super) fn area(&mut self, paths: Vec<Path>, ink: Ink) {
+    pub(super) fn area(&mut self, paths: Vec<Path>, ink: Colour) {
         self.marks.push(Mark::Area { paths, ink });
     }
 

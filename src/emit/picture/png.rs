@@ -8,8 +8,8 @@ use tiny_skia::{
 };
 
 use crate::emit::picture::typeface::{Pencil, trace};
-use crate::emit::picture::{Ink, Mark, Pen, Picture, Text};
-use crate::geom::{Arc, Path, Point, Segment, Vec2};
+use crate::emit::picture::{Colour, Mark, Pen, Picture, Text};
+use inflatable::geom::{Arc, Path, Point, Segment, Vec2};
 
 impl Picture {
     /// The picture as a PNG of so many pixels along its longer side; `None` if it has no extent.
@@ -41,7 +41,7 @@ struct Canvas<'a> {
 }
 
 impl Canvas<'_> {
-    fn area(&mut self, paths: &[Path], ink: Ink) {
+    fn area(&mut self, paths: &[Path], ink: Colour) {
         let Some(path) = self.outline(paths) else { return };
         self.pixels.fill_path(&path, &paint(ink), FillRule::EvenOdd, Transform::identity(), None);
     }
@@ -162,7 +162,7 @@ fn encoded(pixels: &Pixmap, scale: f64) -> Option<Vec<u8>> {
     Some(out)
 }
 
-fn paint(Ink(red, green, blue): Ink) -> Paint<'static> {
+fn paint(Colour(red, green, blue): Colour) -> Paint<'static> {
     let mut paint = Paint::default();
     paint.set_color_rgba8(red, green, blue, 0xff);
     paint

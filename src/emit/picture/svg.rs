@@ -4,9 +4,9 @@ use svg::Node;
 use svg::node::element::Element;
 
 use crate::emit::number::Decimals;
-use crate::emit::picture::{Anchor, Ink, Mark, Pen, Picture, Text};
+use crate::emit::picture::{Anchor, Colour, Mark, Pen, Picture, Text};
 use crate::emit::svg::{SvgPage, element};
-use crate::geom::Path;
+use inflatable::geom::Path;
 
 /// A hundredth of a millimetre is enough for the eye.
 const DECIMALS: u32 = 2;
@@ -89,6 +89,6 @@ fn words(page: &SvgPage, text: &Text) -> Element {
     out
 }
 
-fn color(Ink(red, green, blue): Ink) -> String {
+fn color(Colour(red, green, blue): Colour) -> String {
     format!("#{red:02x}{green:02x}{blue:02x}")
 }

@@ -2,13 +2,13 @@
 
 use crate::design::SheetLayout;
 use crate::emit::picture::{Anchor, Group, Text};
-use crate::emit::preview::look::{
-    CLAMP, CLAMP_AREA, GREY, Look, PAGE, SHEET, TEXT, WORK_AREA, arrow_head, circle, rectangle, straight,
-};
 use crate::emit::preview::place::Places;
-use crate::geom::{Bounds, Path, Point, Vec2};
+use crate::emit::preview::style::{
+    CLAMP, CLAMP_AREA, GREY, PAGE, SHEET, Style, TEXT, WORK_AREA, arrow_head, circle, rectangle, straight,
+};
 use crate::spec::Machine;
 use crate::units::Readable;
+use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// Blank around a sheet, by the type's size: at its lower left there are axes and sizes.
 pub(super) struct Margins {
@@ -19,10 +19,10 @@ pub(super) struct Margins {
 }
 
 impl Margins {
-    pub(super) fn new(layout: &SheetLayout, look: Look) -> Self {
-        let unit = look.unit;
+    pub(super) fn new(layout: &SheetLayout, style: Style) -> Self {
+        let unit = style.unit;
         Self {
-            left: 4.5 * unit + height_of(layout, look).width(),
+            left: 4.5 * unit + height_of(layout, style).width(),
             below: 5.6 * unit,
             above: 2.0 * unit,
             right: 2.5 * unit,
@@ -36,11 +36,11 @@ pub(super) fn sheet_box(layout: &SheetLayout) -> Bounds {
 }
 
 /// The sheet and its sizes.
-pub(super) fn sheet_group(layout: &SheetLayout, look: Look) -> Group {
+pub(super) fn sheet_group(layout: &SheetLayout, style: Style) -> Group {
     let mut group = Group::new("sheet");
-    let (unit, sheet) = (look.unit, sheet_box(layout));
+    let (unit, sheet) = (style.unit, sheet_box(layout));
     group.area(vec![rectangle(&sheet)], SHEET);
-    group.line(rectangle(&sheet), look.pen(GREY, 1.0));
+    group.line(rectangle(&sheet), style.pen(GREY, 1.0));
     let (below, beside) = (-3.2 * unit, -3.2 * unit);
     let ends = [
         (Point::new(0.0, below), Point::new(layout.width, below)),
@@ -48,7 +48,7 @@ pub(super) fn sheet_group(layout: &SheetLayout, look: Look) -> Group {
     ];
     for (from, to) in ends {
         let along = (to - from).normalized();
-        group.line(straight(from, to), look.pen(GREY, 1.0));
+        group.line(straight(from, to), style.pen(GREY, 1.0));
         for (end, outwards) in [(from, along * -1.0), (to, along)] {
             group.area(vec![arrow_head(end, outwards, 0.7 * unit)], GREY);
             // From the sheet's corner to the line.
@@ -56,29 +56,29 @@ pub(super) fn sheet_group(layout: &SheetLayout, look: Look) -> Group {
             let corner = end - reach * (3.2 * unit);
             group.line(
                 straight(corner + reach * (0.6 * unit), end + reach * (0.4 * unit)),
-                look.pen(GREY, 0.7),
+                style.pen(GREY, 0.7),
             );
         }
     }
     let width = format!("{} mm", Readable(layout.width));
     group.text(Text::centered(Point::new(0.5 * layout.width, below - unit), unit, TEXT, width));
-    group.text(height_of(layout, look));
+    group.text(height_of(layout, style));
     group
 }
 
-fn height_of(layout: &SheetLayout, look: Look) -> Text {
+fn height_of(layout: &SheetLayout, style: Style) -> Text {
     let content = format!("{} mm", Readable(layout.height));
-    let at = Point::new(-3.8 * look.unit, 0.5 * layout.height);
-    Text { at, size: look.unit, anchor: Anchor::End, ink: TEXT, content }
+    let at = Point::new(-3.8 * style.unit, 0.5 * layout.height);
+    Text { at, size: style.unit, anchor: Anchor::End, ink: TEXT, content }
 }
 
 /// The machine's origin with its axes, as far as it reaches, and its clamps.
-pub(super) fn bench_group(machine: &Machine, window: &Bounds, look: Look, places: &mut Places) -> Group {
+pub(super) fn bench_group(machine: &Machine, window: &Bounds, style: Style, places: &mut Places) -> Group {
     let mut group = Group::new("machine");
     if let Some((x, y)) = machine.bench.work_area {
         for path in within(x.0, y.0, window) {
             places.keep_off(&path, 0.0);
-            group.line(path, look.dashes(WORK_AREA, 1.5));
+            group.line(path, style.dashes(WORK_AREA, 1.5));
         }
     }
     for clamp in &machine.bench.keep_out {
@@ -86,15 +86,15 @@ pub(super) fn bench_group(machine: &Machine, window: &Bounds, look: Look, places
         let area = Bounds { min, max: min + Vec2::new(clamp.width.0, clamp.depth.0) };
         let Some(seen) = common(&area, window) else { continue };
         group.area(vec![rectangle(&seen)], CLAMP_AREA);
-        group.line(rectangle(&seen), look.pen(CLAMP, 1.2));
+        group.line(rectangle(&seen), style.pen(CLAMP, 1.2));
         places.keep_off(&rectangle(&seen), 0.0);
     }
-    axes(&mut group, look);
+    axes(&mut group, style);
     group
 }
 
 /// The clamps' names, in them or beside them; after everything else has its place.
-pub(super) fn clamp_labels(machine: &Machine, window: &Bounds, look: Look, places: &mut Places) -> Group {
+pub(super) fn clamp_labels(machine: &Machine, window: &Bounds, style: Style, places: &mut Places) -> Group {
     let mut group = Group::new("clamps");
     for clamp in &machine.bench.keep_out {
         let min = Point::new(clamp.x.0, clamp.y.0);
@@ -102,7 +102,7 @@ pub(super) fn clamp_labels(machine: &Machine, window: &Bounds, look: Look, place
         let Some(seen) = common(&area, window) else { continue };
         let words = crate::emit::text::inert(&clamp.name, 24);
         let texts = [0.9, 0.7, 0.5].into_iter().flat_map(|share| {
-            let size = share * look.unit;
+            let size = share * style.unit;
             let half = 0.5 * Text::centered(min, size, CLAMP, words.clone()).width();
             let (across, up) = (0.5 * seen.width() + half + size, 0.5 * seen.height() + size);
             let aside = [
@@ -125,19 +125,19 @@ pub(super) fn clamp_labels(machine: &Machine, window: &Bounds, look: Look, place
     group
 }
 
-fn axes(group: &mut Group, look: Look) {
-    let (unit, length) = (look.unit, 6.0 * look.unit);
+fn axes(group: &mut Group, style: Style) {
+    let (unit, length) = (style.unit, 6.0 * style.unit);
     for (along, name, aside) in
         [(Vec2::new(1.0, 0.0), "X", Vec2::new(0.0, -1.2)), (Vec2::new(0.0, 1.0), "Y", Vec2::new(-1.2, 0.0))]
     {
         let tip = Point::ORIGIN + along * length;
-        group.line(straight(Point::ORIGIN, tip - along * (0.5 * unit)), look.pen(TEXT, 3.0));
+        group.line(straight(Point::ORIGIN, tip - along * (0.5 * unit)), style.pen(TEXT, 3.0));
         group.area(vec![arrow_head(tip, along, 1.1 * unit)], TEXT);
         group.text(Text::centered(tip + aside * unit, unit, TEXT, name));
     }
     let dot = circle(Point::ORIGIN, 0.45 * unit);
     group.area(vec![dot.clone()], PAGE);
-    group.line(dot, look.pen(TEXT, 2.0));
+    group.line(dot, style.pen(TEXT, 2.0));
     let at = Point::new(-0.6 * unit, -1.5 * unit);
     group.text(Text { at, size: unit, anchor: Anchor::End, ink: TEXT, content: "X0 Y0".to_owned() });
 }

@@ -1,9 +1,9 @@
 //! What is said below the picture: blocks of lines, side by side as far as there is room, with a swatch before a line that
 //! explains a colour.
 
-use crate::emit::picture::{Anchor, Group, Ink, Pen, Text};
-use crate::emit::preview::look::{Look, TEXT, circle, rectangle, straight};
-use crate::geom::{Bounds, Point, Vec2};
+use crate::emit::picture::{Anchor, Colour, Group, Pen, Text};
+use crate::emit::preview::style::{Style, TEXT, circle, rectangle, straight};
+use inflatable::geom::{Bounds, Point, Vec2};
 
 /// Lines under a heading.
 pub(super) struct Block {
@@ -15,11 +15,11 @@ pub(super) struct Block {
 #[derive(Clone, Copy)]
 pub(super) enum Swatch {
     /// An area.
-    Area(Ink),
+    Area(Colour),
     /// A line.
     Line(Pen),
     /// A dot.
-    Dot(Ink),
+    Dot(Colour),
     /// A length at the picture's scale, mm.
     Scale(f64),
 }
@@ -44,37 +44,37 @@ impl Block {
         self.lines.push((Some(swatch), line.into()));
     }
 
-    fn texts(&self, at: Point, look: Look) -> impl Iterator<Item = (Option<Swatch>, Text)> {
-        let head = (1.15 * look.unit, 0.0, None, &self.heading);
+    fn texts(&self, at: Point, style: Style) -> impl Iterator<Item = (Option<Swatch>, Text)> {
+        let head = (1.15 * style.unit, 0.0, None, &self.heading);
         let rest = self.lines.iter().map(move |(swatch, line)| {
-            (look.unit, swatch.map_or(0.0, |swatch| swatch.width(look)), *swatch, line)
+            (style.unit, swatch.map_or(0.0, |swatch| swatch.width(style)), *swatch, line)
         });
         let mut down = 0.0;
         std::iter::once(head).chain(rest).map(move |(size, indent, swatch, content)| {
-            down += STEP * look.unit;
+            down += STEP * style.unit;
             // SVG shows no blanks at a line's beginning.
             let words = content.trim_start();
-            let blanks = if words.len() < content.len() { INDENT * look.unit } else { 0.0 };
+            let blanks = if words.len() < content.len() { INDENT * style.unit } else { 0.0 };
             let at = at + Vec2::new(indent + blanks, -down);
             (swatch, Text { at, size, anchor: Anchor::Start, ink: TEXT, content: words.to_owned() })
         })
     }
 
-    pub(super) fn width(&self, look: Look) -> f64 {
+    pub(super) fn width(&self, style: Style) -> f64 {
         let right = |(_, text): (_, Text)| text.bounds().max.x;
-        self.texts(Point::ORIGIN, look).map(right).fold(0.0, f64::max)
+        self.texts(Point::ORIGIN, style).map(right).fold(0.0, f64::max)
     }
 
-    fn height(&self, look: Look) -> f64 {
+    fn height(&self, style: Style) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "a few lines")]
         let lines = 1.0 + self.lines.len() as f64;
-        lines * STEP * look.unit
+        lines * STEP * style.unit
     }
 
-    fn draw(&self, group: &mut Group, at: Point, look: Look) {
-        for (swatch, text) in self.texts(at, look) {
+    fn draw(&self, group: &mut Group, at: Point, style: Style) {
+        for (swatch, text) in self.texts(at, style) {
             if let Some(swatch) = swatch {
-                swatch.draw(group, Point::new(at.x, text.at.y + 0.3 * look.unit), look);
+                swatch.draw(group, Point::new(at.x, text.at.y + 0.3 * style.unit), style);
             }
             group.text(text);
         }
@@ -83,29 +83,29 @@ impl Block {
 
 impl Swatch {
     /// How much room it takes before its line.
-    fn width(self, look: Look) -> f64 {
+    fn width(self, style: Style) -> f64 {
         match self {
-            Self::Scale(length) => length + 0.8 * look.unit,
-            _ => 3.6 * look.unit,
+            Self::Scale(length) => length + 0.8 * style.unit,
+            _ => 3.6 * style.unit,
         }
     }
 
     /// Draws it, from `at` to the right.
-    fn draw(self, group: &mut Group, at: Point, look: Look) {
-        let (unit, right) = (look.unit, Vec2::new(1.0, 0.0));
+    fn draw(self, group: &mut Group, at: Point, style: Style) {
+        let (unit, right) = (style.unit, Vec2::new(1.0, 0.0));
         let up = Vec2::new(0.0, 0.4 * unit);
         match self {
             Self::Area(ink) => {
                 let area = Bounds { min: at - up, max: at + right * (2.8 * unit) + up };
                 group.area(vec![rectangle(&area)], ink);
-                group.line(rectangle(&area), look.pen(TEXT, 0.6));
+                group.line(rectangle(&area), style.pen(TEXT, 0.6));
             }
             Self::Line(pen) => group.line(straight(at, at + right * (2.8 * unit)), pen),
             Self::Dot(ink) => group.area(vec![circle(at + right * (1.4 * unit), 0.4 * unit)], ink),
             Self::Scale(length) => {
                 let (from, to) = (at, at + right * length);
                 for (a, b) in [(from, to), (from - up, from + up), (to - up, to + up)] {
-                    group.line(straight(a, b), look.pen(TEXT, 1.5));
+                    group.line(straight(a, b), style.pen(TEXT, 1.5));
                 }
             }
         }
@@ -113,17 +113,17 @@ impl Swatch {
 }
 
 /// Draws the blocks from the upper left corner `at`, none reaching beyond `width` that need not; their height.
-pub(super) fn flow(group: &mut Group, blocks: &[Block], at: Point, width: f64, look: Look) -> f64 {
+pub(super) fn flow(group: &mut Group, blocks: &[Block], at: Point, width: f64, style: Style) -> f64 {
     let (mut right, mut down, mut row) = (0.0, 0.0, 0.0_f64);
     for block in blocks {
-        let wide = block.width(look);
+        let wide = block.width(style);
         if right > 0.0 && right + wide > width {
-            down += row + look.unit;
+            down += row + style.unit;
             (right, row) = (0.0, 0.0);
         }
-        block.draw(group, at + Vec2::new(right, -down), look);
-        right += wide + GAP * look.unit;
-        row = row.max(block.height(look));
+        block.draw(group, at + Vec2::new(right, -down), style);
+        right += wide + GAP * style.unit;
+        row = row.max(block.height(style));
     }
     down + row
 }

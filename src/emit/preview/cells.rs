@@ -1,9 +1,9 @@
 //! A picture of all seal strips of a grid: where each lies, what it is sealed at, where it is cut.
 
 use crate::emit::picture::{Anchor, Group, Pen, Picture, Text};
-use crate::emit::preview::look::{BAND, CUT, FABRIC, LABEL, Look, PAGE, TEXT, rectangle};
+use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TEXT, rectangle};
 use crate::emit::text::inert;
-use crate::geom::{Bounds, Path, Point, Vec2};
+use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// One strip.
 pub struct Cell {
@@ -21,12 +21,12 @@ pub struct Cell {
 pub fn cells(title: &str, cells: &[Cell], band: f64) -> String {
     let all = cells.iter().map(|cell| cell.specimen.union(cell.seam.bounds()));
     let all = all.fold(Bounds::EMPTY, Bounds::union);
-    let look = Look::new(all.width().max(all.height()));
-    let size = cells.iter().map(|cell| fitting(cell, look)).fold(look.unit, f64::min);
+    let style = Style::new(all.width().max(all.height()));
+    let size = cells.iter().map(|cell| fitting(cell, style)).fold(style.unit, f64::min);
     let (mut fabric, mut seams, mut words) = (Group::new("cut"), Group::new("seal"), Group::new("words"));
     for cell in cells {
         fabric.area(vec![rectangle(&cell.specimen)], FABRIC);
-        fabric.line(rectangle(&cell.specimen), look.pen(CUT, 1.0));
+        fabric.line(rectangle(&cell.specimen), style.pen(CUT, 1.0));
         seams.line(cell.seam.clone(), Pen::new(BAND, band));
         let (left, top) = (cell.specimen.min.x, cell.specimen.max.y);
         let number = Text::centered(
@@ -42,10 +42,10 @@ pub fn cells(title: &str, cells: &[Cell], band: f64) -> String {
             at = at - Vec2::new(0.0, 1.5 * size);
         }
     }
-    let head = Point::new(all.min.x, all.max.y + 2.0 * look.unit);
+    let head = Point::new(all.min.x, all.max.y + 2.0 * style.unit);
     let content = format!("{}, seen from the iron's side, 1:1 in mm", inert(title, 60));
-    let heading = Text { at: head, size: look.unit, anchor: Anchor::Start, ink: TEXT, content };
-    let window = all.union(heading.bounds()).grown(2.0 * look.unit);
+    let heading = Text { at: head, size: style.unit, anchor: Anchor::Start, ink: TEXT, content };
+    let window = all.union(heading.bounds()).grown(2.0 * style.unit);
     words.text(heading);
     let mut page = Group::new("page");
     page.area(vec![rectangle(&window)], PAGE);
@@ -54,8 +54,8 @@ pub fn cells(title: &str, cells: &[Cell], band: f64) -> String {
 }
 
 /// The size of type at which the words of `cell` fit on its specimen.
-fn fitting(cell: &Cell, look: Look) -> f64 {
+fn fitting(cell: &Cell, style: Style) -> f64 {
     let width = |line: &String| Text::centered(Point::ORIGIN, 1.0, LABEL, line.clone()).width();
     let widest = cell.words.iter().map(width).fold(1.0, f64::max);
-    look.unit.min(cell.specimen.width() / (widest + 1.6))
+    style.unit.min(cell.specimen.width() / (widest + 1.6))
 }

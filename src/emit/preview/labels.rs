@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use crate::design::{PlacedStar, StarDesign};
 use crate::emit::picture::{Group, Pen, Text};
-use crate::emit::preview::look::{LABEL, Look, START, TEXT, circle, straight};
 use crate::emit::preview::place::Places;
+use crate::emit::preview::style::{LABEL, START, Style, TEXT, circle, straight};
 use crate::emit::preview::travel::Start;
-use crate::geom::{Bounds, Point, Vec2};
+use inflatable::geom::{Bounds, Point, Vec2};
 
 /// Sizes that are tried in turn, by the first of them; what is smaller is not read.
 const SIZES: [f64; 8] = [1.0, 0.85, 0.72, 0.61, 0.52, 0.44, 0.37, 0.3];
@@ -19,12 +19,12 @@ const WAYS: u32 = 24;
 const REACHES: [f64; 9] = [1.2, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.5, 8.0];
 
 /// Name, tips, corners and inlet of one star.
-pub(super) fn star_labels(part: &StarDesign, star: &PlacedStar, look: Look, places: &mut Places) -> Group {
+pub(super) fn star_labels(part: &StarDesign, star: &PlacedStar, style: Style, places: &mut Places) -> Group {
     let mut group = Group::new(format!("labels-{}", star.index));
     let geometry = &part.star;
     let middle = star.placement.point(Point::ORIGIN);
     let name = format!("star {}", star.index);
-    for size in SIZES.map(|share| share * (1.6 * look.unit).min(0.4 * geometry.rho_0)) {
+    for size in SIZES.map(|share| share * (1.6 * style.unit).min(0.4 * geometry.rho_0)) {
         let lines = [(name.as_str(), 0.8, size), ("this side up", -0.8, 0.75 * size)];
         let lines = lines.map(|(words, up, size)| {
             vec![Text::centered(middle + Vec2::new(0.0, up * size), size, TEXT, words)]
@@ -36,24 +36,24 @@ pub(super) fn star_labels(part: &StarDesign, star: &PlacedStar, look: Look, plac
             break;
         }
     }
-    for text in hinges(part, star, look, places) {
+    for text in hinges(part, star, style, places) {
         group.text(text);
     }
     if let Some(channel) = &part.channel {
         let mouth = star.placement.point(channel.mouth_center(geometry));
         let along = mouth - star.placement.point(Point::polar(geometry.d_t, geometry.tip_ray(channel.tip)));
-        let size = (0.9 * look.unit).min(0.3 * geometry.w);
+        let size = (0.9 * style.unit).min(0.3 * geometry.w);
         beside(&mut group, places, &Callout { at: mouth, along, size, words: "inlet", ring: false });
     }
     group
 }
 
 /// Numbers of tips and corners, all of one size: whole words where they can be read, else letters.
-fn hinges(part: &StarDesign, star: &PlacedStar, look: Look, places: &mut Places) -> Vec<Text> {
+fn hinges(part: &StarDesign, star: &PlacedStar, style: Style, places: &mut Places) -> Vec<Text> {
     let geometry = &part.star;
     for (tip, corner, least) in [("tip ", "corner ", LEGIBLE), ("T", "C", 0.0)] {
-        for size in SIZES.map(|share| share * (0.9 * look.unit).min(0.26 * geometry.w)) {
-            if size < least * look.unit {
+        for size in SIZES.map(|share| share * (0.9 * style.unit).min(0.26 * geometry.w)) {
+            if size < least * style.unit {
                 break;
             }
             let along = |from: f64, ray: f64, words: String| -> Vec<Text> {
@@ -79,10 +79,10 @@ fn hinges(part: &StarDesign, star: &PlacedStar, look: Look, places: &mut Places)
 }
 
 /// The numbers of the seams, beside where they begin.
-pub(super) fn start_labels(starts: &[Start], look: Look, places: &mut Places) -> Group {
+pub(super) fn start_labels(starts: &[Start], style: Style, places: &mut Places) -> Group {
     let mut group = Group::new("order");
     for start in starts {
-        let size = look.unit.min(0.3 * start.tube);
+        let size = style.unit.min(0.3 * start.tube);
         let words = start.order.to_string();
         let callout = Callout { at: start.at, along: start.along.perp(), size, words: &words, ring: true };
         beside(&mut group, places, &callout);

@@ -1,7 +1,7 @@
 //! Where labels go: the first place that they cover nothing from.
 
 use crate::emit::picture::Text;
-use crate::geom::{Bounds, Line, Path, Point, Segment, segment_distance};
+use inflatable::geom::{Bounds, Line, Path, Point, Segment, segment_distance};
 
 /// What labels keep off, and what they have taken.
 pub(super) struct Places {
@@ -81,10 +81,10 @@ fn distance(bounds: &Bounds, segment: &Segment) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::emit::picture::Ink;
+    use crate::emit::picture::Colour;
 
     fn label(x: f64) -> Text {
-        Text::centered(Point::new(x, 0.0), 2.0, Ink(0, 0, 0), "ab")
+        Text::centered(Point::new(x, 0.0), 2.0, Colour(0, 0, 0), "ab")
     }
 
     #[test]

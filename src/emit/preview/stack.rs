@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use crate::design::{Design, Side, Star, round_tube, tube_height};
 use crate::emit::picture::{Anchor, Group, Text};
-use crate::emit::preview::look::{GREY, IRON, Look, OBJECT, TEXT, circle, rectangle, star_ink, straight};
 use crate::emit::preview::place::Places;
+use crate::emit::preview::style::{GREY, IRON, OBJECT, Style, TEXT, circle, rectangle, star_ink, straight};
 use crate::emit::preview::subject::Preview;
-use crate::geom::{Bounds, Isometry, Path, Point, Vec2};
+use inflatable::geom::{Bounds, Isometry, Path, Point, Vec2};
 
 /// The two views, and how much room they need to the right of the sheet.
 pub(super) struct StackView<'a> {
@@ -40,42 +40,42 @@ impl<'a> StackView<'a> {
     }
 
     /// Width of the strip that the views take, labels at both sides.
-    pub(super) fn width(&self, look: Look) -> f64 {
-        self.bare_width() + 20.0 * look.unit
+    pub(super) fn width(&self, style: Style) -> f64 {
+        self.bare_width() + 20.0 * style.unit
     }
 
     /// Height that the views need, one above the other.
-    pub(super) fn height(&self, look: Look) -> f64 {
-        self.bare_height() + 12.0 * look.unit
+    pub(super) fn height(&self, style: Style) -> f64 {
+        self.bare_height() + 12.0 * style.unit
     }
 
     /// The views, in the middle of a strip whose top is at ordinate `top`.
-    pub(super) fn group(&self, middle: f64, top: f64, look: Look) -> Group {
+    pub(super) fn group(&self, middle: f64, top: f64, style: Style) -> Group {
         let mut group = Group::new("stack");
-        let axis = Point::new(middle, top - self.reach - 3.0 * look.unit);
-        self.seen_from_above(&mut group, axis, look);
+        let axis = Point::new(middle, top - self.reach - 3.0 * style.unit);
+        self.seen_from_above(&mut group, axis, style);
         let foot =
-            Point::new(middle, axis.y - self.reach - 6.0 * look.unit - self.preview.design.stack.height);
-        self.seen_from_the_side(&mut group, foot, look);
+            Point::new(middle, axis.y - self.reach - 6.0 * style.unit - self.preview.design.stack.height);
+        self.seen_from_the_side(&mut group, foot, style);
         group
     }
 
-    fn seen_from_above(&self, group: &mut Group, axis: Point, look: Look) {
+    fn seen_from_above(&self, group: &mut Group, axis: Point, style: Style) {
         let Preview { design, shut, .. } = self.preview;
         let frame = &design.frame;
-        let half = self.reach + 9.5 * look.unit;
-        let mut places = Places::new(Bounds::of_points([axis]).grown(half), 0.25 * look.unit);
+        let half = self.reach + 9.5 * style.unit;
+        let mut places = Places::new(Bounds::of_points([axis]).grown(half), 0.25 * style.unit);
         if let Some(radius) = self.object() {
             group.area(vec![circle(axis, radius)], OBJECT);
-            group.line(circle(axis, radius), look.pen(GREY, 0.7));
+            group.line(circle(axis, radius), style.pen(GREY, 0.7));
         }
         let edge = circle(axis, frame.radius);
         places.keep_off(&edge, 0.0);
-        group.line(edge, look.pen(GREY, 1.2));
+        group.line(edge, style.pen(GREY, 1.2));
         for plate in &frame.plates {
             let opening = circle(axis, plate.opening);
             places.keep_off(&opening, 0.0);
-            group.line(opening, look.dashes(GREY, 1.0));
+            group.line(opening, style.dashes(GREY, 1.0));
         }
         for post in &frame.posts {
             let post = circle(axis + (*post - Point::ORIGIN), frame.post_diameter / 2.0);
@@ -88,21 +88,21 @@ impl<'a> StackView<'a> {
             let part = design.part(&design.stars[index - 1]);
             for edge in part.edges.iter().map(|edge| motion.path(edge)) {
                 places.keep_off(&edge, 0.0);
-                group.line(edge, look.pen(star_ink(index), if shut.is_empty() { 2.0 } else { 1.2 }));
+                group.line(edge, style.pen(star_ink(index), if shut.is_empty() { 2.0 } else { 1.2 }));
             }
             for edge in shut.get(index - 1).map(edges).unwrap_or_default() {
                 let edge = motion.path(&edge);
                 places.keep_off(&edge, 0.0);
-                group.line(edge, look.pen(star_ink(index), 2.8));
+                group.line(edge, style.pen(star_ink(index), 2.8));
             }
         }
         for alike in &alike {
-            self.name(group, alike, &mut places, look);
+            self.name(group, alike, &mut places, style);
         }
     }
 
     /// Whose edges these are: in a tube, else outside of the frame, with a line to the tip.
-    fn name(&self, group: &mut Group, alike: &Alike, places: &mut Places, look: Look) {
+    fn name(&self, group: &mut Group, alike: &Alike, places: &mut Places, style: Style) {
         let design = self.preview.design;
         let Some(index) = alike.stars.first().copied() else { return };
         let star = &design.part(&design.stars[index - 1]).star;
@@ -114,7 +114,7 @@ impl<'a> StackView<'a> {
         let hose = design.part(&design.stars[index - 1]).channel.map_or(0, |channel| channel.tip);
         let rays = (1..=star.n).filter(move |k| *k != hose).map(|k| star.tip_ray(k));
         let inside = [1.0, 0.8, 0.6].into_iter().flat_map(|share| {
-            let size = (share * look.unit).min(0.4 * star.w);
+            let size = (share * style.unit).min(0.4 * star.w);
             rays.clone().flat_map(move |ray| {
                 [0.5, 0.35, 0.65].map(|part| (star.d_t + star.r_i + part * star.w, ray, size))
             })
@@ -124,20 +124,20 @@ impl<'a> StackView<'a> {
             group.text(text);
             return;
         }
-        let half = 0.5 * at(0.0, 0.0, look.unit).width();
+        let half = 0.5 * at(0.0, 0.0, style.unit).width();
         for ray in rays {
             let turned =
                 (alike.motion.point(Point::polar(1.0, ray)) - alike.motion.point(Point::ORIGIN)).angle();
-            let radius = self.reach + 1.5 * look.unit + half * turned.cos().abs();
-            let (from, to) = (star.tip_reach(), self.reach + 0.6 * look.unit);
+            let radius = self.reach + 1.5 * style.unit + half * turned.cos().abs();
+            let (from, to) = (star.tip_reach(), self.reach + 0.6 * style.unit);
             let ends = [from, to].map(|radius| alike.motion.point(Point::polar(radius, ray)));
             let leader = straight(ends[0], ends[1]);
             if !places.is_clear(&leader) {
                 continue;
             }
-            if let Some(text) = places.first([at(radius, ray, look.unit)]) {
+            if let Some(text) = places.first([at(radius, ray, style.unit)]) {
                 places.keep_off(&leader, 0.0);
-                group.line(leader, look.pen(ink, 0.8));
+                group.line(leader, style.pen(ink, 0.8));
                 group.text(text);
                 return;
             }
@@ -167,7 +167,7 @@ impl<'a> StackView<'a> {
         self.preview.spec.load.as_ref().and_then(|load| load.object_radius).map(|radius| radius.0)
     }
 
-    fn seen_from_the_side(&self, group: &mut Group, foot: Point, look: Look) {
+    fn seen_from_the_side(&self, group: &mut Group, foot: Point, style: Style) {
         let (design, frame): (&Design, _) = (self.preview.design, &self.preview.design.frame);
         let at = |x: f64, z: f64| foot + Vec2::new(x, z);
         let block =
@@ -181,12 +181,12 @@ impl<'a> StackView<'a> {
         for post in &frame.posts {
             let half = frame.post_diameter / 2.0;
             let area = Bounds { min: at(post.x - half, 0.0), max: at(post.x + half, design.stack.height) };
-            group.line(rectangle(&area), look.pen(IRON, 0.8));
+            group.line(rectangle(&area), style.pen(IRON, 0.8));
         }
         for (_, opening, z) in &plates {
             let (low, high) = (z - frame.thickness / 2.0, z + frame.thickness / 2.0);
-            group.line(block(frame.radius, low, high), look.pen(GREY, 1.2));
-            group.line(block(*opening, low, high), look.dashes(GREY, 1.0));
+            group.line(block(frame.radius, low, high), style.pen(GREY, 1.2));
+            group.line(block(*opening, low, high), style.dashes(GREY, 1.0));
         }
         for (star, z) in design.stars.iter().zip(&design.stack.stars) {
             let geometry = &design.part(star).star;
@@ -194,28 +194,28 @@ impl<'a> StackView<'a> {
             let shut = self.preview.shut.get(star.index - 1);
             let half = shut.map_or(round_tube(geometry.w), |to| tube_height(geometry.w, to.w)) / 2.0;
             let ink = star_ink(star.index);
-            group.line(block(geometry.tip_reach(), z - half, z + half), look.pen(ink, 2.0));
-            group.line(block(geometry.rho_0, z - half, z + half), look.dashes(ink, 1.0));
+            group.line(block(geometry.tip_reach(), z - half, z + half), style.pen(ink, 2.0));
+            group.line(block(geometry.rho_0, z - half, z + half), style.dashes(ink, 1.0));
         }
         let left: Vec<(String, f64)> =
             (1..).zip(&design.stack.stars).map(|(i, z)| (format!("star {i}"), *z)).collect();
         let right: Vec<(String, f64)> = plates.iter().map(|(i, _, z)| (format!("plate {i}"), *z)).collect();
         for (labels, side, anchor) in [(left, -1.0, Anchor::End), (right, 1.0, Anchor::Start)] {
-            let x = side * (frame.radius + 0.8 * look.unit);
-            for (content, z) in spaced(labels, look) {
-                let at = at(x, z - 0.35 * look.unit);
-                group.text(Text { at, size: look.unit, anchor, ink: TEXT, content });
+            let x = side * (frame.radius + 0.8 * style.unit);
+            for (content, z) in spaced(labels, style) {
+                let at = at(x, z - 0.35 * style.unit);
+                group.text(Text { at, size: style.unit, anchor, ink: TEXT, content });
             }
         }
     }
 }
 
 /// The labels, bottom to top, without those that would touch the one before.
-fn spaced(mut labels: Vec<(String, f64)>, look: Look) -> Vec<(String, f64)> {
+fn spaced(mut labels: Vec<(String, f64)>, style: Style) -> Vec<(String, f64)> {
     labels.sort_by(|a, b| a.1.total_cmp(&b.1));
     let mut last = f64::NEG_INFINITY;
     labels.retain(|(_, z)| {
-        let room = z - last >= 1.1 * look.unit;
+        let room = z - last >= 1.1 * style.unit;
         if room {
             last = *z;
         }

@@ -1,11 +1,12 @@
 //! How the iron travels over one sheet: order, direction, starts, overlaps and ramps.
 
-use crate::design::{Design, PlacedStar, Seam};
+use crate::design::{Design, PlacedStar};
 use crate::emit::picture::Group;
-use crate::emit::preview::look::{IRON, Look, RAMP, START, TWICE, arrow_head, circle};
 use crate::emit::preview::place::Places;
-use crate::geom::{Path, Point, Segment, Vec2};
+use crate::emit::preview::style::{IRON, RAMP, START, Style, TWICE, arrow_head, circle};
 use crate::plan::{Program, Ramp, SeamReport, Step};
+use crate::shape::Seam;
+use inflatable::geom::{Path, Point, Segment, Vec2};
 
 /// Arrow heads along one seam.
 const ARROWS: u32 = 8;
@@ -28,10 +29,10 @@ pub(super) struct Start {
 pub(super) fn travel_group(
     design: &Design,
     program: &Program,
-    look: Look,
+    style: Style,
     places: &mut Places,
 ) -> (Group, Vec<Start>) {
-    let stars: Vec<String> = program.stars.iter().map(ToString::to_string).collect();
+    let stars: Vec<String> = program.numbers().iter().map(ToString::to_string).collect();
     let mut group = Group::new(format!("program-{}", stars.join("-")));
     let mut starts = Vec::new();
     let mut seam: Option<(usize, DrawnSeam<'_>)> = None;
@@ -40,22 +41,23 @@ pub(super) fn travel_group(
             Step::Seam(i) => seam = DrawnSeam::new(design, program, *i).map(|seam| (*i, seam)),
             Step::TouchDown(ramp) | Step::Lift(ramp) => {
                 let Some((_, seam)) = &seam else { continue };
-                group.line(seam.ramp(ramp), look.pen(RAMP, 2.0));
+                group.line(seam.ramp(ramp), style.pen(RAMP, 2.0));
             }
             Step::Seal(pieces) => {
                 let Some((index, seam)) = &seam else { continue };
                 let (run, report) = (seam.run(), seam.report);
                 if report.overlap > 0.0 {
-                    group.line(run.part(report.length - report.overlap, report.length), look.pen(TWICE, 2.5));
+                    group
+                        .line(run.part(report.length - report.overlap, report.length), style.pen(TWICE, 2.5));
                 }
                 let tube = design.part(seam.star).star.w;
                 let travelled = Path::open(pieces.clone());
-                for arrow in arrows(&travelled, (0.8 * look.unit).min(0.25 * tube)) {
+                for arrow in arrows(&travelled, (0.8 * style.unit).min(0.25 * tube)) {
                     places.keep_off_box(arrow.bounds());
                     group.area(vec![arrow], IRON);
                 }
                 if let (Some(at), Some(along)) = (run.start(), run.tangent_at(0.0)) {
-                    let dot = circle(at, (0.4 * look.unit).min(0.12 * tube));
+                    let dot = circle(at, (0.4 * style.unit).min(0.12 * tube));
                     places.keep_off_box(dot.bounds());
                     group.area(vec![dot], START);
                     starts.push(Start { order: index + 1, at, along, tube });
@@ -77,8 +79,8 @@ struct DrawnSeam<'a> {
 impl<'a> DrawnSeam<'a> {
     fn new(design: &'a Design, program: &'a Program, index: usize) -> Option<Self> {
         let report = program.seams.get(index)?;
-        let star = design.stars.iter().find(|star| Some(star.index) == report.star())?;
-        let seam = design.part(star).seams.iter().find(|seam| seam.side.loop_name() == report.loop_name())?;
+        let star = design.stars.iter().find(|star| star.name() == report.name.piece)?;
+        let seam = design.part(star).shape.seam(&report.name.seam)?;
         Some(Self { seam, star, report })
     }
 

@@ -3,11 +3,11 @@
 use crate::design::PlacedStar;
 use crate::emit::picture::Pen;
 use crate::emit::preview::block::{Block, Swatch};
-use crate::emit::preview::look::{
-    BAND, CLAMP_AREA, CUT, FABRIC, GREY, IRON, LABEL, Look, OBJECT, RAMP, START, TUBE, TWICE, WORK_AREA,
+use crate::emit::preview::stack::listed;
+use crate::emit::preview::style::{
+    BAND, CLAMP_AREA, CUT, FABRIC, GREY, IRON, LABEL, OBJECT, RAMP, START, Style, TUBE, TWICE, WORK_AREA,
     star_ink,
 };
-use crate::emit::preview::stack::listed;
 use crate::emit::preview::subject::Preview;
 use crate::emit::text::inert;
 use crate::plan::SeamReport;
@@ -17,11 +17,11 @@ use crate::units::Readable;
 const SCALE_BAR: f64 = 50.0;
 
 /// All blocks, in order.
-pub(super) fn blocks(preview: &Preview<'_>, sheet: usize, look: Look) -> Vec<Block> {
+pub(super) fn blocks(preview: &Preview<'_>, sheet: usize, style: Style) -> Vec<Block> {
     let mut out =
-        vec![design(preview, sheet), stars(preview, sheet), order(preview, sheet), legend(preview, look)];
+        vec![design(preview, sheet), stars(preview, sheet), order(preview, sheet), legend(preview, style)];
     if sheet == 1 {
-        out.push(stack(preview, look));
+        out.push(stack(preview, style));
     }
     out
 }
@@ -77,23 +77,23 @@ fn order(preview: &Preview<'_>, sheet: usize) -> Block {
     for program in preview.programs.iter().filter(|program| program.sheet == sheet) {
         for (order, seam) in (1..).zip(&program.seams) {
             let same = |row: &&mut (_, _, &SeamReport)| {
-                row.2.loop_name() == seam.loop_name() && (row.2.length - seam.length).abs() < 1e-6
+                row.2.name.seam == seam.name.seam && (row.2.length - seam.length).abs() < 1e-6
             };
             match rows.iter_mut().find(same) {
                 Some((orders, stars, _)) => {
                     if !orders.contains(&order) {
                         orders.push(order);
                     }
-                    stars.extend(seam.star());
+                    stars.extend(seam.name.piece.number());
                 }
-                None => rows.push((vec![order], seam.star().into_iter().collect(), seam)),
+                None => rows.push((vec![order], seam.name.piece.number().into_iter().collect(), seam)),
             }
         }
     }
     for (orders, stars, seam) in rows {
         let orders: Vec<String> = orders.iter().map(ToString::to_string).collect();
         let each = if stars.len() > 1 { " each" } else { "" };
-        let side = seam.loop_name();
+        let side = &seam.name.seam;
         block.say(format!("{}: {side} loop of {}", orders.join(", "), listed(&stars)));
         block.say(format!("    {:.0} mm in {}{each}", seam.length, hours(seam.time)));
     }
@@ -106,20 +106,20 @@ fn hours(seconds: f64) -> String {
     format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
 }
 
-fn legend(preview: &Preview<'_>, look: Look) -> Block {
+fn legend(preview: &Preview<'_>, style: Style) -> Block {
     let mut block = Block::new("On the sheet");
-    let line = |ink, weight| Swatch::Line(look.pen(ink, weight));
+    let line = |ink, weight| Swatch::Line(style.pen(ink, weight));
     block.explain(Swatch::Area(TUBE), "tube");
-    block.explain(Swatch::Line(Pen::new(BAND, 0.5 * look.unit)), "sealed band");
+    block.explain(Swatch::Line(Pen::new(BAND, 0.5 * style.unit)), "sealed band");
     block.explain(line(TWICE, 2.5), "sealed twice");
     block.explain(line(RAMP, 2.0), "iron goes down or up");
     block.explain(Swatch::Dot(START), "start, with its order");
     block.explain(Swatch::Area(FABRIC), "flap");
     block.explain(line(CUT, 1.0), "cut, registration holes");
-    block.explain(Swatch::Line(look.dashes(LABEL, 0.5)), "hinge as drawn");
+    block.explain(Swatch::Line(style.dashes(LABEL, 0.5)), "hinge as drawn");
     block.say("T tip, C corner");
     if preview.machine.bench.work_area.is_some() {
-        block.explain(Swatch::Line(look.dashes(WORK_AREA, 1.5)), "end of the work area");
+        block.explain(Swatch::Line(style.dashes(WORK_AREA, 1.5)), "end of the work area");
     }
     if !preview.machine.bench.keep_out.is_empty() {
         block.explain(Swatch::Area(CLAMP_AREA), "clamp");
@@ -127,10 +127,10 @@ fn legend(preview: &Preview<'_>, look: Look) -> Block {
     block
 }
 
-fn stack(preview: &Preview<'_>, look: Look) -> Block {
+fn stack(preview: &Preview<'_>, style: Style) -> Block {
     let Preview { spec, design, shut, .. } = preview;
     let mut block = Block::new(format!("Stack, {:.1} mm high", design.stack.height));
-    let line = |ink, weight| Swatch::Line(look.pen(ink, weight));
+    let line = |ink, weight| Swatch::Line(style.pen(ink, weight));
     block.explain(line(star_ink(1), if shut.is_empty() { 2.0 } else { 1.2 }), "star, flat");
     let object = spec.load.as_ref().and_then(|load| load.object_radius);
     if let Some(first) = shut.first() {
@@ -145,7 +145,7 @@ fn stack(preview: &Preview<'_>, look: Look) -> Block {
         block.explain(Swatch::Area(OBJECT), format!("object, radius {} mm", Readable(object.0)));
     }
     block.explain(line(GREY, 1.2), format!("plates, radius {:.1} mm", design.frame.radius));
-    block.explain(Swatch::Line(look.dashes(GREY, 1.0)), "their openings");
+    block.explain(Swatch::Line(style.dashes(GREY, 1.0)), "their openings");
     block.explain(Swatch::Dot(IRON), format!("{} posts", design.frame.posts.len()));
     block
 }

@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 use crate::design::{Circle, PlacedStar, SheetLayout, StarDesign};
 use crate::emit::report::polyline::{hundredths, polyline};
 use crate::emit::report::subject::Report;
-use crate::geom::{Path, Point, Segment};
 use crate::plan::{Program, Ramp, Step, height_of};
+use inflatable::geom::{Path, Point, Segment};
 
 /// The distinct stars, each in a frame of its own.
 pub(super) fn parts(report: &Report<'_>) -> Vec<Value> {
@@ -20,12 +20,12 @@ fn part(placed: &PlacedStar, part: &StarDesign) -> Value {
         "star": placed.index,
         "points": part.star.n,
         "arm_length_mm": thousandths(part.star.l),
-        "band_mm": part.band,
+        "band_mm": part.shape.band,
         "outside": polyline(&part.outline.outside),
         "hole": polyline(&part.outline.hole),
         "tube": part.realised_edges.each_ref().map(polyline),
-        "bands": part.seams.each_ref().map(|seam| polyline(&seam.center_line)),
-        "closed": part.seams.each_ref().map(|seam| seam.center_line.closed),
+        "bands": part.shape.seams.iter().map(|seam| polyline(&seam.center_line)).collect::<Vec<_>>(),
+        "closed": part.shape.seams.iter().map(|seam| seam.center_line.closed).collect::<Vec<_>>(),
         "holes": part.outline.registration.iter().map(hole).collect::<Vec<_>>(),
     })
 }
@@ -67,12 +67,12 @@ pub(super) fn programs(report: &Report<'_>) -> Vec<Value> {
             .collect();
         let seams = program.seams.iter().map(|seam| {
             json!({
-                "star": seam.star(), "loop": seam.loop_name(), "length_mm": thousandths(seam.length),
+                "star": seam.name.piece.number(), "loop": seam.name.seam, "length_mm": thousandths(seam.length),
                 "overlap_mm": thousandths(seam.overlap), "time_s": thousandths(seam.time),
             })
         });
         json!({
-            "sheet": program.sheet, "stars": program.stars, "time_s": thousandths(program.time),
+            "sheet": program.sheet, "stars": program.numbers(), "time_s": thousandths(program.time),
             "seams": seams.collect::<Vec<_>>(), "steps": steps,
         })
     };

@@ -1,8 +1,7 @@
-//! The **report**: all that is known of a gripper on one page that opens from a file, without a network: what it does, how it is
-//! sealed, what it is made of, how good each number is.
+//! The **report**: one page about a gripper that opens from a file, without a network: verdict, sealing, parts, evidence.
 //!
-//! The page is a fixed frame, `templates/report/`, and a block of figures ([`data`]) that its scripts show. Nothing else in it
-//! depends on the spec but its title, so whoever reads the block has read the page.
+//! The page is a fixed frame, `templates/report/`, and a block of figures ([`data`]) that its scripts show. Of the rest
+//! only the title depends on the spec, so a reader of the block has read the page.
 
 mod data;
 mod job;

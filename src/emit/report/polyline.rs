@@ -1,7 +1,7 @@
 //! Polylines for the eye: paths as few whole numbers, hundredths of a millimetre, each point as its way from the one before.
 
 use crate::emit::chords::chords;
-use crate::geom::{Path, Point};
+use inflatable::geom::{Path, Point};
 
 /// How far a polyline may leave its path, mm, beside rounding: a tenth of what is seen where a star fills a screen.
 const WITHIN: f64 = 0.02;
@@ -62,7 +62,7 @@ fn off((a, b): (Point, Point), p: Point) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::{Arc, Line, Segment};
+    use inflatable::geom::{Arc, Line, Segment};
 
     #[test]
     fn few_points_stay_near_the_path() {

@@ -11,7 +11,7 @@ use lyon_tessellation::{
 };
 
 use crate::emit::chords::chords;
-use crate::geom::{Path, Point};
+use inflatable::geom::{Path, Point};
 
 /// How far a chord may leave its arc, mm: a tenth of a pixel where a star fills a screen. What has an arc on either side is too
 /// narrow by twice that, which with single precision must stay below the tenth that the verifier allows.

@@ -14,8 +14,8 @@ use crate::emit::palette;
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, quarters};
 use crate::emit::scene::pose::{Motion, Pose, tube};
-use crate::geom::{Arc, Bounds, Line, Path, Point};
 use crate::spec::{Load, ObjectShape, Spec};
+use inflatable::geom::{Arc, Bounds, Line, Path, Point};
 use serde_json::{Value, json};
 
 /// How far ribbons hover over the fabric that they lie on, mm, so that they are seen.
@@ -50,8 +50,10 @@ pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>>
     let masks = masks(&mut glb, spec, design)?;
     let groups =
         [("stack", stack.len()), ("object", object.len()), ("sheets", sheets.len()), ("masks", masks.len())];
+    // That of the object comes last: validators remark on a material that nothing has.
+    let used = if object.is_empty() { Surface::Object as usize } else { palette::SURFACES.len() };
+    let materials: Vec<Value> = palette::SURFACES[..used].iter().map(material).collect();
     let nodes: Vec<Node> = [stack, object, sheets, masks].concat();
-    let materials: Vec<Value> = palette::SURFACES.iter().map(material).collect();
     Some(glb.finish(&spec.name, &nodes, &groups, &materials))
 }
 
@@ -144,8 +146,9 @@ fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<&Star>, name: &str) -
     let mut paths = vec![part.outline.outside.clone(), part.outline.hole.clone()];
     paths.extend([edge(Side::Outside)?, edge(Side::Hole)?]);
     paths.extend(part.outline.registration.iter().map(|hole| circle(hole.center, hole.diameter / 2.0)));
-    let [inner, outer] = &part.seams;
-    let band = |seam: &crate::design::Seam| Mesh::ribbon(&seam.center_line, part.band, ABOVE).map(carried);
+    let (inner, outer) = (part.shape.seam("inner")?, part.shape.seam("outer")?);
+    let band =
+        |seam: &crate::shape::Seam| Mesh::ribbon(&seam.center_line, part.shape.band, ABOVE).map(carried);
     let parts = [
         (Surface::Tube as usize, tube(flat, full)),
         (Surface::Fabric as usize, carried(Mesh::fill(&paths, 0.0)?)),
@@ -218,7 +221,7 @@ fn reach(design: &Design) -> f64 {
 
 /// Width of the bands, which all stars have from the spec's one `[seal]`.
 fn band_of(design: &Design) -> f64 {
-    design.distinct.first().map_or(0.0, |part| part.band)
+    design.distinct.first().map_or(0.0, |part| part.shape.band)
 }
 
 /// A circle in quarters, so that its chords have corners where it is widest and highest.

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 
 use crate::design::{Star, tube_height};
 use crate::emit::scene::mesh::{Mesh, index};
-use crate::geom::{Point, Vec2};
+use inflatable::geom::{Point, Vec2};
 
 /// Facets across one of a tube's two sheets.
 const ACROSS: u32 = 8;

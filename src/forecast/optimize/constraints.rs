@@ -4,7 +4,7 @@
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::forecast::case::Case;
 use crate::forecast::outcome::{Hold, Outcome, SHORTEST_ARM};
-use crate::forecast::ranges::{Standing, outside_by};
+use crate::forecast::ranges::{Domain, outside_by};
 use crate::spec::ModelChoice;
 use crate::units::Length;
 
@@ -49,7 +49,7 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
         all.push(("no model", 10.0));
     }
     if let Some(own) = &answer.grip {
-        if is_at_pressure(point.model) && own.ranges.standing != Standing::Tried {
+        if is_at_pressure(point.model) && own.ranges.domain != Domain::Validated {
             // The more the further out: so that a search finds its way in.
             all.push(("untried", LEAST_UNTRIED + outside_by(&answer.case)));
         }
@@ -101,7 +101,7 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
 
 /// How deep arms touch, as the tips' angle that is missing, rad; 0 where they do not.
 fn touching(case: &Case, own: &Outcome) -> f64 {
-    let depth = case.mechanism.correction.touch - own.rest.equilibrium;
+    let depth = case.mechanism.correction.contact_angle - own.rest.equilibrium;
     if depth >= 0.0 { LEAST_UNTRIED + depth } else { 0.0 }
 }
 

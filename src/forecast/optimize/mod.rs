@@ -4,12 +4,12 @@
 //! doubled, one that does not is halved. Designs are compared by how far they are from meeting the constraints, and among those that
 //! meet them by the goal. Constraints hold at the bad end of the ranges, and nothing of which nothing is known wins.
 
-mod confirmed;
+mod confirmation;
 mod constraints;
 mod front;
 mod poll;
 
-pub use self::confirmed::{Compared, Confirmed, Judgement};
+pub use self::confirmation::{Confirmation, Judgement, ShellComparison};
 pub use self::constraints::{
     Constraints, ROUNDING, SEARCHED, Short, is_at_pressure, shortfalls, sure_payload,
 };
@@ -19,8 +19,8 @@ use self::front::front;
 use self::poll::{AXES, Place, polled, scanned};
 use crate::design::{least_pitch, pitch_for};
 use crate::forecast::candidate::{Answer, Candidate};
-use crate::mechanics::hinge::ring::RingTable;
 use crate::units::{Angle, Length, Pressure};
+use inflatable::mechanics::hinge::ring::RingTable;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::ops::RangeInclusive;
@@ -80,7 +80,7 @@ impl Bounds {
 
 /// A design with what it does.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Evaluated {
+pub struct Evaluation {
     /// The design.
     pub point: Candidate,
     /// What it does.
@@ -91,12 +91,12 @@ pub struct Evaluated {
 
 /// The result of a search.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct SearchResult {
     /// The best design for each n that has one, the best first.
-    pub best: Vec<Evaluated>,
+    pub best: Vec<Evaluation>,
     /// Designs that meet the constraints and that no other beats in contraction, stiffness and fabric at once,
     /// by falling contraction.
-    pub front: Vec<Evaluated>,
+    pub front: Vec<Evaluation>,
     /// Designs that were computed.
     pub computed: usize,
 }
@@ -136,7 +136,7 @@ pub fn search(
     constraints: &Constraints,
     goal: Goal,
     table: &RingTable,
-) -> Found {
+) -> SearchResult {
     Search { base, bounds, constraints, goal, table, effort: Effort::default(), cancel: None }.run()
 }
 
@@ -161,16 +161,17 @@ pub struct Search<'a> {
 
 impl Search<'_> {
     /// Searches.
-    pub fn run(&self) -> Found {
+    pub fn run(&self) -> SearchResult {
         let all: Vec<u32> = self.bounds.points.clone().collect();
-        let found: Vec<Vec<Evaluated>> = all.into_par_iter().map(|points| self.with_points(points)).collect();
+        let found: Vec<Vec<Evaluation>> =
+            all.into_par_iter().map(|points| self.with_points(points)).collect();
         let computed = found.iter().map(Vec::len).sum();
-        let better = |a: &&Evaluated, b: &&Evaluated| compare(a, b, self.goal);
-        let mut best: Vec<Evaluated> =
+        let better = |a: &&Evaluation, b: &&Evaluation| compare(a, b, self.goal);
+        let mut best: Vec<Evaluation> =
             found.iter().filter_map(|of| of.iter().min_by(better)).cloned().collect();
         best.sort_by(|a, b| compare(a, b, self.goal));
         let met = found.into_iter().flatten().filter(|candidate| candidate.violation == 0.0);
-        Found { best, front: front(met.collect()), computed }
+        SearchResult { best, front: front(met.collect()), computed }
     }
 
     /// The ends of the box along each axis, deg, mm and kPa.
@@ -185,7 +186,7 @@ impl Search<'_> {
     }
 
     /// The design with `points` points at `place`; `None` if there is none, it cannot be cut out, or nobody wants it any more.
-    fn at(&self, points: u32, place: &Place) -> Option<Evaluated> {
+    fn at(&self, points: u32, place: &Place) -> Option<Evaluation> {
         if self.cancel.is_some_and(|cancel| cancel.load(Relaxed)) {
             return None;
         }
@@ -247,23 +248,23 @@ impl Search<'_> {
     }
 
     /// `point`, which does `answer`, with what it misses.
-    fn judged(&self, point: Candidate, answer: &Answer) -> Evaluated {
+    fn judged(&self, point: Candidate, answer: &Answer) -> Evaluation {
         let all = shortfalls(&point, answer, self.constraints);
         let violation = all.iter().map(|(_, shortfall)| shortfall).sum();
-        Evaluated { point, answer: *answer, violation }
+        Evaluation { point, answer: *answer, violation }
     }
 
     /// All designs with `points` points that were computed.
-    fn with_points(&self, points: u32) -> Vec<Evaluated> {
+    fn with_points(&self, points: u32) -> Vec<Evaluation> {
         let sides = self.sides();
         let varied: Vec<usize> = (0..AXES).filter(|&k| sides[k][1] > sides[k][0]).collect();
         let scanned = (1..=if varied.is_empty() { 1 } else { self.effort.scanned })
             .map(|index| scanned(index, &varied))
             .filter_map(|place| Some((place, self.at(points, &place)?)));
-        let mut scanned: Vec<(Place, Evaluated)> = scanned.collect();
+        let mut scanned: Vec<(Place, Evaluation)> = scanned.collect();
         scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
         let starts: Vec<_> = scanned.iter().take(self.effort.followed).cloned().collect();
-        let mut all: Vec<Evaluated> = scanned.iter().map(|(_, candidate)| candidate.clone()).collect();
+        let mut all: Vec<Evaluation> = scanned.iter().map(|(_, candidate)| candidate.clone()).collect();
         if varied.is_empty() {
             return all;
         }
@@ -277,7 +278,7 @@ impl Search<'_> {
             let bounds = Bounds { stars: count..=count, ..self.bounds.clone() };
             let fewer = Search { bounds: &bounds, ..*self };
             // As if all stars met the object's middle: only to find where to begin.
-            let missed = |(place, one): &(Place, Evaluated)| {
+            let missed = |(place, one): &(Place, Evaluation)| {
                 let point = Candidate { stars: count, ..one.point.clone() };
                 (*place, fewer.judged(point, &one.answer.of_stars(count)))
             };
@@ -290,7 +291,7 @@ impl Search<'_> {
     }
 
     /// The search downwards from `start`; all designs on the way go to `all`.
-    fn descend(&self, points: u32, start: (Place, Evaluated), varied: &[usize], all: &mut Vec<Evaluated>) {
+    fn descend(&self, points: u32, start: (Place, Evaluation), varied: &[usize], all: &mut Vec<Evaluation>) {
         let (mut place, mut here) = start;
         let (mut step, mut failed) = (0.1, 0);
         for round in 0..self.effort.polls {
@@ -317,8 +318,8 @@ impl Search<'_> {
 }
 
 /// Less is better: first the violation, then the goal, then the smaller fabric so that ties are decided.
-fn compare(a: &Evaluated, b: &Evaluated, goal: Goal) -> Ordering {
-    let cost = |candidate: &Evaluated| {
+fn compare(a: &Evaluation, b: &Evaluation, goal: Goal) -> Ordering {
+    let cost = |candidate: &Evaluation| {
         let own = candidate.answer.outcome.as_ref();
         match goal {
             Goal::Contraction => -own.map_or(0.0, |own| own.contraction),
@@ -333,7 +334,7 @@ fn compare(a: &Evaluated, b: &Evaluated, goal: Goal) -> Ordering {
         .then(a.fabric().total_cmp(&b.fabric()))
 }
 
-impl Evaluated {
+impl Evaluation {
     /// Fabric of all stars, mm^2.
     pub fn fabric(&self) -> f64 {
         self.answer.fabric.map_or(f64::INFINITY, |area| f64::from(self.point.stars) * area)

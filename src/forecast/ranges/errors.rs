@@ -4,6 +4,7 @@
 //! of the third lie within it, a shell's number counted with its mesh error. The force's is of all stars that were opened. The hinges' are of single hinges that the table of arms does not hold (docs/models.md).
 
 use crate::forecast::ranges::Interval;
+use inflatable::mechanics::star::correction;
 
 /// The shell's radius less the predicted one, over W / sin(pi/n).
 pub const RADIUS: Interval = [-0.016, 0.018];
@@ -36,7 +37,7 @@ pub const NOT_FAR: f64 = 1.5;
 /// Points that were tried.
 pub const POINTS: Interval = [3.0, 8.0];
 /// 1/eps that was tried.
-pub const BENDABILITY: Interval = [100.0, 5000.0];
+pub const BENDABILITY: Interval = correction::BENDABILITY;
 /// Arms by W that were tried.
 pub const ARM: Interval = [0.5, 5.0];
 /// rho_0 by W that was tried.

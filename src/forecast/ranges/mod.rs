@@ -1,31 +1,32 @@
 //! A **range** for each predicted quantity: the interval in which the value of a computed shell lies in at least 95 % of cases.
 //!
-//! A range is made of how far `section` with its correction was from stars computed as shells ([`errors`]), so it has a sign. It
-//! holds where such stars were tried; outside it widens with the distance, up to [`errors::BEYOND`] times; further out there is
-//! none. [`Standing`] tells which of the three it is. The limits of high pressure, `fit`, `ring` and `bvp`, have none at all: no gripper works there.
+//! A range is made of how far `section` with its correction was from stars computed as shells ([`errors`]),
+//! so it has a sign. It holds where such stars were tried; outside it widens with the distance, up to
+//! [`errors::BEYOND`] times; further out there is none. [`Domain`] tells which of the three it is. The limits
+//! of high pressure, `fit`, `ring` and `bvp`, have none at all: no gripper works there.
 
-pub mod against;
 pub mod errors;
 mod interval;
 pub mod shown;
+pub mod validation;
 
 pub use interval::{Interval, mm, scaled, sum};
 
 use crate::forecast::case::{Case, Hinges};
-use crate::mechanics::hinge::{HingeModel, Level};
-use crate::mechanics::star::grasp::Grasp;
-use crate::mechanics::star::response::{Inflated, Rest};
 use crate::units::Readable;
+use inflatable::mechanics::hinge::{HingeModel, Level};
+use inflatable::mechanics::star::grasp::Grasp;
+use inflatable::mechanics::star::response::{Inflated, Rest};
 use serde::Serialize;
 use std::f64::consts::PI;
 
 /// What is known of stars like this one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Standing {
+pub enum Domain {
     /// Stars all around it were computed as shells.
-    Tried,
+    Validated,
     /// It lies outside of what was tried, and not far: ranges are wider.
-    Beyond,
+    Extrapolated,
     /// No star is like it, or the model is a limit.
     #[default]
     Unknown,
@@ -35,7 +36,7 @@ pub enum Standing {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ranges {
     /// What they stand on.
-    pub standing: Standing,
+    pub domain: Domain,
     /// By how much they are wider than among the stars that were tried: from 1 to [`errors::BEYOND`].
     pub wider: f64,
     /// Of the final radius, m.
@@ -51,22 +52,37 @@ pub struct Ranges {
 impl Ranges {
     /// Of a star that rests at `rest`.
     pub fn new(case: &Case, inflated: &Inflated<'_>, rest: &Rest) -> Self {
-        let Some((standing, wider)) = standing(case, inflated.model()) else { return Self::default() };
+        let Some((domain, wider)) = domain(case, inflated.model()) else { return Self::default() };
         let about =
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
         let unit = star.width / (PI / f64::from(star.points)).sin();
         // Arms that touch press on each other, and what that does to the stiffness no hinge knows.
-        let free = rest.equilibrium > star.correction.touch;
+        let free = rest.equilibrium > star.correction.contact_angle;
         let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
         let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(star.arm / star.width));
         Self {
-            standing,
+            domain,
             wider,
             radius: Some(radius),
-            angle: (angle[0] > star.correction.touch).then_some(angle),
+            angle: (angle[0] > star.correction.contact_angle).then_some(angle),
             hinge: Some(errors::HINGE.map(|part| part.powf(wider))),
             stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * part.powf(wider))),
+        }
+    }
+
+    /// The same where `edge`, those of the star at its [`pressure_edge`], bound them; `rests` are the final
+    /// radii here and there, m.
+    ///
+    /// A star that the model has closed further, a shell has closed no less far, and one that it has opened,
+    /// by no more than it says. So the upper end of the final radius widens with the pressure no more.
+    #[must_use]
+    pub fn bounded(self, edge: &Self, [here, there]: [f64; 2]) -> Self {
+        let bound =
+            |[near, far]: Interval, [_, most]: Interval| [near, far.min(most + (here - there).max(0.0))];
+        Self {
+            radius: self.radius.zip(edge.radius).map_or(self.radius, |(own, edge)| Some(bound(own, edge))),
+            ..self
         }
     }
 
@@ -99,20 +115,36 @@ pub fn angle_unit(arm: f64) -> f64 {
 }
 
 /// Whether stars like `case` were computed as shells, and by how much its ranges are wider; `None` if nothing is known of it.
-fn standing(case: &Case, model: &dyn HingeModel) -> Option<(Standing, f64)> {
+fn domain(case: &Case, model: &dyn HingeModel) -> Option<(Domain, f64)> {
     let star = &case.mechanism;
     let hinges = [star.tip(), star.corner()];
     let arms = hinges.iter().all(|hinge| model.arms(hinge.r_star, hinge.arc()).is_some());
     let pressure = case.pressure.filter(|_| arms && model.level() == Level::Section)?;
-    let factors = place(case, pressure).map(|(_, x, tried)| factor_outside(x, tried));
-    let factor = factors.into_iter().fold(1.0, f64::max);
-    if factor <= EXACT {
-        Some((Standing::Tried, 1.0))
-    } else {
-        // In proportion to the distance, so that no end of a range jumps where stars were no longer tried.
-        let far = factor.ln() / errors::NOT_FAR.ln();
-        (factor <= errors::NOT_FAR).then_some((Standing::Beyond, 1.0 + (errors::BEYOND - 1.0) * far))
-    }
+    let wider = widening(place(case, pressure).map(|(_, x, tried)| (x, tried)))?;
+    Some((if wider > 1.0 { Domain::Extrapolated } else { Domain::Validated }, wider))
+}
+
+/// By how much ranges are wider where numbers lie outside of the intervals that were tried: in proportion to
+/// the logarithm of the largest factor by which one does, so that no end of a range jumps where nothing was
+/// tried any more; `None` too far out.
+pub(super) fn widening(numbers: impl IntoIterator<Item = (f64, Interval)>) -> Option<f64> {
+    let factor = numbers.into_iter().map(|(x, tried)| factor_outside(x, tried)).fold(1.0, f64::max);
+    let far = if factor > EXACT { factor.ln() / errors::NOT_FAR.ln() } else { 0.0 };
+    (factor <= errors::NOT_FAR).then_some(1.0 + (errors::BEYOND - 1.0) * far)
+}
+
+/// The largest pressure, Pa, at which the ranges of `case` are not wider for its pressure; `None` where its
+/// own is not above that.
+///
+/// What shells say there bounds what they say at more pressure, as far as the model has the direction of the
+/// change right: see [`Ranges::bounded`].
+pub fn pressure_edge(case: &Case) -> Option<f64> {
+    let pressure = case.pressure?;
+    let (by_pressure, by_sizes): (Vec<_>, Vec<_>) =
+        place(case, pressure).into_iter().partition(|(what, ..)| *what == BENDABILITY);
+    let sizes = by_sizes.into_iter().map(|(_, x, tried)| factor_outside(x, tried)).fold(1.0, f64::max);
+    let factor = by_pressure.first().map(|(_, x, [_, most])| x / most)?;
+    (factor > EXACT * sizes && factor.is_finite()).then(|| pressure * sizes / factor)
 }
 
 /// By which factor `x` lies outside of an interval; 1 or less inside, infinite where it is no multiple of the interval's end.
@@ -120,6 +152,9 @@ fn factor_outside(x: f64, [low, high]: Interval) -> f64 {
     let below = if x >= low { 1.0 } else { low / x.max(0.0) };
     if x.is_nan() { f64::INFINITY } else { below.max(x / high) }
 }
+
+/// The name of 1/eps among the numbers by which a star lies inside or outside.
+const BENDABILITY: &str = "bendability";
 
 /// Slack of what lies inside, for rounding.
 const EXACT: f64 = 1.0 + 1e-9;
@@ -129,7 +164,7 @@ fn place(case: &Case, pressure: f64) -> [(&'static str, f64, Interval); 8] {
     let star = &case.mechanism;
     [
         ("points", f64::from(star.points), errors::POINTS),
-        ("bendability", case.sheet.bendability(pressure, star.width), errors::BENDABILITY),
+        (BENDABILITY, case.sheet.bendability(pressure, star.width), errors::BENDABILITY),
         ("arm length over tube_width", star.arm / star.width, errors::ARM),
         ("inner_radius over tube_width", case.inner_radius / star.width, errors::HOLE),
         ("tip_radius over tube_width", star.tip().r_star, errors::R_STAR),

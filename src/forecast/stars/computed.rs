@@ -4,8 +4,8 @@
 use std::fmt::Write;
 
 use crate::digest::sha256;
-use crate::forecast::stars::draw::{Drawn, Set};
-use crate::shell::cases::{Fineness, Objects, ShellFault, Value, Watch, star};
+use crate::forecast::stars::draw::{DrawnStar, Set};
+use inflatable::shell::cases::{Fineness, Objects, ShellFault, Value, Watch, star};
 
 /// Meshes of some 2,500, 10,000 and 40,000 unknowns.
 pub const FINENESS: Fineness = Fineness { cells: 12.0, cuts: 2 };
@@ -27,7 +27,7 @@ pub struct Number {
 
 /// What the shell found of a star at rest.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct ShellNumbers {
     /// rho_f, mm.
     pub radius: Number,
     /// The tips' angle, deg.
@@ -43,14 +43,14 @@ pub struct Found {
 
 /// A star with what the shell says of it.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Computed {
+pub struct ComputedStar {
     /// Which one.
-    pub star: Drawn,
+    pub star: DrawnStar,
     /// What was found; `None` where the shell refuses.
-    pub found: Option<Found>,
+    pub found: Option<ShellNumbers>,
 }
 
-impl Drawn {
+impl DrawnStar {
     /// Computes it at rest and opened by `openings` (by W): its text. What the shell refuses is an answer too.
     ///
     /// # Errors
@@ -112,7 +112,7 @@ impl Drawn {
     }
 
     /// Reads its text; `None` if it is torn, or another star's.
-    pub fn read(&self, text: &str) -> Option<Computed> {
+    pub fn read(&self, text: &str) -> Option<ComputedStar> {
         let (body, last) = text.trim_end().rsplit_once('\n')?;
         if sha256(format!("{body}\n")) != last {
             return None;
@@ -123,7 +123,7 @@ impl Drawn {
         }
         let lines: Vec<&str> = lines.collect();
         if lines.iter().any(|line| line.starts_with("refused ")) {
-            return Some(Computed { star: *self, found: None });
+            return Some(ComputedStar { star: *self, found: None });
         }
         // Value, mesh error, and what the three meshes gave.
         let numbers = |name: &str| {
@@ -139,18 +139,18 @@ impl Drawn {
             let Value { value, error, .. } = Value::new([0, 1, 2].map(by_mesh));
             value.is_finite().then_some((part, Number { value, error }))
         };
-        let found = Found {
+        let found = ShellNumbers {
             radius: number("radius")?,
             angle: number("angle")?,
             stiffness: number("stiffness")?,
             arm_contact: number("arm_contact")?,
             secants: OPENINGS.into_iter().filter_map(secant).collect(),
         };
-        Some(Computed { star: *self, found: Some(found) })
+        Some(ComputedStar { star: *self, found: Some(found) })
     }
 }
 
-impl Computed {
+impl ComputedStar {
     /// What the shipped table keeps of it.
     pub fn line(&self) -> String {
         let mut line = self.star.words();
@@ -183,7 +183,7 @@ impl Computed {
             Some(Number { value: words.get(at)?.parse().ok()?, error: words.get(at + 1)?.parse().ok()? })
         };
         let secant = |part: f64| Some((part, number(&["secant", &part.to_string()])?));
-        let found = Found {
+        let found = ShellNumbers {
             radius: number(&["radius"])?,
             angle: number(&["angle"])?,
             stiffness: number(&["stiffness"])?,
@@ -195,7 +195,7 @@ impl Computed {
 }
 
 /// All stars of all sets, one of each set in turn, so that any beginning is of use.
-pub fn in_turn() -> Vec<Drawn> {
+pub fn in_turn() -> Vec<DrawnStar> {
     let most = Set::ALL.map(Set::count).into_iter().max().unwrap_or(0);
     let of = |number: u32| {
         Set::ALL.into_iter().filter(move |set| number <= set.count()).map(move |set| set.star(number))

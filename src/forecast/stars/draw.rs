@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::shell::cases::{FlatStar, Tube};
-use crate::shell::element::Fabric;
+use inflatable::shell::cases::{FlatStar, Tube};
+use inflatable::shell::element::Fabric;
 
 /// What a star is computed for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,7 +20,7 @@ pub enum Set {
 
 /// One star of a set.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Drawn {
+pub struct DrawnStar {
     /// Its set.
     pub set: Set,
     /// Its number in it, from 1.
@@ -99,7 +99,7 @@ impl Set {
     }
 
     /// Its star number `number`, from 1: the points go round from 3 to 8, the rest is drawn, or the paper's.
-    pub fn star(self, number: u32) -> Drawn {
+    pub fn star(self, number: u32) -> DrawnStar {
         let place = number as usize - 1;
         let points = POINTS[place % POINTS.len()];
         let Some(seed) = self.seed() else {
@@ -115,8 +115,8 @@ impl Set {
 }
 
 /// The paper's star of W = 30 mm with `points` points.
-const fn paper(number: u32, points: u32, pressure: f64) -> Drawn {
-    Drawn {
+const fn paper(number: u32, points: u32, pressure: f64) -> DrawnStar {
+    DrawnStar {
         set: Set::Paper,
         number,
         points,
@@ -131,7 +131,7 @@ const fn paper(number: u32, points: u32, pressure: f64) -> Drawn {
 }
 
 /// One throw; `None` if there is no such star, or it lies outside of what is asked about.
-fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<Drawn> {
+fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<DrawnStar> {
     let width = rounded(dice.log([15.0, 60.0]), 10.0);
     let thickness = rounded(dice.log([0.1, 0.5]), 1000.0);
     let tip_angle = rounded(dice.even([15.0, 70.0]), 10.0);
@@ -143,7 +143,7 @@ fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<Drawn> {
     let (sine, cosine) = (0.5 * tip_angle.to_radians()).sin_cos();
     let reach = arm * sine + (width + tip_radius + corner_radius) * cosine;
     let inner_radius = rounded(reach / (PI / f64::from(points)).sin() - width - corner_radius, 10.0);
-    let star = Drawn {
+    let star = DrawnStar {
         set,
         number,
         points,
@@ -165,7 +165,7 @@ fn drawn(set: Set, number: u32, points: u32, dice: &mut Dice) -> Option<Drawn> {
     good.then_some(star)
 }
 
-impl Drawn {
+impl DrawnStar {
     /// As the shell takes it.
     pub fn flat(&self) -> FlatStar {
         let mm = |length: f64| 1e-3 * length;
@@ -179,6 +179,7 @@ impl Drawn {
             tip_angle: self.tip_angle.to_radians(),
             tip_radius: mm(self.tip_radius),
             corner_radius: mm(self.corner_radius),
+            band: 0.0,
         }
     }
 }

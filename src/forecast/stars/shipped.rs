@@ -1,13 +1,13 @@
 //! All computed stars, one a line, as they are shipped.
 
 use crate::digest::sha256;
-use crate::forecast::stars::computed::Computed;
+use crate::forecast::stars::computed::ComputedStar;
 
 /// The stars.
 const SHIPPED: &str = include_str!("stars.txt");
 
 /// The table of `computed`, as the text that is shipped.
-pub fn join(computed: &[Computed]) -> String {
+pub fn join(computed: &[ComputedStar]) -> String {
     let body: String = computed.iter().map(|star| star.line() + "\n").collect();
     let hash = sha256(&body);
     format!(
@@ -19,8 +19,8 @@ pub fn join(computed: &[Computed]) -> String {
 }
 
 /// The stars that are shipped, those that the shell refuses among them.
-pub fn shipped() -> Vec<Computed> {
-    SHIPPED.lines().filter(|line| !line.starts_with('#')).filter_map(Computed::of_line).collect()
+pub fn shipped() -> Vec<ComputedStar> {
+    SHIPPED.lines().filter(|line| !line.starts_with('#')).filter_map(ComputedStar::of_line).collect()
 }
 
 #[cfg(test)]
@@ -41,6 +41,6 @@ mod tests {
     fn a_line_with_another_star_is_not_read() {
         let mut star = shipped().swap_remove(0);
         star.star.width += 0.1;
-        assert_eq!(Computed::of_line(&star.line()), None);
+        assert_eq!(ComputedStar::of_line(&star.line()), None);
     }
 }

@@ -4,34 +4,34 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use crate::design::RefusalCode;
-use crate::forecast::by_shell::Detail;
-use crate::forecast::candidate::{Answer, Candidate, Refused};
-use crate::forecast::choice::hinge_model;
+use crate::forecast::candidate::{Answer, Candidate, RefusedDesign};
+use crate::forecast::model_selection::hinge_model;
 use crate::forecast::outcome::Outcome;
-use crate::forecast::shell_star::{Measured, Refusal, ask};
-use crate::mechanics::hinge::Level;
-use crate::mechanics::hinge::ring::RingTable;
-use crate::shell::cases::Watch;
+use crate::forecast::shell::Detail;
+use crate::forecast::shell::request::{Measurements, Refusal, ask};
 use crate::spec::{Code, ModelChoice};
+use inflatable::mechanics::hinge::Level;
+use inflatable::mechanics::hinge::ring::RingTable;
+use inflatable::shell::cases::Watch;
 
 /// What is known of a row's design.
-pub(super) struct Answered {
+pub(super) struct RowAnswer {
     /// What a model of the hinges says; by a shell, what needs no model.
     pub(super) answer: Answer,
     /// What a shell says.
-    pub(super) shell: Option<Box<Measured>>,
+    pub(super) shell: Option<Box<Measurements>>,
 }
 
 /// Why there is no answer.
-pub(super) enum Unanswered {
+pub(super) enum RowRefusal {
     /// There is no such star, or no model has an answer.
-    Refused(Refused),
+    Refused(RefusedDesign),
     /// It was told to stop.
     Cancelled,
 }
 
-impl From<Refused> for Unanswered {
-    fn from(refused: Refused) -> Self {
+impl From<RefusedDesign> for RowRefusal {
+    fn from(refused: RefusedDesign) -> Self {
         Self::Refused(refused)
     }
 }
@@ -47,7 +47,11 @@ pub(super) struct Models {
 
 impl Models {
     /// What `point` does, by its own model.
-    pub(super) fn answer(&self, point: &Candidate, cancel: &Arc<AtomicBool>) -> Result<Answered, Unanswered> {
+    pub(super) fn answer(
+        &self,
+        point: &Candidate,
+        cancel: &Arc<AtomicBool>,
+    ) -> Result<RowAnswer, RowRefusal> {
         match (point.model, self.detail) {
             (ModelChoice::Bvp, Some(_)) => {
                 let answer = point.answer_by(&self.ring, |case| {
@@ -55,26 +59,26 @@ impl Models {
                     let model = hinge_model(Level::Bvp, &case.sheet, case.pressure, width)?;
                     Outcome::of(case, model.as_ref()).map(Some)
                 });
-                Ok(Answered { answer: answer?, shell: None })
+                Ok(RowAnswer { answer: answer?, shell: None })
             }
             (ModelChoice::Shell, Some(detail)) => {
                 // What no model is needed for.
                 let answer = point.answer_by(&self.ring, |_| Ok(None))?;
                 let watch = Watch { progress: None, cancel: Arc::clone(cancel) };
                 let (_, _, shell) = ask(&answer.case, &[], detail, &watch).map_err(unanswered)?;
-                Ok(Answered { answer, shell: Some(Box::new(shell)) })
+                Ok(RowAnswer { answer, shell: Some(Box::new(shell)) })
             }
-            _ => Ok(Answered { answer: point.answer(&self.ring)?, shell: None }),
+            _ => Ok(RowAnswer { answer: point.answer(&self.ring)?, shell: None }),
         }
     }
 }
 
-fn unanswered(refusal: Refusal) -> Unanswered {
+fn unanswered(refusal: Refusal) -> RowRefusal {
     match refusal {
-        Refusal::Cancelled => Unanswered::Cancelled,
+        Refusal::Cancelled => RowRefusal::Cancelled,
         Refusal::Fault(fault) => {
             let code = RefusalCode::NoPrediction.as_str();
-            Unanswered::Refused(Refused { code, text: fault.to_string() })
+            RowRefusal::Refused(RefusedDesign { code, text: fault.to_string() })
         }
     }
 }

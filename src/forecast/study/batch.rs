@@ -1,7 +1,7 @@
 //! Rows as columns of numbers, computed in parallel, in order.
 
 use crate::forecast::study::Study;
-use crate::forecast::study::answers::Unanswered;
+use crate::forecast::study::answers::RowRefusal;
 use crate::forecast::study::columns::Kind;
 use crate::forecast::study::output::Row;
 use crate::spec::study::KeyValue;
@@ -62,20 +62,6 @@ impl Values {
             (KeyValue::Word(word), Self::Text(values)) => values.push(Some(word.as_str().into())),
             (KeyValue::Truth(truth), Self::Text(values)) => values.push(Some(truth.to_string().into())),
             (_, own) => own.push_number(f64::NAN),
-        }
-    }
-
-    /// Takes the first `len` values out.
-    #[cfg(feature = "parquet")]
-    pub(super) fn take(&mut self, len: usize) -> Self {
-        fn first<T>(values: &mut Vec<T>, len: usize) -> Vec<T> {
-            let rest = values.split_off(len.min(values.len()));
-            std::mem::replace(values, rest)
-        }
-        match self {
-            Self::Real(values) => Self::Real(first(values, len)),
-            Self::Whole(values) => Self::Whole(first(values, len)),
-            Self::Text(values) => Self::Text(first(values, len)),
         }
     }
 
@@ -189,10 +175,10 @@ impl Study {
         };
         #[expect(clippy::cast_precision_loss, reason = "at most 1e9 rows")]
         next(&|column| column.push_number(row as f64));
-        for (b, lane) in self.designs.lanes() {
-            next(&|column| column.push(&lane.value(place[b])));
+        for (b, axis) in self.designs.axes() {
+            next(&|column| column.push(&axis.value(place[b])));
         }
-        let answered = self.designs.at(place).map_err(Unanswered::from).and_then(|point| {
+        let answered = self.designs.at(place).map_err(RowRefusal::from).and_then(|point| {
             let answered = self.models.answer(&point, cancel)?;
             Ok((point, answered))
         });
@@ -205,8 +191,8 @@ impl Study {
                 }
                 None
             }
-            Err(Unanswered::Cancelled) => return None,
-            Err(Unanswered::Refused(refused)) => {
+            Err(RowRefusal::Cancelled) => return None,
+            Err(RowRefusal::Refused(refused)) => {
                 for _ in &self.outputs {
                     next(&|column| column.push_number(f64::NAN));
                 }

@@ -27,7 +27,8 @@ pub struct Column {
     pub about: String,
 }
 
-/// The columns of a study of `blocks`: `row`, a column a lane, `outputs`, and the refusal, with its code if it is wanted.
+/// The columns of a study of `blocks`: `row`, a column an axis, `outputs`, and the refusal, with its code if
+/// it is wanted.
 pub(super) fn columns(blocks: &[Block], outputs: &[&'static Output], codes: bool) -> Vec<Column> {
     let text = |name: &str, unit, kind, about: &str| Column {
         name: name.to_owned(),
@@ -36,7 +37,7 @@ pub(super) fn columns(blocks: &[Block], outputs: &[&'static Output], codes: bool
         about: about.to_owned(),
     };
     let mut columns = vec![text("row", None, Kind::Whole, "the row's number in the whole study, from 0")];
-    columns.extend(blocks.iter().flat_map(Block::lanes).map(|lane| of_field(&lane.field)));
+    columns.extend(blocks.iter().flat_map(Block::axes).map(|axis| of_field(&axis.field)));
     columns.extend(outputs.iter().map(|output| text(output.name, output.unit, Kind::Real, output.about)));
     if codes {
         let about = "the code of the refusal, a word of docs/codes.md; none for a design that was answered";

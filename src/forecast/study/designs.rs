@@ -5,9 +5,9 @@
 //! default that depends on it. What these **slow** keys make of the spec is kept while they have few combinations.
 
 use crate::design::RefusalCode;
-use crate::forecast::candidate::{Candidate, Refused};
+use crate::forecast::candidate::{Candidate, RefusedDesign};
 use crate::spec::edit::with_values;
-use crate::spec::study::{Block, KeyValue, Lane};
+use crate::spec::study::{Axis, Block, KeyValue};
 use crate::spec::{Code, KeyPath, ModelChoice, ObjectSize, Severity, Source, Spec, key, read};
 use crate::units::{Angle, Length, LineForce, Pressure};
 use std::sync::OnceLock;
@@ -53,11 +53,11 @@ pub(super) struct Designs {
     spec: Spec,
     blocks: Vec<Block>,
     rows: usize,
-    /// By block and lane.
+    /// By block and axis.
     quick: Vec<(usize, usize, Quick)>,
     slow: Vec<(usize, usize)>,
     /// What combinations of slow keys make of the spec; empty if there are none, or too many.
-    kept: Vec<OnceLock<Result<Candidate, Refused>>>,
+    kept: Vec<OnceLock<Result<Candidate, RefusedDesign>>>,
 }
 
 impl Designs {
@@ -65,12 +65,12 @@ impl Designs {
     pub(super) fn new(base: Candidate, (source, spec): (Source, Spec), blocks: Vec<Block>) -> Self {
         let (mut quick, mut slow) = (Vec::new(), Vec::new());
         // Which tips there are to carry an inlet depends on the points: the reader must see both.
-        let lanes = || blocks.iter().flat_map(Block::lanes);
-        let is_tip_varied = lanes().any(|lane| lane.field.key() == key::inlet::TIP);
+        let axes = || blocks.iter().flat_map(Block::axes);
+        let is_tip_varied = axes().any(|axis| axis.field.key() == key::inlet::TIP);
         let is_slow = |key: KeyPath| is_tip_varied && key == key::star::POINTS;
         for (b, block) in blocks.iter().enumerate() {
-            for (l, lane) in block.lanes().iter().enumerate() {
-                match QUICK.iter().find(|(key, _)| *key == lane.field.key() && !is_slow(*key)) {
+            for (l, axis) in block.axes().iter().enumerate() {
+                match QUICK.iter().find(|(key, _)| *key == axis.field.key() && !is_slow(*key)) {
                     Some((_, set)) => quick.push((b, l, *set)),
                     None => slow.push((b, l)),
                 }
@@ -95,9 +95,9 @@ impl Designs {
         &self.blocks
     }
 
-    /// The lanes in the order of their columns.
-    pub(super) fn lanes(&self) -> impl Iterator<Item = (usize, &Lane)> {
-        self.blocks.iter().enumerate().flat_map(|(b, block)| block.lanes().iter().map(move |lane| (b, lane)))
+    /// The axes in the order of their columns.
+    pub(super) fn axes(&self) -> impl Iterator<Item = (usize, &Axis)> {
+        self.blocks.iter().enumerate().flat_map(|(b, block)| block.axes().iter().map(move |axis| (b, axis)))
     }
 
     /// Where row `row` is in each block; the last block runs fastest.
@@ -113,17 +113,17 @@ impl Designs {
     }
 
     /// The design of row `row`.
-    pub(super) fn design(&self, row: usize) -> Result<Candidate, Refused> {
+    pub(super) fn design(&self, row: usize) -> Result<Candidate, RefusedDesign> {
         let mut place = Vec::with_capacity(self.blocks.len());
         self.place(row, &mut place);
         self.at(&place)
     }
 
     /// The design at a place in each block.
-    pub(super) fn at(&self, place: &[usize]) -> Result<Candidate, Refused> {
+    pub(super) fn at(&self, place: &[usize]) -> Result<Candidate, RefusedDesign> {
         let mut point = self.slowly(place)?;
         for (b, l, set) in &self.quick {
-            if let KeyValue::Number(number) = *self.blocks[*b].lanes()[*l].value(place[*b]) {
+            if let KeyValue::Number(number) = *self.blocks[*b].axes()[*l].value(place[*b]) {
                 set(&mut point, number);
             }
         }
@@ -132,13 +132,13 @@ impl Designs {
             let text = format!(
                 "inlet.tip: the inlet is at tip {tip}, the star has {points} points; must be from 1 to {points}"
             );
-            return Err(Refused { code: "out-of-range", text });
+            return Err(RefusedDesign { code: "out-of-range", text });
         }
         Ok(point)
     }
 
     /// What the slow keys make of the spec.
-    fn slowly(&self, place: &[usize]) -> Result<Candidate, Refused> {
+    fn slowly(&self, place: &[usize]) -> Result<Candidate, RefusedDesign> {
         if self.slow.is_empty() {
             return Ok(self.base.clone());
         }
@@ -155,10 +155,10 @@ impl Designs {
     }
 
     /// The spec with the slow keys' values, read again.
-    fn read(&self, place: &[usize]) -> Result<Candidate, Refused> {
+    fn read(&self, place: &[usize]) -> Result<Candidate, RefusedDesign> {
         let value = |(b, l): &(usize, usize)| {
-            let lane = &self.blocks[*b].lanes()[*l];
-            (lane.field.key(), lane.field.toml(&lane.value(place[*b])))
+            let axis = &self.blocks[*b].axes()[*l];
+            (axis.field.key(), axis.field.toml(&axis.value(place[*b])))
         };
         let values: Vec<(KeyPath, String)> = self.slow.iter().map(value).collect();
         let text = with_values(&self.source, &values);
@@ -166,11 +166,17 @@ impl Designs {
         let spec = read.map(|reading| reading.spec).map_err(|faults| {
             let mut errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
             errors.next().map_or(
-                Refused { code: RefusalCode::NoPrediction.as_str(), text: "the spec is refused".to_owned() },
-                |fault| Refused { code: fault.code, text: format!("{}: {}", fault.message, fault.label) },
+                RefusedDesign {
+                    code: RefusalCode::NoPrediction.as_str(),
+                    text: "the spec is refused".to_owned(),
+                },
+                |fault| RefusedDesign {
+                    code: fault.code,
+                    text: format!("{}: {}", fault.message, fault.label),
+                },
             )
         })?;
-        Candidate::of(&spec).ok_or_else(|| Refused {
+        Candidate::of(&spec).ok_or_else(|| RefusedDesign {
             code: RefusalCode::NoPrediction.as_str(),
             text: "there is no star".to_owned(),
         })
@@ -178,11 +184,11 @@ impl Designs {
 
     /// The models that the designs ask.
     pub(super) fn models(&self) -> Vec<ModelChoice> {
-        let Some((_, lane)) = self.lanes().find(|(_, lane)| lane.field.key() == key::accuracy::MODEL) else {
+        let Some((_, axis)) = self.axes().find(|(_, axis)| axis.field.key() == key::accuracy::MODEL) else {
             return vec![self.base.model];
         };
         let known = |(word, _): &&(&str, ModelChoice)| {
-            (0..lane.len()).any(|i| *lane.value(i) == KeyValue::Word((*word).to_owned()))
+            (0..axis.len()).any(|i| *axis.value(i) == KeyValue::Word((*word).to_owned()))
         };
         ModelChoice::ALL.iter().filter(known).map(|(_, model)| *model).collect()
     }

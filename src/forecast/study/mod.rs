@@ -10,19 +10,17 @@
 //! | `answers` | what its model says of it |
 //! | [`columns`], `output`, `outputs`, `shell_outputs`, `wanted` | what a row says, in which unit |
 //! | [`batch`], `slow` | rows as columns of numbers, computed in parallel; those that take seconds each |
-//! | [`csv`], `parquet`, [`kept`] | batches as bytes; single rows as texts that lose nothing |
+//! | [`csv`], [`checkpoint`] | batches as bytes; single rows as texts that lose nothing |
 
 mod answers;
 pub mod batch;
+pub mod checkpoint;
 pub mod columns;
 pub mod csv;
 mod designs;
 mod figure;
-pub mod kept;
 mod output;
 mod outputs;
-#[cfg(feature = "parquet")]
-pub mod parquet;
 mod shell_outputs;
 mod slow;
 mod wanted;
@@ -31,15 +29,15 @@ pub use batch::{Batch, Values};
 pub use columns::{Column, Kind};
 
 use crate::digest::of_parts;
-use crate::forecast::by_shell::Detail;
-use crate::forecast::candidate::{Candidate, Refused};
+use crate::forecast::candidate::{Candidate, RefusedDesign};
+use crate::forecast::shell::Detail;
 use crate::forecast::study::answers::Models;
 use crate::forecast::study::designs::Designs;
-use crate::forecast::study::output::{Asked, Output};
-use crate::mechanics::hinge::ring::RingTable;
+use crate::forecast::study::output::{ModelKinds, Output};
 use crate::spec::edit::with_values;
-use crate::spec::study::{Block, Field, KeyValue, Lane, StudyFile};
+use crate::spec::study::{Axis, Block, Field, KeyValue, StudyFile};
 use crate::spec::{Fault, FaultCode, Faults, ModelChoice, Source, key, read};
+use inflatable::mechanics::hinge::ring::RingTable;
 use std::ops::Range;
 
 /// Most rows of a study: beyond, a row number would not be exact in a spreadsheet, and the file not fit on a disk.
@@ -71,7 +69,7 @@ impl Study {
         let spec = edited(spec, &set)?;
         let designs = designs(&spec, file.blocks.clone())?.map_err(|what| told(0..0, what))?;
         let models = designs.models();
-        let asked = Asked::of(&models);
+        let asked = ModelKinds::of(&models);
         if let Some((_, place)) = file.fineness.as_ref().filter(|_| !asked.shells) {
             let fault = Fault::error(FaultCode::Conflict, place.clone(), "`fineness` is the shell's")
                 .label("no row of this study asks a shell")
@@ -87,18 +85,19 @@ impl Study {
         Self::of(designs, outputs, Some(detail), is_slow).map_err(|what| told(0..0, what))
     }
 
-    /// Every combination of the values of `lanes` around the spec `spec`, with the columns that `sweep --vary` has had since it
-    /// exists, and by the models that it has always asked: of `bvp` and `shell`, `section` answers.
+    /// Every combination of the values of `axes` around the spec `spec`, with the columns that `sweep --vary`
+    /// has had since it exists, and by the models that it has always asked: of `bvp` and `shell`, `section`
+    /// answers.
     ///
     /// # Errors
     /// The faults of the spec, or one sentence: nothing is varied, or a key twice, or there are too many rows.
-    pub fn vary(spec: &Source, lanes: Vec<Lane>) -> Result<Result<Self, String>, Faults> {
-        for (i, lane) in lanes.iter().enumerate() {
-            if lanes[..i].iter().any(|other| other.field.key() == lane.field.key()) {
-                return Ok(Err(format!("`{}` is varied twice", lane.field.key())));
+    pub fn vary(spec: &Source, axes: Vec<Axis>) -> Result<Result<Self, String>, Faults> {
+        for (i, axis) in axes.iter().enumerate() {
+            if axes[..i].iter().any(|other| other.field.key() == axis.field.key()) {
+                return Ok(Err(format!("`{}` is varied twice", axis.field.key())));
             }
         }
-        let blocks = lanes.into_iter().filter_map(|lane| Block::new(vec![lane])).collect();
+        let blocks = axes.into_iter().filter_map(|axis| Block::new(vec![axis])).collect();
         Ok(designs(spec, blocks)?.and_then(|designs| Self::of(designs, wanted::plain(), None, false)))
     }
 
@@ -141,7 +140,7 @@ impl Study {
     ///
     /// # Errors
     /// If the values of this row make no valid spec.
-    pub fn design(&self, row: usize) -> Result<Candidate, Refused> {
+    pub fn design(&self, row: usize) -> Result<Candidate, RefusedDesign> {
         self.designs.design(row)
     }
 

@@ -2,16 +2,16 @@
 
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::forecast::outcome::Outcome;
-use crate::forecast::shell_star::Measured;
-use crate::mechanics::strength::payload;
+use crate::forecast::shell::request::Measurements;
 use crate::spec::ModelChoice;
+use inflatable::mechanics::strength::payload;
 
 /// A design with its answer.
 pub(super) struct Row<'a> {
     pub(super) point: &'a Candidate,
     pub(super) answer: &'a Answer,
     /// What a shell says, if it was asked.
-    pub(super) shell: Option<&'a Measured>,
+    pub(super) shell: Option<&'a Measurements>,
     /// Whether what no model is needed for is said where none answers; the columns of `sweep --vary` never did.
     pub(super) all: bool,
 }
@@ -26,7 +26,7 @@ impl Row<'_> {
     pub(super) fn says(
         &self,
         hinges: fn(&Outcome) -> Option<f64>,
-        shell: fn(&Measured) -> Option<f64>,
+        shell: fn(&Measurements) -> Option<f64>,
     ) -> Option<f64> {
         self.shell.map_or_else(|| hinges(self.own()?), shell)
     }
@@ -60,19 +60,19 @@ pub(super) enum Of {
     /// Models of the hinges.
     Hinges(fn(&Row<'_>) -> Option<f64>),
     /// Shells.
-    Shell(fn(&Row<'_>, &Measured) -> Option<f64>),
+    Shell(fn(&Row<'_>, &Measurements) -> Option<f64>),
 }
 
 /// Which models the rows of a study ask.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Asked {
+pub(super) struct ModelKinds {
     /// One of the hinges.
     pub(super) hinges: bool,
     /// The shell.
     pub(super) shells: bool,
 }
 
-impl Asked {
+impl ModelKinds {
     /// By rows of these models.
     pub(super) fn of(models: &[ModelChoice]) -> Self {
         let is_shell = |model: &ModelChoice| *model == ModelChoice::Shell;
@@ -91,7 +91,7 @@ impl Output {
     }
 
     /// Whether one of the models that are `asked` knows it.
-    pub(super) fn is_known(&self, asked: Asked) -> bool {
+    pub(super) fn is_known(&self, asked: ModelKinds) -> bool {
         match self.of {
             Of::Any(_) => true,
             Of::Hinges(_) => asked.hinges,

@@ -1,9 +1,9 @@
 //! The columns of every study: what models of the hinges say of a design, and what no model is needed for.
 
-use crate::forecast::answered::mm;
 use crate::forecast::outcome::Outcome;
 use crate::forecast::ranges::Interval;
-use crate::forecast::shell_star::Measured;
+use crate::forecast::shell::request::Measurements;
+use crate::forecast::star_answer::mm;
 use crate::forecast::study::output::Of::{self, Any, Hinges};
 use crate::forecast::study::output::{Output, Row};
 
@@ -51,7 +51,7 @@ pub(super) const OUTPUTS: [Output; 33] = [
         "tip_equilibrium_angle_deg",
         Some("deg"),
         "angle of the tips at rest, not clamped where arms touch",
-        Any(|row| row.says(|own| Some(own.rest.equilibrium.to_degrees()), Measured::equilibrium)),
+        Any(|row| row.says(|own| Some(own.rest.equilibrium.to_degrees()), Measurements::equilibrium)),
     ),
     plain(
         "final_radius_mm",
@@ -75,7 +75,7 @@ pub(super) const OUTPUTS: [Output; 33] = [
         "radial_stiffness_N_per_m",
         Some("N/m"),
         "radial stiffness at rest",
-        Any(|row| row.says(|own| own.stiffness, Measured::known_stiffness)),
+        Any(|row| row.says(|own| own.stiffness, Measurements::known_stiffness)),
     ),
     plain(
         "object_force_N",

@@ -1,6 +1,6 @@
 //! The columns that only shells know: what they measure of a star beside what hinges have, and how far the meshes leave each number open.
 
-use crate::forecast::shell_star::Measured;
+use crate::forecast::shell::request::Measurements;
 use crate::forecast::study::output::{Of, Output, Row};
 
 /// Of a column: how far the meshes leave it open.
@@ -10,7 +10,7 @@ const fn measured(
     name: &'static str,
     unit: Option<&'static str>,
     about: &'static str,
-    of: fn(&Row<'_>, &Measured) -> Option<f64>,
+    of: fn(&Row<'_>, &Measurements) -> Option<f64>,
 ) -> Output {
     Output { name, unit, about, plain: false, of: Of::Shell(of) }
 }
@@ -18,7 +18,7 @@ const fn measured(
 const fn open(
     name: &'static str,
     unit: Option<&'static str>,
-    of: fn(&Row<'_>, &Measured) -> Option<f64>,
+    of: fn(&Row<'_>, &Measurements) -> Option<f64>,
 ) -> Output {
     measured(name, unit, OPEN, of)
 }

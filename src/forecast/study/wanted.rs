@@ -1,6 +1,6 @@
 //! Which columns a study has.
 
-use crate::forecast::study::output::{Asked, Output};
+use crate::forecast::study::output::{ModelKinds, Output};
 use crate::forecast::study::outputs::OUTPUTS;
 use crate::forecast::study::shell_outputs::SHELL_OUTPUTS;
 use crate::spec::study::Wanted;
@@ -17,7 +17,7 @@ pub(super) fn plain() -> Vec<&'static Output> {
 }
 
 /// All columns that one of the models that are `asked` knows.
-pub(super) fn known(asked: Asked) -> Vec<&'static Output> {
+pub(super) fn known(asked: ModelKinds) -> Vec<&'static Output> {
     every().filter(|output| output.is_known(asked)).collect()
 }
 
@@ -25,7 +25,7 @@ pub(super) fn known(asked: Asked) -> Vec<&'static Output> {
 pub(super) fn chosen(
     wanted: &[Wanted],
     source: &Source,
-    asked: Asked,
+    asked: ModelKinds,
 ) -> Result<Vec<&'static Output>, Faults> {
     let mut faults = Vec::new();
     let mut found: Vec<&'static Output> = Vec::new();

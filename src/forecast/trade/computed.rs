@@ -8,7 +8,7 @@ pub const FINENESSES: [&str; 3] = ["coarse", "medium", "fine"];
 
 /// A number of the shell, with its mesh error.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Meshed {
+pub struct MeshedNumber {
     /// Its value.
     pub value: f64,
     /// Its mesh error.
@@ -25,11 +25,11 @@ pub struct Shell {
     /// Gauge pressure, kPa.
     pub pressure: f64,
     /// Final radius, mm; the V-actuator's angle at rest, deg.
-    pub rest: Meshed,
+    pub rest: MeshedNumber,
     /// Radial stiffness, N/m, no number where meshes leave more open than itself; the V-actuator's stiffness, N m.
-    pub stiffness: Meshed,
+    pub stiffness: MeshedNumber,
     /// Force on a round object 0.45 W wider than the finest shell's final radius, N; stars only.
-    pub force: Option<Meshed>,
+    pub force: Option<MeshedNumber>,
     /// Unknowns of its finest mesh.
     pub unknowns: u32,
     /// User time, s.
@@ -46,7 +46,7 @@ pub fn shells() -> Vec<Shell> {
 fn shell(line: &str) -> Option<Shell> {
     let words: Vec<&str> = line.split(' ').collect();
     let number = |at: usize| words.get(at)?.parse::<f64>().ok();
-    let meshed = |at: usize| Some(Meshed { value: number(at)?, error: number(at + 1)? });
+    let meshed = |at: usize| Some(MeshedNumber { value: number(at)?, error: number(at + 1)? });
     let points: u32 = words.get(1)?.parse().ok()?;
     Some(Shell {
         fineness: (*words.first()?).to_owned(),
@@ -54,7 +54,7 @@ fn shell(line: &str) -> Option<Shell> {
         pressure: number(2)?,
         rest: meshed(3)?,
         stiffness: meshed(5)?,
-        force: number(7).zip(number(9)).map(|(value, error)| Meshed { value, error }),
+        force: number(7).zip(number(9)).map(|(value, error)| MeshedNumber { value, error }),
         unknowns: words.get(10)?.parse().ok()?,
         time: number(11)?,
         memory: number(12)?,

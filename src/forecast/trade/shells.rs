@@ -6,16 +6,16 @@
 
 use crate::forecast::actuator::{Actuator, actuate};
 use crate::forecast::case::Case;
-use crate::forecast::choice::{corrected, hinge_model, tabled};
-use crate::forecast::ranges::against::case_of;
-use crate::forecast::stars::computed::{Computed, Found};
+use crate::forecast::model_selection::{corrected, hinge_model, tabled};
+use crate::forecast::ranges::validation::case_of;
+use crate::forecast::stars::computed::{ComputedStar, ShellNumbers};
 use crate::forecast::stars::draw::{POISSON, Set, YOUNG};
 use crate::forecast::stars::shipped::shipped;
-use crate::forecast::trade::computed::{FINENESSES, Meshed, Shell, shells};
-use crate::mechanics::fault::StarFault;
-use crate::mechanics::hinge::{HingeModel, Level};
-use crate::mechanics::star::response::Inflated;
-use crate::mechanics::strength::ElasticSheet;
+use crate::forecast::trade::computed::{FINENESSES, MeshedNumber, Shell, shells};
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::hinge::{HingeModel, Level};
+use inflatable::mechanics::star::response::Inflated;
+use inflatable::mechanics::strength::ElasticSheet;
 
 /// Pressures of the comparison, kPa.
 pub const PRESSURES: [f64; 3] = [14.0, 37.0, 60.0];
@@ -64,7 +64,7 @@ pub struct ShellRow {
 
 /// How often a number of a fineness was as near to the finest as the mesh errors of both say.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Held {
+pub struct Agreement {
     /// The fineness.
     pub fineness: &'static str,
     /// The number.
@@ -81,10 +81,10 @@ pub struct Held {
 
 /// The finest shells of stars: four meshes up to some 160,000 unknowns, in mm, N/m, N.
 struct Finest {
-    star: Computed,
-    radius: Meshed,
-    stiffness: Meshed,
-    force: Meshed,
+    star: ComputedStar,
+    radius: MeshedNumber,
+    stiffness: MeshedNumber,
+    force: MeshedNumber,
 }
 
 /// Compares every model and the coarser shells with the finest; `clock` tells the time in s.
@@ -132,16 +132,16 @@ fn actuator_of<'a>(computed: &'a [Shell], fineness: &str, pressure: f64) -> Opti
 
 /// The stars of the set `paper`.
 fn finest() -> Vec<Finest> {
-    let known = |star: Computed| {
-        let Found { radius, stiffness, secants, .. } = star.found.clone()?;
+    let known = |star: ComputedStar| {
+        let ShellNumbers { radius, stiffness, secants, .. } = star.found.clone()?;
         let (_, secant) = secants.iter().find(|(part, _)| part.total_cmp(&OPENING).is_eq())?;
         // N/mm times mm.
         let force = stiffness.value * secant.value * OPENING * star.star.width;
         let open = stiffness.error / stiffness.value + secant.error / secant.value;
         Some(Finest {
-            radius: Meshed { value: radius.value, error: radius.error },
-            stiffness: Meshed { value: 1e3 * stiffness.value, error: 1e3 * stiffness.error },
-            force: Meshed { value: force, error: open * force },
+            radius: MeshedNumber { value: radius.value, error: radius.error },
+            stiffness: MeshedNumber { value: 1e3 * stiffness.value, error: 1e3 * stiffness.error },
+            force: MeshedNumber { value: force, error: open * force },
             star,
         })
     };
@@ -173,7 +173,7 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
     for known in at(finest, pressure) {
         if fineness == "fine" {
             // What the others are compared with: what its own meshes leave open.
-            let open = |known: Meshed| known.error / known.value;
+            let open = |known: MeshedNumber| known.error / known.value;
             row.stars.push(StarErrors {
                 points: known.star.star.points,
                 radius: open(known.radius),
@@ -184,8 +184,9 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
         }
         let Some(own) = same(computed, fineness, known) else { continue };
         times.push(own.time);
-        let part =
-            |own: Meshed, known: Meshed| Some(own.value / known.value - 1.0).filter(|part| part.is_finite());
+        let part = |own: MeshedNumber, known: MeshedNumber| {
+            Some(own.value / known.value - 1.0).filter(|part| part.is_finite())
+        };
         row.stars.push(StarErrors {
             points: known.star.star.points,
             radius: own.rest.value / known.radius.value - 1.0,
@@ -211,7 +212,7 @@ fn same<'a>(computed: &'a [Shell], fineness: &str, known: &Finest) -> Option<&'a
 }
 
 /// How often mesh errors of coarser shells held.
-pub fn mesh_errors() -> Vec<Held> {
+pub fn mesh_errors() -> Vec<Agreement> {
     let (finest, computed) = (finest(), shells());
     let mut rows = Vec::new();
     for fineness in FINENESSES {
@@ -220,7 +221,7 @@ pub fn mesh_errors() -> Vec<Held> {
             if fineness == "fine" && quantity != "F" {
                 continue;
             }
-            let mut row = Held { fineness, quantity, held: 0, of: 0, unknown: 0, furthest: 0.0 };
+            let mut row = Agreement { fineness, quantity, held: 0, of: 0, unknown: 0, furthest: 0.0 };
             for known in &finest {
                 let Some(own) = same(&computed, fineness, known) else { continue };
                 let (own, known) = match quantity {

@@ -3,7 +3,9 @@
 //! The list is one of what is allowed: the modes in which programs are written, the settings whose values can be compared
 //! with the seal, a heater that is switched off, the pause and the end. Everything else is refused, known or not.
 
+use crate::spec::machine::Limits;
 use crate::spec::vocabulary::{Command, Vocabulary};
+use crate::units::{Acceleration, Duration, Speed};
 
 /// A list of lines in `[program]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,26 +18,13 @@ pub(super) enum Part {
     End,
 }
 
-/// A setting of the controller.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Setting {
-    /// No move is slower than this, mm/s.
-    LowestSpeed(f64),
-    /// No move is faster than this, mm/s, and axes speed up by this, mm/s^2.
-    Limits { speed: Option<f64>, acceleration: Option<f64> },
-    /// The heater is switched off after so long without a move, s.
-    IdleTimeout(f64),
-    /// A tool is selected.
-    Tool,
-}
-
 /// What an allowed line does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Effect {
     /// Modes of the controller.
     Modes,
     /// A setting.
-    Setting(Setting),
+    Setting(Limits),
     /// A heater is switched off.
     HeaterOff,
     /// The machine waits for the operator.
@@ -136,25 +125,25 @@ fn number(text: &str) -> Option<f64> {
 }
 
 /// A setting that is a code with parameters.
-fn setting(code: (u8, f64), parameters: &[(u8, f64)]) -> Option<Setting> {
+fn setting(code: (u8, f64), parameters: &[(u8, f64)]) -> Option<Limits> {
+    let lowest = |speed| Limits { lowest_speed: Some(Speed(speed)), ..Limits::default() };
     match (code, parameters) {
-        ((b'T', _), []) => Some(Setting::Tool),
+        ((b'T', _), []) => Some(Limits::default()),
         // RepRapFirmware, docs.duet3d.com, M203: I is the lowest feed, mm/min.
-        ((b'M', 203.0), [(b'I', feed)]) if *feed > 0.0 => Some(Setting::LowestSpeed(feed / 60.0)),
+        ((b'M', 203.0), [(b'I', feed)]) if *feed > 0.0 => Some(lowest(feed / 60.0)),
         // Marlin (planner.cpp, _populate_block): S is the lowest speed of moves that extrude, T of all others, mm/s.
         ((b'M', 205.0), [first, rest @ ..]) if rest.len() < 2 => {
             let is = |(letter, speed): &(u8, f64)| b"ST".contains(letter) && *speed >= 0.0;
             let repeated = rest.iter().any(|(letter, _)| *letter == first.0);
             let right = parameters.iter().all(is) && !repeated;
-            right
-                .then(|| Setting::LowestSpeed(parameters.iter().map(|(_, speed)| *speed).fold(0.0, f64::max)))
+            right.then(|| lowest(parameters.iter().map(|(_, speed)| *speed).fold(0.0, f64::max)))
         }
         _ => None,
     }
 }
 
 /// A setting of Klipper: a word with `NAME=number` parameters.
-fn named_setting<'a>(word: &str, parameters: impl Iterator<Item = &'a str>) -> Option<Setting> {
+fn named_setting<'a>(word: &str, parameters: impl Iterator<Item = &'a str>) -> Option<Limits> {
     let mut given: Vec<(&str, f64)> = Vec::new();
     for parameter in parameters {
         let (name, value) = parameter.split_once('=')?;
@@ -167,10 +156,16 @@ fn named_setting<'a>(word: &str, parameters: impl Iterator<Item = &'a str>) -> O
     }
     let value = |name: &str| given.iter().find(|(other, _)| *other == name).map(|(_, value)| *value);
     match (word, given.as_slice()) {
-        ("SET_IDLE_TIMEOUT", [("TIMEOUT", seconds)]) => Some(Setting::IdleTimeout(*seconds)),
+        ("SET_IDLE_TIMEOUT", [("TIMEOUT", seconds)]) => {
+            Some(Limits { idle_timeout: Some(Duration(*seconds)), ..Limits::default() })
+        }
         ("SET_VELOCITY_LIMIT", [_, ..]) => {
             let known = |name: &str| ["VELOCITY", "ACCEL"].contains(&name) || OTHER_LIMITS.contains(&name);
-            let limits = Setting::Limits { speed: value("VELOCITY"), acceleration: value("ACCEL") };
+            let limits = Limits {
+                top_speed: value("VELOCITY").map(Speed),
+                acceleration: value("ACCEL").map(Acceleration),
+                ..Limits::default()
+            };
             given.iter().all(|(name, _)| known(name)).then_some(limits)
         }
         _ => None,
@@ -198,19 +193,23 @@ mod tests {
             assert_eq!(of(dialect, line), Some(Effect::Modes), "{line}");
         }
         let setting = |dialect, line| match of(dialect, line) {
-            Some(Effect::Setting(setting)) => setting,
+            Some(Effect::Setting(set)) => set,
             other => panic!("{line}: {other:?}"),
         };
-        assert_eq!(setting(Dialect::RepRapFirmware, "M203 I6"), Setting::LowestSpeed(0.1));
-        assert_eq!(setting(Dialect::RepRapFirmware, "T0"), Setting::Tool);
-        assert_eq!(setting(Dialect::Marlin, "M205 S0 T2"), Setting::LowestSpeed(2.0));
+        let none = Limits::default();
+        assert_eq!(setting(Dialect::RepRapFirmware, "T0"), none);
+        for (dialect, line, speed) in
+            [(Dialect::RepRapFirmware, "M203 I6", 0.1), (Dialect::Marlin, "M205 S0 T2", 2.0)]
+        {
+            assert_eq!(setting(dialect, line), Limits { lowest_speed: Some(Speed(speed)), ..none });
+        }
         assert_eq!(
             setting(Dialect::Klipper, "SET_IDLE_TIMEOUT TIMEOUT=86400"),
-            Setting::IdleTimeout(86400.0)
+            Limits { idle_timeout: Some(Duration(86400.0)), ..none }
         );
         assert_eq!(
             setting(Dialect::Klipper, "SET_VELOCITY_LIMIT ACCEL=500 VELOCITY=50"),
-            Setting::Limits { speed: Some(50.0), acceleration: Some(500.0) }
+            Limits { top_speed: Some(Speed(50.0)), acceleration: Some(Acceleration(500.0)), ..none }
         );
         assert_eq!(of(Dialect::Marlin, "M104 S0"), Some(Effect::HeaterOff));
         assert_eq!(of(Dialect::Marlin, "M84"), Some(Effect::End));

@@ -6,11 +6,10 @@ use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::machine::{Controller, Limits, Process, Script};
 use crate::spec::motion::Motion;
-use crate::spec::profile::line::{Effect, Part, Setting, allowed, effect};
+use crate::spec::profile::line::{Effect, Part, allowed, effect};
 use crate::spec::profile::modes::check_modes;
 use crate::spec::section::{Reader, Section};
 use crate::spec::vocabulary::{Command, Vocabulary};
-use crate::units::{Duration, Speed};
 
 /// Slack of speeds that are equal but for the conversion of mm/min, as a fraction.
 const SLACK: f64 = 1e-9;
@@ -61,15 +60,11 @@ fn read_commands(
     for (i, (line, span)) in lines.into_iter().enumerate() {
         let (line, effect) = read_command(s, (key, part), line, span.clone(), stated);
         match effect {
-            Some(Effect::Setting(setting)) => {
-                if let Some(fault) = contradiction(key, &line, span, setting, stated) {
+            Some(Effect::Setting(set)) => {
+                if let Some(fault) = contradiction(key, &line, span, set, stated) {
                     s.report(fault);
                 }
-                match setting {
-                    Setting::Limits { speed, .. } => limits.top_speed = speed.map(Speed).or(limits.top_speed),
-                    Setting::IdleTimeout(seconds) => limits.idle_timeout = Some(Duration(seconds)),
-                    Setting::LowestSpeed(_) | Setting::Tool => {}
-                }
+                *limits = limits.then(set);
             }
             Some(Effect::End) if Some(i) != last => {
                 let message = format!("a line of `{key}` is {}", quoted(&line));
@@ -122,33 +117,41 @@ fn read_command(
     (read_line(s, key, line, span, stated.controller.line_length), found)
 }
 
+/// What a line of a program sets for the moves that follow; `None` if it sets nothing, or is none that a profile may have.
+pub fn limits_set_by(line: &str, controller: &Controller) -> Option<Limits> {
+    match effect(line.trim(), Vocabulary::for_controller(controller))? {
+        Effect::Setting(set) => Some(set),
+        _ => None,
+    }
+}
+
 /// Why a setting cannot be what the profile says elsewhere.
 fn contradiction(
     key: &str,
     line: &str,
     span: Range<usize>,
-    setting: Setting,
+    set: Limits,
     stated: &Stated<'_>,
 ) -> Option<Fault> {
     let Stated { process, motion, .. } = stated;
-    let (message, label) = match setting {
-        Setting::LowestSpeed(speed) if speed > motion.min_feed.0 * (1.0 + SLACK) => (
-            format!("lets no move be slower than {}", Speed(speed)),
+    let (message, label) = match set {
+        Limits { lowest_speed: Some(speed), .. } if speed.0 > motion.min_feed.0 * (1.0 + SLACK) => (
+            format!("lets no move be slower than {speed}"),
             format!("must be at most {}, the `min_feed` of [motion]: change one of them", motion.min_feed),
         ),
-        Setting::Limits { speed: Some(speed), .. }
-            if speed < process.travel_speed.0.max(process.trace_speed.0) * (1.0 - SLACK) =>
+        Limits { top_speed: Some(speed), .. }
+            if speed.0 < process.travel_speed.0.max(process.trace_speed.0) * (1.0 - SLACK) =>
         {
             (
-                format!("lets no move be faster than {}", Speed(speed)),
+                format!("lets no move be faster than {speed}"),
                 "must be at least `travel` and `trace` of [speeds]: change one of them".to_owned(),
             )
         }
-        Setting::Limits { acceleration: Some(found), .. }
-            if motion.acceleration.is_none_or(|a| (a.0 - found).abs() > SLACK * a.0) =>
+        Limits { acceleration: Some(found), .. }
+            if motion.acceleration.is_none_or(|a| (a.0 - found.0).abs() > SLACK * a.0) =>
         {
             (
-                format!("sets an acceleration of {found} mm/s^2"),
+                format!("sets an acceleration of {} mm/s^2", found.0),
                 "must be the `acceleration` of [motion], by which travels are timed: write it there, too"
                     .to_owned(),
             )

@@ -11,8 +11,8 @@ pub struct Draw {
     pub whole: bool,
     /// Which draw of all that there are.
     pub seed: u64,
-    /// Which lane of the study, so that no two draw the same.
-    pub lane: u64,
+    /// Which axis of the study, so that no two draw the same.
+    pub axis: u64,
     /// How many values are drawn.
     pub count: u64,
     /// Whether each `count`-th of the way from end to end holds exactly one of them: a Latin hypercube.
@@ -22,7 +22,7 @@ pub struct Draw {
 impl Draw {
     /// Value number `i`, from 0.
     pub fn value(&self, i: u64) -> f64 {
-        let own = unit(mixed(&[self.seed, self.lane, i]));
+        let own = unit(mixed(&[self.seed, self.axis, i]));
         #[expect(clippy::cast_precision_loss, reason = "at most 1e9")]
         let part = if self.latin { (self.stratum(i) as f64 + own) / self.count as f64 } else { own };
         if self.whole {
@@ -42,7 +42,7 @@ impl Draw {
         loop {
             let (mut left, mut right) = (at >> half, at & mask);
             for round in 0..ROUNDS {
-                let next = left ^ (mixed(&[!self.seed, self.lane, round, right]) & mask);
+                let next = left ^ (mixed(&[!self.seed, self.axis, round, right]) & mask);
                 (left, right) = (right, next);
             }
             at = left << half | right;
@@ -77,7 +77,7 @@ mod tests {
     use super::*;
 
     fn draw(count: u64, latin: bool) -> Draw {
-        Draw { from: 10.0, to: 20.0, whole: false, seed: 7, lane: 1, count, latin }
+        Draw { from: 10.0, to: 20.0, whole: false, seed: 7, axis: 1, count, latin }
     }
 
     #[test]
@@ -99,7 +99,7 @@ mod tests {
         let random = draw(10_000, false);
         assert!((mean(&random) - 15.0).abs() < 5.0 * 10.0 / (12.0 * 1e4_f64).sqrt());
         assert!((mean(&draw(10_000, true)) - 15.0).abs() < 1e-3, "strata leave no room for chance");
-        let others = [Draw { seed: 8, ..random.clone() }, Draw { lane: 2, ..random.clone() }];
+        let others = [Draw { seed: 8, ..random.clone() }, Draw { axis: 2, ..random.clone() }];
         for other in others {
             let product = |i| (random.value(i) - 15.0) * (other.value(i) - 15.0);
             let correlation = (0..10_000).map(product).sum::<f64>() / 1e4 / (100.0 / 12.0);

@@ -10,9 +10,9 @@ use crate::spec::reading::{read_schema, read_with};
 use crate::spec::section::{Reader, Section};
 use crate::spec::shape::Shape;
 use crate::spec::source::Source;
+use crate::spec::study::axis::{Axis, Block, MOST_VALUES, between, counted_out};
 use crate::spec::study::draw::Draw;
 use crate::spec::study::field::{Field, KeyValue};
-use crate::spec::study::lane::{Block, Lane, MOST_VALUES, between, counted_out};
 use crate::spec::study::leaves::{Leaf, leaves};
 use crate::spec::value::{RawKind, RawValue};
 use crate::spec::{FaultCode, misleads};
@@ -142,27 +142,27 @@ fn read_set(reader: &mut Reader<'_>, seen: &mut Seen) -> Vec<(Field, KeyValue)> 
 
 fn read_vary(reader: &mut Reader<'_>, seen: &mut Seen) -> Vec<Block> {
     let leaves = section(reader, "vary", seen);
-    leaves.into_iter().filter_map(|leaf| Block::new(vec![read_lane(leaf, &mut reader.faults)?])).collect()
+    leaves.into_iter().filter_map(|leaf| Block::new(vec![read_axis(leaf, &mut reader.faults)?])).collect()
 }
 
 fn read_rows(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
-    let mut lanes: Vec<Lane> = Vec::new();
+    let mut axes: Vec<Axis> = Vec::new();
     for leaf in section(reader, "rows", seen) {
         let (name, place) = (leaf.field.key(), leaf.value.span.clone());
-        let Some(lane) = read_lane(leaf, &mut reader.faults) else { continue };
-        if let Some(first) = lanes.first().filter(|first| first.len() != lane.len()) {
-            let found = format!("`{name}` has {} values in [rows]", lane.len());
+        let Some(axis) = read_axis(leaf, &mut reader.faults) else { continue };
+        if let Some(first) = axes.first().filter(|first| first.len() != axis.len()) {
+            let found = format!("`{name}` has {} values in [rows]", axis.len());
             let label =
                 format!("must have {}, as `{}`: a row takes one of each", first.len(), first.field.key());
             reader.faults.push(Fault::error(FaultCode::CellCount, place, found).label(label));
         }
-        lanes.push(lane);
+        axes.push(axis);
     }
-    Block::new(lanes)
+    Block::new(axes)
 }
 
 /// A list of values, or a range that is counted out.
-fn read_lane(leaf: Leaf<'_>, faults: &mut Vec<Fault>) -> Option<Lane> {
+fn read_axis(leaf: Leaf<'_>, faults: &mut Vec<Fault>) -> Option<Axis> {
     let Leaf { field, value, .. } = leaf;
     let name = field.key();
     let told = |code, label: &str| {
@@ -183,7 +183,7 @@ fn read_lane(leaf: Leaf<'_>, faults: &mut Vec<Fault>) -> Option<Lane> {
         _ => Err(told(FaultCode::WrongType, label).help("one value that is kept belongs in [set]")),
     };
     match values {
-        Ok(values) => Some(Lane::listed(field, values)),
+        Ok(values) => Some(Axis::listed(field, values)),
         Err(fault) => {
             faults.push(fault);
             None
@@ -191,7 +191,7 @@ fn read_lane(leaf: Leaf<'_>, faults: &mut Vec<Fault>) -> Option<Lane> {
     }
 }
 
-fn read_list(field: Field, list: &[RawValue], faults: &mut Vec<Fault>) -> Option<Lane> {
+fn read_list(field: Field, list: &[RawValue], faults: &mut Vec<Fault>) -> Option<Axis> {
     let mut values = Vec::with_capacity(list.len());
     for value in list {
         match field.read(value) {
@@ -203,7 +203,7 @@ fn read_list(field: Field, list: &[RawValue], faults: &mut Vec<Fault>) -> Option
             }
         }
     }
-    Some(Lane::listed(field, values))
+    Some(Axis::listed(field, values))
 }
 
 fn read_draw(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
@@ -220,8 +220,8 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
         reader.faults.push(fault.label("must be a section, [draw.between], of keys with \"FROM..TO\""));
         return None;
     };
-    let mut lanes = Vec::new();
-    for (lane, leaf) in (0..).zip(leaves(table, &mut reader.faults)) {
+    let mut axes = Vec::new();
+    for (axis, leaf) in (0..).zip(leaves(table, &mut reader.faults)) {
         let Leaf { field, place, value } = leaf;
         seen.add(&field.key().to_string(), place, "draw", &mut reader.faults);
         let ends = match &value.kind {
@@ -243,11 +243,11 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
                     to,
                     whole: field.is_whole(),
                     seed: u64::from(seed),
-                    lane,
+                    axis,
                     count,
                     latin: method,
                 };
-                lanes.push(Lane::drawn(field, draw));
+                axes.push(Axis::drawn(field, draw));
             }
             Err(why) => {
                 let found = format!("`{}` is {}", field.key(), value.in_words());
@@ -255,5 +255,5 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
             }
         }
     }
-    Block::new(lanes)
+    Block::new(axes)
 }

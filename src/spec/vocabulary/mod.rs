@@ -10,85 +10,58 @@ use crate::spec::machine::{Controller, Dialect};
 pub use command::Command;
 use command::Command as C;
 
-/// Codes that all controllers of the RS274/NGC family share.
-const RS274: [(u8, u16, C); 18] = [
+/// Letter, ten times the number, and what the code does.
+type Code = (u8, u16, C);
+
+/// Codes that all controllers share.
+const COMMON: [Code; 5] = [
     (b'G', 0, C::Rapid),
     (b'G', 10, C::Line),
+    (b'G', 40, C::Dwell),
+    (b'G', 900, C::Absolute),
+    (b'G', 910, C::Relative),
+];
+
+/// Arcs, planes, units and feed modes.
+const GEOMETRY: [Code; 7] = [
     (b'G', 20, C::ArcCw),
     (b'G', 30, C::ArcCcw),
-    (b'G', 40, C::Dwell),
     (b'G', 170, C::PlaneXy),
     (b'G', 200, C::Inches),
     (b'G', 210, C::Millimetres),
-    (b'G', 610, C::ExactPath),
-    (b'G', 900, C::Absolute),
-    (b'G', 910, C::Relative),
-    (b'G', 901, C::CentersAbsolute),
-    (b'G', 911, C::CentersRelative),
     (b'G', 930, C::InverseTime),
     (b'G', 940, C::PerMinute),
+];
+
+/// Other codes of the RS274/NGC family.
+const RS274: [Code; 6] = [
+    (b'G', 610, C::ExactPath),
+    (b'G', 901, C::CentersAbsolute),
+    (b'G', 911, C::CentersRelative),
     (b'M', 0, C::Pause),
     (b'M', 20, C::End),
     (b'M', 300, C::End),
 ];
 
-/// Codes of printers: no plane, units or feed modes to choose, motors off at the end.
-const MARLIN: [(u8, u16, C); 11] = [
-    (b'G', 0, C::Rapid),
-    (b'G', 10, C::Line),
-    (b'G', 40, C::Dwell),
-    (b'G', 900, C::Absolute),
-    (b'G', 910, C::Relative),
-    (b'M', 0, C::Pause),
-    (b'M', 730, C::Progress),
-    (b'M', 840, C::End),
-    (b'M', 1040, C::HeatOnly),
-    (b'M', 1090, C::HeatAndWait),
-    (b'M', 2050, C::Setting),
-];
+/// Codes that printers share.
+const PRINTER: [Code; 3] =
+    [(b'M', 730, C::Progress), (b'M', 1040, C::HeatOnly), (b'M', 1090, C::HeatAndWait)];
 
-/// Klipper's codes; G20 is an error there.
-const KLIPPER: [(u8, u16, C); 10] = [
-    (b'G', 0, C::Rapid),
-    (b'G', 10, C::Line),
-    (b'G', 40, C::Dwell),
-    (b'G', 210, C::Millimetres),
-    (b'G', 900, C::Absolute),
-    (b'G', 910, C::Relative),
-    (b'M', 730, C::Progress),
-    (b'M', 840, C::End),
-    (b'M', 1040, C::HeatOnly),
-    (b'M', 1090, C::HeatAndWait),
-];
+/// Marlin's own: motors off at the end.
+const MARLIN: [Code; 3] = [(b'M', 0, C::Pause), (b'M', 840, C::End), (b'M', 2050, C::Setting)];
 
-/// RepRapFirmware's codes; M0 ends the job, M226 waits.
-const REPRAPFIRMWARE: [(u8, u16, C); 19] = [
-    (b'G', 0, C::Rapid),
-    (b'G', 10, C::Line),
-    (b'G', 20, C::ArcCw),
-    (b'G', 30, C::ArcCcw),
-    (b'G', 40, C::Dwell),
-    (b'G', 170, C::PlaneXy),
-    (b'G', 200, C::Inches),
-    (b'G', 210, C::Millimetres),
-    (b'G', 900, C::Absolute),
-    (b'G', 910, C::Relative),
-    (b'G', 930, C::InverseTime),
-    (b'G', 940, C::PerMinute),
-    (b'M', 0, C::End),
-    (b'M', 730, C::Progress),
-    (b'M', 1040, C::HeatOnly),
-    (b'M', 1090, C::HeatAndWait),
-    (b'M', 2030, C::Setting),
-    (b'M', 2260, C::Pause),
-    (b'T', 0, C::Setting),
-];
+/// Klipper's own; G20 is an error there.
+const KLIPPER: [Code; 2] = [(b'G', 210, C::Millimetres), (b'M', 840, C::End)];
+
+/// RepRapFirmware's own; M0 ends the job, M226 waits.
+const REPRAPFIRMWARE: [Code; 4] =
+    [(b'M', 0, C::End), (b'M', 2030, C::Setting), (b'M', 2260, C::Pause), (b'T', 0, C::Setting)];
 
 /// The words that a controller understands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vocabulary {
-    /// Letter, ten times the number, and what the code does.
-    codes: &'static [(u8, u16, Command)],
+    /// The codes that it shares with others, and its own.
+    codes: &'static [&'static [Code]],
     /// Commands of `codes` that it does not know.
     except: &'static [Command],
     /// Whether it draws arcs; without, no arc is read.
@@ -107,7 +80,7 @@ impl Vocabulary {
     /// The plain subset that every controller reads alike. G61 is left out. Arcs, and G91.1 with them, are read only for a
     /// profile that states that its controller draws them.
     const GENERIC: Self = Self {
-        codes: &RS274,
+        codes: &[&COMMON, &GEOMETRY, &RS274],
         except: &[C::ExactPath],
         draws_arcs: true,
         subcodes: false,
@@ -124,7 +97,7 @@ impl Vocabulary {
 
     /// Marlin without its options: no arcs, planes or inches.
     const MARLIN: Self = Self {
-        codes: &MARLIN,
+        codes: &[&COMMON, &PRINTER, &MARLIN],
         except: &[],
         draws_arcs: false,
         subcodes: false,
@@ -135,7 +108,7 @@ impl Vocabulary {
 
     /// Klipper without `[gcode_arcs]`: PAUSE of `[pause_resume]`, extended commands.
     const KLIPPER: Self = Self {
-        codes: &KLIPPER,
+        codes: &[&COMMON, &PRINTER, &KLIPPER],
         words: &[("PAUSE", C::Pause), ("SET_IDLE_TIMEOUT", C::Setting), ("SET_VELOCITY_LIMIT", C::Setting)],
         fixed: &[C::PerMinute],
         parameters: "XYZFPSR",
@@ -144,7 +117,7 @@ impl Vocabulary {
 
     /// RepRapFirmware 3: arc centres always from the start.
     const REPRAPFIRMWARE: Self = Self {
-        codes: &REPRAPFIRMWARE,
+        codes: &[&COMMON, &GEOMETRY, &PRINTER, &REPRAPFIRMWARE],
         draws_arcs: true,
         words: &[],
         fixed: &[C::CentersRelative],
@@ -175,19 +148,24 @@ impl Vocabulary {
         Self { draws_arcs: false, ..self }
     }
 
-    /// Every code that the controller knows: letter, number, what it does.
+    /// Every code that the controller knows: letter, number, what it does; in this order.
     pub fn codes(self) -> impl Iterator<Item = (char, f64, Command)> {
-        let known = self.codes.iter().filter(move |(.., command)| self.reads(*command));
-        known.map(|(letter, tenths, command)| (char::from(*letter), f64::from(*tenths) / 10.0, *command))
+        let mut known: Vec<Code> =
+            self.codes.concat().into_iter().filter(|(.., command)| self.reads(*command)).collect();
+        known.sort_unstable_by_key(|(letter, tenths, _)| (*letter, *tenths));
+        known
+            .into_iter()
+            .map(|(letter, tenths, command)| (char::from(letter), f64::from(tenths) / 10.0, command))
     }
 
     /// What the code `letter` `number` does, if the controller knows it.
     pub fn command(self, letter: u8, number: f64) -> Option<Command> {
         let is_whole = (number * 10.0).fract().abs() < 1e-9;
-        let is = |(l, tenths, _): &&(u8, u16, Command)| {
+        let is = |(l, tenths, _): &&Code| {
             *l == letter && f64::from(*tenths) == (number * 10.0).round() && is_whole
         };
-        self.codes.iter().find(is).map(|(.., command)| *command).filter(|command| self.reads(*command))
+        let mut known = self.codes.iter().flat_map(|codes| codes.iter());
+        known.find(is).map(|(.., command)| *command).filter(|command| self.reads(*command))
     }
 
     /// Whether the controller knows a code of its family.

@@ -1,11 +1,11 @@
 //! Moves through clamps.
 
-use crate::geom::{Bounds, Line, Point, Segment, segment_distance};
 use crate::spec::KeepOut;
 use crate::verify::judge::Judge;
 use crate::verify::read::gcode;
 use crate::verify::read::gcode::Event;
 use crate::verify::{FindingCode, Findings};
+use inflatable::geom::{Bounds, Line, Point, Segment, segment_distance};
 
 /// By how much a clamp may be touched, mm: positions in a file are rounded.
 const ROUNDING: f64 = 1e-3;

@@ -1,7 +1,6 @@
 //! A feed check: cold, above the fabric, line after line between two pauses, each as long as the seal's speed says.
 
-use crate::design::LaidSeam;
-use crate::geom::{Bounds, Path, Point};
+use crate::shape::{LaidSeam, PieceName, Seam};
 use crate::spec::{Machine, Spec};
 use crate::verify::judge::height::Height;
 use crate::verify::judge::rules::{IronRules, Phase};
@@ -12,6 +11,7 @@ use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode::{Dialect, Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
+use inflatable::geom::{Bounds, Isometry, Path, Point};
 
 /// By how much a line may take too long or too short, as a fraction: the wait after its last stroke is rounded.
 const TIME: f64 = 0.01;
@@ -32,7 +32,9 @@ impl FeedCheckTask<'_> {
     pub fn check(&self, text: &str, findings: &mut Findings) -> f64 {
         let Self { spec, machine, ref lines } = *self;
         let (rules, tolerance) = (IronRules::new(spec, machine), spec.accuracy.path.0);
-        let seams = lines.iter().skip(1).map(|line| LaidSeam::open("line".to_owned(), line.clone(), 0.0));
+        let (name, origin) = (PieceName::Named("line".to_owned()), Isometry::IDENTITY);
+        let seam = |line: &Path| LaidSeam::new(&name, &Seam::weld(line.clone()), origin, 0.0);
+        let seams = lines.iter().skip(1).map(seam);
         let reach = lines.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
         let area = Bounds { min: Point::ORIGIN, max: reach.max }.grown(tolerance);
         let task = ProgramTask {

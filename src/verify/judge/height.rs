@@ -1,10 +1,10 @@
 //! Heights from the first word on: the iron goes up before it goes anywhere, and never above the park height.
 
-use crate::geom::Bounds;
 use crate::spec::Heights;
 use crate::verify::judge::{HEIGHT, Judge};
 use crate::verify::read::gcode::{BlindMove, Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
+use inflatable::geom::Bounds;
 
 /// Reports every motion before X, Y and Z are known that does not go up first and then stay up and within `area`, and
 /// every motion above the park height.

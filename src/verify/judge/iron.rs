@@ -1,6 +1,5 @@
 //! The iron below travel height: hot, in motion, along the fabric and never deeper than contact.
 
-use crate::geom::Bounds;
 use crate::verify::judge::height::Height;
 use crate::verify::judge::pace::Paced;
 use crate::verify::judge::rules::{IronRules, Phase};
@@ -9,6 +8,7 @@ use crate::verify::judge::travel::TravelFeed;
 use crate::verify::judge::{HEIGHT, Judge, judged};
 use crate::verify::read::gcode::{Dialect, Dwell, Event, Line, Move, MoveKind};
 use crate::verify::{Finding, FindingCode, Findings};
+use inflatable::geom::Bounds;
 
 /// Everything in a sealing program, given line by line, that breaks the rules, whatever its seams: the iron stays within
 /// `area`, `hotend` tells whether the program heats it.

@@ -1,21 +1,21 @@
 //! A G-code program against the design: what the iron does, where, how hot, how fast.
 
-use crate::geom::Bounds;
 use crate::spec::Heating;
 use crate::verify::finding::quote;
 use crate::verify::judge::clamp::Clamps;
 use crate::verify::judge::comments::Comments;
 use crate::verify::judge::height::Height;
 use crate::verify::judge::iron::{Cold, iron};
-use crate::verify::judge::itinerary::Itinerary;
 use crate::verify::judge::rules::IronRules;
 use crate::verify::judge::script::{Body, Script};
 use crate::verify::judge::seams::Seams;
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::travel::TravelFeed;
+use crate::verify::judge::travel_order::TravelOrder;
 use crate::verify::judge::{Judge, judged};
 use crate::verify::read::gcode::{Dialect, Event, Line};
 use crate::verify::{FindingCode, Findings};
+use inflatable::geom::Bounds;
 
 impl ProgramTask<'_> {
     /// Reads the program and reports everything in it that is not as it should be; its largest deviation, mm.
@@ -25,7 +25,7 @@ impl ProgramTask<'_> {
         let seams = Seams::new(self, &rules, tolerance);
         let mut judges = self.judges(&rules);
         let heights = &machine.process.heights;
-        judges.push(Box::new(Itinerary::new(heights, seams.starts(self.hot), self.hot, tolerance)));
+        judges.push(Box::new(TravelOrder::new(heights, seams.starts(self.hot), self.hot, tolerance)));
         let mut judge = |path: &mut dyn Judge| {
             let mut all: Vec<&mut dyn Judge> = Vec::new();
             for judge in &mut judges {
@@ -66,7 +66,7 @@ impl ProgramTask<'_> {
             judges.push(Box::new(TravelFeed::new(machine.process.travel_speed.0)));
             judges.push(Box::new(Cold::new(rules)));
         }
-        judges.push(Box::new(Comments::new(self, rules)));
+        judges.push(Box::new(Comments::new(self)));
         judges
     }
 }

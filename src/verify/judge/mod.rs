@@ -3,23 +3,21 @@
 mod clamp;
 mod comments;
 pub(in crate::verify) mod expected;
-mod facts;
+mod expected_comments;
 pub(in crate::verify) mod feed_check;
 pub(in crate::verify) mod files;
 mod height;
 pub(in crate::verify) mod iron;
-mod itinerary;
 mod job;
 mod pace;
 pub(in crate::verify) mod path;
-mod progress;
 pub(in crate::verify) mod rules;
 mod script;
 mod seams;
 pub(in crate::verify) mod stroke;
 pub(in crate::verify) mod task;
-mod thumbnail;
 mod travel;
+mod travel_order;
 
 use crate::verify::Findings;
 use crate::verify::read::gcode::{Dialect, Event, Line, each_line};

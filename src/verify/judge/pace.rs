@@ -2,15 +2,14 @@
 //!
 //! A **stroke** is a move that a dwell follows; moves without a dwell between them are one stroke to the controller, which
 //! does not stop there. Its schedule is the seal's speed: however it is chopped, a contact must never be off its schedule
-//! by more than 0.2 % and a dwell's step, nor a stroke on its own; but for what the longest wait leaves over, which the next
-//! one makes up for. Where the controller joins short moves, no dwell follows one.
+//! by more than 0.2 % and a dwell's step, nor a stroke on its own. Where the controller joins short moves, no dwell follows one.
 
-use crate::geom::Segment;
 use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::stroke::{Run, shortest_move};
 use crate::verify::read::gcode::{Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
+use inflatable::geom::Segment;
 
 /// How far the mean speed may be off.
 const MEAN: f64 = 0.002;
@@ -27,8 +26,6 @@ struct Schedule {
     counted: f64,
     /// What was due, and by how much the iron was late, at the last stop.
     stop: (f64, f64),
-    /// By how much it was early there, because its wait was the longest that leaves no scar.
-    owed: f64,
 }
 
 /// Reports every move below travel height that is too fast or too slow.
@@ -121,7 +118,7 @@ impl Paced<'_> {
         };
         // What the controller has not begun is late as soon as it is told: it is judged with what it is joined to.
         if self.rules.timed && (stopped || !self.schedule.run.is_short()) {
-            self.on_time(step, stopped, rest);
+            self.on_time(step, stopped);
         }
         if rest > 0.0 {
             (self.schedule.run, self.schedule.counted) = (Run::default(), 0.0);
@@ -171,32 +168,23 @@ impl Paced<'_> {
     }
 
     /// Reports a step that takes the contact off its schedule, or a run that is itself too early or too late. Until it
-    /// has `stopped`, a run may be late by what it takes to start and to stop. Where short moves are joined, as around a sharp
-    /// corner, a stop may take more than the longest wait: what is missing is owed until the next, a longest wait at most.
-    fn on_time(&mut self, step: &Move, stopped: bool, rest: f64) {
+    /// has `stopped`, a run may be late by what it takes to start and to stop.
+    fn on_time(&mut self, step: &Move, stopped: bool) {
         let (speed, feed) = (self.rules.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
-        let Schedule { due, spent, stop, owed, .. } = self.schedule;
+        let Schedule { due, spent, stop, .. } = self.schedule;
         let off = spent - due;
         let quantum = self.rules.dwell_step;
         let allowed = MEAN * due + 0.6 * quantum + 0.01;
         // One run alone may be early or late by a dwell's step.
         let alone = MEAN * (due - stop.0) + quantum + 0.015;
         let late = if stopped { 0.0 } else { self.start_and_stop(feed) };
-        let longest = self.rules.longest_rest();
-        let is_longest = rest > 0.0 && rest > longest - quantum - 1e-9;
-        let early = match (stopped, is_longest) {
-            (true, true) => longest,
-            (true, false) => 0.0,
-            (false, _) => owed,
-        };
-        let within = |off: f64, most: f64, late: f64| -most - early <= off && off <= most + late;
-        if !(within(off, allowed, late) && within(off - stop.1, alone, late + owed)) {
+        let within = |off: f64, most: f64| -most <= off && off <= most + late;
+        if !(within(off, allowed) && within(off - stop.1, alone)) {
             let found = format!("{off:+.3} s off the schedule of {speed} mm/s");
             self.findings.add(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
             self.schedule = Schedule::default();
         } else if stopped {
             self.schedule.stop = (due, off);
-            self.schedule.owed = if is_longest { (-off).max(0.0) } else { 0.0 };
         }
     }
 }
@@ -216,10 +204,10 @@ fn lowest_along(path: &Segment, rise: f64, lowest_of: impl Fn([f64; 3]) -> Optio
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::{Line, Point};
     use crate::spec::{Motion, StepRate};
     use crate::units::Acceleration;
     use crate::verify::judge::stroke::stroke_seconds;
+    use inflatable::geom::{Line, Point};
 
     fn close(found: f64, expected: f64) {
         assert!((found / expected - 1.0).abs() < 1e-12, "{found}, expected {expected}");

@@ -130,12 +130,12 @@ pub(in crate::verify) struct Body {
     heated: bool,
     moved: bool,
     /// What came since the last motion: it is the body's if another follows.
-    pending: Vec<Told>,
+    pending: Vec<PendingLine>,
     findings: Findings,
 }
 
 /// A line that is right or wrong by its place.
-struct Told {
+struct PendingLine {
     line: usize,
     text: String,
     /// What a heater is told; `None` for a setting.
@@ -148,7 +148,7 @@ impl Body {
         Self { heat, heated: false, moved: false, pending: Vec::new(), findings: Findings::default() }
     }
 
-    fn judge(&mut self, told: &Told, within: bool) {
+    fn judge(&mut self, told: &PendingLine, within: bool) {
         let right = match (&told.heat, within) {
             (None, within) => !within,
             (Some(heat), false) => heat.celsius == 0.0 && !heat.waits,
@@ -186,7 +186,7 @@ impl Judge for Body {
             Event::Setting(_) => Some(None),
             _ => None,
         });
-        let told = |heat| Told { line: line.number, text: quote(line.text.trim_end()), heat };
+        let told = |heat| PendingLine { line: line.number, text: quote(line.text.trim_end()), heat };
         if line.is_motion() {
             // What stood before the first motion is the head.
             self.judge_pending(self.moved);

@@ -1,13 +1,13 @@
 //! The seams of a program against those of the design: all there, in order, each from its start to its end.
 
-use crate::design::LaidSeam;
-use crate::geom::{Path, Point};
+use crate::shape::LaidSeam;
 use crate::verify::judge::Judge;
 use crate::verify::judge::path::follow::Follower;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::read::gcode::{self, Event, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
+use inflatable::geom::{Path, Point};
 
 /// The seams that one program should have.
 pub(in crate::verify) struct Seams<'a> {

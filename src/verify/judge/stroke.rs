@@ -245,7 +245,7 @@ mod tests {
         }
     }
 
-    /// Figures reckoned with the firmware's rules in 32-bit floats, by `tests/clock`.
+    /// Figures reckoned with the firmware's rules in 32-bit floats, by `tests/machines/clock`.
     #[test]
     fn a_stroke_takes_as_long_as_on_grbl() {
         for (acceleration, to, seconds) in [

@@ -1,8 +1,9 @@
 //! What one program should do: its seams, where they lie, and what its comments call it.
 
-use crate::design::{Design, LaidSeam, PlacedStar};
-use crate::geom::{Bounds, Line, Path, Point};
+use crate::design::{Design, PlacedStar};
+use crate::shape::{LaidSeam, PieceName, frame, laid_seams, scope};
 use crate::spec::{Machine, Spec};
+use inflatable::geom::{Bounds, Path, Point};
 
 /// What one program should do, whatever its seams belong to.
 #[derive(Clone, Debug)]
@@ -35,34 +36,21 @@ impl<'a> ProgramTask<'a> {
         let all = design.nearest_first(sheet).into_iter();
         let stars: Vec<&PlacedStar> =
             all.filter(|placed| star.is_none_or(|index| placed.index == index)).collect();
-        let (first, last) = (stars.first()?.index, stars.last()?.index);
-        let numbers = if first == last { first.to_string() } else { format!("{first}-{last}") };
+        let pieces = design.pieces(&stars);
+        let names: Vec<PieceName> = pieces.iter().map(|piece| piece.name.clone()).collect();
+        let _ = names.first()?;
         let corner = Point::new(layout.width, layout.height);
         let reach = machine.bench.work_area;
         let reach = reach.map_or(corner, |(x, y)| Point::new(corner.x.min(x.0), corner.y.min(y.0)));
-        let seams = design.laid_seams(&stars, machine.process.ramp.0);
+        let seams = laid_seams(&pieces, machine.process.ramp.0);
         Some(Self {
             spec,
             machine,
             hot,
-            scope: format!("sheet={sheet} stars={numbers}"),
-            frame: frame(design, &stars, &seams),
+            scope: format!("sheet={sheet} {}", scope(&names)),
+            frame: frame(&pieces, &seams),
             seams,
             area: Bounds { min: Point::ORIGIN, max: reach },
         })
     }
-}
-
-/// The rectangle around the cut, and around everything that the iron does to the fabric.
-fn frame(design: &Design, stars: &[&PlacedStar], seams: &[LaidSeam]) -> Path {
-    let parts = stars.iter().map(|placed| (placed, design.part(placed)));
-    let bounds = parts.fold(Bounds::EMPTY, |bounds, (placed, part)| {
-        bounds.union(placed.placement.path(&part.outline.outside).bounds())
-    });
-    let band = stars.first().map_or(0.0, |placed| design.part(placed).band);
-    let seams = seams.iter().flat_map(|seam| [&seam.lead_in, &seam.run, &seam.lead_out]);
-    let touched = seams.map(|path| path.bounds().grown(band / 2.0));
-    let Bounds { min, max } = touched.fold(bounds, Bounds::union);
-    let corners = [min, Point::new(max.x, min.y), max, Point::new(min.x, max.y), min];
-    Path::closed(corners.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
 }

@@ -20,11 +20,15 @@ impl Judge for TravelFeed {
     fn see(&mut self, line: &Line<'_>) {
         let allowed = self.allowed;
         for event in line.events {
-            let Event::Move(step) = event else { continue };
-            let other = step.feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed);
-            if let Some(feed) = other.filter(|_| step.kind == MoveKind::Rapid) {
+            let (kind, feed, line) = match event {
+                Event::Move(step) => (step.kind, step.feed, step.line),
+                Event::Blind(step) => (step.kind, step.feed, step.line),
+                _ => continue,
+            };
+            let other = feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed);
+            if let Some(feed) = other.filter(|_| kind == MoveKind::Rapid) {
                 let found = format!("a G0 at F{feed}, the feed in force");
-                self.findings.add(FindingCode::TravelFeed, step.line, found, format!("F{allowed}"));
+                self.findings.add(FindingCode::TravelFeed, line, found, format!("F{allowed}"));
             }
         }
     }

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::geom::Path;
 use crate::verify::Finding;
+use inflatable::geom::Path;
 
 /// Gaps up to this are rounding, not an opening: the files carry at least three decimals of a millimetre.
 pub(in crate::verify) const JOIN: f64 = 1e-6;

@@ -5,10 +5,10 @@
 
 use std::f64::consts::TAU;
 
-use crate::geom::{Arc, Line, Path, Point};
 use crate::verify::finding::quote;
 use crate::verify::read::number;
 use crate::verify::{Drawing, FindingCode, Findings};
+use inflatable::geom::{Arc, Line, Path, Point};
 
 /// Arcs of a larger radius are read as their chord, mm: at this radius a 1 m chord has a sagitta of a nanometre.
 const STRAIGHT: f64 = 1e11;
@@ -264,7 +264,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::geom::Segment;
+    use inflatable::geom::Segment;
 
     fn dxf(entities: &str) -> String {
         let text = format!(

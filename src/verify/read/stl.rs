@@ -5,7 +5,7 @@ pub type Facet = [[f32; 3]; 3];
 
 /// What a solid says beside its corners.
 #[derive(Debug, PartialEq)]
-pub(in crate::verify) struct Beside {
+pub(in crate::verify) struct SolidNotes {
     /// The normal of each facet.
     pub(in crate::verify) normals: Vec<[f32; 3]>,
     /// The head, where programs show what stands there as a name.
@@ -25,7 +25,7 @@ pub fn read_stl(bytes: &[u8]) -> Option<Vec<Facet>> {
 }
 
 /// The same, with what stands beside the corners.
-pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<Facet>, Beside)> {
+pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<Facet>, SolidNotes)> {
     let count = usize::try_from(u32::from_le_bytes(bytes.get(80..HEAD)?.try_into().ok()?)).ok()?;
     if bytes.len() != HEAD.checked_add(FACET.checked_mul(count)?)? {
         return None;
@@ -41,7 +41,7 @@ pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<Facet>, Beside)
     let facets: Option<Vec<Facet>> = raw().map(facet).collect();
     let normals: Option<Vec<[f32; 3]>> = raw().map(|raw| corner(raw, 0)).collect();
     let plain = raw().all(|raw| raw[48..] == [0, 0]);
-    Some((facets?, Beside { normals: normals?, head: bytes[..80].to_vec(), plain }))
+    Some((facets?, SolidNotes { normals: normals?, head: bytes[..80].to_vec(), plain }))
 }
 
 #[cfg(test)]

@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use roxmltree::{Document, Node};
 
-use crate::geom::{Arc, Isometry, Line, Path, Point, Vec2};
 use crate::verify::finding::quote;
 use crate::verify::read::{number, svg_path};
 use crate::verify::{Drawing, Finding, FindingCode, Findings};
+use inflatable::geom::{Arc, Isometry, Line, Path, Point, Vec2};
 
 /// Groups inside groups beyond this depth are refused: drawings need two or three, and the walk is recursive.
 const DEPTH: usize = 32;
@@ -38,11 +38,6 @@ pub(in crate::verify) fn parse(text: &str) -> Result<Document<'_>, Finding> {
         let line = usize::try_from(error.pos().row).ok();
         Finding::new(FindingCode::BadXml, line, quote(&error.to_string()), "well-formed XML")
     })
-}
-
-/// Checks that one user unit is one millimetre.
-pub(in crate::verify) fn scale(document: &Document<'_>, findings: &mut Findings) {
-    let _ = page(document.root_element(), &mut Drawing::default(), findings);
 }
 
 /// Reads what [`read_svg`] reads.
@@ -261,7 +256,7 @@ mod tests {
         assert!(seal[0].start().is_some_and(|p| p.distance(Point::new(10.0, 10.0)) < 1e-9));
         assert!(seal[0].end().is_some_and(|p| p.distance(Point::new(30.0, 20.0)) < 1e-9));
         // Sweep 0 turns counterclockwise on the page; about (20, 70) of the file it would be (10, 60).
-        let crate::geom::Segment::Arc(arc) = seal[0].segments[0] else { panic!() };
+        let inflatable::geom::Segment::Arc(arc) = seal[0].segments[0] else { panic!() };
         assert!(arc.is_ccw() && arc.center.distance(Point::new(10.0, 20.0)) < 1e-9, "{arc:?}");
         let lengths: Vec<f64> = drawing.layer("holes").iter().map(Path::length).collect();
         assert_eq!(lengths, [3.0 * std::f64::consts::PI, 14.0, 12.0, 7.0]);

@@ -1,10 +1,10 @@
 //! The `d` attribute of an SVG path: absolute `M L H V A Z`, in user units, Y down.
 
-use crate::geom::{Arc, Line, Path, Point, Segment};
 use crate::verify::FindingCode;
 use crate::verify::finding::quote;
 use crate::verify::read::drawing::JOIN;
 use crate::verify::read::number;
+use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
 /// What is wrong: code, found, allowed.
 pub(in crate::verify) type Fault = (FindingCode, String, String);

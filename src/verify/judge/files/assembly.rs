@@ -7,10 +7,10 @@ use std::collections::BTreeMap;
 
 use crate::artifact::Output;
 use crate::design::{Design, StarDesign};
-use crate::geom::{Isometry, Line, Point};
 use crate::verify::judge::files::solid::{CHORD, foot};
 use crate::verify::judge::path::measure::Prepared;
 use crate::verify::{Facet, Finding, FindingCode};
+use inflatable::geom::{Isometry, Line, Point};
 
 /// Largest gap between two pieces, mm: what lets them go together.
 const GAP: f64 = 0.15;

@@ -6,7 +6,7 @@
 use crate::artifact::Subject;
 use crate::manifest::MANIFEST;
 use crate::verify::finding::quote;
-use crate::verify::judge::files::proof::{By, Proof};
+use crate::verify::judge::files::proof::{Method, Proof};
 use crate::verify::{Finding, FindingCode, OutputFiles};
 
 /// Names the first difference of the file `name` of `found` from what is `right`, made anew; if it is equal, it is proven by that,
@@ -31,7 +31,7 @@ pub fn mark_equal(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut
     let file = proof.files.iter_mut().find(|file| file.path == name)?;
     // Spec and profile are what all else is made of: nothing makes them anew.
     if !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine) {
-        file.by = By::Bytes;
+        file.by = Method::Bytes;
     }
     Some(file.sha256.clone())
 }

@@ -3,13 +3,13 @@
 use std::f64::consts::PI;
 
 use crate::design::{Drawing as Exact, Layer, Origin, Shape};
-use crate::geom::{Arc, Bounds, Path, Point, Segment};
 use crate::spec::{Colours, Spec};
-use crate::verify::judge::files::layers::{Look, in_file, look};
+use crate::verify::judge::files::layers::{LayerStyle, in_file, look};
 use crate::verify::judge::path::measure::{Prepared, furthest};
 use crate::verify::read::dxf_words::DxfFrame;
 use crate::verify::read::{dxf_words, svg, svg_words};
 use crate::verify::{Drawing, Finding, FindingCode, Findings, SvgOrigin, deviation, read_dxf};
+use inflatable::geom::{Arc, Bounds, Path, Point, Segment};
 
 /// Reads an SVG, whose words and page must be the drawing's, in the colours that the spec asks for.
 pub(in crate::verify) fn read_page(
@@ -30,7 +30,7 @@ pub(in crate::verify) fn read_page(
     let colour = |name: &str| {
         layers(exact, spec.cut.colours).find(|(layer, _)| *layer == name).map(|(_, look)| look.svg)
     };
-    svg_words::check(&document, &svg_words::DRAWING, &in_file(title, 120), &colour, findings);
+    svg_words::check(&document, &in_file(title, 120), &colour, findings);
     let (origin, corner) = match exact.origin {
         Origin::LowerLeft => (SvgOrigin::LowerLeft, (0.0, 0.0)),
         Origin::Axis(corner) => (SvgOrigin::Axis, (corner.x, -(corner.y + exact.height))),
@@ -53,19 +53,8 @@ pub(in crate::verify) fn read_page(
 }
 
 /// The layers of a drawing with their look.
-fn layers(exact: &Exact, colours: Colours) -> impl Iterator<Item = (&'static str, Look)> {
+fn layers(exact: &Exact, colours: Colours) -> impl Iterator<Item = (&'static str, LayerStyle)> {
     exact.layers.iter().map(move |(layer, _)| (layer.name(), look(*layer, colours)))
-}
-
-/// A picture for people: nothing of it is compared, but it is well-formed, to scale, and holds nothing that runs or hides.
-pub(in crate::verify) fn picture(text: &str, title: &str, findings: &mut Findings) {
-    match svg::parse(text) {
-        Ok(document) => {
-            svg_words::check(&document, &svg_words::PICTURE, &in_file(title, 120), &|_| None, findings);
-            svg::scale(&document, findings);
-        }
-        Err(finding) => findings.push(finding),
-    }
 }
 
 /// Nothing lies outside the page, where a reader may cut it off.
@@ -80,8 +69,8 @@ fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
             findings.add(
                 FindingCode::OutsidePage,
                 None,
-                format!("{bounds:?} on layer {layer}"),
-                format!("{page:?}"),
+                format!("{bounds} on layer {layer}"),
+                page.to_string(),
             );
         }
     }
@@ -324,7 +313,7 @@ impl Seals {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geom::{Isometry, Line, Vec2};
+    use inflatable::geom::{Isometry, Line, Vec2};
 
     /// A half disc, and the same in pieces, as a writer would cut it.
     fn half_disc(pieces: u32) -> Path {

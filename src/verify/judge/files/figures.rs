@@ -15,7 +15,9 @@ pub(in crate::verify) fn check(text: &[u8], written: &Manifest, right: &Manifest
     // What another version predicts is its own affair; `prediction.json` is judged by itself.
     let same = written.tool.version == right.tool.version;
     let prediction = if same { right.prediction.clone() } else { written.prediction.clone() };
-    let right = Manifest { tool, files, prediction, only, with, ..right.clone() };
+    // Older versions wrote no pieces.
+    let pieces = if same || !written.pieces.is_empty() { right.pieces.clone() } else { Vec::new() };
+    let right = Manifest { tool, files, pieces, prediction, only, with, ..right.clone() };
     let mut findings = Vec::new();
     if let (Ok(found), Ok(right)) = (serde_json::from_slice::<Value>(text), serde_json::to_value(&right)) {
         compare("", Some(&found), Some(&right), &mut findings);
@@ -56,7 +58,8 @@ pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Mani
         Finding::new(FindingCode::Manifest, None, found, allowed).in_file(MANIFEST)
     };
     for placed in &expected.design.stars {
-        let seam_mm: f64 = expected.design.part(placed).seams.iter().map(|seam| seam.run().length()).sum();
+        let seam_mm: f64 =
+            expected.design.part(placed).shape.seams.iter().map(|seam| seam.run().length()).sum();
         match manifest.stars.iter().find(|star| star.index == placed.index) {
             Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {
                 let clear = expected.design.part(placed).clear_radius();

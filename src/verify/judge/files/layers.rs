@@ -4,7 +4,7 @@ use crate::design::Layer;
 use crate::spec::Colours;
 
 /// How a layer looks on a screen.
-pub(in crate::verify) struct Look {
+pub(in crate::verify) struct LayerStyle {
     /// Colour of the strokes in SVG.
     pub(in crate::verify) svg: &'static str,
     /// Colour in DXF, of AutoCAD's palette.
@@ -12,7 +12,7 @@ pub(in crate::verify) struct Look {
 }
 
 /// The look of `layer` where all cuts have one colour, or each its own.
-pub(in crate::verify) fn look(layer: Layer, colours: Colours) -> Look {
+pub(in crate::verify) fn look(layer: Layer, colours: Colours) -> LayerStyle {
     const BLUE: (&str, &str) = ("#0000ff", "5");
     const CYAN: (&str, &str) = ("#00ffff", "4");
     const GREEN: (&str, &str) = ("#00ff00", "3");
@@ -27,7 +27,7 @@ pub(in crate::verify) fn look(layer: Layer, colours: Colours) -> Look {
         Layer::Label | Layer::PaperMark => (BLUE, CYAN),
     };
     let (svg, dxf) = if colours == Colours::One { one } else { ordered };
-    Look { svg, dxf }
+    LayerStyle { svg, dxf }
 }
 
 /// Width, mm, and grey of the strokes of `layer` on paper.

@@ -7,8 +7,5 @@ mod figures;
 pub(in crate::verify) mod layers;
 mod names;
 mod paper;
-mod pixels;
 pub(in crate::verify) mod proof;
-mod report;
-mod scene;
 mod solid;

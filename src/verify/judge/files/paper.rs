@@ -86,8 +86,8 @@ fn page(found: &PdfPage, exact: &PaperPage, findings: &mut Findings) -> f64 {
             findings.add(
                 FindingCode::WrongClip,
                 None,
-                format!("{clip:?} on layer {layer}"),
-                format!("{window:?}"),
+                format!("{clip} on layer {layer}"),
+                window.to_string(),
             );
         }
     }

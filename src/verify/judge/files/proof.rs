@@ -9,7 +9,7 @@ use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::assembly::Assemblies;
 use crate::verify::judge::files::figures::alike;
 use crate::verify::judge::files::solid::Solid;
-use crate::verify::judge::files::{drawings, figures, names, paper, pixels, report, scene, solid};
+use crate::verify::judge::files::{drawings, figures, names, paper, solid};
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
@@ -30,13 +30,13 @@ pub struct Proof {
 impl Proof {
     /// Files that are equal to the byte to those that this version makes.
     pub fn equal(&self) -> usize {
-        self.files.iter().filter(|file| file.by == By::Bytes).count()
+        self.files.iter().filter(|file| file.by == Method::Bytes).count()
     }
 }
 
 /// What several files say of one thing.
 #[derive(Default)]
-struct Across {
+struct CrossChecks {
     seals: drawings::Seals,
     pieces: Assemblies,
 }
@@ -49,7 +49,7 @@ pub struct FileProof {
     /// What it is.
     pub output: Output,
     /// How it was looked at.
-    pub by: By,
+    pub by: Method,
     /// SHA-256 of its content, lower-case hexadecimal.
     pub sha256: String,
     /// Its largest deviation from the exact geometry either way, mm; `None` for what has no geometry that was measured.
@@ -59,7 +59,7 @@ pub struct FileProof {
 /// How a file was looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum By {
+pub enum Method {
     /// Equal to what this version makes of the spec, and read back.
     Bytes,
     /// Read back and compared with the design.
@@ -75,7 +75,7 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
     let asked = manifest.as_ref().map_or(Asked::default(), Manifest::asked);
     let wanted = outputs(expected.spec, expected.machine.controller.dialect, expected.design, &asked);
     let entries = names::check(files, manifest.as_ref(), &wanted, &mut proof.findings);
-    let mut across = Across::default();
+    let mut cross = CrossChecks::default();
     for output in wanted {
         let path = output.name();
         let Some(bytes) = files.get(&path) else { continue };
@@ -84,12 +84,12 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
         if let Some(entry) = entries.get(path.as_str()) {
             check_hash(entry, bytes, &sha256, &mut findings);
         }
-        let (by, deviation) = file(expected, &output, bytes, &mut across, &mut findings);
+        let (by, deviation) = file(expected, &output, bytes, &mut cross, &mut findings);
         proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(&path)));
         proof.files.push(FileProof { path, output, by, sha256, deviation });
     }
-    proof.findings.extend(across.seals.disagreements(expected.spec.accuracy.path.0));
-    proof.findings.extend(across.pieces.disagreements(expected.design));
+    proof.findings.extend(cross.seals.disagreements(expected.spec.accuracy.path.0));
+    proof.findings.extend(cross.pieces.disagreements(expected.design));
     if let Some(manifest) = &manifest {
         proof.findings.extend(figures::against_design(expected, manifest));
         let text = files.get(MANIFEST).unwrap_or_default();
@@ -117,56 +117,42 @@ fn file(
     expected: &Expected<'_>,
     output: &Output,
     bytes: &[u8],
-    across: &mut Across,
+    cross: &mut CrossChecks,
     findings: &mut Findings,
-) -> (By, Option<f64>) {
+) -> (Method, Option<f64>) {
     match output.kind.format() {
-        Format::Pdf => return (By::Reading, on_paper(expected, output, bytes, findings)),
+        Format::Pdf => return (Method::Reading, on_paper(expected, output, bytes, findings)),
         Format::Stl => {
-            let Some(drawing) = output.drawing(expected.design) else { return (By::Hash, None) };
+            let Some(drawing) = output.drawing(expected.design) else { return (Method::Hash, None) };
             let thickness = output.thickness(expected.spec);
             let name = output.solid_name(&expected.spec.name);
             let solid = Solid { name, drawing: &drawing, thickness, depth: engraved_depth(thickness) };
             let (facets, deviation) = solid::check(bytes, &solid, findings);
-            across.pieces.add(output, facets);
-            return (By::Reading, Some(deviation));
+            cross.pieces.add(output, facets);
+            return (Method::Reading, Some(deviation));
         }
-        Format::Png => {
-            pixels::check(bytes, expected, output.sheet.unwrap_or(0), findings);
-            return (By::Reading, None);
-        }
-        Format::Glb => {
-            scene::check(expected, bytes, findings);
-            return (By::Reading, None);
-        }
+        // What is only looked at is proven by its bytes: see `pipeline`.
+        Format::Png | Format::Glb => return (Method::Hash, None),
         _ => {}
     }
     let Ok(text) = std::str::from_utf8(bytes) else {
         findings.add(FindingCode::NotText, None, "bytes that are not UTF-8", "text");
-        return (By::Reading, None);
+        return (Method::Reading, None);
     };
     match (output.kind.subject(), output.kind.format()) {
-        (Subject::Spec | Subject::Machine, _) => (By::Hash, None),
-        (Subject::Preview, _) => {
-            drawings::picture(text, &expected.spec.name, findings);
-            (By::Hash, None)
-        }
-        (Subject::Report, _) => {
-            report::check(expected, text, findings);
-            (By::Reading, None)
-        }
+        (Subject::Spec | Subject::Machine | Subject::Preview | Subject::Report, _) => (Method::Hash, None),
         (Subject::Prediction, _) => {
             prediction(expected, text, findings);
-            (By::Reading, None)
+            (Method::Reading, None)
         }
         (subject, Format::Gcode) => {
             let parts = (expected.spec, expected.machine, expected.design);
             let (hot, sheet) = (subject == Subject::Seal, output.sheet.unwrap_or(0));
             let task = ProgramTask::of_stars(parts, hot, sheet, output.star);
-            (By::Reading, task.map(|task| task.check(text, findings)))
+            (Method::Reading, task.map(|task| task.check(text, findings)))
         }
         (subject, format) => {
-            let Some(exact) = output.drawing(expected.design) else { return (By::Hash, None) };
+            let Some(exact) = output.drawing(expected.design) else { return (Method::Hash, None) };
             let tolerance = expected.spec.accuracy.path.0;
             let title = output.title(&expected.spec.name);
             let found = match format {
@@ -175,9 +161,9 @@ fn file(
             };
             let deviation = drawings::compare(&found, &exact, tolerance, findings);
             if let (Subject::Seal, Some(sheet)) = (subject, output.sheet) {
-                across.seals.add(sheet, &output.name(), &found);
+                cross.seals.add(sheet, &output.name(), &found);
             }
-            (By::Reading, Some(deviation))
+            (Method::Reading, Some(deviation))
         }
     }
 }

@@ -4,13 +4,13 @@
 use std::collections::{HashMap, HashSet};
 
 use crate::design::{Drawing, Layer};
-use crate::geom::{Path, Point};
 use crate::verify::finding::quote;
 use crate::verify::judge::files::drawings::paths_of;
 use crate::verify::judge::files::layers::in_file;
 use crate::verify::judge::path::measure::Prepared;
-use crate::verify::read::stl::{Beside, read_solid};
+use crate::verify::read::stl::{SolidNotes, read_solid};
 use crate::verify::{Facet, FindingCode, Findings};
+use inflatable::geom::{Path, Point};
 
 /// How far a chord may leave its arc, mm, with what single precision takes away.
 pub(in crate::verify) const CHORD: f64 = 0.022;
@@ -89,7 +89,7 @@ pub(in crate::verify) fn check(
 }
 
 /// The head says which solid it is; nothing stands beside the facets.
-fn named(beside: &Beside, solid: &Solid<'_>, findings: &mut Findings) {
+fn named(beside: &SolidNotes, solid: &Solid<'_>, findings: &mut Findings) {
     if !beside.plain {
         findings.add(FindingCode::BadStl, None, "a facet with notes", "two zeros a facet");
     }

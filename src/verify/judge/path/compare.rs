@@ -1,8 +1,8 @@
 //! The unordered comparer: how far two sets of paths lie apart, whatever their order and direction.
 
-use crate::geom::{Path, Point};
 use crate::verify::judge::path::measure::{Farthest, Prepared, furthest};
 use crate::verify::read::drawing::JOIN;
+use inflatable::geom::{Path, Point};
 
 /// So few targets are measured all at once.
 const FEW: usize = 6;
@@ -107,7 +107,7 @@ mod tests {
     use std::f64::consts::{PI, TAU};
 
     use super::*;
-    use crate::geom::{Arc, Isometry, Line, Segment, Vec2};
+    use inflatable::geom::{Arc, Isometry, Line, Segment, Vec2};
 
     fn line(a: (f64, f64), b: (f64, f64)) -> Segment {
         Line::new(Point::new(a.0, a.1), Point::new(b.0, b.1)).into()

@@ -5,9 +5,9 @@
 //! so a path that covers a stretch twice (the overlap), or passes close to itself, is never mixed up. Each
 //! step is then measured against the part of the exact path that it covered, both ways.
 
-use crate::geom::{Path, Point, Segment};
 use crate::verify::judge::path::measure::{Farthest, Prepared, furthest};
 use crate::verify::judge::path::track::{Passing, TIE, Track};
+use inflatable::geom::{Path, Point, Segment};
 
 /// How far a window reaches beyond one step. Larger than any rounding in a file, far smaller than a band.
 const MARGIN: f64 = 0.05;
@@ -221,7 +221,7 @@ mod tests {
     use std::f64::consts::PI;
 
     use super::*;
-    use crate::geom::{Arc, Isometry, Line, Vec2};
+    use inflatable::geom::{Arc, Isometry, Line, Vec2};
 
     fn loop_of(r: f64, l: f64) -> Path {
         let p = Point::new;

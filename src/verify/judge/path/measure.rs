@@ -12,7 +12,7 @@
 
 use std::borrow::Borrow;
 
-use crate::geom::{Bounds, Point, Segment, Vec2};
+use inflatable::geom::{Bounds, Point, Segment, Vec2};
 
 /// Bisections of a change-over between two targets: 5 mm / 2^32 is below any rounding in a file.
 const BISECTIONS: u32 = 32;
@@ -261,7 +261,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::geom::{Arc, Line};
+    use inflatable::geom::{Arc, Line};
 
     /// Points at which the brute force looks along the probe.
     const SAMPLES: u32 = 1000;

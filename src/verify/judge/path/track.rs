@@ -1,7 +1,7 @@
 //! The exact path as something to be followed: which part of it is near, and what can be said of a step without measuring it.
 
-use crate::geom::{Path, Point, Segment, Vec2};
 use crate::verify::judge::path::measure::Prepared;
+use inflatable::geom::{Path, Point, Segment, Vec2};
 
 /// Two places on the exact path that differ by less in their distance are equally near: both passes of an overlap.
 pub(super) const TIE: f64 = 1e-6;
@@ -122,8 +122,8 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::geom::{Arc, Line};
     use crate::verify::judge::path::measure::furthest;
+    use inflatable::geom::{Arc, Line};
 
     proptest! {
         /// Nothing that is measured is more than the bound, and the bound is hardly more than the sagitta and what the ends miss.

@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::geom::{Arc, Point};
 use crate::verify::read::gcode::ArcTolerance;
+use inflatable::geom::{Arc, Point};
 
 /// Turns below this are full circles: GRBL's `ARC_ANGULAR_TRAVEL_EPSILON`, rad.
 const FULL_CIRCLE: f64 = 5e-7;

@@ -1,8 +1,8 @@
 //! Events: what a line of a program does.
 
-use crate::geom::{Point, Segment};
 use crate::verify::Finding;
 use crate::verify::read::gcode::comment::Comment;
+use inflatable::geom::{Point, Segment};
 
 /// A position of the iron's tip, mm.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -78,6 +78,8 @@ pub struct BlindMove {
     pub named: [bool; 3],
     /// Where it ends, mm, as far as that is known.
     pub to: [Option<f64>; 3],
+    /// Feed in force, mm/min; `None` for a rapid that is as fast as the machine can, or if the program never gave one.
+    pub feed: Option<f64>,
 }
 
 /// A heater told what to do.

@@ -1,12 +1,12 @@
 //! Executes blocks: the modes, the position and the heat of the simulated machine.
 
-use crate::geom::{Line, Point, Segment};
 use crate::spec::Command;
 use crate::verify::read::gcode::arc::arc;
 use crate::verify::read::gcode::block::Block;
 use crate::verify::read::gcode::modes::Modes;
 use crate::verify::read::gcode::{BlindMove, Dialect, Dwell, Event, Heat, Move, MoveKind, Point3};
 use crate::verify::{Finding, FindingCode};
+use inflatable::geom::{Line, Point, Segment};
 
 /// A line that is executed, and where what it does is told.
 pub(super) struct Here<'a> {
@@ -112,7 +112,9 @@ impl Machine {
                 here.report(FindingCode::UnknownPosition, found, "rapids first: Z, then X and Y");
             }
             let named = [b'X', b'Y', b'Z'].map(|letter| block.value(letter).is_some());
-            here.out.push(Event::Blind(BlindMove { line, kind, named, to: self.position }));
+            // Without a length, a feed by time is no speed.
+            let feed = self.modes.feed.filter(|_| at_feed && !self.modes.is_inverse_time());
+            here.out.push(Event::Blind(BlindMove { line, kind, named, to: self.position, feed }));
             return;
         };
         let path = if arcs {

@@ -1,10 +1,10 @@
 //! The content of a PDF page: operators to lines and arcs.
 
-use crate::geom::{Arc, Bounds, Line, Path, Point, Segment};
 use crate::verify::finding::quote;
 use crate::verify::read::pdf::object::{Object, Scan};
 use crate::verify::read::pdf::page::PdfPage;
 use crate::verify::{Drawing, FindingCode, Findings};
+use inflatable::geom::{Arc, Bounds, Line, Path, Point, Segment};
 
 /// How far a curve may leave the circle through its ends and its middle, mm, to be read as an arc.
 const ROUND: f64 = 0.002;

@@ -1,7 +1,7 @@
 //! What a page of a PDF says.
 
-use crate::geom::Bounds;
 use crate::verify::Drawing;
+use inflatable::geom::Bounds;
 
 /// One page of a PDF, in mm from its lower left corner.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -2,8 +2,8 @@
 
 use proptest::prelude::*;
 
-use crate::geom::Segment;
 use crate::verify::read::gcode::{Dialect, MoveKind, Point3, Program, read_program};
+use inflatable::geom::Segment;
 
 const HEAD: &str = "G21\nG90\nG17\nG91.1\nG94\nG0 Z30\nG0 X0 Y0\n";
 

@@ -1,0 +1,17 @@
+//! Mechanics of inflatables that are sealed from two flat sheets of fabric.
+//!
+//! [`mechanics`] has a hinge between two arms and a star of such hinges, in closed forms or by a section at its pressure; [`shell`]
+//! computes a whole sheet in triangles. Both take and give SI units and radians, and know no specification. [`geom`] has the lines and
+//! arcs of which outlines are made; [`numerics`] what solves the equations.
+
+// In the order in which data flows; imports go up this list only.
+
+pub mod geom;
+
+pub mod numerics;
+
+pub mod readable;
+
+pub mod mechanics;
+
+pub mod shell;

@@ -1,0 +1,142 @@
+//! Why a prediction is refused: what was found, and what is allowed.
+
+use crate::numerics::RootFault;
+use crate::readable::Readable;
+use std::fmt;
+
+/// Why a hinge's state cannot be computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum HingeFault {
+    /// R* = R/W is not a number from 0 to `most`.
+    RStar {
+        /// What was given.
+        found: f64,
+        /// The model's largest R*.
+        most: f64,
+    },
+    /// lambda is not a number in the model's range.
+    Coiling {
+        /// What was given.
+        found: f64,
+        /// The model's least lambda.
+        least: f64,
+        /// The model's largest lambda.
+        most: f64,
+    },
+    /// A ratio of fabric, tube and pressure is outside of the model's range.
+    Scale {
+        /// Which.
+        symbol: &'static str,
+        /// What was given.
+        found: f64,
+        /// The model's least.
+        least: f64,
+        /// The model's largest.
+        most: f64,
+    },
+    /// The model's equations could not be solved.
+    Unsolved {
+        /// R*.
+        r_star: f64,
+        /// The coiling factor at which it happened.
+        lambda: f64,
+        /// Largest residual reached.
+        residual: f64,
+    },
+}
+
+impl fmt::Display for HingeFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::RStar { found, most } => {
+                write!(f, "R* = R/W is {}, allowed is 0 to {}", Readable(found), Readable(most))
+            }
+            Self::Coiling { found, least, most } => {
+                let (least, most) = (Readable(least), Readable(most));
+                write!(f, "the coiling factor is {}, allowed is {least} to {most}", Readable(found))
+            }
+            Self::Scale { symbol, found, least, most } => {
+                let (least, most) = (Readable(least), Readable(most));
+                write!(f, "{symbol} is {}, allowed is {least} to {most}", Readable(found))
+            }
+            Self::Unsolved { r_star, lambda, residual } => {
+                let (r_star, lambda) = (Readable(r_star), Readable(lambda));
+                write!(
+                    f,
+                    "no section found at R* = {r_star}, lambda = {lambda}: the residual stays at {residual:.1e}"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for HingeFault {}
+
+/// Why a star's response cannot be computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StarFault {
+    /// A property of the fabric or the load is out of range.
+    Dimension {
+        /// Which: its symbol.
+        symbol: &'static str,
+        /// What was given, in SI units.
+        found: f64,
+        /// What is allowed, in words.
+        allowed: &'static str,
+    },
+    /// The inflated star never has this inner radius.
+    Radius {
+        /// What was asked for, m.
+        found: f64,
+        /// Inner radius at rest, m.
+        least: f64,
+        /// Inner radius at its largest, m.
+        most: f64,
+    },
+    /// The model is one of a hinge at a pressure, and there is none.
+    NoPressure,
+    /// A hinge's model refused.
+    Hinge(HingeFault),
+    /// No equilibrium or radius in the range of angles searched.
+    Root(RootFault),
+}
+
+impl fmt::Display for StarFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Dimension { symbol, found, allowed } => {
+                write!(f, "{symbol} is {}, allowed is {allowed}", Readable(found))
+            }
+            Self::Radius { found, least, most } => {
+                let [found, least, most] = [found, least, most].map(|m| Readable(1000.0 * m));
+                write!(
+                    f,
+                    "the radius is {found} mm, and the inflated star goes from {least} mm to {most} mm only"
+                )
+            }
+            Self::NoPressure => f.write_str(
+                "the section is a hinge at its pressure, and none is given: give one, or take ring",
+            ),
+            Self::Hinge(fault) => fault.fmt(f),
+            Self::Root(RootFault::NoSignChange { low, high }) => {
+                let (low, high) = (Readable(low), Readable(high));
+                write!(f, "no solution between the ends of the range, where the values are {low} and {high}")
+            }
+            Self::Root(RootFault::NotFinite { at }) => write!(f, "not defined at {}", Readable(at)),
+        }
+    }
+}
+
+impl std::error::Error for StarFault {}
+
+impl From<HingeFault> for StarFault {
+    fn from(fault: HingeFault) -> Self {
+        Self::Hinge(fault)
+    }
+}
+
+impl From<RootFault> for StarFault {
+    fn from(fault: RootFault) -> Self {
+        Self::Root(fault)
+    }
+}

@@ -1,0 +1,274 @@
+//! What a star does beyond its hinges and rigid arms: a **correction** with few numbers, from stars computed as shells.
+//!
+//! At its pressure a hinge stays wider than a cylinder, and arms keep that width at their ends: half the tip's and half the corner's
+//! between the centres of their arcs. Short bends are all end, and nearly as narrow as arms:
+//!
+//! ```text
+//! w = W' + (w_section - W') tanh(alpha_0 / 0.469)        W' = 2 W / pi
+//! ```
+//!
+//! Fabric that stretches makes the whole star larger, a round corner's rim lies further out than its coil says, that of one that turns
+//! little, too, and the radius grows by
+//!
+//! ```text
+//! W / sin(pi/n) [-0.0461 + 0.0917 R_e/W + 1.092 p W / Y - 0.0096 ln(p W^3 / (1000 B)) + 0.0703 sin(pi/n) - 0.015 alpha_0e]
+//! ```
+//!
+//! Hinges are stiffer opened than closed. In a star tips are held open by corners that are held shut, so that it rests further in than
+//! linear hinges would; the more fabric stretches, the less. At the angle d beyond its rest a hinge of stiffness C pulls as
+//!
+//! ```text
+//! M = C d (1 + c d)        c = 1.424 exp(-20.8 p W / Y)
+//! ```
+//!
+//! Arms of an inflated tube of radius W / pi bend as beams of E I = pi (W/pi)^3 Y = W^3 Y / pi^2, which no constant was fitted to: hinges of
+//! stiffness C between arms that are longer than the 4 W of their table pull as if they had `1/C' = 1/C + (l - 4 W) / (E I)`. Arms narrow
+//! between their hinges, so those of a tip touch only where they are turned beyond parallel. And a corner gives way by itself, as if on
+//! a lever of about W of its own: where rho moves by s with phi_i, the star's stiffness is that of its hinges times
+//!
+//! ```text
+//! s^2 / (s^2 + (0.42 W / sin(pi/n))^2) exp(-0.598 + 0.073 l/W + 18.7 t/W + 6.07 p W / Y)
+//! ```
+//!
+//! What a round object meets is [`Grasp`](super::grasp::Grasp).
+
+use crate::mechanics::star::Mechanism;
+use std::f64::consts::{FRAC_2_PI, PI};
+
+/// What inflation does to a star beyond its hinges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Correction {
+    /// Inflated width over W between the centres of a tip's and a corner's arc.
+    pub width: f64,
+    /// How much further from the axis of a corner's sector its inner rim lies, over W; times 1 / sin(pi/n) in radius.
+    pub rim_offset: f64,
+    /// Angle of the tips at which the arms touch, rad, 0 or less.
+    pub contact_angle: f64,
+    /// By which part a hinge is stiffer with each rad that it is opened, and softer with each that it is closed.
+    pub hinge_nonlinearity: f64,
+    /// By how much an arm's ends turn under a moment of p W^3, rad, beyond what the hinges' table holds; below 0 for short arms.
+    pub arm_compliance: f64,
+    /// Radial stiffness over that of hinges and levers.
+    pub stiffness_factor: f64,
+    /// Whether corners give way where the object pushes.
+    pub corner_compliance: bool,
+}
+
+/// None: tubes as wide as cylinders, arms rigid, and touching when they are parallel.
+impl Default for Correction {
+    fn default() -> Self {
+        Self {
+            width: FRAC_2_PI,
+            rim_offset: 0.0,
+            contact_angle: 0.0,
+            hinge_nonlinearity: 0.0,
+            arm_compliance: 0.0,
+            stiffness_factor: 1.0,
+            corner_compliance: false,
+        }
+    }
+}
+
+/// What a star's fabric is at its pressure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ratios {
+    /// t/W.
+    pub thickness: f64,
+    /// p W / Y.
+    pub stretch: f64,
+    /// 1/eps = p W^3 / B.
+    pub bendability: f64,
+}
+
+/// Arc from which on a hinge has much of its own width, rad; this and all below by least squares over stars computed as shells.
+const OWN_WIDTH: f64 = 0.469;
+/// Room between the inner rims of a tip's parallel arms besides the coiled hinge's hole, over W.
+const ROOM: f64 = 0.0212;
+/// By how much the inner rim lies further out, over W / sin(pi/n): always, and by each R_e/W, p W / Y, ln(1/eps / 1000), sin(pi/n), and rad
+/// of the corner's arc.
+const OUT: [f64; 6] = [-0.0461, 0.0917, 1.092, -0.0096, 0.0703, -0.015];
+/// 1/eps over which that was taken.
+pub const BENDABILITY: [f64; 2] = [100.0, 5000.0];
+/// Arms of the hinges' table, by W.
+pub const TABLE_ARM: f64 = 4.0;
+/// Arms from which on they are no shorter, by W.
+const SHORT_ARM: f64 = 2.0;
+/// Least part of 1/C that is left where short arms stiffen hinges.
+const LEAST_LEFT: f64 = 0.3;
+/// On which lever a corner gives way by itself, over W / sin(pi/n).
+const LEVER: f64 = 0.42;
+/// Logarithm of the stiffness over that of hinges and levers: always, and by each l/W, t/W and p W / Y.
+const FIRM: [f64; 4] = [-0.598, 0.073, 18.7, 6.07];
+/// How hinges are stiffer opened than closed, per rad, in fabric that hardly stretches; and by which p W / Y that fades, as an exponent.
+const CURVED: [f64; 2] = [1.424, 20.8];
+
+impl Correction {
+    /// Of the star `star` with `ratios`, whose hinges, if they were endless, would be `width` W wide when inflated.
+    pub fn new(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
+        let Ratios { thickness, stretch, bendability } = ratios;
+        let own = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * (arc / OWN_WIDTH).tanh();
+        let (tip, corner) = (own(star.tip().arc()), own(star.corner().arc()));
+        let width = 0.5 * (tip + corner);
+        let long = star.arm / star.width;
+        // A coiled tip keeps the length of its inner arc, between parallel arms nearly as much as between touching ones.
+        let hole = star.tip_radius * star.tip().arc() / PI + ROOM * star.width;
+        let sector = (0.5 * star.turn()).sin();
+        let [least, most] = BENDABILITY;
+        let bent = (bendability.clamp(least, most) / 1000.0).ln();
+        let counts = [1.0, star.corner().r_star, stretch, bent, sector, star.corner().arc()];
+        let out: f64 = OUT.iter().zip(counts).map(|(each, count)| each * count).sum();
+        let [curved, fades] = CURVED;
+        let [firm, by_arm, by_thickness, by_stretch] = FIRM;
+        Self {
+            width,
+            rim_offset: (width - corner) * sector + out,
+            contact_angle: -2.0 * hole.atan2(star.arm),
+            hinge_nonlinearity: curved * (-fades * stretch).exp(),
+            arm_compliance: PI * PI * stretch * (long.max(SHORT_ARM) - TABLE_ARM),
+            stiffness_factor: (firm + by_arm * long + by_thickness * thickness + by_stretch * stretch).exp(),
+            corner_compliance: true,
+        }
+    }
+
+    /// Where two hinges rest that pull against each other, rad, from where each would rest by itself as the tips' angle and how hard it
+    /// pulls: to the first order in what they curve.
+    pub fn balance(&self, [tip, corner]: [f64; 2], [c_tip, c_corner]: [f64; 2]) -> f64 {
+        let part = c_tip / (c_tip + c_corner);
+        let linear = part * tip + (1.0 - part) * corner;
+        linear
+            - self.hinge_nonlinearity
+                * (part * (linear - tip).powi(2) + (1.0 - part) * (linear - corner).powi(2))
+    }
+
+    /// How hard a hinge between the star's arms pulls, from how hard one of the table's does; both over p W^3.
+    pub fn bent(&self, stiffness: f64) -> f64 {
+        stiffness / (1.0 + stiffness * self.arm_compliance).max(LEAST_LEFT)
+    }
+
+    /// The radial stiffness of `star` at the tips' angle `phi` (rad) over that of its hinges between rigid arms.
+    pub fn softness(&self, star: &Mechanism, phi: f64) -> f64 {
+        if !self.corner_compliance {
+            return 1.0;
+        }
+        let own = LEVER * star.width / (0.5 * star.turn()).sin();
+        let slope = star.radius(phi).slope;
+        self.stiffness_factor * slope * slope / (slope * slope + own * own)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mechanics::star::tests::{flat, paper};
+
+    const RATIOS: Ratios = Ratios { thickness: 0.01, stretch: 0.01, bendability: 1000.0 };
+
+    fn corrected(star: Mechanism) -> Mechanism {
+        Mechanism { correction: Correction::new(&star, 0.8, RATIOS), ..star }
+    }
+
+    #[test]
+    fn hinges_are_wider_than_cylinders_and_short_ones_less() {
+        let all: Vec<Correction> = (3..=8).map(|n| corrected(paper(n)).correction).collect();
+        // Sharp corners at 1/eps = 1000.
+        let out = |n: u32| {
+            let sector = (PI / f64::from(n)).sin();
+            OUT[0] + OUT[2] * RATIOS.stretch + OUT[4] * sector + OUT[5] * paper(n).corner().arc()
+        };
+        assert!(all.iter().all(|one| one.width > FRAC_2_PI && one.width < 0.8));
+        assert!((3..).zip(&all).all(|(n, one)| one.rim_offset > out(n)));
+        assert!(
+            all.windows(2)
+                .all(|pair| pair[1].width > pair[0].width && pair[1].rim_offset < pair[0].rim_offset)
+        );
+        // A corner that hardly turns is as narrow as an arm.
+        let star = corrected(Mechanism { tip_angle: 59.9_f64.to_radians(), ..paper(3) });
+        let out = out(3) + OUT[5] * (star.corner().arc() - paper(3).corner().arc());
+        let corner = star.correction.width - (star.correction.rim_offset - out) / (PI / 3.0).sin();
+        assert!((corner - FRAC_2_PI).abs() < 1e-3, "{corner}");
+    }
+
+    #[test]
+    fn short_arms_are_soft() {
+        let softness = |n| {
+            let star = corrected(paper(n));
+            star.correction.softness(&star, 0.1)
+        };
+        assert!((3..8).all(|n| softness(n + 1) < softness(n)));
+        assert!(softness(8) > 0.0 && softness(8) < 0.1 && softness(3) > 0.9 && softness(3) < 1.1);
+        assert_eq!(Correction::default().softness(&paper(8), 0.1), 1.0);
+    }
+
+    #[test]
+    fn hinges_that_curve_balance_where_their_moments_do() {
+        // Newton's method on C_i d (1 + c d) + C_e e (1 + c e), d = phi - one, e = phi - other.
+        let (one, other, weights) = (0.3, 0.42, [1.0, 1.3]);
+        for curved in [0.0, 0.5, 1.4] {
+            let moment = |phi: f64| {
+                let pull = |c: f64, d: f64| [c * d * (1.0 + curved * d), c * (1.0 + 2.0 * curved * d)];
+                let [a, b] = [pull(weights[0], phi - one), pull(weights[1], phi - other)];
+                [a[0] + b[0], a[1] + b[1]]
+            };
+            let root = (0..20).fold(0.36, |phi, _| phi - moment(phi)[0] / moment(phi)[1]);
+            let found = Correction { hinge_nonlinearity: curved, ..Correction::default() }
+                .balance([one, other], weights);
+            assert!((found - root).abs() < 0.1 * curved * 0.06_f64.powi(2) + 1e-15, "{found} {root}");
+        }
+        let curved =
+            |stretch| Correction::new(&paper(5), 0.8, Ratios { stretch, ..RATIOS }).hinge_nonlinearity;
+        assert!(curved(0.0) == CURVED[0] && curved(0.05) < 0.4 * curved(0.0));
+    }
+
+    #[test]
+    fn long_arms_take_from_stiff_hinges_what_theory_says() {
+        // A tube of radius W / pi: its wall's area times r^2 / 2, times E.
+        let (w, stretch) = (0.03, 4e4);
+        let r = w / PI;
+        let rigidity = PI * r.powi(3) * stretch;
+        let star = Mechanism { arm: 6.0 * w, ..paper(4) };
+        let scale = RATIOS.stretch * stretch * w * w;
+        let bends = Correction::new(&star, 0.8, RATIOS).arm_compliance;
+        assert!((bends / scale - 2.0 * w / rigidity).abs() < 1e-12 * bends / scale);
+        let correction = corrected(star).correction;
+        assert!(correction.bent(2.0) < 2.0 && (1.0 / correction.bent(2.0) - 0.5 - bends).abs() < 1e-12);
+        // Shorter arms than the table's stiffen, and never turn a hinge around.
+        let short = Correction::new(&paper(7), 0.8, Ratios { stretch: 0.1, ..RATIOS });
+        assert!(short.arm_compliance < 0.0 && short.bent(0.3) > 0.3 && short.bent(1e3) > 0.0);
+        assert_eq!(Correction::default().bent(2.0), 2.0);
+    }
+
+    #[test]
+    fn fabric_that_stretches_and_round_corners_make_a_star_larger() {
+        let rim = |ratios, corner_radius| {
+            let star = Mechanism { corner_radius, ..paper(5) };
+            Correction::new(&star, 0.8, ratios).rim_offset
+        };
+        let plain = rim(RATIOS, 0.0);
+        assert!(rim(Ratios { stretch: 0.05, ..RATIOS }, 0.0) > plain + 0.03);
+        assert!(rim(RATIOS, 0.006) > plain + 0.01);
+        assert!(rim(Ratios { bendability: 5000.0, ..RATIOS }, 0.0) < plain);
+        assert!(rim(Ratios { bendability: 0.0, ..RATIOS }, 0.0).is_finite());
+    }
+
+    #[test]
+    fn round_tips_let_arms_come_closer_than_parallel() {
+        let touch =
+            |tip_radius| corrected(flat(0.05, Mechanism { tip_radius, ..paper(5) })).correction.contact_angle;
+        assert!(touch(0.004) < touch(0.0) - 0.05 && touch(0.0) < 0.0 && touch(0.004) > -0.2);
+        assert_eq!(Correction::default().contact_angle, 0.0);
+    }
+
+    #[test]
+    fn it_moves_the_rim_and_scales_with_the_star() {
+        let star = paper(5);
+        let moved = Mechanism { correction: Correction { rim_offset: 0.1, ..Correction::default() }, ..star };
+        let expected = 0.1 * star.width / (PI / 5.0).sin();
+        assert!((moved.radius(0.2).value - star.radius(0.2).value - expected).abs() < 1e-15);
+        assert_eq!(moved.radius(0.2).slope, star.radius(0.2).slope);
+        let one = corrected(star);
+        let two = corrected(Mechanism { arm: 2.0 * star.arm, width: 2.0 * star.width, ..star });
+        assert!((two.radius(0.1).value / one.radius(0.1).value - 2.0).abs() < 1e-12);
+        assert!((two.correction.softness(&two, 0.1) - one.correction.softness(&one, 0.1)).abs() < 1e-12);
+        assert!((two.correction.contact_angle - one.correction.contact_angle).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,251 @@
+//! How an inflated star rests and resists: equilibrium, closing, force against radius.
+//!
+//! With E = -p (n V_tip + n V_corner) and the tip's angle as coordinate the **torque** that closes the star is
+//!
+//! ```text
+//! dE/dphi = n p W^3 [V_bar'(lambda_i) + V_bar'(lambda_e)]
+//! ```
+//!
+//! and the radial force, summed over all n corners, `F = dE/drho = (dE/dphi) / (drho/dphi)`. Whatever the
+//! hinge model says of V_bar' is used as it is: with the published parabola this is the paper's star of linear
+//! hinges, with the exact ring it is softer on closing than on opening.
+
+use crate::mechanics::fault::StarFault;
+use crate::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
+use crate::mechanics::star::grasp::Grasp;
+use crate::mechanics::star::{Mechanism, Radius, Widest};
+use crate::numerics::bracketed_root;
+
+/// Angles are found to this, rad: 1e-10 of a rad moves no radius by more than 1e-8 mm.
+const ANGLE_TOLERANCE: f64 = 1e-12;
+
+/// A star, inflated, as one hinge model sees it.
+#[derive(Clone, Copy)]
+pub struct Inflated<'a> {
+    star: &'a Mechanism,
+    model: &'a dyn HingeModel,
+    /// Gauge pressure p, Pa.
+    pressure: f64,
+    tip: HingeState,
+    corner: HingeState,
+}
+
+/// Where a star rests.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rest {
+    /// Angle phi_i^eq at which the torque vanishes, rad; below [`Rest::angle`] the arms would cross.
+    pub equilibrium: f64,
+    /// Angle at which it rests: that, but not less than where the arms touch, which is 0 without a correction.
+    pub angle: f64,
+    /// Final inner radius rho_f, m.
+    pub radius: f64,
+    /// Radial force that is stored in a star that is pressed shut, N; 0 for one that is free.
+    pub preload: f64,
+    /// Radial stiffness dF/drho there, N per m.
+    pub stiffness: f64,
+    /// How far it can be opened from there.
+    pub widest: Widest,
+}
+
+impl<'a> Inflated<'a> {
+    /// The star at the gauge pressure `pressure` (Pa).
+    ///
+    /// # Errors
+    /// If the model refuses one of the hinges.
+    pub fn new(star: &'a Mechanism, model: &'a dyn HingeModel, pressure: f64) -> Result<Self, StarFault> {
+        let (tip, corner) = (star.tip().rest(model)?, star.corner().rest(model)?);
+        if !(pressure >= 0.0 && pressure.is_finite()) {
+            return Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "0 or more" });
+        }
+        let inflated = Self { star, model, pressure, tip, corner };
+        let (c_i, c_e) = inflated.hinge_stiffness();
+        if (c_i + c_e).is_finite() {
+            Ok(inflated)
+        } else {
+            Err(StarFault::Dimension { symbol: "p", found: pressure, allowed: "such that p W^3 is finite" })
+        }
+    }
+
+    /// The star.
+    pub fn star(&self) -> &Mechanism {
+        self.star
+    }
+
+    /// The model's level.
+    pub fn level(&self) -> Level {
+        self.model.level()
+    }
+
+    /// The model.
+    pub fn model(&self) -> &'a dyn HingeModel {
+        self.model
+    }
+
+    /// The tip's hinge at its target.
+    pub fn tip(&self) -> &HingeState {
+        &self.tip
+    }
+
+    /// The corner's hinge at its target.
+    pub fn corner(&self) -> &HingeState {
+        &self.corner
+    }
+
+    /// Stiffnesses C_i and C_e of tip and corner at their targets, N m per rad.
+    pub fn hinge_stiffness(&self) -> (f64, f64) {
+        let Self { star, pressure, .. } = self;
+        (star.tip().stiffness(*pressure, &self.tip), star.corner().stiffness(*pressure, &self.corner))
+    }
+
+    /// Target angles phi_it and phi_et of tip and corner, rad.
+    pub fn target_angles(&self) -> (f64, f64) {
+        let angle = |hinge: Hinge, state: &HingeState| hinge.angle_of(self.model, state);
+        (angle(self.star.tip(), &self.tip), angle(self.star.corner(), &self.corner))
+    }
+
+    /// Equilibrium of linear hinges: `(C_i phi_it + C_e (phi_et - 2 pi / n)) / (C_i + C_e)`, rad.
+    pub fn linear_equilibrium(&self) -> f64 {
+        let (phi_it, phi_et) = self.target_angles();
+        let [tip, corner] = self.weights();
+        (tip * phi_it + corner * (phi_et - self.star.turn())) / (tip + corner)
+    }
+
+    /// How hard tip and corner pull in the equilibrium; the ratio does not depend on the pressure, which may be 0.
+    fn weights(&self) -> [f64; 2] {
+        let weight =
+            |hinge: Hinge, state: &HingeState| self.star.correction.bent(-state.curvature / hinge.arc());
+        [weight(self.star.tip(), &self.tip), weight(self.star.corner(), &self.corner)]
+    }
+
+    /// Rest of linear hinges, in closed form, and with a correction of what that says of them: the paper's rho_f and radial stiffness
+    /// `4 n (C_i + C_e) [sin(pi/n) / (l cos(phi/2) - W' sin(phi/2))]^2`.
+    ///
+    /// Of a star that is pressed shut the stiffness is the one at the touching arms.
+    pub fn linear_rest(&self) -> Rest {
+        let (phi_it, phi_et) = self.target_angles();
+        let equilibrium = self.star.correction.balance([phi_it, phi_et - self.star.turn()], self.weights());
+        let (tip, corner) = self.hinge_stiffness();
+        let angle = equilibrium.max(self.star.correction.contact_angle);
+        let softness = self.star.correction.softness(self.star, angle);
+        let spring = softness * f64::from(self.star.points) * (tip + corner);
+        let radius = self.star.radius(angle);
+        rest([equilibrium, angle], spring * (angle - equilibrium), spring, &radius, self.star.widest(angle))
+    }
+
+    /// Rest with the model's own V_bar'.
+    ///
+    /// # Errors
+    /// If the model refuses a coiling factor on the way, or does not let the torque vanish in its range.
+    pub fn rest(&self) -> Result<Rest, StarFault> {
+        let equilibrium = self.equilibrium()?;
+        let angle = equilibrium.max(self.star.correction.contact_angle);
+        let (mut torque, spring) = self.torque(angle)?;
+        if equilibrium >= self.star.correction.contact_angle {
+            // The root is only found to a tolerance; what is left of the torque is no preload.
+            torque = 0.0;
+        }
+        Ok(rest([equilibrium, angle], torque, spring, &self.star.radius(angle), self.star.widest(angle)))
+    }
+
+    /// Angle phi_i at which the torque vanishes, rad, not clamped.
+    fn equilibrium(&self) -> Result<f64, StarFault> {
+        let (phi_it, phi_et) = self.target_angles();
+        let (one, other) = (phi_it, phi_et - self.star.turn());
+        if (one - other).abs() < ANGLE_TOLERANCE {
+            return Ok(one);
+        }
+        // Between the two hinges' own rests both pull against each other, so the torque changes sign. The linear
+        // equilibrium is inside; searching from it outwards avoids the far coiling of the weaker hinge.
+        let start = self.linear_equilibrium();
+        let torque = |phi: f64| self.scaled_torque(phi).map(|(torque, _)| torque);
+        let at_start = torque(start)?;
+        let (low, high) = (one.min(other), one.max(other));
+        let bound = if at_start > 0.0 { low } else { high };
+        let mut near = start;
+        for part in [0.25, 0.5, 0.75, 1.0] {
+            let far = start + part * (bound - start);
+            if torque(far)? * at_start <= 0.0 {
+                return bracketed_root(near, far, ANGLE_TOLERANCE, torque);
+            }
+            near = far;
+        }
+        // At the bound itself one hinge is at rest and the other pulls on; only rounding hides the sign.
+        Ok(bound)
+    }
+
+    /// Closing torque dE/dphi (N m) at the tip angle `phi` (rad), and its own derivative (N m per rad).
+    ///
+    /// # Errors
+    /// If the model refuses a coiling factor.
+    pub fn torque(&self, phi: f64) -> Result<(f64, f64), StarFault> {
+        let scale = self.pressure * self.star.width.powi(3);
+        self.scaled_torque(phi).map(|(torque, spring)| (scale * torque, scale * spring))
+    }
+
+    /// The torque and its derivative in units of p W^3.
+    fn scaled_torque(&self, phi: f64) -> Result<(f64, f64), StarFault> {
+        let points = f64::from(self.star.points);
+        let (tip, corner) = (self.star.tip(), self.star.corner());
+        let at = |hinge: Hinge, phi: f64| hinge.state_at(self.model, phi);
+        let (of_tip, of_corner) = (at(tip, phi)?, at(corner, phi + self.star.turn())?);
+        let spring = -of_tip.curvature / tip.arc() - of_corner.curvature / corner.arc();
+        Ok((points * (of_tip.slope + of_corner.slope), points * spring))
+    }
+
+    /// Whether at the tip angle `phi` (rad) the inner rim of a hinge would have to push.
+    pub fn rim_pushes(&self, phi: f64) -> bool {
+        let pushes = |hinge: Hinge, phi: f64| {
+            let state = hinge.state_at(self.model, phi).ok();
+            state.and_then(|state| state.edges).is_some_and(|edges| edges.rim_force < 0.0)
+        };
+        pushes(self.star.tip(), phi) || pushes(self.star.corner(), phi + self.star.turn())
+    }
+
+    /// Radial force F (N, all corners together) on an object of radius `rho` (m) that keeps the star open.
+    ///
+    /// # Errors
+    /// As for [`Inflated::angle_at`], or if the model refuses.
+    pub fn force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
+        let phi = self.angle_at(rho, rest)?;
+        let (torque, _) = self.torque(phi)?;
+        Ok(torque / self.star.radius(phi).slope)
+    }
+
+    /// Radial force (N) of linear hinges on an object of radius `rho` (m): `n (C_i + C_e) (phi - phi_eq) dphi/drho`, and with a
+    /// correction what [`Grasp`] says.
+    ///
+    /// # Errors
+    /// As for [`Inflated::angle_at`].
+    pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
+        let phi = self.angle_at(rho, rest)?;
+        let (tip, corner) = self.hinge_stiffness();
+        if self.star.correction.corner_compliance {
+            let grasp = Grasp::new(self.star, rest.stiffness, self.pressure);
+            return Ok(rest.preload + grasp.force(rho, rest.radius));
+        }
+        let spring = f64::from(self.star.points) * (tip + corner);
+        Ok(spring * (phi - rest.equilibrium) / self.star.radius(phi).slope)
+    }
+
+    /// Tip angle (rad) at which the inner radius is `rho` (m), between rest and the widest opening.
+    ///
+    /// # Errors
+    /// If the star is not that wide anywhere between them.
+    pub fn angle_at(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
+        if !(rest.radius..=rest.widest.radius).contains(&rho) {
+            return Err(StarFault::Radius { found: rho, least: rest.radius, most: rest.widest.radius });
+        }
+        bracketed_root(rest.angle, rest.widest.angle, ANGLE_TOLERANCE, |phi| {
+            Ok(self.star.radius(phi).value - rho)
+        })
+    }
+}
+
+/// The rest at the angle where `radius` was taken, with the closing torque left there and the spring dtorque/dphi.
+fn rest([equilibrium, angle]: [f64; 2], torque: f64, spring: f64, radius: &Radius, widest: Widest) -> Rest {
+    let stiffness = (spring - torque * radius.curvature / radius.slope) / (radius.slope * radius.slope);
+    Rest { equilibrium, angle, radius: radius.value, preload: torque / radius.slope, stiffness, widest }
+}
+
+#[cfg(test)]
+mod tests;

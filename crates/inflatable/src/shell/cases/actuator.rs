@@ -1,0 +1,156 @@
+//! The paper's V-actuator: two arms, one hinge, sealed ends.
+
+use crate::shell::assembly::{Plane, Supports};
+use crate::shell::cases::arm_line::ArmLine;
+use crate::shell::cases::bend::{Bend, angle_of};
+use crate::shell::cases::fault::{Input, ShellFault};
+use crate::shell::cases::refinement::{Evidence, Family, Watch};
+use crate::shell::cases::shape::Shape;
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
+use crate::shell::mesh::{Border, HalfActuator, Mesh, Sizes, plane};
+use crate::shell::solver::{Equilibrium, Solver};
+use std::f64::consts::PI;
+
+/// A V-actuator, SI units and radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VActuator {
+    /// Its tube.
+    pub tube: Tube,
+    /// Inner radius R of its hinge, m.
+    pub radius: f64,
+    /// Length l of each arm, from the hinge's end to the sealed end, m.
+    pub arm_length: f64,
+    /// Angle phi_0 between the arms when flat.
+    pub angle: f64,
+}
+
+/// A V-actuator under pressure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Actuator {
+    /// Angle phi at rest, rad: twice that between the plane of symmetry and the arm's line.
+    pub angle: Value,
+    /// (pi - phi)/(pi - phi_0).
+    pub coiling: Value,
+    /// Volume of the whole actuator, m^3.
+    pub volume: Value,
+    /// d2U/dphi2 at rest, N m per rad, whole tube.
+    pub stiffness: Value,
+    /// Angles that were asked for, rad, and the applied moment dU/dphi that holds each, N m; positive opens.
+    pub moments: Vec<(f64, Value)>,
+    /// Its modelled sheet at rest.
+    pub shape: Shape,
+    /// How it was come by.
+    pub evidence: Evidence,
+}
+
+/// Angles of one call: more are asked for in another.
+pub const MOST_ANGLES: usize = 24;
+
+/// Numbers that each mesh gives, without moments.
+const NUMBERS: usize = 3;
+
+/// How fine the meshes of a case are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fineness {
+    /// Edges across a hinge of the coarsest mesh.
+    pub cells: f64,
+    /// How often its triangles are cut into four.
+    pub cuts: usize,
+}
+
+impl Default for Fineness {
+    /// 4,000, 17,000 and 67,000 unknowns for a V-actuator with arms of 4 W.
+    fn default() -> Self {
+        Self { cells: 6.0, cuts: 3 }
+    }
+}
+
+/// Arms must leave a line to fit between one W behind the hinge and one W before the end.
+const SHORTEST_ARM: f64 = 2.5;
+/// Arms beyond which meshes get large and nothing new happens.
+const LONGEST_ARM: f64 = 50.0;
+
+impl VActuator {
+    /// Its flat half by the scales of the shell.
+    fn half(&self) -> Result<HalfActuator, ShellFault> {
+        self.tube.check()?;
+        self.flat()
+    }
+
+    /// The same of any tube.
+    pub(super) fn flat(&self) -> Result<HalfActuator, ShellFault> {
+        let w = self.tube.width;
+        let l = self.arm_length / w;
+        if !(SHORTEST_ARM..=LONGEST_ARM).contains(&l) {
+            let (least, most) = (SHORTEST_ARM, LONGEST_ARM);
+            return Err(ShellFault::Range { name: Input::Arms, found: l, least, most });
+        }
+        Ok(HalfActuator { r: self.radius / w, w: 1.0, l, phi_0: self.angle })
+    }
+}
+
+/// Inflates a V-actuator from flat, then holds it at each of `angles` (rad) in turn.
+///
+/// # Errors
+/// If it is out of range or has no stable equilibrium at its pressure: where it stopped, and why.
+pub fn actuator(
+    case: &VActuator,
+    angles: &[f64],
+    fineness: Fineness,
+    watch: &Watch,
+) -> Result<Actuator, ShellFault> {
+    let half = case.half()?;
+    if angles.len() > MOST_ANGLES {
+        return Err(ShellFault::TooMany { name: "angles", found: angles.len(), most: MOST_ANGLES });
+    }
+    let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
+    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &supports, obstacles: &[] };
+    let mut shape = Shape::default();
+    let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
+        let line = arm_line(&half, &meshed.mesh);
+        let mut numbers = [0.0; NUMBERS + MOST_ANGLES];
+        numbers[0] = angle_of(&line, &equilibrium.state);
+        numbers[1] = 4.0 * equilibrium.rest.energy.volume;
+        numbers[2] = stiffness(solver, &line, equilibrium);
+        let bend = Bend { line: &line, aim: case.tube.continuation().aim(equilibrium.pressure) };
+        let moments = bend.moments(solver, &equilibrium.state, angles);
+        let moments = moments.map_err(|why| case.tube.stopped(why, solver.triangles()))?;
+        numbers[NUMBERS..][..moments.len()].copy_from_slice(&moments);
+        shape = Shape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
+        Ok(numbers)
+    })?;
+    let [angle, volume, stiffness] = [values[0], values[1], values[2]];
+    let unit = case.tube.energy();
+    let arc = PI - case.angle;
+    Ok(Actuator {
+        angle,
+        coiling: angle.shifted(-PI).scaled(-1.0 / arc),
+        volume: volume.scaled(case.tube.width.powi(3)),
+        stiffness: stiffness.scaled(unit),
+        moments: angles.iter().zip(&values[NUMBERS..]).map(|(angle, m)| (*angle, m.scaled(unit))).collect(),
+        shape,
+        evidence,
+    })
+}
+
+/// The plane of symmetry through the hinge, and what keeps the whole from sliding along it.
+pub(super) fn supports(mesh: &Mesh) -> Supports {
+    let mut supports = Supports::new(mesh, vec![Plane::first()]);
+    if let Some(inner) = mesh.innermost(Border::Mirror(plane::FIRST)) {
+        supports.fix(inner, 0);
+    }
+    supports
+}
+
+pub(super) fn arm_line(half: &HalfActuator, mesh: &Mesh) -> ArmLine {
+    let (sine, cosine) = ((PI - half.phi_0) / 2.0).sin_cos();
+    ArmLine::new(mesh, [-sine, cosine], [1.0, half.l - 1.0])
+}
+
+/// d2U/dphi2 of the whole, by one solve with the last factor: the angle gives way by g.H^-1 g to a moment of one.
+pub(super) fn stiffness(solver: &mut Solver, line: &ArmLine, equilibrium: &Equilibrium) -> f64 {
+    let [x, y] = line.direction(&equilibrium.state);
+    let square = x * x + y * y;
+    4.0 / solver.compliance(&line.times([2.0 * y / square, -2.0 * x / square]))
+}

@@ -1,0 +1,148 @@
+//! A hinge without arms: the sector of an annulus between two mirror planes that turn against each other.
+//!
+//! At the turning angle a = lambda arc the sheet's energy is Pi(a), and by the envelope dPi/da is its change with every
+//! point held but those of the turned plane. At rest it vanishes; C alpha_0 = 2 arc d2Pi/da2 for both sheets, whatever arc is.
+
+use crate::shell::assembly::{Plane, State, Supports};
+use crate::shell::cases::actuator::Fineness;
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::refinement::{Evidence, Family, Watch};
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
+use crate::shell::mesh::{self, Border, Mesh, Sizes, plane};
+use crate::shell::solver::{Aim, Solver, Stop};
+
+/// A hinge without arms.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cell {
+    /// Its tube.
+    pub tube: Tube,
+    /// Inner radius R, m.
+    pub radius: f64,
+    /// Flat angle between its planes, rad. Results do not depend on it as long as no wrinkle is as long.
+    pub arc: f64,
+}
+
+/// A hinge without arms under pressure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InflatedCell {
+    /// Turning angle at rest by the flat one.
+    pub lambda: Value,
+    /// C alpha_0, N m: stiffness times the flat turning angle of a hinge.
+    pub stiffness: Value,
+    /// How it was come by.
+    pub evidence: Evidence,
+}
+
+/// Change of lambda in one solve.
+const STEP: f64 = 0.03;
+/// lambda that no hinge reaches.
+const FURTHEST: f64 = 2.0;
+/// Half the difference of lambda by which the stiffness is taken.
+const DIFFERENCE: f64 = 0.005;
+/// Sideways noise by W, so that wrinkles may form.
+const NOISE: f64 = 1e-4;
+
+/// Inflates the cell flat, at lambda = 1, then turns it until it needs no moment.
+///
+/// # Errors
+/// If it is out of range or has no stable equilibrium: where it stopped, and why.
+pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCell, ShellFault> {
+    case.tube.check()?;
+    let region = mesh::Cell { r: case.radius / case.tube.width, w: 1.0, arc: case.arc };
+    let coarsest = region.mesh(&Sizes::across(1.0, fineness.cells))?;
+    let hold = |mesh: &Mesh| Supports::new(mesh, vec![Plane::first(), Plane::second(case.arc)]);
+    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
+    let ([lambda, stiffness], evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
+        let turning = Turning {
+            arc: case.arc,
+            aim: case.tube.continuation().aim(equilibrium.pressure),
+            mesh: &meshed.mesh,
+        };
+        turning.rest(solver, &equilibrium.state).map_err(|why| case.tube.stopped(why, solver.triangles()))
+    })?;
+    Ok(InflatedCell { lambda, stiffness: stiffness.scaled(case.tube.energy()), evidence })
+}
+
+/// A cell that is being turned.
+struct Turning<'a> {
+    arc: f64,
+    aim: Aim,
+    mesh: &'a Mesh,
+}
+
+impl Turning<'_> {
+    /// lambda at rest, and C alpha_0 in units of energy.
+    fn rest(&self, solver: &mut Solver, flat: &State) -> Result<[f64; 2], Stop> {
+        let mut state = flat.clone();
+        let mut phase = 0.0_f64;
+        for x in &mut state.points {
+            phase += 12.9898; // no two neighbours alike
+            let noise = NOISE * x[2] * phase.sin();
+            *x = [x[0] - noise * x[1], x[1] + noise * x[0], x[2]];
+        }
+        solver.assembly.hold(&mut state);
+        let mut at = 1.0;
+        let mut moment = self.turn(solver, &mut state, [1.0, 1.0])?;
+        // In pressure's favour the energy falls as the cell closes.
+        let (mut before, mut lambda) = (moment, at);
+        while moment < 0.0 {
+            if at > FURTHEST {
+                return Err(Stop::Iterations);
+            }
+            (before, lambda) = (moment, at);
+            moment = self.turn(solver, &mut state, [at, at + STEP])?;
+            at += STEP;
+        }
+        for _ in 0..6 {
+            // The secant through the last two.
+            let next = at - moment * (at - lambda) / (moment - before);
+            (before, lambda) = (moment, at);
+            moment = self.turn(solver, &mut state, [at, next])?;
+            at = next;
+            if (at - lambda).abs() < 1e-7 {
+                break;
+            }
+        }
+        let mut aside = state.clone();
+        let more = self.turn(solver, &mut aside, [at, at + DIFFERENCE])?;
+        let less = self.turn(solver, &mut state, [at, at - DIFFERENCE])?;
+        Ok([at, 2.0 * (more - less) / (2.0 * DIFFERENCE)])
+    }
+
+    /// Turns an equilibrium from one lambda to another; dPi/da there.
+    fn turn(&self, solver: &mut Solver, state: &mut State, [from, to]: [f64; 2]) -> Result<f64, Stop> {
+        for x in &mut state.points {
+            let further = x[1].atan2(x[0]) * (to / from - 1.0);
+            *x = turned(*x, further);
+        }
+        solver.assembly.turn_plane(1, Plane::second(to * self.arc));
+        let _ = solver.rest(state, self.aim)?;
+        Ok(self.moment(solver, state, to * self.arc))
+    }
+
+    /// dPi/da by differences of fourth order, every point held but those of the second plane.
+    fn moment(&self, solver: &mut Solver, state: &State, angle: f64) -> f64 {
+        let mut is_turned = vec![false; self.mesh.points.len()];
+        for edge in self.mesh.along(Border::Mirror(plane::SECOND)) {
+            self.mesh.edges[edge].ends.iter().for_each(|end| is_turned[*end] = true);
+        }
+        let mut at = |by: f64| {
+            let mut aside = state.clone();
+            for (x, _) in aside.points.iter_mut().zip(&is_turned).filter(|(_, is_turned)| **is_turned) {
+                *x = turned(*x, by);
+            }
+            solver.assembly.turn_plane(1, Plane::second(angle + by));
+            solver.assembly.energy(&aside).total(self.aim.pressure)
+        };
+        let step = 1e-3;
+        let slope = (8.0 * (at(step) - at(-step)) - (at(2.0 * step) - at(-2.0 * step))) / (12.0 * step);
+        solver.assembly.turn_plane(1, Plane::second(angle));
+        slope
+    }
+}
+
+fn turned(x: [f64; 3], by: f64) -> [f64; 3] {
+    let (sine, cosine) = by.sin_cos();
+    [cosine * x[0] - sine * x[1], sine * x[0] + cosine * x[1], x[2]]
+}

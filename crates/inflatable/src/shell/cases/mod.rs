@@ -1,0 +1,36 @@
+//! Shells that have names: the hinge without arms, the V-actuator, the star.
+//!
+//! Cases speak SI units and radians. Inside, lengths are divided by W and forces a unit of length by Y, so that Y = 1,
+//! B = (t/W)^2 / (12 (1 - nu^2)) and p = p W/Y; energies are in Y W^2. One sheet is modelled; results are those of the whole
+//! tube, both sheets.
+//!
+//! Each case runs on a **family** of meshes: a coarse one pressurised from flat, then the same cut finer again and again, each
+//! starting from the shape before. A number's **mesh error** comes from the last three.
+
+mod actuator;
+mod arm_line;
+mod bend;
+mod cell;
+mod extremes;
+mod fault;
+#[cfg(test)]
+mod full_star;
+mod pressures;
+mod refinement;
+mod shape;
+mod star;
+#[cfg(test)]
+mod tests;
+mod tube;
+mod value;
+
+pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
+pub use cell::{Cell, InflatedCell, cell};
+pub use extremes::Extremes;
+pub use fault::{Input, ShellFault};
+pub use pressures::{Inflation, inflations};
+pub use refinement::{Evidence, Progress, Watch};
+pub use shape::Shape;
+pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, Objects, star, star_by_sizes};
+pub use tube::Tube;
+pub use value::Value;

@@ -1,0 +1,182 @@
+//! A V-actuator at many pressures: one continuation gives them all.
+//!
+//! The coarsest mesh is pressurised from flat and keeps its shape at each pressure; every finer mesh begins at each pressure from the
+//! shape of the mesh before, or, where that leads nowhere, from its own shape at the pressure below.
+
+use crate::shell::assembly::{Sheet, State};
+use crate::shell::cases::actuator::{Fineness, VActuator, arm_line, stiffness, supports};
+use crate::shell::cases::bend::angle_of;
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::refinement::{self, Watch};
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
+use crate::shell::mesh::{HalfActuator, Meshed, Sizes};
+use crate::shell::solver::{Continuation, Equilibrium, Rest, Solver, Stop};
+use std::sync::Arc;
+
+/// A V-actuator at one pressure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inflation {
+    /// Angle phi at rest, rad.
+    pub angle: Value,
+    /// Volume of the whole actuator, m^3.
+    pub volume: Value,
+    /// d2U/dphi2 at rest, N m per rad, whole tube.
+    pub stiffness: Value,
+}
+
+/// Parts into which the way between two pressures is cut where it cannot be gone at once.
+const MOST_PARTS: u32 = 4;
+/// How often Newton's method may go on where its iterations are used up: thin sheets wrinkle, and wrinkles are slow to settle.
+const MOST_ROUNDS: u32 = 6;
+/// Meshes that count.
+const MESHES: usize = 3;
+
+/// Inflates a V-actuator from flat to each of `pressures` (Pa, rising), whatever the pressure in `case` is. `None` from the
+/// first pressure on at which it has no equilibrium on one of its meshes.
+///
+/// Pressures, t/W and p W/Y are the caller's to keep within reason: tables end a little beyond what [`Tube`] allows.
+///
+/// # Errors
+/// If it has no mesh, or was told to stop.
+pub fn inflations(
+    case: &VActuator,
+    pressures: &[f64],
+    fineness: Fineness,
+    watch: &Watch,
+) -> Result<Vec<Option<Inflation>>, ShellFault> {
+    let half = case.flat()?;
+    let mut meshed = half.mesh(&Sizes::across(1.0, fineness.cells))?;
+    let mut found: Vec<Vec<[f64; 3]>> = Vec::new();
+    let mut below: Option<(Solver, Vec<State>)> = None;
+    let units = case.tube.fabric.stretch / case.tube.width;
+    let pressures: Vec<f64> = pressures.iter().map(|pressure| pressure / units).collect();
+    for cut in 0..=fineness.cuts {
+        if cut > 0 {
+            meshed = meshed.refined()?;
+        }
+        let mut run = Pressurised::new(case.tube, &meshed, watch)?;
+        let mut states = Vec::new();
+        let mut numbers = Vec::new();
+        for (k, pressure) in pressures.iter().enumerate() {
+            let start = match &mut below {
+                Some((solver, states)) => match states.get(k) {
+                    Some(state) => Some(solver.assembly.prolong(state, &run.solver.assembly.sheet)),
+                    None => break,
+                },
+                None => None,
+            };
+            let reached = match run.to(*pressure, start) {
+                Ok(equilibrium) => equilibrium,
+                Err(Stop::Cancelled) => return Err(ShellFault::Cancelled),
+                Err(_) => break,
+            };
+            numbers.push(measure(&mut run.solver, &half, &meshed, &reached));
+            states.push(reached.state);
+            let count = |k: usize| f64::from(u32::try_from(k).unwrap_or(u32::MAX));
+            let done = count(k + 1) / count(pressures.len());
+            watch
+                .tell(part(fineness.cuts - cut, done), &format!("mesh {} of {}", cut + 1, fineness.cuts + 1));
+        }
+        found.push(numbers);
+        below = Some((run.solver, states));
+    }
+    let last: Vec<&Vec<[f64; 3]>> = found.iter().rev().take(MESHES).rev().collect();
+    let energy = case.tube.energy();
+    let at = |k: usize| {
+        let meshes: Option<Vec<[f64; 3]>> = last.iter().map(|numbers| numbers.get(k).copied()).collect();
+        let meshes = meshes.filter(|meshes| meshes.len() == MESHES)?;
+        let value = |i: usize| Value::new([0, 1, 2].map(|mesh: usize| meshes[mesh][i]));
+        Some(Inflation {
+            angle: value(0),
+            volume: value(1).scaled(case.tube.width.powi(3)),
+            stiffness: value(2).scaled(energy),
+        })
+    };
+    Ok((0..pressures.len()).map(at).collect())
+}
+
+/// One mesh on its way up.
+struct Pressurised {
+    solver: Solver,
+    continuation: Continuation,
+    last: Option<Equilibrium>,
+}
+
+impl Pressurised {
+    fn new(tube: Tube, meshed: &Meshed, watch: &Watch) -> Result<Self, ShellFault> {
+        let mesh = &meshed.mesh;
+        let mut solver = Solver::new(Sheet::new(mesh, tube.scaled()), supports(mesh))
+            .ok_or(ShellFault::TooLarge { triangles: mesh.triangles.len() })?;
+        solver.cancel = Arc::clone(&watch.cancel);
+        Ok(Self { solver, continuation: tube.continuation(), last: None })
+    }
+
+    /// Goes to `pressure`: from `start`, else from the last pressure, or the first time from flat.
+    fn to(&mut self, pressure: f64, start: Option<State>) -> Result<Equilibrium, Stop> {
+        if let Some(mut state) = start {
+            self.solver.assembly.hold(&mut state);
+            match self.settle(&mut state, pressure) {
+                Ok(rest) => return Ok(self.keep(pressure, state, rest)),
+                Err(Stop::Cancelled) => return Err(Stop::Cancelled),
+                Err(_) => {}
+            }
+        }
+        let Some(last) = self.last.clone() else {
+            let continuation = Continuation { last: pressure, ..self.continuation };
+            let equilibrium = continuation.run(&mut self.solver, |_| {}).map_err(|broken| broken.why)?;
+            self.last = Some(equilibrium.clone());
+            return Ok(equilibrium);
+        };
+        match self.by_parts(&last, pressure, 1) {
+            Ok(equilibrium) => Ok(equilibrium),
+            Err(Stop::Cancelled) => Err(Stop::Cancelled),
+            Err(_) => self.by_parts(&last, pressure, MOST_PARTS),
+        }
+    }
+
+    /// From an equilibrium to `pressure` in equal ratios.
+    fn by_parts(&mut self, from: &Equilibrium, pressure: f64, parts: u32) -> Result<Equilibrium, Stop> {
+        let mut state = from.state.clone();
+        let ratio = (pressure / from.pressure).powf(f64::from(parts).recip());
+        let mut at = from.pressure;
+        for _ in 1..parts {
+            at *= ratio;
+            let _ = self.settle(&mut state, at)?;
+        }
+        let rest = self.settle(&mut state, pressure)?;
+        Ok(self.keep(pressure, state, rest))
+    }
+
+    fn settle(&mut self, state: &mut State, pressure: f64) -> Result<Rest, Stop> {
+        let mut found = Err(Stop::Iterations);
+        for _ in 0..MOST_ROUNDS {
+            found = self.solver.rest(state, self.continuation.aim(pressure));
+            if found != Err(Stop::Iterations) {
+                break;
+            }
+        }
+        found
+    }
+
+    fn keep(&mut self, pressure: f64, state: State, rest: Rest) -> Equilibrium {
+        let equilibrium = Equilibrium { pressure, state, rest };
+        self.last = Some(equilibrium.clone());
+        equilibrium
+    }
+}
+
+/// Angle, volume, stiffness by the scales of the shell.
+fn measure(solver: &mut Solver, half: &HalfActuator, meshed: &Meshed, equilibrium: &Equilibrium) -> [f64; 3] {
+    let line = arm_line(half, &meshed.mesh);
+    [
+        angle_of(&line, &equilibrium.state),
+        4.0 * equilibrium.rest.energy.volume,
+        stiffness(solver, &line, equilibrium),
+    ]
+}
+
+/// The part of the work that is done when `left` finer meshes are left and this one is `done`.
+fn part(left: usize, done: f64) -> f64 {
+    (0.25 + 0.75 * done) * refinement::part(left)
+}

@@ -1,0 +1,181 @@
+//! One case on a family of meshes: the coarsest pressurised from flat, each finer one begun from the shape before.
+
+use crate::shell::assembly::{Assembly, Sheet, State, Supports};
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
+use crate::shell::contact::{Contact, Obstacle};
+use crate::shell::mesh::{Mesh, Meshed};
+use crate::shell::solver::{Broken, Effort, Equilibrium, Solver, Stop};
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+/// Told the part that is done, 0 to 1, and what is being done.
+pub type Progress<'a> = &'a dyn Fn(f64, &str);
+
+/// What looks on while a shell is computed, and may end it.
+#[derive(Clone, Default)]
+pub struct Watch<'a> {
+    /// Told how far it is.
+    pub progress: Option<Progress<'a>>,
+    /// Raised by another thread to end at the next Newton step.
+    pub cancel: Arc<AtomicBool>,
+}
+
+impl Watch<'_> {
+    pub(crate) fn tell(&self, part: f64, what: &str) {
+        if let Some(progress) = self.progress {
+            progress(part, what);
+        }
+    }
+}
+
+/// How the numbers were come by.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Evidence {
+    /// Unknowns of each mesh, coarse to fine.
+    pub unknowns: Vec<usize>,
+    /// What each mesh took.
+    pub efforts: Vec<Effort>,
+    /// The finest mesh's residual by p W^2.
+    pub residual: f64,
+}
+
+/// A case to be run.
+pub(crate) struct Family<'a> {
+    pub(crate) tube: Tube,
+    pub(crate) coarsest: Meshed,
+    /// How often its triangles are cut into four; at least 2.
+    pub(crate) cuts: usize,
+    pub(crate) hold: &'a dyn Fn(&Mesh) -> Supports,
+    pub(crate) obstacles: &'a [Obstacle],
+}
+
+/// An equilibrium beside that at the pressure alone: with something pressed into it.
+#[derive(Clone, Debug)]
+pub(crate) struct Indented {
+    pub(crate) state: State,
+    pub(crate) contact: Option<Contact>,
+}
+
+impl Indented {
+    /// A start for the same on the finer mesh.
+    fn carried(&self, coarse: &mut Assembly, mesh: &Mesh, finer: &Assembly) -> Self {
+        let mut state = coarse.prolong(&self.state, &finer.sheet);
+        finer.hold(&mut state);
+        let ends = mesh.edges.iter().map(|edge| edge.ends);
+        Self { state, contact: self.contact.as_ref().map(|contact| contact.carried(finer, ends)) }
+    }
+}
+
+impl Family<'_> {
+    /// Runs the case; `measure` takes its numbers from each mesh's equilibrium, and leaves those beside it, which the next mesh is given as
+    /// starts.
+    pub(crate) fn run<const N: usize>(
+        self,
+        watch: &Watch,
+        mut measure: impl FnMut(
+            &mut Solver,
+            &Meshed,
+            &Equilibrium,
+            &mut Vec<Indented>,
+        ) -> Result<[f64; N], ShellFault>,
+    ) -> Result<([Value; N], Evidence), ShellFault> {
+        let continuation = self.tube.continuation();
+        let mut evidence = Evidence::default();
+        let (mut found, mut beside) = (Vec::new(), Vec::<Indented>::new());
+        let mut meshed = self.coarsest.clone();
+        let mut solver = self.solver(&meshed, watch)?;
+        let mut equilibrium = self.pressurise(&mut solver, watch)?;
+        for cut in 0..=self.cuts {
+            if cut > 0 {
+                let refined = meshed.refined()?;
+                let mut finer = self.solver(&refined, watch)?;
+                equilibrium = self.carry(&mut solver, &mut finer, &equilibrium, watch)?;
+                for one in &mut beside {
+                    *one = one.carried(&mut solver.assembly, &meshed.mesh, &finer.assembly);
+                }
+                (meshed, solver) = (refined, finer);
+            }
+            evidence.unknowns.push(solver.assembly.unknowns());
+            evidence.efforts.push(solver.effort);
+            evidence.residual = equilibrium.rest.residual / continuation.last;
+            if cut + 3 > self.cuts {
+                found.push(measure(&mut solver, &meshed, &equilibrium, &mut beside)?);
+            }
+            watch.tell(part(self.cuts - cut), &format!("mesh {} of {}", cut + 1, self.cuts + 1));
+        }
+        let values = std::array::from_fn(|k| {
+            Value::new(std::array::from_fn(|mesh| found[mesh.min(found.len() - 1)][k]))
+        });
+        Ok((values, evidence))
+    }
+
+    fn solver(&self, meshed: &Meshed, watch: &Watch) -> Result<Solver, ShellFault> {
+        let mesh = &meshed.mesh;
+        let sheet = Sheet::new(mesh, self.tube.scaled());
+        let mut solver = Solver::new(sheet, (self.hold)(mesh))
+            .ok_or(ShellFault::TooLarge { triangles: mesh.triangles.len() })?;
+        if !self.obstacles.is_empty() {
+            solver.contact = Some(Contact::new(&solver.assembly, self.obstacles.to_vec()));
+        }
+        solver.cancel = Arc::clone(&watch.cancel);
+        Ok(solver)
+    }
+
+    fn pressurise(&self, solver: &mut Solver, watch: &Watch) -> Result<Equilibrium, ShellFault> {
+        let continuation = self.tube.continuation();
+        let all = (continuation.last / continuation.first).ln().max(1e-9);
+        let told = |equilibrium: &Equilibrium| {
+            watch.tell(part(self.cuts) * (equilibrium.pressure / continuation.first).ln() / all, "from flat");
+        };
+        continuation.run(solver, told).map_err(|broken| self.broken(broken, solver.triangles()))
+    }
+
+    fn broken(&self, Broken { pressure, why, last }: Broken, triangles: usize) -> ShellFault {
+        if why == Stop::Cancelled {
+            return ShellFault::Cancelled;
+        }
+        let first = self.tube.continuation().first;
+        let last = last.map_or(0.0, |equilibrium| equilibrium.pressure / first);
+        ShellFault::Stopped { why, at: pressure / first, last, triangles }
+    }
+
+    /// The equilibrium of `fine` that begins from that of `coarse`. Where the coarse shape at full pressure is too rough a start,
+    /// `coarse` is let down step by step until its shape does, and `fine` is pressurised from there; from flat at last.
+    fn carry(
+        &self,
+        coarse: &mut Solver,
+        fine: &mut Solver,
+        equilibrium: &Equilibrium,
+        watch: &Watch,
+    ) -> Result<Equilibrium, ShellFault> {
+        let continuation = self.tube.continuation();
+        let (mut lower, mut pressure) = (equilibrium.state.clone(), continuation.last);
+        for _ in 0..MOST_LET_DOWN {
+            let finer: &Assembly = &fine.assembly;
+            let mut state = coarse.assembly.prolong(&lower, &finer.sheet);
+            finer.hold(&mut state);
+            match continuation.run_from(fine, state, pressure, |_| {}) {
+                Ok(equilibrium) => return Ok(equilibrium),
+                // Not even the first equilibrium: a gentler start may do.
+                Err(Broken { last: None, why, .. }) if why != Stop::Cancelled => {}
+                Err(broken) => return Err(self.broken(broken, fine.triangles())),
+            }
+            pressure /= LET_DOWN;
+            if coarse.rest(&mut lower, continuation.aim(pressure)).is_err() {
+                break;
+            }
+        }
+        self.pressurise(fine, watch)
+    }
+}
+
+/// How often a coarse sheet is let down to begin a finer one, and the factor of pressure each time.
+const MOST_LET_DOWN: usize = 4;
+const LET_DOWN: f64 = 2.0;
+
+/// The part of the work that is done when `left` finer meshes are left: each costs about four times the one before.
+pub(crate) fn part(left: usize) -> f64 {
+    (0..left).fold(1.0, |part, _| part / 4.0)
+}

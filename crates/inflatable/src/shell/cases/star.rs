@@ -1,0 +1,305 @@
+//! The star: half a sector of it between a reentrant corner's plane of symmetry and a tip's.
+
+use crate::shell::assembly::{Plane, State, Supports};
+use crate::shell::cases::actuator::Fineness;
+use crate::shell::cases::arm_line::ArmLine;
+use crate::shell::cases::extremes::{self, Extremes};
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::refinement::{Evidence, Family, Indented, Watch};
+use crate::shell::cases::shape::Shape;
+use crate::shell::cases::tube::Tube;
+use crate::shell::cases::value::Value;
+use crate::shell::contact::Obstacle;
+use crate::shell::mesh::{Border, HalfSector, Mesh, Sizes, plane};
+use crate::shell::solver::{Aim, Equilibrium, Solver, Stop};
+
+/// A flat star, SI units and radians.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlatStar {
+    /// Its tube.
+    pub tube: Tube,
+    /// Number of points n.
+    pub points: u32,
+    /// Inner radius rho_0, m.
+    pub inner_radius: f64,
+    /// Angle phi_i0 of its tips.
+    pub tip_angle: f64,
+    /// Inner radius R_i of its tips, m.
+    pub tip_radius: f64,
+    /// Inner radius R_e of its reentrant corners, m.
+    pub corner_radius: f64,
+    /// Width of the band that seals its rims, m: over so long a piece of rim the pull on the seal is the
+    /// mean.
+    pub band: f64,
+}
+
+/// A star under pressure; what is per star counts both sheets and all sectors.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InflatedStar {
+    /// From the axis to the apex of a corner's inner rim, m.
+    pub final_radius: Value,
+    /// Twice the angle between a tip's plane and the line of its arm, rad.
+    pub tip_angle: Value,
+    /// Volume, m^3.
+    pub volume: Value,
+    /// Force with which the two arms of a tip press on each other, N; 0 where they do not touch.
+    pub preload: Value,
+    /// Flat area of an arm's sheet that touches the next arm, m^2.
+    pub contact_area: Value,
+    /// Sum of the radial forces on all corners by their radial displacement, N/m, where each corner's section moves as a whole.
+    pub radial_stiffness: Value,
+    /// Each object that was asked for, by its radius or its opening, m, and the sum of the radial forces on it, N.
+    pub forces: Vec<(f64, Value)>,
+    /// The hardest loaded places; on the finest mesh.
+    pub extremes: Extremes,
+    /// Its modelled sheet at rest.
+    pub shape: Shape,
+    /// How it was come by.
+    pub evidence: Evidence,
+}
+
+/// Numbers that each mesh gives of the whole star, and with those of its hardest loaded places.
+const WHOLE: usize = 6;
+const NUMBERS: usize = WHOLE + 3;
+/// The corner's plane of symmetry.
+const CORNER: Border = Border::Mirror(plane::FIRST);
+/// The object among the obstacles.
+const POST: usize = 2;
+/// Objects of one call: more are asked for in another.
+pub const MOST_OBJECTS: usize = 8;
+
+/// Largest growth of an object in one solve, by W, and how often it is halved where that is too much.
+const GROWTH: f64 = 0.15;
+const MOST_HALVINGS: i32 = 4;
+
+/// Round objects that a star is pressed against, smallest first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Objects<'a> {
+    /// By their radii, m.
+    Radii(&'a [f64]),
+    /// By how much wider than the star at rest they are, m, on each mesh: meshes agree better on the force against the opening
+    /// than on the rest. Those that a mesh does not reach are not numbers.
+    Openings(&'a [f64]),
+}
+
+impl Objects<'_> {
+    fn sizes(&self) -> &[f64] {
+        match self {
+            Self::Radii(sizes) | Self::Openings(sizes) => sizes,
+        }
+    }
+}
+
+impl FlatStar {
+    fn sector(&self) -> Result<HalfSector, ShellFault> {
+        self.tube.check()?;
+        let w = self.tube.width;
+        Ok(HalfSector {
+            n: self.points,
+            rho_0: self.inner_radius / w,
+            w: 1.0,
+            phi_i: self.tip_angle,
+            r_i: self.tip_radius / w,
+            r_e: self.corner_radius / w,
+        })
+    }
+}
+
+/// Inflates a star from flat, then presses it against round objects.
+///
+/// # Errors
+/// If it is out of range or has no stable equilibrium: where it stopped, and why.
+pub fn star(
+    case: &FlatStar,
+    objects: Objects<'_>,
+    fineness: Fineness,
+    watch: &Watch,
+) -> Result<InflatedStar, ShellFault> {
+    star_by_sizes(case, objects, (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
+}
+
+/// As [`star`], on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are cut into four.
+///
+/// # Errors
+/// As of [`star`].
+pub fn star_by_sizes(
+    case: &FlatStar,
+    objects: Objects<'_>,
+    (sizes, cuts): (&Sizes, usize),
+    watch: &Watch,
+) -> Result<InflatedStar, ShellFault> {
+    let sector = case.sector()?;
+    let count = objects.sizes().len();
+    if count > MOST_OBJECTS {
+        return Err(ShellFault::TooMany { name: "objects", found: count, most: MOST_OBJECTS });
+    }
+    let coarsest = sector.mesh(sizes)?;
+    let planes = [Plane::first(), Plane::second(sector.half_angle())];
+    let obstacles = [Obstacle::Wall(planes[0]), Obstacle::Wall(planes[1]), Obstacle::Post { radius: 0.0 }];
+    let hold = |mesh: &Mesh| Supports::new(mesh, planes.to_vec());
+    let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles };
+    let (mut worst, mut shape) = (Extremes::default(), Shape::default());
+    let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
+        let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];
+        worst = extremes::extremes(&solver.assembly.sheet, &meshed.mesh, &equilibrium.state);
+        let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
+        (worst.seal_pull, worst.pull_at) =
+            extremes::pull(&meshed.mesh, solver.assembly.forces(), case.band / case.tube.width);
+        let whole = measure(&sector, solver, &meshed.mesh, equilibrium);
+        numbers[..WHOLE].copy_from_slice(&whole);
+        numbers[WHOLE..NUMBERS].copy_from_slice(&[worst.seal_tension, worst.stretch, worst.seal_pull]);
+        shape = Shape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
+        // The next mesh begins without the objects.
+        let alone = solver.contact.clone();
+        press(case, objects, solver, equilibrium, (beside, &mut numbers[NUMBERS..]))?;
+        solver.contact = alone;
+        Ok(numbers)
+    })?;
+    let w = case.tube.width;
+    let force = case.tube.fabric.stretch * w;
+    let sheets = 4.0 * f64::from(case.points);
+    Ok(InflatedStar {
+        final_radius: values[0].scaled(w),
+        tip_angle: values[1],
+        volume: values[2].scaled(sheets * w.powi(3)),
+        preload: values[3].scaled(2.0 * force),
+        contact_area: values[4].scaled(w * w),
+        radial_stiffness: values[5].scaled(sheets * force / w),
+        forces: objects
+            .sizes()
+            .iter()
+            .zip(&values[NUMBERS..])
+            .map(|(r, f)| (*r, f.scaled(sheets * force)))
+            .collect(),
+        extremes: worst.scaled(case.tube.fabric.stretch, w, [values[6], values[7], values[8]]),
+        shape,
+        evidence,
+    })
+}
+
+/// Points of the corner's section, in its plane of symmetry, with the flat length that each stands for.
+fn section(mesh: &Mesh) -> Vec<(usize, f64)> {
+    let on = mesh.along(CORNER);
+    on.flat_map(|edge| mesh.edges[edge].ends.map(|end| (end, mesh.length(edge) / 2.0))).collect()
+}
+
+/// Radius, tip angle, volume, force and area of contact, stiffness.
+fn measure(sector: &HalfSector, solver: &mut Solver, mesh: &Mesh, equilibrium: &Equilibrium) -> [f64; WHOLE] {
+    let radius = mesh.innermost(CORNER).map_or(0.0, |apex| equilibrium.state.points[apex][0]);
+    let contact = solver.contact.as_ref();
+    let (force, area) = contact.map_or((0.0, 0.0), |contact| (contact.force(1), contact.patch(1)));
+    let parts: Vec<(usize, [f64; 3])> =
+        section(mesh).into_iter().map(|(point, length)| (point, [length, 0.0, 0.0])).collect();
+    [
+        radius,
+        tip_angle(sector, mesh, &equilibrium.state),
+        equilibrium.rest.energy.volume,
+        force,
+        area,
+        1.0 / solver.compliance(&parts),
+    ]
+}
+
+/// Twice the angle between the tip's plane and the arm's line, which leaves out one W at each hinge, or a third of a short arm.
+fn tip_angle(sector: &HalfSector, mesh: &Mesh, state: &State) -> f64 {
+    let half_corner = sector.phi_i / 2.0 + sector.half_angle();
+    let (sine, cosine) = half_corner.sin_cos();
+    let start = (sector.rho_0 + sector.w + sector.r_e) * cosine;
+    let l = sector.l();
+    let left_out = (l / 3.0).min(1.0);
+    let [x, y] =
+        ArmLine::new(mesh, [cosine, sine], [start + left_out, start + l - left_out]).direction(state);
+    2.0 * (y.atan2(x) - sector.half_angle())
+}
+
+/// Opens the star by each object in turn, and writes the force of one sheet of half a sector on it. It begins from what the coarser mesh
+/// left of each, where there is such a one and it leads to an equilibrium; it leaves its own.
+fn press(
+    case: &FlatStar,
+    objects: Objects<'_>,
+    solver: &mut Solver,
+    equilibrium: &Equilibrium,
+    (beside, forces): (&mut Vec<Indented>, &mut [f64]),
+) -> Result<(), ShellFault> {
+    let mut starts = std::mem::take(beside).into_iter();
+    let mut state = equilibrium.state.clone();
+    let nearest = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
+    let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
+    let mut radius = nearest;
+    let aim = case.tube.continuation().aim(equilibrium.pressure);
+    for (index, size) in objects.sizes().iter().enumerate() {
+        let last = (origin + size / case.tube.width).max(nearest);
+        let found = match starts.next() {
+            Some(start) => open_from(start, solver, &mut state, aim, [radius, last]),
+            None => open(solver, &mut state, aim, [radius, last]),
+        };
+        match found {
+            Ok(()) => beside.push(Indented { state: state.clone(), contact: solver.contact.clone() }),
+            Err(why) if why == Stop::Cancelled || origin == 0.0 => {
+                return Err(case.tube.stopped(why, solver.triangles()));
+            }
+            Err(_) => {
+                forces[index..].fill(f64::NAN);
+                return Ok(());
+            }
+        }
+        radius = last;
+        forces[index] = solver.contact.as_ref().map_or(0.0, |contact| contact.force(POST));
+    }
+    Ok(())
+}
+
+/// As [`open`], but at once where what the coarser mesh left leads to an equilibrium.
+fn open_from(
+    Indented { state: mut own, contact }: Indented,
+    solver: &mut Solver,
+    state: &mut State,
+    aim: Aim,
+    [from, to]: [f64; 2],
+) -> Result<(), Stop> {
+    let before = std::mem::replace(&mut solver.contact, contact);
+    if let Some(contact) = &mut solver.contact {
+        contact.replace(POST, Obstacle::Post { radius: to });
+    }
+    match solver.rest(&mut own, aim) {
+        Ok(_) => {
+            *state = own;
+            Ok(())
+        }
+        Err(Stop::Cancelled) => Err(Stop::Cancelled),
+        Err(_) => {
+            solver.contact = before;
+            open(solver, state, aim, [from, to])
+        }
+    }
+}
+
+/// Widens the object from one radius to another, by W, as fast as the star follows.
+fn open(solver: &mut Solver, state: &mut State, aim: Aim, [from, to]: [f64; 2]) -> Result<(), Stop> {
+    let (mut radius, mut growth) = (from, GROWTH);
+    while radius < to {
+        let (before, pressed) = (state.clone(), solver.contact.clone());
+        let next = if to - radius < 1.001 * growth { to } else { radius + growth };
+        if let Some(contact) = &mut solver.contact {
+            contact.replace(POST, Obstacle::Post { radius: next });
+        }
+        match solver.rest(state, aim) {
+            Ok(_) => {
+                radius = next;
+                // What was stiff enough for this step saves the next one rounds.
+                if let Some(contact) = &mut solver.contact {
+                    contact.floor = contact.stiffness / 4.0;
+                }
+            }
+            Err(why) if why == Stop::Cancelled || growth < GROWTH * 0.5_f64.powi(MOST_HALVINGS) => {
+                return Err(why);
+            }
+            Err(_) => {
+                state.clone_from(&before);
+                solver.contact = pressed;
+                growth /= 2.0;
+            }
+        }
+    }
+    Ok(())
+}

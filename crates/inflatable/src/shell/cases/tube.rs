@@ -1,0 +1,91 @@
+//! The tube that every case is made of, its pressure, and the scales by which the shell computes.
+
+use crate::numerics::spans;
+use crate::shell::cases::fault::{Input, ShellFault};
+use crate::shell::element::Fabric;
+use crate::shell::solver::{Continuation, Stop};
+
+/// A tube of fabric under pressure, SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tube {
+    /// Its flat width W, m.
+    pub width: f64,
+    /// Y, N/m, B, N m, and nu of one sheet.
+    pub fabric: Fabric,
+    /// Gauge pressure p, Pa.
+    pub pressure: f64,
+}
+
+/// t/W beyond which the sheet is no thin shell.
+const THICKEST: f64 = 0.03;
+/// p W/Y beyond which strains are no longer small.
+const MOST_STRETCHED: f64 = 0.1;
+/// 1/eps up to which the shell was tried.
+const MOST_BENDABLE: f64 = 5000.0;
+/// Poisson's ratios that fabrics have.
+const MOST_POISSON: f64 = 0.499;
+/// Least norm of residuals, by Y W: 1e-16 a force of order one, of a hundred thousand.
+const FLOOR: f64 = 2e-13;
+
+impl Tube {
+    /// 1/eps = p W^3 / B.
+    pub fn bendability(&self) -> f64 {
+        self.pressure * self.width.powi(3) / self.fabric.bending
+    }
+
+    /// p W/Y.
+    pub fn stretch(&self) -> f64 {
+        self.pressure * self.width / self.fabric.stretch
+    }
+
+    /// t/W, of a sheet that bends as B and stretches as Y say.
+    pub fn slenderness(&self) -> f64 {
+        let Fabric { stretch, bending, poisson } = self.fabric;
+        (12.0 * (1.0 - poisson * poisson) * bending / stretch).sqrt() / self.width
+    }
+
+    /// # Errors
+    /// If it is no tube, or one that a thin shell of small strains does not describe.
+    pub(crate) fn check(&self) -> Result<(), ShellFault> {
+        let range = |name, found, least: f64, most: f64| {
+            if spans(&(least..=most), found) {
+                Ok(())
+            } else {
+                Err(ShellFault::Range { name, found, least, most })
+            }
+        };
+        range(Input::Width, self.width, 1e-4, 10.0)?;
+        range(Input::Poisson, self.fabric.poisson, 0.0, MOST_POISSON)?;
+        range(Input::Stretching, self.fabric.stretch, 1e-3, 1e12)?;
+        range(Input::Bending, self.fabric.bending, 1e-15, 1e9)?;
+        range(Input::Slenderness, self.slenderness(), 1e-4, THICKEST)?;
+        range(Input::Bendability, self.bendability(), 1.0, MOST_BENDABLE)?;
+        range(Input::Stretch, self.stretch(), 0.0, MOST_STRETCHED)
+    }
+
+    /// Its fabric by the scales of the shell.
+    pub(crate) fn scaled(&self) -> Fabric {
+        let Fabric { stretch, bending, poisson } = self.fabric;
+        Fabric { stretch: 1.0, bending: bending / (stretch * self.width * self.width), poisson }
+    }
+
+    /// From 1/eps = 1 to its pressure.
+    pub(crate) fn continuation(&self) -> Continuation {
+        Continuation { first: self.scaled().bending, last: self.stretch(), scale: 1.0, floor: FLOOR }
+    }
+
+    /// Why there is no equilibrium at its pressure where there was one before something else changed.
+    pub(crate) fn stopped(&self, why: Stop, triangles: usize) -> ShellFault {
+        let at = self.bendability();
+        if why == Stop::Cancelled {
+            ShellFault::Cancelled
+        } else {
+            ShellFault::Stopped { why, at, last: at, triangles }
+        }
+    }
+
+    /// One unit of energy, J; of moment and of stiffness against an angle too.
+    pub(crate) fn energy(&self) -> f64 {
+        self.fabric.stretch * self.width * self.width
+    }
+}

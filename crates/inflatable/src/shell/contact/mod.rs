@@ -1,0 +1,176 @@
+//! Contact of the sheet: with planes of symmetry, where an arm meets its image, and with a rigid round object.
+//!
+//! Each point of the mesh stands for the flat area a around it and must keep its **gap** g >= 0 to each **obstacle**. The
+//! augmented Lagrangian is the sum of a/(2 k) (max(0, q - k g)^2 - q^2), with a contact pressure q kept for each pair and
+//! a stiffness k. A **round** minimises it and then sets q = max(0, q - k g); penetration falls by a large factor a round,
+//! whatever k is. Nocedal and Wright, "Numerical Optimization", section 17.4.
+
+use crate::shell::assembly::{Assembly, Plane, State};
+use crate::shell::element::vector::{Vector, along, times};
+
+/// What the sheet cannot pass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Obstacle {
+    /// The far side of an upright plane.
+    Wall(Plane),
+    /// A rigid round object around the z axis, endless upwards.
+    Post {
+        /// Its radius.
+        radius: f64,
+    },
+}
+
+impl Obstacle {
+    /// The gap of a point, and its gradient.
+    fn gap(&self, x: Vector) -> (f64, Vector) {
+        match self {
+            Self::Wall(plane) => (plane.distance(x), times(-1.0, plane.upright())),
+            Self::Post { radius } => {
+                let distance = x[0].hypot(x[1]);
+                (distance - radius, [x[0] / distance, x[1] / distance, 0.0])
+            }
+        }
+    }
+
+    /// The second derivative of the gap along the obstacle.
+    fn curvature(&self, x: Vector) -> f64 {
+        match self {
+            Self::Wall(_) => 0.0,
+            Self::Post { .. } => 1.0 / x[0].hypot(x[1]),
+        }
+    }
+}
+
+/// Points of a sheet against obstacles.
+#[derive(Clone, Debug)]
+pub struct Contact {
+    obstacles: Vec<Obstacle>,
+    /// Contact pressure of each point on each obstacle.
+    pressures: Vec<Vec<f64>>,
+    /// Flat area of each point; 0 where it has no business with the obstacle.
+    areas: Vec<Vec<f64>>,
+    /// k: contact pressure a unit of penetration.
+    pub stiffness: f64,
+    /// Least k with which a solve begins.
+    pub floor: f64,
+}
+
+/// What is left to mend after a solve.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ContactError {
+    /// Deepest penetration.
+    pub penetration: f64,
+    /// Largest change of a contact pressure in the last round.
+    pub change: f64,
+    /// Largest contact pressure.
+    pub largest: f64,
+}
+
+impl Contact {
+    /// Every point of `assembly`'s sheet against every obstacle; points that are held in a wall's plane do not touch that wall.
+    pub fn new(assembly: &Assembly, obstacles: Vec<Obstacle>) -> Self {
+        let areas = obstacles.iter().map(|obstacle| assembly.contact_areas(wall(obstacle))).collect();
+        let count = assembly.sheet.flat().points.len();
+        Self {
+            pressures: vec![vec![0.0; count]; obstacles.len()],
+            obstacles,
+            areas,
+            stiffness: 0.0,
+            floor: 0.0,
+        }
+    }
+
+    /// What begins on the finer sheet of `finer`, whose points are these and then the middles of edges with these `ends`: middles are
+    /// pressed as their ends are on average, all points of an obstacle together as hard as before.
+    pub fn carried(&self, finer: &Assembly, ends: impl Iterator<Item = [usize; 2]>) -> Self {
+        let mut fine = Self::new(finer, self.obstacles.clone());
+        (fine.stiffness, fine.floor) = (self.stiffness, self.stiffness);
+        let ends: Vec<[usize; 2]> = ends.collect();
+        for (index, pressures) in self.pressures.iter().enumerate() {
+            let middles = ends.iter().map(|[a, b]| f64::midpoint(pressures[*a], pressures[*b]));
+            fine.pressures[index] = pressures.iter().copied().chain(middles).collect();
+            let (before, now) = (self.force(index), fine.force(index));
+            if now > 0.0 {
+                fine.pressures[index].iter_mut().for_each(|pressure| *pressure *= before / now);
+            }
+        }
+        fine
+    }
+
+    /// Changes an obstacle; contact pressures stay as they are.
+    pub fn replace(&mut self, index: usize, obstacle: Obstacle) {
+        self.obstacles[index] = obstacle;
+    }
+
+    /// The part of the energy that contact adds.
+    pub(crate) fn energy(&self, state: &State) -> f64 {
+        let mut energy = 0.0;
+        self.each(state, |area, kept, push, _, _, _| {
+            energy += area * (push * push - kept * kept) / (2.0 * self.stiffness);
+        });
+        energy
+    }
+
+    /// Adds gradient and Hessian of that part to those of `assembly`.
+    pub(crate) fn add(&self, state: &State, assembly: &mut Assembly) {
+        self.each(state, |area, _, push, point, normal, obstacle| {
+            if push == 0.0 {
+                return;
+            }
+            let across = [-normal[1], normal[0], 0.0];
+            let bent = -area * push * self.obstacles[obstacle].curvature(state.points[point]);
+            assembly.add_at_point(point, times(-area * push, normal), |v| {
+                let own = area * self.stiffness * (normal[0] * v[0] + normal[1] * v[1]);
+                let turned = bent * (across[0] * v[0] + across[1] * v[1]);
+                along(times(own, normal), turned, across)
+            });
+        });
+    }
+
+    /// Calls `see` with area, kept pressure, push max(0, q - k g), point, normal and obstacle of every pair.
+    fn each(&self, state: &State, mut see: impl FnMut(f64, f64, f64, usize, Vector, usize)) {
+        for (index, obstacle) in self.obstacles.iter().enumerate() {
+            for (point, area) in self.areas[index].iter().enumerate().filter(|(_, area)| **area > 0.0) {
+                let (gap, normal) = obstacle.gap(state.points[point]);
+                let kept = self.pressures[index][point];
+                see(*area, kept, (kept - self.stiffness * gap).max(0.0), point, normal, index);
+            }
+        }
+    }
+
+    /// Ends a round: keeps the contact pressures that `state` has, and says what was left to mend.
+    pub fn keep(&mut self, state: &State) -> ContactError {
+        let mut worst = ContactError::default();
+        let mut kept = Vec::new();
+        self.each(state, |_, before, push, point, _, index| {
+            let (gap, _) = self.obstacles[index].gap(state.points[point]);
+            worst.penetration = worst.penetration.max(-gap);
+            worst.change = worst.change.max((push - before).abs());
+            worst.largest = worst.largest.max(push);
+            kept.push((index, point, push));
+        });
+        for (index, point, push) in kept {
+            self.pressures[index][point] = push;
+        }
+        worst
+    }
+
+    /// The sum of contact pressure times area on one obstacle.
+    pub fn force(&self, index: usize) -> f64 {
+        self.pressures[index].iter().zip(&self.areas[index]).map(|(pressure, area)| pressure * area).sum()
+    }
+
+    /// Flat area of the points that touch an obstacle.
+    pub fn patch(&self, index: usize) -> f64 {
+        let touching =
+            self.pressures[index].iter().zip(&self.areas[index]).filter(|(pressure, _)| **pressure > 0.0);
+        touching.map(|(_, area)| area).sum()
+    }
+}
+
+fn wall(obstacle: &Obstacle) -> Option<Plane> {
+    match obstacle {
+        Obstacle::Wall(plane) => Some(*plane),
+        Obstacle::Post { .. } => None,
+    }
+}

@@ -1,0 +1,131 @@
+//! From the flat sheet to a pressure, equilibrium by equilibrium.
+
+use crate::shell::assembly::State;
+use crate::shell::solver::newton::{Aim, Rest, Solver, Stop};
+
+/// How the pressure is raised.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Continuation {
+    /// The first pressure above the flat sheet: 1/eps = 1, where a plate hardly bends.
+    pub first: f64,
+    /// The last one.
+    pub last: f64,
+    /// p W^2 at unit pressure: what residuals are measured by.
+    pub scale: f64,
+    /// Least norm of a residual that rounding lets one ask for.
+    pub floor: f64,
+}
+
+/// An equilibrium on the way.
+#[derive(Clone, Debug)]
+pub struct Equilibrium {
+    /// Its pressure.
+    pub pressure: f64,
+    /// Its shape.
+    pub state: State,
+    /// Its energy, and what remains of its forces.
+    pub rest: Rest,
+}
+
+/// Where a continuation ended too early.
+#[derive(Clone, Debug)]
+pub struct Broken {
+    /// The pressure at which no equilibrium was found.
+    pub pressure: f64,
+    /// Why.
+    pub why: Stop,
+    /// The last equilibrium.
+    pub last: Option<Box<Equilibrium>>,
+}
+
+/// log10 of the factor from equilibrium to equilibrium.
+const STEP: f64 = 0.25;
+/// Halvings of it where an equilibrium is not reached.
+const MOST_HALVINGS: i32 = 5;
+/// Residual relative to p W^2 that is asked for.
+const RESIDUAL: f64 = 1e-8;
+/// The same on the way: flat sheets of small triangles have no residual of 1e-8 at the first pressures, for rounding.
+const PASSING: f64 = 1e-6;
+
+impl Continuation {
+    /// What is asked of an equilibrium at `pressure`.
+    pub fn aim(&self, pressure: f64) -> Aim {
+        Aim { pressure, tolerance: (RESIDUAL * pressure * self.scale).max(self.floor) }
+    }
+
+    /// The aim for an equilibrium on the way.
+    fn passing(&self, pressure: f64) -> Aim {
+        let Aim { tolerance, .. } = self.aim(pressure);
+        Aim { pressure, tolerance: tolerance.max(PASSING * pressure * self.scale) }
+    }
+
+    /// Climbs from the flat sheet. `on_equilibrium` sees every equilibrium.
+    ///
+    /// # Errors
+    /// Where it ended, and the last equilibrium.
+    pub fn run(
+        &self,
+        solver: &mut Solver,
+        on_equilibrium: impl FnMut(&Equilibrium),
+    ) -> Result<Equilibrium, Broken> {
+        let flat = solver.assembly.sheet.flat();
+        self.run_from(solver, flat, self.first, on_equilibrium)
+    }
+
+    /// Climbs from `state`, a shape near the equilibrium at the pressure `first`.
+    ///
+    /// # Errors
+    /// Where it ended, and the last equilibrium.
+    pub fn run_from(
+        &self,
+        solver: &mut Solver,
+        mut state: State,
+        first: f64,
+        mut on_equilibrium: impl FnMut(&Equilibrium),
+    ) -> Result<Equilibrium, Broken> {
+        let mut below: Option<Equilibrium> = None;
+        let mut touched = solver.contact.clone();
+        let mut step = STEP;
+        let mut next = first.min(self.last);
+        loop {
+            let aim = if next < self.last { self.passing(next) } else { self.aim(next) };
+            match solver.rest(&mut state, aim) {
+                Ok(rest) => {
+                    solver.may_snap = false;
+                    let equilibrium = Equilibrium { pressure: next, state: state.clone(), rest };
+                    on_equilibrium(&equilibrium);
+                    if next >= self.last {
+                        return Ok(equilibrium);
+                    }
+                    below = Some(equilibrium);
+                    touched.clone_from(&solver.contact);
+                    step = (2.0 * step).min(STEP);
+                }
+                Err(Stop::Cancelled) => {
+                    return Err(Broken { pressure: next, why: Stop::Cancelled, last: below.map(Box::new) });
+                }
+                Err(why) => {
+                    let may_halve = step > STEP * 0.5_f64.powi(MOST_HALVINGS);
+                    // However small the equilibrium: it snaps from one shape to another, which takes long.
+                    let is_stuck = !may_halve && below.is_some();
+                    let snaps = is_stuck && why == Stop::Iterations && !solver.may_snap;
+                    solver.may_snap = snaps;
+                    if may_halve {
+                        step /= 2.0;
+                    }
+                    let Some(equilibrium) = below.as_ref().filter(|_| may_halve || snaps) else {
+                        return Err(Broken { pressure: next, why, last: below.map(Box::new) });
+                    };
+                    state.clone_from(&equilibrium.state);
+                    // A shape that was not found has left contact pressures that belong to none.
+                    solver.contact.clone_from(&touched);
+                }
+            }
+            let from = below.as_ref().map_or(first, |equilibrium| equilibrium.pressure);
+            next = from * 10_f64.powf(step);
+            if next > self.last * 0.9999 {
+                next = self.last;
+            }
+        }
+    }
+}

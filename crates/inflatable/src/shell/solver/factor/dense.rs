@@ -1,0 +1,114 @@
+//! Dense blocks by columns: products by nalgebra's kernels, the Cholesky factor of a panel by halves.
+//!
+//! The kernels are chosen for the processor: answers are the same in debug and release, and differ by rounding between processors.
+
+use nalgebra::{Dyn, MatrixView, MatrixViewMut};
+
+type View<'a> = MatrixView<'a, f64, Dyn, Dyn, Dyn, Dyn>;
+type ViewMut<'a> = MatrixViewMut<'a, f64, Dyn, Dyn, Dyn, Dyn>;
+
+/// The kernels take blocks of more than so many rows and columns.
+const SMALL: usize = 5;
+/// Columns of a panel that are computed one by one.
+const COLUMN_BY_COLUMN: usize = 12;
+/// Columns of a symmetric product that are computed together: what lies above its diagonal is for nothing.
+const TOGETHER: usize = 128;
+
+/// Some rows and columns of a matrix that is kept by columns; `numbers` begins with the first of them.
+#[derive(Clone, Copy)]
+pub(super) struct Block<'a> {
+    pub(super) numbers: &'a [f64],
+    /// Rows of the matrix: numbers between neighbours in a row.
+    pub(super) stride: usize,
+    pub(super) rows: usize,
+    pub(super) columns: usize,
+}
+
+impl<'a> Block<'a> {
+    /// Without the first rows.
+    fn below(self, rows: usize) -> Self {
+        Self { numbers: &self.numbers[rows..], rows: self.rows - rows, ..self }
+    }
+
+    fn view(self) -> View<'a> {
+        View::from_slice_with_strides(self.numbers, self.rows, self.columns, 1, self.stride)
+    }
+}
+
+/// Takes the first `columns` columns of `factor` times its transpose from `kept` times `result`, on and below the diagonal; of what lies
+/// above it, some.
+pub(super) fn subtract_square(
+    result: &mut [f64],
+    stride: usize,
+    kept: f64,
+    factor: Block<'_>,
+    columns: usize,
+) {
+    let mut at = 0;
+    while at < columns {
+        let width = TOGETHER.min(columns - at);
+        subtract_product(&mut result[at * (stride + 1)..], stride, kept, factor.below(at), width);
+        at += width;
+    }
+}
+
+/// Takes `left` times the transpose of its first `columns` rows from `result`, or from zero.
+fn subtract_product(result: &mut [f64], stride: usize, kept: f64, left: Block<'_>, columns: usize) {
+    let is_small = left.rows <= SMALL || left.columns <= SMALL || columns <= SMALL;
+    if !is_small {
+        let mut result = ViewMut::from_slice_with_strides_mut(result, left.rows, columns, 1, stride);
+        let right = View::from_slice_with_strides(left.numbers, left.columns, columns, left.stride, 1);
+        result.gemm(-1.0, &left.view(), &right, kept);
+        return;
+    }
+    for (column, result) in result.chunks_mut(stride).take(columns).enumerate() {
+        if kept == 0.0 {
+            result[..left.rows].fill(0.0);
+        }
+        for numbers in left.numbers.chunks(left.stride).take(left.columns) {
+            subtract_times(&mut result[..left.rows], numbers[column], numbers);
+        }
+    }
+}
+
+/// Takes `factor` times the numbers of `from` from `result`.
+pub(super) fn subtract_times(result: &mut [f64], factor: f64, from: &[f64]) {
+    for (result, from) in result.iter_mut().zip(from) {
+        *result -= factor * from;
+    }
+}
+
+/// Turns the lower triangle of the first `columns` rows of a panel, and what lies below, into the Cholesky factor; false if that is
+/// not positive definite.
+pub(super) fn factor_panel(panel: &mut [f64], stride: usize, rows: usize, columns: usize) -> bool {
+    if columns <= COLUMN_BY_COLUMN {
+        return factor_columns(panel, stride, rows, columns);
+    }
+    let half = columns / 2;
+    if !factor_panel(panel, stride, rows, half) {
+        return false;
+    }
+    let (left, right) = panel.split_at_mut(half * stride);
+    let left = Block { numbers: &left[half..], stride, rows: rows - half, columns: half };
+    subtract_square(&mut right[half..], stride, 1.0, left, columns - half);
+    factor_panel(&mut right[half..], stride, rows - half, columns - half)
+}
+
+fn factor_columns(panel: &mut [f64], stride: usize, rows: usize, columns: usize) -> bool {
+    for column in 0..columns {
+        let (before, from) = panel.split_at_mut(column * stride);
+        let now = &mut from[column..rows];
+        for before in before.chunks(stride) {
+            subtract_times(now, before[column], &before[column..]);
+        }
+        let pivot = now[0];
+        if pivot.is_nan() || pivot <= 0.0 {
+            return false;
+        }
+        let root = pivot.sqrt();
+        now[0] = root;
+        let inverse = 1.0 / root;
+        now[1..].iter_mut().for_each(|number| *number *= inverse);
+    }
+    true
+}

@@ -1,0 +1,145 @@
+//! The factor against nalgebra's dense one, and against answers that are exact.
+
+use super::*;
+use nalgebra::{DMatrix, DVector};
+
+/// The lower triangle of a matrix, without its zeros: where its columns begin, their rows, its values.
+fn lower(matrix: &DMatrix<f64>) -> (Vec<u32>, Vec<u32>, Vec<f64>) {
+    let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+    for column in 0..matrix.ncols() {
+        for row in column..matrix.nrows() {
+            if row == column || matrix[(row, column)] != 0.0 {
+                rows.push(u32::try_from(row).unwrap_or(u32::MAX));
+                values.push(matrix[(row, column)]);
+            }
+        }
+        starts.push(u32::try_from(rows.len()).unwrap_or(u32::MAX));
+    }
+    (starts, rows, values)
+}
+
+fn answer(matrix: &DMatrix<f64>, rhs: &[f64]) -> Option<Vec<f64>> {
+    let (starts, rows, values) = lower(matrix);
+    let mut factor = Factor::new(&starts, &rows)?;
+    let mut vector = rhs.to_vec();
+    factor.compute(&values, 0.0, &[]).then(|| factor.solve(&mut vector))?;
+    Some(vector)
+}
+
+/// A symmetric matrix of which `density` percent differ from zero, with `diagonal` on the diagonal.
+fn random(size: usize, density: u64, diagonal: f64, seed: &mut u64) -> DMatrix<f64> {
+    let mut matrix = DMatrix::from_diagonal_element(size, size, diagonal);
+    for column in 0..size {
+        for row in column + 1..size {
+            *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let drawn = *seed >> 33;
+            if drawn % 100 < density {
+                matrix[(row, column)] =
+                    f64::from(u32::try_from(drawn / 100 % 2001).unwrap_or(0)) / 1000.0 - 1.0;
+                matrix[(column, row)] = matrix[(row, column)];
+            }
+        }
+    }
+    matrix
+}
+
+#[test]
+fn random_matrices_as_by_nalgebra() {
+    let mut seed = 1;
+    let (mut definite, mut others) = (0, 0);
+    for size in [1, 2, 3, 7, 20, 50, 90, 150] {
+        for density in [0, 2, 5, 10, 30, 100] {
+            for diagonal in [0.5, 2.0, 5.0, 20.0] {
+                let matrix = random(size, density, diagonal, &mut seed);
+                let rhs = DVector::from_fn(size, |k, _| if k % 3 == 0 { 1.0 } else { -0.5 });
+                let expected = matrix.clone().cholesky().map(|factor| factor.solve(&rhs));
+                let found = answer(&matrix, rhs.as_slice());
+                assert_eq!(found.is_some(), expected.is_some(), "{size}, {density} %, {diagonal}");
+                let (Some(found), Some(expected)) = (found, expected) else {
+                    others += 1;
+                    continue;
+                };
+                definite += 1;
+                let error = (DVector::from_vec(found) - &expected).norm() / expected.norm();
+                assert!(error < 1e-11, "{size}, {density} %, {diagonal}: {error:e}");
+            }
+        }
+    }
+    assert!(definite > 90 && others > 30, "{definite} {others}");
+}
+
+#[test]
+fn whole_numbers_come_out_exactly() {
+    // L L^T of the rows 2; 1 3; 0 2 1; 4 0 0 5.
+    let numbers = [4.0, 2.0, 0.0, 8.0, 2.0, 10.0, 6.0, 4.0, 0.0, 6.0, 5.0, 0.0, 8.0, 4.0, 0.0, 41.0];
+    let matrix = DMatrix::from_row_slice(4, 4, &numbers);
+    let rhs = matrix.clone() * DVector::from_vec(vec![1.0, -2.0, 3.0, 4.0]);
+    assert_eq!(answer(&matrix, rhs.as_slice()), Some(vec![1.0, -2.0, 3.0, 4.0]));
+    assert_eq!(answer(&DMatrix::from_element(1, 1, 4.0), &[2.0]), Some(vec![0.5]));
+    assert_eq!(answer(&DMatrix::zeros(0, 0), &[]), Some(vec![]));
+}
+
+#[test]
+fn what_is_not_positive_definite_is_refused() {
+    for bad in [0.0, -1.0, f64::NAN] {
+        assert_eq!(answer(&DMatrix::from_element(1, 1, bad), &[1.0]), None);
+    }
+    let saddle = DMatrix::from_row_slice(2, 2, &[1.0, 2.0, 2.0, 1.0]);
+    assert_eq!(answer(&saddle, &[1.0, 1.0]), None);
+}
+
+#[test]
+fn separate_columns_stay_separate_and_a_chain_becomes_one() {
+    let supernodes = |matrix: &DMatrix<f64>| {
+        let (starts, rows, _) = lower(matrix);
+        Factor::new(&starts, &rows).map_or(0, |factor| factor.symbolic.supernodes.len())
+    };
+    assert_eq!(supernodes(&DMatrix::identity(6, 6)), 6);
+    assert_eq!(supernodes(&DMatrix::from_fn(4, 4, |i, j| if i.abs_diff(j) < 2 { 1.0 } else { 0.0 })), 1);
+    // An arrow: no column is like the last, and together they are too many zeros.
+    let arrow = DMatrix::from_fn(99, 99, |i, j| if i == j || i.max(j) == 98 { 1.0 } else { 0.0 });
+    assert!(supernodes(&arrow) > 80);
+}
+
+/// Five points on a grid of `side` by `side`, row by row.
+fn laplacian(side: u32) -> (Vec<u32>, Vec<u32>, Vec<f64>) {
+    let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+    for k in 0..side * side {
+        let below = [(k, 4.0), (k + 1, -1.0), (k + side, -1.0)];
+        let is_there = |row: u32| row < side * side && (row != k + 1 || !row.is_multiple_of(side));
+        for (row, value) in below.into_iter().filter(|(row, _)| is_there(*row)) {
+            rows.push(row);
+            values.push(value);
+        }
+        starts.push(u32::try_from(rows.len()).unwrap_or(u32::MAX));
+    }
+    (starts, rows, values)
+}
+
+#[test]
+fn one_analysis_serves_many_matrices() {
+    let (starts, rows, values) = laplacian(40);
+    let mut factor = Factor::new(&starts, &rows).expect("memory");
+    let ones = vec![1.0; 1600];
+    let mut solved = |shift: f64| {
+        let mut vector = ones.clone();
+        factor.compute(&values, shift, &ones).then(|| {
+            factor.solve(&mut vector);
+            vector
+        })
+    };
+    let once = solved(0.0).expect("positive definite");
+    assert!(solved(-1.0).is_none());
+    let shifted = solved(2.0).expect("positive definite");
+    assert_eq!(solved(0.0), Some(once.clone()));
+    for (vector, diagonal) in [(once, 4.0), (shifted, 6.0)] {
+        let at = |row: usize, column: usize| vector[40 * row + column];
+        for k in 0..1600 {
+            let (i, j) = (k / 40, k % 40);
+            let mut left = 1.0 - diagonal * at(i, j);
+            left += if i > 0 { at(i - 1, j) } else { 0.0 } + if i < 39 { at(i + 1, j) } else { 0.0 };
+            left += if j > 0 { at(i, j - 1) } else { 0.0 } + if j < 39 { at(i, j + 1) } else { 0.0 };
+            assert!(left.abs() < 1e-11, "{k}: {left:e}");
+        }
+    }
+}

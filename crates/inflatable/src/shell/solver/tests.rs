@@ -1,0 +1,164 @@
+//! Plates and strips whose solutions are known; laws that equilibria must obey.
+
+use super::*;
+use crate::shell::assembly::{Plane, Sheet, State, Supports};
+use crate::shell::element::Fabric;
+use crate::shell::mesh::{Border, Diagonal, HalfActuator, Mesh, MeshFault, Sizes, rectangle};
+
+const RIM: Border = Border::Rim(0);
+
+/// A quarter of the square of side 1, between the planes x = 0 and y = 0 through its middle.
+fn quarter(cells: usize, diagonal: Diagonal, outer: [Border; 2]) -> Result<(Mesh, Vec<Plane>), MeshFault> {
+    let borders = [Border::Mirror(1), outer[0], outer[1], Border::Mirror(0)];
+    let mesh = rectangle([0.5, 0.5], [cells, cells], diagonal, 0.0, borders)?;
+    let plane = |point, normal| Plane { point, normal };
+    let planes = vec![
+        plane([0.0, 0.0], [-1.0, 0.0]),
+        plane([0.0, 0.0], [0.0, -1.0]),
+        plane([0.5, 0.0], [1.0, 0.0]),
+        plane([0.0, 0.5], [0.0, 1.0]),
+    ];
+    Ok((mesh, planes))
+}
+
+/// The height of the middle of a plate of B = 1 under so little pressure that it is linear, by p a^4/B.
+fn middle(mesh: &Mesh, supports: Supports) -> Result<f64, Stop> {
+    let fabric = Fabric { stretch: 100.0, bending: 1.0, poisson: 0.3 };
+    let mut solver = Solver::new(Sheet::new(mesh, fabric), supports).ok_or(Stop::Iterations)?;
+    let mut state = solver.assembly.sheet.flat();
+    let pressure = 1e-4;
+    let _ = solver.settle(&mut state, Aim { pressure, tolerance: 1e-12 })?;
+    Ok(state.points[0][2] / pressure)
+}
+
+#[test]
+fn a_simply_supported_square_plate_rises_as_it_must() -> Result<(), MeshFault> {
+    for diagonal in [Diagonal::Rising, Diagonal::Falling, Diagonal::Alternating, Diagonal::Crossed] {
+        let (mesh, planes) = quarter(16, diagonal, [RIM, RIM])?;
+        let found = middle(&mesh, Supports::new(&mesh, planes));
+        let error = found.map(|height| (height / 0.004_062_4 - 1.0).abs());
+        assert!(error.is_ok_and(|error| error < 0.01), "{diagonal:?}: {found:?}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_clamped_square_plate_rises_as_it_must() -> Result<(), MeshFault> {
+    // A mirror plane that is also held down is a clamp.
+    let (mesh, planes) = quarter(20, Diagonal::Alternating, [Border::Mirror(2), Border::Mirror(3)])?;
+    let mut supports = Supports::new(&mesh, planes);
+    for (k, point) in mesh.points.iter().enumerate().filter(|(_, p)| p[0] == 0.5 || p[1] == 0.5) {
+        assert!(point[0] <= 0.5);
+        supports.fix(k, 2);
+    }
+    let found = middle(&mesh, supports);
+    let error = found.map(|height| (height / 0.001_265_3 - 1.0).abs());
+    assert!(error.is_ok_and(|error| error < 0.015), "{found:?}");
+    Ok(())
+}
+
+#[test]
+fn an_endless_strip_without_bending_becomes_an_arc() -> Result<(), MeshFault> {
+    // Half the strip |x| < 1/2 of a membrane held at its edges: its stretch and its arc from one equation.
+    let (stretch, nu, pressure) = (1.0, 0.39, 0.05);
+    let fabric = Fabric { stretch, bending: 1e-8, poisson: nu };
+    let sides = [Border::Mirror(1), RIM, Border::Mirror(2), Border::Mirror(0)];
+    let mesh = rectangle([0.5, 0.1], [40, 3], Diagonal::Alternating, 0.0, sides)?;
+    let planes = vec![
+        Plane { point: [0.0, 0.0], normal: [-1.0, 0.0] },
+        Plane { point: [0.0, 0.0], normal: [0.0, -1.0] },
+        Plane { point: [0.0, 0.1], normal: [0.0, 1.0] },
+    ];
+    let mut supports = Supports::new(&mesh, planes);
+    for k in (0..mesh.points.len()).filter(|k| mesh.points[*k][0] == 0.5) {
+        supports.fix(k, 0); // along x, which is also the way along the mirror planes
+    }
+    let solved = Solver::new(Sheet::new(&mesh, fabric), supports).map(|mut solver| {
+        let continuation = Continuation { first: fabric.bending, last: pressure, scale: 1.0, floor: 1e-13 };
+        continuation.run(&mut solver, |_| {}).map(|equilibrium| equilibrium.rest.energy.volume)
+    });
+    let tension = |angle: f64| {
+        let grown = angle / angle.sin();
+        stretch / (1.0 - nu * nu) * (grown * grown - 1.0) / 2.0 * grown
+    };
+    let (mut low, mut high) = (1e-3, 1.5);
+    for _ in 0..60 {
+        let angle = f64::midpoint(low, high);
+        // p R = T, R = (1/2)/sin.
+        if tension(angle) * angle.sin() * 2.0 < pressure { low = angle } else { high = angle }
+    }
+    let radius = 0.5 / low.sin();
+    let exact = 0.1 * radius * radius * (low - low.sin() * low.cos()) / 2.0;
+    let found = solved.and_then(Result::ok);
+    assert!(found.is_some_and(|volume| (volume / exact - 1.0).abs() < 0.003), "{found:?} {exact}");
+    Ok(())
+}
+
+/// Half a coarse V-actuator, with W = Y = 1.
+fn actuator() -> Result<(Solver, f64), MeshFault> {
+    let half = HalfActuator { r: 0.1, w: 1.0, l: 2.5, phi_0: 1.0 };
+    let mesh = half.mesh(&Sizes::across(1.0, 4.0))?.mesh;
+    let mut supports = Supports::new(&mesh, vec![Plane { point: [0.0, 0.0], normal: [0.0, -1.0] }]);
+    let inner = (0..mesh.points.len()).filter(|k| mesh.points[*k][1] == 0.0);
+    let inner = inner.min_by(|a, b| mesh.points[*a][0].total_cmp(&mesh.points[*b][0])).unwrap_or(0);
+    supports.fix(inner, 0);
+    let fabric = Fabric { stretch: 1.0, bending: 2e-5, poisson: 0.39 };
+    let solver = Solver::new(Sheet::new(&mesh, fabric), supports).ok_or(MeshFault::Empty)?;
+    Ok((solver, fabric.bending))
+}
+
+fn continuation(bending: f64, bendability: f64) -> Continuation {
+    Continuation { first: bending, last: bendability * bending, scale: 1.0, floor: 1e-14 }
+}
+
+#[test]
+fn more_pressure_gains_the_volume() -> Result<(), MeshFault> {
+    let (mut solver, bending) = actuator()?;
+    for bendability in [5.0, 30.0, 100.0] {
+        let Ok(equilibrium) = continuation(bending, bendability).run(&mut solver, |_| {}) else {
+            panic!("no equilibrium at {bendability}");
+        };
+        let mut at = |factor: f64| {
+            let (mut state, pressure) = (equilibrium.state.clone(), factor * equilibrium.pressure);
+            let rest = solver.settle(&mut state, Aim { pressure, tolerance: 1e-14 });
+            rest.map_or(f64::NAN, |rest| rest.energy.total(pressure))
+        };
+        let step = 1e-3;
+        let slope = (8.0 * (at(1.0 + step) - at(1.0 - step)) - (at(1.0 + 2.0 * step) - at(1.0 - 2.0 * step)))
+            / (12.0 * step * equilibrium.pressure);
+        let error = (slope / -equilibrium.rest.energy.volume - 1.0).abs();
+        assert!(error < 1e-6, "{bendability}: {error:e}");
+    }
+    Ok(())
+}
+
+#[test]
+fn repeats_have_the_same_bits_and_threads_do_not_matter() {
+    let run = || -> Option<State> {
+        let (mut solver, bending) = actuator().ok()?;
+        continuation(bending, 20.0).run(&mut solver, |_| {}).ok().map(|equilibrium| equilibrium.state)
+    };
+    let once = run();
+    let others: Vec<Option<State>> = std::thread::scope(|scope| {
+        let threads = [0, 1].map(|_| scope.spawn(run));
+        threads.into_iter().map(|thread| thread.join().ok().flatten()).collect()
+    });
+    assert!(once.is_some() && others.iter().all(|other| *other == once));
+}
+
+#[test]
+fn the_factor_is_small() -> Result<(), MeshFault> {
+    let (solver, _) = actuator()?;
+    let by_unknown = solver.factor_size() / solver.assembly.unknowns();
+    assert!(by_unknown < 100, "{by_unknown} numbers an unknown");
+    Ok(())
+}
+
+#[test]
+fn a_told_stop_ends_at_the_next_step() -> Result<(), MeshFault> {
+    let (mut solver, bending) = actuator()?;
+    solver.cancel.store(true, std::sync::atomic::Ordering::Relaxed);
+    let broken = continuation(bending, 20.0).run(&mut solver, |_| {});
+    assert!(broken.is_err_and(|broken| broken.why == Stop::Cancelled && broken.last.is_none()));
+    Ok(())
+}

@@ -1,0 +1,71 @@
+//! Leaks of a sealed shape as refusals: each with its place in words, and the key that is best changed.
+
+use crate::design::{Refusal, RefusalCode};
+use crate::shape::{Leak, SealedShape};
+use crate::spec::key;
+use inflatable::geom::Point;
+
+/// The ways for air out of `shape` that are no ports.
+pub fn shape_leaks(shape: &SealedShape) -> Vec<Refusal> {
+    shape.topology().leaks.iter().map(|leak| refusal(shape, leak)).collect()
+}
+
+fn refusal(shape: &SealedShape, leak: &Leak) -> Refusal {
+    let seam = |number: &usize| match shape.seams.get(*number).map(|seam| seam.name.as_str()) {
+        None | Some("") => "seam".to_owned(),
+        Some(name) => format!("{name} seam"),
+    };
+    let first = |places: &[Point]| {
+        places
+            .first()
+            .map_or(String::new(), |place| format!(", first at X {:.1} Y {:.1} mm", place.x, place.y))
+    };
+    let (key, code, found, remedy) = match leak {
+        Leak::Gap(at, gap) => (
+            key::seal::BAND,
+            RefusalCode::SeamGap,
+            format!("a gap of {gap:.6} mm in the {}", seam(at)),
+            "a seam has no gap: try another band".to_owned(),
+        ),
+        Leak::CrossesItself(at, places) => (
+            key::seal::BAND,
+            RefusalCode::SeamCrossesItself,
+            format!("the {} crosses itself in {} places{}", seam(at), places.len(), first(places)),
+            "make band narrower, or the arms longer".to_owned(),
+        ),
+        Leak::Cross([a, b], places) => (
+            key::star::TUBE_WIDTH,
+            RefusalCode::SeamsCross,
+            format!(
+                "the {} and the {} cross or touch in {} places{}",
+                seam(a),
+                seam(b),
+                places.len(),
+                first(places)
+            ),
+            "make tube_width larger, or the band narrower".to_owned(),
+        ),
+        Leak::Open(at, [end, _]) => (
+            key::inlet::NONE,
+            RefusalCode::WrongOpening,
+            format!("the {} is open without an inlet, at X {:.1} Y {:.1} mm", seam(at), end.x, end.y),
+            "change [inlet]".to_owned(),
+        ),
+        Leak::SealedPort(_) => (
+            key::inlet::NONE,
+            RefusalCode::WrongOpening,
+            "the inlet is sealed: no seam opens there".to_owned(),
+            "change [inlet]".to_owned(),
+        ),
+        Leak::NarrowPort(port, width) => {
+            let needed = shape.ports.get(*port).map_or(0.0, |port| port.width);
+            (
+                key::inlet::TUBE_DIAMETER,
+                RefusalCode::NarrowMouth,
+                format!("the inlet's mouth is {width:.3} mm wide, too narrow for the hose"),
+                format!("it needs {needed:.3} mm: make tube_diameter smaller"),
+            )
+        }
+    };
+    Refusal::new(key, code, found, remedy)
+}

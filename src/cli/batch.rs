@@ -1,0 +1,47 @@
+//! One command for several specs: each has its answer or its faults, and one that is refused does not keep the others from theirs.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+
+use crate::cli::failure::{Failure, say};
+use crate::cli::verbosity::{Verbosity, pretty};
+
+/// Does `one` for each of `specs`; of what programs are told, prints one object.
+pub(super) fn run(
+    specs: &[PathBuf],
+    verbosity: Verbosity,
+    mut one: impl FnMut(&Path) -> Result<Option<Value>, Failure>,
+) -> Result<(), Failure> {
+    if let [spec] = specs {
+        let said = one(spec)?;
+        return said.map_or(Ok(()), |said| say(&pretty(&said)));
+    }
+    let (mut all, mut failed, mut refused) = (Vec::new(), false, Vec::new());
+    for (number, spec) in specs.iter().enumerate() {
+        if number > 0 && !verbosity.quiet && !verbosity.json {
+            say("\n")?;
+        }
+        match one(spec) {
+            Ok(said) => all.extend(said),
+            Err(Failure::Pipe) => return Err(Failure::Pipe),
+            Err(failure) => {
+                failed = true;
+                match failure.refused().filter(|_| verbosity.json) {
+                    Some(reasons) => refused.extend(reasons),
+                    None => {
+                        let _ = failure.report();
+                    }
+                }
+            }
+        }
+    }
+    if verbosity.json {
+        let mut said = serde_json::json!({ "results": all });
+        if !refused.is_empty() {
+            said["refused"] = refused.into();
+        }
+        say(&pretty(&said))?;
+    }
+    if failed { Err(Failure::Said) } else { Ok(()) }
+}

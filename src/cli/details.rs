@@ -1,0 +1,205 @@
+//! Everything there is to say about a gripper, for `-v`: what stands behind the first screen.
+
+use std::fmt::Write;
+
+use crate::airtight;
+use crate::artifact::{Format, Output};
+use crate::design::{COATING_ASSUMES, Design, Plate, StarDesign};
+use crate::forecast::report;
+use crate::pipeline::{Forecast, Proven};
+use crate::spec::Spec;
+use crate::units::Readable;
+use crate::verify::Proof;
+
+/// What a check found out.
+pub(super) fn checked(forecast: &Forecast) -> String {
+    let seal = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
+    // What it warns of has been said above, as has what the prediction warns of.
+    let seal = airtight::Report { weaknesses: Vec::new(), ..seal };
+    format!("\n{}{}{}", design(forecast), predicted(forecast), seal)
+}
+
+/// The design: geometry, seams, fabric, what the iron does to the corners. Of equal stars the first.
+fn design(forecast: &Forecast) -> String {
+    let Forecast { spec, design, programs, .. } = forecast;
+    let mut out = String::new();
+    for placed in design.firsts() {
+        let part = design.part(placed);
+        let _ = writeln!(out, "star {}: arms {:.2} mm long", placed.index, part.star.l);
+        let (tip, corner) = (part.realised_tip(), part.realised_corner());
+        let _ = writeln!(
+            out,
+            "  realised radius: tips {:.2} mm (cusp {:.2} mm), corners {:.2} mm (cusp {:.2} mm)",
+            tip.radius, tip.cusp, corner.radius, corner.cusp
+        );
+        let _ = writeln!(
+            out,
+            "  clear radius at the flap {:.2} mm, fabric {:.0} cm2 in both sheets{}",
+            part.clear_radius(),
+            part.fabric() / 100.0,
+            part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
+        );
+        for program in programs {
+            for seam in program.seams.iter().filter(|seam| seam.name.piece == placed.name()) {
+                let _ = writeln!(
+                    out,
+                    "  {} loop: {:.1} mm of seam, {}",
+                    seam.name.seam,
+                    seam.length,
+                    hours(seam.time)
+                );
+            }
+        }
+    }
+    for sheet in &design.sheets {
+        let _ =
+            writeln!(out, "sheet {}: {} x {} mm", sheet.index, Readable(sheet.width), Readable(sheet.height));
+    }
+    out += &materials(spec, design);
+    let time: f64 = programs.iter().map(|program| program.time).sum();
+    let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();
+    let _ = writeln!(out, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
+    out
+}
+
+/// Masks, coating and frame.
+fn materials(spec: &Spec, design: &Design) -> String {
+    let mut out = String::new();
+    for placed in design.firsts() {
+        let part = design.part(placed);
+        let [thin, thick] = part.mask.coating_um();
+        let _ = writeln!(
+            out,
+            "mask of star {}: windows reach {:.2} mm, plate {:.0} cm2, {:.1} cm3 at {}",
+            placed.index,
+            part.mask.extent,
+            part.mask.area(&part.outline) / 100.0,
+            part.mask.area(&part.outline) * spec.mask.thickness.0 / 1000.0,
+            spec.mask.thickness,
+        );
+        out += &printed(spec, part);
+        let _ = writeln!(out, "  coating about {thin:.0} to {thick:.0} um thick");
+    }
+    let _ = writeln!(out, "  the coating's thickness assumes {COATING_ASSUMES}");
+    let (frame, stack) = (&design.frame, &design.stack);
+    let _ = writeln!(
+        out,
+        "frame: {} posts of {:.2} mm, diameter {} mm, on a circle of radius {:.2} mm",
+        frame.posts.len(),
+        frame.post_length,
+        Readable(frame.post_diameter),
+        frame.radius - frame.post_diameter,
+    );
+    for placed in &design.stars {
+        // The plates below and above it.
+        let beside =
+            |plate: &&Plate| plate.numbers.iter().any(|n| (placed.index..placed.index + 2).contains(n));
+        let opening = frame.plates.iter().filter(beside).map(|plate| plate.opening).fold(0.0, f64::max);
+        let shut = crate::design::shut_reach(&design.part(placed).star);
+        if shut <= opening {
+            let _ = writeln!(
+                out,
+                "  note: shut as far as it ever goes, star {} reaches {shut:.2} mm, less than an opening of {opening:.2} mm",
+                placed.index
+            );
+        }
+    }
+    for plate in &frame.plates {
+        let list = |items: Vec<String>| items.join(", ");
+        let heights = plate.numbers.iter().map(|number| format!("{:.2}", stack.plates[number - 1]));
+        let _ = writeln!(
+            out,
+            "  plate {}: opening {:.2} mm in radius, {:.0} cm2, middle at a height of {} mm",
+            list(plate.numbers.iter().map(ToString::to_string).collect()),
+            plate.opening,
+            frame.area(plate) / 100.0,
+            list(heights.collect()),
+        );
+    }
+    out
+}
+
+/// A common bed of a 3-D printer, mm on both sides.
+const COMMON_BED: f64 = 220.0;
+
+/// How a mask goes on a printer's bed.
+fn printed(spec: &Spec, part: &StarDesign) -> String {
+    let pieces = &part.pieces.list;
+    let sizes: Vec<String> =
+        pieces.iter().map(|piece| piece.size.map(|mm| format!("{mm:.0}")).join(" x ")).collect();
+    match (spec.mask.bed, &sizes[..]) {
+        (Some(bed), [one]) => format!("  printed: {one} mm, fits the bed of {} x {}\n", bed.width, bed.depth),
+        (Some(_), all) => format!("  printed in {} pieces: {} mm\n", all.len(), all.join(", ")),
+        (None, _) if pieces.iter().any(|piece| piece.size.iter().any(|mm| *mm > COMMON_BED)) => {
+            let all = sizes.join(", ");
+            format!(
+                "  note: printed, the plate takes {all} mm, and many beds have {COMMON_BED} x {COMMON_BED} mm; \
+                 `bed = \"220 mm x 220 mm\"` in [mask] prints it in pieces\n"
+            )
+        }
+        (None, all) => format!("  printed: {} mm\n", all.join(", ")),
+    }
+}
+
+/// The design, and what was written of it.
+pub(super) fn built(proven: &Proven) -> String {
+    let built = proven.built();
+    let Forecast { machine, .. } = &built.forecast;
+    let mut out = format!("\n{}", design(&built.forecast));
+    let _ = writeln!(out, "machine: {} ({})", machine.name, machine.description);
+    out.push_str(&predicted(&built.forecast));
+    let _ = writeln!(out, "files:");
+    for (name, bytes) in built.files() {
+        let output = built.artifacts.iter().find(|artifact| artifact.name == name).map(|file| &file.output);
+        let pages = output.and_then(|output| pages(output, &built.forecast.design)).unwrap_or_default();
+        let _ = writeln!(out, "  {name} ({} bytes{pages})", bytes.len());
+    }
+    out
+}
+
+/// How many pages a file for a printer has.
+fn pages(output: &Output, design: &Design) -> Option<String> {
+    match output.paper?.pages(&output.drawing(design)?, "").len() {
+        1 => Some(", 1 page".to_owned()),
+        all => Some(format!(", an overview and {} pages to tape", all - 1)),
+    }
+}
+
+/// What was compared with what, and how near it is.
+pub(super) fn scope(proof: &Proof) -> String {
+    let all = proof.files.len();
+    let measured = proof.files.iter().filter(|file| file.deviation.is_some()).count();
+    let nearest = |of: &dyn Fn(Format) -> bool| {
+        let deviations = proof.files.iter().filter(|file| of(file.output.kind.format()));
+        deviations.filter_map(|file| file.deviation).reduce(f64::max)
+    };
+    // Paper and solids say arcs by curves and chords, with tolerances of their own.
+    let within: Vec<String> = [
+        ("lines and arcs", nearest(&|format| !matches!(format, Format::Pdf | Format::Stl)), 6),
+        ("paper", nearest(&|format| format == Format::Pdf), 4),
+        ("solids", nearest(&|format| format == Format::Stl), 4),
+    ]
+    .into_iter()
+    .filter_map(|(what, mm, digits)| mm.map(|mm| format!("{what} within {mm:.digits$} mm")))
+    .collect();
+    if within.is_empty() {
+        return format!("none of {all} files has geometry that is compared; nothing was measured");
+    }
+    format!("{measured} of {all} files compared with the exact geometry: {}", within.join(", "))
+}
+
+/// What the gripper will do, where that was asked for.
+fn predicted(forecast: &Forecast) -> String {
+    let Some(mut prediction) = forecast.prediction.clone() else { return String::new() };
+    prediction.stars.iter_mut().for_each(|star| star.evidence.warnings.clear());
+    let text = report::text(&forecast.spec, &prediction);
+    // The name stands above already.
+    let body = text.split_once('\n').map_or("", |(_, body)| body);
+    format!("predicted:\n{}", body.trim_start_matches('\n'))
+}
+
+/// A time for people.
+pub(super) fn hours(seconds: f64) -> String {
+    let minutes = (seconds / 60.0).round();
+    format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
+}

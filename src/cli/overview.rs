@@ -1,0 +1,207 @@
+//! The first screen of `check` and `build`: what it is, whether it does what is asked of it, what to see to before sealing, when
+//! it would be done, and where to begin.
+
+use std::fmt::Write;
+use std::io::{stderr, stdout};
+use std::path::Path;
+
+use jiff::Zoned;
+use serde_json::{Value, json};
+
+use crate::artifact::Kind;
+use crate::cli::clock;
+use crate::cli::details::{hours, scope};
+use crate::cli::escape::shown;
+use crate::cli::failure::{Failure, say, tell_under};
+use crate::cli::terminal::{width, wrapped};
+use crate::cli::verdict;
+use crate::forecast::ranges::shown::rounded;
+use crate::pipeline::{Forecast, Precaution, Proven};
+use crate::spec::StarSpec;
+use crate::units::{Angle, Length};
+
+/// Columns of the labels.
+const LABEL: usize = 11;
+
+/// A label and what stands beside it; rows without one are sentences of their own.
+type Row = (&'static str, String);
+
+/// What it is, and what it does.
+pub(super) fn head(forecast: &Forecast) -> Vec<Row> {
+    let mut rows = vec![("", forecast.spec.name.clone())];
+    rows.extend(stars(forecast).into_iter().map(|text| ("", text)));
+    rows.push(("", verdict::in_words(forecast)));
+    rows.extend(verdict::rows(forecast));
+    rows
+}
+
+/// Equal stars once.
+fn stars(forecast: &Forecast) -> Vec<String> {
+    let all = forecast.design.stars.len();
+    let lines = forecast.design.firsts().filter_map(|first| {
+        let alike = forecast.design.stars.iter().filter(|placed| placed.distinct == first.distinct);
+        let numbers: Vec<String> = alike.map(|placed| placed.index.to_string()).collect();
+        let star = in_words(forecast.spec.stars.get(first.index - 1)?);
+        Some(match numbers.len() {
+            _ if all == 1 => format!("1 star: {star}"),
+            n if n == all => format!("{all} equal stars: {star}"),
+            1 => format!("star {}: {star}", numbers[0]),
+            _ => format!("stars {}: {star}", numbers.join(", ")),
+        })
+    });
+    lines.collect()
+}
+
+/// A star in the words of the spec.
+fn in_words(star: &StarSpec) -> String {
+    let StarSpec { points, inner_radius, tube_width, tip_angle, tip_radius, corner_radius, .. } = star;
+    let angle: &Angle = tip_angle;
+    let mut text =
+        format!("{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {angle}");
+    for (what, radius) in [("tip radius", tip_radius), ("corner radius", corner_radius)] {
+        if *radius != Length(0.0) {
+            // A String takes everything.
+            let _ = write!(text, ", {what} {radius}");
+        }
+    }
+    text
+}
+
+/// How long sealing takes, and on what.
+pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<Row> {
+    let seconds = sealing_time(forecast);
+    let end = clock::finish(now, seconds)
+        .map(|end| format!("; begun now, it ends {end}, heating and pauses not counted"));
+    let number = forecast.design.sheets.len();
+    let area = match forecast.machine.bench.work_area {
+        Some((x, y)) => format!("; the machine reaches {} x {} mm", rounded(x.0), rounded(y.0)),
+        None => String::new(),
+    };
+    let sheets = format!("{number} of {}{area}", forecast.sheet_sizes());
+    let seal = format!("{} at {}{}", hours(seconds), forecast.spec.seal.speed, end.unwrap_or_default());
+    vec![("sealing", seal), (if number == 1 { "sheet" } else { "sheets" }, sheets)]
+}
+
+/// How long all programs take, s, without heating and pauses.
+pub(super) fn sealing_time(forecast: &Forecast) -> f64 {
+    forecast.programs.iter().map(|program| program.time).sum()
+}
+
+/// What was written, what to look at, and what to run.
+pub(super) fn written(proven: &Proven, target: &Path) -> Vec<Row> {
+    let number = proven.built().files().count();
+    let mut rows =
+        vec![("files", format!("{number} in {}", shown(target))), ("proven", scope(proven.proof()))];
+    if let Some(picture) = to_look_at(proven) {
+        rows.push(("look at", shown(target.join(picture))));
+    }
+    let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));
+    let run = match (traces.first(), seals.first()) {
+        (Some(trace), Some(seal)) => {
+            Some(format!("{trace} first, which seals nothing; then {seal}{}", more(&seals)))
+        }
+        (None, Some(seal)) => Some(format!("{seal}{}; no trace was asked for", more(&seals))),
+        _ => None,
+    };
+    rows.extend(run.map(|run| ("run", run)));
+    rows
+}
+
+/// What was proven in memory, and that there are kinds which were not made.
+pub(super) fn proven(proven: &Proven) -> Vec<Row> {
+    let number = proven.built().files().count();
+    let more = match left_out(proven).len() {
+        0 => String::new(),
+        more => format!("; {more} more kinds by --with"),
+    };
+    vec![("proven", format!("{number} files, made in memory: {}{more}", scope(proven.proof())))]
+}
+
+/// The same for programs.
+pub(super) fn proven_json(proven: &Proven) -> Value {
+    let left_out: Vec<&str> = left_out(proven).iter().map(|kind| kind.name()).collect();
+    json!({ "files": proven.built().files().count(), "kinds_left_out": left_out })
+}
+
+/// The kinds that nothing was made of because they were not asked for.
+fn left_out(proven: &Proven) -> Vec<Kind> {
+    let asked = proven.built().manifest.asked();
+    Kind::ALL.iter().copied().filter(|kind| !asked.takes(*kind)).collect()
+}
+
+/// The page that shows most of the gripper, by its file's name.
+pub(super) fn to_look_at(proven: &Proven) -> Option<String> {
+    [Kind::Report, Kind::PreviewPng, Kind::PreviewSvg]
+        .into_iter()
+        .find_map(|kind| named(proven, kind).into_iter().next())
+}
+
+/// The files of one kind, by name.
+fn named(proven: &Proven, kind: Kind) -> Vec<String> {
+    let files = proven.built().artifacts.iter().filter(|file| file.output.kind == kind);
+    files.map(|file| file.name.clone()).collect()
+}
+
+fn more(programs: &[String]) -> String {
+    match programs.len() {
+        0 | 1 => String::new(),
+        2 => ", and the second in the same way".to_owned(),
+        n => format!(", and the other {} in the same way", n - 1),
+    }
+}
+
+/// Prints rows to standard output.
+pub(super) fn show(rows: &[Row]) -> Result<(), Failure> {
+    let width = width(&stdout());
+    let line = |(label, text): &Row| match *label {
+        "" => wrapped(text, 2, width) + "\n",
+        label => wrapped(&format!("{label:LABEL$}{text}"), LABEL, width) + "\n",
+    };
+    say(&rows.iter().map(line).collect::<String>())
+}
+
+/// Prints what to see to before sealing, on standard error: who keeps the answer in a file must still see it.
+pub(super) fn warn(list: &[Precaution]) {
+    warn_of(&list.iter().map(|one| one.text.clone()).collect::<Vec<_>>());
+}
+
+/// The same for texts.
+pub(super) fn warn_of(list: &[String]) {
+    if list.is_empty() {
+        return;
+    }
+    let width = width(&stderr());
+    let lines = list.iter().map(|text| wrapped(&format!("  - {}", shown(text)), 4, width));
+    tell_under("before you seal", &lines.collect::<Vec<_>>().join("\n"));
+}
+
+/// Everything of the first screen but the time of day, for programs.
+pub(super) fn json(forecast: &Forecast, list: &[Precaution]) -> Value {
+    let area = forecast.machine.bench.work_area.map(|(x, y)| [x.0, y.0]);
+    let sheets: Vec<[f64; 2]> =
+        forecast.design.sheets.iter().map(|sheet| [sheet.width, sheet.height]).collect();
+    json!({
+        "name": forecast.spec.name,
+        "stars": forecast.design.stars.len(),
+        "verdict": verdict::json(forecast),
+        "before_you_seal": list.iter().map(|one| &one.text).collect::<Vec<_>>(),
+        "sealing_time_s": sealing_time(forecast),
+        "sheets_mm": sheets,
+        "work_area_mm": area,
+        "machine": forecast.machine.name,
+        "prediction": forecast.prediction,
+    })
+}
+
+/// What [`written`] says, for programs.
+pub(super) fn written_json(proven: &Proven, target: &Path) -> Value {
+    let files: Vec<Value> =
+        proven.built().files().map(|(name, bytes)| json!({ "path": name, "bytes": bytes.len() })).collect();
+    let [traces, seals] = [Kind::TraceGcode, Kind::SealGcode].map(|kind| named(proven, kind));
+    json!({
+        "directory": target.to_string_lossy(),
+        "files": files,
+        "look_at": to_look_at(proven),
+        "run": traces.into_iter().chain(seals).collect::<Vec<_>>(),
+    })
+}

@@ -1,0 +1,94 @@
+//! The two seams of a star: the inner and the outer edge of its tube.
+
+use crate::design::star_fault::blamed;
+use crate::design::{Channel, Part, Refusal, RefusalCode, Side, Star};
+use crate::shape::{Role, Seam};
+use crate::spec::{Seal, key};
+use crate::units::{Least, Most, Readable};
+use inflatable::geom::Path;
+
+/// How far the bands of an inlet run past the cut at full contact, mm, so that the cut edge is sealed to its end.
+pub const MOUTH_OVERRUN: f64 = 1.0;
+
+/// The seam on `side` of `star`, opened by `channel` if there is one and the side is the outer one.
+///
+/// # Errors
+/// All reasons for which the band cannot be sealed.
+pub(super) fn star_seam(
+    star: &Star,
+    side: Side,
+    channel: Option<&Channel>,
+    seal: &Seal,
+) -> Result<Seam, Refusal> {
+    let half_band = seal.band.0 / 2.0;
+    let contour = star.contour(side, half_band, 0.0).ok_or_else(|| hole_closed(star, seal))?;
+    if contour.arm <= 0.0 {
+        return Err(band_eats_arm(star, side, seal));
+    }
+    if let (Side::Outside, Some(channel)) = (side, channel) {
+        let center_line = channel.open(star, &contour, half_band, 0.0, MOUTH_OVERRUN)?;
+        return Ok(seam(side, center_line, 0.0));
+    }
+    // Opposite arms, so that neither start lies near the other's closure.
+    let arm = if side == Side::Hole { 1 } else { star.n + 1 };
+    let start = contour.middle_of(Part::Arm(arm)).unwrap_or(0.0);
+    let center_line = contour.path().starting_at(start);
+    let overlap = seal.overlap.0;
+    let length = center_line.length();
+    if overlap > length / 2.0 {
+        return Err(Refusal::new(
+            key::seal::OVERLAP,
+            RefusalCode::LongOverlap,
+            format!("an overlap of {} on a loop of {} mm", seal.overlap, Readable(length)),
+            format!("overlap must be at most half the loop, {} mm", Most(length / 2.0)),
+        ));
+    }
+    Ok(seam(side, center_line, overlap))
+}
+
+fn seam(side: Side, center_line: Path, overlap: f64) -> Seam {
+    Seam { name: side.loop_name().to_owned(), role: Role::Boundary, center_line, overlap }
+}
+
+pub(super) fn hole_closed(star: &Star, seal: &Seal) -> Refusal {
+    // Which of the three is out of line: compared with the defaults, and with the paper's radius.
+    let key = blamed([
+        (key::star::INNER_RADIUS, 50.0 / star.rho_0),
+        (key::seal::BAND, seal.band.0 / 2.0),
+        (key::seal::HOLE_ALLOWANCE, seal.hole_allowance.0),
+    ]);
+    Refusal::new(
+        key,
+        RefusalCode::HoleClosed,
+        format!(
+            "a band of {} and a flap of {} close the hole of radius {} mm",
+            seal.band,
+            seal.hole_allowance,
+            Readable(star.rho_0)
+        ),
+        format!(
+            "inner_radius must be above band and hole_allowance together, {} mm",
+            Least(seal.band.0 + seal.hole_allowance.0)
+        ),
+    )
+}
+
+fn band_eats_arm(star: &Star, side: Side, seal: &Seal) -> Refusal {
+    let (radius, phi, hinge, key) = match side {
+        Side::Hole => (star.r_i, star.phi_i, "tips", "tip_radius"),
+        Side::Outside => (star.r_e, star.phi_e, "reentrant corners", "corner_radius"),
+    };
+    let eaten = (seal.band.0 / 2.0 - radius) / (phi / 2.0).tan();
+    let widest = 2.0 * (radius + star.l * (phi / 2.0).tan());
+    Refusal::new(
+        key::seal::BAND,
+        RefusalCode::BandEatsArm,
+        format!(
+            "at the {hinge} a band of {} takes {} mm of arms that are {} mm long",
+            seal.band,
+            Readable(eaten),
+            Readable(star.l)
+        ),
+        format!("band must be below {} mm, or {key} larger", Most(widest)),
+    )
+}

@@ -1,0 +1,87 @@
+//! How things style: colours, and sizes that grow with the picture, so that it reads alike at any size.
+
+use crate::emit::picture::{Colour, Pen};
+use inflatable::geom::{Arc, Bounds, Line, Path, Point, Vec2};
+
+pub(super) const PAGE: Colour = Colour(0xff, 0xff, 0xff);
+pub(super) const SHEET: Colour = Colour(0xf7, 0xf7, 0xf4);
+pub(super) const FABRIC: Colour = Colour(0xdf, 0xe6, 0xee);
+pub(super) const TUBE: Colour = Colour(0x9c, 0xc3, 0xe6);
+pub(super) const BAND: Colour = Colour(0xe8, 0xa3, 0x3d);
+/// Covered twice.
+pub(super) const TWICE: Colour = Colour(0xd0, 0x00, 0x00);
+pub(super) const CUT: Colour = Colour(0xc0, 0x00, 0x00);
+/// The iron on its way down or up.
+pub(super) const RAMP: Colour = Colour(0x70, 0x30, 0xa0);
+pub(super) const IRON: Colour = Colour(0x40, 0x40, 0x40);
+pub(super) const START: Colour = Colour(0x00, 0x70, 0x00);
+pub(super) const TEXT: Colour = Colour(0x20, 0x20, 0x20);
+pub(super) const LABEL: Colour = Colour(0x1f, 0x4e, 0x79);
+/// Frames, dimensions, the sheet's border.
+pub(super) const GREY: Colour = Colour(0x80, 0x80, 0x80);
+pub(super) const WORK_AREA: Colour = Colour(0x00, 0x80, 0x80);
+pub(super) const CLAMP: Colour = Colour(0x8a, 0x4b, 0x1f);
+pub(super) const CLAMP_AREA: Colour = Colour(0xea, 0xd9, 0xcb);
+pub(super) const OBJECT: Colour = Colour(0xf3, 0xdd, 0xb4);
+
+/// Colours of the stars from bottom to top, over and over.
+const STARS: [Colour; 4] =
+    [Colour(0x1f, 0x4e, 0x79), Colour(0xa6, 0x56, 0x28), Colour(0x4d, 0x7c, 0x0f), Colour(0x6a, 0x3d, 0x9a)];
+
+/// The colour of star number `index`, from 1.
+pub(super) fn star_ink(index: usize) -> Colour {
+    STARS[index.saturating_sub(1) % STARS.len()]
+}
+
+/// Sizes in mm.
+#[derive(Clone, Copy)]
+pub(super) struct Style {
+    /// Size of the type.
+    pub(super) unit: f64,
+}
+
+impl Style {
+    /// That of a picture whose longer side is `extent`: on a screen's width of 1500 pixels type is 14 pixels high.
+    pub(super) fn new(extent: f64) -> Self {
+        Self { unit: extent / 110.0 }
+    }
+
+    /// A line, `weight` times as wide as the thinnest that is seen well.
+    pub(super) fn pen(self, ink: Colour, weight: f64) -> Pen {
+        Pen::new(ink, 0.05 * weight * self.unit)
+    }
+
+    /// The same, dashed.
+    pub(super) fn dashes(self, ink: Colour, weight: f64) -> Pen {
+        self.pen(ink, weight).dashed(0.5 * self.unit, 0.35 * self.unit)
+    }
+}
+
+/// A straight line.
+pub(super) fn straight(from: Point, to: Point) -> Path {
+    Path::open(vec![Line::new(from, to).into()])
+}
+
+/// The border of a box.
+pub(super) fn rectangle(bounds: &Bounds) -> Path {
+    let (a, c) = (bounds.min, bounds.max);
+    let (b, d) = (Point::new(c.x, a.y), Point::new(a.x, c.y));
+    polygon(&[a, b, c, d])
+}
+
+/// The closed path through `corners`.
+pub(super) fn polygon(corners: &[Point]) -> Path {
+    let next = corners.iter().cycle().skip(1);
+    Path::closed(corners.iter().zip(next).map(|(from, to)| Line::new(*from, *to).into()).collect())
+}
+
+/// A circle.
+pub(super) fn circle(center: Point, radius: f64) -> Path {
+    Path::closed(vec![Arc::new(center, radius, 0.0, std::f64::consts::TAU).into()])
+}
+
+/// An arrow head of length `size` with its tip at `tip`, pointing along the unit vector `along`.
+pub(super) fn arrow_head(tip: Point, along: Vec2, size: f64) -> Path {
+    let (back, side) = (tip - along * size, along.perp() * (0.35 * size));
+    polygon(&[tip, back + side, back - side])
+}

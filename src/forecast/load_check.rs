@@ -1,0 +1,158 @@
+//! Why a gripper is unfit for the load of its own spec: what was found, what is allowed, and what would do.
+
+use crate::design::{Refusal, RefusalCode, does_not_enter};
+use crate::forecast::prediction::StarPrediction;
+use crate::forecast::ranges::Interval;
+use crate::forecast::ranges::shown::with;
+use crate::forecast::seal_load::Bursting;
+use crate::spec::{Load, Spec, StarSpec, key};
+use crate::units::{Least, Length, Mass, Most, Pressure};
+use inflatable::mechanics::strength::GRAVITY;
+
+/// Largest friction that is proposed, and how to get it: silicone-coated corners reach about 1, in the paper 0.85 to 1.57.
+pub(super) const COATED: f64 = 1.1;
+/// A pressure is taken for a slip of the unit if it is off by more than this factor.
+const SLIP: f64 = 5.0;
+/// Pressures in other units that were meant as kPa: bar, MPa, mbar, Pa.
+const UNITS: [f64; 4] = [1e-2, 1e-3, 1e1, 1e3];
+
+/// `star`, made of `part`, does not let the object in: its widest part does not pass the cut hole.
+pub(super) fn too_wide_to_enter(spec: &Spec, part: &StarSpec, star: &StarPrediction) -> Option<Refusal> {
+    let gap = star.object_gap_mm.filter(|gap| *gap < 0.0)?;
+    Some(does_not_enter(spec, (part.inner_radius.0, star.hole_radius_mm), star.hole_radius_mm - gap))
+}
+
+/// No star of the stack touches the object.
+pub(super) fn too_short(load: &Load) -> Refusal {
+    let (key, height) = match load.object_height {
+        Some(height) => (key::load::OBJECT_HEIGHT, format!("{height} tall")),
+        None => (load.size_key(), "as tall as wide".to_owned()),
+    };
+    Refusal::new(
+        key,
+        RefusalCode::ObjectTooShort,
+        format!("the object is {height}: the star passes above or below it"),
+        "a star at the object's height: another count or pitch of [stack], or object_height if it is taller"
+            .to_owned(),
+    )
+}
+
+/// The star closes to `least` (mm) at the least, and the object of radius `object` is thinner.
+pub(super) fn too_thin(load: &Load, object: f64, least: f64) -> Refusal {
+    Refusal::new(
+        load.size_key(),
+        RefusalCode::ObjectTooThin,
+        format!(
+            "the inflated star closes to {} mm across and does not touch the object, which is {} mm across there",
+            Least(2.0 * least),
+            Most(2.0 * object)
+        ),
+        format!(
+            "{}, or a star that closes further: a smaller inner_radius",
+            size(load, [Least(2.0 * least).to_string(), Least(least).to_string()], "at least")
+        ),
+    )
+}
+
+/// The star opens to `most` (mm) and the object of radius `object` is wider.
+pub(super) fn too_wide_to_open(load: &Load, object: f64, [least, most]: Interval) -> Refusal {
+    Refusal::new(
+        load.size_key(),
+        RefusalCode::ObjectTooWide,
+        format!(
+            "the inflated star opens to {} mm across and does not close around the object, which is {} mm across",
+            Most(2.0 * most),
+            Least(2.0 * object)
+        ),
+        format!(
+            "from {} to {} mm across; or a larger inner_radius, fewer points or a smaller tube_width",
+            Least(2.0 * least),
+            Most(2.0 * most)
+        ),
+    )
+}
+
+/// A limit of the object's size in the words of the key that gave it: diameter and radius.
+fn size(load: &Load, [across, radius]: [String; 2], limit: &str) -> String {
+    if load.size_key() == key::load::OBJECT_RADIUS {
+        format!("{limit} {radius} mm of radius")
+    } else {
+        format!("{limit} {across} mm across")
+    }
+}
+
+/// Whether the seal of `star` bursts at the pressure of `load`; `None` where its strength is not known.
+fn bursting(load: &Load, star: &StarPrediction) -> Option<Bursting> {
+    Some(Bursting::at(load.pressure?.0, star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa))
+}
+
+/// The seal may peel below the pressure of `load`, in words.
+pub(super) fn may_burst(load: &Load, star: &StarPrediction) -> Option<String> {
+    let _ = bursting(load, star).filter(|one| *one == Bursting::Perhaps)?;
+    let range = with(star.burst_pressure_kPa?, star.ranges.burst_pressure_kPa?, "kPa");
+    Some(format!("the seal may burst: its burst pressure is {range}"))
+}
+
+/// The seal peels below the pressure of `load`.
+pub(super) fn bursts(load: &Load, star: &StarPrediction) -> Option<Refusal> {
+    let _ = bursting(load, star).filter(|one| *one == Bursting::Yes)?;
+    let (pressure, burst) = (load.pressure?, Pressure(star.burst_pressure_kPa?));
+    let [sure, most] = star.ranges.burst_pressure_kPa.unwrap_or([burst.0; 2]);
+    let round = star.evidence.safe_radius_mm.map_or_else(String::new, |mm| {
+        format!(", or tip_radius and corner_radius of at least {}", Length(mm))
+    });
+    let found =
+        format!("the pressure is {pressure}, and the seal is predicted to burst at {} kPa", Most(most));
+    let remedy = format!("at most {} kPa{round}, or a stronger seal or a smaller tube_width", Most(sure));
+    Some(Refusal::new(key::load::PRESSURE, RefusalCode::Bursts, found, remedy))
+}
+
+/// A star presses with `low` to `high` N, and the object bears `bears` N.
+pub(super) fn too_hard([low, high]: Interval, bears: f64) -> Refusal {
+    Refusal::new(
+        key::load::LARGEST_FORCE,
+        RefusalCode::TooHard,
+        format!("it presses with {low:.1} N at least, and the object bears {bears} N"),
+        format!("an object that bears at least {high:.1} N; or less pressure, or a larger inner_radius"),
+    )
+}
+
+/// All stars press with `low` to `high` N together, and friction needs `needed` N to hold the mass of `load`.
+pub(super) fn too_heavy(load: &Load, [low, high]: Interval, needed: f64) -> Refusal {
+    let found = format!("friction needs {needed:.1} N, and there are {high:.1} N at most");
+    let mut ways = Vec::new();
+    if let Some(friction) = load.friction {
+        // What is rounded to the gram still holds.
+        let grams = (1e3 * low * friction / GRAVITY).floor();
+        if grams > 0.0 {
+            ways.push(format!("a mass of at most {}", Mass(grams / 1e3)));
+        }
+        let wanted = if low > 0.0 { (100.0 * friction * needed / low).ceil() / 100.0 } else { f64::INFINITY };
+        if wanted <= COATED {
+            ways.push(format!("a friction of at least {wanted}: silicone-coated corners reach about 1"));
+        }
+    }
+    ways.push("more stars, or a wider star with more pressure".to_owned());
+    Refusal::new(key::load::MASS, RefusalCode::TooHeavy, found, ways.join("; or "))
+}
+
+/// No model covers `star` at the pressure of `load`.
+pub(super) fn outside_models(load: &Load, star: &StarPrediction) -> Option<Refusal> {
+    let pressure = load.pressure.filter(|_| star.graspable_radius_mm.is_none())?;
+    let refusal = |key, found, remedy| Some(Refusal::new(key, RefusalCode::OutsideModels, found, remedy));
+    let Some([low, high]) = star.modelled_kPa else {
+        // Without an object nothing is asked that only a model knows.
+        let _ = load.object_radius?;
+        let remedy = "another star or fabric, as named; or leave out object_diameter in [load], and no force is predicted";
+        return refusal(key::star::TUBE_WIDTH, star.evidence.choice.clone(), remedy.to_owned());
+    };
+    let meant = UNITS.iter().map(|unit| pressure.0 * unit).find(|kpa| (low..=high).contains(kpa));
+    let slip = pressure.0 > SLIP * high || pressure.0 < low / SLIP;
+    let meant =
+        meant.filter(|_| slip).map_or_else(String::new, |kpa| format!("did you mean {}? ", Pressure(kpa)));
+    refusal(
+        key::load::PRESSURE,
+        format!("no model covers this star at {pressure}"),
+        format!("{meant}it is modelled from {} to {} kPa", Least(low), Most(high)),
+    )
+}

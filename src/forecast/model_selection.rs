@@ -1,0 +1,155 @@
+//! Which model answers: the one that was asked for, or the cheapest that knows stars at their pressure.
+
+use crate::forecast::case::Case;
+use crate::spec::ModelChoice;
+use inflatable::mechanics::fault::{HingeFault, StarFault};
+use inflatable::mechanics::hinge::bvp::Bvp;
+use inflatable::mechanics::hinge::fit::Fit;
+use inflatable::mechanics::hinge::ring::Ring;
+use inflatable::mechanics::hinge::section::{Section, SectionTable, Tabled};
+use inflatable::mechanics::hinge::{HingeModel, Level, fit};
+use inflatable::mechanics::star::Correction;
+use inflatable::mechanics::star::correction::Ratios;
+use inflatable::mechanics::strength::{ElasticSheet, FULL_ACTUATION, INEXTENSIBLE};
+use std::sync::LazyLock;
+
+/// Beta of the `bvp` level; its distance from the exact ring is about ln(beta)/beta.
+pub const BVP_BETA: f64 = 1000.0;
+
+/// What is known of the arms where their table ends.
+pub(super) const ARMS_LET_OUT: &str =
+    "some 2 to 14 deg further and soften; the table of their effect ends before this hinge";
+
+static TABLE: LazyLock<Result<SectionTable, HingeFault>> = LazyLock::new(SectionTable::shipped);
+
+/// The section's table.
+///
+/// # Errors
+/// Never: a test reads it.
+pub fn section_table() -> Result<&'static SectionTable, HingeFault> {
+    TABLE.as_ref().map_err(|fault| *fault)
+}
+
+/// `section` from its table for the hinges of `case` at the gauge pressure `pressure` (Pa): what `auto` takes.
+///
+/// # Errors
+/// If `section` does not cover one of the hinges at this pressure.
+pub fn tabled(case: &Case, pressure: f64) -> Result<Tabled<'static>, StarFault> {
+    let (star, sheet) = (&case.mechanism, &case.sheet);
+    let scales = [sheet.bendability(pressure, star.width), sheet.thickness / star.width, sheet.poisson_ratio];
+    let r_stars = [star.tip().r_star, star.corner().r_star];
+    Ok(Tabled::new(section_table()?, scales, r_stars)?)
+}
+
+/// `case` as `model` sees its star: `section` knows how wide hinges are at their pressure, and what shells of stars add to them.
+///
+/// # Errors
+/// If the model refuses the corner's hinge.
+pub fn corrected(case: &Case, model: &dyn HingeModel) -> Result<Case, HingeFault> {
+    if model.level() != Level::Section {
+        return Ok(*case);
+    }
+    let corner = model.target(case.mechanism.corner().r_star)?;
+    let mut corrected = *case;
+    if let Some(edges) = corner.edges {
+        let (sheet, width) = (&case.sheet, case.mechanism.width);
+        let pressure = case.pressure.unwrap_or(0.0);
+        let ratios = Ratios {
+            thickness: sheet.thickness / width,
+            stretch: sheet.stretch(pressure, width),
+            bendability: sheet.bendability(pressure, width),
+        };
+        corrected.mechanism.correction = Correction::new(&case.mechanism, edges.width, ratios);
+    }
+    Ok(corrected)
+}
+
+/// The model that was asked for by name; `None` where the program chooses, and for shells: a build's files are the same on every
+/// machine, and shells are not.
+pub fn named(chosen: ModelChoice) -> Option<Level> {
+    match chosen {
+        ModelChoice::Fit => Some(Level::Fit),
+        ModelChoice::Ring => Some(Level::Ring),
+        ModelChoice::Bvp => Some(Level::Bvp),
+        ModelChoice::Section => Some(Level::Section),
+        ModelChoice::Auto | ModelChoice::Shell => None,
+    }
+}
+
+/// The model of `level` for hinges of `sheet` (tube width `width`, m) at the gauge pressure `pressure` (Pa).
+///
+/// # Errors
+/// If `section` has no pressure, or does not cover it with this sheet.
+pub fn hinge_model(
+    level: Level,
+    sheet: &ElasticSheet,
+    pressure: Option<f64>,
+    width: f64,
+) -> Result<Box<dyn HingeModel>, StarFault> {
+    Ok(match level {
+        Level::Fit => Box::new(Fit),
+        Level::Ring => Box::new(Ring),
+        Level::Bvp => Box::new(Bvp::new(BVP_BETA, 1e-6)),
+        Level::Section => {
+            let bendability = sheet.bendability(pressure.ok_or(StarFault::NoPressure)?, width);
+            Box::new(Section::new(bendability, sheet.thickness / width, sheet.poisson_ratio)?)
+        }
+    })
+}
+
+/// The model that `chosen` names for the star of `case` at the gauge pressure `pressure` (Pa); what `auto` takes where it names none.
+///
+/// # Errors
+/// If it does not cover the star.
+pub fn of_spec(chosen: ModelChoice, case: &Case, pressure: f64) -> Result<Box<dyn HingeModel>, StarFault> {
+    match named(chosen) {
+        Some(level) => hinge_model(level, &case.sheet, Some(pressure), case.mechanism.width),
+        None => Ok(Box::new(tabled(case, pressure)?)),
+    }
+}
+
+/// What lies outside of the validity of `model` for `case`, in words.
+pub fn limits_of_validity(model: &dyn HingeModel, case: &Case) -> Vec<String> {
+    let (star, level) = (&case.mechanism, model.level());
+    let r_stars = [star.tip().r_star, star.corner().r_star];
+    if level == Level::Section {
+        let armless = r_stars.iter().any(|r_star| model.arms(*r_star, 1.0).is_none());
+        let said = format!("section computes these hinges without arms, which let them coil {ARMS_LET_OUT}");
+        return armless.then_some(said).into_iter().collect();
+    }
+    let mut warnings = Vec::new();
+    if let Some(pressure) = case.pressure {
+        warnings.push(of_a_limit(level, case.sheet.bendability(pressure, star.width)));
+        let stretch = case.sheet.stretch(pressure, star.width);
+        if stretch > INEXTENSIBLE {
+            warnings.push(format!(
+                "p W / Y is {stretch:.3}: the fabric stretches, which {} does not take into account; section does",
+                level.name()
+            ));
+        }
+    }
+    if level == Level::Fit {
+        for r_star in r_stars {
+            let (target, stiffness) = fit::covers(r_star);
+            if !target || !stiffness {
+                let what = if stiffness { "target coiling was" } else { "constants were" };
+                warnings.push(format!("the published {what} not given for R* = {r_star:.4}"));
+            }
+        }
+        warnings.dedup();
+    }
+    warnings
+}
+
+fn of_a_limit(level: Level, bendability: f64) -> String {
+    if bendability < FULL_ACTUATION {
+        return format!(
+            "bendability {bendability:.0} is below {FULL_ACTUATION:.0}: the hinges are not fully actuated, \
+             and the star closes less than predicted"
+        );
+    }
+    format!(
+        "{} is a limit that no gripper works at: how far it is from this one is not known; section and shell say more",
+        level.name()
+    )
+}

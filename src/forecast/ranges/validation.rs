@@ -1,0 +1,142 @@
+//! The predictions held against the stars that shells were computed of: what the constants of [`errors`](super::errors) are taken from,
+//! and whether ranges hold.
+
+use crate::design::Star;
+use crate::forecast::case::{Case, Hinges, mechanism};
+use crate::forecast::model_selection::{corrected, tabled};
+use crate::forecast::outcome::Outcome;
+use crate::forecast::ranges::{Interval, angle_unit};
+use crate::forecast::stars::computed::{ComputedStar, Number, ShellNumbers};
+use crate::forecast::stars::draw::{DrawnStar, POISSON, Set, YOUNG};
+use crate::spec::StarSpec;
+use crate::units::{Angle, Length, Pressure};
+use inflatable::mechanics::star::response::Inflated;
+use inflatable::mechanics::strength::ElasticSheet;
+use std::f64::consts::PI;
+
+/// A number of the shell beside the predicted one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// The shell's.
+    pub shell: f64,
+    /// By how much its meshes leave it open.
+    pub mesh: f64,
+    /// The prediction's.
+    pub predicted: f64,
+    /// Its range.
+    pub range: Interval,
+    /// The error as its constant counts it: see [`errors`](super::errors).
+    pub error: f64,
+}
+
+/// One star: what is known of it on both sides.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// Its set.
+    pub set: Set,
+    /// Its number in it.
+    pub number: u32,
+    /// n.
+    pub points: u32,
+    /// W, m.
+    pub width: f64,
+    /// rho_f, m.
+    pub radius: Pair,
+    /// The tips' angle at rest, rad; `None` where arms touch.
+    pub angle: Option<Pair>,
+    /// Radial stiffness, N/m; `None` where arms touch, or where meshes leave a quarter of it open.
+    pub stiffness: Option<Pair>,
+    /// Radial forces, N, on an object that opens the shell so far by W; none where arms touch, or where meshes leave a quarter open.
+    pub forces: Vec<(f64, Pair)>,
+}
+
+/// The part of a stiffness or force that its meshes may leave open, to be compared.
+const SETTLED: f64 = 0.25;
+
+/// `star` beside its prediction; `None` where the shell refuses it, or nothing is known of it here.
+pub fn compare(star: &ComputedStar) -> Option<Comparison> {
+    let found = star.found.as_ref()?;
+    let (case, pressure) = case_of(&star.star)?;
+    let model = tabled(&case, pressure).ok()?;
+    let case = corrected(&case, &model).ok()?;
+    let inflated = Inflated::new(&case.mechanism, &model, pressure).ok()?;
+    let own = Outcome::linear(&case, &inflated);
+    let moves = &case.mechanism;
+    let unit = moves.width / (PI / f64::from(moves.points)).sin();
+    let pair = |shell: f64, mesh: f64, predicted: f64, range: Option<Interval>| {
+        Some(Pair { shell, mesh, predicted, range: range?, error: shell - predicted })
+    };
+    let ShellNumbers { radius, angle, stiffness, .. } = found;
+    let rest = pair(1e-3 * radius.value, 1e-3 * radius.error, own.rest.radius, own.ranges.radius)?;
+    let angle = [angle.value, angle.error].map(f64::to_radians);
+    let angle = pair(angle[0], angle[1], own.rest.equilibrium, own.ranges.angle);
+    let open = (stiffness.error / stiffness.value).abs();
+    let settled = open < SETTLED;
+    let spring = pair(1e3 * stiffness.value, 1e3 * stiffness.error, own.rest.stiffness, own.ranges.stiffness);
+    let opened = |(part, secant): &(f64, Number)| {
+        let opening = part * moves.width;
+        let shell = secant.value * 1e3 * stiffness.value * opening;
+        let open = (secant.error / secant.value).abs() + open;
+        // The constant counts forces at the same opening; a range, on the same object.
+        let same = inflated.linear_force(own.rest.radius + opening, &own.rest).ok()?;
+        let object = 1e-3 * radius.value + opening;
+        let predicted =
+            if object < own.rest.radius { 0.0 } else { inflated.linear_force(object, &own.rest).ok()? };
+        let range = own.ranges.force(&case, object, &own.rest)?;
+        let pair = Pair { shell, mesh: open * shell, predicted, range, error: shell / same };
+        (open < SETTLED).then_some((*part, pair))
+    };
+    let touch = own.ranges.angle.is_none() || found.arm_contact.value > 0.0;
+    let forces = found.secants.iter().filter(|_| !touch).filter_map(opened);
+    Some(Comparison {
+        set: star.star.set,
+        number: star.star.number,
+        points: star.star.points,
+        width: moves.width,
+        radius: Pair { error: rest.error / unit, ..rest },
+        angle: angle.map(|pair| Pair { error: pair.error / angle_unit(moves.arm / moves.width), ..pair }),
+        stiffness: spring.filter(|_| settled).map(|pair| Pair { error: pair.shell / pair.predicted, ..pair }),
+        forces: forces.collect(),
+    })
+}
+
+/// The case of a drawn star, and its pressure, Pa.
+pub fn case_of(drawn: &DrawnStar) -> Option<(Case, f64)> {
+    let spec = StarSpec {
+        inner_radius: Length(drawn.inner_radius),
+        tube_width: Length(drawn.width),
+        tip_angle: Angle(drawn.tip_angle),
+        tip_radius: Length(drawn.tip_radius),
+        corner_radius: Length(drawn.corner_radius),
+        ..StarSpec::paper(drawn.points)
+    };
+    let star = Star::new(&spec).ok()?;
+    let pressure = Pressure(drawn.pressure).pascals();
+    let case = Case {
+        mechanism: mechanism(&star),
+        inner_radius: Length(drawn.inner_radius).metres(),
+        realised: Hinges { tip: 0.0, corner: 0.0 },
+        band: 0.0,
+        sheet: ElasticSheet::new(Length(drawn.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?,
+        peel: None,
+        pressure: Some(pressure),
+        // Shells have no band and no flap.
+        hole: Length(drawn.inner_radius).metres(),
+        object: None,
+        entering: None,
+        friction: None,
+    };
+    Some((case, pressure))
+}
+
+impl Pair {
+    /// Whether the shell's number itself lies in the range.
+    pub fn holds_strictly(&self) -> bool {
+        (self.range[0]..=self.range[1]).contains(&self.shell)
+    }
+
+    /// Whether the shell's number, as far as its meshes leave it open, lies in the range.
+    pub fn holds(&self) -> bool {
+        self.shell + self.mesh >= self.range[0] && self.shell - self.mesh <= self.range[1]
+    }
+}

@@ -1,0 +1,63 @@
+//! A single hinge between two arms as a shell, in the words of predictions.
+
+use crate::forecast::actuator::{
+    Actuator, ActuatorEvidence, ActuatorPrediction, MeshErrors, Ranges, short_arms,
+};
+use crate::forecast::shell::{Detail, SHELL, fabric};
+use inflatable::shell::cases::{Shape, ShellFault, Tube, VActuator, Value, Watch, actuator};
+
+/// What `asked` does as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
+///
+/// # Errors
+/// As for [`actuator`].
+pub fn actuate(
+    asked: &Actuator,
+    angles: &[f64],
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<(ActuatorPrediction, Shape), ShellFault> {
+    let Actuator { width, radius, arm, angle, pressure, sheet } = *asked;
+    let case =
+        VActuator { tube: Tube { width, fabric: fabric(&sheet), pressure }, radius, arm_length: arm, angle };
+    let found = actuator(&case, angles, detail.fineness(), watch)?;
+    let degrees = 1.0_f64.to_degrees();
+    let (at_rest, volume) = (found.angle.scaled(degrees), found.volume.scaled(1e9));
+    let touches = found.angle.value < 0.0 || angles.iter().any(|angle| *angle < 0.0);
+    let warnings = [
+        short_arms(asked),
+        touches.then(|| "the arms would touch, and this shell does not know that they do".to_owned()),
+    ];
+    let prediction = ActuatorPrediction {
+        model: SHELL,
+        bendability: case.tube.bendability(),
+        stretch: case.tube.stretch(),
+        angle_deg: at_rest.value,
+        coiling: found.coiling.value,
+        volume_mm3: Some(volume.value),
+        stiffness_Nm: found.stiffness.value,
+        moment: (!angles.is_empty()).then(|| {
+            found.moments.iter().map(|(angle, moment)| [angle.to_degrees(), moment.value]).collect()
+        }),
+        ranges: Ranges::default(),
+        evidence: ActuatorEvidence {
+            residual: found.evidence.residual,
+            iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
+            numerical_error: largest([found.coiling, found.volume, found.stiffness]),
+            mesh_errors: Some(MeshErrors {
+                angle_deg: at_rest.error,
+                coiling: found.coiling.error,
+                volume_mm3: volume.error,
+                stiffness_Nm: found.stiffness.error,
+                moment_Nm: found.moments.iter().map(|(_, moment)| moment.error).collect(),
+            }),
+            unknowns: Some(found.evidence.unknowns),
+            warnings: warnings.into_iter().flatten().collect(),
+        },
+    };
+    Ok((prediction, found.shape))
+}
+
+/// The largest relative mesh error.
+fn largest(values: [Value; 3]) -> f64 {
+    values.iter().map(|value| (value.error / value.value).abs()).fold(0.0, f64::max)
+}

@@ -1,0 +1,171 @@
+//! One star as a shell: the question that its case puts, and the numbers of the answer in the units of predictions.
+
+use crate::forecast::case::Case;
+use crate::forecast::predict::PredictFault;
+use crate::forecast::shell::{Detail, fabric};
+use crate::spec::{KeyPath, key};
+use inflatable::shell::cases::{
+    Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Objects, ShellFault, Tube, Value, Watch, star,
+};
+
+/// Points with which shells of stars are computed.
+const MOST_POINTS: u32 = 16;
+
+/// Why shells give no answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// They were told to stop.
+    Cancelled,
+    /// They refuse.
+    Fault(PredictFault),
+}
+
+/// A fault that is best mended at `key`.
+pub(in crate::forecast) fn fault(key: KeyPath, what: String) -> Refusal {
+    Refusal::Fault(PredictFault { star: None, key, what })
+}
+
+/// What a shell says of a star: each number with its mesh error.
+#[derive(Clone, Debug, PartialEq)]
+pub(in crate::forecast) struct Measurements {
+    /// From the axis to the apex of a corner's inner rim, mm.
+    pub(in crate::forecast) radius: Value,
+    /// 1 - rho_f / rho_0.
+    pub(in crate::forecast) contraction: Value,
+    /// Angle of the tips between the lines of their arms, contact or not, deg.
+    pub(in crate::forecast) tip_angle: Value,
+    /// Radial stiffness at rest, all corners together, N/m.
+    pub(in crate::forecast) stiffness: Value,
+    /// Force with which the two arms of a tip press on each other, N.
+    pub(in crate::forecast) contact: Value,
+    /// Flat area of an arm's sheet that touches the next arm, mm^2.
+    pub(in crate::forecast) contact_area: Value,
+    /// Volume of the star, mm^3.
+    pub(in crate::forecast) volume: Value,
+    /// Radius of each object that was asked about, m, and the radial force on it, N.
+    pub(in crate::forecast) forces: Vec<(f64, Value)>,
+    /// Radius of the object of the load, m; `None` if there is none, it does not enter, or the star does not meet it.
+    pub(in crate::forecast) object: Option<f64>,
+    /// The hardest loaded places, SI.
+    pub(in crate::forecast) extremes: Extremes,
+}
+
+/// The star of `case` as a shell is asked about it.
+///
+/// # Errors
+/// If no pressure is given, or it has too many points.
+pub fn flat(case: &Case) -> Result<FlatStar, Refusal> {
+    let Some(pressure) = case.pressure else {
+        let what = "a shell is computed at its pressure, and none is given: give one, or take ring";
+        return Err(fault(key::load::PRESSURE, what.to_owned()));
+    };
+    let points = case.mechanism.points;
+    if points > MOST_POINTS {
+        let what = format!("{points} points, and shells of stars are computed with 3 to {MOST_POINTS}");
+        return Err(fault(key::star::POINTS, what));
+    }
+    Ok(FlatStar {
+        tube: Tube { width: case.mechanism.width, fabric: fabric(&case.sheet), pressure },
+        points,
+        inner_radius: case.inner_radius,
+        tip_angle: case.mechanism.tip_angle,
+        tip_radius: case.mechanism.tip_radius,
+        corner_radius: case.mechanism.corner_radius,
+        band: case.band,
+    })
+}
+
+/// Inflates the star of `case`, then presses it against its object and round ones of `radii` (m).
+///
+/// # Errors
+/// If the shell refuses, finds no equilibrium, or was told to stop.
+pub(in crate::forecast) fn ask(
+    case: &Case,
+    radii: &[f64],
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<(FlatStar, InflatedStar, Measurements), Refusal> {
+    let flat = flat(case)?;
+    let object = entered(case);
+    let mut objects: Vec<f64> = radii.iter().copied().chain(object).collect();
+    objects.sort_by(f64::total_cmp);
+    objects.dedup();
+    if objects.len() > MOST_OBJECTS {
+        let what = format!("{} radii, and one call takes {MOST_OBJECTS}: ask for fewer", objects.len());
+        return Err(fault(key::load::OBJECT_DIAMETER, what));
+    }
+    let found =
+        star(&flat, Objects::Radii(&objects), detail.fineness(), watch).map_err(|why| refused(&why))?;
+    let measured = Measurements::new(case, object, &found);
+    Ok((flat, found, measured))
+}
+
+/// The radius of the object, m, where the star meets it; an object that does not enter is not asked about.
+pub(in crate::forecast) fn entered(case: &Case) -> Option<f64> {
+    case.object.filter(|object| *object > 0.0 && case.entering.unwrap_or(*object) <= case.hole)
+}
+
+/// The key that is best changed.
+fn refused(why: &ShellFault) -> Refusal {
+    let key = match why {
+        ShellFault::Cancelled => return Refusal::Cancelled,
+        ShellFault::Range { name: Input::Slenderness | Input::Width, .. } => key::star::TUBE_WIDTH,
+        ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
+        ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,
+        ShellFault::Range { name: Input::Bendability | Input::Stretch | Input::Arms, .. }
+        | ShellFault::Stopped { .. } => key::load::PRESSURE,
+        ShellFault::Mesh(_) | ShellFault::TooLarge { .. } => key::star::TIP_ANGLE,
+        ShellFault::TooMany { .. } => key::load::OBJECT_DIAMETER,
+    };
+    fault(key, why.to_string())
+}
+
+impl Measurements {
+    fn new(case: &Case, object: Option<f64>, found: &InflatedStar) -> Self {
+        // Coarse meshes close further, so that an object which only they reach would pull by extrapolation.
+        let pressing =
+            |(radius, force): &(f64, Value)| (*radius, Value { value: force.value.max(0.0), ..*force });
+        Self {
+            radius: found.final_radius.scaled(1e3),
+            contraction: found.final_radius.shifted(-case.inner_radius).scaled(-1.0 / case.inner_radius),
+            tip_angle: found.tip_angle.scaled(1.0_f64.to_degrees()),
+            stiffness: found.radial_stiffness,
+            contact: found.preload,
+            contact_area: found.contact_area.scaled(1e6),
+            volume: found.volume.scaled(1e9),
+            forces: found.forces.iter().map(pressing).collect(),
+            object,
+            extremes: found.extremes,
+        }
+    }
+
+    /// Whether the arms touch: the star is pressed shut.
+    pub(in crate::forecast) fn touches(&self) -> bool {
+        self.contact.value > 0.0
+    }
+
+    /// Angle of the tips where no arms touch, deg; else `None`, because contact is part of the equilibrium.
+    pub(in crate::forecast) fn equilibrium(&self) -> Option<f64> {
+        (!self.touches()).then_some(self.tip_angle.value)
+    }
+
+    /// Radial stiffness, N/m; `None` where the meshes leave it open by more than itself.
+    pub(in crate::forecast) fn known_stiffness(&self) -> Option<f64> {
+        Some(self.stiffness.value).filter(|number| *number > self.stiffness.error)
+    }
+
+    /// The radial force on the object of this radius, m, if it was asked about.
+    pub(in crate::forecast) fn force_at(&self, radius: f64) -> Option<Value> {
+        self.forces.iter().find(|(at, _)| *at == radius).map(|(_, force)| *force)
+    }
+
+    /// The radial force on the object of the load, N.
+    pub(in crate::forecast) fn object_force(&self) -> Option<Value> {
+        self.force_at(self.object?)
+    }
+
+    /// The fabric's largest tension at the rim, N/mm.
+    pub(in crate::forecast) fn seal_tension(&self) -> [f64; 2] {
+        [1e-3 * self.extremes.seal_tension, 1e-3 * self.extremes.seal_tension_error]
+    }
+}

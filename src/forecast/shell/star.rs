@@ -1,0 +1,218 @@
+//! A spec's stars as shells: the keys of all predictions, with what only a shell knows, and none of what only
+//! a hinge's model knows.
+
+use crate::design::{Design, Meeting, PlacedStar, StarDesign};
+use crate::forecast::case::Case;
+use crate::forecast::predict::PredictFault;
+use crate::forecast::prediction::{
+    Evidence, ForceAt, MeshErrors, Place, Prediction, StarPrediction, Stretch,
+};
+use crate::forecast::shell::request::{Measurements, ask, entered, fault};
+use crate::forecast::shell::{Detail, SHELL};
+use crate::forecast::star_answer::{bare, mm};
+use crate::spec::{Spec, key};
+use crate::units::Readable;
+use inflatable::mechanics::strength::payload;
+use inflatable::shell::cases::{FlatStar, InflatedStar, Shape, Value, Watch};
+
+pub use crate::forecast::shell::request::{Refusal, flat};
+
+/// Points with which they were tried.
+const TRIED_POINTS: u32 = 8;
+
+/// What shells say of the stars of `design`, made from `spec`: at rest, and around round objects of `radii` (m, rising).
+/// With it, the inflated sheet of star 1.
+///
+/// # Errors
+/// If a shell refuses a star or finds no equilibrium of it, or was told to stop.
+pub fn predict(
+    (spec, design): (&Spec, &Design),
+    radii: &[f64],
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<(Prediction, Shape), Refusal> {
+    let meetings = design.meetings(spec);
+    let meeting = |placed: &PlacedStar| meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
+    let mut computed = Vec::new();
+    for placed in design.firsts() {
+        let alike = design.stars.iter().filter(|other| other.distinct == placed.distinct);
+        let meetings: Vec<Option<Meeting>> = alike.map(meeting).collect();
+        let found = compute((spec, design.part(placed)), (radii, &meetings), detail, watch);
+        computed.push(found.map_err(|refusal| refusal.of_star(placed.index))?);
+    }
+    let answer = |placed: &PlacedStar| {
+        let one = computed.get(placed.distinct)?;
+        Some(one.star((spec, design.part(placed)), meeting(placed), radii))
+    };
+    let stars: Vec<StarPrediction> = design.stars.iter().filter_map(answer).collect();
+    let shape = computed.into_iter().next().map(|one| one.found.shape).unwrap_or_default();
+    let Some(first) = stars.first() else {
+        return Err(fault(key::stack::COUNT, "there is no star".to_owned()));
+    };
+    let mut first = first.clone();
+    first.payload_kg = stars.iter().map(|star| star.payload_kg).sum();
+    let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
+    Ok((Prediction { first, verdict: None, stack_mass_g, stars }, shape))
+}
+
+impl Refusal {
+    fn of_star(self, star: usize) -> Self {
+        match self {
+            Self::Fault(fault) => Self::Fault(PredictFault { star: fault.star.or(Some(star)), ..fault }),
+            Self::Cancelled => Self::Cancelled,
+        }
+    }
+}
+
+/// A shell of one distinct star, opened to all that was asked.
+struct ShellRun {
+    case: Case,
+    flat: FlatStar,
+    found: InflatedStar,
+    measured: Measurements,
+}
+
+/// The star as a shell, around round objects of `radii` (m) and what stars like it meet of the object.
+fn compute(
+    (spec, part): (&Spec, &StarDesign),
+    (radii, meetings): (&[f64], &[Option<Meeting>]),
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<ShellRun, Refusal> {
+    let case = Case::of(spec, &part.star).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))?;
+    let met = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
+    let all: Vec<f64> = radii.iter().copied().chain(met).collect();
+    let (flat, found, measured) = ask(&Case { object: None, ..case }, &all, detail, watch)?;
+    Ok(ShellRun { case, flat, found, measured })
+}
+
+impl ShellRun {
+    /// What it says of a star that meets the object as `meeting` says.
+    fn star(
+        &self,
+        (spec, part): (&Spec, &StarDesign),
+        meeting: Option<Meeting>,
+        radii: &[f64],
+    ) -> StarPrediction {
+        let case = self.case.meeting(meeting);
+        let measured = Measurements { object: entered(&case), ..self.measured.clone() };
+        let Self { flat, found, .. } = self;
+        ShellAnswer { case: &case, part, spec, flat, found, measured: &measured }.star(radii)
+    }
+}
+
+/// An answer of the shell, with all that it is about.
+struct ShellAnswer<'a> {
+    case: &'a Case,
+    part: &'a StarDesign,
+    spec: &'a Spec,
+    flat: &'a FlatStar,
+    found: &'a InflatedStar,
+    measured: &'a Measurements,
+}
+
+impl ShellAnswer<'_> {
+    fn star(&self, radii: &[f64]) -> StarPrediction {
+        let Self { case, part, spec, found, measured, .. } = *self;
+        let on_object = measured.object_force();
+        let beside = case.object.is_some_and(|radius| radius <= 0.0);
+        let curve: Vec<(f64, Value)> =
+            radii.iter().filter_map(|radius| Some((mm(*radius), measured.force_at(*radius)?))).collect();
+        let extremes = &measured.extremes;
+        let [pull, pull_error] = measured.seal_tension();
+        let force = on_object.map(|force| force.value).or(beside.then_some(0.0));
+        let curve_of = |of: fn(&Value) -> f64| curve.iter().map(|(_, force)| of(force)).collect::<Vec<f64>>();
+        let bare = bare(spec, part, case);
+        StarPrediction {
+            model: SHELL,
+            tip_equilibrium_angle_deg: measured.equilibrium(),
+            tip_angle_deg: Some(measured.tip_angle.value),
+            final_radius_mm: Some(measured.radius.value),
+            contraction: Some(measured.contraction.value),
+            radial_stiffness_N_per_m: measured.known_stiffness(),
+            arm_contact_N: Some(measured.contact.value),
+            arm_contact_mm2: Some(measured.contact_area.value),
+            volume_mm3: Some(measured.volume.value),
+            object_force_N: force,
+            force_curve: (!radii.is_empty()).then(|| {
+                curve.iter().map(|(radius, force)| ForceAt(*radius, Some(force.value), None, None)).collect()
+            }),
+            seal_pull_N_per_mm: Some(1e-3 * extremes.seal_pull),
+            seal_pull_at_mm: Some(extremes.pull_at.map(mm)),
+            seal_tension: Some(Place {
+                value: pull,
+                mesh_error: pull_error,
+                at_mm: extremes.seal_at.map(mm),
+            }),
+            payload_kg: case.friction.zip(force).map(|(mu, force)| payload(mu, [force])),
+            stretch: Stretch::Largest(Place {
+                value: extremes.stretch,
+                mesh_error: extremes.stretch_error,
+                at_mm: extremes.stretch_at.map(mm),
+            }),
+            evidence: Evidence {
+                choice: format!("{SHELL} was asked for"),
+                residual: found.evidence.residual,
+                iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
+                unknowns: Some(found.evidence.unknowns.clone()),
+                mesh_errors: Some(MeshErrors {
+                    final_radius_mm: measured.radius.error,
+                    contraction: measured.contraction.error,
+                    tip_angle_deg: measured.tip_angle.error,
+                    radial_stiffness_N_per_m: measured.stiffness.error,
+                    arm_contact_N: measured.contact.error,
+                    arm_contact_mm2: measured.contact_area.error,
+                    volume_mm3: measured.volume.error,
+                    seal_pull_N_per_mm: 1e-3 * extremes.seal_pull_error,
+                    object_force_N: on_object.map(|force| force.error),
+                    force_curve: (!radii.is_empty()).then(|| curve_of(|force| force.error)),
+                }),
+                warnings: self.warnings(),
+                ..bare.evidence.clone()
+            },
+            ..bare
+        }
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let Self { case, flat, measured, .. } = self;
+        let (radius, object) = (measured.radius, measured.object);
+        let too_wide = case.object.is_some_and(|radius| radius > 0.0) && object.is_none();
+        let pull = measured.extremes.seal_pull;
+        let sharp = flat.tip_radius == 0.0 || flat.corner_radius == 0.0;
+        let said = [
+            (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
+            (measured.touches(), "the arms touch: the star is pressed shut".to_owned()),
+            (
+                too_wide,
+                format!("the object is wider than the cut hole, {} mm across: it does not enter", Readable(2.0 * mm(case.hole))),
+            ),
+            (
+                object.is_some_and(|object| mm(object) < radius.value),
+                format!(
+                    "the object is thinner than the closed star, {:.2} mm across: the star does not reach it",
+                    2.0 * radius.value
+                ),
+            ),
+            (
+                case.peel.is_some_and(|peel| pull > peel) && !sharp,
+                format!("the pull on the seal is {:.2} N/mm, which is more than its strength", 1e-3 * pull),
+            ),
+            (
+                sharp,
+                "a hinge of inner radius 0 turns on a point, where pull and stretch have no largest value: those given are of \
+                 the finest mesh"
+                    .to_owned(),
+            ),
+            (
+                measured.known_stiffness().is_none(),
+                "the meshes do not agree on the radial stiffness: take finer ones".to_owned(),
+            ),
+            (
+                radius.error > 0.05 * radius.value,
+                format!("the meshes leave the final radius open by {:.2} mm: take finer ones", radius.error),
+            ),
+        ];
+        said.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()
+    }
+}

@@ -1,0 +1,313 @@
+//! From an object to a gripper that holds it: which radius, points, width, angle, number of stars and pressure.
+//!
+//! It is the search of `optimize` in a box that is as large as what was tried, for the least fabric; the object is held with a margin
+//! at the bad end of the ranges. Where no star does, a request near it that can be met is given.
+
+mod nearest;
+mod text;
+
+use self::nearest::three_digits;
+pub use self::nearest::{Infeasible, Nearest, choose};
+pub use self::text::{is_result, spec_text};
+
+use crate::design::{pitch_for, room};
+use crate::forecast::candidate::Candidate;
+use crate::forecast::case::sheet;
+use crate::forecast::load_check::COATED;
+use crate::forecast::optimize::{
+    Bounds, Constraints, Effort, Evaluation, Goal, Search, SearchResult, Short, shortfalls,
+};
+use crate::forecast::ranges::errors;
+use crate::spec::{Load, ObjectShape, ObjectSize, StarSpec};
+use crate::units::{Angle, Force, Length, Mass, Pressure};
+use inflatable::mechanics::hinge::ring::RingTable;
+use inflatable::mechanics::hinge::section::arms;
+use inflatable::mechanics::strength::GRAVITY;
+use std::ops::RangeInclusive;
+
+/// What a gripper is wanted for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Requirements {
+    /// Radius of the object where it is gripped.
+    pub object: Length,
+    /// Its height along the axis, if it is given; otherwise it is as tall as wide.
+    pub height: Option<Length>,
+    /// Its shape, if it is given; otherwise a ball.
+    pub shape: Option<ObjectShape>,
+    /// Its mass.
+    pub mass: Mass,
+    /// Pressure, if it is given.
+    pub pressure: Option<Pressure>,
+    /// Friction between the corners and the object.
+    pub friction: f64,
+    /// Largest radial force of one star that the object bears.
+    pub largest_force: Option<Force>,
+    /// On which it has to lie.
+    pub room: Workspace,
+}
+
+/// The sheet and the machine.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Workspace {
+    /// Smaller side of the sheet, if there is an end to it.
+    pub sheet: Option<Length>,
+    /// Smaller side of what the machine reaches, if it is known.
+    pub machine: Option<Length>,
+    /// What of a side is not free for the star: margins, and the inlet beyond the tip.
+    pub edge: Length,
+}
+
+impl Workspace {
+    /// The side that is free for the star, if there is an end to it.
+    fn free(&self) -> Option<Length> {
+        let sides = [self.sheet, self.machine].into_iter().flatten();
+        sides.map(|side| side.0).reduce(f64::min).map(|side| Length(side - self.edge.0))
+    }
+}
+
+/// Friction between bare fabric and a smooth object where none is given.
+///
+/// The only measurement: the paper's gripper lifts 2.2 kg uncoated at 37 kPa, which this program's forces turn into 0.28
+/// (0.21 to 0.40, by the object's radius: docs/paper.md); coated, 8.7 kg and about 1.1 (0.85 to 1.57). A larger default promises
+/// payloads that no measurement supports; a smaller one makes every gripper larger than the paper's needed to be.
+pub const FRICTION: f64 = 0.3;
+/// The payload that can be counted on, over the mass.
+pub const MARGIN: f64 = 1.2;
+/// The same for the search, whose values are rounded afterwards.
+const SEARCHED_MARGIN: f64 = 1.25;
+/// Burst pressure over pressure, where the seal's strength is known.
+pub const BURST_MARGIN: f64 = 1.5;
+/// The object's radius over the one to which the star closes for sure.
+const CLOSING: f64 = 0.95;
+/// By which part of it the radii that the star closes and opens to are taken farther apart where round values do not do.
+const INSIDE: f64 = 0.01;
+/// By how much, in all, a star may miss what was asked for and still be near it.
+const NEAR: f64 = 0.05;
+/// Most stars on top of each other.
+const MOST_STARS: u32 = 8;
+/// Points that were tried.
+const POINTS: RangeInclusive<u32> = 3..=8;
+/// Pressures that pumps of the trade give and stars were tried at, kPa.
+const PRESSURES: [Pressure; 2] = [Pressure(5.0), Pressure(60.0)];
+/// Narrowest and widest tubes that were tried.
+const WIDTHS: [Length; 2] = [Length(10.0), Length(60.0)];
+
+/// A gripper that meets requirements.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// What it is for.
+    pub requirements: Requirements,
+    /// The gripper, in round values.
+    pub best: Evaluation,
+    /// Fabric of the best with each number of points that can hold the object, mm^2, by number of points.
+    pub others: Vec<(u32, f64)>,
+}
+
+/// Why no gripper meets requirements.
+enum Obstacle {
+    /// No tube of the fabric was tried.
+    Tube,
+    /// No star does what is asked; the one that misses least.
+    Star(Option<Box<Evaluation>>),
+}
+
+/// The grippers that meet `requirements`, the best first, or what stands in the way.
+fn feasible(
+    requirements: &Requirements,
+    base: &Candidate,
+    ring: &RingTable,
+) -> Result<Vec<Choice>, Obstacle> {
+    let base = requirements.candidate(base);
+    let Some(bounds) = requirements.bounds(&base) else { return Err(Obstacle::Tube) };
+    let kept = requirements.constraints(&base, MARGIN);
+    let round = |found: &SearchResult| -> Vec<Evaluation> {
+        let met = found.best.iter().filter(|one| one.violation == 0.0);
+        met.filter_map(|one| rounded(one, &kept, ring)).collect()
+    };
+    let asked = requirements.constraints(&base, SEARCHED_MARGIN);
+    let (base, bounds) = (&base, &bounds);
+    let search = |constraints: &Constraints| {
+        Search {
+            base,
+            bounds,
+            constraints,
+            goal: Goal::Fabric,
+            table: ring,
+            effort: Effort::QUICK,
+            cancel: None,
+        }
+        .run()
+    };
+    let found = search(&asked);
+    let mut met = round(&found);
+    // What is far from what was asked stays so a little inside.
+    if met.is_empty() && found.best.first().is_some_and(|best| best.violation < NEAR) {
+        // The best lies where an object just fits in: round values may not. A little inside of that they do.
+        let inside = Constraints {
+            grasp: asked
+                .grasp
+                .map(|[least, most]| [Length(least.0 * (1.0 - INSIDE)), Length(most.0 * (1.0 + INSIDE))]),
+            ..asked
+        };
+        met = round(&search(&inside));
+    }
+    met.sort_by(|a, b| a.fabric().total_cmp(&b.fabric()));
+    let mut others: Vec<(u32, f64)> = met.iter().map(|one| (one.point.star.points, one.fabric())).collect();
+    others.sort_by_key(|(points, _)| *points);
+    if met.is_empty() {
+        return Err(Obstacle::Star(found.best.into_iter().next().map(Box::new)));
+    }
+    Ok(met
+        .into_iter()
+        .map(|best| Choice { requirements: *requirements, best, others: others.clone() })
+        .collect())
+}
+
+impl Requirements {
+    /// `base` with the object between its corners.
+    fn candidate(&self, base: &Candidate) -> Candidate {
+        // The pitch is that which the tubes need.
+        let star = StarSpec { pitch: Length(0.0), ..base.star.clone() };
+        Candidate { star, load: self.load(), stars: 1, ..base.clone() }
+    }
+
+    fn load(&self) -> Load {
+        Load {
+            pressure: self.pressure,
+            object_radius: Some(self.object),
+            object_size: ObjectSize::Diameter,
+            object_height: self.height,
+            object_shape: self.shape,
+            friction: Some(self.friction),
+            mass: Some(self.mass),
+            largest_force: self.largest_force,
+        }
+    }
+
+    /// The box of what was tried; `None` if no tube of this fabric lies in it.
+    fn bounds(&self, base: &Candidate) -> Option<Bounds> {
+        let sheet = sheet(&base.fabric).ok()?;
+        let (thickness, poisson) = (Length::from_metres(sheet.thickness).0, sheet.poisson_ratio);
+        let slender = (12.0 * (1.0 - poisson * poisson)).sqrt();
+        let [thin, _, thick] = arms::TAUS.map(|tau| thickness / (slender * tau));
+        // What is on the last digit's edge is left to what is clearly inside; t/W beyond 0.03 is no thin tube any more.
+        let width = [(1.01 * thick).max(thickness / 0.0297).max(WIDTHS[0].0), (0.99 * thin).min(WIDTHS[1].0)];
+        let flap = base.seal.band.0 + base.seal.hole_allowance.0;
+        let hole = self.object.0 + room(self.object).0 + flap;
+        let degrees = errors::TIP_ANGLE.map(Angle);
+        (width[0] < width[1]).then(|| Bounds {
+            points: POINTS,
+            tip_angle: degrees,
+            width: width.map(Length),
+            inner_radius: [Length(hole), Length(2.0 * hole + 20.0)],
+            pressure: Some(self.pressure.map_or(PRESSURES, |pressure| [pressure; 2])),
+            stars: 1..=MOST_STARS,
+            ..Bounds::just(base)
+        })
+    }
+
+    fn constraints(&self, base: &Candidate, margin: f64) -> Constraints {
+        let room = room(self.object).0;
+        Constraints {
+            grasp: Some([Length(CLOSING * self.object.0), Length(self.object.0 + 0.5 * room)]),
+            hole: Some(Length(self.object.0 + room)),
+            payload: Some(margin * self.mass.0),
+            // A search keeps as far from what the object bears, in parts, as it does from the mass.
+            largest_force: self.largest_force.map(|force| force.0 * MARGIN / margin),
+            sheet: self.room.free(),
+            burst_margin: base.fabric.seal_strength.map(|_| BURST_MARGIN),
+            apart: true,
+        }
+    }
+
+    /// Why it cannot be had: what the star that misses least is short of.
+    fn reasons(&self, base: &Candidate, best: Option<&Evaluation>) -> Vec<String> {
+        let constraints = self.constraints(base, SEARCHED_MARGIN);
+        let short = best.map_or(Vec::new(), |best| shortfalls(&best.point, &best.answer, &constraints));
+        let mut reasons: Vec<String> = short.iter().map(|short| self.in_words(short)).collect();
+        if self.height.is_none() && self.shape.is_none() && short.iter().any(|(what, _)| *what == "payload") {
+            reasons.push(
+                "the object is taken to be a ball: --height and --shape cylinder if it is not".to_owned(),
+            );
+        }
+        if reasons.is_empty() {
+            reasons.push("the room between closing and opening is less than a tenth of a millimetre: more pressure, or a larger sheet".to_owned());
+        }
+        reasons
+    }
+
+    fn in_words(&self, (what, part): &Short) -> String {
+        let percent = (1000.0 * part).ceil() / 10.0;
+        match *what {
+            "payload" => {
+                // Friction is as far short as the mass; a hundredth more for what is rounded.
+                let friction = (101.0 * self.friction / (1.0 - part)).ceil() / 100.0;
+                let coated = if friction <= COATED {
+                    format!(
+                        "; a friction of {friction} would do (--friction): silicone-coated corners reach about 1"
+                    )
+                } else {
+                    String::new()
+                };
+                let needed = self.mass.0 * GRAVITY / self.friction;
+                if let Some(bears) =
+                    self.largest_force.filter(|bears| f64::from(MOST_STARS) * bears.0 < needed)
+                {
+                    let needed = format!("friction needs {needed:.1} N to hold {}", self.mass);
+                    return format!("{needed}, and the object bears {bears} of each star{coated}");
+                }
+                let safe = three_digits(self.mass.0 * (1.0 - part)).unwrap_or(Mass(0.0));
+                format!("it can safely carry {safe} of the {}{coated}", self.mass)
+            }
+            "sheet" => format!(
+                "the star is {percent:.1} % larger than the sheet or the machine: a larger one, --sheet"
+            ),
+            "pressing" => format!(
+                "it presses {percent:.1} % harder than the object bears: more friction, a lighter object, or --fragile with more"
+            ),
+            "burst" => "the seal bursts: less pressure, a stronger seal".to_owned(),
+            "closing" => format!("it closes {percent:.1} % short of the object"),
+            "inner_radius" => {
+                format!("its cut hole is {percent:.1} % too narrow for the object and room around it")
+            }
+            "opening" | "object" => format!("it opens {percent:.1} % short of the object"),
+            "touching" => "its arms would touch, and how hard it presses then is not known".to_owned(),
+            "arms" => format!("arms would be {percent:.1} % shorter than half a tube's width"),
+            _ => "no star that was tried is like it: another pressure, or another fabric".to_owned(),
+        }
+    }
+}
+
+fn no_tube(base: &Candidate) -> String {
+    format!(
+        "fabric of {} is too thin or too thick for any tube that was tried, 10 to 60 mm wide: t/W is 0.01 to 0.03; fabric \
+         of 0.3 mm makes tubes 10 to 29 mm wide",
+        base.fabric.thickness
+    )
+}
+
+/// Values that are rounded: tube width, inner radius, tip angle, pressure.
+const ROUNDED: u32 = 4;
+
+/// The same in round values, if it still keeps what was asked: the nearest tenths, or, where the best lies on an edge, those of the
+/// tenths around it that take the least fabric.
+fn rounded(found: &Evaluation, constraints: &Constraints, ring: &RingTable) -> Option<Evaluation> {
+    let to = |whole: &dyn Fn(u32, f64) -> f64| {
+        let mut point = found.point.clone();
+        let tenths = |which: u32, value: f64| whole(which, 10.0 * value) / 10.0;
+        let star = &mut point.star;
+        star.tube_width = Length(tenths(0, star.tube_width.0));
+        star.inner_radius = Length(tenths(1, star.inner_radius.0));
+        star.tip_angle = Angle(tenths(2, star.tip_angle.0));
+        star.pitch = pitch_for(star.tube_width, point.plate);
+        point.load.pressure = point.load.pressure.map(|pressure| Pressure(tenths(3, pressure.0)));
+        let answer = point.answer(ring).ok()?;
+        let missed = shortfalls(&point, &answer, constraints);
+        missed.is_empty().then_some(Evaluation { point, answer, violation: 0.0 })
+    };
+    let around = |up: u32| move |which: u32, x: f64| if up >> which & 1 == 1 { x.ceil() } else { x.floor() };
+    to(&|_, x| x.round()).or_else(|| {
+        let all = (0..1 << ROUNDED).filter_map(|up| to(&around(up)));
+        all.min_by(|a, b| a.fabric().total_cmp(&b.fabric()))
+    })
+}

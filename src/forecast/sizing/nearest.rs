@@ -1,0 +1,142 @@
+//! Grippers that meet requirements; where none does, a request near it that can be met.
+
+use crate::forecast::candidate::Candidate;
+use crate::forecast::load_check::COATED;
+use crate::forecast::optimize::{Bounds, Constraints, Effort, Goal, Search, sure_payload};
+use crate::forecast::sizing::{
+    Choice, MARGIN, MOST_STARS, Obstacle, Requirements, SEARCHED_MARGIN, Workspace, feasible, no_tube,
+};
+use crate::units::{Force, Length, Mass};
+use inflatable::mechanics::hinge::ring::RingTable;
+use inflatable::mechanics::strength::GRAVITY;
+
+/// Requirements that no gripper meets, and the closest ones that can be met.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Infeasible {
+    /// What stands in the way, one sentence each.
+    pub reasons: Vec<String>,
+    /// The closest requirements that can be met; `None` if none were found.
+    pub nearest: Option<Box<Nearest>>,
+}
+
+/// Requirements that can be met in place of others, and the grippers that meet them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Nearest {
+    /// The requirements: less mass, a larger sheet, any pressure, an object that bears more, or an object of
+    /// another size.
+    pub requirements: Requirements,
+    /// How, the best first.
+    pub choices: Vec<Choice>,
+}
+
+/// Sheets are taken larger by this, mm: they are cut by hand.
+const SHEET: f64 = 10.0;
+/// Parts of the most mass that are tried: near the most there are few grippers, and a search may miss them.
+const RESERVES: [f64; 3] = [0.9, 0.7, 0.4];
+/// Forces of one star that are tried in place of what the object bears, over what all stars need together.
+const SHARES: [f64; 9] = [0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0];
+/// Sizes of objects that are tried where nothing else helps, over the one wished for.
+const SIZES: [f64; 4] = [0.7, 0.4, 0.2, 2.0];
+
+/// The grippers that meet `requirements`, the best first, from `base`: its fabric, seal and radii of
+/// curvature.
+///
+/// # Errors
+/// If there is none.
+pub fn choose(
+    requirements: &Requirements,
+    base: &Candidate,
+    ring: &RingTable,
+) -> Result<Vec<Choice>, Infeasible> {
+    feasible(requirements, base, ring).map_err(|obstacle| match obstacle {
+        Obstacle::Star(best) => Infeasible {
+            reasons: requirements.reasons(base, best.as_deref()),
+            nearest: nearest(requirements, base, ring).map(Box::new),
+        },
+        Obstacle::Tube => Infeasible { reasons: vec![no_tube(base)], nearest: None },
+    })
+}
+
+/// The closest requirements to `requirements` that can be met: coated corners, an object that bears more,
+/// less mass, at last another size.
+fn nearest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Option<Nearest> {
+    let tried = |requirements: Requirements| {
+        let choices = feasible(&requirements, base, ring).ok()?;
+        Some(Nearest { requirements, choices })
+    };
+    let bearing_more = |requirements: Requirements| {
+        let asked = requirements.largest_force?.0;
+        let all = MARGIN * requirements.mass.0 * GRAVITY / requirements.friction;
+        let forces = SHARES.into_iter().map(|share| (10.0 * share * all).ceil() / 10.0);
+        forces
+            .filter(|force| *force > asked)
+            .find_map(|force| tried(Requirements { largest_force: Some(Force(force)), ..requirements }))
+    };
+    if let Some(most) = heaviest(requirements, base, ring) {
+        let friction = requirements.friction * requirements.mass.0 / most;
+        let rougher = RESERVES.into_iter().map(|part| (100.0 * friction / part).ceil() / 100.0);
+        let most = most.min(requirements.mass.0);
+        return rougher
+            .filter(|friction| *friction > requirements.friction && *friction <= COATED)
+            .find_map(|friction| tried(Requirements { friction, ..*requirements }))
+            .or_else(|| bearing_more(*requirements))
+            .or_else(|| {
+                let masses = RESERVES.into_iter().map(|part| three_digits(part * most));
+                masses.flatten().find_map(|mass| tried(Requirements { mass, ..*requirements }))
+            });
+    }
+    // It is not the mass: one thing less, then all of them, and then there is the object itself.
+    let without_pressure = Requirements { pressure: None, ..*requirements };
+    let endless = Requirements { room: Workspace { sheet: None, ..requirements.room }, ..without_pressure };
+    let free = Requirements { largest_force: None, ..endless };
+    let of_size = |factor: f64| Requirements {
+        object: Length((factor * requirements.object.0).round().max(1.0)),
+        ..free
+    };
+    let larger_sheet = || requirements.room.sheet.and_then(|_| on_larger_sheet(requirements, base, ring));
+    larger_sheet()
+        .or_else(|| requirements.pressure.and_then(|_| tried(without_pressure)))
+        .or_else(|| bearing_more(*requirements))
+        .or_else(|| bearing_more(endless))
+        .or_else(|| (free != *requirements).then(|| tried(free)).flatten())
+        .or_else(|| SIZES.into_iter().map(of_size).find_map(tried))
+}
+
+/// The most mass that can be counted on with all else as required, kg; `None` if nothing else is.
+fn heaviest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Option<f64> {
+    let base = requirements.candidate(base);
+    let bounds = Bounds { stars: 1..=MOST_STARS, ..requirements.bounds(&base)? };
+    let constraints = Constraints { payload: None, ..requirements.constraints(&base, 1.0) };
+    let search = Search {
+        base: &base,
+        bounds: &bounds,
+        constraints: &constraints,
+        goal: Goal::Payload,
+        table: ring,
+        effort: Effort::QUICK,
+        cancel: None,
+    };
+    let most = search.run().best.into_iter().find(|one| one.violation == 0.0)?;
+    Some(sure_payload(&most.point, &most.answer)? / SEARCHED_MARGIN)
+}
+
+/// A mass rounded down to three digits and whole milligrams; `None` if nothing is left.
+pub(super) fn three_digits(mass: f64) -> Option<Mass> {
+    let digit = 10_f64.powf(mass.log10().floor() - 2.0);
+    let mass = ((mass / digit).floor() * digit * 1e6).round() / 1e6;
+    (mass > 0.0).then_some(Mass(mass))
+}
+
+/// The same on a sheet that is as large as it must be, as far as the machine reaches.
+fn on_larger_sheet(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Option<Nearest> {
+    let endless = Requirements { room: Workspace { sheet: None, ..requirements.room }, ..*requirements };
+    let choices = feasible(&endless, base, ring).ok()?;
+    let best = &choices.first()?.best;
+    let reach = best.answer.star.tip_reach() + best.point.seal.band.0 + best.point.seal.allowance.0;
+    let side = Length(((2.0 * reach + requirements.room.edge.0) / SHEET).ceil() * SHEET);
+    let exact = Requirements { room: Workspace { sheet: Some(side), ..requirements.room }, ..*requirements };
+    match feasible(&exact, base, ring) {
+        Ok(choices) => Some(Nearest { requirements: exact, choices }),
+        Err(_) => Some(Nearest { requirements: endless, choices }),
+    }
+}

@@ -1,0 +1,221 @@
+//! What one model says of a star, as a prediction puts it.
+
+use crate::design::StarDesign;
+use crate::forecast::case::{Case, measured_stiffnesses};
+use crate::forecast::outcome::{Outcome, SHORTEST_ARM};
+use crate::forecast::prediction::{Evidence, Hinges, Nonlinear, StarPrediction, Stretch};
+use crate::forecast::ranges::{StarRanges, scaled};
+use crate::spec::Spec;
+use crate::units::{Length, Percent, Pressure, Readable};
+use inflatable::mechanics::fault::StarFault;
+use inflatable::mechanics::hinge::{HingeModel, HingeState, Level};
+use inflatable::mechanics::star::response::Inflated;
+
+/// An answer of one model.
+pub(super) struct StarAnswer<'a> {
+    pub(super) model: &'a dyn HingeModel,
+    pub(super) inflated: Inflated<'a>,
+    pub(super) outcome: Outcome,
+}
+
+impl StarAnswer<'_> {
+    /// Puts what the model says into `star`.
+    pub(super) fn fill(&self, star: &mut StarPrediction, case: &Case) -> Result<(), StarFault> {
+        let Self { model, inflated, outcome } = self;
+        let [tip, corner] = [inflated.tip(), inflated.corner()];
+        let angles = inflated.target_angles();
+        let (c_i, c_e) = inflated.hinge_stiffness();
+        let stiffness = case.pressure.map(|_| Hinges { tip: c_i, corner: c_e });
+        star.model = model.level().name();
+        star.lambda_t = Hinges { tip: Some(tip.lambda), corner: Some(corner.lambda) };
+        star.lambda_c = Hinges {
+            tip: model.onset(case.mechanism.tip().r_star)?,
+            corner: model.onset(case.mechanism.corner().r_star)?,
+        };
+        star.d2v_dlambda2 = Hinges { tip: Some(tip.curvature), corner: Some(corner.curvature) };
+        star.tip_target_angle_deg = Some(angles.0.to_degrees());
+        star.corner_target_angle_deg = Some(angles.1.to_degrees());
+        star.hinge_stiffness_Nm = stiffness;
+        // Those of the seal depend on no model of the hinge.
+        let StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, .. } = star.ranges;
+        star.ranges =
+            StarRanges { seal_pull_N_per_mm, burst_pressure_kPa, ..ranges(case, outcome, stiffness) };
+        star.correction = case.mechanism.correction;
+        star.hold = outcome.hold;
+        if outcome.known {
+            star.tip_equilibrium_angle_deg = Some(outcome.rest.equilibrium.to_degrees());
+            star.final_radius_mm = Some(mm(outcome.rest.radius));
+            star.contraction = Some(outcome.contraction);
+            star.radial_stiffness_N_per_m = outcome.stiffness;
+            star.preload_N = outcome.preload;
+            star.graspable_radius_mm = Some(outcome.graspable.map(mm));
+            star.object_force_N = outcome.object_force();
+            star.payload_kg = outcome.payload;
+        }
+        let evidence = &mut star.evidence;
+        evidence.residual = tip.effort.residual.max(corner.effort.residual);
+        evidence.iterations = tip.effort.iterations + corner.effort.iterations;
+        evidence.numerical_error = Some(tip.effort.error.max(corner.effort.error));
+        evidence.hinge_width = Hinges { tip: width_of(tip), corner: width_of(corner) };
+        Ok(())
+    }
+
+    /// The star with the model's own V_bar; `None` for the fit, whose hinges are linear, for the section, whose linear hinges are nearer to
+    /// shells of stars, or where the model refuses.
+    pub(super) fn nonlinear(
+        &self,
+        case: &Case,
+        accepted: Percent,
+        warnings: &mut Vec<String>,
+    ) -> Option<Nonlinear> {
+        let (inflated, linear) = (&self.inflated, &self.outcome);
+        if matches!(inflated.level(), Level::Fit | Level::Section) {
+            return None;
+        }
+        // Of its warnings about the object those of the linear star are enough.
+        let own = match Outcome::nonlinear(case, inflated) {
+            Ok(own) => own,
+            Err(fault) => {
+                warnings.push(format!("no equilibrium of the nonlinear hinges: {fault}"));
+                return None;
+            }
+        };
+        if inflated.rim_pushes(own.rest.angle) {
+            warnings.push(
+            "the nonlinear star coils a hinge so far that its inner rim would have to push: a real rim wrinkles, and \
+             the hinge is softer than predicted"
+                .to_owned(),
+        );
+        }
+        let (own_radius, linear_radius) = (own.rest.radius, linear.rest.radius);
+        if (own_radius - linear_radius).abs() > accepted.ratio() * linear_radius {
+            warnings.push(format!(
+            "with the membrane's own, asymmetric hinges it would close to {:.2} mm instead of {:.2} mm: the corner's hinge \
+             is coiled far beyond its target, where it is much softer",
+            mm(own_radius),
+            mm(linear_radius)
+        ));
+        }
+        Some(Nonlinear {
+            tip_equilibrium_angle_deg: own.rest.equilibrium.to_degrees(),
+            final_radius_mm: mm(own_radius),
+            contraction: own.contraction,
+            radial_stiffness_N_per_m: own.stiffness,
+            preload_N: own.preload,
+            object_force_N: own.object_force(),
+        })
+    }
+}
+
+/// The ranges of `outcome` in the units of a prediction; `stiffness` is that of the hinges.
+fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> StarRanges {
+    let own = &outcome.ranges;
+    let hinge = |of: fn(&Hinges<f64>) -> f64| Some(scaled(own.hinge?, of(stiffness.as_ref()?)));
+    StarRanges {
+        final_radius_mm: own.radius.map(|range| range.map(mm)),
+        contraction: outcome.contraction_range(case),
+        tip_equilibrium_angle_deg: own.angle.map(|range| range.map(f64::to_degrees)),
+        hinge_stiffness_Nm: Hinges { tip: hinge(|of| of.tip), corner: hinge(|of| of.corner) },
+        radial_stiffness_N_per_m: own.stiffness,
+        object_force_N: outcome.force_range,
+        payload_kg: outcome.payload_range,
+        seal_pull_N_per_mm: None,
+        burst_pressure_kPa: None,
+    }
+}
+
+/// All of one star that depends on no model.
+pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPrediction {
+    let width = case.mechanism.width;
+    let stretch = case.pressure.map(|p| case.sheet.stretch(p, width));
+    StarPrediction {
+        model: "",
+        lambda_t: Hinges::default(),
+        lambda_c: Hinges::default(),
+        d2v_dlambda2: Hinges::default(),
+        arm_length_mm: part.star.l,
+        tip_target_angle_deg: None,
+        corner_target_angle_deg: None,
+        tip_equilibrium_angle_deg: None,
+        tip_angle_deg: None,
+        final_radius_mm: None,
+        contraction: None,
+        hinge_stiffness_Nm: None,
+        radial_stiffness_N_per_m: None,
+        preload_N: None,
+        arm_contact_N: None,
+        arm_contact_mm2: None,
+        volume_mm3: None,
+        graspable_radius_mm: None,
+        hole_radius_mm: mm(case.hole),
+        object_radius_mm: case.object.map(mm),
+        object_gap_mm: case.entering.map(|entering| mm(case.hole) - mm(entering)),
+        object_force_N: None,
+        force_curve: None,
+        bendability: case.pressure.map(|p| case.sheet.bendability(p, width)),
+        operating_pressure_kPa: Pressure::from_pascals(case.operating_pressure()).0,
+        realised_radius_mm: Hinges { tip: part.realised_tip().radius, corner: part.realised_corner().radius },
+        seal_load: Hinges::default(),
+        seal_pull_N_per_mm: None,
+        seal_pull_at: None,
+        seal_pull_at_mm: None,
+        burst_pressure_kPa: None,
+        seal_tension: None,
+        mass_g: part.mass(&spec.fabric),
+        payload_kg: None,
+        stretch: Stretch::Ratio(stretch),
+        burst_margin: None,
+        ranges_of: "shell",
+        ranges: StarRanges::default(),
+        pressures: None,
+        nonlinear: None,
+        evidence: Evidence {
+            choice: String::new(),
+            fabric: measured_stiffnesses(&spec.fabric),
+            residual: 0.0,
+            iterations: 0,
+            numerical_error: None,
+            unknowns: None,
+            stretch,
+            hinge_width: Hinges::default(),
+            mesh_errors: None,
+            safe_radius_mm: None,
+            warnings: Vec::new(),
+            of_burst: None,
+            of_object: None,
+        },
+        hold: None,
+        modelled_kPa: None,
+        correction: case.mechanism.correction,
+    }
+}
+
+/// mm, as all lengths of a prediction are.
+pub(super) fn mm(metres: f64) -> f64 {
+    Length::from_metres(metres).0
+}
+
+fn width_of(state: &HingeState) -> Option<f64> {
+    state.edges.map(|edges| edges.width)
+}
+
+/// What is to be said about a star that cannot move as the mechanism thinks.
+pub(super) fn of_the_shape(case: &Case, outcome: &Outcome) -> Vec<String> {
+    let star = &case.mechanism;
+    let mut warnings = Vec::new();
+    if outcome.rest.equilibrium < outcome.rest.angle {
+        warnings.push("the arms touch before the hinges are at rest: the star is pressed shut".to_owned());
+    }
+    if star.radius(outcome.rest.angle).slope <= 0.0 {
+        warnings.push("the arms are so short that closing the tips widens the star".to_owned());
+    }
+    if star.arm < SHORTEST_ARM * star.width {
+        warnings.push(format!(
+            "the arms are {} mm long, less than half the tube's width of {} mm: they are no straight tubes, and the \
+             hinges at their ends overlap",
+            Readable(mm(star.arm)),
+            Readable(mm(star.width))
+        ));
+    }
+    warnings
+}

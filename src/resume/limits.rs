@@ -1,0 +1,47 @@
+//! Settings in a program's head: they must let the iron move as the comments say.
+
+use crate::plan::Pace;
+use crate::resume::record::Record;
+use crate::spec::{Limits, limits_set_by};
+use crate::units::Speed;
+use crate::verify::{Finding, FindingCode};
+
+/// Slack of numbers that a file rounds, as a fraction.
+const SLACK: f64 = 1e-6;
+/// A longer time without a move than any job has, s: a day.
+const DAY: f64 = 86400.0;
+
+/// The first line before the first move that sets what the seal, the travels or the `seconds` of the program contradict.
+pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option<Finding> {
+    // Settings after the first move are no matter of a profile: the judge of programs refuses them all.
+    let mut head = text.lines().zip(1..).take_while(|(line, _)| !line.starts_with("G0"));
+    head.find_map(|(line, number)| {
+        let allowed = wrong(record, limits_set_by(line, &record.controller)?, seconds)?;
+        Some(Finding::new(FindingCode::ProfileLine, number, line, allowed))
+    })
+}
+
+/// What would be right instead of `set`, if that contradicts the program.
+fn wrong(record: &Record, set: Limits, seconds: f64) -> Option<String> {
+    let (contact, acceleration) = match record.pace {
+        Pace::Steady => (record.seal.speed.0, None),
+        Pace::Chopped(chop) => (chop.speed, Some(chop.acceleration)),
+    };
+    let fastest = contact.max(record.process.travel_speed.0);
+    let longest = seconds.min(DAY);
+    match (set, acceleration) {
+        (Limits { lowest_speed: Some(lowest), .. }, _) if lowest.0 > contact * (1.0 + SLACK) => {
+            Some(format!("a lowest speed of at most {}", Speed(contact)))
+        }
+        (Limits { top_speed: Some(top), .. }, _) if top.0 < fastest * (1.0 - SLACK) => {
+            Some(format!("a top speed of at least {}", Speed(fastest)))
+        }
+        (Limits { acceleration: Some(found), .. }, Some(a)) if (found.0 - a).abs() > SLACK * a => {
+            Some(format!("an acceleration of {a} mm/s^2"))
+        }
+        (Limits { idle_timeout: Some(timeout), .. }, _) if timeout.0 < longest => {
+            Some(format!("at least {longest:.0} s"))
+        }
+        _ => None,
+    }
+}

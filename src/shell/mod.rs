@@ -1,9 +1,0 @@
-//! The inflated sheet as a thin **shell**: membrane and bending, finite pressure, contact; the level that knows
-//! arms, ends and stars.
-
-pub mod assembly;
-pub mod cases;
-pub mod contact;
-pub mod element;
-pub mod mesh;
-pub mod solver;

@@ -1,0 +1,97 @@
+//! Keys whose values are texts, or words of a list.
+
+use std::ops::Range;
+
+use crate::spec::FaultCode;
+use crate::spec::fault::{Fault, quoted};
+use crate::spec::section::Section;
+use crate::spec::shape::Shape;
+use crate::spec::unknown;
+
+impl<'r> Section<'_, 'r> {
+    /// A text in quotes and its place; `None` if it is absent or something else.
+    pub(in crate::spec) fn text(&mut self, key: &'static str) -> Option<(&'r str, Range<usize>)> {
+        self.word(key, Shape::Text)
+    }
+
+    /// A text of some shape.
+    pub(in crate::spec) fn word(
+        &mut self,
+        key: &'static str,
+        shape: Shape,
+    ) -> Option<(&'r str, Range<usize>)> {
+        let value = self.take(key, shape)?;
+        match value.as_text() {
+            Some(found) => Some((found, value.span.clone())),
+            None => self.refuse_type(key, value, "must be a text in quotes"),
+        }
+    }
+
+    /// A list of texts, each with its place; `None` if it is absent or something else.
+    pub(in crate::spec) fn texts(&mut self, key: &'static str) -> Option<Vec<(&'r str, Range<usize>)>> {
+        self.listed(key, Shape::Texts)
+    }
+
+    /// A list of texts of some shape.
+    fn listed(&mut self, key: &'static str, shape: Shape) -> Option<Vec<(&'r str, Range<usize>)>> {
+        let value = self.take(key, shape)?;
+        let label = "must be a list of texts: [\"...\", \"...\"]";
+        let Some(list) = value.as_list() else { return self.refuse_type(key, value, label) };
+        list.iter()
+            .map(|item| match item.as_text() {
+                Some(text) => Some((text, item.span.clone())),
+                None => self.refuse_type(key, item, label),
+            })
+            .collect()
+    }
+
+    /// One of `choices`, a word in quotes; `None` if it is absent or none of them.
+    pub(in crate::spec) fn choice<T: Copy>(
+        &mut self,
+        key: &'static str,
+        choices: &[(&'static str, T)],
+    ) -> Option<T> {
+        let shape = Shape::Choice(choices.iter().map(|(name, _)| *name).collect());
+        let (word, span) = self.word(key, shape)?;
+        self.chosen(key, (word, span), choices)
+    }
+
+    /// Some of `choices`, words in quotes in a list, none twice; `None` if it is absent or one of them is none of these.
+    pub(in crate::spec) fn choices<T: Copy + PartialEq>(
+        &mut self,
+        key: &'static str,
+        choices: &[(&'static str, T)],
+    ) -> Option<Vec<T>> {
+        let shape = Shape::Choices(choices.iter().map(|(name, _)| *name).collect());
+        let mut all = Vec::new();
+        for word in self.listed(key, shape)? {
+            let found = self.chosen(key, word, choices)?;
+            if !all.contains(&found) {
+                all.push(found);
+            }
+        }
+        Some(all)
+    }
+
+    /// The one of `choices` that `word` names; reports one that is none of them.
+    fn chosen<T: Copy>(
+        &mut self,
+        key: &'static str,
+        (word, span): (&str, Range<usize>),
+        choices: &[(&'static str, T)],
+    ) -> Option<T> {
+        if let Some((_, found)) = choices.iter().find(|(name, _)| *name == word) {
+            return Some(*found);
+        }
+        let list = choices.iter().map(|(name, _)| format!("\"{name}\"")).collect::<Vec<_>>().join(", ");
+        let mut fault =
+            Fault::error(FaultCode::UnknownChoice, span, format!("`{key}` is {}", quoted(word))).label(
+                if choices.len() == 1 { format!("must be {list}") } else { format!("must be one of {list}") },
+            );
+        if let Some(near) = unknown::nearest(word, choices.iter().map(|(name, _)| *name)) {
+            fault = fault.help(format!("did you mean \"{near}\"?"));
+        }
+        self.report(fault);
+        None
+    }
+}

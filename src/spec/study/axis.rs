@@ -1,0 +1,198 @@
+//! A field with its values, and axes that go on together.
+
+use std::borrow::Cow;
+
+use crate::spec::study::draw::Draw;
+use crate::spec::study::field::{Field, KeyValue};
+
+/// Most values that are written down or counted out in one axis.
+pub const MOST_VALUES: u32 = 1_000_000;
+
+/// A field with its values.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// What is set.
+    pub field: Field,
+    values: Values,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Values {
+    Listed(Vec<KeyValue>),
+    Drawn(Draw),
+}
+
+/// Axes of equal length that go on together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    axes: Vec<Axis>,
+    len: usize,
+}
+
+impl Axis {
+    /// A field with values in its range, at least one.
+    pub fn listed(field: Field, values: Vec<KeyValue>) -> Self {
+        Self { field, values: Values::Listed(values) }
+    }
+
+    /// A field with values that are drawn.
+    pub fn drawn(field: Field, draw: Draw) -> Self {
+        Self { field, values: Values::Drawn(draw) }
+    }
+
+    /// Reads `KEY=A,B,C` or `KEY=FROM..TO/COUNT`: `star.points=3,4,5`, `star.tube_width=10 mm..40 mm/31`.
+    ///
+    /// # Errors
+    /// One sentence that says what is wrong.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let (name, values) = text.split_once('=').ok_or(format!("`{text}` is not KEY=VALUES"))?;
+        let field = Field::of(name.trim()).ok_or_else(|| unknown(name.trim()))?;
+        let values = match values.split_once("..") {
+            Some(_) => counted_out(&field, values)?,
+            None => values.split(',').map(|value| field.parse(value)).collect::<Result<_, _>>()?,
+        };
+        Ok(Self::listed(field, values))
+    }
+
+    /// How many values there are.
+    pub fn len(&self) -> usize {
+        match &self.values {
+            Values::Listed(values) => values.len(),
+            Values::Drawn(draw) => usize::try_from(draw.count).unwrap_or(usize::MAX),
+        }
+    }
+
+    /// Whether there are none; a study refuses such an axis.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Value number `i`, from 0; beyond the last the last.
+    pub fn value(&self, i: usize) -> Cow<'_, KeyValue> {
+        match &self.values {
+            Values::Listed(values) => {
+                values.get(i).or(values.last()).map_or(Cow::Owned(KeyValue::Number(f64::NAN)), Cow::Borrowed)
+            }
+            Values::Drawn(draw) => Cow::Owned(KeyValue::Number(draw.value(i as u64))),
+        }
+    }
+}
+
+/// What to say of a key that no study can set.
+fn unknown(name: &str) -> String {
+    let known = || Field::names().collect::<Vec<_>>().join(", ");
+    let hint = Field::near(name)
+        .map_or_else(|| format!("these can: {}", known()), |near| format!("did you mean `{near}`?"));
+    format!("`{name}` is no key of a spec that can be varied; {hint}")
+}
+
+/// Reads `FROM..TO/COUNT`: values at equal distances, both ends included.
+pub(super) fn counted_out(field: &Field, text: &str) -> Result<Vec<KeyValue>, String> {
+    let (ends, count) =
+        text.split_once('/').ok_or(format!("`{text}` lacks the number of values: FROM..TO/COUNT"))?;
+    let count: u32 =
+        count.trim().parse().map_err(|_| format!("`{}` is not a number of values", count.trim()))?;
+    if !(1..=MOST_VALUES).contains(&count) {
+        return Err(format!("{count} values; allowed are 1 to {MOST_VALUES}"));
+    }
+    let [from, to] = between(field, ends)?;
+    let step = f64::from(count.saturating_sub(1)).max(1.0);
+    let values: Vec<f64> = (0..count).map(|i| from + (to - from) * f64::from(i) / step).collect();
+    if let Some(part) = values.iter().find(|value| field.is_whole() && value.fract() != 0.0) {
+        let key = field.key();
+        return Err(format!(
+            "{part} is no value of `{key}`: choose the number of values so that all are whole"
+        ));
+    }
+    Ok(values.into_iter().map(KeyValue::Number).collect())
+}
+
+/// Reads `FROM..TO`.
+pub(super) fn between(field: &Field, text: &str) -> Result<[f64; 2], String> {
+    if !field.is_number() {
+        return Err(format!("`{}` takes no numbers: list its values", field.key()));
+    }
+    let (from, to) = text.split_once("..").ok_or(format!("`{text}` is not FROM..TO"))?;
+    let number = |text: &str| match field.parse(text)? {
+        KeyValue::Number(number) => Ok(number),
+        KeyValue::Word(_) | KeyValue::Truth(_) => Err(format!("`{text}` is no number")),
+    };
+    Ok([number(from)?, number(to)?])
+}
+
+impl Block {
+    /// Lanes that go on together; `None` if there are none, or their lengths differ, or are 0.
+    pub fn new(axes: Vec<Axis>) -> Option<Self> {
+        let len = axes.first()?.len();
+        (len > 0 && axes.iter().all(|axis| axis.len() == len)).then_some(Self { axes, len })
+    }
+
+    /// The axes.
+    pub fn axes(&self) -> &[Axis] {
+        &self.axes
+    }
+
+    /// How many values each has; at least 1.
+    pub fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Never.
+    pub fn is_empty(&self) -> bool {
+        self.len == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn numbers(text: &str) -> Vec<f64> {
+        let axis = Axis::parse(text).unwrap_or_else(|fault| panic!("{text}: {fault}"));
+        let number = |i| match axis.value(i).into_owned() {
+            KeyValue::Number(number) => number,
+            other => panic!("{other:?}"),
+        };
+        (0..axis.len()).map(number).collect()
+    }
+
+    #[test]
+    fn lanes_are_read_with_units() {
+        assert_eq!(numbers("star.tube_width=1 cm..40 mm/4"), [10.0, 20.0, 30.0, 40.0]);
+        assert_eq!(numbers("load.pressure = 10 kPa, 0.2 bar"), [10.0, 20.0]);
+        assert_eq!(numbers("star.points=5..5/1"), [5.0]);
+        assert_eq!(numbers("star.points=3,64"), [3.0, 64.0]);
+        assert_eq!(numbers("load.pressure=1 kPa..2 kPa/1000000").len(), 1_000_000);
+        let words = Axis::parse("mask.mirror=true,false").expect("two values");
+        assert_eq!(*words.value(1), KeyValue::Truth(false));
+    }
+
+    #[test]
+    fn faults_say_what_is_allowed() {
+        let faults = [
+            ("star.points", "`star.points` is not KEY=VALUES"),
+            (
+                "star.width=1 mm",
+                "`star.width` is no key of a spec that can be varied; did you mean `star.tube_width`?",
+            ),
+            ("star.points=2", "`points` is 2: must be from 3 to 64"),
+            (
+                "star.points=x",
+                "`points` in [star] is the text `x`: must be a whole number, without quotes and unit",
+            ),
+            ("load.friction=0", "`friction` is 0: must be more than 0 and at most 10"),
+            ("load.pressure=1 kPa..2 kPa", "`1 kPa..2 kPa` lacks the number of values: FROM..TO/COUNT"),
+            ("load.pressure=1 kPa..2 kPa/x", "`x` is not a number of values"),
+            ("load.pressure=1 kPa..2 kPa/0", "0 values; allowed are 1 to 1000000"),
+            ("load.pressure=1 kPa..2 kPa/1000001", "1000001 values; allowed are 1 to 1000000"),
+            ("mask.mirror=true..false/2", "`mask.mirror` takes no numbers: list its values"),
+            (
+                "star.points=3..6/3",
+                "4.5 is no value of `star.points`: choose the number of values so that all are whole",
+            ),
+        ];
+        for (text, what) in faults {
+            assert_eq!(Axis::parse(text).expect_err("refused"), what, "{text}");
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! The order of travels: where the iron goes between seams, and where in between the operator is told what comes.
+//!
+//! Every rapid goes to a **waypoint**: up to the park height, above the beginning of a seam, down to travel height, and in
+//! the end home. A contact, or a path that is traced, is a waypoint too, and so are the comments that announce the heat and
+//! each seam: `resume` takes up a seam by them.
+
+use crate::spec::Heights;
+use crate::verify::judge::{HEIGHT, Judge};
+use crate::verify::read::gcode::{Event, Line, MoveKind};
+use crate::verify::{FindingCode, Findings};
+use inflatable::geom::Point;
+
+/// What comes next.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Waypoint {
+    /// A rapid to there; what is not known yet is `None`.
+    Rapid([Option<f64>; 3]),
+    /// The comment with this key.
+    Comment(&'static str),
+    /// Moves at the feed, however many.
+    Path,
+}
+
+/// Reports every rapid that goes elsewhere, and every announcement that stands elsewhere.
+pub(in crate::verify) struct TravelOrder {
+    waypoints: Vec<Waypoint>,
+    /// How many have been passed.
+    passed: usize,
+    /// Slack on places, mm.
+    tolerance: f64,
+    /// Whether the last motion was along a path.
+    on_path: bool,
+    findings: Findings,
+}
+
+impl TravelOrder {
+    /// The way to paths that begin at `starts`, with a heating before it and an announcement of each if `hot`.
+    pub(in crate::verify) fn new(
+        heights: &Heights,
+        starts: impl IntoIterator<Item = Point>,
+        hot: bool,
+        tolerance: f64,
+    ) -> Self {
+        let (park, travel) = (heights.park.0, heights.travel.0);
+        let mut at = [None, None, Some(park)];
+        let mut waypoints = vec![Waypoint::Rapid(at)];
+        if hot {
+            waypoints.push(Waypoint::Comment("heat"));
+        }
+        for start in starts {
+            at = [Some(start.x), Some(start.y), at[2]];
+            waypoints.push(Waypoint::Rapid(at));
+            at[2] = Some(travel);
+            waypoints.push(Waypoint::Rapid(at));
+            if hot {
+                waypoints.push(Waypoint::Comment("seam"));
+            }
+            waypoints.push(Waypoint::Path);
+        }
+        let home = |x| Waypoint::Rapid([x, x, Some(park)]);
+        // Where the last path ended, the path's judge knows.
+        waypoints.extend([home(None), home(Some(0.0))]);
+        Self { waypoints, passed: 0, tolerance, on_path: false, findings: Findings::default() }
+    }
+
+    /// Whether `found` is the waypoint `wanted`.
+    fn is(&self, found: &Waypoint, wanted: &Waypoint) -> bool {
+        let (Waypoint::Rapid(found), Waypoint::Rapid(wanted)) = (found, wanted) else {
+            return found == wanted;
+        };
+        let near = |slack: f64| {
+            move |(found, wanted): (&Option<f64>, &Option<f64>)| match (found, wanted) {
+                (Some(found), Some(wanted)) => (found - wanted).abs() <= slack,
+                (_, None) => true,
+                (None, Some(_)) => false,
+            }
+        };
+        found[..2].iter().zip(&wanted[..2]).all(near(self.tolerance)) && near(HEIGHT)((&found[2], &wanted[2]))
+    }
+
+    /// The next waypoint, as it was found.
+    fn pass(&mut self, found: &Waypoint, line: usize) {
+        if self.waypoints.get(self.passed).is_some_and(|wanted| self.is(found, wanted)) {
+            self.passed += 1;
+            return;
+        }
+        let allowed = self.waypoints.get(self.passed).map_or("the end".to_owned(), told);
+        // If it comes later, what is between is missing; else it is one too many. Of many findings the first do.
+        let later = if self.findings.is_full() { None } else { self.later(found) };
+        if let Some(later) = later {
+            self.passed = later + 1;
+        }
+        let code = match found {
+            Waypoint::Comment(_) => FindingCode::OtherComment,
+            _ => FindingCode::StrayTravel,
+        };
+        self.findings.add(code, line, told(found), format!("{allowed} next"));
+    }
+
+    /// Where it comes later; the way up from the last path fits too much to tell.
+    fn later(&self, found: &Waypoint) -> Option<usize> {
+        let vague = |waypoint: &Waypoint| matches!(waypoint, Waypoint::Rapid([None, ..]));
+        let fits = |waypoint: &Waypoint| !vague(waypoint) && self.is(found, waypoint);
+        (self.passed..self.waypoints.len()).find(|i| fits(&self.waypoints[*i]))
+    }
+}
+
+impl Judge for TravelOrder {
+    fn see(&mut self, line: &Line<'_>) {
+        for event in line.events {
+            let found = match event {
+                Event::Move(step) if step.kind == MoveKind::Feed => {
+                    if std::mem::replace(&mut self.on_path, true) {
+                        continue;
+                    }
+                    Waypoint::Path
+                }
+                Event::Move(step) => Waypoint::Rapid([step.to.x, step.to.y, step.to.z].map(Some)),
+                Event::Blind(step) => Waypoint::Rapid(step.to),
+                Event::Comment(comment) => match comment.key() {
+                    Some("heat") => Waypoint::Comment("heat"),
+                    Some("seam") => Waypoint::Comment("seam"),
+                    _ => continue,
+                },
+                _ => continue,
+            };
+            if matches!(found, Waypoint::Rapid(_)) {
+                self.on_path = false;
+            }
+            self.pass(&found, line.number);
+        }
+    }
+
+    fn end(&mut self) -> Findings {
+        if let Some(wanted) = self.waypoints.get(self.passed) {
+            self.findings.add(FindingCode::StrayTravel, None, "the end", format!("{} next", told(wanted)));
+        }
+        std::mem::take(&mut self.findings)
+    }
+}
+
+/// A waypoint in words.
+fn told(waypoint: &Waypoint) -> String {
+    match waypoint {
+        Waypoint::Rapid(to) => {
+            let axes = "XYZ".chars().zip(to).filter_map(|(name, value)| Some((name, (*value)?)));
+            let axes: Vec<String> = axes.map(|(name, value)| format!("{name}{value:.4}")).collect();
+            format!("G0 to {}", axes.join(" "))
+        }
+        Waypoint::Comment(key) => format!("the comment {key:?}"),
+        Waypoint::Path => "moves at the feed".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Length;
+    use crate::verify::judge::judged;
+    use crate::verify::read::gcode::Dialect;
+
+    const WAY: [&str; 10] = [
+        "G0 Z30",
+        "; heat: temperature_C=200",
+        "M0",
+        "G0 X10 Y20",
+        "G0 Z5",
+        "; seam: seam=1",
+        "G1 X12 Y20 Z0 F6",
+        "G1 X14 Y20 Z5",
+        "G0 Z30",
+        "G0 X0 Y0",
+    ];
+
+    /// Code and line (of the way, from 0) of what is found in it.
+    fn found(way: &[&str]) -> Vec<(&'static str, Option<usize>)> {
+        let heights = Heights { contact: Length(0.0), travel: Length(5.0), park: Length(30.0) };
+        let mut judge = TravelOrder::new(&heights, [Point::new(10.0, 20.0)], true, 1e-3);
+        let text = format!("G21\nG90\nG94\n{}\nM2\n", way.join("\n"));
+        let findings = judged(text.split_inclusive('\n'), Dialect::GENERIC, &mut [&mut judge]).into_vec();
+        let ours = |code: &str| ["stray-travel", "other-comment"].contains(&code);
+        let ours = findings.iter().filter(|finding| ours(finding.code));
+        ours.map(|finding| (finding.code, finding.line.map(|line| line - 4))).collect()
+    }
+
+    #[test]
+    fn the_way_of_a_job_is_found_right() {
+        assert_eq!(found(&WAY), []);
+    }
+
+    #[test]
+    fn every_travel_and_announcement_has_its_place() {
+        let changed = |at: usize, with: &[&'static str]| {
+            let mut way = WAY.to_vec();
+            let _ = way.splice(at..=at, with.iter().copied()).count();
+            way
+        };
+        let stray = |line: usize| vec![("stray-travel", Some(line))];
+        assert_eq!(found(&changed(3, &["G0 X10 Y20", "G0 X80 Y80", "G0 X10 Y20"])).len(), 2);
+        assert_eq!(found(&changed(8, &["G0 Z30", "G0 X80 Y80"])), stray(9));
+        assert_eq!(found(&changed(9, &["G0 X0 Y1"])), [stray(9), vec![("stray-travel", None)]].concat());
+        assert_eq!(found(&changed(8, &[])), [stray(8), vec![("stray-travel", None)]].concat());
+        assert_eq!(found(&changed(5, &[])), stray(5));
+        let mut late = WAY;
+        late.swap(5, 6);
+        assert_eq!(found(&late), [stray(5), vec![("other-comment", Some(6))]].concat());
+        let mut early = WAY;
+        early.swap(4, 5);
+        assert_eq!(found(&early), [vec![("other-comment", Some(4))], stray(5)].concat());
+    }
+}

@@ -1,0 +1,354 @@
+//! From an object to a gripper: whatever is wished for, a spec that builds and holds it, or a refusal with what comes nearest.
+
+use crate::support::dice::Dice;
+use serde_json::Value;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn run(dir: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stargrip-cam")).current_dir(dir).args(args).output().expect("it runs")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().expect("a folder")
+}
+
+/// Whether the gripper of `spec.toml` in `dir` can be made and holds `mass` kg for sure, `width` mm across.
+fn holds(dir: &Path, mass: f64, width: f64, asked: &str) {
+    let check = run(dir, &["check", "wish.toml"]);
+    assert_eq!(check.status.code(), Some(0), "{asked}: {}", text(&check.stderr));
+    let predicted = run(dir, &["predict", "wish.toml", "--json"]);
+    let value: Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
+    let low = value["ranges"]["payload_kg"][0].as_f64().expect("known");
+    assert!(low >= 1.15 * mass, "{asked}: {low} kg of {mass}: {value}");
+    let ends = value["graspable_radius_mm"].as_array().expect("ends");
+    assert!(ends[1].as_f64() > Some(0.5 * width) && value["model"] == "section", "{asked}: {value}");
+    let closes = &value["ranges"]["final_radius_mm"];
+    assert!(closes[1].as_f64() < Some(0.5 * width), "{asked}: {closes}");
+}
+
+/// The words of a command line, of which some are in double quotes.
+fn words(line: &str) -> Vec<String> {
+    let parts = line.split('"').enumerate();
+    parts
+        .flat_map(|(i, part)| match i % 2 {
+            0 => part.split_whitespace().map(str::to_owned).collect::<Vec<_>>(),
+            _ => vec![part.to_owned()],
+        })
+        .collect()
+}
+
+/// Whether the nearest that `said` names can be had by the command that it names.
+fn can_be_had(dir: &Path, said: &str, asked: &str) {
+    assert!(said.contains("a request near it that can be met: "), "{asked}: {said}");
+    let command = said.lines().find_map(|line| line.trim().strip_prefix("stargrip-cam "));
+    let command = words(command.unwrap_or_else(|| panic!("{asked}: {said}")));
+    let command: Vec<&str> = command.iter().map(String::as_str).collect();
+    let output = run(dir, &command);
+    assert_eq!(output.status.code(), Some(0), "{asked}: {said}: {}", text(&output.stderr));
+    let check = run(dir, &["check", "wish.toml"]);
+    assert_eq!(check.status.code(), Some(0), "{asked}: {said}: {}", text(&check.stderr));
+}
+
+/// Throws `count` objects 30 to 300 mm across, of 10 g to 100 kg, and asks for a gripper for each; how many got one.
+fn wished(seed: u64, count: usize) -> usize {
+    let mut dice = Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
+    let mut part = || f64::from(u32::try_from(dice.below(10_000)).expect("small")) / 1e4;
+    let mut held = 0;
+    for _ in 0..count {
+        let width = 30.0 * 10_f64.powf(part());
+        let mass = 0.01 * 10_000_f64.powf(part());
+        let (width, mass) = ((10.0 * width).round() / 10.0, (1e3 * mass).round() / 1e3);
+        let (across, weight) = (format!("{width} mm"), format!("{mass} kg"));
+        let mut args = vec!["new", "wish", "--object", &across, "--mass", &weight];
+        if part() < 0.3 {
+            args.extend(["--friction", "1.0"]);
+        }
+        if part() < 0.3 {
+            args.extend(["--sheet", "600x600"]);
+        }
+        if part() < 0.2 {
+            args.extend(["--pressure", "30 kPa"]);
+        }
+        let asked = args.join(" ");
+        let dir = folder();
+        let output = run(dir.path(), &args);
+        match output.status.code() {
+            Some(0) => {
+                holds(dir.path(), mass, width, &asked);
+                held += 1;
+            }
+            Some(1) => {
+                assert!(!dir.path().join("wish.toml").exists());
+                can_be_had(dir.path(), &text(&output.stderr), &asked);
+            }
+            code => panic!("{asked}: {code:?}"),
+        }
+    }
+    held
+}
+
+#[test]
+fn a_wish_is_granted_or_refused_with_what_comes_nearest() {
+    let held = wished(1, 40);
+    // The dice are the same on every machine: one more or less is another answer.
+    assert_eq!(held, 25);
+}
+
+#[test]
+#[ignore = "half a minute"]
+fn two_hundred_wishes() {
+    let held = wished(2, 200);
+    assert_eq!(held, 112);
+}
+
+#[test]
+fn what_is_said_is_kept() {
+    let dir = folder();
+    let wish = [
+        "new",
+        "wish",
+        "--object",
+        "70 mm",
+        "--mass",
+        "300 g",
+        "--pressure",
+        "25 kPa",
+        "--machine",
+        "grbl",
+        "--sheet",
+        "500x500",
+    ];
+    let output = run(dir.path(), &wish);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let spec = fs::read_to_string(dir.path().join("wish.toml")).expect("written");
+    for line in [
+        "pressure = \"25 kPa\"",
+        "profile = \"grbl\"",
+        "width = \"500 mm\"",
+        "mass = \"0.3 kg\"",
+        "object_diameter = \"70 mm\"",
+    ] {
+        assert!(spec.lines().any(|found| found.starts_with(line)), "{line}: {spec}");
+    }
+    // GRBL cannot go so slowly: the spec says what to do about it, and why.
+    assert!(
+        spec.contains("feed_floor = \"chop\"")
+            && spec
+                .lines()
+                .filter(|line| line.contains(" = "))
+                .all(|line| line.contains('#') || line.starts_with("schema") || line.starts_with("name")),
+        "{spec}"
+    );
+    holds(dir.path(), 0.3, 70.0, "what is said");
+    // Never over a file that is there.
+    assert_eq!(run(dir.path(), &wish).status.code(), Some(1));
+}
+
+#[test]
+fn a_wish_that_cannot_be_is_told_by_its_reason() {
+    let refused = |more: &[&str], why: &str| {
+        let dir = folder();
+        let output = run(dir.path(), &[&["new", "wish", "--object", "70 mm", "--mass"], more].concat());
+        let said = text(&output.stderr);
+        assert!(output.status.code() == Some(1) && said.contains(why), "{why}: {said}");
+        if !said.contains("not a machine profile") {
+            can_be_had(dir.path(), &said, why);
+        }
+    };
+    refused(&["1000 kg"], "it can safely carry");
+    refused(&["1 kg", "--sheet", "90x90"], "larger than the sheet");
+    refused(&["1 kg", "--pressure", "500 kPa"], "no star that was tried is like it");
+    refused(&["1 kg", "--machine", "loom"], "not a machine profile");
+    refused(
+        &["1 kg", "--machine", "Ender-3"],
+        "not a machine profile, and not a file; it usually has Marlin: --machine marlin",
+    );
+    for wrong in [
+        &["--mass", "1 kg"][..],
+        &["--object", "7 mm"],
+        &["--sheet", "4x4"],
+        &["--object", "x", "--mass", "1 kg"],
+        &["--object", "-75 mm", "--mass", "1 kg"],
+        &["--object", "75 mm", "--mass", "1 kg", "--friction", "50%"],
+    ] {
+        let output = run(folder().path(), &[&["new", "wish"], wrong].concat());
+        assert_eq!(output.status.code(), Some(2), "{wrong:?}");
+    }
+}
+
+/// What the object bears stays in the proposal, and its mass where coated corners hold it.
+#[test]
+fn the_closest_request_keeps_what_was_asked() {
+    for (args, kept) in [
+        (["65 mm", "150 g", "0.1 N"], [" --mass \"0.15 kg\"", " --fragile \""]),
+        (["30 mm", "20 g", "1 N"], [" --fragile \"1 N\"", " --friction \""]),
+    ] {
+        let dir = folder();
+        let [object, mass, fragile] = args;
+        let args = ["new", "wish", "--object", object, "--mass", mass, "--fragile", fragile];
+        let said = text(&run(dir.path(), &args).stderr);
+        assert!(kept.iter().all(|kept| said.contains(kept)), "{said}");
+        can_be_had(dir.path(), &said, &args.join(" "));
+        let refused = run(folder().path(), &[&args[..], &["--json"]].concat());
+        let value: Value = serde_json::from_slice(&refused.stdout).expect("JSON");
+        assert_eq!(value["refused"][0]["code"], "infeasible");
+    }
+}
+
+/// Friction that nobody gave is named as an assumption; the spec is one that `check` does not warn of; the schema is named.
+#[test]
+fn the_answer_says_what_was_chosen_and_what_was_assumed() {
+    let dir = folder();
+    let wish = ["new", "f0.2", "--object", "75 mm", "--mass", "300 g", "--sheet", "A3"];
+    let output = run(dir.path(), &wish);
+    let said = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let chosen = said.lines().nth(1).expect("a second line");
+    for words in [
+        "1 star of ",
+        " points, tube ",
+        " mm wide, ",
+        " mm of fabric; ",
+        " kPa; ",
+        " min of sealing; ",
+        "friction 0.3 assumed: change it with --friction",
+    ] {
+        assert!(chosen.contains(words), "{words}: {said}");
+    }
+    assert!(said.contains("wrote f0.2.toml, and beside it stargrip-cam.schema.json for editors"), "{said}");
+    let spec = fs::read_to_string(dir.path().join("f0.2.toml")).expect("written");
+    assert!(spec.contains("friction = 0.3 ") && spec.contains("width = \"420 mm\""), "{spec}");
+    let check = run(dir.path(), &["check", "f0.2.toml"]);
+    let heard = text(&check.stderr);
+    assert!(check.status.code() == Some(0) && !heard.contains("warning["), "{heard}");
+    assert!(!heard.contains("may be off by"), "{heard}");
+
+    let again = folder();
+    let output = run(again.path(), &[&wish[..], &["--friction", "0.5", "--json"]].concat());
+    let json: Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(
+        (&json["chosen"]["friction"], &json["chosen"]["friction_assumed"]),
+        (&0.5.into(), &false.into())
+    );
+    assert!(json["chosen"]["sealing_time_s"].as_f64() > Some(600.0), "{json}");
+    assert!(fs::read_to_string(again.path().join("f0.2.toml")).is_ok_and(|spec| !spec.contains("measured")));
+}
+
+/// Coating windows that are shorter than the default are accepted by the spec itself.
+#[test]
+fn a_spec_that_is_new_is_not_warned_of() {
+    for wish in [
+        ["--object", "75 mm", "--mass", "1.2 kg", "--friction", "0.5"],
+        ["--object", "30 mm", "--mass", "20 g", "--machine", "marlin"],
+        ["--object", "16 mm", "--mass", "30 g", "--machine", "grbl"],
+    ] {
+        let dir = folder();
+        let output = run(dir.path(), &[&["new", "wish"], &wish[..]].concat());
+        assert_eq!(output.status.code(), Some(0), "{wish:?}: {}", text(&output.stderr));
+        let heard = text(&run(dir.path(), &["check", "wish.toml"]).stderr);
+        assert!(!heard.contains("warning["), "{wish:?}: {heard}");
+    }
+}
+
+#[test]
+fn what_has_another_unit_in_mind_is_asked() {
+    for size in ["0.1 mm", "75 m"] {
+        let dir = folder();
+        let output = run(dir.path(), &["new", "wish", "--object", size, "--mass", "1 kg"]);
+        let heard = text(&output.stderr);
+        assert!(output.status.code() == Some(1) && heard.contains("is the unit right"), "{size}: {heard}");
+    }
+}
+
+/// A search keeps the user's comments; those that give what was computed of other values are renewed or gone.
+#[test]
+fn no_comment_is_about_values_that_were_replaced() {
+    let dir = folder();
+    let wish = ["new", "wish", "--object", "75 mm", "--mass", "300 g"];
+    assert_eq!(run(dir.path(), &wish).status.code(), Some(0));
+    let path = dir.path().join("wish.toml");
+    let spec = fs::read_to_string(&path).expect("written");
+    let points = spec.lines().find(|line| line.starts_with("points = ")).expect("points");
+    let number: u32 = points.split(' ').nth(2).and_then(|word| word.parse().ok()).expect("a number");
+    let own = spec.clone() + "\n[seal]\nband = \"2 mm\"  # mine\n";
+    fs::write(&path, own).expect("written");
+    let other = if number == 5 { "6" } else { "5" };
+    let output = run(dir.path(), &["optimize", "wish.toml", "--points", other, "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let found = text(&output.stdout);
+    assert!(found.contains(&format!("# was {number}\n")) && found.contains("# mine"), "{found}");
+    for stale in
+        ["least fabric (", "closes to", "presses with", "safe payload", "Designed for", "opens to", "t/W is"]
+    {
+        assert!(spec.contains(stale) && !found.contains(stale), "{stale}: {found}");
+    }
+}
+
+/// Objects that people described: across, mass, and what more was said; the height is the object's, where it matters.
+const WISHES: [(f64, &str, &[&str]); 18] = [
+    (75.0, "1.2 kg", &["--height", "300 mm", "--shape", "cylinder"]),
+    (44.0, "60 g", &["--height", "57 mm", "--fragile", "5 N"]),
+    (240.0, "620 g", &[]),
+    (30.0, "20 g", &[]),
+    (30.0, "20 g", &["--fragile", "1 N"]),
+    (16.0, "30 g", &["--height", "150 mm", "--shape", "cylinder"]),
+    (150.0, "3 kg", &[]),
+    (180.0, "500 g", &[]),
+    (180.0, "500 g", &["--fragile", "15 N"]),
+    (95.0, "300 g", &["--fragile", "3 N"]),
+    (65.0, "89 g", &["--fragile", "1 N"]),
+    (300.0, "10 kg", &["--height", "400 mm", "--shape", "cylinder", "--friction", "1"]),
+    (60.0, "1 kg", &["--friction", "0.5"]),
+    (90.0, "800 g", &[]),
+    (30.0, "100 g", &["--friction", "0.5"]),
+    (75.0, "500 g", &["--friction", "0.3"]),
+    (120.0, "1.5 kg", &["--height", "200 mm", "--shape", "cylinder"]),
+    (60.0, "200 g", &["--pressure", "30 kPa"]),
+];
+
+/// Every hole lets its object in with the room that is meant, no stack is taller than its object, and forces are those at each star's height.
+#[test]
+fn holes_admit_what_they_are_for_and_stacks_are_no_taller() {
+    let (mut granted, mut stacks) = (0, 0);
+    for (width, mass, more) in WISHES {
+        let dir = folder();
+        let across = format!("{width} mm");
+        let args = [&["new", "wish", "--object", &across, "--mass", mass], more].concat();
+        let asked = args.join(" ");
+        let output = run(dir.path(), &args);
+        match output.status.code() {
+            Some(0) => granted += 1,
+            Some(1) => can_be_had(dir.path(), &text(&output.stderr), &asked),
+            code => panic!("{asked}: {code:?}: {}", text(&output.stderr)),
+        }
+        let check = run(dir.path(), &["check", "wish.toml", "--json"]);
+        let value: Value = serde_json::from_slice(&check.stdout).expect("JSON");
+        assert_eq!(value["verdict"]["holds"], true, "{asked}: {value}");
+        let warned = text(&run(dir.path(), &["check", "wish.toml"]).stderr);
+        assert!(!warned.contains("tight-hole") && !warned.contains("wide-frame"), "{asked}: {warned}");
+        let spec = fs::read_to_string(dir.path().join("wish.toml")).expect("written");
+        let mm = |key: &str| {
+            let line =
+                spec.lines().find_map(|line| line.strip_prefix(key)?.trim_start().strip_prefix("= \""));
+            line.and_then(|rest| rest.split_once(" mm")?.0.parse::<f64>().ok())
+        };
+        let width = mm("object_diameter").expect("the object's size");
+        let stars = value["prediction"]["stars"].as_array().expect("stars");
+        let least = f64::max(2.0, 0.025 * width);
+        for star in stars {
+            let (hole, gap) = (star["hole_radius_mm"].as_f64(), star["object_gap_mm"].as_f64());
+            assert!(gap >= Some(least - 1e-9) && hole >= Some(0.5 * width + least - 1e-9), "{asked}: {star}");
+        }
+        let (count, height) = (stars.len(), mm("object_height").unwrap_or(width));
+        let tall = f64::from(u32::try_from(count).expect("few")) * mm("pitch").expect("a pitch") + 5.0;
+        assert!(count == 1 || tall <= height + 1e-9, "{asked}: {count} stars, {tall} mm");
+        stacks += usize::from(count > 1);
+    }
+    assert!(granted >= 10 && stacks >= 1, "{granted} granted, {stacks} stacks");
+}

@@ -1,0 +1,263 @@
+//! What the program says about a spec that is wrong or remarkable, and where it points.
+
+use std::fs;
+use std::path::Path;
+
+use crate::support;
+use crate::support::program::{run, stderr, stdout};
+
+/// Line and text at the caret of the first diagnostic with `code` that `check` prints for `spec`, and all it says.
+#[track_caller]
+fn pointed_at(dir: &Path, spec: &str, code: &str, exit: i32) -> (String, String) {
+    fs::write(dir.join("spec.toml"), spec).expect("written");
+    let output = run(dir, &["check", "spec.toml"]);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(exit), "{said}");
+    let at = said.find(&format!("[{code}]")).unwrap_or_else(|| panic!("no {code}: {said}"));
+    let arrow =
+        said[at..].lines().find_map(|line| line.trim().strip_prefix("--> spec.toml:")).expect("a place");
+    let line: usize = arrow.split(':').next().and_then(|n| n.parse().ok()).expect("a line");
+    (spec.lines().nth(line - 1).unwrap_or_default().to_owned(), said)
+}
+
+/// A spec with these values in `[star]` and more behind them.
+fn star(points: u32, radius: &str, width: &str, angle: &str, rest: &str) -> String {
+    format!(
+        "schema = 1\nname = \"x\"\n[star]\npoints = {points}\ninner_radius = \"{radius}\"\ntube_width = \"{width}\"\n\
+         tip_angle = \"{angle}\"\n{rest}"
+    )
+}
+
+#[test]
+fn a_refusal_points_at_the_value_that_is_out_of_line() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let cases = [
+        (star(5, "50 mm", "300 mm", "30 deg", ""), "no-arm", "tube_width = \"300 mm\""),
+        (star(9, "50 mm", "30 mm", "30 deg", ""), "no-arm", "points = 9"),
+        (star(5, "5 mm", "30 mm", "30 deg", ""), "no-arm", "inner_radius = \"5 mm\""),
+        (star(5, "50 mm", "0.03 mm", "30 deg", ""), "inlet-meets-arm", "tube_width = \"0.03 mm\""),
+        (
+            star(5, "50 mm", "30 mm", "30 deg", "[inlet]\ntube_diameter = \"45 mm\"\n"),
+            "inlet-meets-arm",
+            "tube_diameter = \"45 mm\"",
+        ),
+        (
+            star(5, "50 mm", "30 mm", "30 deg", "[seal]\nband = \"49 mm\"\n"),
+            "hole-closed",
+            "band = \"49 mm\"",
+        ),
+        (
+            star(
+                5,
+                "50 mm",
+                "30 mm",
+                "30 deg",
+                "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\npitch = \"20 mm\"\n",
+            ),
+            "tube-between-plates",
+            "pitch = \"20 mm\"",
+        ),
+    ];
+    for (spec, code, line) in cases {
+        let (found, said) = pointed_at(dir.path(), &spec, code, 1);
+        assert_eq!(found, line, "{said}");
+    }
+}
+
+#[test]
+fn a_default_that_is_refused_is_called_a_default() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let wide = star(5, "50 mm", "120 mm", "80 deg", "[stack]\ncount = 2\n");
+    let (line, said) = pointed_at(dir.path(), &wide, "tube-between-plates", 1);
+    assert_eq!(line, "[stack]", "{said}");
+    assert!(said.contains("`pitch` in [stack] is not written: this is about its default"), "{said}");
+    // Without the section it points at the end, where the section would be added, not at the first line.
+    let few = star(12, "30 mm", "8 mm", "30 deg", "[inlet]\nnone = true");
+    let (line, said) = pointed_at(dir.path(), &few, "short-window", 0);
+    assert_eq!(line, "none = true", "{said}");
+}
+
+#[test]
+fn a_leak_has_a_place_as_every_refusal() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let bare = star(5, "50 mm", "30 mm", "30 deg", "[seal]\noverlap = \"0 mm\"\n");
+    let (line, said) = pointed_at(dir.path(), &bare, "no-overlap", 1);
+    assert_eq!(line, "overlap = \"0 mm\"", "{said}");
+    let built = run(dir.path(), &["build", "spec.toml"]);
+    assert_eq!(built.status.code(), Some(1));
+    assert!(stderr(&built).contains("error[no-overlap]") && !dir.path().join("out").exists());
+}
+
+#[test]
+fn a_star_without_an_inlet_has_no_way_for_air_at_all() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let shut = star(5, "50 mm", "30 mm", "30 deg", "[inlet]\nnone = true\n");
+    fs::write(dir.path().join("spec.toml"), shut).expect("written");
+    let said = stdout(&run(dir.path(), &["check", "spec.toml", "-v"]));
+    assert!(said.contains("closed all around") && !said.contains("but the inlet"), "{said}");
+}
+
+#[test]
+fn a_default_window_that_is_cut_says_so() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let many = star(
+        12,
+        "30 mm",
+        "8 mm",
+        "30 deg",
+        "[stack]\npitch = \"14 mm\"\n[inlet]\nnone = true\n[mask]\ncreep = \"0 mm\"\n",
+    );
+    let (line, said) = pointed_at(dir.path(), &many, "short-window", 0);
+    assert_eq!(line, "[mask]", "{said}");
+    assert!(said.contains("warning[short-window]") && said.contains("less than the hinge of"), "{said}");
+    let built = run(dir.path(), &["build", "spec.toml"]);
+    assert_eq!(built.status.code(), Some(0), "{}", stderr(&built));
+    assert!(stderr(&built).contains("warning[short-window]"), "{}", stderr(&built));
+    // What the remedy names is accepted, without a word.
+    let extent =
+        said.split("write extent = \"").nth(1).and_then(|rest| rest.split('"').next()).expect("a value");
+    let accepted = many + &format!("extent = \"{extent}\"\n");
+    fs::write(dir.path().join("spec.toml"), accepted).expect("written");
+    let output = run(dir.path(), &["check", "spec.toml"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(!stderr(&output).contains("warning"), "{}", stderr(&output));
+}
+
+#[test]
+fn what_does_not_exist_is_neither_offered_nor_accepted() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let solid = star(5, "50 mm", "30 mm", "30 deg", "[accuracy]\nmodel = \"solid\"\n");
+    let (line, said) = pointed_at(dir.path(), &solid, "unknown-choice", 1);
+    assert_eq!(line, "model = \"solid\"");
+    assert!(said.contains("\"fit\", \"ring\", \"bvp\", \"section\", \"shell\", \"auto\""), "{said}");
+    assert_eq!(run(dir.path(), &["predict", "spec.toml", "--model", "solid"]).status.code(), Some(2));
+}
+
+#[test]
+fn a_published_directory_is_built_again_with_its_own_profile() {
+    let (home, away) = (tempfile::tempdir().expect("a directory"), tempfile::tempdir().expect("a directory"));
+    let profile = support::generic().replace("\"5 mm\"", "\"7 mm\"");
+    fs::write(home.path().join("mine.toml"), profile).expect("written");
+    let spec = star(5, "50 mm", "30 mm", "30 deg", "[machine]\nprofile = \"mine.toml\"\n");
+    fs::write(home.path().join("star.toml"), spec).expect("written");
+    let target = away.path().join("first");
+    let to = target.to_str().expect("a path");
+    assert_eq!(run(home.path(), &["build", "star.toml", "-o", to]).status.code(), Some(0));
+    let again = run(away.path(), &["build", "first/spec.toml", "-o", "second"]);
+    assert_eq!(again.status.code(), Some(0), "{}", stderr(&again));
+    assert!(stderr(&again).contains("machine.toml is used, as published"), "{}", stderr(&again));
+    for entry in fs::read_dir(&target).expect("published") {
+        let name = entry.expect("an entry").file_name();
+        let [first, second] =
+            ["first", "second"].map(|dir| fs::read(away.path().join(dir).join(&name)).expect("a file"));
+        assert!(first == second, "{name:?}");
+    }
+    // Without a manifest it is no published directory, and some machine.toml is not taken for the profile.
+    fs::remove_file(target.join("manifest.json")).expect("removed");
+    let alone = run(away.path(), &["check", "first/spec.toml"]);
+    assert_eq!(alone.status.code(), Some(1));
+    assert!(stderr(&alone).contains("unknown-machine"), "{}", stderr(&alone));
+}
+
+/// What the program says about `spec`, which it refuses.
+#[track_caller]
+fn refused(spec: &str) -> String {
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let output = run(dir.path(), &["check", "spec.toml"]);
+    assert_eq!(output.status.code(), Some(1), "{}", stdout(&output));
+    stderr(&output)
+}
+
+#[test]
+fn a_word_that_is_nearly_right_is_told_what_it_should_be() {
+    let plain = star(5, "50 mm", "30 mm", "30 deg", "");
+    let with = |old: &str, new: &str| plain.replace(old, new);
+    for (spec, words) in [
+        (with("\"50 mm\"", "\"50,5 mm\""), "write inner_radius = \"50.5 mm\""),
+        (with("\"50 mm\"", "\"\u{2212}50 mm\""), "U+2212, a typographer's minus"),
+        (with("\"50 mm\"", "\u{201c}50 mm\u{201d}"), "write inner_radius = \"50 mm\""),
+        (with("\"50 mm\"", "'2\"'"), "did you mean \"2 in\"?"),
+        (with("\"50 mm\"", "\"2 inches\""), "did you mean \"2 in\"?"),
+        (with("\"50 mm\"", "nan"), "write for instance: inner_radius = \"5 mm\""),
+        (with("\"30 deg\"", "\"30\u{b0}\""), "did you mean \"30 deg\"?"),
+        (plain.clone() + "[seal]\ntemperature = \"390 F\"\n", "did you mean \"199 C\"?"),
+        (plain.clone() + "[load]\nfriction = 0,5\n", "write friction = 0.5"),
+        (plain.clone() + "[machine]\nprofile = \"GRBL\"\n", "did you mean \"grbl\"?"),
+        (plain.clone() + "points = 6\n", "line 4 says it already"),
+    ] {
+        let said = refused(&spec);
+        assert!(said.contains(words), "{words}: {said}");
+        assert_eq!(said.matches("error[").count(), 1, "{said}");
+    }
+}
+
+#[test]
+fn a_typo_is_told_once() {
+    let plain = star(5, "50 mm", "30 mm", "30 deg", "");
+    for (old, new) in [("tube_width", "tube_widht"), ("[star]", "[sta]"), ("name =", "nmae =")] {
+        let said = refused(&plain.replace(old, new));
+        assert_eq!(said.matches("error[").count(), 1, "{said}");
+        assert!(said.contains("did you mean"), "{said}");
+    }
+    // What is missing as well is still told.
+    let two = plain.replace("tube_width", "tube_widht").replace("points = 5\n", "");
+    let said = refused(&two);
+    assert!(said.matches("error[").count() == 2 && said.contains("does not say `points`\n"), "{said}");
+}
+
+#[test]
+fn a_file_of_another_kind_is_named_in_one_message() {
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("star.toml"), support::PAPER).expect("written");
+    assert_eq!(run(dir.path(), &["build", "star.toml", "-q"]).status.code(), Some(0));
+    for (file, kind) in [
+        ("star-1-seal.gcode", "G-code"),
+        ("manifest.json", "JSON"),
+        ("sheet-1-seal.svg", "SVG"),
+        ("sheet-1-seal.dxf", "DXF"),
+    ] {
+        let output = run(dir.path(), &["check", &format!("out/star/{file}")]);
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(
+            said.contains("error[not-a-spec]") && said.contains(kind) && said.lines().count() < 10,
+            "{said}"
+        );
+    }
+    let said = refused(&support::PAPER.replace('\n', "\r"));
+    assert!(said.contains("error[line-end]") && said.matches("error[").count() == 1, "{said}");
+    // The directory above a build names what is in it.
+    let above = run(dir.path(), &["verify", "out"]);
+    assert!(
+        stderr(&above).contains("stargrip-cam verify out/star\n") && stdout(&above).is_empty(),
+        "{}",
+        stderr(&above)
+    );
+}
+
+#[test]
+fn a_hose_that_is_thicker_than_its_tube_is_warned_of() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let wide =
+        |mm: u32| star(5, "80 mm", "30 mm", "30 deg", &format!("[inlet]\ntube_diameter = \"{mm} mm\"\n"));
+    let (line, said) = pointed_at(dir.path(), &wide(20), "thick-hose", 0);
+    assert_eq!(line, "tube_diameter = \"20 mm\"", "{said}");
+    assert!(said.contains("at most 19.0985 mm"), "{said}");
+    fs::write(dir.path().join("spec.toml"), wide(19)).expect("written");
+    assert!(!stderr(&run(dir.path(), &["check", "spec.toml"])).contains("thick-hose"));
+}
+
+/// Some words are for the slow seal of the paper alone, others for one that is much faster.
+#[test]
+fn a_fast_seal_is_told_what_matters_to_it() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let said = |speed: &str| {
+        let spec = star(5, "50 mm", "30 mm", "30 deg", &format!("[seal]\nspeed = \"{speed}\"\n"));
+        fs::write(dir.path().join("spec.toml"), spec).expect("written");
+        stderr(&run(dir.path(), &["check", "spec.toml"]))
+    };
+    let (slow, fast) = (said("0.1 mm/s"), said("50 mm/s"));
+    assert!(slow.contains("speed, pause and reach are not checked") && !slow.contains("peel test"), "{slow}");
+    assert!(fast.contains("peel test"), "{fast}");
+}

@@ -1,0 +1,371 @@
+//! What editors and shells are given: the schema, explanations, completions, pages of the manual; specs from a pipe, several at once,
+//! built again when they are saved; and one's own defaults in a new spec.
+
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::support;
+use crate::support::program::{run, stderr, stdout, workshop};
+use stargrip_cam::design::RefusalCode;
+use stargrip_cam::pipeline::{CommandCode, PrecautionCode};
+use stargrip_cam::spec::{Code, FaultCode};
+use stargrip_cam::verify::FindingCode;
+
+#[track_caller]
+fn done(dir: &Path, args: &[&str]) -> String {
+    let output = run(dir, args);
+    assert_eq!(output.status.code(), Some(0), "{args:?}: {}", stderr(&output));
+    stdout(&output)
+}
+
+/// Runs the program with `text` on its standard input, and the environment's directory for settings at `config`.
+fn fed(dir: &Path, text: &str, args: &[&str]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+        .current_dir(dir)
+        .args(args)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    child.stdin.take().expect("a pipe").write_all(text.as_bytes()).expect("it is read");
+    child.wait_with_output().expect("it ends")
+}
+
+#[test]
+fn a_new_spec_names_the_schema_that_lies_beside_it() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let _ = done(dir.path(), &["new", "wine-bottle.toml"]);
+    let spec = fs::read_to_string(dir.path().join("wine-bottle.toml")).expect("written");
+    let named = spec.lines().next().and_then(|line| line.strip_prefix("#:schema ")).expect("a directive");
+    let schema = fs::read_to_string(dir.path().join(named)).expect("beside it");
+    assert_eq!(schema, done(dir.path(), &["schema"]));
+    assert!(spec.contains("name = \"wine-bottle\""), "{spec}");
+    // One that is there already stays.
+    fs::write(dir.path().join(named), "{}").expect("written");
+    let _ = done(dir.path(), &["new", "egg"]);
+    assert_eq!(fs::read_to_string(dir.path().join(named)).expect("kept"), "{}");
+}
+
+#[test]
+fn every_code_is_explained_and_a_misspelt_one_is_found() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let all = done(dir.path(), &["explain"]);
+    let lines = |code: &str| all.lines().filter(|line| line.split(' ').next() == Some(code)).count();
+    let mut number = 0;
+    let mut there = |code: &str, meaning: &str| {
+        number += 1;
+        assert!(lines(code) >= 1 && all.contains(meaning), "{code}");
+    };
+    for code in FaultCode::ALL {
+        there(code.as_str(), code.meaning());
+    }
+    for code in RefusalCode::ALL {
+        there(code.as_str(), code.meaning());
+    }
+    for code in FindingCode::ALL {
+        there(code.as_str(), code.meaning());
+    }
+    for code in PrecautionCode::ALL {
+        there(code.as_str(), code.meaning());
+    }
+    for code in CommandCode::ALL {
+        there(code.as_str(), code.meaning());
+    }
+    assert_eq!(all.lines().count(), number, "none else");
+    for word in ["no-arm", "error[no-arm]"] {
+        let said = done(dir.path(), &["explain", word]);
+        assert!(said.contains(RefusalCode::NoArm.meaning()) && said.starts_with("no-arm ("), "{said}");
+    }
+    let refused = run(dir.path(), &["explain", "no-amr"]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(stderr(&refused).contains("did you mean no-arm?"), "{}", stderr(&refused));
+}
+
+#[test]
+fn shells_and_manuals_know_every_command() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let help = done(dir.path(), &["--help"]);
+    let (_, groups) = help.split_once("Design:\n").expect("groups");
+    let (groups, _) = groups.split_once("Options:\n").expect("options");
+    let commands: Vec<&str> = groups
+        .lines()
+        .filter_map(|line| line.strip_prefix("  "))
+        .filter_map(|line| line.split(' ').next())
+        .collect();
+    assert!(!commands.contains(&"sweep"), "an old word");
+    assert!(commands.len() > 15, "{commands:?}");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = done(dir.path(), &["completions", shell]);
+        for command in &commands {
+            assert!(script.contains(command), "{shell}: {command}");
+        }
+    }
+    assert!(done(dir.path(), &["man"]).starts_with(".ie"));
+    assert!(done(dir.path(), &["man", "build"]).contains("\\-\\-anyway"));
+    assert_eq!(run(dir.path(), &["man", "brew"]).status.code(), Some(1));
+    let _ = done(dir.path(), &["man", "--dir", "man1"]);
+    for command in commands.iter().filter(|command| **command != "help") {
+        assert!(dir.path().join(format!("man1/stargrip-cam-{command}.1")).is_file(), "{command}");
+    }
+    assert!(dir.path().join("man1/stargrip-cam.1").is_file());
+}
+
+#[test]
+fn a_spec_comes_from_a_pipe() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let checked = fed(dir.path(), support::PAPER, &["check", "-"]);
+    assert_eq!(checked.status.code(), Some(0), "{}", stderr(&checked));
+    let refused = fed(dir.path(), &support::PAPER.replace("points = 5", "points = 9"), &["check", "-"]);
+    assert!(stderr(&refused).contains("--> standard input:6:"), "{}", stderr(&refused));
+    let built = fed(dir.path(), support::PAPER, &["build", "-", "-q", "--only", "seal-svg"]);
+    assert_eq!(built.status.code(), Some(0), "{}", stderr(&built));
+    let copy = fs::read_to_string(dir.path().join("out/paper-star-5-points/spec.toml")).expect("by its name");
+    assert_eq!(copy, support::PAPER);
+}
+
+#[test]
+fn of_several_specs_each_has_its_answer() {
+    let dir = workshop();
+    fs::write(dir.path().join("bad.toml"), support::PAPER.replace("points = 5", "points = 9"))
+        .expect("written");
+    fs::write(dir.path().join("other.toml"), support::PAPER.replace("\"50 mm\"", "\"55 mm\""))
+        .expect("written");
+    let output =
+        run(dir.path(), &["build", "star.toml", "bad.toml", "other.toml", "--only", "seal-svg", "--json"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(stderr(&output), "", "whoever reads JSON reads nothing else");
+    let json: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one object");
+    assert_eq!(json["results"].as_array().map(Vec::len), Some(2));
+    assert_eq!(
+        (&json["refused"][0]["code"], &json["refused"][0]["key"]),
+        (&"no-arm".into(), &"star.points".into())
+    );
+    assert!(dir.path().join("out/star").is_dir() && dir.path().join("out/other").is_dir());
+    let both = done(dir.path(), &["check", "star.toml", "other.toml"]);
+    assert_eq!(both.matches("sealing ").count(), 2, "{both}");
+    fs::create_dir(dir.path().join("b")).expect("made");
+    let _ = fs::copy(dir.path().join("other.toml"), dir.path().join("b/star.toml")).expect("copied");
+    for args in [
+        &["build", "star.toml", "b/star.toml"][..],
+        &["build", "star.toml", "other.toml", "-o", "x"],
+        &["build"],
+    ] {
+        assert_eq!(run(dir.path(), args).status.code(), Some(2), "{args:?}");
+    }
+}
+
+#[test]
+fn a_watched_spec_is_built_again_when_it_is_saved() {
+    let dir = workshop();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+        .current_dir(dir.path())
+        .args(["build", "star.toml", "--watch", "-q", "--only", "seal-svg"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("it starts");
+    let copy = dir.path().join("out/star/spec.toml");
+    let wait_for = |words: &str| {
+        let begin = Instant::now();
+        while !fs::read_to_string(&copy).is_ok_and(|text| text.contains(words)) {
+            assert!(begin.elapsed() < Duration::from_secs(120), "not built: {words}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    };
+    wait_for("\"50 mm\"");
+    // A faulty save keeps what was built, and does not end it.
+    fs::write(dir.path().join("star.toml"), "points =").expect("saved");
+    std::thread::sleep(Duration::from_millis(600));
+    fs::write(dir.path().join("star.toml"), support::PAPER.replace("\"50 mm\"", "\"55.5 mm\""))
+        .expect("saved");
+    wait_for("\"55.5 mm\"");
+    assert!(child.try_wait().expect("asked").is_none(), "it goes on");
+    child.kill().expect("ended");
+    let _ = child.wait().expect("it ends");
+    assert_eq!(run(dir.path(), &["build", "-", "--watch"]).status.code(), Some(2));
+}
+
+/// The first build has the whole screen; what a save changes is one line.
+#[test]
+fn a_rebuild_says_what_changed_in_one_line() {
+    let dir = workshop();
+    let (spec, log) = (dir.path().join("star.toml"), dir.path().join("log"));
+    let text = format!("{}\n[load]\npressure = \"37 kPa\"\nobject_radius = \"40 mm\"\n", support::PAPER);
+    fs::write(&spec, &text).expect("saved");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+        .current_dir(dir.path())
+        .args(["build", "star.toml", "--watch", "--only", "seal-svg"])
+        .stdout(fs::File::create(&log).expect("a log"))
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("it starts");
+    let wait_for = |words: &str| {
+        let begin = Instant::now();
+        loop {
+            let said = fs::read_to_string(&log).unwrap_or_default();
+            if said.contains(words) {
+                return said;
+            }
+            assert!(begin.elapsed() < Duration::from_secs(120), "not said: {words}: {said}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    };
+    let first = wait_for("details");
+    std::thread::sleep(Duration::from_millis(600));
+    fs::write(&spec, text.replace("\"50 mm\"", "\"51 mm\"")).expect("saved");
+    let both = wait_for("rebuilt");
+    child.kill().expect("ended");
+    let _ = child.wait().expect("it ends");
+    let line = both.strip_prefix(&first).expect("what was said stays").trim_end();
+    assert!(!line.contains('\n') && line.contains(" star.toml rebuilt in "), "{line}");
+    assert!(
+        line.contains(" s: inner_radius 50 mm -> 51 mm: ") && line.contains("opens to 94 -> 96 mm"),
+        "{line}"
+    );
+}
+
+/// Faults of a later save begin with its time, and a note about what is kept is printed once.
+#[test]
+fn a_save_has_its_time_and_no_note_twice() {
+    let dir = workshop();
+    let (spec, log) = (dir.path().join("star.toml"), dir.path().join("log"));
+    let only = ["build", "star.toml", "-q", "--only", "seal-svg", "--with", "preview-png"];
+    assert_eq!(run(dir.path(), &only).status.code(), Some(0));
+    let mut child = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+        .current_dir(dir.path())
+        .args(["build", "star.toml", "--watch"])
+        .stdout(Stdio::null())
+        .stderr(fs::File::create(&log).expect("a log"))
+        .spawn()
+        .expect("it starts");
+    let wait_for = |file: &std::path::Path, words: &str| {
+        let begin = Instant::now();
+        while !fs::read_to_string(file).is_ok_and(|text| text.contains(words)) {
+            assert!(begin.elapsed() < Duration::from_secs(120), "not there: {words}");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+    };
+    wait_for(&log, "waiting for the next save");
+    std::thread::sleep(Duration::from_millis(600));
+    fs::write(&spec, support::PAPER.replace("\"50 mm\"", "\"51 mm\"")).expect("saved");
+    wait_for(&dir.path().join("out/star/spec.toml"), "\"51 mm\"");
+    std::thread::sleep(Duration::from_millis(600));
+    fs::write(&spec, "points =").expect("saved");
+    wait_for(&log, "star.toml was not rebuilt:");
+    wait_for(&log, "error[");
+    child.kill().expect("ended");
+    let _ = child.wait().expect("it ends");
+    let heard = fs::read_to_string(&log).expect("a log");
+    assert_eq!(heard.matches("preview-png comes again").count(), 1, "{heard}");
+    let line = heard.lines().find(|line| line.ends_with("was not rebuilt:")).expect("a line");
+    assert!(line.as_bytes()[2] == b':' && line.as_bytes()[5] == b':', "{line}");
+}
+
+/// What is opened is the page that shows most; that it cannot be opened is no failure of the build.
+#[cfg(all(unix, not(target_os = "macos")))]
+#[test]
+fn a_build_opens_its_page() {
+    use std::os::unix::fs::PermissionsExt;
+    let dir = workshop();
+    let opener = dir.path().join("xdg-open");
+    fs::write(&opener, "#!/bin/sh\necho \"$1\" > opened\n").expect("written");
+    fs::set_permissions(&opener, fs::Permissions::from_mode(0o755)).expect("allowed");
+    let build = |path: &str| {
+        Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+            .current_dir(dir.path())
+            .args(["build", "star.toml", "--open", "--only", "preview-svg"])
+            .env("PATH", path)
+            .output()
+            .expect("it runs")
+    };
+    let path = format!("{}:/usr/bin:/bin", dir.path().display());
+    assert_eq!(build(&path).status.code(), Some(0));
+    let opened = fs::read_to_string(dir.path().join("opened")).expect("opened");
+    assert_eq!(opened.trim(), "out/star/sheet-1-preview.svg");
+    let closed = build("/nowhere");
+    let heard = String::from_utf8_lossy(&closed.stderr).into_owned();
+    assert!(closed.status.code() == Some(0) && heard.contains("was not opened: xdg-open"), "{heard}");
+}
+
+#[test]
+fn defaults_of_ones_own_are_in_a_new_spec_and_nowhere_else() {
+    let dir = workshop();
+    let config = dir.path().join("settings/stargrip-cam");
+    fs::create_dir_all(&config).expect("made");
+    let told = |args: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"));
+        let settings = dir.path().join("settings");
+        command.current_dir(dir.path()).env("XDG_CONFIG_HOME", settings).args(args).output().expect("it runs")
+    };
+    let sound = "[machine]\nprofile = \"grbl\"\nfeed_floor = \"chop\"\n[sheet]\nwidth = \"400 mm\"\nheight = \"400 mm\"\n";
+    fs::write(config.join("config.toml"), sound).expect("written");
+    assert_eq!(told(&["new", "mine"]).status.code(), Some(0));
+    let spec = fs::read_to_string(dir.path().join("mine.toml")).expect("written");
+    assert!(spec.contains("\nprofile = \"grbl\" ") && spec.contains("\nwidth = \"400 mm\" "), "{spec}");
+    // Without the settings it means the same.
+    let json: serde_json::Value =
+        serde_json::from_str(&done(dir.path(), &["check", "mine.toml", "--json"])).expect("JSON");
+    assert_eq!(
+        (&json["machine"], &json["sheets_mm"][0]),
+        (&"grbl".into(), &serde_json::json!([400.0, 400.0]))
+    );
+    let other: serde_json::Value =
+        serde_json::from_slice(&told(&["check", "star.toml", "--json"]).stdout).expect("JSON");
+    assert_eq!(other["machine"], "generic");
+    fs::write(config.join("config.toml"), "[machin]\n").expect("written");
+    let refused = told(&["new", "other"]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(
+        stderr(&refused).contains("did you mean [machine]?") && !dir.path().join("other.toml").exists(),
+        "{}",
+        stderr(&refused)
+    );
+}
+
+/// What `make install` and `make dist` lay out: everything but the program comes from the program.
+#[cfg(unix)]
+#[test]
+fn an_installation_is_whole() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let home = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let laid = Command::new(home.join("packaging/lay-out"))
+        .current_dir(home)
+        .args([env!("CARGO_BIN_EXE_stargrip-cam").as_ref(), dir.path()])
+        .output()
+        .expect("it runs");
+    assert_eq!(laid.status.code(), Some(0), "{}", stderr(&laid));
+    for file in [
+        "bin/stargrip-cam",
+        "share/bash-completion/completions/stargrip-cam",
+        "share/zsh/site-functions/_stargrip-cam",
+        "share/fish/vendor_completions.d/stargrip-cam.fish",
+        "share/man/man1/stargrip-cam-build.1",
+        "share/stargrip-cam/stargrip-cam.schema.json",
+        "share/doc/stargrip-cam/examples/paper-gripper.toml",
+        "share/doc/stargrip-cam/LICENSE-MIT",
+    ] {
+        assert!(dir.path().join(file).metadata().is_ok_and(|file| file.len() > 100), "{file}");
+    }
+    let installed = |args: &[&str]| {
+        let output = Command::new(dir.path().join("bin/stargrip-cam")).args(args).output().expect("it runs");
+        assert_eq!(output.status.code(), Some(0), "{args:?}: {}", stderr(&output));
+        stdout(&output)
+    };
+    assert!(installed(&["--version"]).starts_with("stargrip-cam "));
+    let examples = dir.path().join("share/doc/stargrip-cam/examples");
+    for example in fs::read_dir(examples).expect("examples") {
+        let _ = installed(&["check", "-q", example.expect("a spec").path().to_str().expect("a path")]);
+    }
+    // A shell takes the completions.
+    let script = dir.path().join("share/bash-completion/completions/stargrip-cam");
+    let shell = Command::new("bash")
+        .args(["-c", "source \"$0\" && complete -p stargrip-cam"])
+        .arg(script)
+        .output()
+        .expect("bash");
+    assert!(stdout(&shell).contains("-F"), "{}", stderr(&shell));
+}

@@ -1,0 +1,748 @@
+//! The commands for the machine as a user runs them: feedcheck, resume, coupon, calibrate.
+
+use std::fs;
+use std::path::Path;
+use std::process::Output;
+
+use crate::support::program::{run, stderr, stdout, workshop};
+use serde_json::Value;
+use tempfile::TempDir;
+
+use crate::support;
+
+/// A workshop with the paper's star built in out/star.
+fn built() -> TempDir {
+    let dir = workshop();
+    let _ = done(dir.path(), &["build", "star.toml", "-q", "--only", "seal-gcode,trace-gcode"]);
+    dir
+}
+
+/// A workshop whose machine reaches `x` by `y` mm.
+fn workshop_of(x: u32, y: u32) -> TempDir {
+    let dir = workshop();
+    let profile = support::generic().replacen("x = \"unknown\"", &format!("x = \"{x} mm\""), 1).replacen(
+        "y = \"unknown\"",
+        &format!("y = \"{y} mm\""),
+        1,
+    );
+    fs::write(dir.path().join("mine.toml"), profile).expect("written");
+    let spec = format!("{}[machine]\nprofile = \"mine.toml\"\n", support::PAPER);
+    fs::write(dir.path().join("star.toml"), spec).expect("written");
+    dir
+}
+
+fn read(dir: &Path, name: &str) -> String {
+    fs::read_to_string(dir.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+/// Names in a directory, sorted.
+fn names(dir: &Path) -> Vec<String> {
+    let entries = fs::read_dir(dir).expect("a directory").map(|entry| entry.expect("an entry").file_name());
+    let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+/// Runs what must succeed without a word on standard error; what it says.
+#[track_caller]
+fn done(dir: &Path, args: &[&str]) -> String {
+    let output = run(dir, args);
+    assert_eq!(output.status.code(), Some(0), "{args:?}\n{}\n{}", stdout(&output), stderr(&output));
+    assert_eq!(stderr(&output), "", "{args:?}");
+    stdout(&output)
+}
+
+fn json_of(text: &str) -> Value {
+    serde_json::from_str(text).expect("one object")
+}
+
+/// Runs what must fail with `code`, say nothing on standard output and all of `words` on standard error.
+#[track_caller]
+fn fails(dir: &Path, args: &[&str], code: i32, words: &[&str]) -> Output {
+    let output = run(dir, args);
+    let said = stderr(&output);
+    assert_eq!(output.status.code(), Some(code), "{args:?}\n{}\n{said}", stdout(&output));
+    assert_eq!(stdout(&output), "", "{args:?}");
+    assert!(!said.contains("panicked"), "{args:?}: {said}");
+    let flat = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    for word in words {
+        assert!(flat.contains(word), "{args:?}: no {word:?} in {said}");
+    }
+    output
+}
+
+/// No command writes a program with a line that the profile must not put there.
+#[test]
+fn every_command_refuses_a_dangerous_line_of_the_profile() {
+    for (from, to) in [
+        ("start = [\"G21\"", "start = [\"M112\", \"G21\""),
+        ("start = [\"G21\"", "start = [\"; set the iron to 400 C\", \"G21\""),
+        ("pause = \"M0\"", "pause = \"M0 (print,x)\""),
+        ("end = [", "end = [\"M500\", "),
+    ] {
+        let dir = workshop_of(300, 300);
+        let profile = read(dir.path(), "mine.toml");
+        assert!(profile.contains(from), "{from}");
+        fs::write(dir.path().join("mine.toml"), profile.replacen(from, to, 1)).expect("written");
+        for command in [
+            ["check"].as_slice(),
+            &["build"],
+            &["feedcheck"],
+            &["coupon"],
+            &["build", "--only", "trace-gcode"],
+        ] {
+            let args: Vec<&str> =
+                command[..1].iter().chain(&["star.toml"]).chain(&command[1..]).copied().collect();
+            let _ = fails(dir.path(), &args, 1, &["program-line", "mine.toml:", "must be one of"]);
+        }
+        assert_eq!(names(dir.path()), ["mine.toml", "star.toml"], "{to}");
+    }
+}
+
+#[test]
+fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
+    let dir = workshop();
+    let said = done(dir.path(), &["feedcheck", "star.toml"]);
+    assert!(said.contains("wrote feedcheck.gcode") && said.contains("must take 100 s"), "{said}");
+    assert!(said.contains("at each M0 it must stop and wait, at the X, Y and Z"), "{said}");
+    let program = read(dir.path(), "feedcheck.gcode");
+    assert!(
+        program.contains("; requires: M0 must stop the machine") && !program.contains("G91"),
+        "{program}"
+    );
+    assert!(program.contains("\n; must stop here, at X10 Y0 Z5\nM0\n"), "{program}");
+    assert!(program.contains("F6") && !program.contains("M104") && !program.contains("G1 Z"), "{program}");
+    // Where strokes are chopped already, chopping is no remedy.
+    let chopped = format!("{}[machine]\nprofile = \"marlin\"\nfeed_floor = \"chop\"\n", support::PAPER);
+    fs::write(dir.path().join("chop.toml"), chopped).expect("written");
+    let said = done(dir.path(), &["feedcheck", "chop.toml", "-o", "chop.gcode"]);
+    assert!(said.contains("[motion]") && !said.contains("feed_floor"), "{said}");
+    fs::write(dir.path().join("feedcheck.gcode"), "mine").expect("written");
+    let _ = fails(
+        dir.path(),
+        &["feedcheck", "star.toml"],
+        1,
+        &["feedcheck.gcode is there already", "--force replaces it, -o FILE writes another"],
+    );
+    assert_eq!(read(dir.path(), "feedcheck.gcode"), "mine");
+    assert!(done(dir.path(), &["feedcheck", "star.toml", "-o", "a b.gcode"]).contains("wrote a b.gcode"));
+    assert_eq!(read(dir.path(), "a b.gcode"), program);
+    let _ =
+        fails(dir.path(), &["feedcheck", "star.toml", "-o", "no/x.gcode"], 1, &["cannot write no/x.gcode"]);
+    let _ = fails(dir.path(), &["feedcheck", "missing.toml"], 1, &["cannot read missing.toml"]);
+    let _ = fails(dir.path(), &["feedcheck"], 2, &["Usage"]);
+}
+
+/// A heater that is off before the job is done, whichever program it is.
+#[test]
+fn every_command_refuses_an_idle_timeout_below_its_program() {
+    let dir = workshop();
+    let klipper = stargrip_cam::spec::builtin_machine("klipper").expect("built in");
+    fs::write(dir.path().join("mine.toml"), klipper.replacen("TIMEOUT=86400", "TIMEOUT=1", 1))
+        .expect("written");
+    let spec = format!("{}[machine]\nprofile = \"mine.toml\"\n", support::PAPER);
+    fs::write(dir.path().join("star.toml"), spec).expect("written");
+    for command in ["check", "build", "feedcheck", "coupon"] {
+        let _ = fails(dir.path(), &[command, "star.toml"], 1, &["profile-limit", "TIMEOUT must be at least"]);
+    }
+    assert_eq!(names(dir.path()), ["mine.toml", "star.toml"]);
+}
+
+#[test]
+fn a_feed_check_is_proven_as_builds_are() {
+    let dir = workshop();
+    for (profile, floor) in
+        [("generic", "refuse"), ("grbl", "chop"), ("marlin", "chop"), ("klipper", "refuse")]
+    {
+        let spec =
+            format!("{}[machine]\nprofile = \"{profile}\"\nfeed_floor = \"{floor}\"\n", support::PAPER);
+        fs::write(dir.path().join("star.toml"), spec).expect("written");
+        let name = format!("{profile}.gcode");
+        let _ = done(dir.path(), &["feedcheck", "star.toml", "-o", &name]);
+        assert!(done(dir.path(), &["verify", &name]).contains("proven, no findings"), "{profile}");
+        let path = dir.path().join(&name);
+        let good = fs::read_to_string(&path).expect("it");
+        let pause = if profile == "klipper" { "PAUSE\n" } else { "M0\n" };
+        for (from, to) in [(pause, "M112\n"), (pause, ""), ("G0 Z5", "G0 Z-5"), ("X10 ", "X11 ")] {
+            assert!(good.contains(from), "{profile}: {from}");
+            fs::write(&path, good.replacen(from, to, 1)).expect("written");
+            let output = run(dir.path(), &["verify", &name, "--json"]);
+            assert_eq!(output.status.code(), Some(1), "{profile} {from}: {}", stdout(&output));
+            let findings = json_of(&stdout(&output))["findings"].as_array().expect("a list").len();
+            // It is found by reading, and not only by its bytes and hash.
+            assert!(findings > 2, "{profile} {from}: {}", stdout(&output));
+        }
+    }
+    fs::write(dir.path().join("other.gcode"), "G0 Z5\n").expect("written");
+    let _ = fails(dir.path(), &["verify", "other.gcode"], 1, &["has no manifest"]);
+}
+
+#[test]
+fn resume_goes_on_by_line_by_time_and_by_place() {
+    let dir = built();
+    let job = "out/star/star-1-seal.gcode";
+    let before = read(dir.path(), job);
+    let line =
+        1 + before.lines().position(|line| line.starts_with("G1") && line.contains("F6")).expect("a seal");
+    let line = (line + 20).to_string();
+    let said = done(dir.path(), &["resume", job, "--line", &line]);
+    let target = "out/star-star-1-seal-resume.gcode";
+    assert!(said.contains(&format!("wrote {target}")) && said.contains("same zero"), "{said}");
+    assert!(said.contains("the job is the one that its manifest names"), "{said}");
+    let resumed = read(dir.path(), target);
+    assert!(resumed.contains("resume: from_line=") && resumed.contains("end of program, "), "{resumed}");
+    assert_eq!(read(dir.path(), job), before, "the job itself stays as it is");
+    // Neither the proof nor the next build trips over it.
+    let _ = done(dir.path(), &["verify", "out/star"]);
+
+    // Neither the default nor a name of one's own is written over.
+    let _ = fails(dir.path(), &["resume", job, "--at", "50"], 1, &["resume.gcode exists already"]);
+    let _ = fails(dir.path(), &["resume", job, "--at", "50", "-o", job], 1, &["exists already"]);
+    assert_eq!(read(dir.path(), target), resumed);
+    assert_eq!(read(dir.path(), job), before);
+
+    let said = done(dir.path(), &["resume", job, "--at", "37%", "--overlap", "2 mm", "-o", "at.gcode"]);
+    assert!(said.contains("37.0 % of its time") && said.contains("seals 2.0 mm again"), "{said}");
+    let end = before.lines().rev().find(|line| line.starts_with("G1 X")).expect("a move");
+    let number = |letter: char| {
+        let word = end.split_whitespace().find(|word| word.starts_with(letter));
+        word.expect("a coordinate")[1..].to_owned()
+    };
+    let place = format!("{},{}", number('X'), number('Y'));
+    let said = done(dir.path(), &["resume", job, "--near", &place, "-o", "near.gcode"]);
+    assert!(said.contains("wrote near.gcode"), "{said}");
+    // A resumed program can be resumed; of it no manifest says anything.
+    let said = done(dir.path(), &["resume", "at.gcode", "--at", "50"]);
+    assert!(
+        dir.path().join("at-resume.gcode").exists() && said.contains("no manifest.json beside"),
+        "{said}"
+    );
+    // A pipe is no manifest, and is not waited for.
+    #[cfg(unix)]
+    {
+        let made = std::process::Command::new("mkfifo").arg(dir.path().join("manifest.json")).status();
+        assert!(made.expect("mkfifo").success());
+        let said = done(dir.path(), &["resume", "at.gcode", "--at", "60", "-o", "piped.gcode"]);
+        assert!(said.contains("no manifest.json beside"), "{said}");
+    }
+    // A job that is not what the manifest beside it says is not resumed.
+    fs::write(dir.path().join(job), before.replacen("G1 X", "G1  X", 1)).expect("written");
+    let _ = fails(
+        dir.path(),
+        &["resume", job, "--at", "60"],
+        1,
+        &["was changed after it was built", "build again"],
+    );
+}
+
+#[test]
+fn resume_tells_wrong_usage_from_places_that_are_not_there() {
+    let dir = built();
+    let job = "out/star/star-1-seal.gcode";
+    let before = names(&dir.path().join("out/star"));
+    for (args, words) in [
+        (&[][..], "--line"),
+        (&["--line", "5", "--at", "5"], "cannot be used with"),
+        (&["--line", "x"], "invalid"),
+        (&["--line=-1"], "invalid"),
+        (&["--at", "100"], "from 0 to below 100"),
+        (&["--at", "nan"], "from 0 to below 100"),
+        (&["--at=-1"], "from 0 to below 100"),
+        (&["--near", "5"], "two lengths"),
+        (&["--near", "5,inf"], "two lengths"),
+        (&["--near", "5,6,7"], "two lengths"),
+        (&["--near", "5 mm,6 kg"], "two lengths"),
+        (&["--at", "5", "--overlap", "5"], "with its unit"),
+        (&["--at", "5", "--overlap", "2 m"], "0 to 1 m"),
+    ] {
+        let _ = fails(dir.path(), &[&["resume", job][..], args].concat(), 2, &[words]);
+    }
+    let _ = fails(dir.path(), &["resume", job, "--line", "0"], 1, &["there is no line 0: the file has 1 to"]);
+    let _ = fails(dir.path(), &["resume", job, "--line", "999999999"], 1, &["there is no line 999999999"]);
+    let _ =
+        fails(dir.path(), &["resume", job, "--near=-500,0"], 1, &["no seam passes there", "mm away", "give"]);
+    let last = read(dir.path(), job).lines().count().to_string();
+    let _ = fails(dir.path(), &["resume", job, "--line", &last], 1, &["nothing is left"]);
+    assert_eq!(names(&dir.path().join("out/star")), before);
+}
+
+#[test]
+fn resume_refuses_what_is_not_ours_or_is_damaged() {
+    let dir = built();
+    let job = read(dir.path(), "out/star/star-1-seal.gcode");
+    // Strokes without length would never end.
+    let strokes = "; chop: feed_mm_min=60 longest_mm=0\n; chop-rest: acceleration_mm_s2=1 step_s=1\n; seal:";
+    let forged = job.replacen("; seal:", strokes, 1);
+    assert!(forged != job);
+    for (name, bytes, word) in [
+        ("empty.gcode", &b""[..], "no sealing program of stargrip-cam"),
+        ("other.gcode", b"G28\nG1 X5 F100\n", "build it again"),
+        ("binary.gcode", b"\x00\xff\xfe", "UTF-8"),
+        ("half.gcode", &job.as_bytes()[..job.len() / 2], "damaged"),
+        ("wild.gcode", job.replacen("G1 X", "G1 Q", 1).as_bytes(), "damaged"),
+        ("forged.gcode", forged.as_bytes(), "no comment \"chop: ...\""),
+    ] {
+        fs::write(dir.path().join(name), bytes).expect("written");
+        let _ = fails(dir.path(), &["resume", name, "--at", "20"], 1, &[name, word]);
+    }
+    let _ = fails(dir.path(), &["resume", "out/star/star-1-trace.gcode", "--at", "20"], 1, &["purpose=seal"]);
+    let _ = fails(dir.path(), &["resume", "missing.gcode", "--at", "20"], 1, &["cannot read missing.gcode"]);
+    let _ = fails(dir.path(), &["resume", "out", "--at", "20"], 1, &["cannot read out"]);
+    fs::File::create(dir.path().join("huge.gcode")).and_then(|file| file.set_len(300 << 20)).expect("a hole");
+    let _ = fails(dir.path(), &["resume", "huge.gcode", "--at", "20"], 1, &["at most 256 MiB"]);
+    let _ = fails(dir.path(), &["calibrate", "huge.gcode", "--needed", "1 N/mm"], 1, &["at most 16 MiB"]);
+    let _ = fails(dir.path(), &["cone", "huge.gcode", "--contact-radius", "50 mm"], 1, &["at most 16 MiB"]);
+    assert!(!names(dir.path()).iter().any(|name| name.ends_with("-resume.gcode")));
+}
+
+#[test]
+fn coupon_writes_programs_numbered_drawings_and_a_table() {
+    let dir = workshop();
+    let args = ["coupon", "star.toml", "--temperatures", "180 C,200 C", "--speeds", "0.5 mm/s"];
+    let said = done(dir.path(), &args);
+    assert_eq!(
+        names(&dir.path().join("coupons")),
+        [
+            "burst.gcode",
+            "burst.svg",
+            "disc.gcode",
+            "disc.svg",
+            "machine.toml",
+            "manifest.json",
+            "results.csv",
+            "spec.toml",
+            "strips-180C-500um-s.gcode",
+            "strips-180C-500um-s.svg",
+            "strips-200C-500um-s.gcode",
+            "strips-200C-500um-s.svg",
+            "strips.svg",
+            "v-actuator.gcode",
+            "v-actuator.svg",
+        ]
+    );
+    assert!(said.starts_with("wrote 5 programs and 6 drawings to coupons\n"), "{said}");
+    assert!(
+        said.contains("look at coupons/strips.svg") && said.contains("calibrate coupons/results.csv"),
+        "{said}"
+    );
+    let table = read(dir.path(), "coupons/results.csv");
+    assert_eq!(table.lines().count(), 1 + 6);
+    assert!(
+        table.starts_with("strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n1,180,0.5,"),
+        "{table}"
+    );
+    for (name, seams) in [("strips-180C-500um-s", 3), ("disc", 1), ("burst", 5)] {
+        let drawing = read(dir.path(), &format!("coupons/{name}.svg"));
+        let document = roxmltree::Document::parse(&drawing).expect("XML");
+        let count = |id: &str| {
+            let group = document.descendants().find(|node| node.attribute("id") == Some(id));
+            group.expect(id).children().filter(roxmltree::Node::is_element).count()
+        };
+        assert_eq!(count("seal-outer"), seams, "{name}");
+        assert!(count("label") >= seams, "{name}");
+    }
+    // Its directory is a new one, always.
+    let before = names(&dir.path().join("coupons"));
+    let _ = fails(dir.path(), &args, 1, &["coupons exists already; choose another name"]);
+    assert_eq!(names(&dir.path().join("coupons")), before);
+    let said = done(dir.path(), &["coupon", "star.toml", "-o", "again", "--repeats", "1", "-v"]);
+    for name in names(&dir.path().join("again")) {
+        assert!(said.contains(&format!("again/{name}")), "{name}: {said}");
+    }
+    let _ = fails(dir.path(), &["coupon", "star.toml", "-o", "no/where"], 1, &["cannot create no/where"]);
+}
+
+#[test]
+fn coupons_are_proven_as_builds_are() {
+    let dir = workshop();
+    let said =
+        done(dir.path(), &["coupon", "star.toml", "--only", "disc,strips", "--speeds", "0.5 mm/s", "--json"]);
+    let json = json_of(&said);
+    assert_eq!(json["programs"], serde_json::json!(["strips-200C-500um-s.gcode", "disc.gcode"]));
+    assert_eq!(json["times"][1]["program"], "disc.gcode");
+    assert!(json["times"][1]["time_s"].as_f64().is_some_and(|time| time > 3600.0), "{json}");
+    let found = names(&dir.path().join("coupons"));
+    assert!(!found.iter().any(|name| name.starts_with("burst") || name.starts_with("v-")), "{found:?}");
+    let manifest = json_of(&read(dir.path(), "coupons/manifest.json"));
+    assert_eq!(manifest["pieces"][1]["name"], "disc");
+    assert_eq!(manifest["pieces"][1]["seams"][0]["name"], "disc");
+    let verify = |code: i32| {
+        let output = run(dir.path(), &["verify", "coupons"]);
+        assert_eq!(output.status.code(), Some(code), "{}\n{}", stdout(&output), stderr(&output));
+        stdout(&output)
+    };
+    assert!(verify(0).contains("proven, no findings"));
+    // The table is the person's.
+    let table = dir.path().join("coupons/results.csv");
+    fs::write(&table, fs::read_to_string(&table).expect("it").replace(",,", ",82,")).expect("written");
+    let _ = verify(0);
+    // A change of a program is found in its line, and one of a drawing or the profile's lines in its file.
+    for (name, from, to, word) in [
+        ("disc.gcode", " F6\n", " F600\n", "wrong-feed"),
+        ("disc.gcode", "; set the iron to 200 C", "; set the iron to 400 C", "other-comment"),
+        (
+            "strips-200C-500um-s.gcode",
+            "; seam: seam=2 piece=strip-2",
+            "; seam: seam=2 piece=strip-3",
+            "other-comment",
+        ),
+        ("disc.svg", "<path", "<path ", "differs"),
+        ("machine.toml", "\"M2\"", "\"M30\"", "differs"),
+        ("manifest.json", "\"time_s\": ", "\"time_s\": 1", "differs"),
+    ] {
+        let path = dir.path().join("coupons").join(name);
+        let good = fs::read_to_string(&path).expect("it");
+        assert!(good.contains(from), "{name}: {from}");
+        fs::write(&path, good.replacen(from, to, 1)).expect("written");
+        let said = verify(1);
+        assert!(said.contains(name) && said.contains(word), "{name}: {said}");
+        fs::write(&path, good).expect("written");
+    }
+    let _ = verify(0);
+    fs::remove_file(dir.path().join("coupons/disc.svg")).expect("removed");
+    assert!(verify(1).contains("missing-file"));
+    let _ = fails(
+        dir.path(),
+        &["coupon", "star.toml", "--only", "discs"],
+        2,
+        &["strips, disc, v-actuator, burst"],
+    );
+}
+
+#[test]
+fn a_hose_that_fits_no_coupon_is_refused() {
+    let dir = workshop();
+    let spec = format!("{}\n[inlet]\ntube_diameter = \"25 mm\"\n", support::PAPER);
+    fs::write(dir.path().join("star.toml"), spec).expect("written");
+    let _ = fails(
+        dir.path(),
+        &["coupon", "star.toml", "--only", "v-actuator"],
+        1,
+        &["inlet-meets-arm", "tube_diameter"],
+    );
+    assert_eq!(names(dir.path()), ["star.toml"]);
+}
+
+#[test]
+fn coupon_refuses_bad_settings_and_writes_nothing() {
+    let dir = workshop();
+    for (args, code, words) in [
+        (["--temperatures", "300 C"], 2, "the temperature must be more than 0 C and less than 300 C"),
+        (["--temperatures", "nan C"], 2, "write the temperature as a number and one of C"),
+        (["--temperatures", "200"], 2, "write the temperature as a number and one of C"),
+        (
+            ["--temperatures", "180 C,180 C"],
+            1,
+            "cannot be told apart; temperatures must differ by at least 1 C",
+        ),
+        (["--temperatures", "180.1 C,180.3 C"], 1, "--repeats"),
+        (["--speeds", "0 mm/s"], 2, "must be at least 0.001 mm/s and at most 1000 mm/s"),
+        (["--speeds", "0.1 mm/s,0.1001 mm/s"], 1, "at least 0.001 mm/s"),
+        (["--heights", "6 mm"], 1, "to below 5 mm"),
+        (["--heights", "-21 mm"], 2, "must be at least -20 mm"),
+        (["--repeats", "0"], 2, "1..=20"),
+        (["--repeats", "21"], 2, "1..=20"),
+    ] {
+        let _ = fails(dir.path(), &[&["coupon", "star.toml"][..], &args].concat(), code, &[words]);
+    }
+    assert_eq!(names(dir.path()), ["star.toml"]);
+}
+
+#[test]
+fn coupons_stay_within_the_work_area() {
+    // A bed of 220 mm takes four strips in a row, and all the pouches.
+    let small = workshop_of(220, 220);
+    let _ = done(small.path(), &["coupon", "star.toml", "--repeats", "2"]);
+    for name in names(&small.path().join("coupons")).iter().filter(|name| name.contains(".gcode")) {
+        for word in read(small.path(), &format!("coupons/{name}"))
+            .lines()
+            .filter(|line| line.starts_with('G'))
+            .flat_map(str::split_whitespace)
+        {
+            if word.starts_with(['X', 'Y']) {
+                let at: f64 = word[1..].parse().expect("a number");
+                assert!((0.0..=220.0).contains(&at), "{name}: {word}");
+            }
+        }
+    }
+    let words = [
+        "the coupon strips-200C-",
+        "the machine reaches 0 to 220.0 mm, 0 to 220.0 mm",
+        "--repeats",
+        "[work_area]",
+    ];
+    let _ = fails(small.path(), &["coupon", "star.toml", "-o", "more", "--repeats", "10"], 1, &words);
+    assert!(!small.path().join("more").exists());
+    let tiny = workshop_of(100, 100);
+    let _ = fails(
+        tiny.path(),
+        &["coupon", "star.toml", "--speeds", "1 mm/s", "--repeats", "1"],
+        1,
+        &["coupon disc needs X"],
+    );
+    assert!(!tiny.path().join("coupons").exists());
+}
+
+const HEAD: &str = "strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n";
+
+/// A table in which each setting (speed) has these peel forces.
+fn table(settings: &[(f64, &[f64])]) -> String {
+    let rows = settings.iter().flat_map(|(speed, peels)| peels.iter().map(move |peel| (speed, peel)));
+    let rows = rows.zip(1..).map(|((speed, peel), i)| format!("{i},200,{speed},-0.3,{peel},\n"));
+    HEAD.to_owned() + &rows.collect::<String>()
+}
+
+fn calibration(text: &str) -> TempDir {
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::write(dir.path().join("results.csv"), text).expect("written");
+    dir
+}
+
+#[test]
+fn calibrate_chooses_the_fastest_that_holds() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0]), (0.5, &[50.0, 51.0, 49.0])]));
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    for words in
+        ["[fabric]\nseal_strength = \"1.920 N/mm\"", "speed = \"0.5 mm/s\"", "temperature = \"200 C\""]
+    {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm"]);
+    assert!(said.contains("speed = \"0.1 mm/s\""), "{said}");
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1.8 N/mm", "--margin", "1"]);
+    assert!(said.contains("speed = \"0.5 mm/s\""), "{said}");
+    // A table as spreadsheets save it.
+    let dir = calibration(&format!("\u{feff}{}", table(&[(0.1, &[74.0, 75.0, 76.0])]).replace('\n', "\r\n")));
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    assert!(said.contains("speed = \"0.1 mm/s\""), "{said}");
+}
+
+/// Of a seal that is needed for nothing the weakest would do: nothing is chosen before somebody says what it has to hold.
+#[test]
+fn calibrate_takes_the_need_from_the_spec_or_asks() {
+    let dir = calibration(&table(&[(0.1, &[149.0, 150.0, 151.0]), (0.5, &[50.0, 51.0, 49.0])]));
+    let asked = run(dir.path(), &["calibrate", "results.csv"]);
+    assert_eq!(asked.status.code(), Some(1));
+    let said = stdout(&asked);
+    let holds: Vec<_> = said.lines().filter_map(|line| line.split_whitespace().last()).collect();
+    assert_eq!(holds, ["holds/(N/mm)", "1.920", "5.920"], "{said}");
+    assert!(said.lines().all(|line| line.starts_with("# ")), "{said}");
+    assert!(stderr(&asked).contains("what must the seal hold? --needed FORCE, or --spec SPEC"));
+    // At 30 kPa the corners of the paper's star pull with k p W = 3.8 * 0.03 * 30 = 3.4 N/mm; 1 kPa is held by every seal.
+    for (pressure, speed) in [("30 kPa", "0.1 mm/s"), ("1 kPa", "0.5 mm/s")] {
+        let spec = format!("{}[load]\npressure = \"{pressure}\"\n", support::PAPER);
+        fs::write(dir.path().join("star.toml"), spec).expect("written");
+        let said = done(dir.path(), &["calibrate", "results.csv", "--spec", "star.toml", "--margin", "1.2"]);
+        assert!(said.contains(&format!("speed = \"{speed}\"")), "{said}");
+        assert!(said.starts_with(&format!("# at {pressure} the seal has to hold ")), "{said}");
+    }
+    fs::write(dir.path().join("star.toml"), support::PAPER).expect("written");
+    let args = ["calibrate", "results.csv", "--spec", "star.toml"];
+    let _ = fails(dir.path(), &args, 1, &["star.toml: [load] has no pressure; write one, or give --needed"]);
+    let both = [&args[..], &["--needed", "1 N/mm"]].concat();
+    let _ = fails(dir.path(), &both, 2, &["cannot be used with"]);
+}
+
+#[test]
+fn calibrate_reads_many_settings() {
+    let settings: Vec<(f64, &[f64])> =
+        (1..=40_000).map(|i| (f64::from(i) / 50.0, &[50.0, 50.0, 50.0][..])).collect();
+    let dir = calibration(&table(&settings));
+    let said = done(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"]);
+    assert!(said.contains("speed = \"800 mm/s\""), "{said}");
+}
+
+#[test]
+fn calibrate_says_what_data_do_not_support() {
+    for (text, words) in [
+        (HEAD.to_owned(), "no setting has 3 specimens, of 0 that were tested"),
+        (table(&[(0.1, &[74.0, 75.0]), (0.5, &[50.0])]), "no setting has 3 specimens, of 2"),
+        (table(&[(0.1, &[20.0, 75.0, 130.0])]), "every setting's spread is above 25 %"),
+        (
+            table(&[(0.1, &[74.0, 75.0, 76.0])]),
+            "the strongest setting holds 2.920 N/mm, and 75.000 N/mm is needed",
+        ),
+        (table(&[(0.1, &[0.0, 0.0, 0.0])]), "the strongest setting holds 0.000 N/mm"),
+    ] {
+        let dir = calibration(&text);
+        let args = ["calibrate", "results.csv", "--needed", "50 N/mm"];
+        let _ = fails(dir.path(), &args, 1, &["results.csv: the data do not support a choice", words]);
+    }
+    // A seal that never held is none, whatever is needed.
+    let dir = calibration(&table(&[(0.1, &[0.0, 0.0, 0.0])]));
+    let args = ["calibrate", "results.csv", "--needed", "0.0001 N/mm"];
+    let _ = fails(dir.path(), &args, 1, &["the strongest setting holds 0.000 N/mm"]);
+}
+
+#[test]
+fn calibrate_names_the_line_it_cannot_read() {
+    let good = table(&[(0.1, &[74.0, 75.0, 76.0])]);
+    for (text, words) in [
+        (String::new(), &["error[no-header]: an empty table", "results.csv"][..]),
+        (
+            "a,b\n1,2\n".to_owned(),
+            &["error[no-header]", "results.csv:1:1", "must name `temperature_C`, `speed_mm_s`"],
+        ),
+        (
+            good.replacen("speed_mm_s", "speed", 1),
+            &["error[unit]", "results.csv:1:21", "must be `speed_mm_s`"],
+        ),
+        (
+            good.replace(',', ";").replace("0.1", "0,1"),
+            &[
+                "error[decimal-comma]: `speed_mm_s` is `0,1`",
+                "results.csv:2:7",
+                "results.csv:4:7",
+                "write 0.1",
+            ],
+        ),
+        (
+            good.replace("0.1", "0,1"),
+            &[
+                "error[cell-count]: 7 cells",
+                "results.csv:2:1",
+                "must be 6, as the header has",
+                "a decimal one?",
+            ],
+        ),
+        (good.replace(",75,\n", ",75,\n\n\n7,200\n"), &["error[cell-count]: 2 cells", "results.csv:6:1"]),
+        (
+            good.replace(",75,", ",75 N,"),
+            &["error[cell]: `peel_N` is `75 N`", "results.csv:3:16", "a number is needed"],
+        ),
+        (good.replace(",75,", ",-75,"), &["`peel_N` is `-75`", "must be at least 0"]),
+        (good.replace(",75,", ",inf,").replace(",76,", ",nan,"), &["`inf`", "`nan`", "2 errors"]),
+        (good.replacen("200,", "hot,", 1), &["`temperature_C` is `hot`", "results.csv:2:3"]),
+        (
+            good.replacen(",74,", ",74,\"peel", 1),
+            &["error[open-quote]", "results.csv:2:1", "is a quote left open?"],
+        ),
+    ] {
+        let dir = calibration(&text);
+        let _ = fails(dir.path(), &["calibrate", "results.csv", "--needed", "1 N/mm"], 1, words);
+    }
+    let dir = calibration(&good);
+    fs::write(dir.path().join("bytes.csv"), b"\xff\xfe").expect("written");
+    let _ = fails(dir.path(), &["calibrate", "bytes.csv"], 1, &["bytes.csv", "UTF-8"]);
+    let _ = fails(dir.path(), &["calibrate", "missing.csv"], 1, &["cannot read missing.csv"]);
+    for (args, words) in [
+        (&["--needed", "1"][..], "write the force per length as a number and one of N/mm"),
+        (&["--needed=-1 N/mm"], "must be more than 0 N/mm"),
+        (&["--needed", "0 N/mm"], "must be more than 0 N/mm"),
+        (&["--needed", "nan N/mm"], "write the force per length"),
+        (&["--needed", "1,2 N/mm"], "a decimal comma: write 1.2 N/mm"),
+        (&["--margin", "nan"], "must be at least 1 and at most 100"),
+        (&["--margin", "0"], "must be at least 1 and at most 100"),
+        (&["--flat-angle", "30"], "--inflated-angle"),
+    ] {
+        let _ = fails(dir.path(), &[&["calibrate", "results.csv"][..], args].concat(), 2, &[words]);
+    }
+}
+
+/// The tip of the paper's star, whose V-actuator has W 30 mm: what `actuator` says of a fabric is what `calibrate` makes of it.
+#[test]
+fn calibrate_finds_the_fabric_that_the_bench_shows() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
+    let spec = support::PAPER.to_owned() + "[load]\npressure = \"5 kPa\"\n";
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let asked = "actuator --model section --json --tube-width 30mm --radius 1mm --angle 60deg --arm-length 120mm --pressure 12kPa";
+    let predicted = json_of(&done(dir.path(), &asked.split(' ').collect::<Vec<_>>()));
+    let angle = predicted["angle_deg"].as_f64().expect("a number").to_string();
+    let bench = ["--flat-angle", "60", "--inflated-angle", &angle, "--angle-pressure", "12 kPa"];
+    let call = [&["calibrate", "results.csv", "--spec", "spec.toml"][..], &bench].concat();
+    let said = done(dir.path(), &call);
+    // B of 0.3 mm at 128 MPa is 0.340 N mm.
+    assert!(said.contains("[fabric]\n# of the V-actuator at 12 kPa; a degree less or more"), "{said}");
+    assert!(
+        said.contains("\nbending_stiffness = \"0.340 N mm\"\n") && said.contains("seal_strength"),
+        "{said}"
+    );
+    assert_eq!(said.matches("[fabric]").count(), 1, "{said}");
+    // At its pressure lambda is that of section, for the fabric as it is.
+    assert!(
+        said.contains("# lambda predicted (section): ") && said.contains("; measured is +0.0 %\n"),
+        "{said}"
+    );
+    let alone = [&["calibrate", "--spec", "spec.toml"][..], &bench].concat();
+    let told = done(dir.path(), &alone);
+    assert!(
+        told.contains("[fabric]\n") && told.contains("= \"0.340 N mm\"\n") && !told.contains("seal"),
+        "{told}"
+    );
+    let told = json_of(&done(dir.path(), &[&alone[..], &["--json"]].concat()));
+    assert!(told["chosen"].is_null() && told["coiling"]["model"] == "section", "{told}");
+    let disc = ["--disc-width", "77.2 mm", "--disc-pressure", "10 kPa", "--json"];
+    let both = json_of(&done(dir.path(), &[&call[..], &disc].concat()));
+    let stretch = both["fabric"]["stretch_stiffness_N_mm"].as_f64().expect("a number");
+    assert!((5.0..100.0).contains(&stretch), "{both}");
+    // What the bench tells does not hang on the strips.
+    fs::write(dir.path().join("results.csv"), HEAD).expect("written");
+    let thin = run(dir.path(), &call);
+    assert_eq!(thin.status.code(), Some(1));
+    assert!(stdout(&thin).contains("\nbending_stiffness = \"0.340 N mm\"\n"), "{}", stdout(&thin));
+}
+
+#[test]
+fn calibrate_reads_the_spec_once_and_warns_once() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
+    let spec = support::PAPER.to_owned() + "[load]\npressure = \"5 kPa\"\n[seal]\ntemperature = \"270 C\"\n";
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let call =
+        "calibrate results.csv --spec spec.toml --flat-angle 60 --inflated-angle 40 --angle-pressure 12kPa";
+    let output = run(dir.path(), &call.split(' ').collect::<Vec<_>>());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_eq!(stderr(&output).matches("warning[ptfe]").count(), 1, "{}", stderr(&output));
+}
+
+#[test]
+fn calibrate_refuses_what_no_bench_shows() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
+    let spec = support::PAPER.to_owned() + "[load]\npressure = \"20 kPa\"\n";
+    fs::write(dir.path().join("spec.toml"), spec).expect("written");
+    let refused = |args: &[&str], code: i32, words: &[&str]| {
+        let call = [&["calibrate", "results.csv", "--spec", "spec.toml"][..], args].concat();
+        let _ = fails(dir.path(), &call, code, words);
+    };
+    refused(&["--flat-angle", "30", "--inflated-angle", "31"], 1, &["at most the flat one, 30 deg"]);
+    let wide = ["--flat-angle", "60", "--inflated-angle", "59", "--angle-pressure", "20 kPa"];
+    refused(&wide, 1, &["--inflated-angle", "is no fabric's", "closes to between"]);
+    refused(&["--angle-pressure", "20 kPa"], 2, &["--inflated-angle"]);
+    let _ = fails(dir.path(), &["calibrate"], 2, &["<RESULTS>"]);
+    let needless = ["calibrate", "--flat-angle", "30", "--inflated-angle", "9", "--needed", "1 N/mm"];
+    let _ = fails(dir.path(), &needless, 2, &["RESULTS"]);
+    refused(&["--disc-width", "78 mm"], 2, &["--disc-pressure"]);
+    refused(&["--disc-width", "60 mm", "--disc-pressure", "10 kPa"], 1, &["0.600 of the flat one"]);
+    refused(&["--disc-width", "100 mm", "--disc-pressure", "10 kPa"], 2, &["less than 100 mm"]);
+}
+
+#[test]
+fn calibrate_compares_lambda_with_the_prediction() {
+    let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
+    let needed = ["--needed", "1 N/mm"];
+    let angles =
+        [&["calibrate", "results.csv", "--flat-angle", "30", "--inflated-angle", "-12"][..], &needed]
+            .concat();
+    let said = done(dir.path(), &angles);
+    assert!(said.starts_with("# lambda measured: 1.280\n# lambda predicted (ring): 1.2"), "{said}");
+    assert!(said.contains("seal_strength"), "{said}");
+    // What the V tells does not hang on the strips.
+    fs::write(dir.path().join("results.csv"), HEAD).expect("written");
+    let thin = run(dir.path(), &angles);
+    assert_eq!(thin.status.code(), Some(1));
+    assert!(stdout(&thin).contains("# lambda measured: 1.280") && stderr(&thin).contains("no setting"));
+    for (flat, inflated) in
+        [("0", "60"), ("180", "60"), ("nan", "60"), ("30", "180"), ("30", "-180"), ("30", "inf")]
+    {
+        let args = ["calibrate", "results.csv", "--flat-angle", flat, "--inflated-angle", inflated];
+        let _ = fails(dir.path(), &args, 2, &["and less than 180"]);
+    }
+    for ratio in ["nan", "0", "-1", "1e300"] {
+        let ratio = format!("--radius-ratio={ratio}");
+        let _ = fails(
+            dir.path(),
+            &[&angles[..], &[&ratio]].concat(),
+            2,
+            &["--radius-ratio", "must be more than 0"],
+        );
+    }
+}

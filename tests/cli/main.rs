@@ -1,0 +1,17 @@
+//! The program as a user runs it, command by command.
+
+mod choosing;
+mod desk;
+mod diagnostics;
+mod editor;
+mod machines;
+mod mechanics;
+mod program;
+mod publish;
+mod screen;
+mod shell;
+mod spine;
+mod study;
+#[path = "../support/mod.rs"]
+mod support;
+mod terminal;

@@ -1,0 +1,380 @@
+//! The commands of the mechanics as a user runs them.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use crate::support::asked::{ACTUATOR, GRIPPER};
+
+fn run(dir: &Path, args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_stargrip-cam")).current_dir(dir).args(args).output().expect("it runs")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+fn folder() -> tempfile::TempDir {
+    let dir = tempfile::tempdir().expect("a folder");
+    fs::write(dir.path().join("spec.toml"), GRIPPER).expect("written");
+    dir
+}
+
+#[test]
+fn predict_prints_one_json_object() {
+    let dir = folder();
+    let output = run(dir.path(), &["predict", "spec.toml", "--json"]);
+    assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), String::new()));
+    let value: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(value["model"], "section");
+    let fit = run(dir.path(), &["predict", "spec.toml", "--json", "--model", "fit"]);
+    let value: serde_json::Value = serde_json::from_slice(&fit.stdout).expect("JSON");
+    assert_eq!((value["model"].as_str(), value["lambda_t"]["tip"].as_f64()), (Some("fit"), Some(1.28)));
+    assert!(text(&run(dir.path(), &["predict", "spec.toml"]).stdout).contains("payload of the whole stack"));
+}
+
+#[test]
+fn refusals_point_at_the_key_and_end_with_one() {
+    let dir = folder();
+    fs::write(dir.path().join("spec.toml"), GRIPPER.replace("points = 5", "points = 9")).expect("written");
+    let output = run(dir.path(), &["predict", "spec.toml"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("spec.toml:7"), "{}", text(&output.stderr));
+    assert_eq!(run(dir.path(), &["predict", "spec.toml", "--model", "x"]).status.code(), Some(2));
+}
+
+#[test]
+fn parts_of_a_sweep_join_to_the_whole() {
+    let dir = folder();
+    let vary = ["--vary", "star.points=3..6/4", "--vary", "star.tube_width=20 mm..40 mm/11"];
+    let sweep = |more: &[&str]| {
+        let output = run(dir.path(), &[&["sweep", "spec.toml"], &vary[..], more].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    let whole = sweep(&[]);
+    assert_eq!(whole.lines().count(), 45);
+    assert_eq!(whole, ["1/3", "2/3", "3/3"].map(|part| sweep(&["--part", part, "--threads", "1"])).concat());
+    for wrong in ["0/3", "4/3", "x"] {
+        let output = run(dir.path(), &[&["sweep", "spec.toml"], &vary[..], &["--part", wrong]].concat());
+        assert_eq!(output.status.code(), Some(2));
+    }
+}
+
+#[test]
+fn optimize_ends_in_a_spec_that_keeps_its_promise() {
+    let dir = folder();
+    let mut args =
+        vec!["optimize", "spec.toml", "--payload", "0.3", "--grasp", "24 mm..40 mm", "--points", "4..7"];
+    args.extend([
+        "--tip-radius",
+        "2 mm",
+        "--corner-radius",
+        "2 mm",
+        "--pressure",
+        "15 kPa..45 kPa",
+        "--count",
+        "1..6",
+    ]);
+    let output = run(dir.path(), &args);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    fs::write(dir.path().join("best.toml"), &output.stdout).expect("written");
+    assert_eq!(run(dir.path(), &["check", "best.toml"]).status.code(), Some(0));
+    let predicted = run(dir.path(), &["predict", "best.toml", "--json"]);
+    let value: serde_json::Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
+    // All of it at the bad end of the ranges.
+    let payload = value["ranges"]["payload_kg"][0].as_f64();
+    assert!(payload >= Some(0.3) && value["ranges"]["final_radius_mm"][1].as_f64() <= Some(24.0), "{value}");
+    assert!(value["graspable_radius_mm"][1].as_f64() >= Some(40.0), "{value}");
+    assert!(value["burst_margin"].as_f64() >= Some(1.0), "{value}");
+    let impossible = run(dir.path(), &["optimize", "spec.toml", "--payload", "1000", "--points", "5"]);
+    assert_eq!(impossible.status.code(), Some(1));
+    assert!(text(&impossible.stderr).contains("no design meets"));
+}
+
+#[test]
+fn a_cone_test_is_laid_over_the_prediction() {
+    let dir = folder();
+    fs::write(dir.path().join("test.csv"), "travel_mm,load_N\n0,0\n10,2.5\n").expect("written");
+    let output = run(dir.path(), &["cone", "test.csv", "--spec", "spec.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).starts_with(
+        "travel_mm,load_N,radius_mm,force_N,predicted_N,predicted_lo_N,predicted_hi_N\n0,0,17."
+    ));
+    let published =
+        run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm", "--balance", "published"]);
+    assert!(text(&published.stdout).contains("3.727761"), "{}", text(&published.stdout));
+    assert_eq!(run(dir.path(), &["cone", "test.csv"]).status.code(), Some(2));
+}
+
+/// A table is read right or refused with its faults: never another number, never a row less.
+#[test]
+fn cone_reads_a_table_right_or_not_at_all() {
+    let dir = folder();
+    let reduce = |table: &str| {
+        fs::write(dir.path().join("test.csv"), table).expect("written");
+        run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm"])
+    };
+    let right = "travel_mm,load_N,radius_mm,force_N\n10.5,2.5,21.062178,3.227761\n";
+    for table in [
+        "travel_mm,load_N\n10.5,2.5\n",
+        "\u{feff}travel_mm;load_N\r\n10.5;2.5\r\n",
+        "Time (s)\tLoad (N)\tExtension (mm)\n0.1\t2.5\t10.5\n\n# the end\n",
+        right,
+    ] {
+        let output = reduce(table);
+        assert_eq!((text(&output.stdout).as_str(), text(&output.stderr).as_str()), (right, ""), "{table:?}");
+    }
+    for (table, words) in [
+        (
+            "travel_mm;load_N\n10,5;2,5\n",
+            &["decimal-comma", "test.csv:2:1", "write 10.5", "write 2.5", "2 errors"][..],
+        ),
+        ("10,5;2,5\n", &["no-header", "test.csv:1:1", "must name `travel_mm`, `load_N`"]),
+        ("travel_mm,load_N\n10,5;2,5\n", &["cell-count", "test.csv:2:1", "3 cells"]),
+        ("O,0.5\n10,2.5\n", &["no-header", "test.csv:1:1", "write the names above the numbers"]),
+        ("\u{feff}0,0\n10,2.5\n", &["no-header", "test.csv:1:"]),
+        ("travel_in,load_N\n1,2\n", &["unit", "test.csv:1:1", "must be `travel_mm`"]),
+        (
+            "travel_mm,load_N\n1,nan\n2,inf\n3\n",
+            &["test.csv:2:3", "test.csv:3:3", "test.csv:4:1", "3 errors"],
+        ),
+        ("travel_mm,load_N\n", &["no-rows"]),
+    ] {
+        let output = reduce(table);
+        let said = text(&output.stderr);
+        assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(1), ""), "{table:?}");
+        assert!(words.iter().all(|word| said.contains(word)), "{table:?}: {said}");
+    }
+    fs::write(dir.path().join("test.csv"), b"\xff\xfet\0").expect("written");
+    let output = run(dir.path(), &["cone", "test.csv", "--contact-radius", "15 mm"]);
+    assert!(
+        text(&output.stderr).contains("is not UTF-8: save the file as UTF-8"),
+        "{}",
+        text(&output.stderr)
+    );
+}
+
+#[test]
+fn numbers_without_sense_are_wrong_usage() {
+    let dir = folder();
+    fs::write(dir.path().join("test.csv"), "travel_mm,load_N\n0,0\n").expect("written");
+    let cone = ["cone", "test.csv", "--contact-radius", "15 mm"];
+    let optimize = ["optimize", "spec.toml"];
+    for (command, option, values, words) in [
+        (&optimize[..], "--payload", &["nan", "inf", "-inf", "0", "-1", "-1 kg"][..], "must be more than 0"),
+        (&optimize, "--payload", &["x", "", "1 N"], "write the mass as a number and one of kg"),
+        (&optimize, "--payload", &["0,8"], "a decimal comma: write 0.8"),
+        (&optimize, "--burst-margin", &["nan", "inf", "0", "-1"], "must be more than 0"),
+        (
+            &optimize,
+            "--tip-angle",
+            &["0 deg..90 deg", "10 deg..180 deg"],
+            "the angle must be more than 0 deg",
+        ),
+        (&optimize, "--tube-width", &["-1 mm..5 mm", "0 mm..5 mm"], "the length must be at least 0.001 mm"),
+        (&optimize, "--tip-radius", &["-1 mm..5 mm"], "the length must be at least 0 mm"),
+        (
+            &optimize,
+            "--corner-radius",
+            &["nan mm..5 mm", "5..6"],
+            "write the length as a number and one of mm",
+        ),
+        (&optimize, "--grasp", &["5 mm..4 mm"], "the range falls; write \"4 mm..5 mm\""),
+        (&cone, "--friction", &["nan", "inf", "-0.1"], "must be at least 0 and at most 10"),
+        (
+            &cone,
+            "--half-angle",
+            &["0 deg", "90 deg", "-1 deg"],
+            "must be more than 0 deg and less than 90 deg",
+        ),
+        (&cone[..2], "--contact-radius", &["0 mm", "-1 mm"], "the length must be at least 0.001 mm"),
+    ] {
+        for value in values {
+            let output = run(dir.path(), &[command, &[&format!("{option}={value}")]].concat());
+            let said = text(&output.stderr);
+            assert_eq!(output.status.code(), Some(2), "{option}={value}: {said}");
+            assert!(said.contains(option) && said.contains(words), "{option}={value}: {said}");
+        }
+    }
+    let locked = run(dir.path(), &[&cone[..], &["--half-angle", "60 deg", "--friction", "0.6"]].concat());
+    assert_eq!(locked.status.code(), Some(1));
+    assert!(text(&locked.stderr).contains("below 0.57735, where the cone locks"), "{}", text(&locked.stderr));
+}
+
+/// Every layout that `check` accepts, `optimize` can write into; what it cannot is said before the search.
+#[test]
+fn optimize_writes_into_every_layout() {
+    let dir = folder();
+    let keys = [
+        ("points", "5"),
+        ("inner_radius", "\"50 mm\""),
+        ("tube_width", "\"30 mm\""),
+        ("tip_angle", "\"30 deg\""),
+    ];
+    let join = |gap: &str, each: &dyn Fn(&str, &str) -> String| {
+        keys.iter().map(|(key, value)| each(key, value)).collect::<Vec<_>>().join(gap)
+    };
+    let layouts = [
+        join("\n", &|key, value| format!("star.{key} = {value}")),
+        format!("[ star ] # mine\n{}", join("\n", &|key, value| format!("{key} = {value}"))),
+        format!("star = {{ {} }}", join(", ", &|key, value| format!("{key} = {value}"))),
+        format!("[\"star\"]\n{}", join("\n", &|key, value| format!("\"{key}\" = {value}"))),
+    ];
+    let args = [
+        "optimize",
+        "spec.toml",
+        "--points",
+        "4",
+        "--tube-width",
+        "25 mm",
+        "--tip-angle",
+        "40 deg..50 deg",
+        "--pressure",
+        "20 kPa",
+    ];
+    for layout in layouts {
+        fs::write(dir.path().join("spec.toml"), format!("schema = 1\nname = \"x\"\n{layout}\n"))
+            .expect("written");
+        let output = run(dir.path(), &args);
+        assert_eq!(output.status.code(), Some(0), "{layout}\n{}", text(&output.stderr));
+        fs::write(dir.path().join("best.toml"), &output.stdout).expect("written");
+        let source = stargrip_cam::spec::Source::new("best.toml", text(&output.stdout));
+        let star = stargrip_cam::spec::read(&source).expect("valid").spec.stars[0].clone();
+        assert_eq!((star.points, star.tube_width.0), (4, 25.0), "{layout}");
+        assert_eq!(run(dir.path(), &["check", "best.toml"]).status.code(), Some(0), "{layout}");
+    }
+    let own = format!("{GRIPPER}[[stack.star]]\nindex = 1\ntube_width = \"25 mm\"\n");
+    fs::write(dir.path().join("spec.toml"), own).expect("written");
+    let output = run(dir.path(), &args);
+    let said = text(&output.stderr);
+    assert_eq!((output.status.code(), text(&output.stdout).as_str()), (Some(1), ""));
+    assert!(said.contains("error[own-value]") && said.contains("spec.toml:21:14"), "{said}");
+    assert!(!said.contains("designs computed"), "{said}");
+}
+
+/// A spec of the same star, for `sweep` and for `check`: fabric is that of both sheets, as it is cut.
+#[test]
+fn a_sweep_has_the_fabric_that_check_has() {
+    let dir = folder();
+    let sweep = run(dir.path(), &["sweep", "spec.toml", "--vary", "star.points=4,5"]);
+    let table = text(&sweep.stdout);
+    let column = table.lines().next().and_then(|head| head.split(',').position(|key| key == "fabric_cm2"));
+    let column = column.expect("a column");
+    for (row, points) in table.lines().skip(1).zip([4, 5]) {
+        let fabric: f64 = row.split(',').nth(column).and_then(|cell| cell.parse().ok()).expect("a number");
+        let spec = GRIPPER.replace("points = 5", &format!("points = {points}"));
+        fs::write(dir.path().join("one.toml"), spec).expect("written");
+        let check = text(&run(dir.path(), &["check", "-v", "--anyway", "one.toml"]).stdout);
+        assert!(check.contains(&format!("fabric {fabric:.0} cm2 in both sheets")), "{fabric}: {check}");
+    }
+}
+
+/// The object of the search must fit into the star when it is inflated, not only when it is flat.
+#[test]
+fn optimize_opens_as_far_as_it_promises() {
+    let dir = folder();
+    let args = [
+        "optimize",
+        "spec.toml",
+        "--grasp",
+        "35 mm..42 mm",
+        "--points",
+        "8",
+        "--goal",
+        "fabric",
+        "--burst-margin",
+        "0.1",
+    ];
+    let output = run(dir.path(), &args);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    fs::write(dir.path().join("best.toml"), &output.stdout).expect("written");
+    let predicted = run(dir.path(), &["predict", "best.toml", "--json"]);
+    let value: serde_json::Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
+    let range = &value["graspable_radius_mm"];
+    assert!(range[0].as_f64() <= Some(35.0) && range[1].as_f64() >= Some(42.0), "{range}");
+}
+
+fn actuator(more: &[&str]) -> Output {
+    run(folder().path(), &[&ACTUATOR, more].concat())
+}
+
+#[test]
+fn an_actuator_is_answered_by_every_model_of_its_hinge() {
+    let mut before = f64::MAX;
+    for model in ["section", "fit", "ring", "bvp"] {
+        let output = actuator(&["--model", model, "--angles", "44 deg..60 deg/3", "--json"]);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let json: serde_json::Value = serde_json::from_str(&text(&output.stdout)).expect("one object");
+        assert_eq!(json["model"], model);
+        let number = |key: &str| json[key].as_f64().unwrap_or_else(|| panic!("{key}: {json}"));
+        assert!(
+            (number("bendability") / 329.0 - 1.0).abs() < 0.01 && (number("stretch") - 0.00729).abs() < 1e-4
+        );
+        assert!((number("coiling") - (180.0 - number("angle_deg")) / 120.0).abs() < 1e-12);
+        assert!(json["volume_mm3"].is_null() && json["ranges"]["moment"].is_null());
+        // Limits have no ranges. The shell finds 36.35 deg and 0.0783 N m here (docs/models.md).
+        let range = |key: &str| {
+            serde_json::from_value::<Option<[f64; 2]>>(json["ranges"][key].clone()).expect("two ends")
+        };
+        for (key, shell) in [("angle_deg", 36.35), ("stiffness_Nm", 0.0783), ("coiling", 1.1971)] {
+            let within = range(key)
+                .map(|[low, high]| (low..=high).contains(&shell) && (low..=high).contains(&number(key)));
+            assert_eq!(within, (model == "section").then_some(true), "{key}: {json}");
+        }
+        let moments: Vec<[f64; 2]> = serde_json::from_value(json["moment"].clone()).expect("pairs");
+        assert!(moments.len() == 3 && (moments[2][0] - 60.0).abs() < 1e-9, "{moments:?}");
+        // Opened beyond its rest, it is held by a moment that opens. That of the membrane is nearly constant below the
+        // onset, that of the section grows.
+        assert!(moments[0][0] > number("angle_deg") && moments[0][1] > 0.0, "{moments:?}");
+        let growth = if model == "section" { 1.5 } else { 0.99 };
+        assert!(moments.is_sorted_by(|a, b| b[1] > growth * a[1]), "{moments:?}");
+        // The limits take a hinge at 14 kPa for softer than the section does.
+        assert!(number("stiffness_Nm") < 0.7 * before, "{json}");
+        before = if model == "section" { number("stiffness_Nm") } else { before };
+        // The section knows arms here, and the limits are limits.
+        let warnings = json["evidence"]["warnings"].as_array().expect("a list");
+        assert_eq!(warnings.is_empty(), model == "section", "{warnings:?}");
+    }
+    let auto = actuator(&["--json"]);
+    let json: serde_json::Value = serde_json::from_str(&text(&auto.stdout)).expect("one object");
+    assert_eq!(json["model"], "section");
+    assert!(json.get("moment").is_none());
+    assert!(text(&actuator(&[]).stdout).contains("angle at rest"));
+}
+
+#[test]
+fn an_actuator_that_no_model_covers_is_refused_in_words() {
+    let soft = actuator(&["--young-modulus", "1 MPa"]);
+    assert!(
+        soft.status.code() == Some(1) && text(&soft.stderr).contains("allowed is"),
+        "{}",
+        text(&soft.stderr)
+    );
+    let unknown = actuator(&["--model", "shells"]);
+    assert!(unknown.status.code() == Some(2) && text(&unknown.stderr).contains("section"));
+    assert_eq!(actuator(&["--angles", "40 deg..60 deg"]).status.code(), Some(2));
+}
+
+#[test]
+fn predict_takes_the_section_only_with_a_pressure() {
+    let dir = folder();
+    let output = run(dir.path(), &["predict", "spec.toml", "--model", "section", "--json"]);
+    assert!(output.status.success(), "{}", text(&output.stderr));
+    let json: serde_json::Value = serde_json::from_str(&text(&output.stdout)).expect("one object");
+    assert_eq!(json["model"], "section");
+    let lambda = json["lambda_t"]["tip"].as_f64().expect("a number");
+    assert!(lambda > 1.1 && lambda < 1.3 && json["lambda_c"]["tip"].is_null(), "{json}");
+    let warnings = json["evidence"]["warnings"].to_string();
+    assert!(!warnings.contains("without arms") && !warnings.contains("membrane's own"), "{warnings}");
+    // 150 deg of arc coil by lambda, and by what the arms add: a few degrees.
+    let added = 180.0 - json["tip_target_angle_deg"].as_f64().expect("a number") - 150.0 * lambda;
+    assert!((2.0..14.0).contains(&added), "{added}");
+    let thin = GRIPPER.replace("[fabric]", "[fabric]\nthickness = \"0.1 mm\"").replace("37 kPa", "3 kPa");
+    fs::write(dir.path().join("thin.toml"), thin).expect("written");
+    let thin = run(dir.path(), &["predict", "thin.toml", "--model", "section"]);
+    assert!(text(&thin.stdout).contains("without arms"), "{}", text(&thin.stdout));
+    fs::write(dir.path().join("spec.toml"), GRIPPER.split("[load]").next().expect("text")).expect("written");
+    let refused = run(dir.path(), &["predict", "spec.toml", "--model", "section"]);
+    assert!(refused.status.code() == Some(1) && text(&refused.stderr).contains("none is given"));
+}

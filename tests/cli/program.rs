@@ -1,0 +1,461 @@
+//! The program as a user runs it: exit codes, streams, files; and what it does with bad input.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::time::Duration;
+
+use crate::support;
+use crate::support::program::{run, stderr, stdout, workshop};
+
+/// (name, content) of all files in a directory, sorted.
+fn files(dir: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut files: Vec<_> = fs::read_dir(dir)
+        .expect("a directory")
+        .map(|entry| entry.expect("an entry"))
+        .map(|entry| {
+            (entry.file_name().to_string_lossy().into_owned(), fs::read(entry.path()).expect("a file"))
+        })
+        .collect();
+    files.sort();
+    files
+}
+
+#[track_caller]
+fn assert_code(output: &Output, code: i32) {
+    assert_eq!(output.status.code(), Some(code), "{}\n{}", stdout(output), stderr(output));
+    assert!(!stderr(output).contains("panicked"), "{}", stderr(output));
+}
+
+#[test]
+fn build_then_verify() {
+    let dir = workshop();
+    let built = run(dir.path(), &["build", "star.toml", "-v"]);
+    assert_code(&built, 0);
+    assert!(!stderr(&built).contains("warning") && !stderr(&built).contains("error"), "{}", stderr(&built));
+    let said = stdout(&built);
+    for words in ["arms 69.72 mm", "inner loop: 875.9 mm", "in total 2003.0 mm of seam", "out/star"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    let names: Vec<String> = files(&dir.path().join("out/star")).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(
+        names,
+        [
+            "machine.toml",
+            "manifest.json",
+            "plate-1-frame.dxf",
+            "plate-1-frame.svg",
+            "sheet-1-outline.dxf",
+            "sheet-1-outline.svg",
+            "sheet-1-preview.svg",
+            "sheet-1-seal.dxf",
+            "sheet-1-seal.svg",
+            "spec.toml",
+            "star-1-mask-a4.pdf",
+            "star-1-mask-letter.pdf",
+            "star-1-mask.dxf",
+            "star-1-mask.pdf",
+            "star-1-mask.stl",
+            "star-1-mask.svg",
+            "star-1-seal.gcode",
+            "star-1-trace.gcode",
+        ]
+    );
+    let verified = run(dir.path(), &["verify", "out/star"]);
+    assert_code(&verified, 0);
+    assert!(stdout(&verified).contains("proven, no findings"));
+    let json = run(dir.path(), &["verify", "out/star", "--json"]);
+    assert_code(&json, 0);
+    let json: serde_json::Value = serde_json::from_slice(&json.stdout).expect("one JSON object");
+    assert_eq!(json["findings"], serde_json::json!([]));
+    assert!(json["deviation_mm"]["star-1-seal.gcode"].as_f64().expect("a number") < 0.001);
+}
+
+#[test]
+fn verify_tells_what_is_wrong_and_fails() {
+    let dir = workshop();
+    assert_code(&run(dir.path(), &["build", "star.toml"]), 0);
+    let file = dir.path().join("out/star/star-1-seal.gcode");
+    fs::write(&file, fs::read_to_string(&file).expect("text").replace("F6", "F600")).expect("written");
+    let verified = run(dir.path(), &["verify", "out/star"]);
+    assert_code(&verified, 1);
+    assert!(
+        stdout(&verified).contains("star-1-seal.gcode:24: wrong-feed: found F600, allowed F6"),
+        "{}",
+        stdout(&verified)
+    );
+    assert_code(&run(dir.path(), &["verify", "nowhere"]), 1);
+}
+
+/// The manifest of out/star with `change` made in it.
+fn edit_manifest(dir: &Path, change: impl Fn(&mut serde_json::Value)) {
+    let path = dir.join("out/star/manifest.json");
+    let mut manifest: serde_json::Value =
+        serde_json::from_slice(&fs::read(&path).expect("it")).expect("JSON");
+    change(&mut manifest);
+    fs::write(&path, serde_json::to_vec_pretty(&manifest).expect("JSON")).expect("written");
+}
+
+/// The version in the manifest is covered by no hash, and must not switch the comparison off in silence.
+#[test]
+fn a_directory_of_another_version_is_read_back_and_named() {
+    let dir = workshop();
+    let load = format!(
+        "{}\n[load]\npressure = \"20 kPa\"\n",
+        fs::read_to_string(dir.path().join("star.toml")).expect("it")
+    );
+    fs::write(dir.path().join("star.toml"), load).expect("written");
+    assert_code(&run(dir.path(), &["build", "star.toml", "--with", "report", "-q"]), 0);
+    edit_manifest(dir.path(), |manifest| manifest["tool"]["version"] = "9.8.7".into());
+    let verify = |options: &[&str]| run(dir.path(), &[&["verify", "out/star"], options].concat());
+    let json = || -> serde_json::Value {
+        serde_json::from_slice(&verify(&["--json"]).stdout).expect("one JSON object")
+    };
+
+    let plain = verify(&[]);
+    assert_code(&plain, 3);
+    let said = stdout(&plain).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(said.contains("out/star: written by 9.8.7: read back, not compared; no findings"), "{said}");
+    assert!(!said.contains("not proven:"), "{said}");
+    assert_code(&verify(&["--read-back"]), 0);
+    let quiet = verify(&["-q"]);
+    assert_code(&quiet, 3);
+    assert!(stdout(&quiet).contains("written by 9.8.7"), "{}", stdout(&quiet));
+    // What is equal to the byte is told all the same.
+    let found = json();
+    assert_eq!(found["written_by"], "9.8.7");
+    assert_eq!(found["unproven"], serde_json::json!([]));
+    let by = |path: &str| {
+        let all = found["proven"].as_array().expect("a list").iter();
+        all.clone().find(|file| file["path"] == path).expect(path)["by"].clone()
+    };
+    assert_eq!((by("report.html"), by("star-1-seal.gcode")), ("bytes".into(), "bytes".into()));
+
+    // Nothing judges all that a report says: it is named as soon as it differs.
+    let report = dir.path().join("out/star/report.html");
+    let text = fs::read_to_string(&report).expect("it").replace("200 C", "450 C");
+    fs::write(&report, &text).expect("written");
+    edit_manifest(dir.path(), |manifest| {
+        let files = manifest["files"].as_array_mut().expect("a list");
+        let entry = files.iter_mut().find(|file| file["path"] == "report.html").expect("it");
+        entry["sha256"] = stargrip_cam::manifest::sha256(text.as_bytes()).into();
+    });
+    assert_eq!(json()["unproven"][0], "report.html");
+    assert!(stdout(&verify(&[])).contains("not proven:"));
+    // A finding is one whatever is accepted.
+    fs::write(&report, text.replace("450 C", "4500 C")).expect("written");
+    assert_code(&verify(&["--read-back"]), 1);
+}
+
+#[test]
+fn the_same_spec_gives_the_same_bytes_anywhere() {
+    let (a, b) = (workshop(), workshop());
+    assert_code(&run(a.path(), &["build", "star.toml"]), 0);
+    assert_code(&run(a.path(), &["build", "star.toml"]), 0);
+    fs::create_dir(b.path().join("deep down")).expect("made");
+    fs::rename(b.path().join("star.toml"), b.path().join("deep down/other name.toml")).expect("moved");
+    assert_code(&run(b.path(), &["build", "deep down/other name.toml", "-o", "x/y z"]), 0);
+    assert_eq!(files(&a.path().join("out/star")), files(&b.path().join("x/y z")));
+}
+
+#[test]
+fn wrong_usage_is_told_apart_from_refusal() {
+    let dir = workshop();
+    assert_code(&run(dir.path(), &["build"]), 2);
+    assert_code(&run(dir.path(), &["frobnicate"]), 2);
+    assert_code(&run(dir.path(), &["build", "star.toml", "--only", "poem"]), 2);
+    assert_code(&run(dir.path(), &["build", "missing.toml"]), 1);
+    assert_code(&run(dir.path(), &["--help"]), 0);
+    assert_code(&run(dir.path(), &["machines"]), 0);
+    assert_code(&run(dir.path(), &["machines", "show", "generic"]), 0);
+    assert_code(&run(dir.path(), &["machines", "show", "teapot"]), 1);
+}
+
+#[test]
+fn only_some_kinds() {
+    let dir = workshop();
+    assert_code(&run(dir.path(), &["build", "star.toml", "--only", "seal-dxf,preview-svg"]), 0);
+    let names: Vec<String> = files(&dir.path().join("out/star")).into_iter().map(|(name, _)| name).collect();
+    assert_eq!(
+        names,
+        ["machine.toml", "manifest.json", "sheet-1-preview.svg", "sheet-1-seal.dxf", "spec.toml"]
+    );
+    assert_code(&run(dir.path(), &["verify", "out/star"]), 0);
+}
+
+#[test]
+fn new_writes_a_spec_that_builds_and_never_overwrites() {
+    let dir = tempfile::tempdir().expect("a directory");
+    assert_code(&run(dir.path(), &["new", "My \"first\" Star; ../x"]), 0);
+    assert_code(&run(dir.path(), &["build", "my-first-star-x.toml"]), 0);
+    let again = run(dir.path(), &["new", "My \"first\" Star; ../x"]);
+    assert_code(&again, 1);
+    assert!(stderr(&again).contains("exists already"));
+}
+
+#[test]
+fn a_profile_of_ones_own_is_found_beside_the_spec() {
+    let dir = workshop();
+    let profile = support::generic().replace("\"5 mm\"", "\"7 mm\"");
+    fs::create_dir(dir.path().join("specs")).expect("made");
+    fs::write(dir.path().join("specs/mine.toml"), profile).expect("written");
+    let spec = format!("{}[machine]\nprofile = \"mine.toml\"\n", support::PAPER);
+    fs::write(dir.path().join("specs/star.toml"), spec).expect("written");
+    assert_code(&run(dir.path(), &["build", "specs/star.toml"]), 0);
+    let program = fs::read_to_string(dir.path().join("out/star/star-1-seal.gcode")).expect("a program");
+    assert!(program.contains("G0 Z7 F"));
+    let spec = support::PAPER.to_owned() + "[machine]\nprofile = \"missing.toml\"\n";
+    fs::write(dir.path().join("star.toml"), spec).expect("written");
+    let refused = run(dir.path(), &["build", "star.toml"]);
+    assert_code(&refused, 1);
+    assert!(
+        stderr(&refused).contains("generic") && stderr(&refused).contains("profile ="),
+        "{}",
+        stderr(&refused)
+    );
+}
+
+#[test]
+fn all_faults_are_told_at_once_with_their_lines() {
+    let dir = workshop();
+    let spec = support::PAPER.replace("tube_width", "tube_widht").replace("\"50 mm\"", "50");
+    fs::write(dir.path().join("star.toml"), spec).expect("written");
+    let refused = run(dir.path(), &["build", "star.toml"]);
+    assert_code(&refused, 1);
+    assert_eq!(stdout(&refused), "");
+    let said = stderr(&refused);
+    for words in ["star.toml:7", "star.toml:8", "did you mean `tube_width`?", "mm, cm, m"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+    assert!(!dir.path().join("out").exists());
+}
+
+#[test]
+fn a_design_that_cannot_be_made_points_at_its_key() {
+    let dir = workshop();
+    fs::write(dir.path().join("star.toml"), support::PAPER.replace("points = 5", "points = 9"))
+        .expect("written");
+    let refused = run(dir.path(), &["check", "star.toml"]);
+    assert_code(&refused, 1);
+    let said = stderr(&refused);
+    for words in ["the arms would be -6.2 mm long", "points at most 8", "star.toml:6"] {
+        assert!(said.contains(words), "{words}: {said}");
+    }
+}
+
+#[test]
+fn what_we_did_not_write_is_not_touched() {
+    let dir = workshop();
+    let target = dir.path().join("out/star");
+    assert_code(&run(dir.path(), &["build", "star.toml"]), 0);
+    fs::write(target.join("notes.txt"), "mine").expect("written");
+    let before = files(&target);
+    let refused = run(dir.path(), &["build", "star.toml"]);
+    assert_code(&refused, 1);
+    assert!(stderr(&refused).contains("notes.txt"), "{}", stderr(&refused));
+    assert_eq!(files(&target), before);
+
+    fs::create_dir(dir.path().join("photos")).expect("made");
+    fs::write(dir.path().join("photos/cat.jpg"), "cat").expect("written");
+    assert_code(&run(dir.path(), &["build", "star.toml", "-o", "photos"]), 1);
+    assert_eq!(files(&dir.path().join("photos")).len(), 1);
+    assert_code(&run(dir.path(), &["build", "star.toml", "-o", "star.toml"]), 1);
+    assert_eq!(fs::read_to_string(dir.path().join("star.toml")).expect("text"), support::PAPER);
+    assert_code(&run(dir.path(), &["build", "star.toml", "-o", "/"]), 1);
+}
+
+#[test]
+fn an_output_that_shrinks_leaves_nothing_behind() {
+    let dir = workshop();
+    assert_code(&run(dir.path(), &["build", "star.toml"]), 0);
+    assert_code(&run(dir.path(), &["build", "star.toml", "--only", "seal-svg"]), 0);
+    assert_eq!(files(&dir.path().join("out/star")).len(), 4);
+    assert_eq!(fs::read_dir(dir.path().join("out")).expect("out/").count(), 1, "a hidden directory is left");
+}
+
+/// What a kill between two renames leaves on systems that cannot exchange names.
+#[test]
+fn an_output_set_aside_is_put_back() {
+    let dir = workshop();
+    assert_code(&run(dir.path(), &["build", "star.toml"]), 0);
+    let (target, aside) = (dir.path().join("out/star"), dir.path().join("out/.star.stargrip-old"));
+    fs::rename(&target, &aside).expect("renamed");
+    fs::write(aside.join("notes.txt"), "mine").expect("written");
+    // The output comes back before it is looked at; with a foreign file in it, it is then left alone.
+    assert_code(&run(dir.path(), &["build", "star.toml"]), 1);
+    assert!(target.join("notes.txt").exists() && !aside.exists());
+}
+
+#[test]
+fn a_build_killed_at_any_moment_leaves_a_whole_output() {
+    let dir = workshop();
+    assert_code(&run(dir.path(), &["build", "star.toml"]), 0);
+    let (first, target) = (files(&dir.path().join("out/star")), dir.path().join("out/star"));
+    let other = support::PAPER.replace("\"50 mm\"", "\"55 mm\"");
+    fs::write(dir.path().join("other.toml"), other).expect("written");
+    assert_code(&run(dir.path(), &["build", "other.toml"]), 0);
+    let second = files(&dir.path().join("out/other"));
+    for i in 0..60_u64 {
+        let spec = if i % 2 == 0 { "other.toml" } else { "star.toml" };
+        let mut child = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
+            .current_dir(dir.path())
+            .args(["build", spec, "-o", "out/star"])
+            .stdout(std::process::Stdio::null())
+            .spawn()
+            .expect("it starts");
+        std::thread::sleep(Duration::from_micros(i * 700));
+        let _ = child.kill();
+        let _ = child.wait().expect("it ends");
+        let now = files(&target);
+        assert!(
+            now == first || now == second,
+            "after {i}: {:?}",
+            now.iter().map(|f| &f.0).collect::<Vec<_>>()
+        );
+    }
+    assert_code(&run(dir.path(), &["build", "star.toml"]), 0);
+    assert_eq!(files(&target), first);
+}
+
+#[test]
+fn bad_input_is_refused_without_a_trace() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let with = |from: &str, to: &str| support::PAPER.replace(from, to).into_bytes();
+    let mut cases: Vec<Vec<u8>> = vec![
+        Vec::new(),
+        b"\xff\xfe\x00junk".to_vec(),
+        vec![0; 4096],
+        b"[[[[[[[[".to_vec(),
+        "[".repeat(100_000).into_bytes(),
+        format!("a = {}", "[".repeat(50_000)).into_bytes(),
+        with("points = 5", "points = 1000000000"),
+        with("points = 5", "points = -5"),
+        with("points = 5", "points = 5.5"),
+        with("points = 5", "points = 99999999999999999999999999"),
+    ];
+    for value in [
+        "nan",
+        "inf",
+        "-50",
+        "1e308",
+        "\"nan mm\"",
+        "\"inf mm\"",
+        "\"-50 mm\"",
+        "\"1e300 mm\"",
+        "\"1e-300 mm\"",
+        "\"0 mm\"",
+        "\"5 parsec\"",
+        "[]",
+        "true",
+    ] {
+        cases.push(with("\"50 mm\"", value));
+        cases.push(with("\"30 mm\"", value));
+    }
+    for angle in ["\"0 deg\"", "\"180 deg\"", "\"-1 deg\"", "\"1e-9 deg\"", "\"400 deg\""] {
+        cases.push(with("\"30 deg\"", angle));
+    }
+    for (i, case) in cases.iter().enumerate() {
+        fs::write(dir.path().join("bad.toml"), case).expect("written");
+        let refused = run(dir.path(), &["build", "bad.toml"]);
+        assert_code(&refused, 1);
+        assert!(!dir.path().join("out").exists(), "case {i}");
+        assert!(!stderr(&refused).is_empty());
+    }
+}
+
+#[test]
+fn a_huge_spec_is_refused_without_reading_it() {
+    let dir = tempfile::tempdir().expect("a directory");
+    fs::File::create(dir.path().join("huge.toml")).and_then(|file| file.set_len(100 << 20)).expect("a hole");
+    let refused = run(dir.path(), &["build", "huge.toml"]);
+    assert_code(&refused, 1);
+    assert!(
+        stderr(&refused).contains("1 MiB") || stderr(&refused).contains("1048576"),
+        "{}",
+        stderr(&refused)
+    );
+    assert_code(&run(dir.path(), &["build", "."]), 1);
+}
+
+#[test]
+fn a_hostile_name_is_a_harmless_literal() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let hostile = [
+        "../../etc/passwd",
+        "a) G0 Z-50 (",
+        "x; M3 S1000",
+        "<script>alert(1)</script>",
+        "%",
+        "é 星",
+        "\\\"&]]>",
+        "G0 Z-50",
+    ];
+    for (i, name) in hostile.iter().enumerate() {
+        let literal = toml_string(name);
+        let spec = support::PAPER.replace("\"paper star, 5 points\"", &literal);
+        assert!(spec.contains(&literal));
+        fs::write(dir.path().join("star.toml"), spec).expect("written");
+        let out = format!("o{i}");
+        assert_code(&run(dir.path(), &["build", "star.toml", "-o", &out]), 0);
+        assert_code(&run(dir.path(), &["verify", &out]), 0);
+        for (file, bytes) in files(&dir.path().join(&out)) {
+            let ending = file.rsplit_once('.').map_or("", |(_, ending)| ending);
+            if ending == "stl" {
+                let head = &bytes[..80];
+                let inert = |byte: &u8| byte.is_ascii_alphanumeric() || b" .,-_+=:/".contains(byte);
+                assert!(head.iter().all(inert) && !head.starts_with(b"solid"), "{file}: {head:?}");
+                continue;
+            }
+            if ending == "pdf" {
+                // The title is the only place for a name; no bracket in it can end its string.
+                let text = String::from_utf8_lossy(&bytes).into_owned();
+                let title = text.lines().find(|line| line.contains("/Title")).expect("a title");
+                assert!(title.matches(['(', ')', '<', '>', '\\']).count() == 2, "{file}: {title}");
+                assert!(!text.contains("/JavaScript") && !text.contains("/OpenAction"), "{file}");
+                continue;
+            }
+            let text = String::from_utf8(bytes).expect("UTF-8");
+            if ending == "dxf" {
+                assert!(
+                    text.is_ascii() && !text.contains("passwd") && !text.contains("script"),
+                    "{file}: {name}"
+                );
+            }
+            if ending == "json" {
+                let json: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+                assert_eq!(json["name"], **name, "{file}");
+            }
+            if ending == "gcode" {
+                assert!(text.is_ascii() && !text.contains(['(', ')', '%']), "{file}: {name}");
+                assert!(text.lines().all(|line| line.matches(';').count() <= 1), "{file}: {name}");
+                assert!(
+                    !text
+                        .lines()
+                        .any(|line| line.starts_with("M3")
+                            || line.contains("G0 Z-50") && !line.starts_with(';'))
+                );
+            }
+            if ending == "svg" {
+                assert!(!text.contains("<script"), "{file}");
+            }
+        }
+    }
+    for name in ["", "a\nG0 Z-50", "tab\there", "é\u{202e}x", &"x".repeat(81)] {
+        let spec = support::PAPER.replace("\"paper star, 5 points\"", &toml_string(name));
+        fs::write(dir.path().join("star.toml"), spec).expect("written");
+        assert_code(&run(dir.path(), &["build", "star.toml", "-o", "no"]), 1);
+    }
+}
+
+/// A TOML basic string.
+fn toml_string(text: &str) -> String {
+    let escaped: String = text
+        .chars()
+        .map(|c| match c {
+            '"' | '\\' => format!("\\{c}"),
+            c if c.is_control() => format!("\\u{:04X}", u32::from(c)),
+            c => c.to_string(),
+        })
+        .collect();
+    format!("\"{escaped}\"")
+}

@@ -1,0 +1,70 @@
+//! Studies as a user runs them: what a study file may say, parts, joins, and what kills and full disks leave.
+
+mod faults;
+mod kills;
+mod page;
+mod parts;
+mod slow;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use crate::support::asked::GRIPPER as SPEC;
+use tempfile::TempDir;
+
+/// Refusals, words, whole numbers and unknown values among its 216 rows.
+const STUDY: &str = r#"schema = 1
+spec = "spec.toml"
+[rows]
+star.points = [4, 5, 9]
+star.tip_angle = ["40 deg", "30 deg", "20 deg"]
+[vary]
+mask.mirror = [true, false]
+star.tube_width = "10 mm..40 mm/12"
+load.pressure = ["0.001 kPa", "20 kPa", "37 kPa"]
+"#;
+
+fn folder(study: &str) -> TempDir {
+    let dir = tempfile::tempdir().expect("a folder");
+    fs::write(dir.path().join("spec.toml"), SPEC).expect("written");
+    fs::write(dir.path().join("study.toml"), study).expect("written");
+    dir
+}
+
+fn command(dir: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"));
+    let _ = command.current_dir(dir).args(args);
+    command
+}
+
+fn run(dir: &Path, args: &[&str]) -> Output {
+    command(dir, args).output().expect("it runs")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("UTF-8")
+}
+
+#[track_caller]
+fn done(dir: &Path, args: &[&str]) -> String {
+    let output = run(dir, args);
+    assert_eq!(output.status.code(), Some(0), "{args:?}: {}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+/// What is said on standard error by a command that ends with `code`.
+#[track_caller]
+fn refused(dir: &Path, args: &[&str], code: i32) -> String {
+    let output = run(dir, args);
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(code), "{args:?}: {said}");
+    said
+}
+
+fn names(dir: &Path) -> Vec<String> {
+    let entries = fs::read_dir(dir).expect("a folder").map(|entry| entry.expect("an entry").file_name());
+    let mut names: Vec<String> = entries.map(|name| name.to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}

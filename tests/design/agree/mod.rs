@@ -1,0 +1,65 @@
+//! What `check` lets pass, `build` publishes and `verify` accepts: there is no finding about outputs that no refusal named before.
+//!
+//! 2,000 random specs with all kinds of files in `make test`; twenty thousand with
+//! `STARGRIP_AGREE=20000 cargo test --release --locked --test design agree::`. `STARGRIP_AGREE_FROM=n` begins at case `n`.
+
+mod named;
+mod specs;
+
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use stargrip_cam::pipeline::{Forecast, Sources, prove_files};
+use stargrip_cam::spec;
+use stargrip_cam::spec::Source;
+use stargrip_cam::verify::Finding;
+
+use specs::{Case, case};
+
+/// How many specs a run tries where it does not say.
+const CASES: u64 = 2000;
+
+fn number(variable: &str, default: u64) -> u64 {
+    std::env::var(variable).ok().and_then(|text| text.parse().ok()).unwrap_or(default)
+}
+
+/// What is found wrong with the files of a spec that `check` lets pass; `None` if it is refused.
+fn findings(case: &Case, verified: bool) -> Option<Vec<Finding>> {
+    let reading = spec::read(&Source::new("spec", case.spec.as_str())).ok()?;
+    let machine = spec::read_machine(&Source::new("machine", case.machine.as_str())).ok()?;
+    let forecast = Forecast::of(reading.spec, machine).ok()?;
+    let built = forecast.build(Sources { spec: &case.spec, machine: &case.machine }, &case.asked);
+    // `verify` makes every file again beside reading it.
+    let found = if verified { prove_files(&built.output_files()).findings } else { built.proof().findings };
+    Some(found)
+}
+
+#[test]
+fn what_check_lets_pass_build_publishes_and_verify_accepts() {
+    let (from, cases) = (number("STARGRIP_AGREE_FROM", 0), number("STARGRIP_AGREE", CASES));
+    let passed = AtomicUsize::new(0);
+    let wrong: BTreeMap<u64, Vec<Finding>> = (from..from + cases)
+        .into_par_iter()
+        .filter_map(|n| {
+            let found = findings(&case(n), n % 3 == 0)?;
+            let _ = passed.fetch_add(1, Ordering::Relaxed);
+            (!found.is_empty()).then_some((n, found))
+        })
+        .collect();
+    for (n, found) in &wrong {
+        eprintln!(
+            "case {n}: {} findings, {:?}",
+            found.len(),
+            found.iter().take(2).map(ToString::to_string).collect::<Vec<_>>()
+        );
+    }
+    let passed = passed.into_inner();
+    println!("{passed} of {cases} specs were built");
+    if let Some(n) = wrong.keys().next() {
+        let Case { spec, machine, asked } = case(*n);
+        panic!("{} of {passed}: case {n}\n{asked:?}\n{spec}\n{machine}", wrong.len());
+    }
+    assert!(u64::try_from(passed).unwrap_or(0) > cases / 5, "only {passed} of {cases} specs were built");
+}

@@ -1,0 +1,253 @@
+//! Whole directories: which files there are, their hashes, the manifest, the spec they were made from.
+
+use super::{SEAL, TRACE, archive_of, assert_found, forged, forged_in, output_files, replace, reseal};
+use crate::support::{self, PAPER};
+use stargrip_cam::artifact::{Asked, Kind};
+use stargrip_cam::manifest::{MANIFEST, Manifest, ManifestFile};
+use stargrip_cam::pipeline::{Sources, prove_files, read_back};
+use stargrip_cam::verify::{Method, OutputFiles};
+
+#[test]
+fn an_untouched_build_has_no_findings() {
+    let proof = prove_files(&output_files());
+    assert_eq!(proof.findings, []);
+    assert_eq!(proof.files.iter().filter(|file| file.deviation.is_some()).count(), 14);
+    let by = |how: Method| {
+        proof.files.iter().filter(|file| file.by == how).map(|file| file.path.as_str()).collect::<Vec<_>>()
+    };
+    assert_eq!(by(Method::Hash), ["spec.toml", "machine.toml"]);
+    assert_eq!((by(Method::Reading).len(), by(Method::Bytes).len()), (0, 15));
+}
+
+#[test]
+fn a_changed_byte_is_found_by_its_hash_in_every_file() {
+    let whole = output_files();
+    for (file, _) in &whole.files {
+        let mut files = output_files();
+        let mut bytes = files.get(file).expect("a file").to_vec();
+        let middle = bytes.len() / 2;
+        bytes[middle] ^= 1;
+        replace(&mut files, file, bytes);
+        let findings = prove_files(&files).findings;
+        assert!(!findings.is_empty(), "{file}");
+        // A profile that means nothing any more is not even compared.
+        let is_unread = findings.iter().any(|finding| finding.code == "unreadable" && finding.file == *file);
+        if file != MANIFEST && !is_unread {
+            assert_found(&findings, "hash", file);
+        }
+    }
+}
+
+#[test]
+fn a_file_cut_short_anywhere_is_found() {
+    let whole = output_files();
+    for (file, bytes) in whole.files.iter().filter(|(file, _)| file != MANIFEST) {
+        let mut short = output_files();
+        replace(&mut short, file, bytes[..bytes.len() - 1].to_vec());
+        assert_found(&prove_files(&short).findings, "size", file);
+    }
+    // A forger who fixes the manifest is told by the sentinel.
+    for keep in [0, 1, 500, 5_000, 12_000] {
+        let findings = forged(SEAL, |program| program[..keep].to_owned());
+        assert_found(&findings, "truncated", SEAL);
+    }
+    let findings = forged(TRACE, |program| program[..program.len() - 1].to_owned());
+    assert_found(&findings, "truncated", TRACE);
+}
+
+#[test]
+fn missing_and_unnamed_files_are_found() {
+    let mut files = output_files();
+    files.files.retain(|(name, _)| name != TRACE);
+    files.files.push(("notes.txt".into(), b"mine".as_slice().into()));
+    let findings = prove_files(&files).findings;
+    assert_found(&findings, "missing-file", TRACE);
+    assert_found(&findings, "unnamed-file", "notes.txt");
+}
+
+#[test]
+fn a_directory_without_its_spec_profile_or_manifest_is_refused() {
+    for file in ["spec.toml", "machine.toml"] {
+        let mut files = output_files();
+        files.files.retain(|(name, _)| name != file);
+        assert_found(&prove_files(&files).findings, "missing-file", file);
+    }
+    let mut files = output_files();
+    replace(&mut files, MANIFEST, b"{}".to_vec());
+    assert_found(&prove_files(&files).findings, "manifest", MANIFEST);
+    let nothing = prove_files(&OutputFiles::default()).findings;
+    assert_found(&nothing, "missing-file", "spec.toml");
+    assert_found(&nothing, "missing-file", "machine.toml");
+}
+
+#[test]
+fn a_spec_that_cannot_be_read_or_made_is_found() {
+    let findings = forged("spec.toml", |spec| spec.replace("points", "pionts"));
+    assert_found(&findings, "unreadable", "spec.toml");
+    let findings = forged("spec.toml", |spec| spec.replace("points = 5", "points = 9"));
+    assert_found(&findings, "no-arm", "spec.toml");
+}
+
+/// Another star than the one the files were made for.
+#[test]
+fn every_file_of_another_star_is_found() {
+    let findings = forged("spec.toml", |spec| spec.replace("\"30 mm\"", "\"30.01 mm\""));
+    for file in [
+        SEAL,
+        TRACE,
+        "sheet-1-seal.svg",
+        "sheet-1-seal.dxf",
+        "sheet-1-outline.svg",
+        "sheet-1-outline.dxf",
+        "star-1-mask.svg",
+        "star-1-mask.dxf",
+        "star-1-mask.pdf",
+        "star-1-mask-a4.pdf",
+        "star-1-mask-letter.pdf",
+        "plate-1-frame.svg",
+        "plate-1-frame.dxf",
+    ] {
+        assert_found(&findings, "deviation", file);
+    }
+    assert_found(&findings, "manifest", MANIFEST);
+}
+
+#[test]
+fn a_manifest_with_other_figures_is_found() {
+    let mut files = output_files();
+    let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
+    manifest.stars[0].seam_mm += 1.0;
+    replace(&mut files, MANIFEST, manifest.to_json());
+    assert_found(&prove_files(&files).findings, "manifest", MANIFEST);
+}
+
+/// The design decides what each file is: a manifest that says otherwise is wrong, whatever the file holds.
+#[test]
+fn a_manifest_does_not_decide_what_is_proven() {
+    let findings = |change: &dyn Fn(&mut Manifest)| {
+        let mut files = output_files();
+        let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
+        change(&mut manifest);
+        replace(&mut files, MANIFEST, manifest.to_json());
+        read_back(&files).findings
+    };
+    let program =
+        |manifest: &Manifest| manifest.files.iter().position(|f| f.path == SEAL).expect("a program");
+    let as_picture = findings(&|manifest| {
+        let at = program(manifest);
+        manifest.files[at].kind = Kind::PreviewSvg;
+    });
+    assert_found(&as_picture, "manifest", SEAL);
+    let twice = findings(&|manifest| manifest.files.push(manifest.files[program(manifest)].clone()));
+    assert_found(&twice, "manifest", SEAL);
+    // However often it is named, it is told once and read once.
+    let often = findings(&|manifest| {
+        let entry = manifest.files[program(manifest)].clone();
+        manifest.files.extend(std::iter::repeat_n(entry, 3000));
+    });
+    let told = often.iter().filter(|finding| finding.file == SEAL).count();
+    assert_eq!(told, 1, "{often:#?}");
+    let gone = findings(&|manifest| {
+        let _ = manifest.files.remove(program(manifest));
+    });
+    assert_found(&gone, "manifest", SEAL);
+    let evil = findings(&|manifest| {
+        let entry = manifest.files[0].clone();
+        manifest.files.push(ManifestFile { path: "evil.gcode".to_owned(), ..entry });
+    });
+    assert_found(&evil, "manifest", "evil.gcode");
+    let unknown = {
+        let mut files = output_files();
+        let text = String::from_utf8(files.get(MANIFEST).expect("one").to_vec()).expect("text");
+        replace(&mut files, MANIFEST, text.replace("\"seal-svg\"", "\"poem\"").into_bytes());
+        read_back(&files).findings
+    };
+    assert_found(&unknown, "manifest", MANIFEST);
+    assert!(unknown[0].found.contains("poem"), "{unknown:?}");
+}
+
+/// A build of some kinds says so, and then nothing else is asked for; everything deleted is no proof of anything.
+#[test]
+fn what_was_not_asked_for_is_not_missed_and_all_else_is() {
+    let (spec, machine) = (support::read(PAPER), support::machine());
+    let sources = Sources { spec: PAPER, machine: support::generic() };
+    let some = stargrip_cam::pipeline::build(&spec, &machine, sources, &Asked::only(&[Kind::PreviewSvg]))
+        .expect("a design");
+    let proof = prove_files(&some.output_files());
+    assert_eq!(proof.findings, []);
+    assert_eq!(proof.files.len(), 3);
+    let mut silent = some.clone();
+    silent.manifest.only.clear();
+    assert_found(&prove_files(&silent.output_files()).findings, "missing-file", SEAL);
+}
+
+/// What no reader looks at is seen by its bytes: a colour, a comment, a figure of the manifest.
+#[test]
+fn a_byte_that_no_reader_looks_at_differs() {
+    let mut files = output_files();
+    let preview = String::from_utf8(files.get("sheet-1-preview.svg").expect("one").to_vec()).expect("text");
+    replace(&mut files, "sheet-1-preview.svg", preview.replacen("#f7f7f4", "#f7f7f5", 1).into_bytes());
+    reseal(&mut files);
+    assert_eq!(read_back(&files).findings, []);
+    assert_found(&prove_files(&files).findings, "differs", "sheet-1-preview.svg");
+    let mut files = output_files();
+    let manifest = String::from_utf8(files.get(MANIFEST).expect("one").to_vec()).expect("text");
+    let (before, after) = manifest.split_once("\"area_mm2\": ").expect("plates");
+    replace(&mut files, MANIFEST, format!("{before}\"area_mm2\": 1{after}").into_bytes());
+    assert_found(&prove_files(&files).findings, "differs", MANIFEST);
+}
+
+#[test]
+fn bytes_that_are_not_text_are_found() {
+    let mut files = output_files();
+    replace(&mut files, SEAL, vec![0xff; 100]);
+    reseal(&mut files);
+    assert_found(&prove_files(&files).findings, "not-text", SEAL);
+}
+
+#[test]
+fn a_forged_prediction_is_found() {
+    let spec = format!("{}\n[load]\npressure = \"37 kPa\"\n", support::PAPER);
+    let file = "prediction.json";
+    let findings =
+        forged_in(&spec, file, |json| json.replacen("\"contraction\": 0.", "\"contraction\": 0.9", 1));
+    assert_found(&findings, "prediction", file);
+    assert_eq!(prove_files(&archive_of(&spec)).findings, []);
+    let without_load = forged_in(&spec, "spec.toml", |spec| spec.replace("37 kPa", "36 kPa"));
+    assert_found(&without_load, "prediction", file);
+}
+
+/// Only what the design asks for is opened, and only as far as the manifest says: no pipe, no device, no link, no foreign file.
+#[cfg(unix)]
+#[test]
+fn verify_opens_nothing_but_what_the_design_names() {
+    use std::fs;
+    use std::process::Command;
+    let shop = support::program::workshop();
+    let built = support::program::run(shop.path(), &["build", "star.toml"]);
+    assert!(built.status.success(), "{}", support::program::stderr(&built));
+    let out = fs::read_dir(shop.path().join("out")).expect("out/").next().expect("one").expect("one").path();
+    let pipe = Command::new("mkfifo").arg(out.join("pipe")).status().expect("mkfifo");
+    assert!(pipe.success());
+    std::os::unix::fs::symlink("/dev/zero", out.join("zero")).expect("a link");
+    fs::remove_file(out.join(TRACE)).expect("removed");
+    std::os::unix::fs::symlink("/dev/zero", out.join(TRACE)).expect("a link");
+    // Holes that take no room, of 10 GB each: a foreign file, and one that the design names.
+    for name in ["foreign", SEAL] {
+        let file = fs::File::create(out.join(name)).expect("a file");
+        file.set_len(10_000_000_000).expect("a hole");
+    }
+    let verified = support::program::run(shop.path(), &["verify", out.to_str().expect("UTF-8"), "--json"]);
+    assert_eq!(verified.status.code(), Some(1));
+    let said: serde_json::Value = serde_json::from_slice(&verified.stdout).expect("JSON");
+    let findings = said["findings"].as_array().expect("a list");
+    for (file, code) in [
+        ("pipe", "unnamed-file"),
+        ("zero", "unnamed-file"),
+        ("foreign", "unnamed-file"),
+        (TRACE, "size"),
+        (SEAL, "size"),
+    ] {
+        assert!(findings.iter().any(|f| f["file"] == file && f["code"] == code), "{file}: {findings:#?}");
+    }
+}

@@ -1,0 +1,136 @@
+//! The verifier can fail: for each of its findings a file that is wrong in just that way.
+//!
+//! Every corruption is a build of the paper's star with one file changed; unless the test is about the
+//! hash, the manifest is changed too, as a careful forger would, so that only reading the file can tell.
+
+mod directory;
+mod drawings;
+mod programs;
+
+use std::borrow::Cow;
+use std::ops::RangeInclusive;
+
+use stargrip_cam::manifest::{MANIFEST, Manifest, sha256};
+use stargrip_cam::pipeline::read_back;
+use stargrip_cam::verify::{Finding, OutputFiles};
+
+use crate::support;
+
+const SEAL: &str = "star-1-seal.gcode";
+const TRACE: &str = "star-1-trace.gcode";
+
+fn output_files() -> OutputFiles<'static> {
+    archive_of(support::PAPER)
+}
+
+fn archive_of(text: &str) -> OutputFiles<'static> {
+    let build = support::build(text).expect("a gripper");
+    let own = |(name, bytes): (&str, Cow<'_, [u8]>)| (name.to_owned().into(), bytes.into_owned().into());
+    OutputFiles { files: build.files().map(own).collect() }
+}
+
+fn text(files: &OutputFiles<'_>, file: &str) -> String {
+    String::from_utf8(files.get(file).expect("a file").to_vec()).expect("text")
+}
+
+fn replace(files: &mut OutputFiles<'static>, file: &str, bytes: Vec<u8>) {
+    let entry = files.files.iter_mut().find(|(name, _)| name == file).expect("a file");
+    entry.1 = bytes.into();
+}
+
+/// Makes the manifest agree with the files.
+fn reseal(files: &mut OutputFiles<'static>) {
+    let mut manifest: Manifest = serde_json::from_slice(files.get(MANIFEST).expect("one")).expect("JSON");
+    for entry in &mut manifest.files {
+        let bytes = files.get(&entry.path).expect("a file");
+        (entry.bytes, entry.sha256) = (bytes.len(), sha256(bytes));
+    }
+    replace(files, MANIFEST, manifest.to_json());
+}
+
+/// The findings after `change` of `file`, with a manifest that agrees.
+fn forged(file: &str, change: impl Fn(&str) -> String) -> Vec<Finding> {
+    forged_in(support::PAPER, file, change)
+}
+
+fn forged_in(spec: &str, file: &str, change: impl Fn(&str) -> String) -> Vec<Finding> {
+    let mut files = archive_of(spec);
+    let before = text(&files, file);
+    let after = change(&before);
+    assert!(before != after, "the corruption changes nothing");
+    replace(&mut files, file, after.into_bytes());
+    reseal(&mut files);
+    // By reading alone: bytes that are compared would find everything.
+    read_back(&files).findings
+}
+
+#[track_caller]
+fn assert_found(findings: &[Finding], code: &str, file: &str) {
+    let found = findings.iter().any(|finding| finding.code == code && finding.file == file);
+    assert!(found, "no {code} for {file} in {findings:#?}");
+}
+
+/// Changes the lines of a program, and makes its last line count them.
+fn with_lines(program: &str, change: impl Fn(&mut Vec<String>)) -> String {
+    let mut lines: Vec<String> = program.lines().map(str::to_owned).collect();
+    change(&mut lines);
+    let count = lines.len();
+    let last = lines.last_mut().expect("lines");
+    if last.starts_with("; end of program") {
+        *last = format!("; end of program, {count} lines");
+    }
+    lines.join("\n") + "\n"
+}
+
+/// Index of the `n`-th line (from 0) that begins with `start`.
+fn nth(lines: &[String], start: &str, n: usize) -> usize {
+    let mut found = lines.iter().enumerate().filter(|(_, line)| line.starts_with(start));
+    found.nth(n).map(|(i, _)| i).expect("such a line")
+}
+
+/// Index of the first move of seam `n` (from 0) at contact height.
+fn contact(lines: &[String], n: usize) -> usize {
+    nth(lines, "; seam:", n) + 2
+}
+
+/// The lines of `bad`, from 1, that are not those of `good`; the last one, which counts the others, does not matter.
+fn changed(good: &str, bad: &str) -> RangeInclusive<usize> {
+    let body = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>();
+    let (mut good, mut bad) = (body(good), body(bad));
+    drop((good.pop(), bad.pop()));
+    let same = good.iter().zip(&bad).take_while(|(a, b)| a == b).count();
+    let rest = good[same..].iter().rev().zip(bad[same..].iter().rev()).take_while(|(a, b)| a == b).count();
+    same + 1..=bad.len() - rest
+}
+
+/// Where a fault is seen that `place` has: a line removed is missed by those around it.
+fn around(place: &RangeInclusive<usize>) -> RangeInclusive<usize> {
+    place.start().saturating_sub(2)..=place.end() + 2
+}
+
+/// The fault has its name, and the line that is blamed is where the program was changed.
+#[track_caller]
+fn assert_program_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
+    assert_blamed(code, change, around);
+}
+
+/// The same for what only shows further on in the program.
+#[track_caller]
+fn assert_later_fault(code: &str, change: impl Fn(&mut Vec<String>)) {
+    assert_blamed(code, change, |place| *place.start()..=usize::MAX);
+}
+
+#[track_caller]
+fn assert_blamed(
+    code: &str,
+    change: impl Fn(&mut Vec<String>),
+    lines: impl Fn(&RangeInclusive<usize>) -> RangeInclusive<usize>,
+) {
+    let good = text(&output_files(), SEAL);
+    let lines = lines(&changed(&good, &with_lines(&good, &change)));
+    let findings = forged(SEAL, |program| with_lines(program, &change));
+    let is_it = |finding: &&Finding| finding.code == code && finding.file == SEAL;
+    let blamed: Vec<_> = findings.iter().filter(is_it).map(|finding| finding.line).collect();
+    let found = blamed.iter().any(|line| line.is_some_and(|line| lines.contains(&line)));
+    assert!(found, "{code} blames {blamed:?}, not a line of {lines:?}: {findings:#?}");
+}

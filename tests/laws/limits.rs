@@ -1,0 +1,218 @@
+//! The limit that a refusal names is where the refusal ends: a little beyond it is accepted, a little before it is not.
+
+use std::f64::consts::PI;
+
+use stargrip_cam::design::{Design, Refusal, RefusalCode, Star, shut_reach};
+use stargrip_cam::spec::{KeyPath, key};
+use stargrip_cam::units::{Angle, Length};
+
+use crate::support;
+
+/// One value that is wrong, and what is said about it.
+struct Limit {
+    code: RefusalCode,
+    key: KeyPath,
+    /// The spec with this value.
+    spec: fn(f64) -> String,
+    wrong: f64,
+}
+
+fn paper(rest: &str) -> String {
+    format!("{}{rest}", support::PAPER)
+}
+
+fn star(points: u32, radius: f64, width: f64, angle: f64) -> String {
+    format!(
+        "schema = 1\nname = \"x\"\n[star]\npoints = {points}\ninner_radius = \"{radius} mm\"\n\
+         tube_width = \"{width} mm\"\ntip_angle = \"{angle} deg\"\n"
+    )
+}
+
+const LIMITS: [Limit; 11] = [
+    Limit {
+        code: RefusalCode::StraightCorner,
+        key: key::star::TIP_ANGLE,
+        spec: |deg| star(5, 50.0, 30.0, deg),
+        wrong: 120.0,
+    },
+    Limit {
+        code: RefusalCode::HoleClosed,
+        key: key::seal::HOLE_ALLOWANCE,
+        spec: |mm| star(3, mm, 10.0, 30.0) + "[seal]\nhole_allowance = \"30 mm\"\n",
+        wrong: 20.0,
+    },
+    Limit {
+        code: RefusalCode::BandEatsArm,
+        key: key::seal::BAND,
+        spec: |mm| paper(&format!("[seal]\nband = \"{mm} mm\"\n")),
+        wrong: 45.0,
+    },
+    Limit {
+        code: RefusalCode::LongOverlap,
+        key: key::seal::OVERLAP,
+        spec: |mm| paper(&format!("[seal]\noverlap = \"{mm} mm\"\n")),
+        wrong: 900.0,
+    },
+    Limit {
+        code: RefusalCode::ShortInlet,
+        key: key::inlet::LENGTH,
+        spec: |mm| paper(&format!("[inlet]\nlength = \"{mm} mm\"\n")),
+        wrong: 2.0,
+    },
+    Limit {
+        code: RefusalCode::NoWindow,
+        key: key::mask::CREEP,
+        spec: |mm| paper(&format!("[mask]\nextent = \"15 mm\"\ncreep = \"{mm} mm\"\n")),
+        wrong: 40.0,
+    },
+    Limit {
+        code: RefusalCode::NoWindow,
+        key: key::mask::CREEP,
+        spec: |mm| paper(&format!("[mask]\nextent = \"60 mm\"\ncreep = \"{mm} mm\"\n")),
+        wrong: 40.0,
+    },
+    Limit {
+        code: RefusalCode::LongExtent,
+        key: key::mask::EXTENT,
+        spec: |mm| paper(&format!("[mask]\nextent = \"{mm} mm\"\n")),
+        wrong: 150.0,
+    },
+    Limit {
+        code: RefusalCode::SheetTooSmall,
+        key: key::sheet::WIDTH,
+        spec: |mm| paper(&format!("[sheet]\nturn = false\nwidth = \"{mm} mm\"\nheight = \"400 mm\"\n")),
+        wrong: 100.0,
+    },
+    Limit {
+        code: RefusalCode::SheetTooSmall,
+        key: key::sheet::HEIGHT,
+        spec: |mm| paper(&format!("[sheet]\nturn = false\nwidth = \"400 mm\"\nheight = \"{mm} mm\"\n")),
+        wrong: 100.0,
+    },
+    Limit {
+        code: RefusalCode::TubeBetweenPlates,
+        key: key::stack::PITCH,
+        spec: |mm| paper(&format!("[stack]\ncount = 2\npitch = \"{mm} mm\"\n")),
+        wrong: 5.0,
+    },
+];
+
+/// The refusals of `code` of the design of `text`.
+fn refused(text: &str, code: RefusalCode) -> Vec<Refusal> {
+    match Design::new(&support::read(text), &support::machine()) {
+        Ok(_) => Vec::new(),
+        Err(refusals) => refusals.iter().filter(|refusal| refusal.code == code).cloned().collect(),
+    }
+}
+
+/// The last number with a unit.
+fn number(remedy: &str) -> f64 {
+    let words: Vec<&str> = remedy.split([' ', ',', ';', ':']).collect();
+    let with_unit = words.windows(2).rev().find(|pair| ["mm", "deg"].contains(&pair[1]));
+    with_unit.and_then(|pair| pair[0].parse().ok()).expect("a number with a unit")
+}
+
+#[test]
+fn the_limit_that_is_named_is_where_it_ends() {
+    for Limit { code, key, spec, wrong } in LIMITS {
+        let found = refused(&spec(wrong), code);
+        assert!(found.iter().any(|refusal| refusal.key.key() == key.key()), "{code:?}: {found:?}");
+        // Where two parts of a star set one, the stricter counts.
+        let limits = found.iter().map(|refusal| number(&refusal.remedy));
+        let least = limits.clone().fold(f64::INFINITY, f64::min);
+        let limit = if wrong > least { least } else { limits.fold(0.0, f64::max) };
+        // Six digits are printed, and some limits are whole hundredths.
+        let little = (1e-5 * limit).max(0.0101) * (wrong - limit).signum();
+        assert_eq!(refused(&spec(limit - little), code), [], "{code:?}: {limit}");
+        assert!(!refused(&spec(limit + little), code).is_empty(), "{code:?}: {limit} is no limit");
+    }
+}
+
+/// What is missing on a machine is what makes it large enough, to the tenth that is printed.
+#[test]
+fn what_a_machine_lacks_is_said() {
+    let refused = |side: f64| {
+        let mut machine = support::machine();
+        machine.bench.work_area = Some((Length(side), Length(side)));
+        match Design::new(&support::read(support::PAPER), &machine) {
+            Ok(_) => None,
+            Err(refusals) => refusals.iter().find(|refusal| refusal.code == RefusalCode::OutOfReach).cloned(),
+        }
+    };
+    let refusal = refused(200.0).expect("too small");
+    assert_eq!(refusal.key.key(), key::machine::PROFILE.key());
+    let missing: f64 = refusal.remedy.split(' ').next().and_then(|word| word.parse().ok()).expect("a number");
+    assert_eq!(refused(200.0 + missing), None);
+    assert!(refused(200.0 + missing - 0.1001).is_some(), "{refusal}");
+}
+
+/// The figures of a refusal, by hand for the paper's star (50 mm, 30 mm, 30 deg, sharp).
+#[test]
+fn what_was_found_is_worked_out_by_hand() {
+    let found = |text: &str, code| refused(text, code).remove(0).found;
+    // 45 / 2 mm of band take 22.5 / tan(15 deg) of an arm of 69.72 mm.
+    assert_eq!(
+        found(&paper("[seal]\nband = \"45 mm\"\n"), RefusalCode::BandEatsArm),
+        "at the tips a band of 45 mm takes 83.9711 mm of arms that are 69.7207 mm long"
+    );
+    // A hose of 40 mm is pi 40 / 2 wide when flat, with band and allowance, 10 mm, on either side, and the cut is 40 mm
+    // round at the tip; without fillets a thinner hose is stopped where the arms begin, 2 x 40 sin(75 deg) apart.
+    assert_eq!(
+        found(&paper("[inlet]\ntube_diameter = \"40 mm\"\n"), RefusalCode::InletMeetsArm),
+        "the channel with the strips along it would be 82.8319 mm wide and meet an arm, where tip 1 leaves 80 mm"
+    );
+    assert_eq!(
+        found(
+            &paper("[inlet]\ntube_diameter = \"37.5 mm\"\nfillet = \"0 mm\"\n"),
+            RefusalCode::InletMeetsArm
+        ),
+        "the channel with the strips along it would be 78.9049 mm wide and meet an arm, where tip 1 leaves 77.2741 mm"
+    );
+    // The mouth's length and what is missing make the limit.
+    let short = refused(&paper("[inlet]\nlength = \"2 mm\"\n"), RefusalCode::ShortInlet);
+    for refusal in short {
+        let inside: Vec<f64> = refusal.found.split(' ').filter_map(|word| word.parse().ok()).collect();
+        assert!((2.0 + inside[0] - number(&refusal.remedy)).abs() < 1e-4, "{refusal}");
+    }
+}
+
+/// With h half the angle of the corner's arc, c the length of arm in the window, H and q the radii of its two sides: sectors,
+/// strips, and where q < 0 without what lies beyond the vertex.
+#[test]
+fn a_window_has_the_area_of_its_parts() {
+    for (radius, band, creep) in [(12.0, 2.0, 0.0), (12.0, 2.0, 0.5), (0.0, 2.0, 0.0), (1.0, 4.0, 0.25)] {
+        let text = paper(&format!(
+            "corner_radius = \"{radius} mm\"\n[seal]\nband = \"{band} mm\"\nhole_allowance = \"3 mm\"\n\
+             [mask]\nextent = \"45 mm\"\ncreep = \"{creep} mm\"\n"
+        ));
+        let design = Design::new(&support::read(&text), &support::machine()).expect("makeable");
+        let part = &design.distinct[0];
+        let half = (PI - part.star.phi_e) / 2.0;
+        let (hole, q) = (radius + 30.0 + band + 3.0 - creep, radius - band + creep);
+        let arm = 45.0 - (radius + 30.0) * half - creep;
+        assert!(arm > 0.0);
+        let beyond = if q > 0.0 { half } else { half.tan() };
+        let exact = half * hole * hole - beyond * q * q + 2.0 * arm * (hole - q);
+        let found = part.mask.window_area();
+        assert!((found / exact - 1.0).abs() < 1e-12, "{radius} {band} {creep}: {found} {exact}");
+    }
+}
+
+/// Shut, a star is one whose tubes are 2 W / pi wide and whose tips have no angle, with the same arms.
+#[test]
+fn a_shut_star_reaches_as_far_as_a_thin_one_without_an_angle() {
+    for (points, tip, corner) in [(5, 0.0, 0.0), (4, 2.0, 0.0), (6, 1.0, 3.0)] {
+        let mut spec = support::read(support::PAPER).stars.remove(0);
+        (spec.points, spec.tip_radius, spec.corner_radius) = (points, Length(tip), Length(corner));
+        let star = Star::new(&spec).expect("makeable");
+        let width = 2.0 * 30.0 / PI;
+        (spec.tube_width, spec.tip_angle) = (Length(width), Angle(0.01));
+        let half = (spec.tip_angle.0 / 2.0).to_radians();
+        let across = star.l * half.sin() + (width + tip + corner) * half.cos();
+        spec.inner_radius = Length(across / (PI / f64::from(points)).sin() - width - corner);
+        let thin = Star::new(&spec).expect("makeable");
+        assert!((thin.l - star.l).abs() < 1e-6 * star.l);
+        let (shut, reach) = (shut_reach(&star), thin.tip_reach());
+        assert!((shut / reach - 1.0).abs() < 1e-4, "{points}: {shut} {reach}");
+    }
+}

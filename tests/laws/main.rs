@@ -1,0 +1,14 @@
+//! Laws: of geometry under every motion, of the star and its seams, of limits, and of what the readers of specs and files take.
+
+mod compare;
+mod fuzzed;
+mod geom;
+mod limits;
+mod lyon;
+mod mutants;
+mod seams;
+mod shapes;
+mod spec;
+mod star;
+#[path = "../support/mod.rs"]
+mod support;

@@ -1,0 +1,122 @@
+//! Every dialect with the controller that runs it: which words it reads how, and which clock times it.
+
+use super::grbl::Grbl;
+use super::legs::{Reading, Task, tasks};
+use super::marlin::{Marlin, Version};
+use super::sweep::{Corner, Sweep};
+use super::text::Text;
+use super::timer::Timer;
+use super::track::Track;
+
+/// Speed of travels, mm/s: that of the profiles.
+const TRAVEL: f64 = 20.0;
+
+/// The machine that a profile is of.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Motors {
+    /// Of X, Y and Z, mm/s^2.
+    pub(crate) acceleration: f64,
+    /// Of X and Y; Z has as many, or 400.
+    pub(crate) steps_per_mm: f64,
+}
+
+impl Motors {
+    /// The part of a window's time that one stop takes: every controller may stop at a corner.
+    pub(crate) fn stop(self, speed: f64) -> f64 {
+        speed * speed / self.acceleration
+    }
+
+    fn steps(self) -> [f64; 3] {
+        [self.steps_per_mm, self.steps_per_mm, self.steps_per_mm.max(400.0)]
+    }
+}
+
+/// What the controller of `dialect` makes of a program.
+pub(crate) fn run(dialect: &str, text: &Text, motors: Motors) -> Track {
+    let (reading, mut track) = (reading(dialect), Track::default());
+    let tasks = tasks(text, &reading);
+    match dialect {
+        "grbl" => grbl(Timer::Avr, motors).run(&tasks, &mut track),
+        "grblhal" => grbl(Timer::Esp32, motors).run(&tasks, &mut track),
+        "fluidnc" => grbl(Timer::FluidNc, motors).run(&tasks, &mut track),
+        "marlin" => marlin(motors, 32.0, Version::Two).run(&tasks, &mut track),
+        _ => sweep(dialect, motors).run(&tasks, &mut track),
+    }
+    track
+}
+
+/// A board of Marlin's: a timer of 8 bits has a floor of 32 steps/s, one of 32 bits has none.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Board {
+    pub(crate) bits: u32,
+    pub(crate) version: Version,
+}
+
+/// Every board of Marlin's.
+pub(crate) const BOARDS: [Board; 4] = [
+    Board { bits: 8, version: Version::Two },
+    Board { bits: 8, version: Version::Newest },
+    Board { bits: 32, version: Version::Two },
+    Board { bits: 32, version: Version::Newest },
+];
+
+/// What a board of Marlin's makes of a program.
+pub(crate) fn run_marlin(text: &Text, motors: Motors, board: Board) -> Track {
+    let mut track = Track::default();
+    let tasks: Vec<Task> = tasks(text, &reading("marlin"));
+    let floor = if board.bits == 8 { 32.0 } else { 1.0 };
+    marlin(motors, floor, board.version).run(&tasks, &mut track);
+    track
+}
+
+fn reading(dialect: &str) -> Reading {
+    let modal_travel = ["generic", "klipper", "marlin", "reprapfirmware"].contains(&dialect);
+    // RepRapFirmware: Config/Configuration.h, DefaultMinFeedrate.
+    let lowest_feed = if dialect == "reprapfirmware" { 30.0 } else { 0.0 };
+    let chords = match dialect {
+        "grbl" | "grblhal" | "fluidnc" => grbl_chords,
+        "reprapfirmware" => duet_chords,
+        _ => fine_chords,
+    };
+    Reading { modal_travel, lowest_feed, chords }
+}
+
+/// motion_control.c, mc_arc, with $12 = 0.002 mm.
+fn grbl_chords(radius: f64, angle: f64, _: f64) -> f64 {
+    (0.5 * angle.abs() * radius / (0.002 * (2.0 * radius - 0.002)).sqrt()).floor()
+}
+
+/// GCodes.cpp, DoArcMove; Config/Configuration.h, MaxArcDeviation and what follows it.
+fn duet_chords(radius: f64, angle: f64, feed: f64) -> f64 {
+    let chord = (8.0 * radius * 0.005).sqrt().min(feed / 60.0 / 200.0).clamp(0.02, 1.0);
+    (radius * angle.abs() / chord + 0.8).floor()
+}
+
+/// LinuxCNC follows an arc: chords so long that none leaves it by 1e-5 mm.
+fn fine_chords(radius: f64, angle: f64, _: f64) -> f64 {
+    (angle.abs() / (8e-5 / radius).sqrt()).ceil()
+}
+
+fn grbl(timer: Timer, motors: Motors) -> Grbl {
+    let steps_per_mm = motors.steps().map(|s| s as f32);
+    let acceleration = [motors.acceleration as f32 * 3600.0; 3];
+    Grbl { steps_per_mm, acceleration, max_rate: [TRAVEL as f32 * 60.0; 3], timer }
+}
+
+fn marlin(motors: Motors, lowest_rate: f64, version: Version) -> Marlin {
+    let Motors { acceleration, .. } = motors;
+    Marlin { steps_per_mm: motors.steps(), acceleration, speed: [TRAVEL; 3], lowest_rate, version }
+}
+
+fn sweep(dialect: &str, motors: Motors) -> Sweep {
+    let (corner, dwell) = match dialect {
+        // toolhead.py, square_corner_velocity.
+        "klipper" => (Corner::Square(5.0), 1e-3),
+        // Config/Configuration.h: M566 of X and Y, and of Z.
+        "reprapfirmware" => (Corner::Jerk([15.0, 15.0, 10.0]), 1e-3),
+        // No one knows; it passes bends as GRBL does.
+        "generic" => (Corner::Deviation(0.01), 1.0),
+        _ => (Corner::Stop, 1.0),
+    };
+    Sweep { acceleration: motors.acceleration, speed: [TRAVEL; 3], corner, dwell }
+}

@@ -1,0 +1,82 @@
+//! What is asked of a program, and what it does.
+
+use super::text::{Command, Text};
+use super::track::Track;
+
+/// How far the mean speed of a stretch may be off.
+pub(crate) const MEAN: f64 = 0.002;
+/// How far the mean speed may be off on a version of a controller that the profile does not state.
+pub(crate) const OTHER_VERSION: f64 = 0.005;
+/// How far the total time may be off.
+pub(crate) const TOTAL: f64 = 0.005;
+/// How far the speed within a window may be off, steady and chopped: six strokes have six rests, or one more or less.
+const STEADY: f64 = 0.01;
+const CHOPPED: f64 = 0.15;
+/// A window, mm; and how many strokes it has at least, where a fast seal needs long ones.
+const WINDOW: f64 = 1.0;
+const STROKES: f64 = 6.0;
+
+/// The largest deviations of a program, as parts of what is asked.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Deviations {
+    pub(crate) mean: f64,
+    pub(crate) window: f64,
+    pub(crate) total: f64,
+}
+
+/// Deviations of `track`, which was made of `text`, from `speed` mm/s, and every one that is more than is allowed. `stop`
+/// is the part of a window's time that one stop may take where it goes steadily.
+pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, stop: f64) -> (Deviations, Vec<String>) {
+    deviations_within(MEAN, text, track, speed, stop)
+}
+
+/// The same with another tolerance of the mean speed.
+pub(crate) fn deviations_within(
+    tolerance: f64,
+    text: &Text,
+    track: &Track,
+    speed: f64,
+    stop: f64,
+) -> (Deviations, Vec<String>) {
+    let chopped = text.commands.iter().any(|(_, command)| matches!(command, Command::Dwell(_)));
+    let window = (STROKES * text.fact("chop.longest_mm").unwrap_or(0.0)).max(WINDOW);
+    let allowed = if chopped { CHOPPED } else { STEADY + stop };
+    let mut most = Deviations::default();
+    let mut complaints = Vec::new();
+    for stretch in &track.stretches {
+        let mean = stretch.speed() / speed - 1.0;
+        let (least, highest) = stretch.windows(window);
+        let around = (least / speed - 1.0).abs().max((highest / speed - 1.0).abs());
+        let around = if least.is_finite() { around } else { 0.0 };
+        if !(-tolerance..=tolerance).contains(&mean) {
+            complaints.push(format!("line {}: mean speed {:+.2} %", stretch.line, 100.0 * mean));
+        }
+        if around > allowed {
+            complaints.push(format!("line {}: {:.1} % within {window} mm", stretch.line, 100.0 * around));
+        }
+        most.mean = if mean.abs() > most.mean.abs() { mean } else { most.mean };
+        most.window = most.window.max(around);
+    }
+    if let Some(total) = text.fact("total.time_s") {
+        most.total = track.now / total - 1.0;
+        if !(-TOTAL..=TOTAL).contains(&most.total) {
+            complaints.push(format!("total {:.0} s, told {total} s", track.now));
+        }
+    }
+    complaints.extend(progress(text, track));
+    (most, complaints)
+}
+
+/// Every progress that is not what the controller has done by then: a per cent, or half of one and a piece of 5 mm more.
+fn progress(text: &Text, track: &Track) -> Vec<String> {
+    let total = track.now;
+    let wrong = text.progress.iter().filter_map(|(line, percent, remaining)| {
+        let (_, at) = track.lines.iter().find(|(leg, _)| leg > line)?;
+        let off = 100.0 * at / total - percent;
+        let right = (-0.6..=1.6).contains(&off) && (total - at - remaining).abs() <= TOTAL * total + 1.0;
+        (!right)
+            .then(|| format!("line {line}: {percent} % and {remaining} s to go at {at:.0} of {total:.0} s"))
+    });
+    let rises = text.progress.windows(2).all(|pair| pair[0].1 < pair[1].1);
+    wrong.chain((!rises).then(|| "progress that does not rise".to_owned())).collect()
+}

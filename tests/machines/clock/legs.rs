@@ -1,0 +1,120 @@
+//! Legs: the straight ways that a controller plans, made from its moves by its own rules for modal words and arcs.
+
+use std::f64::consts::TAU;
+
+use super::text::{Command, Text, Words};
+
+/// A straight way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Leg {
+    /// The line of the move that it is of.
+    pub(crate) line: usize,
+    pub(crate) from: [f64; 3],
+    pub(crate) to: [f64; 3],
+    /// mm/min; `None` as fast as the axes may.
+    pub(crate) feed: Option<f64>,
+    /// Whether it was told as G1, G2 or G3: in contact, but for traces and feed checks.
+    pub(crate) cut: bool,
+}
+
+/// What the controller has to do, in order.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Task {
+    Leg(Leg),
+    /// The P word of a dwell.
+    Dwell(f64),
+    Halt,
+}
+
+/// How a controller reads moves.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Reading {
+    /// Whether G0 runs at the feed in force, as G1 does.
+    pub(crate) modal_travel: bool,
+    /// The lowest feed until M203 I says another, mm/min.
+    pub(crate) lowest_feed: f64,
+    /// Number of chords for an arc of this radius (mm), angle (rad) and feed (mm/min).
+    pub(crate) chords: fn(f64, f64, f64) -> f64,
+}
+
+impl Leg {
+    pub(crate) fn way(&self) -> [f64; 3] {
+        std::array::from_fn(|i| self.to[i] - self.from[i])
+    }
+
+    pub(crate) fn length(&self) -> f64 {
+        length(self.way())
+    }
+}
+
+pub(crate) fn length(way: [f64; 3]) -> f64 {
+    way.iter().map(|d| d * d).sum::<f64>().sqrt()
+}
+
+/// The tasks of a program whose iron stands at X0 Y0 at the first height that is told: where every program leaves it.
+pub(crate) fn tasks(text: &Text, reading: &Reading) -> Vec<Task> {
+    let mut out = Vec::new();
+    let height = text.commands.iter().find_map(|(_, command)| match command {
+        Command::Move(words) => words.to[2],
+        _ => None,
+    });
+    let (mut at, mut feed, mut lowest) = ([0.0, 0.0, height.unwrap_or(0.0)], 0.0, reading.lowest_feed);
+    for (line, command) in &text.commands {
+        match command {
+            Command::Dwell(time) => out.push(Task::Dwell(*time)),
+            Command::Halt => out.push(Task::Halt),
+            Command::LowestFeed(feed) => lowest = *feed,
+            Command::Move(words) => {
+                feed = words.feed.unwrap_or(feed);
+                let rapid = words.code == 0 && !reading.modal_travel;
+                let told = (!rapid).then(|| f64::max(feed, lowest));
+                for to in ends(
+                    words,
+                    at,
+                    told.map_or(0.0, |feed| (reading.chords)(radius(words), angle(words, at), feed)),
+                ) {
+                    let leg = Leg { line: *line, from: at, to, feed: told, cut: words.code > 0 };
+                    at = to;
+                    if leg.length() > 0.0 {
+                        out.push(Task::Leg(leg));
+                    }
+                }
+            }
+        }
+    }
+    out
+}
+
+fn radius(words: &Words) -> f64 {
+    words.center[0].hypot(words.center[1])
+}
+
+/// The angle of an arc, rad: above 0 and at most a full turn, below 0 clockwise.
+fn angle(words: &Words, at: [f64; 3]) -> f64 {
+    let [i, j] = words.center;
+    let to = [words.to[0].unwrap_or(at[0]), words.to[1].unwrap_or(at[1])];
+    let (u, v) = ([-i, -j], [to[0] - at[0] - i, to[1] - at[1] - j]);
+    let turn = (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1]);
+    match words.code {
+        2 if turn >= -5e-7 => turn - TAU,
+        3 if turn <= 5e-7 => turn + TAU,
+        _ => turn,
+    }
+}
+
+/// The ends of the chords of a move.
+fn ends(words: &Words, at: [f64; 3], chords: f64) -> Vec<[f64; 3]> {
+    let last: [f64; 3] = std::array::from_fn(|i| words.to[i].unwrap_or(at[i]));
+    if words.code < 2 {
+        return vec![last];
+    }
+    let ([i, j], angle) = (words.center, angle(words, at));
+    let (mut out, mut k) = (Vec::new(), 1.0);
+    while k < chords {
+        let ((s, c), up) = ((angle * k / chords).sin_cos(), at[2] + (last[2] - at[2]) * k / chords);
+        out.push([at[0] + i - i * c + j * s, at[1] + j - i * s - j * c, up]);
+        k += 1.0;
+    }
+    out.push(last);
+    out
+}

@@ -1,0 +1,248 @@
+//! Marlin: whole steps a second, ramps from a lowest rate, the wait of a block that meets an empty queue, and moves of a few
+//! steps that are joined to the next (MarlinFirmware/Marlin, module/planner.cpp: `_populate_block`,
+//! `calculate_trapezoid_for_block`, `get_current_block`; module/stepper.cpp: `block_phase_isr`, `calc_timer_interval`), as 2.0.9.7
+//! and the newest sources have them.
+
+use super::legs::{Leg, Task};
+use super::track::Track;
+
+/// planner.cpp, BLOCK_DELAY_FOR_1ST_MOVE: so many polls of an idle stepper, a millisecond each.
+const FIRST_MOVE: f64 = 0.1;
+/// Blocks with which the wait ends before its time.
+const NO_WAIT: usize = 3;
+/// Configuration.h, JUNCTION_DEVIATION_MM.
+const JUNCTION_DEVIATION: f64 = 0.013;
+
+/// planner.cpp, `MINIMAL_STEP_RATE` of 2.0.x, steps/s.
+const FIRST_RATE: f64 = 120.0;
+/// Configuration_adv.h, `MINIMUM_PLANNER_SPEED` of 2.0.x, mm/s.
+const LEAST_SPEED: f64 = 0.05;
+/// Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`: a block of fewer steps is dropped, and the next one begins where it would have.
+const FEWEST: f64 = 6.0;
+
+/// Which sources a board is built from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Version {
+    /// 2.0.x, and 1.1 before it.
+    Two,
+    /// The newest.
+    Newest,
+}
+
+/// Settings of a board.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Marlin {
+    pub(crate) steps_per_mm: [f64; 3],
+    /// Along the way, mm/s^2.
+    pub(crate) acceleration: f64,
+    /// Of each axis, mm/s.
+    pub(crate) speed: [f64; 3],
+    /// The lowest step rate, steps/s: 1 with 32 bits, 32 on an AVR.
+    pub(crate) lowest_rate: f64,
+    pub(crate) version: Version,
+}
+
+/// block_t.
+struct Block {
+    leg: Leg,
+    steps: f64,
+    steps_per_mm: f64,
+    length: f64,
+    unit: [f64; 3],
+    nominal_rate: f64,
+    nominal: f64,
+    /// mm/s^2
+    acceleration: f64,
+    /// Squares of speeds.
+    least: f64,
+    entry: f64,
+}
+
+impl Marlin {
+    pub(crate) fn run(self, tasks: &[Task], track: &mut Track) {
+        let mut queue: Vec<Block> = Vec::new();
+        let (mut position, mut dropped) = (None, None);
+        for task in tasks {
+            match task {
+                Task::Leg(leg) => {
+                    let from = position.unwrap_or_else(|| self.steps(leg.from));
+                    let to = self.steps(leg.to);
+                    let leg = Leg { from: dropped.unwrap_or(leg.from), ..*leg };
+                    if let Some(block) = self.block(&leg, from, to, queue.last()) {
+                        queue.push(block);
+                        (position, dropped) = (Some(to), None);
+                    } else {
+                        (position, dropped) = (Some(from), Some(leg.from));
+                    }
+                }
+                Task::Dwell(time) => {
+                    self.flush(&mut queue, track);
+                    track.rest(time * 1e-3);
+                }
+                Task::Halt => {
+                    self.flush(&mut queue, track);
+                    track.halt();
+                }
+            }
+        }
+        self.flush(&mut queue, track);
+        track.halt();
+    }
+
+    fn steps(&self, at: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| (at[i] * self.steps_per_mm[i]).round())
+    }
+
+    /// _populate_block.
+    fn block(&self, leg: &Leg, from: [f64; 3], to: [f64; 3], before: Option<&Block>) -> Option<Block> {
+        let delta: [f64; 3] = std::array::from_fn(|i| to[i] - from[i]);
+        let steps = delta.iter().fold(0.0_f64, |most, d| most.max(d.abs()));
+        let mm: [f64; 3] = std::array::from_fn(|i| delta[i] / self.steps_per_mm[i]);
+        let length = super::legs::length(mm);
+        if steps < FEWEST {
+            return None;
+        }
+        let unit = mm.map(|d| d / length);
+        let told = leg.feed.unwrap_or(0.0) / 60.0;
+        let factor = (0..3).map(|i| self.speed[i] / (told * unit[i].abs())).fold(1.0, f64::min);
+        let steps_per_mm = steps / length;
+        let mut nominal_rate = (steps * told / length).ceil();
+        if factor < 1.0 {
+            nominal_rate = (nominal_rate * factor).floor();
+        }
+        let nominal = told * factor;
+        // M204, along the way; LIMIT_ACCEL, what no axis exceeds, is no less where M201 says as much.
+        let acceleration = (self.acceleration * steps_per_mm).ceil() / steps_per_mm;
+        let least = match self.version {
+            Version::Two => LEAST_SPEED * LEAST_SPEED,
+            Version::Newest => (0.5 * acceleration / steps_per_mm).min(nominal * nominal),
+        };
+        let entry = before.map_or(least, |before| {
+            let bend = Self::bend(before.unit, unit, acceleration);
+            bend.min(nominal.min(before.nominal).powi(2)).max(least)
+        });
+        Some(Block {
+            leg: *leg,
+            steps,
+            steps_per_mm,
+            length,
+            unit,
+            nominal_rate,
+            nominal,
+            acceleration,
+            least,
+            entry,
+        })
+    }
+
+    /// The square of the highest speed at a bend (HAS_JUNCTION_DEVIATION).
+    fn bend(before: [f64; 3], unit: [f64; 3], acceleration: f64) -> f64 {
+        let cos = -(0..3).map(|i| before[i] * unit[i]).sum::<f64>();
+        if cos > 0.999_999 {
+            return 0.0;
+        }
+        let sin_half = (0.5 * (1.0 - cos.max(-0.999_999))).sqrt();
+        acceleration * JUNCTION_DEVIATION * sin_half / (1.0 - sin_half)
+    }
+
+    fn flush(&self, queue: &mut Vec<Block>, track: &mut Track) {
+        let mut exit = queue.last().map_or(0.0, |last| last.least);
+        for block in queue.iter_mut().rev() {
+            block.entry = block.entry.min(exit + 2.0 * block.acceleration * block.length).max(block.least);
+            exit = block.entry;
+        }
+        if !queue.is_empty() && queue.len() < NO_WAIT {
+            if !queue[0].leg.cut {
+                track.halt();
+            }
+            track.rest(FIRST_MOVE);
+        }
+        let mut reached = queue.first().map_or(0.0, |first| first.least);
+        for block in queue.iter_mut() {
+            block.entry = block.entry.min(reached).max(block.least);
+            reached = block.entry + 2.0 * block.acceleration * block.length;
+        }
+        let last = queue.last().map_or(0.0, |last| last.least);
+        let exits: Vec<f64> = queue.iter().skip(1).map(|block| block.entry).chain([last]).collect();
+        for (block, exit) in queue.drain(..).zip(exits) {
+            track.begin(&block.leg);
+            match self.version {
+                Version::Two => self.step_of_two(&block, exit.sqrt(), track),
+                Version::Newest => self.step(&block, exit.sqrt(), track),
+            }
+        }
+    }
+
+    /// calculate_trapezoid_for_block and block_phase_isr, a step after the other.
+    fn step(&self, block: &Block, exit: f64, track: &mut Track) {
+        let rate = |speed: f64| (speed * block.steps_per_mm).round().max(self.lowest_rate);
+        let (initial, last) = (rate(block.entry.sqrt()), rate(exit));
+        let nominal = block.nominal_rate.max(self.lowest_rate);
+        let a = block.acceleration * block.steps_per_mm;
+        let steps_to = |from: f64| 0.5 * (nominal * nominal - from * from) / a;
+        let (mut up, mut down) = (steps_to(initial).ceil().max(0.0), steps_to(last).ceil().max(0.0));
+        if up + down > block.steps {
+            up = (0.5 * (block.steps + steps_to(initial) - steps_to(last))).round().clamp(0.0, block.steps);
+            down = block.steps - up;
+        }
+        let (mut made, mut now, mut peak) = (0.0, initial, initial);
+        let (mut speeding, mut braking) = (0.0, 0.5 / nominal);
+        while made < block.steps {
+            if made < up {
+                now = (initial + (a * speeding).floor()).min(nominal);
+                peak = now;
+                speeding += 1.0 / now;
+                braking = 0.0;
+            } else if made >= block.steps - down {
+                now = (peak - (a * braking).floor()).max(last);
+                braking += 1.0 / now;
+            } else {
+                if now != nominal || made == up {
+                    braking = 0.5 / nominal;
+                }
+                (now, peak) = (nominal, nominal);
+            }
+            // calc_timer_interval, but for the rounding of its table.
+            let seconds = 1.0 / now.max(self.lowest_rate);
+            made += 1.0;
+            track.moved(made / block.steps, seconds);
+        }
+    }
+
+    /// The same of 2.0.x: blocks begin and end at 120 steps/s, and the rate after a step is that of the time before it.
+    fn step_of_two(&self, block: &Block, exit: f64, track: &mut Track) {
+        let nominal = block.nominal_rate.max(self.lowest_rate);
+        let rate = |speed: f64| (nominal * speed / block.nominal).ceil().max(FIRST_RATE);
+        let (initial, last) = (rate(block.entry.sqrt()), rate(exit));
+        let a = block.acceleration * block.steps_per_mm;
+        let ramp = |from: f64| (nominal * nominal - from * from) * 0.5 / a;
+        // uint32_t of what is negative: none on an ARM, more than there are on other boards, with the same effect.
+        let (mut up, down) = (ramp(initial).ceil().max(0.0), ramp(last).floor().max(0.0));
+        let mut decelerate_after = block.steps - down;
+        if up + down > block.steps {
+            up = (0.5 * (block.steps + ramp(initial) - ramp(last))).ceil().clamp(0.0, block.steps);
+            decelerate_after = up;
+        }
+        let (mut speeding, mut braking, mut peak) = (0.0_f64, 0.0_f64, initial);
+        let mut interval = 1.0 / initial;
+        let mut made = 0.0;
+        while made < block.steps {
+            made += 1.0;
+            track.moved(made / block.steps, interval);
+            let now = if made <= up {
+                peak = (initial + (a * speeding).floor()).min(nominal);
+                peak
+            } else if made > decelerate_after {
+                (peak - (a * braking).floor()).max(last)
+            } else {
+                nominal
+            };
+            interval = 1.0 / now.max(self.lowest_rate);
+            if made <= up {
+                speeding += interval;
+            } else if made > decelerate_after {
+                braking += interval;
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! A second clock: it reads the text of the programs and runs the rules of each firmware, as its source states them. It
+//! shares no code with the plan, whose pacer it holds to account, nor with `verify`.
+//!
+//! GRBL on an AVR, grblHAL on an ESP32, FluidNC, Marlin on both kinds of boards, Klipper, RepRapFirmware, LinuxCNC; `generic`
+//! is run as something that looks ahead as Klipper does. What the rules leave out: the time that lines take to arrive and to be read (but for 1.1 ms a stroke
+//! on the AVR), and how exact the controller's own oscillator is.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "firmware reckons in 32 bits, and so does its clock"
+)]
+
+mod controller;
+mod faults;
+mod grbl;
+mod grid;
+mod judge;
+mod legs;
+mod marlin;
+mod programs;
+mod sweep;
+mod text;
+mod timer;
+mod track;
+
+use self::controller::{BOARDS, Motors, run, run_marlin};
+use self::judge::{OTHER_VERSION, deviations, deviations_within};
+use self::programs::{DIALECTS, coupon_programs, feed_check, machine, seals, spec};
+use self::text::Text;
+
+const FIVE: &str = include_str!("../../../designs/paper-five-points.toml");
+const ROUND: &str = include_str!("../../../designs/round-hinges.toml");
+const CONICAL: &str = include_str!("../../../designs/conical-stack.toml");
+
+/// The motors that the profile of a dialect is of.
+fn own(dialect: &str) -> Motors {
+    let acceleration = match dialect {
+        "fluidnc" => 25.0,
+        "marlin" => 3000.0,
+        _ => 10.0,
+    };
+    Motors { acceleration, steps_per_mm: 80.0 }
+}
+
+/// Mean speed, windows and total time of everything that is sealed, in every dialect.
+#[test]
+fn every_program_runs_as_its_controller_was_told() {
+    for dialect in DIALECTS {
+        let motors = own(dialect);
+        let (spec, machine) = (spec(dialect, FIVE), machine(dialect, motors));
+        let mut all = seals(&spec, &machine).0;
+        all.push(feed_check(&spec, &machine));
+        all.extend(coupon_programs(&spec, &machine));
+        for (name, code) in all {
+            let text = Text::read(&code);
+            let speed = text.fact("seal.speed_mm_s").unwrap_or(spec.seal.speed.0);
+            let (_, complaints) = deviations(&text, &run(dialect, &text, motors), speed, motors.stop(speed));
+            assert!(complaints.is_empty(), "{dialect}: {name}: {complaints:?}");
+        }
+    }
+}
+
+/// A trace has no total to hold it to: no way of it crawls.
+#[test]
+fn traces_travel_and_do_not_crawl() {
+    for dialect in DIALECTS {
+        let motors = Motors { acceleration: 1000.0, steps_per_mm: 80.0 };
+        let (spec, machine) = (spec(dialect, FIVE), machine(dialect, motors));
+        for (name, code) in seals(&spec, &machine).1 {
+            let track = run(dialect, &Text::read(&code), motors);
+            let length: f64 = track.stretches.iter().map(|stretch| stretch.length).sum();
+            // 20 mm/s, travels, and stops at the corners.
+            let told = length / 20.0;
+            assert!((told..3.0 * told).contains(&track.now), "{dialect}: {name}: {} of {told} s", track.now);
+        }
+    }
+}
+
+/// One program does on every board, whose versions differ in the rate of a first step, at tips and corners as well.
+#[test]
+fn every_marlin_keeps_the_speed_of_one_program() {
+    for design in [FIVE, ROUND, CONICAL] {
+        for acceleration in [3000.0, 500.0] {
+            let motors = Motors { acceleration, ..own("marlin") };
+            let (spec, machine) = (spec("marlin", design), machine("marlin", motors));
+            for (name, code) in seals(&spec, &machine).0 {
+                let text = Text::read(&code);
+                for board in BOARDS {
+                    let track = run_marlin(&text, motors, board);
+                    let (found, complaints) =
+                        deviations_within(OTHER_VERSION, &text, &track, spec.seal.speed.0, 0.0);
+                    println!("{name} {acceleration} {board:?} {found:?}");
+                    assert!(complaints.is_empty(), "{name}: {board:?}: {complaints:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! The programs that are judged: those of a spec for a machine, as text.
+
+use stargrip_cam::coupon::{Grid, Group, coupons};
+use stargrip_cam::emit;
+use stargrip_cam::pipeline::Designed;
+use stargrip_cam::plan::feed_checks;
+use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
+use stargrip_cam::units::{Length, Speed, Temperature};
+
+use super::controller::{Board, Motors};
+use super::marlin::Version;
+
+/// A program with its name.
+pub(crate) type Named = (String, String);
+
+/// Every dialect with a profile.
+pub(crate) const DIALECTS: [&str; 8] =
+    ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
+
+/// Whether the controller has a lowest step rate, so that its programs may have to be chopped.
+pub(crate) fn has_floor(dialect: &str) -> bool {
+    ["grbl", "grblhal", "fluidnc", "marlin"].contains(&dialect)
+}
+
+/// The built-in profile, on a machine with these motors.
+pub(crate) fn machine(dialect: &str, motors: Motors) -> Machine {
+    adapted(builtin_machine(dialect).expect("built in"), has_floor(dialect), motors)
+}
+
+/// That of Marlin as its comments say it should be for a board.
+pub(crate) fn machine_of_marlin(motors: Motors, board: Board) -> Machine {
+    let mut text = builtin_machine("marlin").expect("built in").to_owned();
+    let mut replace = |from: &str, to: &str| {
+        assert!(text.contains(from), "{from}");
+        text = text.replace(from, to);
+    };
+    if board.bits == 32 {
+        replace("min_step_rate = 32", "min_step_rate = 1");
+    }
+    if board.version == Version::Newest {
+        replace("first_step_rate = 120", "first_step_rate = \"none\"");
+    }
+    adapted(&text, true, motors)
+}
+
+fn adapted(text: &str, has_floor: bool, motors: Motors) -> Machine {
+    let lines = text.lines().map(|line| {
+        let key = line.split(' ').next().unwrap_or_default();
+        match key {
+            "x_steps_per_mm" | "y_steps_per_mm" if has_floor => {
+                format!("{key} = {}", motors.steps_per_mm)
+            }
+            "z_steps_per_mm" if has_floor => format!("{key} = {}", motors.steps_per_mm.max(400.0)),
+            "acceleration" => format!("{key} = \"{} mm/s^2\"", motors.acceleration),
+            _ => line.to_owned(),
+        }
+    });
+    let text = lines.collect::<Vec<_>>().join("\n");
+    read_machine(&Source::new("machine", &text)).unwrap_or_else(|faults| panic!("{faults}"))
+}
+
+/// The spec `text`, chopped where the controller needs it.
+pub(crate) fn spec(dialect: &str, text: &str) -> Spec {
+    let chop = if has_floor(dialect) { "\n[machine]\nfeed_floor = \"chop\"\n" } else { "" };
+    read(&Source::new("spec", format!("{text}{chop}"))).unwrap_or_else(|faults| panic!("{faults}")).spec
+}
+
+/// The sealing programs, and the traces.
+pub(crate) fn seals(spec: &Spec, machine: &Machine) -> (Vec<Named>, Vec<Named>) {
+    let planned = Designed::new(spec.clone(), machine.clone())
+        .and_then(Designed::plan)
+        .unwrap_or_else(|refusals| panic!("{refusals:?}"));
+    let named = |kind: &str, programs: &[stargrip_cam::plan::Program]| {
+        let text = |program| emit::gcode(spec, machine, program);
+        programs.iter().map(|program| (format!("{kind} {:?}", program.numbers()), text(program))).collect()
+    };
+    (named("seal", &planned.programs), named("trace", &planned.traces))
+}
+
+pub(crate) fn feed_check(spec: &Spec, machine: &Machine) -> Named {
+    ("feedcheck".to_owned(), emit::feed_check(spec, machine, &feed_checks(spec, machine)))
+}
+
+/// Strips at three speeds, and the other coupons.
+pub(crate) fn coupon_programs(spec: &Spec, machine: &Machine) -> Vec<Named> {
+    let grid = Grid {
+        temperatures: vec![Temperature(200.0)],
+        speeds: vec![Speed(0.1), Speed(0.2), Speed(0.5)],
+        heights: vec![Length(-0.3)],
+        repeats: 3,
+    };
+    let set = coupons(spec, machine, &grid, &Group::NAMES.map(|(_, group)| group))
+        .unwrap_or_else(|refusals| panic!("{refusals:?}"));
+    set.into_iter().map(|coupon| (coupon.name.clone(), coupon.gcode())).collect()
+}

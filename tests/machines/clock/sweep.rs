@@ -1,0 +1,151 @@
+//! Controllers that look ahead over all that is queued and take every ramp as it is told: Klipper (klippy/toolhead.py, Move
+//! and LookAheadQueue; kinematics/cartesian.py), RepRapFirmware (Movement/DDA.cpp, InitStandardMove) and LinuxCNC in exact
+//! path mode, of which it is assumed that it stops at every bend: it is never slower.
+
+use super::legs::{Leg, Task};
+use super::track::Track;
+
+/// What bounds the speed where two legs meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Corner {
+    /// A stop at every bend.
+    Stop,
+    /// GRBL's junction deviation, mm.
+    Deviation(f64),
+    /// Klipper's square corner velocity, mm/s.
+    Square(f64),
+    /// Changes of the speed of the axes, mm/s (M566).
+    Jerk([f64; 3]),
+}
+
+/// Settings of such a controller.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sweep {
+    /// Of each axis for RepRapFirmware and LinuxCNC, of the way for Klipper, mm/s^2.
+    pub(crate) acceleration: f64,
+    /// Of each axis, mm/s.
+    pub(crate) speed: [f64; 3],
+    pub(crate) corner: Corner,
+    /// Seconds that a dwell's P word of 1 means.
+    pub(crate) dwell: f64,
+}
+
+/// A leg as it is planned; speeds squared.
+struct Plan {
+    leg: Leg,
+    unit: [f64; 3],
+    speed: f64,
+    acceleration: f64,
+    entry: f64,
+}
+
+impl Plan {
+    /// The highest speed squared after this leg from `entry`, or before it to the same.
+    fn reach(&self, entry: f64) -> f64 {
+        entry + 2.0 * self.acceleration * self.leg.length()
+    }
+}
+
+impl Sweep {
+    pub(crate) fn run(self, tasks: &[Task], track: &mut Track) {
+        let mut queue = Vec::new();
+        for task in tasks {
+            match task {
+                Task::Leg(leg) => {
+                    let plan = self.plan(leg, queue.last());
+                    queue.push(plan);
+                }
+                Task::Dwell(time) => {
+                    flush(&mut queue, track);
+                    track.rest(time * self.dwell);
+                }
+                Task::Halt => {
+                    flush(&mut queue, track);
+                    track.halt();
+                }
+            }
+        }
+        flush(&mut queue, track);
+        track.halt();
+    }
+
+    fn plan(&self, leg: &Leg, before: Option<&Plan>) -> Plan {
+        let (way, length) = (leg.way(), leg.length());
+        let unit = way.map(|d| d / length);
+        let within = |most: f64, i: usize| if unit[i] == 0.0 { f64::INFINITY } else { most / unit[i].abs() };
+        let most = (0..3).map(|i| within(self.speed[i], i)).fold(f64::INFINITY, f64::min);
+        let speed = leg.feed.map_or(most, |feed| most.min(feed / 60.0));
+        let acceleration = match self.corner {
+            Corner::Square(_) => self.acceleration,
+            _ => (0..3).map(|i| within(self.acceleration, i)).fold(f64::INFINITY, f64::min),
+        };
+        let mut plan = Plan { leg: *leg, unit, speed, acceleration, entry: 0.0 };
+        if let Some(before) = before {
+            plan.entry = self.corner(before, &plan).min(speed.min(before.speed).powi(2));
+        }
+        plan
+    }
+
+    /// The highest speed squared where two legs meet.
+    fn corner(&self, before: &Plan, plan: &Plan) -> f64 {
+        match self.corner {
+            // Exact path mode may stop "in order to change direction" (linuxcnc.org/docs, G61); an arc's chords are ours.
+            Corner::Stop => {
+                let cos: f64 = (0..3).map(|i| plan.unit[i] * before.unit[i]).sum();
+                let goes_on = cos > 0.999_999 || plan.leg.line == before.leg.line;
+                if goes_on { f64::INFINITY } else { 0.0 }
+            }
+            Corner::Jerk(jerk) => {
+                let turns = (0..3).map(|i| (jerk[i] / (plan.unit[i] - before.unit[i]).abs()).powi(2));
+                turns.fold(f64::INFINITY, f64::min)
+            }
+            Corner::Square(_) | Corner::Deviation(_) => {
+                // Move.calc_junction.
+                let cos = -(0..3).map(|i| plan.unit[i] * before.unit[i]).sum::<f64>();
+                let (sin_half, cos_half) =
+                    ((0.5 * (1.0 - cos)).max(0.0).sqrt(), (0.5 * (1.0 + cos)).max(0.0).sqrt());
+                if sin_half >= 1.0 || cos_half <= 0.0 {
+                    return f64::INFINITY;
+                }
+                let deviation = match self.corner {
+                    Corner::Square(square) => square * square * (2.0_f64.sqrt() - 1.0) / self.acceleration,
+                    Corner::Deviation(deviation) => deviation,
+                    _ => 0.0,
+                };
+                let bend = sin_half / (1.0 - sin_half) * deviation * self.acceleration;
+                let shorter = plan.leg.length().min(before.leg.length());
+                bend.min(0.5 * shorter * self.acceleration * sin_half / cos_half)
+            }
+        }
+    }
+}
+
+/// Every leg from its entry to the next one's, the last to a stop.
+fn flush(queue: &mut Vec<Plan>, track: &mut Track) {
+    let mut exit = 0.0;
+    for plan in queue.iter_mut().rev() {
+        plan.entry = plan.entry.min(plan.reach(exit));
+        exit = plan.entry;
+    }
+    let mut reached = 0.0_f64;
+    for plan in queue.iter_mut() {
+        plan.entry = plan.entry.min(reached);
+        reached = plan.reach(plan.entry);
+    }
+    let exits: Vec<f64> = queue.iter().skip(1).map(|plan| plan.entry).chain([0.0]).collect();
+    for (plan, exit) in queue.drain(..).zip(exits) {
+        track.begin(&plan.leg);
+        let Plan { acceleration: a, entry, speed, .. } = plan;
+        let length = plan.leg.length();
+        let top = (speed * speed).min(0.5 * (entry + exit) + a * length).max(entry.max(exit));
+        let (up, down) = (0.5 * (top - entry) / a, 0.5 * (top - exit) / a);
+        let [v0, v1, v2] = [entry, top, exit].map(f64::sqrt);
+        for (way, seconds) in [
+            (up, (v1 - v0) / a),
+            (length - down, (length - up - down).max(0.0) / v1),
+            (length, (v1 - v2) / a),
+        ] {
+            track.moved(way / length, seconds);
+        }
+    }
+}

@@ -1,0 +1,101 @@
+//! What the iron did: the mean speed of every stretch in contact, its windows, and the time of all of it.
+
+use super::legs::Leg;
+
+/// Way between two marks, mm.
+const MARK: f64 = 0.25;
+/// Nearer than this to a mark is on it, mm.
+const ON_MARK: f64 = 1e-3;
+
+/// A stretch of cuts between two travels.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Stretch {
+    /// Its first line.
+    pub(crate) line: usize,
+    /// As the program tells it, mm.
+    pub(crate) length: f64,
+    /// From the start of its first cut to the end of the wait after its last, s.
+    pub(crate) seconds: f64,
+    /// When it had come so far: a mark every quarter of a millimetre.
+    marks: Vec<f64>,
+    begun: f64,
+}
+
+/// A record of one program.
+#[derive(Debug, Default)]
+pub(crate) struct Track {
+    /// Now, s.
+    pub(crate) now: f64,
+    pub(crate) stretches: Vec<Stretch>,
+    /// When the first leg of a line began.
+    pub(crate) lines: Vec<(usize, f64)>,
+    /// The stretch that goes on.
+    open: Option<Stretch>,
+    leg: f64,
+    done: f64,
+}
+
+impl Stretch {
+    /// mm/s.
+    pub(crate) fn speed(&self) -> f64 {
+        self.length / self.seconds
+    }
+
+    /// The least and the greatest speed within `window` mm.
+    pub(crate) fn windows(&self, window: f64) -> (f64, f64) {
+        let apart = (window / MARK).round();
+        let pairs = self.marks.iter().zip(self.marks.iter().skip(apart as usize));
+        let speeds = pairs.map(|(begin, end)| apart * MARK / (end - begin));
+        speeds.fold((f64::INFINITY, 0.0), |(least, most), v| (v.min(least), v.max(most)))
+    }
+}
+
+impl Track {
+    /// A leg begins, now.
+    pub(crate) fn begin(&mut self, leg: &Leg) {
+        (self.leg, self.done) = (leg.length(), 0.0);
+        self.lines.push((leg.line, self.now));
+        if !leg.cut {
+            self.halt();
+        } else if self.open.is_none() {
+            let begun = self.now;
+            self.open = Some(Stretch { line: leg.line, begun, marks: vec![begun], ..Stretch::default() });
+        }
+    }
+
+    /// The part `done` of the leg is reached after `seconds` more, evenly.
+    pub(crate) fn moved(&mut self, done: f64, seconds: f64) {
+        let (begun, way) = (self.now, (done - self.done) * self.leg);
+        self.now += seconds;
+        self.done = done;
+        let Some(open) = &mut self.open else { return };
+        let before = open.length;
+        open.length += way;
+        loop {
+            let mark = MARK * open.marks.len() as f64;
+            if mark > open.length + ON_MARK {
+                break;
+            }
+            open.marks.push(begun + seconds * (mark - before) / way);
+        }
+        open.seconds = self.now - open.begun;
+    }
+
+    /// Nothing moves for so long: a dwell, which belongs to the stretch.
+    pub(crate) fn rest(&mut self, seconds: f64) {
+        self.now += seconds;
+        if let Some(open) = &mut self.open {
+            let here = MARK * (open.marks.len() as f64 - 1.0);
+            if let Some(mark) = open.marks.last_mut().filter(|_| (open.length - here).abs() < ON_MARK) {
+                // It came to the mark before the rest and leaves it after: half of each.
+                *mark += 0.5 * seconds;
+            }
+            open.seconds = self.now - open.begun;
+        }
+    }
+
+    /// A stretch ends.
+    pub(crate) fn halt(&mut self) {
+        self.stretches.extend(self.open.take());
+    }
+}

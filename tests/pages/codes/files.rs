@@ -1,0 +1,202 @@
+//! Files that are wrong in one way, and what `verify` finds.
+
+use std::borrow::Cow;
+
+use stargrip_cam::artifact::Asked;
+use stargrip_cam::pipeline::{Built, Sources, build, prove_files, read_back};
+use stargrip_cam::spec;
+use stargrip_cam::spec::{Machine, Source};
+use stargrip_cam::verify::OutputFiles;
+
+use super::specs::Message;
+
+/// A build, one of whose files is changed.
+#[derive(Clone, Copy)]
+struct Edit {
+    code: &'static str,
+    base: Base,
+    file: &'static str,
+    old: &'static str,
+    new: &'static str,
+}
+
+/// What is built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Base {
+    Plain,
+    Hotend,
+    Arcs,
+    Chopped,
+    Predicted,
+}
+
+const SEAL: &str = "star-1-seal.gcode";
+const TRACE: &str = "star-1-trace.gcode";
+const SVG: &str = "sheet-1-seal.svg";
+const DXF: &str = "sheet-1-seal.dxf";
+const PDF: &str = "star-1-mask-a4.pdf";
+const MOVE: &str = "G1 X256.9069 Y220.6945\n";
+
+const fn edit(code: &'static str, file: &'static str, old: &'static str, new: &'static str) -> Edit {
+    Edit { code, base: Base::Plain, file, old, new }
+}
+
+const fn of(base: Base, edit: Edit) -> Edit {
+    Edit { base, ..edit }
+}
+
+const EDITS: [Edit; 60] = [
+    edit("after-end", SEAL, "M2\n", "M2\nG0 Z30 F1200\n"),
+    edit("backwards", SEAL, MOVE, "G1 X256.9069 Y220.6945\nG1 X253.9406 Y217.0314\n"),
+    of(Base::Arcs, edit("bad-arc", "star-1-seal.ngc", " I", " I1")),
+    edit("bad-character", SEAL, "; name: paper", "; name: p\u{e4}per"),
+    edit("bad-comment", SEAL, "M2\n", "; heat: by=hand\nM2\n"),
+    edit("bad-dxf", DXF, "AC1015", "AC1009"),
+    edit("bad-feed", SEAL, "F6", "F0"),
+    edit("bad-number", SEAL, "Y220.6945", "Y"),
+    edit("bad-path", SVG, "A31 31 0 0 1 173", "A31 31 0 2 1 173"),
+    edit("bad-pdf", PDF, "%PDF-1.7", "%PDX-1.7"),
+    edit("bad-xml", SVG, "</title>", "</titel>"),
+    of(Base::Chopped, edit("below-floor", SEAL, "F103.096168697", "F10")),
+    edit("blind-move", SEAL, "G0 Z30 F1200\n; heat", "G0 Z5 F1200\n; heat"),
+    edit("cold-seal", SEAL, "M0\n", "\n"),
+    edit("deviation", SEAL, "X256.9069", "X256.9169"),
+    edit("differs", SVG, "#0000ff", "#0000fe"),
+    edit("extra-seam", SEAL, "M2\n", "G0 Z5\nG1 X1 Y1 Z-0.3 F6\nG1 X2 Y2 Z5\nG0 Z30 F1200\nM2\n"),
+    edit("formats-disagree", DXF, "  8\nseal-inner\n", "  8\nseal-outer\n"),
+    edit("hash", SVG, "#0000ff", "#0000fe"),
+    edit("heat-without-pause", SEAL, "M2\n", "; heat: temperature_C=200\nM2\n"),
+    edit("hot-trace", TRACE, "G0 X10 Y10", "M0\nG0 X10 Y10"),
+    edit("iron-at-rest", SEAL, MOVE, "G1 X256.9069 Y220.6945\nG4 P9\n"),
+    edit(
+        "late-start",
+        SEAL,
+        "G1 X250.9743 Y213.3684 Z-0.3 F6\nG1 X253.9406 Y217.0314\n",
+        "G1 X253.9406 Y217.0314 Z-0.3 F6\n",
+    ),
+    edit(
+        "line-too-long",
+        SEAL,
+        "; frame: origin",
+        "; frame: the origin of all coordinates that are in this file lies",
+    ),
+    of(
+        Base::Chopped,
+        edit(
+            "long-stroke",
+            SEAL,
+            "G4 P1134\nG1 X249.1684 Y211.1383 Z4.7696\nG4 P1134\nG1 X249.2095 Y211.189 Z4.6543\n",
+            "G4 P1134\nG1 X249.2095 Y211.189 Z4.6543\n",
+        ),
+    ),
+    edit("low-trace", TRACE, "G0 Z5 ", "G0 Z4 "),
+    edit("manifest", "manifest.json", "\"tool\"", "\"tools\""),
+    edit("modal-conflict", SEAL, "G0 X249.0863", "G0 G1 X249.0863"),
+    edit("mode-unset", SEAL, "G21\n", ""),
+    edit("more-findings", SEAL, "F6", "F12"),
+    edit("open-loop", SVG, " Z\"", "\""),
+    edit("other-comment", SEAL, "overlap_mm=5", "overlap_mm=6"),
+    edit("outside-page", SVG, "M250.9743", "M950.9743"),
+    edit("outside-work-area", SEAL, "G0 Z30 F1200\nG0 X0", "G0 Z90 F1200\nG0 X0"),
+    edit("page-count", PDF, "[4 0 R 6 0 R", "[4 0 R 6 0 R 6 0 R"),
+    edit("path-count", SVG, "Z\" stroke", "ZM0 0L1 1Z\" stroke"),
+    edit("path-length", SVG, "L271.7383 97.4902", "L171.7383 97.4902"),
+    edit("plunge", SEAL, "G1 X250.9743 Y213.3684 Z-0.3 F6", "G1 Z-0.3 F6\nG1 X250.9743 Y213.3684"),
+    of(Base::Predicted, edit("prediction", "prediction.json", "\"section\"", "\"ring\"")),
+    edit("profile-line", SEAL, "G90\n", "G90\nG61\n"),
+    edit("rapid-in-contact", SEAL, "G1 X256.9069", "G0 X256.9069"),
+    edit("repeated-word", SEAL, "X256.9069", "X256.9069 X1"),
+    of(
+        Base::Chopped,
+        edit(
+            "short-stroke",
+            SEAL,
+            "G1 X249.1684 Y211.1383 Z4.7696\n",
+            "G1 X249.1376 Y211.1 Z4.88\nG4 P100\nG1 X249.1684 Y211.1383 Z4.7696\n",
+        ),
+    ),
+    edit("size", SVG, "paper", "papers"),
+    of(Base::Hotend, edit("stray-heat", SEAL, "G0 Z5 F1200", "M104 S250\nG0 Z5 F1200")),
+    edit("stray-travel", SEAL, "G0 X249.0863", "G0 X248.0863"),
+    edit("too-deep", SEAL, "Z-0.3", "Z-0.9"),
+    edit("travel-feed", SEAL, "Y211.037 F1200", "Y211.037 F12"),
+    edit("truncated", SEAL, "; end of program", "; the end"),
+    edit("unknown-layer", SVG, "seal-inner", "other"),
+    edit("unknown-position", SEAL, "G0 X249.0863 Y211.037", "G1 X249.0863 Y211.037"),
+    edit("unknown-word", SEAL, "G94\n", "G94\nM7\n"),
+    edit("unreadable", "spec.toml", "points = 5", "points = 2"),
+    edit("unused-word", SEAL, "G0 X249", "G0 I1 X249"),
+    edit("wrong-clip", PDF, "16.7 40.7 176.6 239.6 re", "17.7 40.7 176.6 239.6 re"),
+    edit("wrong-feed", SEAL, "Z-0.3 F6", "Z-0.3 F12"),
+    edit("wrong-scale", SVG, "width=\"333.1mm\"", "width=\"333.1px\""),
+    edit("wrong-size", SVG, "width=\"333.1mm\"", "width=\"334.1mm\""),
+    edit("wrong-title", SVG, "seal, sheet 1", "seal, sheet 2"),
+    edit("bad-stl", "star-1-mask.stl", "of star", "star"),
+];
+
+const PAPER: &str = include_str!("../../../designs/paper-five-points.toml");
+
+fn built(base: Base) -> Built {
+    let rest = match base {
+        Base::Plain => "",
+        Base::Hotend => "[machine]\nprofile = \"klipper\"\n",
+        Base::Arcs => "[machine]\nprofile = \"linuxcnc\"\n",
+        Base::Chopped => "[machine]\nprofile = \"marlin\"\nfeed_floor = \"chop\"\n",
+        Base::Predicted => "[load]\npressure = \"37 kPa\"\n",
+    };
+    let text = format!("{PAPER}{rest}");
+    let read = spec::read(&Source::new("spec.toml", text.as_str())).expect("valid").spec;
+    let (name, machine) = (&read.machine.profile, Machine::builtin(&read.machine.profile).expect("built in"));
+    let sources = Sources { spec: &text, machine: spec::builtin_machine(name).expect("built in") };
+    build(&read, &machine, sources, &Asked::default()).unwrap_or_else(|refusals| panic!("{refusals}"))
+}
+
+/// What is found about a build with a changed file, without one, and with one too many.
+pub(crate) fn messages() -> Vec<Message> {
+    let bases = [Base::Plain, Base::Hotend, Base::Arcs, Base::Chopped, Base::Predicted];
+    let builds: Vec<(Base, Built)> = bases.into_iter().map(|base| (base, built(base))).collect();
+    let mut all = Vec::new();
+    for Edit { code, base, file, old, new } in EDITS {
+        let (_, build) = builds.iter().find(|(known, _)| *known == base).expect("built");
+        all.extend(found(code, build.output_files(), |files| {
+            if let Some((_, bytes)) = files.iter_mut().find(|(name, _)| name == file) {
+                *bytes = replaced(bytes, old.as_bytes(), new.as_bytes()).into();
+            }
+        }));
+    }
+    let (_, plain) = &builds[0];
+    all.extend(found("missing-file", plain.output_files(), |files| files.retain(|(name, _)| name != SVG)));
+    all.extend(found("unnamed-file", plain.output_files(), |files| {
+        files.push(("notes.txt".into(), Cow::Borrowed(b"x")));
+    }));
+    all.extend(found("not-text", plain.output_files(), |files| {
+        let (_, bytes) = files.iter_mut().find(|(name, _)| name == SVG).expect("a file");
+        bytes.to_mut()[1] = 0xff;
+    }));
+    all.extend(found("not-watertight", plain.output_files(), |files| {
+        let (_, bytes) = files.iter_mut().find(|(name, _)| name == "star-1-mask.stl").expect("a file");
+        bytes.to_mut()[96] ^= 0x40;
+    }));
+    all
+}
+
+/// The finding of `code` after a `change`, by reading alone or else by bytes, too.
+fn found(
+    code: &str,
+    mut files: OutputFiles<'_>,
+    change: impl FnOnce(&mut Vec<(Cow<'_, str>, Cow<'_, [u8]>)>),
+) -> Option<Message> {
+    change(&mut files.files);
+    let of_code =
+        |findings: Vec<stargrip_cam::verify::Finding>| findings.into_iter().find(|one| one.code == code);
+    let finding = of_code(read_back(&files).findings).or_else(|| of_code(prove_files(&files).findings))?;
+    Some((code.to_owned(), finding.to_string().replacen(&format!("{code}: "), "", 1)))
+}
+
+/// `bytes` with the first `old` in them replaced; if there is none, no finding follows.
+fn replaced(bytes: &[u8], old: &[u8], new: &[u8]) -> Vec<u8> {
+    match bytes.windows(old.len()).position(|part| part == old) {
+        Some(at) => [&bytes[..at], new, &bytes[at + old.len()..]].concat(),
+        None => bytes.to_vec(),
+    }
+}

@@ -1,0 +1,120 @@
+//! docs/codes.md lists every code of the program with its meaning, and none else.
+
+mod files;
+mod specs;
+
+use std::fmt::Write;
+
+use stargrip_cam::design::RefusalCode;
+use stargrip_cam::pipeline::{CommandCode, PrecautionCode};
+use stargrip_cam::spec::{Code, FaultCode};
+use stargrip_cam::verify::FindingCode;
+
+use specs::Message;
+
+/// Codes for which no wrong input is known, or none that is short: the program has them all the same.
+const WITHOUT: [&str; 25] = [
+    "edit",
+    "open-quote",
+    "own-value",
+    "unknown-machine",
+    "bands-meet",
+    "narrow-mouth",
+    "no-plate",
+    "no-prediction",
+    "seam-crosses-itself",
+    "seam-gap",
+    "seams-cross",
+    "stars-overlap",
+    "wrong-opening",
+    "prediction",
+    "failed",
+    "infeasible",
+    "not-published",
+    "clamp-in-the-way",
+    "jump",
+    "missing-overlap",
+    "missing-seam",
+    "order",
+    "transform",
+    "wrong-joint",
+    "wrong-volume",
+];
+
+/// The lines of one room's table; `messages` of it are examples.
+fn table<C: Code>(codes: &[C], messages: &[Message]) -> String {
+    let head = "| code | what it means, what to do | example |\n|---|---|---|\n".to_owned();
+    codes.iter().fold(head, |mut text, code| {
+        let example = messages.iter().find(|(own, _)| own == code.as_str()).map(|(_, message)| cell(message));
+        let example = example.unwrap_or_default();
+        // A String takes everything.
+        let _ = writeln!(text, "| `{}` | {} | {example} |", code.as_str(), code.meaning());
+        text
+    })
+}
+
+/// A message in one cell of a table.
+fn cell(message: &str) -> String {
+    message.split_whitespace().collect::<Vec<_>>().join(" ").replace('|', "\\|").replace('<', "&lt;")
+}
+
+/// The tables of the page, in order, each as its lines.
+fn tables(page: &str) -> Vec<String> {
+    let mut found: Vec<String> = Vec::new();
+    let mut inside = false;
+    for line in page.lines() {
+        if line.starts_with('|') {
+            if !inside {
+                found.push(String::new());
+            }
+            if let Some(table) = found.last_mut() {
+                *table += line;
+                *table += "\n";
+            }
+        }
+        inside = line.starts_with('|');
+    }
+    found
+}
+
+#[test]
+fn the_page_lists_every_code_with_its_meaning_and_a_message() {
+    let ([faults, refusals, precautions], findings) = (specs::messages(), files::messages());
+    let right = [
+        table(FaultCode::ALL, &faults),
+        table(RefusalCode::ALL, &refusals),
+        table(PrecautionCode::ALL, &precautions),
+        table(CommandCode::ALL, &[]),
+        table(FindingCode::ALL, &findings),
+    ];
+    let page = include_str!("../../../docs/codes.md").replace("\r\n", "\n");
+    let found = tables(&page);
+    assert_eq!(found.len(), right.len());
+    let renewed = found.iter().zip(&right).fold(page.clone(), |page, (old, new)| page.replacen(old, new, 1));
+    if crate::renews() {
+        std::fs::write(crate::home().join("docs/codes.md"), &renewed).expect("written");
+        return;
+    }
+    assert!(page == renewed, "docs/codes.md is out of date: renew it with INSTA_UPDATE=always");
+    let bare: Vec<&str> =
+        right.iter().flat_map(|table| table.lines()).filter_map(|line| line.strip_suffix(" |  |")).collect();
+    let bare: Vec<&str> = bare.iter().filter_map(|line| line.split('`').nth(1)).collect();
+    assert_eq!(bare, WITHOUT, "codes without an example");
+}
+
+#[test]
+fn codes_are_kebab_case_in_order_and_each_once() {
+    fn check<C: Code>(codes: &[C]) {
+        let words: Vec<&str> = codes.iter().map(|code| code.as_str()).collect();
+        assert!(words.windows(2).all(|pair| pair[0] < pair[1]), "{words:?}");
+        for (word, code) in words.iter().zip(codes) {
+            assert!(word.chars().all(|c| c == '-' || c.is_ascii_lowercase()), "{word}");
+            assert!(code.meaning().ends_with('.') && code.meaning().len() < 120, "{word}");
+        }
+    }
+    check(FaultCode::ALL);
+    check(RefusalCode::ALL);
+    check(PrecautionCode::ALL);
+    check(CommandCode::ALL);
+    check(FindingCode::ALL);
+}

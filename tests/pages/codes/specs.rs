@@ -1,0 +1,201 @@
+//! Specs, profiles and tables that are wrong in one way, and what the program prints about them.
+
+use stargrip_cam::coupon::cone::read_test;
+use stargrip_cam::design::Refusals;
+use stargrip_cam::pipeline::Forecast;
+use stargrip_cam::spec;
+use stargrip_cam::spec::{Faults, Machine, Source};
+
+/// A code with its message.
+pub(crate) type Message = (String, String);
+
+const STAR: &str = "schema = 1\nname = \"x\"\n[star]\npoints = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\n\
+                    tip_angle = \"30 deg\"\n";
+/// The paper's object and pressure.
+const LOAD: &str = "[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.3\n";
+
+/// Of a code what is added to the star, or replaces a part of it.
+const EDITS: [(&str, &str, &str); 22] = [
+    ("conflict", "", "[inlet]\nnone = true\ntip = 1\n"),
+    ("duplicate-index", "", "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\n[[stack.star]]\nindex = 2\n"),
+    ("missing-key", "points = 5\n", ""),
+    ("name", "\"x\"", "\"\""),
+    ("no-unit", "\"50 mm\"", "50"),
+    ("not-a-number", "50 mm", "fifty mm"),
+    ("out-of-range", "points = 5", "points = 2"),
+    ("profile", "", "[machine]\nprofile = \"\"\n"),
+    ("ptfe", "", "[seal]\ntemperature = \"320 C\"\n"),
+    ("schema", "schema = 1", "schema = 2"),
+    ("syntax", "points = 5", "points 5"),
+    ("unknown-choice", "", "[accuracy]\nmodel = \"fem\"\n"),
+    ("unknown-key", "tube_width", "tube_widht"),
+    ("unknown-section", "", "[seals]\nband = \"2 mm\"\n"),
+    ("unknown-unit", "50 mm", "50 kg"),
+    ("wrong-type", "points = 5", "points = \"5\""),
+    ("no-arm", "inner_radius = \"50 mm\"", "inner_radius = \"5 mm\""),
+    ("straight-corner", "30 deg", "120 deg"),
+    ("hole-closed", "", "[seal]\nhole_allowance = \"60 mm\"\n"),
+    (
+        "short-window",
+        "points = 5\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"",
+        "points = 8\ninner_radius = \"30 mm\"\ntube_width = \"12 mm\"",
+    ),
+    ("too-large", "inner_radius = \"50 mm\"", "inner_radius = \"99 m\""),
+    ("inlet-meets-arm", "", "[inlet]\ntube_diameter = \"45 mm\"\n"),
+];
+
+/// The same for designs, of which each adds to the star.
+const DESIGNS: [(&str, &str); 24] = [
+    ("arms-fall-through", "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\ninner_radius = \"160 mm\"\n"),
+    ("band-eats-arm", "[seal]\nband = \"45 mm\"\n"),
+    ("chopped-seal", "[machine]\nprofile = \"grbl\"\nfeed_floor = \"chop\"\n"),
+    ("fast-seal", "[seal]\nspeed = \"5 mm/s\"\n"),
+    ("feed-floor", "[machine]\nprofile = \"grbl\"\n"),
+    ("job-too-large", "[seal]\nspeed = \"0.001 mm/s\"\n"),
+    ("long-extent", "[mask]\nextent = \"150 mm\"\n"),
+    ("long-overlap", "[seal]\noverlap = \"900 mm\"\n"),
+    ("machine-requires", "[machine]\nprofile = \"klipper\"\n"),
+    ("no-chop", "[machine]\nfeed_floor = \"chop\"\n"),
+    ("no-overlap", "[seal]\noverlap = \"0 mm\"\n"),
+    ("no-room-for-holes", "[sheet]\nhole_diameter = \"40 mm\"\n"),
+    ("no-window", "[mask]\nextent = \"15 mm\"\ncreep = \"40 mm\"\n"),
+    ("out-of-reach", "[machine]\nprofile = \"own.toml\"\n"),
+    (
+        "post-meets-hose",
+        "[stack]\ncount = 2\nrotation = \"20 deg\"\n[frame]\nposts = 64\npost_diameter = \"10 mm\"\n",
+    ),
+    ("sheet-too-small", "[sheet]\nwidth = \"100 mm\"\nheight = \"400 mm\"\n"),
+    ("short-inlet", "[inlet]\nlength = \"2 mm\"\n"),
+    ("small-bed", "[mask]\nbed = \"50 mm x 50 mm\"\n"),
+    ("thick-hose", "[inlet]\ntube_diameter = \"22 mm\"\n"),
+    ("tube-between-plates", "[stack]\ncount = 2\npitch = \"5 mm\"\n"),
+    ("wide-frame", "[stack]\ncount = 2\npitch = \"200 mm\"\n"),
+    ("wide-kerf", "[cut]\nkerf = \"20 mm\"\n"),
+    ("weak-seal", "[seal]\noverlap = \"1 mm\"\n"),
+    ("unknown-reach", "[machine]\nprofile = \"linuxcnc\"\n"),
+];
+
+/// The same with [`LOAD`], a part of which is replaced, or to which is added.
+const LOADS: [(&str, &str, &str); 13] = [
+    (
+        "object-too-short",
+        "[load]",
+        "[stack]\ncount = 2\npitch = \"80 mm\"\n[load]\nobject_height = \"20 mm\"",
+    ),
+    ("object-too-thin", "30 mm", "3 mm"),
+    ("object-too-wide", "30 mm", "60 mm"),
+    ("outside-models", "37 kPa", "5700 kPa"),
+    ("too-heavy", "", "mass = \"50 kg\"\n"),
+    ("too-hard", "", "largest_force = \"1 N\"\n"),
+    ("may-not-hold", "", "mass = \"0.35 kg\"\n"),
+    ("tight-hole", "30 mm", "46.5 mm"),
+    ("unknown-strength", "", ""),
+    ("prediction", "", ""),
+    ("unfit", "", "mass = \"50 kg\"\n"),
+    ("bursts", "[load]", "[fabric]\nseal_strength = \"0.1 N/mm\"\n[load]"),
+    ("generic-machine", "", ""),
+];
+
+/// Lines of a test on the cone.
+const TABLES: [(&str, &str); 8] = [
+    ("cell", "travel_mm,load_N\n0,0\n1,x\n"),
+    ("cell-count", "travel_mm,load_N\n0,0\n1\n"),
+    ("decimal-comma", "travel_mm,load_N\n0,\"0,5\"\n"),
+    ("no-column", "travel_mm\n0\n"),
+    ("no-header", "0,0\n1,1\n"),
+    ("no-rows", "travel_mm,load_N\n"),
+    ("two-columns", "travel_mm,load_N,load_N\n0,0,0\n"),
+    ("unit", "travel_mm,load_kg\n0,0\n"),
+];
+
+/// Bytes that are no spec.
+const BYTES: [&[u8]; 4] =
+    [b"G21\nG90\nG0 Z30\n", b"\xff\xfe\x00", b"schema = 1\rname = \"x\"\r", &[b'#'; (1 << 20) + 1]];
+
+/// Of a code a built-in profile, a part of it that is replaced, and what is added to the star.
+const PROFILES: [(&str, &str, &str, &str, &str); 4] = [
+    (
+        "clamp-in-the-way",
+        "generic",
+        "[heights]",
+        "[[keep_out]]\nname = \"clamp\"\nx = \"200 mm\"\ny = \"200 mm\"\nwidth = \"40 mm\"\ndepth = \"40 mm\"\n[heights]",
+        "",
+    ),
+    ("profile-limit", "klipper", "TIMEOUT=86400", "TIMEOUT=600", ""),
+    ("steep-ramp", "grbl", "ramp = \"3 mm\"", "ramp = \"0.005 mm\"", "feed_floor = \"chop\"\n"),
+    ("unknown-feed", "generic", "name = \"generic\"", "name = \"shop\"", ""),
+];
+
+/// Every message about specs, profiles and tables: faults, refusals and precautions, each a list.
+pub(crate) fn messages() -> [Vec<Message>; 3] {
+    let mut all = [Vec::new(), Vec::new(), Vec::new()];
+    let changed = |text: &str, old: &str, new: &str| match old {
+        "" => format!("{text}{new}"),
+        _ => text.replacen(old, new, 1),
+    };
+    for (_, old, new) in EDITS {
+        of_spec(&changed(STAR, old, new), None, &mut all);
+    }
+    for (_, rest) in DESIGNS {
+        of_spec(&format!("{STAR}{rest}"), None, &mut all);
+    }
+    for (_, old, new) in LOADS {
+        of_spec(&format!("{STAR}{}", changed(LOAD, old, new)), None, &mut all);
+    }
+    for (_, profile, old, new, rest) in PROFILES {
+        let own = spec::builtin_machine(profile).expect("built in").replacen(old, new, 1);
+        of_spec(&format!("{STAR}[machine]\nprofile = \"own.toml\"\n{rest}"), Some(&own), &mut all);
+    }
+    let [faults, ..] = &mut all;
+    for (_, text) in TABLES {
+        faults.extend(read_test(&Source::new("cone.csv", text)).err().iter().flat_map(of_faults));
+    }
+    for bytes in BYTES {
+        let read = Source::from_bytes("spec.toml", bytes).and_then(|source| spec::read(&source));
+        faults.extend(read.err().iter().flat_map(of_faults));
+    }
+    let profile = generic().replace("\"G90\"", "\"G91\"");
+    faults.extend(spec::read_machine(&Source::new("own.toml", profile)).err().iter().flat_map(of_faults));
+    all
+}
+
+fn generic() -> &'static str {
+    spec::builtin_machine("generic").expect("built in")
+}
+
+/// Everything that is printed about a spec on a profile, in its three lists.
+fn of_spec(text: &str, own: Option<&str>, [faults, refusals, precautions]: &mut [Vec<Message>; 3]) {
+    let reading = match spec::read(&Source::new("spec.toml", text)) {
+        Ok(reading) => reading,
+        Err(found) => return faults.extend(of_faults(&found)),
+    };
+    let small = generic().replace("x = \"unknown\"\ny = \"unknown\"", "x = \"200 mm\"\ny = \"200 mm\"");
+    let own = own.unwrap_or(&small);
+    let machine = Machine::builtin(&reading.spec.machine.profile)
+        .or_else(|_| spec::read_machine(&Source::new("own.toml", own)))
+        .expect("a profile");
+    let forecast = match Forecast::of(reading.spec, machine) {
+        Ok(forecast) => forecast,
+        Err(found) => return refusals.extend(of_refusals(&found)),
+    };
+    refusals.extend(of_refusals(&forecast.unfit()));
+    let warnings = forecast.design.warnings.iter();
+    refusals.extend(warnings.map(|one| (one.code.to_string(), format!("{}; {}", one.found, one.remedy))));
+    let list = forecast.precautions("spec.toml");
+    let doubts = list.iter().filter(|one| one.code == "may-not-hold");
+    refusals.extend(doubts.map(|one| (one.code.to_string(), one.text.clone())));
+    precautions.extend(list.iter().map(|one| (one.code.to_string(), one.text.clone())));
+}
+
+fn of_faults(faults: &Faults) -> Vec<Message> {
+    let message = |fault: &spec::Fault| {
+        let parts =
+            [&fault.message, &fault.label].into_iter().chain(&fault.help).filter(|part| !part.is_empty());
+        (fault.code.to_owned(), parts.cloned().collect::<Vec<_>>().join("; "))
+    };
+    faults.list().iter().map(message).collect()
+}
+
+fn of_refusals(refusals: &Refusals) -> Vec<Message> {
+    refusals.iter().map(|one| (one.code.to_string(), format!("{}; {}", one.found, one.remedy))).collect()
+}
