@@ -104,7 +104,7 @@ fn faults(build: &Built) -> Vec<String> {
                 }
             }
             for star in design.on_sheet(sheet) {
-                let part = design.part(star);
+                let part = design.assembly().expect("stars").part(star);
                 for seam in &part.shape.seams {
                     if distance(&word.bounds, &star.placement.path(&seam.center_line))
                         <= 0.5 * part.shape.band - 0.01
@@ -155,7 +155,7 @@ fn no_label_of_a_shipped_design_covers_another_a_band_or_the_inlet() {
         {
             assert!(has(word), "{name} does not say {word:?}");
         }
-        let star = &build.forecast.design.distinct[0].star;
+        let star = &build.forecast.design.assembly().expect("stars").distinct[0].star;
         for k in 1..=star.n {
             let whole = has(&format!("tip {k}")) && has(&format!("corner {k}"));
             assert!(whole || has(&format!("T{k}")) && has(&format!("C{k}")), "{name}: {k}");
@@ -243,7 +243,7 @@ fn pixels_show_the_design() {
                 [TUBE, BAND, [0xf7, 0xf7, 0xf4]].into_iter().min_by_key(off).expect("three")
             };
             for star in design.on_sheet(sheet) {
-                let part = design.part(star);
+                let part = design.assembly().expect("stars").part(star);
                 let share = |path: &Path, left: f64, right: [u8; 3]| {
                     let points = (0..60).filter_map(|k| {
                         let at = (f64::from(k) + 0.5) / 60.0 * path.length();

@@ -168,9 +168,17 @@ fn the_player_draws_every_seam_where_it_is() {
         for step in program["steps"].as_array().expect("steps").iter().filter(|step| step["do"] == "seal") {
             let index = step["seam"].as_u64().and_then(|seam| usize::try_from(seam).ok()).expect("a seam");
             let seam = &program["seams"][index];
-            let placed = design.stars.iter().find(|star| seam["star"] == star.index).expect("a star");
+            let placed = design
+                .assembly()
+                .expect("stars")
+                .stars
+                .iter()
+                .find(|star| seam["star"] == star.index)
+                .expect("a star");
             let side = usize::from(seam["loop"] == "outer");
-            let run = placed.placement.path(&design.part(placed).shape.seams[side].run());
+            let run = placed
+                .placement
+                .path(&design.assembly().expect("stars").part(placed).shape.seams[side].run());
             let steps = step["path"].as_array().expect("a path").iter();
             let steps: Vec<f64> = steps.map(|x| x.as_f64().expect("a number") / 100.0).collect();
             let (mut at, mut length) = (Point::ORIGIN, 0.0);
@@ -185,7 +193,7 @@ fn the_player_draws_every_seam_where_it_is() {
             drawn += 1;
         }
     }
-    assert_eq!(drawn, 2 * design.stars.len());
+    assert_eq!(drawn, 2 * design.assembly().expect("stars").stars.len());
 }
 
 /// The reader, which the tests above rely on, refuses what could run or fetch something.
