@@ -46,7 +46,7 @@ pub use code::RefusalCode;
 pub use contour::{Contour, Part, Side};
 pub use cut::CutLines;
 pub use drawing::{Drawing, Edge, Layer, Origin, Shape};
-pub use drawn::{DrawnCut, DrawnPiece};
+pub use drawn::{DrawnCut, DrawnPiece, figures, proposed};
 pub use engraving::engraved_depth;
 pub use flat::{FlatPiece, PieceCut};
 pub use frame::{Frame, Plate, shut_reach};

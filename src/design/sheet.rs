@@ -1,9 +1,9 @@
 //! Sheets: the whole design, its pieces placed side by side on fabric.
 
 use crate::design::placement::{Placement, SheetLayout};
-use crate::design::{DrawnPiece, FlatPiece, Refusal, RefusalCode, Refusals, StarAssembly, Warning};
+use crate::design::{DrawnPiece, FlatPiece, Refusals, StarAssembly, Warning};
 use crate::shape::{PieceName, PlacedPiece};
-use crate::spec::{Machine, Spec, key};
+use crate::spec::{Machine, Spec};
 use inflatable::geom::{Isometry, Point};
 
 /// Everything that is made, exactly.
@@ -63,10 +63,8 @@ impl Design {
     /// Every reason for which a piece cannot be made or does not fit on a sheet.
     pub fn new(spec: &Spec, machine: &Machine) -> Result<Self, Refusals> {
         if let Some(drawing) = &spec.drawing {
-            let found = format!("the drawing {:?} was not read", drawing.file);
-            let remedy = "it must lie beside the spec".to_owned();
-            let refusal = Refusal::new(key::drawing::FILE, RefusalCode::DrawingUnread, found, remedy);
-            return Err(refusal.into());
+            let (piece, sheets, warnings) = DrawnPiece::new(spec, drawing, machine)?;
+            return Ok(Self { product: Product::Drawing(Box::new(piece)), sheets, warnings });
         }
         let (assembly, sheets, warnings) = StarAssembly::new(spec, machine)?;
         Ok(Self { product: Product::Stars(Box::new(assembly)), sheets, warnings })

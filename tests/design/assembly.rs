@@ -422,7 +422,7 @@ fn labels_stand_on_the_fabric_clear_of_seams_and_holes() {
 fn pieces_fit_the_bed_and_are_the_plate() {
     let designs = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/designs")).expect("designs/");
     let mut several = 0;
-    for path in designs.map(|entry| entry.expect("an entry").path()) {
+    for path in designs.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()) {
         let text = std::fs::read_to_string(&path).expect("a design");
         let bed = "[mask]\nbed = \"220 mm x 220 mm\"\n";
         let text = if text.contains("[mask]\n") { text.replace("[mask]\n", bed) } else { text + "\n" + bed };

@@ -135,7 +135,8 @@ fn page(picture: &str, height: f64) -> Bounds {
 fn designs() -> Vec<(String, String)> {
     let root = File::new(env!("CARGO_MANIFEST_DIR"));
     let shipped = fs::read_dir(root.join("designs")).expect("designs/");
-    let mut paths: Vec<_> = shipped.map(|entry| entry.expect("an entry").path()).collect();
+    let mut paths: Vec<_> =
+        shipped.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()).collect();
     paths.push(root.join("tests/golden/every-feature.toml"));
     paths.sort();
     paths.iter().map(|path| (path.display().to_string(), fs::read_to_string(path).expect("text"))).collect()

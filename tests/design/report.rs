@@ -32,8 +32,9 @@ fn block(page: &str) -> Value {
 
 #[test]
 fn every_shipped_design_has_a_report_that_is_proven_small_and_the_same_each_time() {
-    for design in std::fs::read_dir("designs").expect("designs") {
-        let text = std::fs::read_to_string(design.expect("a design").path()).expect("text");
+    let shipped = std::fs::read_dir("designs").expect("designs").map(|entry| entry.expect("a design").path());
+    for design in shipped.filter(|path| path.is_file()) {
+        let text = std::fs::read_to_string(design).expect("text");
         let made = built(&text);
         assert_eq!(made.proof().findings, []);
         let read = read_html(&page(&made)).map(|report| report.title);

@@ -4,6 +4,7 @@
 mod bench;
 mod block;
 mod cells;
+mod faults;
 mod labels;
 mod piece;
 mod place;
@@ -26,6 +27,7 @@ use crate::emit::preview::travel::travel_group;
 use inflatable::geom::{Bounds, Point, Vec2};
 
 pub use cells::{Cell, cells};
+pub use faults::{FaultMark, faults};
 pub use subject::Preview;
 
 /// Pixels along the longer side of a PNG: a screen's width.
