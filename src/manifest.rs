@@ -11,7 +11,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use crate::artifact::{Artifact, Asked, Format, Kind, NGC, Output};
-use crate::design::{Design, Paper};
+use crate::design::{Design, Paper, StarAssembly};
 use crate::forecast::prediction::Prediction;
 use crate::manifest::bill::thousandths;
 use crate::plan::Program;
@@ -40,16 +40,18 @@ pub struct Manifest {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pieces: Vec<SealedPiece>,
     /// Every star, bottom to top.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub stars: Vec<ManifestStar>,
     /// The frame's posts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub posts: Vec<ManifestPosts>,
     /// The frame's plates.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub plates: Vec<ManifestPlates>,
     /// The coating masks.
-    #[serde(default)]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub masks: Vec<ManifestMask>,
-    /// Fabric of all stars, both sheets of each.
+    /// Fabric of all pieces, both sheets of each.
     #[serde(default)]
     pub fabric_mm2: f64,
     /// Its mass, where its areal density is known: that of the whole stack, `stack_mass_g` of a prediction.
@@ -92,6 +94,9 @@ pub struct ManifestFile {
     /// The star it belongs to.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub star: Option<usize>,
+    /// The drawn piece that it belongs to, by its number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub copy: Option<usize>,
     /// The lowest plate of the frame that it is for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plate: Option<usize>,
@@ -154,45 +159,21 @@ impl Tool {
 impl Manifest {
     /// The manifest of the files of `design`, which `spec` describes and the sealing `programs` make; it names none yet.
     pub fn new(spec: &Spec, design: &Design, programs: &[Program]) -> Self {
-        let mut stars: Vec<ManifestStar> = Vec::new();
-        for program in programs {
-            for index in program.numbers() {
-                let seams: Vec<ManifestSeam> = program
-                    .seams
-                    .iter()
-                    .filter(|seam| seam.name.piece.number() == Some(index))
-                    .map(|seam| ManifestSeam {
-                        loop_name: seam.name.seam.clone(),
-                        length_mm: thousandths(seam.length),
-                        overlap_mm: thousandths(seam.overlap),
-                        time_s: thousandths(seam.time),
-                    })
-                    .collect();
-                let Some(placed) = design.stars.iter().find(|star| star.index == index) else { continue };
-                let part = design.part(placed);
-                stars.push(ManifestStar {
-                    index,
-                    sheet: program.sheet,
-                    seam_mm: thousandths(seams.iter().map(|seam| seam.length_mm).sum()),
-                    time_s: thousandths(seams.iter().map(|seam| seam.time_s).sum()),
-                    clear_radius_mm: thousandths(part.clear_radius()),
-                    fabric_mm2: thousandths(part.fabric()),
-                    mass_g: part.mass(&spec.fabric).map(thousandths),
-                    seams,
-                });
-            }
-        }
-        stars.sort_by_key(|star| star.index);
+        let assembly = design.assembly();
+        let stars = assembly.map_or_else(Vec::new, |assembly| ManifestStar::all(spec, assembly, programs));
+        let fabric = design.placed().iter().map(|placed| thousandths(design.part(placed).fabric())).sum();
+        let mass =
+            design.placed().iter().map(|placed| design.part(placed).mass(&spec.fabric).map(thousandths));
         Self {
             tool: Tool::this(),
             name: spec.name.clone(),
             files: Vec::new(),
-            posts: bill::posts(design),
-            plates: bill::plates(design),
-            masks: bill::masks(spec, design),
-            fabric_mm2: thousandths(stars.iter().map(|star| star.fabric_mm2).sum()),
-            mass_g: stars.iter().map(|star| star.mass_g).sum::<Option<f64>>().map(thousandths),
-            pieces: SealedPiece::stars(programs),
+            posts: assembly.map_or_else(Vec::new, bill::posts),
+            plates: assembly.map_or_else(Vec::new, bill::plates),
+            masks: assembly.map_or_else(Vec::new, |assembly| bill::masks(spec, assembly)),
+            fabric_mm2: thousandths(fabric),
+            mass_g: mass.sum::<Option<f64>>().map(thousandths),
+            pieces: SealedPiece::all(programs),
             stars,
             prediction: None,
             only: Vec::new(),
@@ -230,6 +211,42 @@ impl Manifest {
     }
 }
 
+impl ManifestStar {
+    /// The stars of `assembly`, which the sealing `programs` make, bottom to top.
+    fn all(spec: &Spec, assembly: &StarAssembly, programs: &[Program]) -> Vec<Self> {
+        let mut stars: Vec<Self> = Vec::new();
+        for program in programs {
+            for index in program.numbers() {
+                let seams: Vec<ManifestSeam> = program
+                    .seams
+                    .iter()
+                    .filter(|seam| seam.name.piece.number() == Some(index))
+                    .map(|seam| ManifestSeam {
+                        loop_name: seam.name.seam.clone(),
+                        length_mm: thousandths(seam.length),
+                        overlap_mm: thousandths(seam.overlap),
+                        time_s: thousandths(seam.time),
+                    })
+                    .collect();
+                let Some(placed) = assembly.stars.iter().find(|star| star.index == index) else { continue };
+                let part = assembly.part(placed);
+                stars.push(Self {
+                    index,
+                    sheet: program.sheet,
+                    seam_mm: thousandths(seams.iter().map(|seam| seam.length_mm).sum()),
+                    time_s: thousandths(seams.iter().map(|seam| seam.time_s).sum()),
+                    clear_radius_mm: thousandths(part.clear_radius()),
+                    fabric_mm2: thousandths(part.fabric()),
+                    mass_g: part.mass(&spec.fabric).map(thousandths),
+                    seams,
+                });
+            }
+        }
+        stars.sort_by_key(|star| star.index);
+        stars
+    }
+}
+
 impl ManifestFile {
     /// The entry of one artifact.
     pub fn of(artifact: &Artifact) -> Self {
@@ -243,7 +260,7 @@ impl ManifestFile {
 
     /// The same for who knows the hash of its content already.
     pub fn with_hash(artifact: &Artifact, sha256: String) -> Self {
-        let Output { kind, sheet, star, plate, piece, paper, mirrored, .. } = artifact.output;
+        let Output { kind, sheet, star, copy, plate, piece, paper, mirrored, .. } = artifact.output;
         Self {
             path: artifact.name.clone(),
             kind,
@@ -251,6 +268,7 @@ impl ManifestFile {
             sha256,
             sheet,
             star,
+            copy,
             plate,
             piece,
             paper: paper.filter(|paper| paper.name().is_some()),
@@ -260,9 +278,9 @@ impl ManifestFile {
 
     /// What the entry says that the file is.
     pub fn output(&self) -> Output {
-        let Self { kind, sheet, star, plate, piece, paper, mirrored, .. } = *self;
+        let Self { kind, sheet, star, copy, plate, piece, paper, mirrored, .. } = *self;
         let paper = if kind.format() == Format::Pdf { paper.or(Some(Paper::Large)) } else { paper };
         let ngc = Path::new(&self.path).extension().is_some_and(|ending| ending == NGC);
-        Output { kind, sheet, star, plate, piece, paper, mirrored, ngc }
+        Output { kind, sheet, star, copy, plate, piece, paper, mirrored, ngc }
     }
 }

@@ -46,8 +46,9 @@ const FEATURES: [&str; 16] = [
 
 /// (name, text) of every design, sorted by name.
 fn designs() -> Vec<(String, String)> {
-    let shipped = fs::read_dir(Path::new(ROOT).join("designs")).expect("designs/");
-    let mut designs: Vec<(String, String)> = shipped
+    let folder = |name: &str| fs::read_dir(Path::new(ROOT).join(name)).expect("designs/");
+    let mut designs: Vec<(String, String)> = folder("designs")
+        .chain(folder("designs/drawings"))
         .map(|entry| entry.expect("an entry").path())
         .chain([Path::new(ROOT).join("tests/golden/every-feature.toml")])
         .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
@@ -66,7 +67,11 @@ fn build(text: &str) -> (Built, Machine) {
 }
 
 fn build_with(text: &str, with: &[Kind]) -> (Built, Machine) {
-    let reading = spec::read(&Source::new("design", text)).expect("a valid design");
+    let mut reading = spec::read(&Source::new("design", text)).expect("a valid design");
+    if let Some(drawing) = reading.spec.drawing.clone() {
+        let file = Path::new(ROOT).join("designs/drawings").join(&drawing.file);
+        reading = reading.with_drawing(&fs::read(file).expect("a drawing"));
+    }
     let machine_text = spec::builtin_machine(&reading.spec.machine.profile).expect("a built-in profile");
     let machine = spec::read_machine(&Source::new("machine", machine_text)).expect("a valid profile");
     let sources = Sources { spec: text, machine: machine_text };
@@ -79,7 +84,9 @@ fn build_with(text: &str, with: &[Kind]) -> (Built, Machine) {
 
 /// The files of a build; spec and profile are copies of files that are in the repository anyway.
 fn files(build: &Built) -> Vec<(String, Vec<u8>)> {
-    let files = build.files().filter(|(name, _)| !["spec.toml", "machine.toml"].contains(name));
+    let files = build
+        .files()
+        .filter(|(name, _)| !["spec.toml", "machine.toml", "drawing.svg", "drawing.dxf"].contains(name));
     files.map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
 }
 
@@ -237,6 +244,11 @@ fn the_release_program_writes_these_bytes() {
     for (name, text) in designs() {
         let (spec, out) = (folder.path().join(format!("{name}.toml")), folder.path().join(&name));
         fs::write(&spec, &text).expect("written");
+        for drawing in fs::read_dir(Path::new(ROOT).join("designs/drawings")).expect("drawings") {
+            let drawing = drawing.expect("an entry").path();
+            let name = drawing.file_name().expect("a name");
+            let _ = fs::copy(&drawing, folder.path().join(name)).expect("copied");
+        }
         let mut command = Command::new(&program);
         let _ = command.arg("build").args([&spec, &PathBuf::from("-o"), &out]);
         let built =

@@ -7,7 +7,7 @@ use pyo3::types::{PyDict, PyList, PyTuple, PyType};
 use stargrip_cam::artifact::{Asked, Kind};
 use stargrip_cam::cli::embedded::Given;
 use stargrip_cam::design as exact;
-use stargrip_cam::design::{Contour as Trimmed, Part, PlacedStar, Side, StarDesign};
+use stargrip_cam::design::{Contour as Trimmed, Part, PlacedPart, Side, StarDesign};
 use stargrip_cam::geom::{Path, Point};
 use stargrip_cam::pipeline::{Forecast, Sources};
 
@@ -27,7 +27,7 @@ pub(crate) struct Design {
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Star {
     whole: Py<Design>,
-    placed: PlacedStar,
+    placed: PlacedPart,
 }
 
 /// The exact geometry of `spec`. Raises DesignError with all reasons if there is none.
@@ -44,8 +44,8 @@ impl Design {
     /// Its stars, bottom first.
     #[getter]
     fn stars(slf: &Bound<'_, Self>) -> Vec<Star> {
-        let star = |placed: &PlacedStar| Star { whole: slf.clone().unbind(), placed: *placed };
-        slf.get().design.stars.iter().map(star).collect()
+        let star = |placed: &PlacedPart| Star { whole: slf.clone().unbind(), placed: *placed };
+        slf.get().placed().iter().map(star).collect()
     }
 
     /// The sheets: dicts of `index`, `width_mm` and `height_mm`.
@@ -98,8 +98,20 @@ impl Design {
 
     fn __repr__(&self) -> String {
         let name = &self.given.reading.spec.name;
-        let (stars, sheets) = (self.design.stars.len(), self.design.sheets.len());
+        let (stars, sheets) = (self.placed().len(), self.design.sheets.len());
         format!("<Design {name:?}: {}, {}>", counted(stars, "star"), counted(sheets, "sheet"))
+    }
+}
+
+impl Design {
+    /// Its stars where they lie; none of a drawing.
+    fn placed(&self) -> &[PlacedPart] {
+        self.design.assembly().map_or(&[], |assembly| &assembly.stars)
+    }
+
+    /// The distinct stars.
+    fn distinct(&self) -> &[StarDesign] {
+        self.design.assembly().map_or(&[], |assembly| &assembly.distinct)
     }
 }
 
@@ -110,7 +122,7 @@ pub(crate) fn counted(number: usize, what: &str) -> String {
 
 impl Star {
     fn part(&self) -> &StarDesign {
-        self.whole.get().design.part(&self.placed)
+        &self.whole.get().distinct()[self.placed.distinct]
     }
 
     fn flat(&self) -> &exact::Star {
@@ -270,7 +282,7 @@ impl Star {
     /// What `__reduce__` calls.
     #[classmethod]
     fn _restored(class: &Bound<'_, PyType>, whole: Py<Design>, index: usize) -> PyResult<Self> {
-        let placed = whole.get().design.stars.iter().find(|placed| placed.index == index).copied();
+        let placed = whole.get().placed().iter().find(|placed| placed.index == index).copied();
         let placed = placed.ok_or_else(|| usage(class.py(), format!("the design has no star {index}")))?;
         Ok(Self { whole, placed })
     }

@@ -8,9 +8,10 @@ mod topology;
 
 use std::fmt;
 
-use crate::design::{Design, Refusal, RefusalCode, Refusals};
+use crate::design::{Design, FlatPiece, PlacedPart, Refusal, RefusalCode, Refusals};
 use crate::forecast::case::Case;
 use crate::forecast::seal_load::{SealLoad, seal_loads};
+use crate::shape::PieceName;
 use crate::spec::{Machine, Spec, key};
 
 pub use leaks::shape_leaks;
@@ -19,22 +20,22 @@ pub use topology::{Passage, passage};
 /// What is to be said about the seals of a design.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Report {
-    /// Every distinct star: the number of the first that is like it, its passages, its loads.
-    pub stars: Vec<StarReport>,
+    /// Every distinct piece: the first that is like it, its passages, its loads.
+    pub pieces: Vec<PieceReport>,
     /// Ways for air that are open, each with the key that is best changed.
     pub leaks: Refusals,
     /// Places that may fail.
     pub weaknesses: Vec<String>,
 }
 
-/// One distinct star.
+/// One distinct piece.
 #[derive(Clone, Debug, PartialEq)]
-pub struct StarReport {
-    /// Number of the first star that is like it.
-    pub index: usize,
+pub struct PieceReport {
+    /// The first piece that is like it.
+    pub name: PieceName,
     /// Where air goes and where it must not.
     pub passage: Passage,
-    /// The load on the seal where it bends and where it is straight.
+    /// The load on the seal where it bends and where it is straight; only of stars.
     pub loads: Vec<SealLoad>,
 }
 
@@ -47,48 +48,52 @@ pub fn leaks(spec: &Spec, machine: &Machine, design: &Design) -> Refusals {
 pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> Report {
     let passages = passages(spec, machine, design);
     let mut report = Report { leaks: open_ways(&passages, design), ..Report::default() };
-    for ((index, passage), part) in passages.into_iter().zip(&design.distinct) {
-        let of_star = |text: &String| format!("star {index}: {text}");
-        report.weaknesses.extend(passage.weaknesses.iter().map(of_star));
-        // No valid spec has a fabric without a case; without one there would be no load to speak of.
-        let loads = Case::of(spec, &part.star).map_or_else(|_| Vec::new(), |case| seal_loads(&case, part));
-        report.weaknesses.extend(loads.iter().filter_map(SealLoad::weakness).map(|text| of_star(&text)));
-        report.stars.push(StarReport { index, passage, loads });
+    for (placed, passage) in passages {
+        let name = placed.name();
+        let of_piece = |text: &String| format!("{name}: {text}");
+        report.weaknesses.extend(passage.weaknesses.iter().map(of_piece));
+        let loads = match design.part(placed) {
+            // No valid spec has a fabric without a case; without one there would be no load to speak of.
+            FlatPiece::Star(star) => {
+                Case::of(spec, &star.star).map_or_else(|_| Vec::new(), |case| seal_loads(&case, star))
+            }
+            FlatPiece::Drawn(_) => Vec::new(),
+        };
+        report.weaknesses.extend(loads.iter().filter_map(SealLoad::weakness).map(|text| of_piece(&text)));
+        report.pieces.push(PieceReport { name, passage, loads });
     }
     report
 }
 
-/// Of every distinct star the number of the first that is like it, and its passages.
-fn passages(spec: &Spec, machine: &Machine, design: &Design) -> Vec<(usize, Passage)> {
-    let first =
-        |number| design.stars.iter().find(|star| star.distinct == number).map_or(0, |star| star.index);
-    let parts = design.distinct.iter().enumerate();
-    parts.map(|(number, part)| (first(number), passage(spec, machine, part))).collect()
+/// Of every distinct piece the first that is like it, and its passages.
+fn passages<'a>(spec: &Spec, machine: &Machine, design: &'a Design) -> Vec<(&'a PlacedPart, Passage)> {
+    design.firsts().map(|first| (first, passage(spec, machine, design.part(first)))).collect()
 }
 
-fn open_ways(passages: &[(usize, Passage)], design: &Design) -> Refusals {
-    let of_stars = passages.iter().flat_map(|(index, passage)| {
+fn open_ways(passages: &[(&PlacedPart, Passage)], design: &Design) -> Refusals {
+    let of_pieces = passages.iter().flat_map(|(placed, passage)| {
         passage.leaks.iter().cloned().map(move |leak| Refusal {
-            key: leak.key.of_star(*index),
-            found: format!("star {index}: {}", leak.found),
+            key: leak.key.of_star(placed.index),
+            found: format!("{}: {}", placed.name(), leak.found),
             ..leak
         })
     });
-    let between = topology::between_stars(design).filter(|distance| *distance <= 0.0).map(|distance| {
-        let found = format!("the bands of two stars overlap by {:.3} mm", -distance);
+    let between = topology::between_pieces(design).filter(|distance| *distance <= 0.0).map(|distance| {
+        let kind = design.placed().first().map_or("piece", |placed| placed.kind);
+        let found = format!("the bands of two {kind}s overlap by {:.3} mm", -distance);
         let remedy = format!("gap must be {:.3} mm larger, or the allowance", 1e-3 - distance);
         Refusal::new(key::sheet::GAP, RefusalCode::StarsOverlap, found, remedy)
     });
-    of_stars.chain(between).collect()
+    of_pieces.chain(between).collect()
 }
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "seal:")?;
-        for star in &self.stars {
-            writeln!(f, "  star {}", star.index)?;
-            write!(f, "{}", star.passage)?;
-            for load in &star.loads {
+        for piece in &self.pieces {
+            writeln!(f, "  {}", piece.name)?;
+            write!(f, "{}", piece.passage)?;
+            for load in &piece.loads {
                 writeln!(f, "    {load}")?;
             }
         }
@@ -99,7 +104,7 @@ impl fmt::Display for Report {
             writeln!(f, "  warning: {weakness}")?;
         }
         if self.leaks.is_empty() {
-            let but = if self.stars.iter().any(|star| star.passage.inlet.is_some()) {
+            let but = if self.pieces.iter().any(|piece| piece.passage.inlet.is_some()) {
                 " but the inlet"
             } else {
                 ": the tube is closed all around, without an inlet"

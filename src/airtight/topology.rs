@@ -3,24 +3,24 @@
 use std::fmt;
 
 use crate::airtight::shape_leaks;
-use crate::design::{Design, Refusal, RefusalCode, Refusals, StarDesign};
-use crate::shape::Seam;
+use crate::design::{Design, FlatPiece, Refusal, RefusalCode, Refusals};
+use crate::shape::{Role, Seam};
 use crate::spec::{KeyPath, Machine, Spec, key};
 use inflatable::geom::{Bounds, Segment, path_distance, segment_distance};
 
-/// What was found about the seams of one star. Lengths in mm, times in s.
+/// What was found about the seams of one piece. Lengths in mm, times in s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passage {
     /// Every loop: what it is, whether it is closed, its overlap, and after how long the closure is sealed again.
     pub loops: Vec<Loop>,
-    /// Distance between the starts of the two loops (of an open one: its nearer end).
-    pub starts_apart: f64,
-    /// Least width of the tube between the two bands.
-    pub channel: f64,
+    /// Distance between the starts of the two loops of a star.
+    pub starts_apart: Option<f64>,
+    /// Least width of the tube between the bands; `None` where a drawing has none below 15 mm.
+    pub channel: Option<f64>,
     /// Width of the inlet's channel between its bands.
     pub inlet: Option<f64>,
-    /// How much of a tip, and of a corner, the band eats: radius drawn, radius made.
-    pub eaten: [(f64, f64); 2],
+    /// How much of a tip, and of a corner, the band eats: radius drawn, radius made; only of stars.
+    pub eaten: Option<[(f64, f64); 2]>,
     /// Ways for air.
     pub leaks: Refusals,
     /// Places that may fail.
@@ -30,8 +30,10 @@ pub struct Passage {
 /// One loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// "inner" or "outer".
+    /// "inner" or "outer"; of a drawing its seam's own.
     pub name: String,
+    /// Its purpose.
+    pub role: Role,
     /// Whether it returns to its start.
     pub closed: bool,
     /// Path sealed twice at the closure.
@@ -42,7 +44,7 @@ pub struct Loop {
     pub between_passes: f64,
 }
 
-/// What is to be said about one star.
+/// What is to be said about one piece.
 #[derive(Default)]
 struct Found {
     leaks: Refusals,
@@ -56,15 +58,20 @@ impl Found {
 }
 
 /// What the seams of `part` leave open.
-pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
-    let (shape, band) = (&part.shape, part.shape.band);
+pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
+    let (shape, band) = (part.shape(), part.shape().band);
     let mut found = Found { leaks: shape_leaks(shape).into_iter().collect(), weaknesses: Vec::new() };
-    let loops = shape.seams.iter().map(|seam| closure(spec, machine, seam, &mut found)).collect();
+    let is_star = matches!(part, FlatPiece::Star(_));
+    let loops = shape.seams.iter().map(|seam| closure(spec, machine, (seam, is_star), &mut found)).collect();
     let pairs =
         || shape.seams.iter().enumerate().flat_map(|(i, a)| shape.seams[i + 1..].iter().map(move |b| (a, b)));
     let apart = |(a, b): (&Seam, &Seam)| path_distance(&a.center_line, &b.center_line);
-    let channel = pairs().map(apart).fold(f64::INFINITY, f64::min) - band;
-    if channel <= 0.0 {
+    let channel = match part {
+        FlatPiece::Star(_) => Some(pairs().map(apart).fold(f64::INFINITY, f64::min) - band),
+        // Bands of a drawing may join; its passages were measured as it was read.
+        FlatPiece::Drawn(piece) => piece.passage,
+    };
+    if let Some(channel) = channel.filter(|channel| *channel <= 0.0) {
         let what = format!("the bands meet: {channel:.3} mm are left between them");
         found.leak(
             key::star::TUBE_WIDTH,
@@ -72,24 +79,29 @@ pub fn passage(spec: &Spec, machine: &Machine, part: &StarDesign) -> Passage {
             what,
             "make tube_width larger, or the band narrower",
         );
-    } else if channel < 0.99 * part.star.w {
+    } else if let Some(channel) = channel.filter(|channel| is_star && *channel < 0.99 * part.tube_width()) {
         found
             .weaknesses
-            .push(format!("the tube is {channel:.3} mm wide at its narrowest, of {} mm", part.star.w));
+            .push(format!("the tube is {channel:.3} mm wide at its narrowest, of {} mm", part.tube_width()));
     }
-    let inlet = part.channel.map(|_| shape.port_width(0).unwrap_or(0.0));
+    let inlet = shape.ports.first().map(|_| shape.port_width(0).unwrap_or(0.0));
     let starts = |(a, b): (&Seam, &Seam)| Some(a.center_line.start()?.distance(b.center_line.start()?));
-    let starts_apart = pairs().filter_map(starts).fold(f64::INFINITY, f64::min);
-    if starts_apart < 2.0 * band + spec.seal.overlap.0 {
-        found.weaknesses.push(format!("the two loops start only {starts_apart:.1} mm from each other"));
+    let starts_apart = is_star.then(|| pairs().filter_map(starts).fold(f64::INFINITY, f64::min));
+    if let Some(apart) = starts_apart.filter(|apart| *apart < 2.0 * band + spec.seal.overlap.0) {
+        found.weaknesses.push(format!("the two loops start only {apart:.1} mm from each other"));
     }
-    let (tip, corner) = (part.realised_tip(), part.realised_corner());
-    let eaten = [(part.star.r_i, tip.radius), (part.star.r_e, corner.radius)];
+    let eaten = match part {
+        FlatPiece::Star(star) => Some([
+            (star.star.r_i, star.realised_tip().radius),
+            (star.star.r_e, star.realised_corner().radius),
+        ]),
+        FlatPiece::Drawn(_) => None,
+    };
     let Found { leaks, weaknesses } = found;
     Passage { loops, starts_apart, channel, inlet, eaten, leaks, weaknesses }
 }
 
-fn closure(spec: &Spec, machine: &Machine, seam: &Seam, found: &mut Found) -> Loop {
+fn closure(spec: &Spec, machine: &Machine, (seam, is_star): (&Seam, bool), found: &mut Found) -> Loop {
     let (path, name) = (&seam.center_line, seam.name.clone());
     let run = seam.run();
     let twice = run.length() - path.length();
@@ -116,25 +128,26 @@ fn closure(spec: &Spec, machine: &Machine, seam: &Seam, found: &mut Found) -> Lo
     } else {
         ahead.min(behind)
     };
-    if path.closed && ahead.min(behind) <= 0.0 {
+    // A star's hinge is where its seal is loaded most; a drawing has none.
+    if is_star && path.closed && ahead.min(behind) <= 0.0 {
         found.weaknesses.push(format!("the {name} loop starts on a hinge"));
     }
     let between_passes = if path.closed { path.length() / spec.seal.speed.0 } else { 0.0 };
-    Loop { name, closed: path.closed, overlap: twice, to_hinge, between_passes }
+    Loop { name, role: seam.role, closed: path.closed, overlap: twice, to_hinge, between_passes }
 }
 
-/// Least distance between the bands of two stars on one sheet; `None` where there is only one.
-pub(super) fn between_stars(design: &Design) -> Option<f64> {
+/// Least distance between the bands of two pieces on one sheet; `None` where there is only one.
+pub(super) fn between_pieces(design: &Design) -> Option<f64> {
     let lines = |index: usize| {
-        let placed = &design.stars[index];
-        let part = design.part(placed);
-        let paths = part.shape.seams.iter().map(move |seam| placed.placement.path(&seam.center_line));
+        let placed = &design.placed()[index];
+        let shape = design.part(placed).shape();
+        let paths = shape.seams.iter().map(move |seam| placed.placement.path(&seam.center_line));
         let segments = paths.flat_map(|path| path.segments).map(|segment| (segment, segment.bounds()));
         let segments: Vec<(Segment, Bounds)> = segments.collect();
         let around = segments.iter().map(|(_, bounds)| *bounds).fold(Bounds::EMPTY, Bounds::union);
-        (placed.sheet, part.shape.band, around, segments)
+        (placed.sheet, shape.band, around, segments)
     };
-    let all: Vec<_> = (0..design.stars.len()).map(lines).collect();
+    let all: Vec<_> = (0..design.placed().len()).map(lines).collect();
     let mut least: Option<f64> = None;
     for (i, (sheet, band, around, a)) in all.iter().enumerate() {
         for (_, _, other, b) in all[i + 1..].iter().filter(|(other, ..)| other == sheet) {
@@ -159,27 +172,35 @@ pub(super) fn between_stars(design: &Design) -> Option<f64> {
 
 impl fmt::Display for Passage {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for Loop { name, closed, overlap, to_hinge, between_passes } in &self.loops {
+        for Loop { name, role, closed, overlap, to_hinge, between_passes } in &self.loops {
             if *closed {
-                let over = if *to_hinge < 0.0 { "over a hinge" } else { "on a straight arm" };
+                let over = match self.eaten {
+                    None => "",
+                    Some(_) if *to_hinge < 0.0 => " over a hinge",
+                    Some(_) => " on a straight arm",
+                };
                 let hours = between_passes / 3600.0;
                 writeln!(
                     f,
-                    "    {name} loop: closed {over}, {overlap:.1} mm sealed twice, {hours:.1} h between the passes"
+                    "    {name} loop: closed{over}, {overlap:.1} mm sealed twice, {hours:.1} h between the passes"
                 )?;
+            } else if *role == Role::Weld {
+                writeln!(f, "    {name}: a weld from end to end")?;
             } else {
                 writeln!(f, "    {name} loop: opened by the inlet only")?;
             }
         }
-        writeln!(
-            f,
-            "    starts {:.1} mm apart; tube {:.2} mm wide between the bands at its narrowest",
-            self.starts_apart, self.channel
-        )?;
+        let starts = self.starts_apart.map_or(String::new(), |apart| format!("starts {apart:.1} mm apart; "));
+        match self.channel {
+            Some(channel) => {
+                writeln!(f, "    {starts}tube {channel:.2} mm wide between the bands at its narrowest")?;
+            }
+            None => writeln!(f, "    no passage is narrower than 15 mm")?,
+        }
         if let Some(inlet) = self.inlet {
             writeln!(f, "    inlet {inlet:.2} mm wide between its bands")?;
         }
-        for (what, (drawn, made)) in ["tips", "corners"].iter().zip(self.eaten) {
+        for (what, (drawn, made)) in ["tips", "corners"].iter().zip(self.eaten.into_iter().flatten()) {
             if made > drawn {
                 writeln!(f, "    {what}: drawn with R {drawn:.2} mm, the band makes it {made:.2} mm")?;
             }

@@ -13,6 +13,8 @@ pub enum Subject {
     Spec,
     /// The machine profile as resolved.
     Machine,
+    /// The drawing that the spec names.
+    Drawing,
     /// The seams.
     Seal,
     /// The unheated look at where the iron will go.
@@ -66,6 +68,7 @@ impl Subject {
         match self {
             Self::Spec => "spec",
             Self::Machine => "machine",
+            Self::Drawing => "drawing",
             Self::Seal => "seal",
             Self::Trace => "trace",
             Self::Outline => "outline",
@@ -141,6 +144,10 @@ kinds! {
     Spec: "spec", Spec as Toml;
     /// The machine profile as resolved.
     Machine: "machine", Machine as Toml;
+    /// The drawing that the spec names.
+    DrawingSvg: "drawing-svg", Drawing as Svg;
+    /// The drawing that the spec names.
+    DrawingDxf: "drawing-dxf", Drawing as Dxf;
     /// The sealing program.
     SealGcode: "seal-gcode", Seal as Gcode;
     /// The unheated look at where the iron will go.
@@ -191,9 +198,9 @@ impl Kind {
         Self::ALL.iter().copied().find(|kind| kind.name() == name)
     }
 
-    /// Whether it comes even where only other kinds are asked for: a directory is proven from its own spec and profile.
+    /// Whether it comes even where only other kinds are asked for: a directory is proven from its own spec, profile and drawing.
     pub fn is_source(self) -> bool {
-        self.format() == Format::Toml
+        matches!(self.subject(), Subject::Spec | Subject::Machine | Subject::Drawing)
     }
 
     /// Whether it comes only where it is named.

@@ -2,8 +2,8 @@
 
 use crate::artifact::asked::Asked;
 use crate::artifact::kind::{Format, Kind, Subject};
-use crate::design::{Design, Drawing, Edge, MaskPlate, Paper, PlacedStar};
-use crate::spec::{Dialect, ProgramScope, Spec};
+use crate::design::{Design, Drawing, Edge, MaskPlate, Paper, PlacedPart, StarAssembly};
+use crate::spec::{Dialect, DrawingSpec, ProgramScope, Spec};
 
 /// The ending of programs for LinuxCNC.
 pub const NGC: &str = "ngc";
@@ -17,6 +17,8 @@ pub struct Output {
     pub sheet: Option<usize>,
     /// The star it belongs to; of equal ones the first.
     pub star: Option<usize>,
+    /// The drawn piece that it belongs to, by its number.
+    pub copy: Option<usize>,
     /// The lowest plate of the frame that it is for.
     pub plate: Option<usize>,
     /// The piece of a printed mask that it is, from 1; `None` for the whole.
@@ -36,6 +38,7 @@ impl Output {
             kind,
             sheet: None,
             star: None,
+            copy: None,
             plate: None,
             piece: None,
             paper: None,
@@ -46,10 +49,11 @@ impl Output {
 
     /// What it is a file of, in its name; "" for the whole gripper.
     fn part(&self) -> String {
-        match (self.star, self.plate, self.sheet) {
+        match (self.star, self.copy, self.plate, self.sheet) {
             (Some(star), ..) => format!("star-{star}-"),
-            (_, Some(plate), _) => format!("plate-{plate}-"),
-            (_, _, Some(sheet)) => format!("sheet-{sheet}-"),
+            (_, Some(copy), ..) => format!("piece-{copy}-"),
+            (_, _, Some(plate), _) => format!("plate-{plate}-"),
+            (.., Some(sheet)) => format!("sheet-{sheet}-"),
             _ => String::new(),
         }
     }
@@ -123,14 +127,15 @@ impl Output {
             Subject::Seal => Drawing::seals(design, self.sheet?),
             Subject::Outline => Drawing::outlines(design, self.sheet?, self.edge()),
             Subject::Mask if is_solid => Drawing::printed_mask(
-                design,
+                design.assembly()?,
                 self.star?,
                 self.mirrored,
                 self.piece.map_or(0, |piece| piece - 1),
             ),
-            Subject::Mask => Drawing::mask(design, self.star?, self.mirrored, self.edge()),
-            Subject::Pieces => Drawing::pieces(design, self.star?, self.mirrored),
+            Subject::Mask => Drawing::mask(design.assembly()?, self.star?, self.mirrored, self.edge()),
+            Subject::Pieces => Drawing::pieces(design.assembly()?, self.star?, self.mirrored),
             Subject::Frame => {
+                let design = design.assembly()?;
                 let plate =
                     design.frame.plates.iter().find(|plate| plate.numbers.first() == self.plate.as_ref())?;
                 Some(if is_solid {
@@ -159,10 +164,13 @@ pub fn program_ending(dialect: Dialect) -> &'static str {
 /// Every file of `design`, which `spec` describes for a machine of `dialect`, of the kinds that are `asked` for, in the order of the manifest.
 pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, asked: &Asked) -> Vec<Output> {
     let mut out = vec![Output::of(Kind::Spec), Output::of(Kind::Machine)];
+    out.extend(spec.drawing.as_ref().map(|drawing| Output::of(drawing_kind(drawing))));
     for kind in [Kind::SealGcode, Kind::TraceGcode] {
-        out.extend(programs(spec, design).map(|(sheet, star)| Output {
+        let is_star = design.assembly().is_some();
+        out.extend(programs(spec, design).map(|(sheet, placed)| Output {
             sheet: Some(sheet),
-            star,
+            star: placed.filter(|_| is_star).map(|placed| placed.index),
+            copy: placed.filter(|_| !is_star).map(|placed| placed.index),
             ngc: dialect == Dialect::LinuxCnc,
             ..Output::of(kind)
         }));
@@ -184,28 +192,47 @@ pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, asked: &Asked) ->
             asked,
         ));
     }
-    for placed in design.firsts() {
-        masks(spec, design, placed, asked, &mut out);
+    if let Some(assembly) = design.assembly() {
+        of_assembly(spec, (design, assembly), asked, &mut out);
     }
-    for plate in &design.frame.plates {
+    if spec.load.is_some() && design.assembly().is_some() {
+        out.push(Output::of(Kind::Prediction));
+    }
+    if design.assembly().is_some() {
+        out.extend([Kind::SceneGlb, Kind::Report].map(Output::of));
+    }
+    out.retain(|output| asked.takes(output.kind));
+    out
+}
+
+/// The kind of the drawing's copy.
+fn drawing_kind(drawing: &DrawingSpec) -> Kind {
+    if drawing.is_dxf() { Kind::DrawingDxf } else { Kind::DrawingSvg }
+}
+
+/// The masks and plates of a gripper.
+fn of_assembly(
+    spec: &Spec,
+    (design, assembly): (&Design, &StarAssembly),
+    asked: &Asked,
+    out: &mut Vec<Output>,
+) {
+    for placed in assembly.firsts() {
+        masks(spec, (design, assembly), placed, asked, out);
+    }
+    for plate in &assembly.frame.plates {
         let plate = plate.numbers.first().copied();
         let of_plate = |kind| Output { plate, ..Output::of(kind) };
         out.extend([Kind::FrameSvg, Kind::FrameDxf, Kind::FrameStl].map(of_plate));
         out.extend(papers(of_plate(Kind::FramePdf), design, asked));
     }
-    if spec.load.is_some() {
-        out.push(Output::of(Kind::Prediction));
-    }
-    out.extend([Kind::SceneGlb, Kind::Report].map(Output::of));
-    out.retain(|output| asked.takes(output.kind));
-    out
 }
 
-/// Sheet and star of every program; a program of a whole sheet has no star.
-fn programs(spec: &Spec, design: &Design) -> impl Iterator<Item = (usize, Option<usize>)> {
-    let by_star = spec.machine.program == ProgramScope::Star;
-    let stars = design.stars.iter().filter(move |_| by_star).map(|star| (star.sheet, Some(star.index)));
-    stars.chain(design.sheets.iter().filter(move |_| !by_star).map(|sheet| (sheet.index, None)))
+/// Sheet and piece of every program; a program of a whole sheet has no piece.
+fn programs<'a>(spec: &Spec, design: &'a Design) -> impl Iterator<Item = (usize, Option<&'a PlacedPart>)> {
+    let by_piece = spec.machine.program == ProgramScope::Piece;
+    let pieces = design.placed().iter().filter(move |_| by_piece).map(|placed| (placed.sheet, Some(placed)));
+    pieces.chain(design.sheets.iter().filter(move |_| !by_piece).map(|sheet| (sheet.index, None)))
 }
 
 /// A file on every paper that takes it; nothing if it was not asked for.
@@ -215,8 +242,14 @@ fn papers(output: Output, design: &Design, asked: &Asked) -> impl Iterator<Item 
 }
 
 /// The masks of a distinct star, for its other face too if the spec says so.
-fn masks(spec: &Spec, design: &Design, placed: &PlacedStar, asked: &Asked, out: &mut Vec<Output>) {
-    let pieces = &design.part(placed).pieces;
+fn masks(
+    spec: &Spec,
+    (design, assembly): (&Design, &StarAssembly),
+    placed: &PlacedPart,
+    asked: &Asked,
+    out: &mut Vec<Output>,
+) {
+    let pieces = &assembly.part(placed).pieces;
     for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
         let of_mask = |kind| Output { star: Some(placed.index), mirrored, ..Output::of(kind) };
         out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));

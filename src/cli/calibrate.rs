@@ -139,7 +139,7 @@ fn need_of(loaded: &Loaded) -> Result<(f64, String), Failure> {
     let design = Design::new(spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
     let mut largest = (0.0, "");
     let mut loads = Vec::new();
-    for part in &design.distinct {
+    for part in design.assembly().into_iter().flat_map(|assembly| &assembly.distinct) {
         let case = Case::of(spec, &part.star).map_err(|fault| refused(&fault.to_string()))?;
         loads.extend(seal_loads(&case, part));
     }

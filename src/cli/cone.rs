@@ -69,7 +69,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
             .ok_or_else(|| message("give --contact-radius, or a --spec that predicts it".to_owned()))?;
         return reduced(first, None);
     };
-    let spec = Loaded::spoken(path, args.verbosity)?.reading.spec;
+    let spec = Loaded::spoken(path, args.verbosity)?.with_stars("cone")?.reading.spec;
     let pressure = spec.load.as_ref().and_then(|load| load.pressure);
     let pressure = pressure.ok_or_else(|| message("the spec's [load] has no pressure".to_owned()))?;
     let star = spec.stars.first().ok_or_else(|| message("the spec has no star".to_owned()))?;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use crate::airtight;
 use crate::artifact::{Format, Output};
-use crate::design::{COATING_ASSUMES, Design, Plate, StarDesign};
+use crate::design::{COATING_ASSUMES, Design, FlatPiece, Plate, StarAssembly, StarDesign};
 use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};
 use crate::spec::Spec;
@@ -25,26 +25,21 @@ fn design(forecast: &Forecast) -> String {
     let mut out = String::new();
     for placed in design.firsts() {
         let part = design.part(placed);
-        let _ = writeln!(out, "star {}: arms {:.2} mm long", placed.index, part.star.l);
-        let (tip, corner) = (part.realised_tip(), part.realised_corner());
-        let _ = writeln!(
-            out,
-            "  realised radius: tips {:.2} mm (cusp {:.2} mm), corners {:.2} mm (cusp {:.2} mm)",
-            tip.radius, tip.cusp, corner.radius, corner.cusp
-        );
-        let _ = writeln!(
-            out,
-            "  clear radius at the flap {:.2} mm, fabric {:.0} cm2 in both sheets{}",
-            part.clear_radius(),
-            part.fabric() / 100.0,
-            part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
-        );
+        match part {
+            FlatPiece::Star(star) => out += &of_star(spec, placed.index, star),
+            FlatPiece::Drawn(_) => {
+                let mass = part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g"));
+                let fabric = part.fabric() / 100.0;
+                let _ = writeln!(out, "{}: fabric {fabric:.0} cm2 in both sheets{mass}", placed.name());
+            }
+        }
         for program in programs {
             for seam in program.seams.iter().filter(|seam| seam.name.piece == placed.name()) {
                 let _ = writeln!(
                     out,
-                    "  {} loop: {:.1} mm of seam, {}",
+                    "  {}{}: {:.1} mm of seam, {}",
                     seam.name.seam,
+                    if design.assembly().is_some() { " loop" } else { "" },
                     seam.length,
                     hours(seam.time)
                 );
@@ -55,15 +50,35 @@ fn design(forecast: &Forecast) -> String {
         let _ =
             writeln!(out, "sheet {}: {} x {} mm", sheet.index, Readable(sheet.width), Readable(sheet.height));
     }
-    out += &materials(spec, design);
+    out += &design.assembly().map_or_else(String::new, |assembly| materials(spec, assembly));
     let time: f64 = programs.iter().map(|program| program.time).sum();
     let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();
     let _ = writeln!(out, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
     out
 }
 
+/// A star's geometry, and what the iron does to its corners.
+fn of_star(spec: &Spec, index: usize, part: &StarDesign) -> String {
+    let mut out = String::new();
+    let _ = writeln!(out, "star {}: arms {:.2} mm long", index, part.star.l);
+    let (tip, corner) = (part.realised_tip(), part.realised_corner());
+    let _ = writeln!(
+        out,
+        "  realised radius: tips {:.2} mm (cusp {:.2} mm), corners {:.2} mm (cusp {:.2} mm)",
+        tip.radius, tip.cusp, corner.radius, corner.cusp
+    );
+    let _ = writeln!(
+        out,
+        "  clear radius at the flap {:.2} mm, fabric {:.0} cm2 in both sheets{}",
+        part.clear_radius(),
+        part.fabric() / 100.0,
+        part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g")),
+    );
+    out
+}
+
 /// Masks, coating and frame.
-fn materials(spec: &Spec, design: &Design) -> String {
+fn materials(spec: &Spec, design: &StarAssembly) -> String {
     let mut out = String::new();
     for placed in design.firsts() {
         let part = design.part(placed);

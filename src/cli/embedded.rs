@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Command, ValueEnum};
 
-use crate::cli::load::{Loaded, machine_source, read_source, refused};
+use crate::cli::load::{Loaded, machine_source, read_source, refused, with_drawing};
 use crate::cli::{actuator, cache, optimize, predict, verify};
 use crate::design::Refusals;
 use crate::forecast::actuator::Actuator;
@@ -54,7 +54,7 @@ impl Given {
     pub fn from_source(source: Source, path: &Path) -> Result<Self, Failure> {
         // The limits of a file's text are those of every text.
         let source = Source::from_bytes(source.name, source.text.as_bytes())?;
-        let reading = spec::read(&source)?;
+        let (reading, _) = with_drawing(path, &source, spec::read(&source)?)?;
         let (profile, _) = machine_source(path, &source, &reading)?;
         let machine = spec::read_machine(&profile)?;
         Ok(Self { source, reading, machine, machine_text: profile.text, path: path.to_owned() })

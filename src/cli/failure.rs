@@ -145,6 +145,10 @@ fn refused_by(faults: &Faults) -> Vec<Value> {
         value["remedy"] = json!(fault.help);
         value["file"] = json!(faults.source().name);
         value["line"] = json!(faults.line_of(fault));
+        if let Some(drawn) = &fault.drawn {
+            value["elements"] = json!(drawn.elements);
+            value["at_mm"] = json!(drawn.at);
+        }
         value
     };
     errors.map(one).collect()

@@ -10,7 +10,7 @@ use crate::cli::failure::{Failure, tell, warn};
 use crate::cli::progress;
 use crate::cli::unproven::Unproven;
 use crate::cli::verbosity::Verbosity;
-use crate::design::{Refusal, Refusals, Warning};
+use crate::design::{Refusal, RefusalCode, Refusals, Warning};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Proven, Sources};
 use crate::spec;
@@ -36,11 +36,12 @@ impl Loaded {
     /// Reads the spec at `path` and the machine profile it names; prints warnings unless they are not wanted.
     pub(super) fn spoken(path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
         let source = read_source(path)?;
-        let reading = spec::read(&source)?;
+        let (reading, drawing_note) = with_drawing(path, &source, spec::read(&source)?)?;
         let (profile, note) = machine_source(path, &source, &reading)?;
         if !verbosity.quiet {
             warn(&reading.warnings);
             tell(&note.unwrap_or_default());
+            tell(&drawing_note.unwrap_or_default());
         }
         let machine = spec::read_machine(&profile)?;
         Ok(Self { reading, source, machine, machine_text: profile.text, verbosity })
@@ -50,6 +51,20 @@ impl Loaded {
     pub(super) fn quiet(source: Source, reading: Reading, machine: Machine, machine_text: String) -> Self {
         let verbosity = Verbosity { quiet: true, ..Verbosity::default() };
         Self { reading, source, machine, machine_text, verbosity }
+    }
+
+    /// The same, if the spec has stars; `command` asks about nothing else.
+    ///
+    /// # Errors
+    /// If the spec has a drawing.
+    pub(super) fn with_stars(self, command: &str) -> Result<Self, Failure> {
+        if self.reading.spec.drawing.is_none() {
+            return Ok(self);
+        }
+        let place = self.reading.raw.span_of(key::drawing::FILE);
+        let message = format!("`{command}` is about stars, and this spec has a drawing");
+        let fault = Fault::error(RefusalCode::NoPrediction, place, message).label("needs [star] instead");
+        Err(Faults::new(&self.source, vec![fault]).into())
     }
 
     /// The texts as read.
@@ -114,7 +129,9 @@ impl Loaded {
 pub(super) fn refused(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
     let faults = refusals.into_iter().map(|refusal| {
         let key = refusal.key;
-        let fault = Fault::error(refusal.code, raw.span_of(key), refusal.found).label(refusal.remedy);
+        let fault = Fault::error(refusal.code, raw.span_of(key), refusal.found)
+            .label(refusal.remedy)
+            .drawn_at(refusal.drawn);
         if raw.find(key).is_some() {
             return fault;
         }
@@ -165,6 +182,40 @@ fn is_directory(path: &Path) -> String {
 fn published_profile(path: &Path) -> Option<PathBuf> {
     let profile = path.with_file_name(MACHINE);
     (path.with_file_name(MANIFEST).is_file() && profile.is_file()).then_some(profile)
+}
+
+/// Largest drawing that is read, bytes.
+const DRAWING_LIMIT: u64 = 64 << 20;
+
+/// `reading` of the spec at `path` with the drawing that it names, a file relative to the spec; and what is to be noted of where it was
+/// found.
+pub(super) fn with_drawing(
+    path: &Path,
+    source: &Source,
+    reading: Reading,
+) -> Result<(Reading, Option<String>), Failure> {
+    let Some(drawing) = &reading.spec.drawing else { return Ok((reading, None)) };
+    let named: PathBuf = path.parent().unwrap_or(Path::new("")).join(&drawing.file);
+    let published = path.with_file_name(drawing.published_name());
+    let is_published = path.with_file_name(MANIFEST).is_file() && published.is_file();
+    let (file, note) = match named.is_file() {
+        false if is_published => {
+            let note =
+                format!("note: there is no {}; {} is used, as published", shown(&named), shown(&published));
+            (published, Some(note))
+        }
+        _ => (named, None),
+    };
+    let mut bytes = Vec::new();
+    let read = File::open(&file).and_then(|opened| opened.take(DRAWING_LIMIT + 1).read_to_end(&mut bytes));
+    let wrong = match read {
+        Ok(length) if length as u64 > DRAWING_LIMIT => format!("{} is larger than 64 MiB", shown(&file)),
+        Ok(_) => return Ok((reading.with_drawing(&bytes), note)),
+        Err(error) => format!("cannot read {}: {error}", shown(&file)),
+    };
+    let place = reading.raw.span_of(key::drawing::FILE);
+    let fault = Fault::error(RefusalCode::DrawingUnread, place, wrong).label("a path relative to the spec");
+    Err(Faults::new(source, vec![fault]).into())
 }
 
 /// The machine profile that the spec at `path` names: a built-in one, or a file relative to the spec; and what is to be noted of

@@ -139,7 +139,7 @@ impl Made {
 
     /// Width and height of the first star's cut, mm.
     fn fabric(&self) -> Option<[f64; 2]> {
-        let bounds = self.forecast.design.distinct.first()?.outline.outside.bounds();
+        let bounds = self.forecast.design.assembly()?.distinct.first()?.outline.outside.bounds();
         Some([bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y])
     }
 
@@ -328,7 +328,8 @@ fn buildable(
     })?;
     // Windows that are shorter than the default are accepted in the spec: `check` need not warn of them.
     let is_short = forecast.design.warnings.iter().any(|warning| warning.code == RefusalCode::ShortWindow);
-    let reaches = forecast.design.distinct.iter().map(|part| part.mask.extent);
+    let stars = forecast.design.assembly().into_iter().flat_map(|assembly| &assembly.distinct);
+    let reaches = stars.map(|part| part.mask.extent);
     let Some(shortest) = reaches.reduce(f64::min).filter(|_| is_short) else { return Ok((text, forecast)) };
     base.mask.extent = Some(Length((shortest * 100.0).floor() / 100.0));
     attempt(&base)

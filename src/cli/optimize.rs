@@ -137,7 +137,7 @@ pub(super) fn answer(
 
 /// Searches, and prints the candidates, the front, and the best one's spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
+    let loaded = Loaded::spoken(&args.spec, args.verbosity)?.with_stars("optimize")?;
     let (found, constraints) = answer(args, &loaded, None)?;
     let said = Said { found: &found, constraints: &constraints };
     let best = best(args, &loaded, &found, &constraints)?;

@@ -15,6 +15,7 @@ use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say, tell_under};
 use crate::cli::terminal::{width, wrapped};
 use crate::cli::verdict;
+use crate::design::{DrawnPiece, FlatPiece};
 use crate::forecast::ranges::shown::rounded;
 use crate::pipeline::{Forecast, Precaution, Proven};
 use crate::spec::StarSpec;
@@ -29,27 +30,51 @@ type Row = (&'static str, String);
 /// What it is, and what it does.
 pub(super) fn head(forecast: &Forecast) -> Vec<Row> {
     let mut rows = vec![("", forecast.spec.name.clone())];
-    rows.extend(stars(forecast).into_iter().map(|text| ("", text)));
-    rows.push(("", verdict::in_words(forecast)));
-    rows.extend(verdict::rows(forecast));
+    rows.extend(pieces(forecast).into_iter().map(|text| ("", text)));
+    if forecast.design.assembly().is_some() {
+        rows.push(("", verdict::in_words(forecast)));
+        rows.extend(verdict::rows(forecast));
+    }
     rows
 }
 
-/// Equal stars once.
-fn stars(forecast: &Forecast) -> Vec<String> {
-    let all = forecast.design.stars.len();
+/// Equal pieces once.
+fn pieces(forecast: &Forecast) -> Vec<String> {
+    let (placed, all) = (forecast.design.placed(), forecast.design.placed().len());
     let lines = forecast.design.firsts().filter_map(|first| {
-        let alike = forecast.design.stars.iter().filter(|placed| placed.distinct == first.distinct);
+        let alike = placed.iter().filter(|placed| placed.distinct == first.distinct);
         let numbers: Vec<String> = alike.map(|placed| placed.index.to_string()).collect();
-        let star = in_words(forecast.spec.stars.get(first.index - 1)?);
+        let (kind, words) = (
+            first.kind,
+            match forecast.design.part(first) {
+                FlatPiece::Star(_) => in_words(forecast.spec.stars.get(first.index - 1)?),
+                FlatPiece::Drawn(piece) => drawn_in_words(piece),
+            },
+        );
         Some(match numbers.len() {
-            _ if all == 1 => format!("1 star: {star}"),
-            n if n == all => format!("{all} equal stars: {star}"),
-            1 => format!("star {}: {star}", numbers[0]),
-            _ => format!("stars {}: {star}", numbers.join(", ")),
+            _ if all == 1 => format!("1 {kind}: {words}"),
+            n if n == all => format!("{all} equal {kind}s: {words}"),
+            1 => format!("{kind} {}: {words}", numbers[0]),
+            _ => format!("{kind}s {}: {words}", numbers.join(", ")),
         })
     });
     lines.collect()
+}
+
+/// A drawn piece: its size, chambers, ports and seams.
+fn drawn_in_words(piece: &DrawnPiece) -> String {
+    let size = piece.part.outside.bounds();
+    let count = |number: usize, what: &str| format!("{number} {what}{}", if number == 1 { "" } else { "s" });
+    let length: f64 = piece.shape.seams.iter().map(|seam| seam.center_line.length()).sum();
+    format!(
+        "{} x {} mm, {}, {}, {} of {} mm in all",
+        rounded(size.width()),
+        rounded(size.height()),
+        count(piece.shape.topology().chambers.len(), "chamber"),
+        count(piece.shape.ports.len(), "port"),
+        count(piece.shape.seams.len(), "seam"),
+        rounded(length)
+    )
 }
 
 /// A star in the words of the spec.
@@ -182,7 +207,8 @@ pub(super) fn json(forecast: &Forecast, list: &[Precaution]) -> Value {
         forecast.design.sheets.iter().map(|sheet| [sheet.width, sheet.height]).collect();
     json!({
         "name": forecast.spec.name,
-        "stars": forecast.design.stars.len(),
+        "stars": forecast.design.assembly().map_or(0, |assembly| assembly.stars.len()),
+        "pieces": forecast.design.placed().len(),
         "verdict": verdict::json(forecast),
         "before_you_seal": list.iter().map(|one| &one.text).collect::<Vec<_>>(),
         "sealing_time_s": sealing_time(forecast),

@@ -37,7 +37,9 @@ pub(super) struct Args {
 /// Measures on this machine, and prints the table.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let base = match &args.spec {
-        Some(path) => Loaded::spoken(path, args.verbosity)?.reading.spec.stars.first().cloned(),
+        Some(path) => {
+            Loaded::spoken(path, args.verbosity)?.with_stars("trade")?.reading.spec.stars.first().cloned()
+        }
         None => None,
     };
     let start = Instant::now();

@@ -34,7 +34,7 @@ pub(super) struct Args {
 const FILE_LIMIT: u64 = 1 << 28;
 
 /// What says which files there must be.
-const SOURCES: [&str; 3] = ["spec.toml", "machine.toml", MANIFEST];
+const SOURCES: [&str; 5] = ["spec.toml", "machine.toml", MANIFEST, "drawing.svg", "drawing.dxf"];
 
 /// Largest of these that is read: none of a thousand stars comes near.
 const SOURCE_LIMIT: u64 = 1 << 24;
@@ -85,7 +85,7 @@ fn feed_check(path: &Path) -> Result<Proof, Failure> {
 
 /// Refuses a directory in which nobody published, if others in it say that they were: it is the one above.
 pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
-    if SOURCES.iter().any(|name| dir.join(name).exists()) {
+    if SOURCES[..3].iter().any(|name| dir.join(name).exists()) {
         return Ok(());
     }
     let entries = fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))?;

@@ -37,16 +37,17 @@ pub(super) fn on_every_save(specs: &[PathBuf], mut build: impl FnMut(&[PathBuf])
 }
 
 fn stamps(spec: &Path) -> Stamps {
-    let files = [Some(spec.to_owned()), profile(spec)].into_iter().flatten();
+    let files = std::iter::once(spec.to_owned()).chain(named(spec));
     files.map(|file| (file.clone(), stamp(&file))).collect()
 }
 
-/// The profile that a spec names, if it is a file of one's own.
-fn profile(spec: &Path) -> Option<PathBuf> {
-    let source = read_source(spec).ok()?;
-    let name = spec::read(&source).ok()?.spec.machine.profile;
-    let builtin = spec::builtin_machine(&name).is_some();
-    (!builtin).then(|| spec.with_file_name(name))
+/// The files that a spec names: its drawing, and a profile of one's own.
+fn named(path: &Path) -> Vec<PathBuf> {
+    let read = read_source(path).ok().and_then(|source| spec::read(&source).ok());
+    let Some(reading) = read else { return Vec::new() };
+    let profile = Some(reading.spec.machine.profile).filter(|name| spec::builtin_machine(name).is_none());
+    let files = profile.into_iter().chain(reading.spec.drawing.map(|drawing| drawing.file));
+    files.map(|name| path.with_file_name(name)).collect()
 }
 
 fn stamp(file: &Path) -> Option<(SystemTime, u64)> {

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-use crate::design::{Design, Plate, Side, StarDesign, label, lettering};
+use crate::design::{Circle, Design, FlatPiece, Plate, Product, Side, StarAssembly, label, lettering};
 use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point};
 
 /// Exact geometry on a page.
@@ -40,6 +40,8 @@ pub enum Edge {
 /// What a shape is for. Names are part of every file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
+    /// Centre lines of all seams of a piece that is no star.
+    Seal,
     /// Centre line of the seam around the hole.
     SealInner,
     /// Centre line of the seam outside.
@@ -72,6 +74,7 @@ impl Layer {
     /// The layer's name in files.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Seal => "seal",
             Self::SealInner => "seal-inner",
             Self::SealOuter => "seal-outer",
             Self::CutOutside => "cut-outside",
@@ -157,35 +160,37 @@ impl Shape {
 impl Drawing {
     /// The centre lines of all seams on sheet `sheet`.
     pub fn seals(design: &Design, sheet: usize) -> Option<Self> {
-        let seam = |layer: Layer, side: Side| {
+        let seams = |layer: Layer, is_on: &dyn Fn(&str) -> bool| {
             let shapes = design.on_sheet(sheet).flat_map(|placed| {
-                let seams = design.part(placed).shape.seam(side.loop_name()).into_iter();
+                let seams = design.part(placed).shape().seams.iter().filter(|seam| is_on(&seam.name));
                 seams.map(|seam| Shape::Path(placed.placement.path(&seam.center_line)))
             });
             (layer, shapes.collect())
         };
-        Self::on(
-            design,
-            sheet,
-            vec![seam(Layer::SealInner, Side::Hole), seam(Layer::SealOuter, Side::Outside)],
-        )
+        let of_star = |layer, side: Side| seams(layer, &|name| name == side.loop_name());
+        let layers = match design.product {
+            Product::Stars(_) => {
+                vec![of_star(Layer::SealInner, Side::Hole), of_star(Layer::SealOuter, Side::Outside)]
+            }
+            Product::Drawing(_) => vec![seams(Layer::Seal, &|_| true)],
+        };
+        Self::on(design, sheet, layers)
     }
 
-    /// The outlines of all stars on sheet `sheet`, holes first, so that no part moves before its holes are made.
+    /// The outlines of all pieces on sheet `sheet`, holes first, so that no part moves before its holes are made.
     pub fn outlines(design: &Design, sheet: usize, edge: Edge) -> Option<Self> {
         let (mut labels, mut holes, mut inside, mut outside) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for placed in design.on_sheet(sheet) {
             let part = design.part(placed);
             let place = |path: &Path| Shape::Path(placed.placement.path(path));
-            labels.extend(Shape::figure(label::on_outline(part, placed)));
-            let (hole, around, kerf) = match edge {
-                Edge::Part => (&part.outline.hole, &part.outline.outside, 0.0),
-                Edge::Tool => (&part.cut.hole, &part.cut.outside, part.cut.kerf),
-            };
-            holes.extend(registration(part, &placed.placement, kerf));
-            inside.push(place(hole));
-            outside.push(place(around));
+            if let FlatPiece::Star(star) = part {
+                labels.extend(Shape::figure(label::on_outline(star, placed)));
+            }
+            let cut = part.cut(edge);
+            holes.extend(registration(cut.holes, &placed.placement, cut.kerf));
+            inside.extend(cut.inside.iter().map(place));
+            outside.push(place(cut.outside));
         }
         let layers = vec![
             (Layer::Label, labels),
@@ -197,7 +202,7 @@ impl Drawing {
     }
 
     /// The mask of the distinct star to which star number `star` belongs, turned over for its other face if `mirrored`.
-    pub fn mask(design: &Design, star: usize, mirrored: bool, edge: Edge) -> Option<Self> {
+    pub fn mask(design: &StarAssembly, star: usize, mirrored: bool, edge: Edge) -> Option<Self> {
         let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
         let mask = &part.mask;
         let motion = if mirrored { Isometry::mirror() } else { Isometry::IDENTITY };
@@ -209,14 +214,14 @@ impl Drawing {
         let labels = Shape::figure(label::on_mask(part, mask, star, mirrored));
         Some(Self::around_axis(vec![
             (Layer::Label, labels.into_iter().collect()),
-            (Layer::Registration, registration(part, &motion, kerf).collect()),
+            (Layer::Registration, registration(&part.outline.registration, &motion, kerf).collect()),
             (Layer::MaskWindow, windows.iter().map(place).collect()),
             (Layer::MaskPlate, vec![place(plate)]),
         ]))
     }
 
     /// A distinct plate of the frame.
-    pub fn plate(design: &Design, plate: &Plate, edge: Edge) -> Self {
+    pub fn plate(design: &StarAssembly, plate: &Plate, edge: Edge) -> Self {
         let frame = &design.frame;
         let half_kerf = if edge == Edge::Tool { frame.kerf / 2.0 } else { 0.0 };
         let hole = |center: Point, radius: f64| Shape::Circle { center, radius };
@@ -254,8 +259,8 @@ impl Drawing {
 }
 
 /// The registration holes of a part, as a tool with this kerf cuts them.
-fn registration(part: &StarDesign, motion: &Isometry, kerf: f64) -> impl Iterator<Item = Shape> {
-    part.outline.registration.iter().map(move |hole| Shape::Circle {
+fn registration(holes: &[Circle], motion: &Isometry, kerf: f64) -> impl Iterator<Item = Shape> {
+    holes.iter().map(move |hole| Shape::Circle {
         center: motion.point(hole.center),
         radius: (hole.diameter - kerf) / 2.0,
     })

@@ -4,7 +4,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::design::{MaskPlate, PlacedStar, StarDesign, lettering};
+use crate::design::{MaskPlate, PlacedPart, StarDesign, lettering};
 use inflatable::geom::{Isometry, Line, Path, Point, Vec2};
 
 /// Height of a capital, mm: what a laser or a pen still writes well, and as high as a label needs to be.
@@ -22,7 +22,7 @@ struct Stretch {
 }
 
 /// Number, side and warp direction on the flap of a placed star, in the sheet's frame: the warp runs along X.
-pub(super) fn on_outline(part: &StarDesign, placed: &PlacedStar) -> Vec<Path> {
+pub(super) fn on_outline(part: &StarDesign, placed: &PlacedPart) -> Vec<Path> {
     let rim = part.star.r_i + part.star.w + part.shape.band;
     let strip = part.outline.flap;
     let text = format!("STAR {} THIS SIDE UP WARP ", placed.index);

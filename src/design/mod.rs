@@ -5,12 +5,15 @@
 //! corner 1 on +X); a [`Design`] places stars on sheets, and a [`Drawing`] is what lies on one sheet, layer by layer.
 
 mod arm;
+mod assembly;
 mod coating;
 mod code;
 mod contour;
 mod cut;
 mod drawing;
+mod drawn;
 mod engraving;
+mod flat;
 mod frame;
 mod inlet;
 mod joint;
@@ -37,12 +40,15 @@ mod tube;
 mod window;
 
 pub use arm::arm_length;
+pub use assembly::StarAssembly;
 pub use coating::COATING_ASSUMES;
 pub use code::RefusalCode;
 pub use contour::{Contour, Part, Side};
 pub use cut::CutLines;
 pub use drawing::{Drawing, Edge, Layer, Origin, Shape};
+pub use drawn::{DrawnCut, DrawnPiece, figures, proposed};
 pub use engraving::engraved_depth;
+pub use flat::{FlatPiece, PieceCut};
 pub use frame::{Frame, Plate, shut_reach};
 pub use inlet::Channel;
 pub use lettering::lettered;
@@ -54,7 +60,7 @@ pub use part::{Realised, SHEETS, StarDesign};
 pub use pieces::{Piece, Pieces};
 pub use placement::SheetLayout;
 pub use refusal::{Refusal, Refusals, Warning};
-pub use sheet::{Design, PlacedStar};
+pub use sheet::{Design, PlacedPart, Product};
 pub use stack::{Stack, inflated_height, least_pitch, pitch_for};
 pub use star::Star;
 pub use star_seam::MOUTH_OVERRUN;

@@ -1,8 +1,9 @@
 //! Closed paths of lines and arcs, grown or shrunk by a distance.
 
-use cavalier_contours::polyline::{PlineSource, PlineSourceMut, Polyline};
+use cavalier_contours::polyline::PlineSource;
 
-use inflatable::geom::{Arc, Line, Path, Point, Segment};
+use crate::shape::{of_polyline, polyline};
+use inflatable::geom::Path;
 
 /// A closed counterclockwise path whose every point lies `by` outside `path`, round at its outward corners, or `-by` inside
 /// it; `None` if nothing comes out, or what is shrunk falls apart.
@@ -18,36 +19,15 @@ pub(super) fn offset(path: &Path, by: f64) -> Option<Path> {
     } else {
         loops.first().filter(|_| loops.len() == 1)?
     };
-    let segments = out.iter_segments().map(|(a, b)| {
-        let (from, to) = (Point::new(a.x, a.y), Point::new(b.x, b.y));
-        Arc::from_bulge(from, to, a.bulge).map_or_else(|| Line::new(from, to).into(), Segment::from)
-    });
-    let out = Path::closed(segments.collect());
+    let out = of_polyline(out);
     let area = out.area();
     (area > 0.0 && (area > path.area()) == (by > 0.0)).then_some(out)
-}
-
-fn polyline(path: &Path) -> Polyline<f64> {
-    let mut line: Polyline<f64> = Polyline::new_closed();
-    for segment in &path.segments {
-        // A bulge can say up to half a turn.
-        let pieces = match segment {
-            Segment::Arc(arc) if arc.sweep.abs() > 3.0 => 2,
-            _ => 1,
-        };
-        for i in 0..pieces {
-            let part = segment.part(f64::from(i) / f64::from(pieces), f64::from(i + 1) / f64::from(pieces));
-            let bulge = if let Segment::Arc(arc) = part { arc.bulge() } else { 0.0 };
-            let start = part.start();
-            line.add(start.x, start.y, bulge);
-        }
-    }
-    line
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use inflatable::geom::{Line, Point};
     use std::f64::consts::PI;
 
     fn rectangle(width: f64, height: f64) -> Path {

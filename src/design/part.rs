@@ -1,5 +1,6 @@
 //! One distinct star with everything that is drawn of it, in the star's own frame.
 
+use crate::design::flat::footprint;
 use crate::design::star_seam::star_seam;
 use crate::design::{Channel, CutLines, MaskPlate, Outline, Pieces, Refusal, Refusals, Side, Star};
 use crate::shape::{Port, SealedShape};
@@ -126,12 +127,7 @@ impl StarDesign {
 
     /// The box that the part needs on the sheet: its cut, and the bands with ramps of length `ramp`.
     pub fn footprint(&self, ramp: f64) -> Bounds {
-        self.shape
-            .seams
-            .iter()
-            .map(|seam| seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp)).bounds())
-            .map(|bounds| bounds.grown(self.shape.band / 2.0))
-            .fold(self.cut.outside.bounds(), Bounds::union)
+        footprint(&self.shape, &self.cut.outside, ramp)
     }
 
     /// Radius of the largest circle around the axis that the hole-side flap leaves free.

@@ -4,11 +4,11 @@ use std::fmt;
 use std::ops::Deref;
 
 use crate::design::RefusalCode;
-use crate::spec::KeyPath;
+use crate::spec::{DrawnPlace, KeyPath};
 
 /// A spec whose every value is in its range, but whose geometry cannot be made.
 #[non_exhaustive]
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Refusal {
     /// The key that is best changed, of the star that the refusal speaks of where stars can differ in it.
     pub key: KeyPath,
@@ -18,12 +18,20 @@ pub struct Refusal {
     pub found: String,
     /// What is allowed, and the remedy.
     pub remedy: String,
+    /// Where in the drawing of the spec.
+    pub drawn: Option<DrawnPlace>,
 }
 
 impl Refusal {
     /// A refusal that points at `key`.
     pub fn new(key: KeyPath, code: RefusalCode, found: String, remedy: String) -> Self {
-        Self { key, code, found, remedy }
+        Self { key, code, found, remedy, drawn: None }
+    }
+
+    /// The same refusal, found at a place of the drawing.
+    #[must_use]
+    pub fn drawn_at(self, drawn: DrawnPlace) -> Self {
+        Self { drawn: Some(drawn), ..self }
     }
 
     /// The same refusal about star `index`, if it concerns one of the keys that stars can have of their own.
@@ -55,7 +63,7 @@ pub struct Warning {
 }
 
 /// Every reason at once for which there is no such gripper; as an error it says them all, a line each.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Refusals(Vec<Refusal>);
 
 impl Refusals {

@@ -5,7 +5,7 @@
 
 use crate::design::engraving::{Spot, engraved};
 use crate::design::joint::WALL;
-use crate::design::{Design, Drawing, Edge, Layer, Piece, Plate, Shape, StarDesign, lettering};
+use crate::design::{Drawing, Edge, Layer, Piece, Plate, Shape, StarAssembly, StarDesign, lettering};
 use inflatable::geom::{Isometry, Path, Point, Vec2};
 
 /// Height of the numbers in the picture of all pieces, mm.
@@ -13,7 +13,7 @@ const NUMBER: f64 = 12.0;
 
 impl Drawing {
     /// Piece number `piece`, from 0, of the mask that [`Drawing::mask`] shows, as it lies on the printer's bed.
-    pub fn printed_mask(design: &Design, star: usize, mirrored: bool, piece: usize) -> Option<Self> {
+    pub fn printed_mask(design: &StarAssembly, star: usize, mirrored: bool, piece: usize) -> Option<Self> {
         let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
         let this = part.pieces.list.get(piece)?;
         let motion = this.motion(mirrored);
@@ -34,7 +34,7 @@ impl Drawing {
     }
 
     /// A distinct plate of the frame as it is printed, its numbers sunk in, and a dash towards +X.
-    pub fn printed_plate(design: &Design, plate: &Plate) -> Self {
+    pub fn printed_plate(design: &StarAssembly, plate: &Plate) -> Self {
         let frame = &design.frame;
         let middle = f64::midpoint(plate.opening, frame.radius);
         let spot = |center: Point, up: Vec2| {
@@ -58,7 +58,7 @@ impl Drawing {
     }
 
     /// The mask that [`Drawing::mask`] shows, with the joints of its pieces and their numbers; `None` if it is one piece.
-    pub fn pieces(design: &Design, star: usize, mirrored: bool) -> Option<Self> {
+    pub fn pieces(design: &StarAssembly, star: usize, mirrored: bool) -> Option<Self> {
         let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
         if !part.pieces.are_several() {
             return None;

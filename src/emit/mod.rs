@@ -19,7 +19,7 @@ pub use dxf::dxf;
 pub use gcode::{Facts, estimate, feed_check, gcode, write_gcode, write_steps};
 pub use number::Decimals;
 pub use pdf::pdf;
-pub use preview::{Cell, Preview, cells};
+pub use preview::{Cell, FaultMark, Preview, cells, faults};
 pub use report::{Report, report};
 pub use scene::scene;
 pub use stl::stl;

@@ -23,7 +23,7 @@ const MAGENTA: LayerColour = LayerColour { svg: "#ff00ff", dxf: "6" };
 /// The colour of `layer`.
 pub(super) fn ink(layer: Layer, colours: Colours) -> LayerColour {
     match (layer, colours) {
-        (Layer::SealInner, _)
+        (Layer::Seal | Layer::SealInner, _)
         | (Layer::Label | Layer::PaperMark, Colours::One)
         | (Layer::Registration | Layer::PostHole, Colours::Ordered) => BLUE,
         (Layer::SealOuter | Layer::MaskJoint, _) => GREEN,

@@ -5,7 +5,7 @@
 
 use serde::Serialize;
 
-use crate::design::{Design, Meeting, PlacedStar, Star};
+use crate::design::{Design, Meeting, PlacedPart, Star};
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::{corrected, hinge_model, named, tabled};
 use crate::forecast::outcome::Outcome;
@@ -85,14 +85,15 @@ pub struct AtPoints {
     pub object_force_N: Option<f64>,
 }
 
-/// The curves of every distinct star of `design`, in the order of [`Design::firsts`], by the model that `spec` asks for; none without a
+/// The curves of every distinct star of `design`, in the order of [`Design::firsts`], by the model that `spec` asks for; none of a drawing, and none without a
 /// pressure, which every curve needs.
 pub fn charts(spec: &Spec, design: &Design) -> Vec<Charts> {
+    let Some(design) = design.assembly() else { return Vec::new() };
     if spec.load.as_ref().and_then(|load| load.pressure).is_none() {
         return Vec::new();
     }
     let meetings = design.meetings(spec);
-    let of_star = |placed: &PlacedStar| {
+    let of_star = |placed: &PlacedPart| {
         let star = &design.part(placed).star;
         let asked = spec.stars.get(placed.index - 1)?;
         // Where this star meets the object, as its prediction has it.

@@ -55,6 +55,7 @@ impl Pose {
 pub fn inflated(spec: &Spec, design: &Design, prediction: Option<&Prediction>) -> Vec<Star> {
     let object = spec.load.as_ref().and_then(|load| load.object_radius);
     let predicted = prediction.map_or(&[][..], |prediction| &prediction.stars);
+    let Some(design) = design.assembly() else { return Vec::new() };
     let stars = design.stars.iter().zip(predicted);
     let inflated = stars.map(|(placed, predicted)| closed(&design.part(placed).star, predicted, object));
     inflated.collect::<Option<_>>().unwrap_or_default()

@@ -1,6 +1,6 @@
 //! From a spec to the answer: chooses the model, asks it about every star, and says how good the answer is.
 
-use crate::design::{Design, Meeting, StarDesign};
+use crate::design::{Design, Meeting, StarAssembly, StarDesign};
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::{corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::forecast::outcome::{Hold, Outcome};
@@ -45,8 +45,9 @@ impl std::error::Error for PredictFault {}
 /// Predicts what the stars of `design`, made from `spec`, do, by `accuracy.model`.
 ///
 /// # Errors
-/// If a model refuses one of the hinges, or is not available.
+/// If a model refuses one of the hinges, is not available, or covers no such product.
 pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault> {
+    let design = stars_of(design)?;
     let meetings = design.meetings(spec);
     // Stars of a stack are often equal; a slow model then answers once.
     let mut known: Vec<(usize, Option<Meeting>, StarPrediction)> = Vec::new();
@@ -74,6 +75,12 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
     let stack_mass_g = stars.iter().map(|star| star.mass_g).sum();
     let verdict = verdict(spec, &stars);
     Ok(Prediction { first, verdict, stack_mass_g, stars })
+}
+
+/// The stars of `design`: no model covers another product.
+pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
+    let what = "no model predicts a drawn shape; a spec with a [star] section is predicted".to_owned();
+    design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what })
 }
 
 /// Adds to `prediction`, which is that of `spec` and `design`, the forces on round objects of `radii`.

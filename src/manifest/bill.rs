@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::design::{COATING_ASSUMES, Design, Pieces};
+use crate::design::{COATING_ASSUMES, Pieces, StarAssembly};
 use crate::spec::Spec;
 
 /// Posts of one length.
@@ -70,13 +70,13 @@ pub struct ManifestPiece {
 }
 
 /// The posts of the frame.
-pub(super) fn posts(design: &Design) -> Vec<ManifestPosts> {
+pub(super) fn posts(design: &StarAssembly) -> Vec<ManifestPosts> {
     let (length, count) = (design.frame.post_length, design.frame.posts.len());
     vec![ManifestPosts { length_mm: thousandths(length), count }]
 }
 
 /// The plates of the frame, like by like.
-pub(super) fn plates(design: &Design) -> Vec<ManifestPlates> {
+pub(super) fn plates(design: &StarAssembly) -> Vec<ManifestPlates> {
     let (frame, stack) = (&design.frame, &design.stack);
     let alike = frame.plates.iter().map(|plate| ManifestPlates {
         plates: plate.numbers.clone(),
@@ -90,7 +90,7 @@ pub(super) fn plates(design: &Design) -> Vec<ManifestPlates> {
 }
 
 /// The masks of all distinct stars.
-pub(super) fn masks(spec: &Spec, design: &Design) -> Vec<ManifestMask> {
+pub(super) fn masks(spec: &Spec, design: &StarAssembly) -> Vec<ManifestMask> {
     let first = design.firsts().map(|placed| {
         let part = design.part(placed);
         let area = part.mask.area(&part.outline);

@@ -11,7 +11,7 @@ use crate::shape::PieceName;
 pub struct SealedPiece {
     /// Its name: "star-1", "disc".
     pub name: String,
-    /// The product: "star" or "coupon".
+    /// The product: "star", "piece" of a drawing, or "coupon".
     pub kind: String,
     /// Time of its program without heating and pauses, s, where it has one of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -50,15 +50,15 @@ impl SealedPiece {
         }
     }
 
-    /// The stars that `programs` make, in their order.
-    pub(super) fn stars(programs: &[Program]) -> Vec<Self> {
+    /// The pieces that `programs` make, in their order.
+    pub(super) fn all(programs: &[Program]) -> Vec<Self> {
         let of_program = |program: &Program| {
-            let star = |piece: &PieceName| {
+            let of_piece = |piece: &PieceName| {
                 let own = program.seams.iter().filter(|seam| seam.name.piece == *piece);
                 let seams = own.map(|seam| SealedSeam::new(seam.name.seam.clone(), seam)).collect();
-                Self { name: piece.word(), kind: "star".to_owned(), time_s: None, seams }
+                Self { name: piece.word(), kind: piece.kind().to_owned(), time_s: None, seams }
             };
-            program.pieces.iter().map(star).collect::<Vec<_>>()
+            program.pieces.iter().map(of_piece).collect::<Vec<_>>()
         };
         programs.iter().flat_map(of_program).collect()
     }

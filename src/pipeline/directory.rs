@@ -2,12 +2,19 @@
 
 use crate::design::Refusal;
 use crate::spec;
-use crate::spec::{Faults, Machine, Reading, Source};
+use crate::spec::{DrawingSpec, Faults, Machine, Reading, Source};
 use crate::verify::{Finding, FindingCode, OutputFiles};
 
 /// The directory's own spec and profile.
 pub(super) fn sources_of(files: &OutputFiles<'_>) -> (Result<Reading, Finding>, Result<Machine, Finding>) {
-    let read_spec = |source: &Source| spec::read(source);
+    let read_spec = |source: &Source| {
+        let reading = spec::read(source)?;
+        let name = reading.spec.drawing.as_ref().map(DrawingSpec::published_name);
+        Ok(match name.and_then(|name| files.get(name)) {
+            Some(bytes) => reading.with_drawing(bytes),
+            None => reading,
+        })
+    };
     (source_of(files, "spec.toml", read_spec), source_of(files, "machine.toml", spec::read_machine))
 }
 

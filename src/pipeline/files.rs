@@ -46,6 +46,10 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
     let text = match output.kind.subject() {
         Subject::Spec => sources.spec.to_owned(),
         Subject::Machine => sources.machine.to_owned(),
+        Subject::Drawing => {
+            let content = forecast.spec.drawing.as_ref()?.content.as_ref()?;
+            return Some(content.0.to_vec());
+        }
         Subject::Prediction => forecast.prediction.as_ref()?.to_json(),
         Subject::Scene => {
             return emit::scene(&forecast.spec, &forecast.design, &inflated(forecast));
@@ -82,6 +86,7 @@ fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
 /// All that is known of the gripper, on one page.
 fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
+    let assembly = design.assembly()?;
     let charts = charts(spec, design);
     let scene = emit::scene(spec, design, &inflated(forecast))?;
     let bill = Manifest::new(spec, design, programs);
@@ -93,6 +98,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
         spec,
         machine,
         design,
+        assembly,
         programs,
         prediction: prediction.as_ref(),
         charts: &charts,
@@ -102,10 +108,10 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     }))
 }
 
-/// The one of `programs` that is for the output's star, or its sheet.
+/// The one of `programs` that is for the output's piece, or its sheet.
 fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option<String> {
-    let is_for = |program: &&Program| match output.star {
-        Some(star) => program.numbers() == [star],
+    let is_for = |program: &&Program| match output.star.or(output.copy) {
+        Some(number) => program.numbers() == [number],
         None => Some(program.sheet) == output.sheet,
     };
     let program = programs.iter().find(is_for)?;

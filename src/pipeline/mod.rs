@@ -130,10 +130,9 @@ impl Planned {
     /// # Errors
     /// If the model that the spec asks for has no answer.
     pub fn forecast(self) -> Result<Forecast, Refusals> {
-        let prediction = match &self.spec.load {
-            Some(_) => Some(predict(&self.spec, &self.design).map_err(|fault| no_prediction(&fault))?),
-            None => None,
-        };
+        let asked = self.design.assembly().filter(|_| self.spec.load.is_some());
+        let prediction = asked.map(|_| predict(&self.spec, &self.design)).transpose();
+        let prediction = prediction.map_err(|fault| no_prediction(&fault))?;
         let Self { spec, machine, design, programs, traces } = self;
         Ok(Forecast { spec, machine, design, programs, traces, prediction })
     }

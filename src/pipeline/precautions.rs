@@ -115,14 +115,12 @@ fn pace(forecast: &Forecast) -> Option<Pace> {
 fn weak_seal(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
     let mut list = Vec::new();
-    for star in &report.stars {
+    for piece in &report.pieces {
         let unsaid = |load: &&SealLoad| is_fit || load.bursting == Some(Bursting::Perhaps);
-        let bursting = star.loads.iter().filter(unsaid).filter_map(SealLoad::weakness);
-        let texts = star.passage.weaknesses.iter().cloned().chain(bursting);
+        let bursting = piece.loads.iter().filter(unsaid).filter_map(SealLoad::weakness);
+        let texts = piece.passage.weaknesses.iter().cloned().chain(bursting);
         list.extend(
-            texts.map(|text| {
-                Precaution::new(PrecautionCode::WeakSeal, format!("star {}: {text}", star.index))
-            }),
+            texts.map(|text| Precaution::new(PrecautionCode::WeakSeal, format!("{}: {text}", piece.name))),
         );
     }
     list
@@ -152,7 +150,7 @@ fn strength(forecast: &Forecast) -> Option<Precaution> {
         return None;
     }
     let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
-    let loads = report.stars.iter().flat_map(|star| &star.loads).filter_map(|load| load.load);
+    let loads = report.pieces.iter().flat_map(|star| &star.loads).filter_map(|load| load.load);
     let most = loads.map(|load| load.0).reduce(f64::max)?;
     let text = format!(
         "the burst pressure is unknown: the seal must withstand {} N/mm; measure yours (`coupon`) and set `seal_strength` in [fabric]",

@@ -13,7 +13,9 @@ pub(super) type Batch<'a> = (usize, Vec<PlacedPiece<'a>>);
 /// What every program covers, by the spec's choice of one a star or one a sheet.
 pub(super) fn batches(design: &Design, scope: ProgramScope) -> Vec<Batch<'_>> {
     match scope {
-        ProgramScope::Star => design.stars.iter().map(|star| (star.sheet, design.pieces(&[star]))).collect(),
+        ProgramScope::Piece => {
+            design.placed().iter().map(|placed| (placed.sheet, design.pieces(&[placed]))).collect()
+        }
         ProgramScope::Sheet => {
             let pieces = |sheet: usize| design.pieces(&design.nearest_first(sheet));
             design.sheets.iter().map(|sheet| (sheet.index, pieces(sheet.index))).collect()

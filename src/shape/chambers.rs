@@ -1,11 +1,16 @@
 //! Chambers and leaks, from the curves alone.
 //!
-//! Every boundary is a closed curve, or an open one whose ends a port joins. Where no two curves meet, the plane falls into regions
-//! by which curves lie inside which: a curve at an even depth is the outer edge of a chamber, the curves right inside it are its
-//! islands. All that keeps the curves from doing so is a leak.
+//! Every boundary is a closed curve, an open one whose ends ports join to a **ring**, or a **wall**: an open one that ends on other bands.
+//! The curves part the plane into faces. Air reaches those that an odd number of rings lies around: each is a chamber, and the rings right
+//! inside it are its islands. All that keeps the curves from doing so is a leak.
 
-use crate::shape::{Port, Role, SealedShape, Seam};
-use inflatable::geom::{Line, Path, Point, intersections, path_intersections};
+use crate::shape::air::beside;
+use crate::shape::clean::Piece;
+use crate::shape::faces::{walk_path, walks};
+use crate::shape::join::{Network, network};
+use crate::shape::joints::{Joints, Meetings};
+use crate::shape::{Role, SealedShape, Seam};
+use inflatable::geom::{Enclosures, Line, Path, Point};
 
 /// Gaps below this are rounding, mm.
 const GAP: f64 = 1e-9;
@@ -15,7 +20,7 @@ const SLACK: f64 = 1e-6;
 /// A region that air can reach. Seams and ports are counted from 0 in the shape.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Chamber {
-    /// The seam around it.
+    /// The seam around it: of several the first.
     pub outside: usize,
     /// The seams of its islands.
     pub islands: Vec<usize>,
@@ -32,7 +37,7 @@ pub enum Leak {
     CrossesItself(usize, Vec<Point>),
     /// Two seams meet at these places.
     Cross([usize; 2], Vec<Point>),
-    /// A boundary is open, and no port is between its ends.
+    /// A boundary is open: its ends, of which the first lies at no port and on no other band.
     Open(usize, [Point; 2]),
     /// No open seam ends at a port: it is sealed.
     SealedPort(usize),
@@ -45,96 +50,176 @@ pub enum Leak {
 pub struct Topology {
     /// The chambers.
     pub chambers: Vec<Chamber>,
+    /// A point in each chamber.
+    pub insides: Vec<Point>,
     /// The leaks, seam by seam, then port by port.
     pub leaks: Vec<Leak>,
+}
+
+impl Leak {
+    /// Where it is.
+    pub fn place(&self, shape: &SealedShape) -> Option<Point> {
+        match self {
+            Self::Gap(seam, gap) => {
+                let path = &shape.seams.get(*seam)?.center_line;
+                let next = path.segments.iter().cycle().skip(1);
+                let mut pairs = path.segments.iter().zip(next);
+                pairs.find(|(a, b)| a.end().distance(b.start()) >= *gap).map(|(a, _)| a.end())
+            }
+            Self::CrossesItself(_, places) | Self::Cross(_, places) => places.first().copied(),
+            Self::Open(_, [end, _]) => Some(*end),
+            Self::SealedPort(port) | Self::NarrowPort(port, _) => shape.ports.get(*port).map(|port| port.at),
+        }
+    }
 }
 
 impl SealedShape {
     /// Its chambers and its leaks.
     pub fn topology(&self) -> Topology {
+        let joints = Joints::of(self);
+        let meetings = Meetings::of(self, &joints);
         let mut leaks = Vec::new();
-        let mut curves: Vec<(usize, Path)> = Vec::new();
         for (i, seam) in self.seams.iter().enumerate() {
             let path = &seam.center_line;
             if path.largest_gap() > GAP {
                 leaks.push(Leak::Gap(i, path.largest_gap()));
             }
-            let own = self_crossings(path);
-            if !own.is_empty() {
-                leaks.push(Leak::CrossesItself(i, own));
-            }
-            for (j, other) in self.seams.iter().enumerate().skip(i + 1) {
-                let places = path_intersections(path, &other.center_line);
-                if !places.is_empty() {
-                    leaks.push(Leak::Cross([i, j], places));
+            leaks.extend(meetings.leaks(i));
+            if let (Role::Boundary, false, Some(ends)) = (seam.role, path.closed, ends(seam)) {
+                let open =
+                    [0, 1].map(|which| !joints.joined[i][which] && joints.mouth_at(i, which).is_none());
+                match open {
+                    [true, _] => leaks.push(Leak::Open(i, ends)),
+                    [false, true] => leaks.push(Leak::Open(i, [ends[1], ends[0]])),
+                    [false, false] => {}
                 }
-            }
-            if seam.role == Role::Weld {
-                continue;
-            }
-            match (path.closed, ends(seam)) {
-                (false, Some([start, end])) => {
-                    if self.port_between(start, end).is_some() {
-                        let mut closed = path.segments.clone();
-                        closed.push(Line::new(end, start).into());
-                        curves.push((i, Path::closed(closed)));
-                    } else {
-                        leaks.push(Leak::Open(i, [start, end]));
-                    }
-                }
-                _ => curves.push((i, path.clone())),
             }
         }
         for (i, port) in self.ports.iter().enumerate() {
-            match self.port_width(i) {
+            match joints.width(self, i) {
                 None => leaks.push(Leak::SealedPort(i)),
                 Some(width) if width < port.width - SLACK => leaks.push(Leak::NarrowPort(i, width)),
                 Some(_) => {}
             }
         }
-        Topology { chambers: self.chambers(&curves), leaks }
+        let mut found = self.chambers(&joints);
+        found.sort_by_key(|(chamber, _)| chamber.outside);
+        let (chambers, insides) = found.into_iter().unzip();
+        Topology { chambers, insides, leaks }
     }
 
     /// The width between the bands at port number `port`, mm; `None` if it is sealed.
     pub fn port_width(&self, port: usize) -> Option<f64> {
-        let is_open = |seam: &&Seam| seam.role == Role::Boundary && !seam.center_line.closed;
-        let ends = self.seams.iter().filter(is_open).filter_map(ends);
-        let mut open = ends.filter(|[a, b]| self.port_between(*a, *b) == Some(port));
-        open.next().map(|[a, b]| a.distance(b) - self.band)
+        Joints::of(self).width(self, port)
     }
 
-    /// The port between the two ends of a seam.
-    fn port_between(&self, start: Point, end: Point) -> Option<usize> {
-        let middle = start.midpoint(end);
-        let reach = |port: &Port| port.width + self.band;
-        self.ports.iter().position(|port| port.at.distance(middle) <= reach(port))
-    }
-
-    fn chambers(&self, curves: &[(usize, Path)]) -> Vec<Chamber> {
-        let inside = |a: &Path, b: &Path| a.start().is_some_and(|start| b.encloses(start));
-        let around = |i: usize| -> Vec<usize> {
-            (0..curves.len()).filter(|j| *j != i && inside(&curves[i].1, &curves[*j].1)).collect()
-        };
-        let around: Vec<Vec<usize>> = (0..curves.len()).map(around).collect();
-        let outsides = (0..curves.len()).filter(|i| around[*i].len().is_multiple_of(2));
-        let seam = |i: usize| curves[i].0;
-        let right_inside = |i: usize, outside: usize| {
-            around[i].contains(&outside) && around[i].len() == around[outside].len() + 1
-        };
-        let ports = |members: &[usize]| -> Vec<usize> {
-            let own = members.iter().filter_map(|seam| ends(&self.seams[*seam]));
-            own.filter_map(|[start, end]| self.port_between(start, end)).collect()
-        };
-        outsides
-            .map(|outside| {
-                let islands = (0..curves.len()).filter(|i| right_inside(*i, outside));
-                let islands: Vec<usize> = islands.map(seam).collect();
-                let members = [&[seam(outside)], islands.as_slice()].concat();
-                let open: Vec<usize> =
-                    members.into_iter().filter(|i| !self.seams[*i].center_line.closed).collect();
-                Chamber { outside: seam(outside), ports: ports(&open), islands }
+    /// The chambers, and a point in each.
+    fn chambers(&self, joints: &Joints) -> Vec<(Chamber, Point)> {
+        let count = self.seams.len();
+        let seam = |source: usize| self.seams.get(source);
+        let mut pieces: Vec<Piece> = joints
+            .mouths
+            .iter()
+            .map(|mouth| Piece {
+                path: Path::open(vec![Line::new(mouth.ends[0], mouth.ends[1]).into()]),
+                source: count + mouth.port,
             })
-            .collect()
+            .collect();
+        let boundaries = self.seams.iter().enumerate().filter(|(_, seam)| seam.role == Role::Boundary);
+        pieces.extend(boundaries.map(|(source, seam)| Piece { path: seam.center_line.clone(), source }));
+        let is_ring = |piece: &&Piece| seam(piece.source).is_none() || !joints.is_wall(piece.source);
+        let ring_pieces: Vec<Piece> = pieces.iter().filter(is_ring).cloned().collect();
+        // Ends of rings and mouths are the same points.
+        let rings = network(&ring_pieces, SLACK);
+        // What is left open is a leak; its chamber closes where its ends do.
+        let rings: Vec<(Path, Vec<usize>)> = rings
+            .edges
+            .into_iter()
+            .map(|edge| {
+                let mut segments = edge.path.segments;
+                if let (Some(_), Some(first), Some(last)) = (edge.nodes, segments.first(), segments.last()) {
+                    segments.push(Line::new(last.end(), first.start()).into());
+                }
+                (Path::closed(segments), edge.sources)
+            })
+            .collect();
+        let faces = faces(&network(&pieces, self.band / 2.0 + SLACK));
+        Chambers::of(&rings, &faces, count)
+    }
+}
+
+/// A face: its edge, the numbers of the curves along it, and a point in it.
+struct Face {
+    path: Path,
+    sources: Vec<usize>,
+    inside: Point,
+}
+
+/// The bounded faces of a network.
+fn faces(network: &Network) -> Vec<Face> {
+    let mut faces = Vec::new();
+    let mut meeting: Vec<(&Path, [usize; 2])> = Vec::new();
+    let mut sources: Vec<&[usize]> = Vec::new();
+    for edge in &network.edges {
+        if let Some(nodes) = edge.nodes {
+            meeting.push((&edge.path, nodes));
+            sources.push(&edge.sources);
+        } else {
+            let (_, [left, right]) = beside(&edge.path, 1e-6);
+            let inside = if edge.path.area() > 0.0 { left } else { right };
+            faces.push(Face { path: edge.path.clone(), sources: edge.sources.clone(), inside });
+        }
+    }
+    for walk in walks(&meeting) {
+        let path = walk_path(&meeting, &walk);
+        if path.area() <= 1e-9 {
+            continue;
+        }
+        let (_, [inside, _]) = beside(&path, 1e-6);
+        let mut own: Vec<usize> = walk.iter().flat_map(|(number, _)| sources[*number].to_vec()).collect();
+        own.sort_unstable();
+        own.dedup();
+        faces.push(Face { path, sources: own, inside });
+    }
+    faces
+}
+
+/// Which rings and faces lie inside which.
+struct Chambers;
+
+impl Chambers {
+    /// The faces with air, their rings counted among the first `count` curves, ports after them.
+    fn of(rings: &[(Path, Vec<usize>)], faces: &[Face], count: usize) -> Vec<(Chamber, Point)> {
+        let ring_around = Enclosures::new(rings.iter().map(|(path, _)| path));
+        let face_around = Enclosures::new(faces.iter().map(|face| &face.path));
+        let areas: Vec<f64> = faces.iter().map(|face| face.path.area().abs()).collect();
+        let innermost =
+            |p: Point| face_around.around(p).into_iter().min_by(|a, b| areas[*a].total_cmp(&areas[*b]));
+        let first = |ring: usize| rings[ring].1.iter().copied().find(|source| *source < count);
+        // The rings around each ring, and the face that it lies in.
+        let mut depth = Vec::with_capacity(rings.len());
+        let mut within: Vec<Vec<usize>> = vec![Vec::new(); faces.len()];
+        for (number, (path, _)) in rings.iter().enumerate() {
+            let (_, [left, right]) = beside(path, 1e-6);
+            let outside = if path.area() > 0.0 { right } else { left };
+            depth.push(ring_around.around(outside).len());
+            if let Some(face) = innermost(outside) {
+                within[face].push(number);
+            }
+        }
+        let chamber = |(number, face): (usize, &Face)| {
+            let around = ring_around.around(face.inside);
+            if around.len() % 2 == 0 {
+                return None;
+            }
+            let outside = around.iter().copied().max_by_key(|ring| depth[*ring]).and_then(first)?;
+            let mut islands: Vec<usize> = within[number].iter().filter_map(|ring| first(*ring)).collect();
+            islands.sort_unstable();
+            let ports =
+                face.sources.iter().filter(|source| **source >= count).map(|source| source - count).collect();
+            Some((Chamber { outside, islands, ports }, face.inside))
+        };
+        faces.iter().enumerate().filter_map(chamber).collect()
     }
 }
 
@@ -143,21 +228,12 @@ fn ends(seam: &Seam) -> Option<[Point; 2]> {
     Some([seam.center_line.start()?, seam.center_line.end()?])
 }
 
-/// Where a path meets itself, neighbours left out.
-fn self_crossings(path: &Path) -> Vec<Point> {
-    let (segments, n) = (&path.segments, path.segments.len());
-    let pairs = (0..n).flat_map(|i| (i + 2..n).map(move |j| (i, j)));
-    pairs
-        .filter(|(i, j)| !(path.closed && *i == 0 && *j == n - 1))
-        .flat_map(|(i, j)| intersections(&segments[i], &segments[j]))
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use std::f64::consts::TAU;
 
     use super::*;
+    use crate::shape::Port;
     use inflatable::geom::Arc;
 
     fn circle(x: f64, radius: f64) -> Path {

@@ -4,14 +4,36 @@
 //! a port, and a **leak** any other way for it. A **piece** is a sealed shape with a name, and may lie on a sheet. Nothing here
 //! knows which product a shape belongs to: a product makes shapes, and gives its pieces and seams their names.
 
+mod air;
+mod around;
+mod bottleneck;
 mod chambers;
+mod checks;
+mod clean;
+mod drawn_seams;
+mod faces;
+mod fault;
+mod join;
+mod joints;
 mod laid;
+mod loose;
+mod mouth;
 mod name;
+mod notes;
+mod offset;
+mod order;
+mod outline;
 mod sealed;
+mod sealing;
 mod seam;
+mod sketch;
 
 pub use chambers::{Chamber, Leak, Topology};
+pub use fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
 pub use laid::{LaidSeam, PlacedPiece, frame, laid_seams};
 pub use name::{PieceName, SeamName, scope};
+pub use offset::{of_polyline, offset_right, polyline};
 pub use sealed::{Port, SealedShape};
+pub use sealing::{Sealing, sealed_shape};
 pub use seam::{Role, Seam};
+pub use sketch::{Drawn, DrawnPort, PortPlace, Rules, Sketch};

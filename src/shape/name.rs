@@ -39,6 +39,14 @@ impl PieceName {
         }
     }
 
+    /// The kind of a numbered piece; "piece" for a name of its own.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Self::Numbered { kind, .. } => kind,
+            Self::Named(_) => "piece",
+        }
+    }
+
     /// The name as one word: "star-2", "disc".
     pub fn word(&self) -> String {
         match self {
@@ -49,10 +57,13 @@ impl PieceName {
 }
 
 impl SeamName {
-    /// The name as words of a structured comment: "star=1 loop=outer", "piece=disc", "piece=rest seam=weld-1".
+    /// The name as words of a structured comment: "star=1 loop=outer", "piece=disc", "piece=2 seam=weld-1".
     pub fn facts(&self) -> String {
         match &self.piece {
-            PieceName::Numbered { kind, number } => format!("{kind}={number} loop={}", self.seam),
+            PieceName::Numbered { kind: kind @ "star", number } => {
+                format!("{kind}={number} loop={}", self.seam)
+            }
+            PieceName::Numbered { kind, number } => format!("{kind}={number} seam={}", self.seam),
             PieceName::Named(piece) if self.seam.is_empty() => format!("piece={piece}"),
             PieceName::Named(piece) => format!("piece={piece} seam={}", self.seam),
         }
@@ -92,9 +103,9 @@ impl fmt::Display for SeamName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { piece, seam } = self;
         match piece {
-            PieceName::Numbered { .. } => write!(f, "{seam} loop of {piece}"),
+            PieceName::Numbered { kind: "star", .. } => write!(f, "{seam} loop of {piece}"),
             PieceName::Named(_) if seam.is_empty() => write!(f, "seam of {piece}"),
-            PieceName::Named(_) => write!(f, "seam {seam} of {piece}"),
+            _ => write!(f, "seam {seam} of {piece}"),
         }
     }
 }

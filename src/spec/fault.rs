@@ -16,8 +16,17 @@ pub enum Severity {
     Warning,
 }
 
+/// A place in a drawing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnPlace {
+    /// The elements, by their ids.
+    pub elements: Vec<String>,
+    /// A point, mm, if it is known.
+    pub at: Option<[f64; 2]>,
+}
+
 /// One thing found at one place of a source.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
     /// The word of its [`Code`] for scripts, such as `unknown-key`.
     pub code: &'static str,
@@ -31,6 +40,8 @@ pub struct Fault {
     pub span: Range<usize>,
     /// What to do about it.
     pub help: Option<String>,
+    /// Where in the drawing that the text names.
+    pub drawn: Option<DrawnPlace>,
 }
 
 impl Fault {
@@ -43,6 +54,7 @@ impl Fault {
             label: String::new(),
             span,
             help: None,
+            drawn: None,
         }
     }
 
@@ -54,6 +66,11 @@ impl Fault {
     /// The same fault with `label`, what is allowed, at its caret.
     pub fn label(self, label: impl Into<String>) -> Self {
         Self { label: label.into(), ..self }
+    }
+
+    /// The same fault, found at a place of the drawing.
+    pub fn drawn_at(self, drawn: Option<DrawnPlace>) -> Self {
+        Self { drawn, ..self }
     }
 
     /// The same fault with `help`, what to do about it.

@@ -8,7 +8,7 @@ use crate::spec::render;
 use crate::spec::source::{Source, boundary};
 
 /// All faults of one source, in the order of their places. It prints without colour.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Faults {
     source: Source,
     list: Vec<Fault>,

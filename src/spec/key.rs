@@ -86,6 +86,7 @@ keys! {
         TIP_RADIUS "tip_radius", CORNER_RADIUS "corner_radius",
     }
     stack "stack" { COUNT "count", ROTATION "rotation", PITCH "pitch", STAR "star" }
+    drawing "drawing" { FILE "file", UNITS "units", JOIN "join", LAYERS "layers" }
     inlet "inlet" {
         NONE "none", TUBE_DIAMETER "tube_diameter", LENGTH "length", TIP "tip", FILLET "fillet",
     }
@@ -103,7 +104,7 @@ keys! {
     }
     cut "cut" { KERF "kerf", COLOURS "colours" }
     sheet "sheet" {
-        WIDTH "width", HEIGHT "height", MARGIN "margin", GAP "gap", TURN "turn", HOLE_DIAMETER "hole_diameter",
+        WIDTH "width", HEIGHT "height", COPIES "copies", MARGIN "margin", GAP "gap", TURN "turn", HOLE_DIAMETER "hole_diameter",
     }
     machine "machine" { PROFILE "profile", PROGRAM "program", FEED_FLOOR "feed_floor" }
     load "load" {

@@ -13,6 +13,7 @@ mod builtin;
 mod bytes;
 mod code;
 mod defaults;
+mod drawing;
 pub mod edit;
 mod fault;
 mod faults;
@@ -46,7 +47,8 @@ pub use builtin::UnknownMachine;
 pub(crate) use code::codes;
 pub use code::{Code, FaultCode};
 pub use defaults::with_defaults;
-pub use fault::{Fault, Severity};
+pub use drawing::{DrawingContent, DrawingSpec, DrawingUnit, LayerRole};
+pub use fault::{DrawnPlace, Fault, Severity};
 pub use faults::Faults;
 pub use key::KeyPath;
 pub use machine::{

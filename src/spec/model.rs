@@ -1,20 +1,22 @@
 //! The spec itself: one struct a section, every field complete and in range.
 
-use crate::spec::{KeyPath, key};
+use crate::spec::{DrawingSpec, KeyPath, key};
 use crate::units::{
     Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Percent, Pressure, Speed,
     Temperature,
 };
 
-/// A complete and valid specification of a gripper.
+/// A complete and valid specification of a gripper, or of a piece by a drawing.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spec {
     /// What the user calls it: 1 to 80 characters, none of them a control character. It may hold anything else.
     pub name: String,
     /// `[fabric]`
     pub fabric: Fabric,
-    /// The stars from bottom to top: `[star]` with what `[stack]` and `[[stack.star]]` say, never empty.
+    /// The stars from bottom to top: `[star]` with what `[stack]` and `[[stack.star]]` say; empty where there is a drawing.
     pub stars: Vec<StarSpec>,
+    /// `[drawing]`; `None` where there are stars.
+    pub drawing: Option<DrawingSpec>,
     /// `[inlet]`; `None` if the tube is closed all around.
     pub inlet: Option<Inlet>,
     /// `[seal]`
@@ -237,6 +239,8 @@ pub struct Sheet {
     pub width: Option<Length>,
     /// Height along Y; `None`: as large as the parts need.
     pub height: Option<Length>,
+    /// How often a drawn piece is made.
+    pub copies: u32,
     /// Free strip along the sheet's border.
     pub margin: Length,
     /// Distance between parts.
@@ -252,7 +256,7 @@ pub struct Sheet {
 pub struct MachineChoice {
     /// A built-in profile's name, or a path relative to the spec.
     pub profile: String,
-    /// One program a star or one a sheet.
+    /// One program a piece or one a sheet.
     pub program: ProgramScope,
     /// What to do below the controller's lowest feed.
     pub feed_floor: FeedFloor,
@@ -261,9 +265,9 @@ pub struct MachineChoice {
 /// What one G-code program covers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ProgramScope {
-    /// One star.
-    Star,
-    /// All stars of one sheet.
+    /// One piece.
+    Piece,
+    /// All pieces of one sheet.
     Sheet,
 }
 

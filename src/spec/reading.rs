@@ -15,7 +15,7 @@ use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
 use crate::spec::shape::Shape;
 use crate::spec::source::Source;
-use crate::spec::{Code, FaultCode, foreign, stars};
+use crate::spec::{Code, DrawingContent, FaultCode, drawing, foreign, stars};
 use crate::units::{Length, Percent, Pressure, Speed, Temperature};
 
 /// A spec that was read, and what can still be said about its text.
@@ -29,7 +29,18 @@ pub struct Reading {
     pub raw: RawSpec,
 }
 
-/// Reads a spec.
+impl Reading {
+    /// The same with the `bytes` of the drawing that the spec names, if it names one.
+    #[must_use]
+    pub fn with_drawing(mut self, bytes: &[u8]) -> Self {
+        if let Some(drawing) = &mut self.spec.drawing {
+            drawing.content = Some(DrawingContent(bytes.into()));
+        }
+        self
+    }
+}
+
+/// Reads a spec. A drawing that it names is not read: see [`Reading::with_drawing`].
 ///
 /// Ranges, ends included unless said otherwise: sizes 1 um to 100 m; radii, allowances, margins, creep, kerf, overlap
 /// and fillet 0 to 100 m; `hole_diameter` 0 or from 0.2 mm; `points` and `posts` 3 to 64; `count` 1 to 64; `tip` and `inlet_tip` 1 to the star's points;
@@ -105,12 +116,14 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
     read_schema(&mut root, 1);
     let name = read_name(&mut root);
     let fabric = read_fabric(&mut reader.section("fabric"));
-    let (stars, inlet) = stars::read(reader);
+    let drawing = drawing::read(reader);
+    let (stars, inlet) = stars::read(reader, drawing.is_some());
     let cut = read_cut(&mut reader.section("cut"));
     Spec {
         name,
         fabric,
         stars,
+        drawing,
         inlet,
         seal: read_seal(&mut reader.section("seal")),
         mask: read_mask(&mut reader.section("mask")),
@@ -221,6 +234,7 @@ pub(super) fn read_sheet(s: &mut Section<'_, '_>) -> Sheet {
     Sheet {
         width: s.quantity("width", SIZE),
         height: s.quantity("height", SIZE),
+        copies: s.count("copies", 1, 1000).unwrap_or(1),
         margin: length(s, "margin", EXTRA, 10.0),
         gap: length(s, "gap", EXTRA, 10.0),
         turn: s.truth("turn").unwrap_or(false),
@@ -240,8 +254,15 @@ pub(super) fn read_choice(s: &mut Section<'_, '_>) -> MachineChoice {
     MachineChoice {
         profile: profile.unwrap_or_else(|| "generic".to_owned()),
         program: s
-            .choice("program", &[("star", ProgramScope::Star), ("sheet", ProgramScope::Sheet)])
-            .unwrap_or(ProgramScope::Star),
+            .choice(
+                "program",
+                &[
+                    ("star", ProgramScope::Piece),
+                    ("piece", ProgramScope::Piece),
+                    ("sheet", ProgramScope::Sheet),
+                ],
+            )
+            .unwrap_or(ProgramScope::Piece),
         feed_floor: s
             .choice("feed_floor", &[("refuse", FeedFloor::Refuse), ("chop", FeedFloor::Chop)])
             .unwrap_or(FeedFloor::Refuse),

@@ -20,6 +20,8 @@ pub const SCHEMA_FILE: &str = "stargrip-cam.schema.json";
 
 /// A section's list: the one whose keys stand in a list of sections.
 const LIST: &str = "stack.star";
+/// The products: a spec has one of these sections.
+const EITHER: [&str; 2] = ["star", "drawing"];
 /// The profile's list, which stands in no section.
 const CLAMPS: &str = "keep_out";
 
@@ -27,6 +29,12 @@ const CLAMPS: &str = "keep_out";
 const INSTEAD: &str = r#"
 [load]
 object_radius = "30 mm"  # half of object_diameter, which it replaces; set one of the two
+# A shape by your own drawing, in place of [star], [stack], [mask] and [frame].
+[drawing]
+file = "outline.svg"  # SVG or ASCII DXF, beside this file
+units = "mm"  # of the file's numbers, if it does not state them
+# join = "0.02 mm"  # ends of curves up to this far apart are joined, and reported
+layers = { "air": ["chamber"], "port": ["inlet"] }  # the role of each layer: air edges, seam centre lines, ports, cut, holes, or ignored
 "#;
 
 /// What the profile `generic` leaves unsaid; a line that begins with `# ` is a default, and says what `generic` says where it has no words.
@@ -137,7 +145,7 @@ fn text_of(
 ) -> String {
     let mut root = sections.remove("").unwrap_or_default();
     for (name, section) in sections {
-        if !section.required.is_empty() {
+        if !section.required.is_empty() && !EITHER.contains(&name) {
             root.required.push(name);
         }
         let _ = root.keys.insert(name, section.object(notes.of_section(name)));
@@ -145,6 +153,9 @@ fn text_of(
     let mut object = root.object(about);
     object["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     object["title"] = json!(title);
+    if object["properties"].get(EITHER[0]).is_some() {
+        object["oneOf"] = EITHER.iter().map(|name| json!({ "required": [name] })).collect();
+    }
     format!("{object:#}\n")
 }
 
@@ -315,8 +326,9 @@ mod tests {
         }
         assert_eq!(at(&schema, "seal", "speed")["default"], json!("0.1 mm/s"));
         assert_eq!(at(&schema, "load", "pressure")["examples"], json!(["37 kPa"]));
-        assert_eq!(schema["required"], json!(["schema", "name", "star"]));
-        assert_eq!(at(&schema, "machine", "program")["enum"], json!(["star", "sheet"]));
+        assert_eq!(schema["required"], json!(["schema", "name"]));
+        assert_eq!(schema["oneOf"], json!([{ "required": ["star"] }, { "required": ["drawing"] }]));
+        assert_eq!(at(&schema, "machine", "program")["enum"], json!(["star", "piece", "sheet"]));
         assert_eq!(at(&schema, "fabric", "poisson_ratio")["exclusiveMinimum"], json!(-1.0));
         assert!(
             schema["properties"]["star"]["description"]

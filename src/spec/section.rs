@@ -165,9 +165,14 @@ impl<'r> Section<'_, 'r> {
 
     /// Adds one fault if some of `required`, pairs of a key and an example value, were not written.
     pub(super) fn require(&mut self, required: &[(&'static str, &'static str)]) {
+        self.require_if(true, required);
+    }
+
+    /// The same where the section is needed; else the keys are only known to be required in it.
+    pub(super) fn require_if(&mut self, is_needed: bool, required: &[(&'static str, &'static str)]) {
         self.reader.required.extend(required.iter().map(|(key, _)| (self.name, *key)));
         let keys: Vec<_> = required.iter().filter(|(key, _)| !self.has(key)).copied().collect();
-        if !keys.is_empty() {
+        if is_needed && !keys.is_empty() {
             let (section, is_written, place) = (self.name, self.table.is_some(), self.place());
             self.reader.missing.push(Missing { section, is_written, place, keys });
         }

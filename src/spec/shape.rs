@@ -41,6 +41,8 @@ pub(super) enum Shape {
     Choices(Vec<&'static str>),
     /// A list of sections.
     Sections,
+    /// A section whose keys are these words, each with a list of texts.
+    Lists(Vec<&'static str>),
 }
 
 impl Shape {
@@ -72,7 +74,7 @@ impl Shape {
                 Some(format!("{} Or {}.", told.unwrap_or_default(), words.join(" or ")))
             }
             Self::Texts => Some("A list of texts.".to_owned()),
-            Self::Truth | Self::Text | Self::Sections => None,
+            Self::Truth | Self::Text | Self::Sections | Self::Lists(_) => None,
         };
         let schema = match self {
             Self::Quantity { units, .. } => {
@@ -99,6 +101,12 @@ impl Shape {
                 json!({ "type": "array", "items": { "type": "string", "enum": words }, "uniqueItems": true })
             }
             Self::Sections => json!({ "type": "array" }),
+            Self::Lists(words) => {
+                let list = json!({ "type": "array", "items": { "type": "string" } });
+                let keys: serde_json::Map<String, Value> =
+                    words.iter().map(|word| ((*word).to_owned(), list.clone())).collect();
+                json!({ "type": "object", "additionalProperties": false, "properties": keys })
+            }
         };
         (schema, told)
     }

@@ -14,16 +14,20 @@ const MOST: u32 = 64;
 const TURN: Allowed = Allowed::closed(-3600.0, 3600.0);
 
 /// The stars from bottom to top, and the inlet that each of them has.
-pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<StarSpec>, Option<Inlet>) {
+/// None where there is a drawing instead.
+pub(super) fn read(reader: &mut Reader<'_>, has_drawing: bool) -> (Vec<StarSpec>, Option<Inlet>) {
     // Faulty required values are stood in for by the paper's star.
     let paper = StarSpec::paper(5);
     let mut section = reader.section("star");
-    section.require(&[
-        ("points", "5"),
-        ("inner_radius", "\"50 mm\""),
-        ("tube_width", "\"30 mm\""),
-        ("tip_angle", "\"30 deg\""),
-    ]);
+    section.require_if(
+        !has_drawing,
+        &[
+            ("points", "5"),
+            ("inner_radius", "\"50 mm\""),
+            ("tube_width", "\"30 mm\""),
+            ("tip_angle", "\"30 deg\""),
+        ],
+    );
     let base = read_shape(&mut section, &paper);
     let (inlet, tip) = read_inlet(&mut reader.section("inlet"));
 
@@ -38,6 +42,9 @@ pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<StarSpec>, Option<Inlet>) {
     stars[0].rotation = Angle(0.0);
     read_overrides(reader, &mut stars, highest, inlet.is_some());
     check_inlet_tips(reader, &stars, inlet.is_some());
+    if has_drawing {
+        stars.clear();
+    }
     (stars, inlet)
 }
 

@@ -204,8 +204,10 @@ fn a_gripper_that_cannot_do_what_it_is_for_is_refused() {
 #[test]
 fn every_shipped_design_does_what_it_is_for() {
     let designs = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs");
-    for entry in fs::read_dir(designs).expect("designs/") {
-        let path = entry.expect("an entry").path();
+    let drawn = fs::read_dir(designs.join("drawings")).expect("designs/drawings/");
+    let paths =
+        fs::read_dir(designs).expect("designs/").chain(drawn).map(|entry| entry.expect("an entry").path());
+    for path in paths.filter(|path| path.extension().is_some_and(|ending| ending == "toml")) {
         let output = run(Path::new("."), &["check", "-q", path.to_str().expect("a path")]);
         assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
     }

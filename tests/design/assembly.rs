@@ -191,9 +191,9 @@ fn plates_stand_on_the_same_posts_outside_of_every_star() {
             }
         }
         // Posts stand between the inlets, which reach further than the tips.
-        for placed in &build.forecast.design.stars {
-            let turn = build.forecast.design.stack.turns[placed.index - 1];
-            let outside = &build.forecast.design.part(placed).outline.outside;
+        for placed in &build.forecast.design.assembly().expect("stars").stars {
+            let turn = build.forecast.design.assembly().expect("stars").stack.turns[placed.index - 1];
+            let outside = &build.forecast.design.assembly().expect("stars").part(placed).outline.outside;
             for (post, r) in &first {
                 let seen = Point::polar(post.distance(Point::ORIGIN), (*post - Point::ORIGIN).angle() - turn);
                 assert!(
@@ -284,7 +284,7 @@ fn windows_stay_apart_and_shrink_by_the_creep() {
             let text = support::PAPER.replace("points = 5", &format!("points = {points}"));
             let text = format!("{text}\n[mask]\ncreep = \"{creep} mm\"\n");
             let build = support::build(&text).expect("a design");
-            let windows = &build.forecast.design.distinct[0].mask.windows;
+            let windows = &build.forecast.design.assembly().expect("stars").distinct[0].mask.windows;
             assert_eq!(windows.len(), points);
             for (i, a) in windows.iter().enumerate() {
                 assert!(a.area() > 0.0 && a.largest_gap() < 1e-9);
@@ -300,7 +300,7 @@ fn windows_stay_apart_and_shrink_by_the_creep() {
             }
             let wide =
                 support::build(&text.replace(&format!("\"{creep} mm\""), "\"0 mm\"")).expect("a design");
-            let full = &wide.forecast.design.distinct[0].mask.windows[0];
+            let full = &wide.forecast.design.assembly().expect("stars").distinct[0].mask.windows[0];
             for segment in &windows[0].segments {
                 let d = full.distance(segment.point(0.5));
                 assert!(d >= creep - 1e-6, "{points} points: {d} from the full window at a creep of {creep}");
@@ -382,7 +382,7 @@ fn a_part_is_turned_only_where_that_is_allowed() {
     let turned = support::build(&format!("{tall}turn = true\n")).expect("turned it fits");
     let proof = stargrip_cam::pipeline::read_back(&turned.output_files());
     assert_eq!(proof.findings, []);
-    let rotation = turned.forecast.design.stars[0].placement.rotation;
+    let rotation = turned.forecast.design.assembly().expect("stars").stars[0].placement.rotation;
     assert!((rotation - TAU / 4.0).abs() < 1e-12);
 }
 
@@ -397,8 +397,8 @@ fn labels_stand_on_the_fabric_clear_of_seams_and_holes() {
             let (_, sheet) = &parts.all(Subject::Outline)[0];
             let labels = sheet.layer("label");
             let (outside, hole) = (&sheet.layer("cut-outside")[0], &sheet.layer("cut-hole")[0]);
-            let placed = &build.forecast.design.stars[0];
-            let [_, tube] = &build.forecast.design.part(placed).edges;
+            let placed = &build.forecast.design.assembly().expect("stars").stars[0];
+            let [_, tube] = &build.forecast.design.assembly().expect("stars").part(placed).edges;
             let tube = placed.placement.path(tube);
             for label in labels {
                 for segment in &label.segments {
@@ -422,7 +422,7 @@ fn labels_stand_on_the_fabric_clear_of_seams_and_holes() {
 fn pieces_fit_the_bed_and_are_the_plate() {
     let designs = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/designs")).expect("designs/");
     let mut several = 0;
-    for path in designs.map(|entry| entry.expect("an entry").path()) {
+    for path in designs.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()) {
         let text = std::fs::read_to_string(&path).expect("a design");
         let bed = "[mask]\nbed = \"220 mm x 220 mm\"\n";
         let text = if text.contains("[mask]\n") { text.replace("[mask]\n", bed) } else { text + "\n" + bed };
@@ -432,7 +432,7 @@ fn pieces_fit_the_bed_and_are_the_plate() {
             continue;
         }
         let design = design.unwrap_or_else(|refusals| panic!("{}: {refusals:?}", path.display()));
-        for part in &design.distinct {
+        for part in &design.assembly().expect("stars").distinct {
             let pieces = &part.pieces.list;
             several += usize::from(part.pieces.are_several());
             assert!(pieces.iter().flat_map(|piece| piece.size).all(|mm| mm <= 220.0), "{pieces:?}");

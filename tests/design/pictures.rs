@@ -104,7 +104,7 @@ fn faults(build: &Built) -> Vec<String> {
                 }
             }
             for star in design.on_sheet(sheet) {
-                let part = design.part(star);
+                let part = design.assembly().expect("stars").part(star);
                 for seam in &part.shape.seams {
                     if distance(&word.bounds, &star.placement.path(&seam.center_line))
                         <= 0.5 * part.shape.band - 0.01
@@ -135,7 +135,8 @@ fn page(picture: &str, height: f64) -> Bounds {
 fn designs() -> Vec<(String, String)> {
     let root = File::new(env!("CARGO_MANIFEST_DIR"));
     let shipped = fs::read_dir(root.join("designs")).expect("designs/");
-    let mut paths: Vec<_> = shipped.map(|entry| entry.expect("an entry").path()).collect();
+    let mut paths: Vec<_> =
+        shipped.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()).collect();
     paths.push(root.join("tests/golden/every-feature.toml"));
     paths.sort();
     paths.iter().map(|path| (path.display().to_string(), fs::read_to_string(path).expect("text"))).collect()
@@ -155,7 +156,7 @@ fn no_label_of_a_shipped_design_covers_another_a_band_or_the_inlet() {
         {
             assert!(has(word), "{name} does not say {word:?}");
         }
-        let star = &build.forecast.design.distinct[0].star;
+        let star = &build.forecast.design.assembly().expect("stars").distinct[0].star;
         for k in 1..=star.n {
             let whole = has(&format!("tip {k}")) && has(&format!("corner {k}"));
             assert!(whole || has(&format!("T{k}")) && has(&format!("C{k}")), "{name}: {k}");
@@ -243,7 +244,7 @@ fn pixels_show_the_design() {
                 [TUBE, BAND, [0xf7, 0xf7, 0xf4]].into_iter().min_by_key(off).expect("three")
             };
             for star in design.on_sheet(sheet) {
-                let part = design.part(star);
+                let part = design.assembly().expect("stars").part(star);
                 let share = |path: &Path, left: f64, right: [u8; 3]| {
                     let points = (0..60).filter_map(|k| {
                         let at = (f64::from(k) + 0.5) / 60.0 * path.length();

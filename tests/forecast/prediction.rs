@@ -278,8 +278,13 @@ fn masses_of_manifest_and_prediction_are_the_same() {
         assert_eq!(prediction.first.mass_g, prediction.stars[0].mass_g);
         let (listed, predicted) = (manifest.mass_g.expect("given"), prediction.stack_mass_g.expect("given"));
         assert!((listed - predicted).abs() < 2e-3, "three roundings to a thousandth: {listed} {predicted}");
-        let exact: f64 =
-            design.stars.iter().map(|star| 2.0 * design.part(star).outline.area() * 0.3e-3).sum();
+        let exact: f64 = design
+            .assembly()
+            .expect("stars")
+            .stars
+            .iter()
+            .map(|star| 2.0 * design.assembly().expect("stars").part(star).outline.area() * 0.3e-3)
+            .sum();
         assert!((predicted / exact - 1.0).abs() < 1e-12, "{predicted} {exact}");
     }
 }
@@ -341,13 +346,13 @@ fn a_radius_that_would_hold_is_the_same_everywhere_and_holds() {
             .map_or("no radius would hold".to_owned(), |mm| format!("a radius of {} would hold", Length(mm)));
         let said = |list: &[String]| list.iter().any(|text| text.contains(&advice));
         assert!(said(&report.weaknesses) && said(&prediction.evidence.warnings), "{advice}: {report:?}");
-        assert_eq!(report.stars[0].loads[0].safe_radius.map(|radius| radius.0), safe);
+        assert_eq!(report.pieces[0].loads[0].safe_radius.map(|radius| radius.0), safe);
         let Some(safe) = safe.filter(|mm| *mm < 5.0) else { continue };
         for star in &mut spec.stars {
             (star.tip_radius, star.corner_radius) = (Length(safe), Length(safe));
         }
         let report = stargrip_cam::airtight::report(&spec, &machine(), &design_of(&spec));
-        assert!(report.stars[0].loads[0].margin >= Some(1.0) && report.weaknesses.is_empty(), "{report:?}");
+        assert!(report.pieces[0].loads[0].margin >= Some(1.0) && report.weaknesses.is_empty(), "{report:?}");
     }
 }
 

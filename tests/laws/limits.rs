@@ -186,7 +186,7 @@ fn a_window_has_the_area_of_its_parts() {
              [mask]\nextent = \"45 mm\"\ncreep = \"{creep} mm\"\n"
         ));
         let design = Design::new(&support::read(&text), &support::machine()).expect("makeable");
-        let part = &design.distinct[0];
+        let part = &design.assembly().expect("stars").distinct[0];
         let half = (PI - part.star.phi_e) / 2.0;
         let (hole, q) = (radius + 30.0 + band + 3.0 - creep, radius - band + creep);
         let arm = 45.0 - (radius + 30.0) * half - creep;

@@ -8,6 +8,8 @@ mod lyon;
 mod mutants;
 mod seams;
 mod shapes;
+mod sketched_stars;
+mod sketches;
 mod spec;
 mod star;
 #[path = "../support/mod.rs"]

@@ -50,8 +50,11 @@ fn number(name: &str, default: u64) -> u64 {
 /// (name, content) of every seed: the files of two grippers, the shipped specs, the machine profile.
 fn seeds() -> Vec<(String, Vec<u8>)> {
     let designs = Path::new(env!("CARGO_MANIFEST_DIR")).join("designs");
-    let mut paths: Vec<_> =
-        fs::read_dir(designs).expect("designs/").map(|entry| entry.expect("an entry").path()).collect();
+    let mut paths: Vec<_> = fs::read_dir(designs)
+        .expect("designs/")
+        .map(|entry| entry.expect("an entry").path())
+        .filter(|path| path.is_file())
+        .collect();
     paths.sort();
     let mut out = Vec::new();
     for path in paths {

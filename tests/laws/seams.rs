@@ -30,7 +30,8 @@ fn in_ray(p: Point, ray: f64) -> (f64, f64) {
 #[test]
 fn the_inlet_is_a_channel_of_half_the_hoses_circumference() {
     let spec = paper("[inlet]\ntip = 3\ntube_diameter = \"6 mm\"\nlength = \"25 mm\"\n");
-    let part = &design(&spec).distinct[0];
+    let whole = design(&spec);
+    let part = &whole.assembly().expect("stars").distinct[0];
     let (star, outer) = (&part.star, &part.shape.seams[1].center_line);
     let ray = star.tip_ray(3);
     assert!(!outer.closed);
@@ -58,7 +59,8 @@ fn the_inlet_is_a_channel_of_half_the_hoses_circumference() {
 /// A fillet as large as the hose joins channel and arc without a corner, on the edge and on the centre line.
 #[test]
 fn a_fillet_is_tangent_on_both_ends() {
-    let part = &design(&paper("[inlet]\nfillet = \"4 mm\"\n")).distinct[0];
+    let whole = design(&paper("[inlet]\nfillet = \"4 mm\"\n"));
+    let part = &whole.assembly().expect("stars").distinct[0];
     for (path, radius) in [(&part.edges[1], 4.0), (&part.shape.seams[1].center_line, 3.0)] {
         let fillets: Vec<usize> = (0..path.segments.len())
             .filter(|i| matches!(path.segments[*i], Segment::Arc(arc) if (arc.radius - radius).abs() < 1e-9))
@@ -156,7 +158,8 @@ fn all_refusals_come_together() {
 
 #[test]
 fn closed_loops_start_in_the_middle_of_opposite_arms() {
-    let part = &design(&paper("[inlet]\nnone = true\n")).distinct[0];
+    let whole = design(&paper("[inlet]\nnone = true\n"));
+    let part = &whole.assembly().expect("stars").distinct[0];
     let mut arms = Vec::new();
     for seam in &part.shape.seams {
         let path = &seam.center_line;
@@ -172,7 +175,8 @@ fn closed_loops_start_in_the_middle_of_opposite_arms() {
 
 #[test]
 fn an_overlap_longer_than_its_arm_goes_on_around_the_hinge() {
-    let part = &design(&paper("[seal]\noverlap = \"120 mm\"\n")).distinct[0];
+    let whole = design(&paper("[seal]\noverlap = \"120 mm\"\n"));
+    let part = &whole.assembly().expect("stars").distinct[0];
     let inner = &part.shape.seams[0];
     let run = inner.run();
     assert!((run.length() - inner.center_line.length() - 120.0).abs() < 1e-9);
@@ -226,7 +230,7 @@ proptest! {
     #[test]
     fn pieces_are_the_path_cut_up(shape in support::shapes()) {
         let Ok(design) = Design::new(&support::read(&shape.toml()), &support::machine()) else { return Ok(()) };
-        for seam in &design.distinct[0].shape.seams {
+        for seam in &design.assembly().expect("stars").distinct[0].shape.seams {
             let run = seam.run();
             let pieces = plan::pieces(&run, LONGEST_MOVE);
             for piece in &pieces {
@@ -236,7 +240,7 @@ proptest! {
                 }
             }
             let chain = Path::open(pieces);
-            prop_assert!(chain.largest_gap() <= 1e-9 * design.distinct[0].star.tip_reach());
+            prop_assert!(chain.largest_gap() <= 1e-9 * design.assembly().expect("stars").distinct[0].star.tip_reach());
             prop_assert!((chain.length() - run.length()).abs() <= 1e-9 * run.length());
         }
     }
@@ -245,8 +249,8 @@ proptest! {
     #[test]
     fn ramps_join_the_seam(shape in support::shapes(), ramp in 0.1..20.0_f64) {
         let Ok(design) = Design::new(&support::read(&shape.toml()), &support::machine()) else { return Ok(()) };
-        let size = design.distinct[0].star.tip_reach();
-        for seam in &design.distinct[0].shape.seams {
+        let size = design.assembly().expect("stars").distinct[0].star.tip_reach();
+        for seam in &design.assembly().expect("stars").distinct[0].shape.seams {
             prop_assume!(seam.center_line.length() > 4.0 * ramp);
             let (run, down, up) = (seam.run(), seam.lead_in(ramp), seam.lead_out(ramp));
             for (a, b) in [(down.end(), run.start()), (run.end(), up.start())] {

@@ -208,7 +208,7 @@ proptest! {
         let inlet = if inlet { format!("[inlet]\ntip = {tip}\n") } else { "[inlet]\nnone = true\n".to_owned() };
         let spec = support::read(&(shape.toml() + &inlet));
         let Ok(design) = Design::new(&spec, &support::machine()) else { return Ok(()) };
-        let part = &design.distinct[0];
+        let part = &design.assembly().expect("stars").distinct[0];
         let outline = &part.outline;
         let half_band = part.shape.band / 2.0;
         prop_assert!(is_simple(&outline.outside) && is_simple(&outline.hole));

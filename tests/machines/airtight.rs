@@ -1,7 +1,7 @@
 //! The report on the seal: tight by construction, and seen to leak where it does.
 
 use stargrip_cam::airtight::report;
-use stargrip_cam::design::Design;
+use stargrip_cam::design::{Design, Product, StarAssembly};
 use stargrip_cam::geom::Path;
 use stargrip_cam::spec::key;
 
@@ -18,8 +18,8 @@ fn a_design_is_tight_and_its_channel_as_wide_as_the_tube() {
     for rest in ["", "[inlet]\nnone = true\n", "[stack]\ncount = 3\n"] {
         let (spec, machine, design) = design(rest);
         let found = report(&spec, &machine, &design);
-        assert_eq!((&found.leaks[..], found.stars.len()), (&[][..], 1), "{rest}");
-        let passage = &found.stars[0].passage;
+        assert_eq!((&found.leaks[..], found.pieces.len()), (&[][..], 1), "{rest}");
+        let passage = &found.pieces[0].passage;
         assert!((passage.channel - 10.0).abs() < 1e-6, "{passage:?}");
         assert!(passage.starts_apart > 20.0 && passage.loops[0].closed);
         assert_eq!(passage.loops[1].closed, rest.contains("none"));
@@ -32,9 +32,10 @@ fn a_design_is_tight_and_its_channel_as_wide_as_the_tube() {
 #[test]
 fn every_seeded_leak_is_seen() {
     let (spec, machine, good) = design("");
-    let leaks = |change: &dyn Fn(&mut Design)| {
+    let leaks = |change: &dyn Fn(&mut StarAssembly)| {
         let mut bad = good.clone();
-        change(&mut bad);
+        let Product::Stars(assembly) = &mut bad.product else { panic!("no stars") };
+        change(assembly);
         report(&spec, &machine, &bad).leaks
     };
     assert!(leaks(&|_| {}).is_empty());
@@ -87,6 +88,6 @@ fn a_weak_seal_is_warned_of_with_the_radius_that_would_hold() {
     assert!(found.leaks.is_empty());
     let at_tips = found.weaknesses.iter().find(|text| text.contains("at the tips")).expect("a warning");
     assert!(at_tips.contains("a radius of") && at_tips.contains("would hold"), "{at_tips}");
-    let loads = &found.stars[0].loads;
+    let loads = &found.pieces[0].loads;
     assert!(loads[0].factor > loads[1].factor && loads[1].factor > loads[2].factor, "{loads:?}");
 }

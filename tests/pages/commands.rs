@@ -91,10 +91,14 @@ fn what_is_not_run_is_known() {
 fn run(page: &Page) -> Vec<String> {
     let pieces = page.pieces();
     let dir = tempfile::tempdir().expect("a directory");
-    fs::create_dir(dir.path().join("designs")).expect("made");
-    for file in fs::read_dir(home().join("designs")).expect("a directory") {
-        let file = file.expect("a file");
-        let _ = fs::copy(file.path(), dir.path().join("designs").join(file.file_name())).expect("copied");
+    for folder in ["designs", "designs/drawings"] {
+        fs::create_dir(dir.path().join(folder)).expect("made");
+        let files =
+            fs::read_dir(home().join(folder)).expect("a directory").map(|file| file.expect("a file").path());
+        for file in files.filter(|file| file.is_file()) {
+            let name = file.file_name().expect("a name");
+            let _ = fs::copy(&file, dir.path().join(folder).join(name)).expect("copied");
+        }
     }
     let mut faults = Vec::new();
     // What the block above said, if it was run.

@@ -17,13 +17,14 @@ pub(in crate::cli) fn loaded(path: &Path, verbosity: Verbosity) -> Result<Study,
         return Err(Failure::Usage(text.to_owned()));
     }
     let file = read_study(&source)?;
-    let around = Loaded::spoken(&path.parent().unwrap_or(Path::new("")).join(&file.spec), verbosity)?;
+    let around = Loaded::spoken(&path.parent().unwrap_or(Path::new("")).join(&file.spec), verbosity)?
+        .with_stars("study")?;
     Ok(Study::new(&file, &around.source)?)
 }
 
 /// The spec at `path` with the values of `vary`, "KEY=VALUES" each.
 pub(in crate::cli) fn varied(path: &Path, vary: &[String], verbosity: Verbosity) -> Result<Study, Failure> {
-    let around = Loaded::spoken(path, verbosity)?;
+    let around = Loaded::spoken(path, verbosity)?.with_stars("study")?;
     let axes = vary.iter().map(|text| Axis::parse(text)).collect::<Result<Vec<_>, _>>();
     Study::vary(&around.source, axes.map_err(Failure::Message)?)?.map_err(Failure::Message)
 }

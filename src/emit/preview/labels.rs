@@ -2,11 +2,12 @@
 
 use std::f64::consts::TAU;
 
-use crate::design::{PlacedStar, StarDesign};
+use crate::design::{DrawnPiece, PlacedPart, StarDesign};
 use crate::emit::picture::{Group, Pen, Text};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{LABEL, START, Style, TEXT, circle, straight};
 use crate::emit::preview::travel::Start;
+use crate::emit::text::inert;
 use inflatable::geom::{Bounds, Point, Vec2};
 
 /// Sizes that are tried in turn, by the first of them; what is smaller is not read.
@@ -19,7 +20,7 @@ const WAYS: u32 = 24;
 const REACHES: [f64; 9] = [1.2, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.5, 8.0];
 
 /// Name, tips, corners and inlet of one star.
-pub(super) fn star_labels(part: &StarDesign, star: &PlacedStar, style: Style, places: &mut Places) -> Group {
+pub(super) fn star_labels(part: &StarDesign, star: &PlacedPart, style: Style, places: &mut Places) -> Group {
     let mut group = Group::new(format!("labels-{}", star.index));
     let geometry = &part.star;
     let middle = star.placement.point(Point::ORIGIN);
@@ -48,8 +49,40 @@ pub(super) fn star_labels(part: &StarDesign, star: &PlacedStar, style: Style, pl
     group
 }
 
+/// Name of a drawn piece, and of each of its seams beside its middle.
+pub(super) fn drawn_labels(
+    piece: &DrawnPiece,
+    placed: &PlacedPart,
+    style: Style,
+    places: &mut Places,
+) -> Group {
+    let mut group = Group::new(format!("labels-{}", placed.index));
+    for seam in &piece.shape.seams {
+        let path = placed.placement.path(&seam.center_line);
+        let middle = 0.5 * path.length();
+        let (Some(at), Some(along)) = (path.point_at(middle), path.tangent_at(middle)) else { continue };
+        let along = along.perp();
+        let size = (0.9 * style.unit).min(0.3 * piece.label_width());
+        let words = inert(&seam.name, 24);
+        beside(&mut group, places, &Callout { at, along, size, words: &words, ring: false });
+    }
+    for port in &piece.shape.ports {
+        let at = placed.placement.point(port.at);
+        let size = (0.9 * style.unit).min(0.3 * piece.label_width());
+        let along = at - placed.placement.point(piece.part.outside.bounds().center());
+        beside(&mut group, places, &Callout { at, along, size, words: "port", ring: false });
+    }
+    let middle = placed.placement.point(piece.part.outside.bounds().center());
+    let name = placed.name().to_string();
+    let texts = SIZES.map(|share| Text::centered(middle, share * 1.6 * style.unit, TEXT, name.clone()));
+    if let Some(text) = places.first(texts) {
+        group.text(text);
+    }
+    group
+}
+
 /// Numbers of tips and corners, all of one size: whole words where they can be read, else letters.
-fn hinges(part: &StarDesign, star: &PlacedStar, style: Style, places: &mut Places) -> Vec<Text> {
+fn hinges(part: &StarDesign, star: &PlacedPart, style: Style, places: &mut Places) -> Vec<Text> {
     let geometry = &part.star;
     for (tip, corner, least) in [("tip ", "corner ", LEGIBLE), ("T", "C", 0.0)] {
         for size in SIZES.map(|share| share * (0.9 * style.unit).min(0.26 * geometry.w)) {

@@ -4,28 +4,30 @@
 mod bench;
 mod block;
 mod cells;
+mod faults;
 mod labels;
+mod piece;
 mod place;
 mod stack;
-mod star;
 mod style;
 mod subject;
 mod travel;
 mod words;
 
-use crate::design::{PlacedStar, SheetLayout};
+use crate::design::{FlatPiece, PlacedPart, SheetLayout};
 use crate::emit::picture::{Group, Picture};
 use crate::emit::preview::bench::{Margins, bench_group, clamp_labels, sheet_box, sheet_group};
 use crate::emit::preview::block::{Block, flow};
-use crate::emit::preview::labels::{star_labels, start_labels};
+use crate::emit::preview::labels::{drawn_labels, star_labels, start_labels};
+use crate::emit::preview::piece::{keep_off_piece, piece_group};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::stack::StackView;
-use crate::emit::preview::star::{keep_off_star, star_group};
 use crate::emit::preview::style::{PAGE, Style, rectangle};
 use crate::emit::preview::travel::travel_group;
 use inflatable::geom::{Bounds, Point, Vec2};
 
 pub use cells::{Cell, cells};
+pub use faults::{FaultMark, faults};
 pub use subject::Preview;
 
 /// Pixels along the longer side of a PNG: a screen's width.
@@ -45,7 +47,7 @@ impl Preview<'_> {
     fn picture(&self, sheet: usize) -> Option<Picture> {
         let layout = self.design.sheets.iter().find(|layout| layout.index == sheet)?;
         // The stack stands beside the first sheet.
-        let stack = (sheet == 1).then(|| StackView::new(self));
+        let stack = StackView::new(self).filter(|_| sheet == 1);
         let (beside, least) =
             stack.as_ref().map_or((0.0, 0.0), |view| (view.bare_width(), view.bare_height()));
         let style = Style::new((layout.width + beside).max(layout.height).max(least) * 1.15);
@@ -76,17 +78,17 @@ impl Preview<'_> {
         Some(Picture { title: self.spec.name.clone(), window, top: layout.height, groups })
     }
 
-    /// The sheet with its stars, and what is said of them there.
+    /// The sheet with its pieces, and what is said of them there.
     fn sheet_groups(&self, layout: &SheetLayout, view: &Bounds, style: Style) -> Vec<Group> {
-        let stars: Vec<&PlacedStar> = self.design.on_sheet(layout.index).collect();
+        let pieces: Vec<&PlacedPart> = self.design.on_sheet(layout.index).collect();
         // Labels stay on the sheet; around it there are sizes and axes.
         let mut places = Places::new(sheet_box(layout), 0.12 * style.unit);
         let mut groups =
             vec![sheet_group(layout, style), bench_group(self.machine, view, style, &mut places)];
-        for star in &stars {
-            let part = self.design.part(star);
-            keep_off_star(&mut places, part, star, self.machine.process.ramp.0);
-            groups.push(star_group(part, star, style));
+        for placed in &pieces {
+            let part = self.design.part(placed);
+            keep_off_piece(&mut places, part, placed, self.machine.process.ramp.0);
+            groups.push(piece_group(part, placed, style));
         }
         let mut starts = Vec::new();
         for program in self.programs.iter().filter(|program| program.sheet == layout.index) {
@@ -95,8 +97,11 @@ impl Preview<'_> {
             starts.extend(more);
         }
         groups.push(start_labels(&starts, style, &mut places));
-        for star in stars {
-            groups.push(star_labels(self.design.part(star), star, style, &mut places));
+        for placed in pieces {
+            groups.push(match self.design.part(placed) {
+                FlatPiece::Star(star) => star_labels(star, placed, style, &mut places),
+                FlatPiece::Drawn(piece) => drawn_labels(piece, placed, style, &mut places),
+            });
         }
         groups.push(clamp_labels(self.machine, view, style, &mut places));
         groups

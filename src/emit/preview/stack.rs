@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::design::{Design, Side, Star, round_tube, tube_height};
+use crate::design::{Side, Star, StarAssembly, round_tube, tube_height};
 use crate::emit::picture::{Anchor, Group, Text};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{GREY, IRON, OBJECT, Style, TEXT, circle, rectangle, star_ink, straight};
@@ -12,6 +12,7 @@ use inflatable::geom::{Bounds, Isometry, Path, Point, Vec2};
 /// The two views, and how much room they need to the right of the sheet.
 pub(super) struct StackView<'a> {
     preview: &'a Preview<'a>,
+    assembly: &'a StarAssembly,
     /// Largest distance from the axis that anything reaches.
     reach: f64,
 }
@@ -23,10 +24,11 @@ struct Alike {
 }
 
 impl<'a> StackView<'a> {
-    pub(super) fn new(preview: &'a Preview<'a>) -> Self {
-        let design = preview.design;
-        let mouths = design.distinct.iter().filter_map(|part| Some(part.channel?.mouth));
-        Self { preview, reach: mouths.fold(design.frame.radius, f64::max) }
+    /// The views of a gripper's stack; `None` for another product.
+    pub(super) fn new(preview: &'a Preview<'a>) -> Option<Self> {
+        let assembly = preview.design.assembly()?;
+        let mouths = assembly.distinct.iter().filter_map(|part| Some(part.channel?.mouth));
+        Some(Self { preview, assembly, reach: mouths.fold(assembly.frame.radius, f64::max) })
     }
 
     /// Width of the strip that the views take, without type.
@@ -36,7 +38,7 @@ impl<'a> StackView<'a> {
 
     /// Height of the views, without type.
     pub(super) fn bare_height(&self) -> f64 {
-        2.0 * self.reach + self.preview.design.stack.height
+        2.0 * self.reach + self.assembly.stack.height
     }
 
     /// Width of the strip that the views take, labels at both sides.
@@ -54,14 +56,13 @@ impl<'a> StackView<'a> {
         let mut group = Group::new("stack");
         let axis = Point::new(middle, top - self.reach - 3.0 * style.unit);
         self.seen_from_above(&mut group, axis, style);
-        let foot =
-            Point::new(middle, axis.y - self.reach - 6.0 * style.unit - self.preview.design.stack.height);
+        let foot = Point::new(middle, axis.y - self.reach - 6.0 * style.unit - self.assembly.stack.height);
         self.seen_from_the_side(&mut group, foot, style);
         group
     }
 
     fn seen_from_above(&self, group: &mut Group, axis: Point, style: Style) {
-        let Preview { design, shut, .. } = self.preview;
+        let (design, shut) = (self.assembly, self.preview.shut);
         let frame = &design.frame;
         let half = self.reach + 9.5 * style.unit;
         let mut places = Places::new(Bounds::of_points([axis]).grown(half), 0.25 * style.unit);
@@ -103,7 +104,7 @@ impl<'a> StackView<'a> {
 
     /// Whose edges these are: in a tube, else outside of the frame, with a line to the tip.
     fn name(&self, group: &mut Group, alike: &Alike, places: &mut Places, style: Style) {
-        let design = self.preview.design;
+        let design = self.assembly;
         let Some(index) = alike.stars.first().copied() else { return };
         let star = &design.part(&design.stars[index - 1]).star;
         let (ink, words) = (star_ink(index), listed(&alike.stars));
@@ -145,7 +146,7 @@ impl<'a> StackView<'a> {
     }
 
     fn alike(&self, axis: Point) -> Vec<Alike> {
-        let design = self.preview.design;
+        let design = self.assembly;
         let mut out: Vec<Alike> = Vec::new();
         for (star, turn) in design.stars.iter().zip(&design.stack.turns) {
             let same = |other: &&mut Alike| {
@@ -168,7 +169,7 @@ impl<'a> StackView<'a> {
     }
 
     fn seen_from_the_side(&self, group: &mut Group, foot: Point, style: Style) {
-        let (design, frame): (&Design, _) = (self.preview.design, &self.preview.design.frame);
+        let (design, frame) = (self.assembly, &self.assembly.frame);
         let at = |x: f64, z: f64| foot + Vec2::new(x, z);
         let block =
             |half: f64, from: f64, to: f64| rectangle(&Bounds { min: at(-half, from), max: at(half, to) });

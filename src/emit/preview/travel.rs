@@ -1,6 +1,6 @@
 //! How the iron travels over one sheet: order, direction, starts, overlaps and ramps.
 
-use crate::design::{Design, PlacedStar};
+use crate::design::{Design, PlacedPart};
 use crate::emit::picture::Group;
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{IRON, RAMP, START, Style, TWICE, arrow_head, circle};
@@ -32,8 +32,8 @@ pub(super) fn travel_group(
     style: Style,
     places: &mut Places,
 ) -> (Group, Vec<Start>) {
-    let stars: Vec<String> = program.numbers().iter().map(ToString::to_string).collect();
-    let mut group = Group::new(format!("program-{}", stars.join("-")));
+    let numbers: Vec<String> = program.numbers().iter().map(ToString::to_string).collect();
+    let mut group = Group::new(format!("program-{}", numbers.join("-")));
     let mut starts = Vec::new();
     let mut seam: Option<(usize, DrawnSeam<'_>)> = None;
     for step in &program.steps {
@@ -50,7 +50,7 @@ pub(super) fn travel_group(
                     group
                         .line(run.part(report.length - report.overlap, report.length), style.pen(TWICE, 2.5));
                 }
-                let tube = design.part(seam.star).star.w;
+                let tube = design.part(seam.placed).tube_width();
                 let travelled = Path::open(pieces.clone());
                 for arrow in arrows(&travelled, (0.8 * style.unit).min(0.25 * tube)) {
                     places.keep_off_box(arrow.bounds());
@@ -72,27 +72,27 @@ pub(super) fn travel_group(
 /// A seam as the design has it, and what the program says of it.
 struct DrawnSeam<'a> {
     seam: &'a Seam,
-    star: &'a PlacedStar,
+    placed: &'a PlacedPart,
     report: &'a SeamReport,
 }
 
 impl<'a> DrawnSeam<'a> {
     fn new(design: &'a Design, program: &'a Program, index: usize) -> Option<Self> {
         let report = program.seams.get(index)?;
-        let star = design.stars.iter().find(|star| star.name() == report.name.piece)?;
-        let seam = design.part(star).shape.seam(&report.name.seam)?;
-        Some(Self { seam, star, report })
+        let placed = design.placed().iter().find(|placed| placed.name() == report.name.piece)?;
+        let seam = design.part(placed).shape().seam(&report.name.seam)?;
+        Some(Self { seam, placed, report })
     }
 
     fn run(&self) -> Path {
-        self.star.placement.path(&self.seam.run())
+        self.placed.placement.path(&self.seam.run())
     }
 
     fn ramp(&self, ramp: &Ramp) -> Path {
         let length = ramp.pieces.iter().map(Segment::length).sum();
         let down = ramp.to < ramp.from;
         let path = if down { self.seam.lead_in(length) } else { self.seam.lead_out(length) };
-        self.star.placement.path(&path)
+        self.placed.placement.path(&path)
     }
 }
 

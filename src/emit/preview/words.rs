@@ -1,6 +1,6 @@
 //! What is said below the picture: the design, its stars, the order of sealing, and what the colours mean.
 
-use crate::design::PlacedStar;
+use crate::design::{PlacedPart, StarAssembly};
 use crate::emit::picture::Pen;
 use crate::emit::preview::block::{Block, Swatch};
 use crate::emit::preview::stack::listed;
@@ -18,10 +18,12 @@ const SCALE_BAR: f64 = 50.0;
 
 /// All blocks, in order.
 pub(super) fn blocks(preview: &Preview<'_>, sheet: usize, style: Style) -> Vec<Block> {
-    let mut out =
-        vec![design(preview, sheet), stars(preview, sheet), order(preview, sheet), legend(preview, style)];
-    if sheet == 1 {
-        out.push(stack(preview, style));
+    let assembly = preview.design.assembly();
+    let mut out = vec![design(preview, sheet)];
+    out.extend(assembly.map(|assembly| stars(assembly, sheet)));
+    out.extend([order(preview, sheet), legend(preview, style)]);
+    if let Some(assembly) = assembly.filter(|_| sheet == 1) {
+        out.push(stack(preview, assembly, style));
     }
     out
 }
@@ -41,11 +43,10 @@ fn design(preview: &Preview<'_>, sheet: usize) -> Block {
 }
 
 /// Every distinct star once, with the numbers of all that are like it.
-fn stars(preview: &Preview<'_>, sheet: usize) -> Block {
-    let design = preview.design;
+fn stars(design: &StarAssembly, sheet: usize) -> Block {
     let mut block = Block::new("Stars");
     for distinct in 0..design.distinct.len() {
-        let alike: Vec<&PlacedStar> =
+        let alike: Vec<&PlacedPart> =
             design.on_sheet(sheet).filter(|star| star.distinct == distinct).collect();
         let Some(first) = alike.first() else { continue };
         let star = &design.part(first).star;
@@ -93,8 +94,14 @@ fn order(preview: &Preview<'_>, sheet: usize) -> Block {
     for (orders, stars, seam) in rows {
         let orders: Vec<String> = orders.iter().map(ToString::to_string).collect();
         let each = if stars.len() > 1 { " each" } else { "" };
-        let side = &seam.name.seam;
-        block.say(format!("{}: {side} loop of {}", orders.join(", "), listed(&stars)));
+        let (side, orders) = (inert(&seam.name.seam, 24), orders.join(", "));
+        block.say(match seam.name.piece.kind() {
+            "star" => format!("{orders}: {side} loop of {}", listed(&stars)),
+            kind => {
+                let numbers: Vec<String> = stars.iter().map(ToString::to_string).collect();
+                format!("{orders}: {side} of {kind} {}", numbers.join(", "))
+            }
+        });
         block.say(format!("    {:.0} mm in {}{each}", seam.length, hours(seam.time)));
     }
     block
@@ -116,8 +123,12 @@ fn legend(preview: &Preview<'_>, style: Style) -> Block {
     block.explain(Swatch::Dot(START), "start, with its order");
     block.explain(Swatch::Area(FABRIC), "flap");
     block.explain(line(CUT, 1.0), "cut, registration holes");
-    block.explain(Swatch::Line(style.dashes(LABEL, 0.5)), "hinge as drawn");
-    block.say("T tip, C corner");
+    let is_star = preview.design.assembly().is_some();
+    let drawn = if is_star { "hinge as drawn" } else { "edge as drawn" };
+    block.explain(Swatch::Line(style.dashes(LABEL, 0.5)), drawn);
+    if is_star {
+        block.say("T tip, C corner");
+    }
     if preview.machine.bench.work_area.is_some() {
         block.explain(Swatch::Line(style.dashes(WORK_AREA, 1.5)), "end of the work area");
     }
@@ -127,8 +138,8 @@ fn legend(preview: &Preview<'_>, style: Style) -> Block {
     block
 }
 
-fn stack(preview: &Preview<'_>, style: Style) -> Block {
-    let Preview { spec, design, shut, .. } = preview;
+fn stack(preview: &Preview<'_>, design: &StarAssembly, style: Style) -> Block {
+    let Preview { spec, shut, .. } = preview;
     let mut block = Block::new(format!("Stack, {:.1} mm high", design.stack.height));
     let line = |ink, weight| Swatch::Line(style.pen(ink, weight));
     block.explain(line(star_ink(1), if shut.is_empty() { 2.0 } else { 1.2 }), "star, flat");

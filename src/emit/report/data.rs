@@ -16,7 +16,7 @@ const DIGITS: i32 = 6;
 
 /// All figures of a report.
 pub(super) fn data(report: &Report<'_>) -> Value {
-    let Report { spec, design, bill, prediction, .. } = report;
+    let Report { spec, design, assembly, bill, prediction, .. } = report;
     let mut bill = serde_json::to_value(bill).unwrap_or_default();
     // Which files there are, the manifest itself says; this page is one of them.
     if let Some(bill) = bill.as_object_mut() {
@@ -45,17 +45,17 @@ pub(super) fn data(report: &Report<'_>) -> Value {
             "band_mm": spec.seal.band.0, "overlap_mm": spec.seal.overlap.0,
         },
         "stack": {
-            "height_mm": thousandths(design.stack.height),
-            "stars_mm": design.stack.stars.iter().copied().map(thousandths).collect::<Vec<_>>(),
-            "turns_deg": design.stack.turns.iter().map(|turn| thousandths(turn.to_degrees())).collect::<Vec<_>>(),
+            "height_mm": thousandths(assembly.stack.height),
+            "stars_mm": assembly.stack.stars.iter().copied().map(thousandths).collect::<Vec<_>>(),
+            "turns_deg": assembly.stack.turns.iter().map(|turn| thousandths(turn.to_degrees())).collect::<Vec<_>>(),
         },
-        "post_diameter_mm": design.frame.post_diameter,
+        "post_diameter_mm": assembly.frame.post_diameter,
         "hose": spec.inlet.as_ref().map(|inlet| json!({ "diameter_mm": inlet.tube_diameter.0, "length_mm": inlet.length.0 })),
         "watch": report.watch.iter().map(|(code, text)| json!({ "code": code, "text": text })).collect::<Vec<_>>(),
         "notes": design.warnings.iter().map(|warning| format!("{}; {}", warning.found, warning.remedy)).collect::<Vec<_>>(),
         "parts": parts(report),
         "loads": loads(report),
-        "flat": design.firsts().map(|placed| short(&json!(Pose::of(&design.part(placed).star)))).collect::<Vec<_>>(),
+        "flat": assembly.firsts().map(|placed| short(&json!(Pose::of(&assembly.part(placed).star)))).collect::<Vec<_>>(),
         "sheets": sheets(report),
         "programs": programs(report),
         "charts": report.charts.iter().map(chart).collect::<Vec<_>>(),
@@ -93,7 +93,7 @@ fn loads(report: &Report<'_>) -> Vec<Value> {
         };
         Some(short(&json!(seal_loads(&case, part).iter().map(load).collect::<Vec<_>>())))
     };
-    report.design.distinct.iter().filter_map(of_star).collect()
+    report.assembly.distinct.iter().filter_map(of_star).collect()
 }
 
 fn chart(charts: &Charts) -> Value {

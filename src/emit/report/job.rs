@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::design::{Circle, PlacedStar, SheetLayout, StarDesign};
+use crate::design::{Circle, PlacedPart, SheetLayout, StarDesign};
 use crate::emit::report::polyline::{hundredths, polyline};
 use crate::emit::report::subject::Report;
 use crate::plan::{Program, Ramp, Step, height_of};
@@ -10,11 +10,11 @@ use inflatable::geom::{Path, Point, Segment};
 
 /// The distinct stars, each in a frame of its own.
 pub(super) fn parts(report: &Report<'_>) -> Vec<Value> {
-    let placed = report.design.firsts();
-    placed.map(|placed| part(placed, report.design.part(placed))).collect()
+    let placed = report.assembly.firsts();
+    placed.map(|placed| part(placed, report.assembly.part(placed))).collect()
 }
 
-fn part(placed: &PlacedStar, part: &StarDesign) -> Value {
+fn part(placed: &PlacedPart, part: &StarDesign) -> Value {
     let hole = |hole: &Circle| [hole.center.x, hole.center.y, hole.diameter].map(hundredths);
     json!({
         "star": placed.index,
@@ -33,7 +33,7 @@ fn part(placed: &PlacedStar, part: &StarDesign) -> Value {
 /// The sheets, and where each star lies on them.
 pub(super) fn sheets(report: &Report<'_>) -> Vec<Value> {
     let design = report.design;
-    let star = |star: &PlacedStar| {
+    let star = |star: &PlacedPart| {
         let at = star.placement;
         json!({
             "star": star.index, "part": star.distinct, "x_mm": thousandths(at.shift.x), "y_mm": thousandths(at.shift.y),

@@ -1,6 +1,6 @@
 //! What a report is made of.
 
-use crate::design::Design;
+use crate::design::{Design, StarAssembly};
 use crate::forecast::charts::Charts;
 use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
@@ -18,6 +18,8 @@ pub struct Report<'a> {
     pub machine: &'a Machine,
     /// The exact geometry.
     pub design: &'a Design,
+    /// The stars, their stack and their frame.
+    pub assembly: &'a StarAssembly,
     /// The sealing programs.
     pub programs: &'a [Program],
     /// What it will do; `None` for a spec without a load.

@@ -9,7 +9,7 @@ mod pose;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::design::{Design, Drawing, Edge, Layer, Side, Star, StarDesign};
+use crate::design::{Design, Drawing, Edge, Layer, Side, Star, StarAssembly, StarDesign};
 use crate::emit::palette;
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, quarters};
@@ -39,15 +39,16 @@ enum Surface {
     Object,
 }
 
-/// Everything of `design`, its stars `inflated` to these, bottom to top, or not if there are none, and the spec's object; `None` where lyon
+/// Everything of the gripper `design`, its stars `inflated` to these, bottom to top, or not if there are none, and the spec's object; `None` where lyon
 /// has no triangles for it.
 pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>> {
     let mut glb = Glb::default();
-    let stack = stack(&mut glb, design, inflated)?;
+    let assembly = design.assembly()?;
+    let stack = stack(&mut glb, assembly, inflated)?;
     let object: Vec<Node> =
-        spec.load.as_ref().and_then(|load| object(&mut glb, design, load)).into_iter().collect();
-    let sheets = sheets(&mut glb, design)?;
-    let masks = masks(&mut glb, spec, design)?;
+        spec.load.as_ref().and_then(|load| object(&mut glb, assembly, load)).into_iter().collect();
+    let sheets = sheets(&mut glb, design, assembly)?;
+    let masks = masks(&mut glb, spec, assembly)?;
     let groups =
         [("stack", stack.len()), ("object", object.len()), ("sheets", sheets.len()), ("masks", masks.len())];
     // That of the object comes last: validators remark on a material that nothing has.
@@ -68,7 +69,7 @@ fn material(surface: &palette::Surface) -> Value {
 }
 
 /// Plates, posts and stars, where they stand.
-fn stack(glb: &mut Glb, design: &Design, inflated: &[Star]) -> Option<Vec<Node>> {
+fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<Node>> {
     let (frame, stack) = (&design.frame, &design.stack);
     let mut nodes = Vec::new();
     let mut stand = |name: String, mesh: usize, [x, y, z]: [f64; 3], turn: f64| {
@@ -113,7 +114,7 @@ fn fabric_of(star: usize) -> String {
 }
 
 /// The spec's object half way between the lowest and the highest star, its axis that of the stars; `None` without one.
-fn object(glb: &mut Glb, design: &Design, load: &Load) -> Option<Node> {
+fn object(glb: &mut Glb, design: &StarAssembly, load: &Load) -> Option<Node> {
     let radius = load.object_radius?.0;
     let half = load.object_height.map_or(radius, |height| height.0 / 2.0);
     let curve = match load.object_shape {
@@ -159,8 +160,8 @@ fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<&Star>, name: &str) -
 }
 
 /// The sheets as they lie on the machine: holes, cut lines and bands.
-fn sheets(glb: &mut Glb, design: &Design) -> Option<Vec<Node>> {
-    let mut left = reach(design) + GAP;
+fn sheets(glb: &mut Glb, design: &Design, assembly: &StarAssembly) -> Option<Vec<Node>> {
+    let mut left = reach(assembly) + GAP;
     let mut nodes = Vec::new();
     for layout in &design.sheets {
         let cuts = Drawing::outlines(design, layout.index, Edge::Part)?;
@@ -179,8 +180,8 @@ fn sheets(glb: &mut Glb, design: &Design) -> Option<Vec<Node>> {
         };
         let parts = [
             (Surface::Fabric as usize, Mesh::fill(&paths, 0.0)?),
-            (Surface::InnerBand as usize, ribbons(&on(&seals, Layer::SealInner), band_of(design))?),
-            (Surface::OuterBand as usize, ribbons(&on(&seals, Layer::SealOuter), band_of(design))?),
+            (Surface::InnerBand as usize, ribbons(&on(&seals, Layer::SealInner), band_of(assembly))?),
+            (Surface::OuterBand as usize, ribbons(&on(&seals, Layer::SealOuter), band_of(assembly))?),
             (Surface::Cut as usize, ribbons(&on(&cuts, Layer::CutOutside), CUT)?),
         ];
         let mesh = glb.mesh("sheet", &parts);
@@ -192,7 +193,7 @@ fn sheets(glb: &mut Glb, design: &Design) -> Option<Vec<Node>> {
 }
 
 /// The masks, for the other face, too, where the spec asks for them.
-fn masks(glb: &mut Glb, spec: &Spec, design: &Design) -> Option<Vec<Node>> {
+fn masks(glb: &mut Glb, spec: &Spec, design: &StarAssembly) -> Option<Vec<Node>> {
     let mut right = -reach(design) - GAP;
     let mut nodes = Vec::new();
     for first in design.firsts() {
@@ -214,13 +215,13 @@ fn masks(glb: &mut Glb, spec: &Spec, design: &Design) -> Option<Vec<Node>> {
 }
 
 /// How far the stack reaches from its axis.
-fn reach(design: &Design) -> f64 {
+fn reach(design: &StarAssembly) -> f64 {
     let mouths = design.distinct.iter().filter_map(|part| Some(part.channel?.mouth));
     mouths.fold(design.frame.radius, f64::max)
 }
 
 /// Width of the bands, which all stars have from the spec's one `[seal]`.
-fn band_of(design: &Design) -> f64 {
+fn band_of(design: &StarAssembly) -> f64 {
     design.distinct.first().map_or(0.0, |part| part.shape.band)
 }
 

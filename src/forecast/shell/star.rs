@@ -1,9 +1,9 @@
 //! A spec's stars as shells: the keys of all predictions, with what only a shell knows, and none of what only
 //! a hinge's model knows.
 
-use crate::design::{Design, Meeting, PlacedStar, StarDesign};
+use crate::design::{Design, Meeting, PlacedPart, StarDesign};
 use crate::forecast::case::Case;
-use crate::forecast::predict::PredictFault;
+use crate::forecast::predict::{PredictFault, stars_of};
 use crate::forecast::prediction::{
     Evidence, ForceAt, MeshErrors, Place, Prediction, StarPrediction, Stretch,
 };
@@ -31,8 +31,9 @@ pub fn predict(
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<(Prediction, Shape), Refusal> {
+    let design = stars_of(design).map_err(Refusal::Fault)?;
     let meetings = design.meetings(spec);
-    let meeting = |placed: &PlacedStar| meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
+    let meeting = |placed: &PlacedPart| meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
     let mut computed = Vec::new();
     for placed in design.firsts() {
         let alike = design.stars.iter().filter(|other| other.distinct == placed.distinct);
@@ -40,7 +41,7 @@ pub fn predict(
         let found = compute((spec, design.part(placed)), (radii, &meetings), detail, watch);
         computed.push(found.map_err(|refusal| refusal.of_star(placed.index))?);
     }
-    let answer = |placed: &PlacedStar| {
+    let answer = |placed: &PlacedPart| {
         let one = computed.get(placed.distinct)?;
         Some(one.star((spec, design.part(placed)), meeting(placed), radii))
     };

@@ -160,7 +160,7 @@ fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &Shape) -> Opt
             return sides.map(|[width, depth]| KeyValue::Word(format!("{width} x {depth}")));
         }
         Shape::Or(shape, _) => return taken(section, key, shape),
-        Shape::Sections | Shape::Texts | Shape::Choices(_) => None,
+        Shape::Sections | Shape::Lists(_) | Shape::Texts | Shape::Choices(_) => None,
     }
     .map(KeyValue::Number)
 }

@@ -1,6 +1,6 @@
 //! What one program should do: its seams, where they lie, and what its comments call it.
 
-use crate::design::{Design, PlacedStar};
+use crate::design::{Design, PlacedPart};
 use crate::shape::{LaidSeam, PieceName, frame, laid_seams, scope};
 use crate::spec::{Machine, Spec};
 use inflatable::geom::{Bounds, Path, Point};
@@ -25,18 +25,18 @@ pub struct ProgramTask<'a> {
 }
 
 impl<'a> ProgramTask<'a> {
-    /// The task of the program for `star`, or for all stars of `sheet`; `None` if the design has no such part.
-    pub(in crate::verify) fn of_stars(
+    /// The task of the program for piece number `piece`, or for all pieces of `sheet`; `None` if the design has no such part.
+    pub(in crate::verify) fn of_pieces(
         (spec, machine, design): (&'a Spec, &'a Machine, &Design),
         hot: bool,
         sheet: usize,
-        star: Option<usize>,
+        piece: Option<usize>,
     ) -> Option<Self> {
         let layout = design.sheets.iter().find(|layout| layout.index == sheet)?;
         let all = design.nearest_first(sheet).into_iter();
-        let stars: Vec<&PlacedStar> =
-            all.filter(|placed| star.is_none_or(|index| placed.index == index)).collect();
-        let pieces = design.pieces(&stars);
+        let placed: Vec<&PlacedPart> =
+            all.filter(|placed| piece.is_none_or(|index| placed.index == index)).collect();
+        let pieces = design.pieces(&placed);
         let names: Vec<PieceName> = pieces.iter().map(|piece| piece.name.clone()).collect();
         let _ = names.first()?;
         let corner = Point::new(layout.width, layout.height);

@@ -5,7 +5,9 @@
 
 mod arc;
 mod bounds;
+mod enclosure;
 mod grid;
+mod index;
 mod intersect;
 mod line;
 mod nearest;
@@ -17,7 +19,9 @@ mod transform;
 
 pub use arc::Arc;
 pub use bounds::Bounds;
+pub use enclosure::Enclosures;
 pub use grid::Grid;
+pub use index::BoxIndex;
 pub use intersect::{intersections, path_intersections};
 pub use line::Line;
 pub use nearest::{Nearest, path_distance, segment_distance};

@@ -47,6 +47,7 @@ impl Assemblies {
     /// What is wrong with the pieces of each mask, put together.
     pub(in crate::verify) fn disagreements(&self, design: &Design) -> Vec<Finding> {
         let mut findings = Vec::new();
+        let Some(design) = design.assembly() else { return findings };
         for ((star, mirrored), pieces) in &self.0 {
             let Some(placed) = design.stars.iter().find(|placed| placed.index == *star) else { continue };
             let part = design.part(placed);

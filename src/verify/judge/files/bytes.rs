@@ -29,8 +29,8 @@ pub fn compare_bytes(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &
 pub fn mark_equal(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
     let _ = found.get(name).filter(|bytes| *bytes == right)?;
     let file = proof.files.iter_mut().find(|file| file.path == name)?;
-    // Spec and profile are what all else is made of: nothing makes them anew.
-    if !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine) {
+    // Spec, profile and drawing are what all else is made of: nothing makes them anew.
+    if !matches!(file.output.kind.subject(), Subject::Spec | Subject::Machine | Subject::Drawing) {
         file.by = Method::Bytes;
     }
     Some(file.sha256.clone())

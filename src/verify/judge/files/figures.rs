@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use crate::design::StarAssembly;
 use crate::manifest::{MANIFEST, Manifest};
 use crate::verify::finding::quote;
 use crate::verify::judge::expected::Expected;
@@ -57,12 +58,38 @@ pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Mani
     let wrong = |found: String, allowed: String| {
         Finding::new(FindingCode::Manifest, None, found, allowed).in_file(MANIFEST)
     };
-    for placed in &expected.design.stars {
-        let seam_mm: f64 =
-            expected.design.part(placed).shape.seams.iter().map(|seam| seam.run().length()).sum();
+    for placed in expected.design.placed() {
+        let (name, seams) = (placed.name(), &expected.design.part(placed).shape().seams);
+        let seam_mm: f64 = seams.iter().map(|seam| seam.run().length()).sum();
+        // Older versions wrote no pieces.
+        if let Some(piece) = manifest.pieces.iter().find(|piece| piece.name == name.word()) {
+            let found: f64 = piece.seams.iter().map(|seam| seam.length_mm).sum();
+            let slack = 0.001 * (10 + seams.len()) as f64;
+            if (found - seam_mm).abs() > slack || piece.seams.len() != seams.len() {
+                let found = format!("{name}: {found} mm in {} seams", piece.seams.len());
+                findings.push(wrong(found, format!("{seam_mm:.3} mm in {}", seams.len())));
+            }
+        } else if expected.design.assembly().is_none() {
+            findings.push(wrong(format!("no {name}"), "every piece of the design".to_owned()));
+        }
+    }
+    if let Some(assembly) = expected.design.assembly() {
+        findings.extend(against_assembly(assembly, manifest));
+    }
+    findings
+}
+
+/// The same of the figures that only a gripper of stars has.
+fn against_assembly(design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let wrong = |found: String, allowed: String| {
+        Finding::new(FindingCode::Manifest, None, found, allowed).in_file(MANIFEST)
+    };
+    for placed in &design.stars {
+        let seam_mm: f64 = design.part(placed).shape.seams.iter().map(|seam| seam.run().length()).sum();
         match manifest.stars.iter().find(|star| star.index == placed.index) {
             Some(star) if (star.seam_mm - seam_mm).abs() <= 0.01 && star.sheet == placed.sheet => {
-                let clear = expected.design.part(placed).clear_radius();
+                let clear = design.part(placed).clear_radius();
                 if (star.clear_radius_mm - clear).abs() > 0.001 {
                     let found = format!("star {}: a clear radius of {} mm", star.index, star.clear_radius_mm);
                     findings.push(wrong(found, format!("{clear:.3} mm")));
@@ -76,7 +103,7 @@ pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Mani
                 .push(wrong(format!("no star {}", placed.index), "every star of the design".to_owned())),
         }
     }
-    let frame = &expected.design.frame;
+    let frame = &design.frame;
     let posts: usize = manifest.posts.iter().map(|posts| posts.count).sum();
     let lengths = manifest.posts.iter().map(|posts| (posts.length_mm - frame.post_length).abs());
     if posts != frame.posts.len() || lengths.fold(0.0, f64::max) > 0.001 {
@@ -84,8 +111,8 @@ pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Mani
         findings.push(wrong(format!("posts {:?}", manifest.posts), allowed));
     }
     let plates: usize = manifest.plates.iter().map(|plates| plates.plates.len()).sum();
-    if plates != expected.design.stars.len() + 1 {
-        findings.push(wrong(format!("{plates} plates"), format!("{}", expected.design.stars.len() + 1)));
+    if plates != design.stars.len() + 1 {
+        findings.push(wrong(format!("{plates} plates"), format!("{}", design.stars.len() + 1)));
     }
     findings
 }

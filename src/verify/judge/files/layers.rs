@@ -19,7 +19,7 @@ pub(in crate::verify) fn look(layer: Layer, colours: Colours) -> LayerStyle {
     const MAGENTA: (&str, &str) = ("#ff00ff", "6");
     const RED: (&str, &str) = ("#ff0000", "1");
     let (one, ordered) = match layer {
-        Layer::SealInner => (BLUE, BLUE),
+        Layer::Seal | Layer::SealInner => (BLUE, BLUE),
         Layer::SealOuter | Layer::MaskJoint => (GREEN, GREEN),
         Layer::CutOutside | Layer::MaskPlate | Layer::FrameEdge => (RED, RED),
         Layer::CutHole | Layer::MaskWindow | Layer::FrameOpening => (RED, MAGENTA),

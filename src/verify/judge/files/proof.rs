@@ -120,6 +120,10 @@ fn file(
     cross: &mut CrossChecks,
     findings: &mut Findings,
 ) -> (Method, Option<f64>) {
+    // The directory's own drawing is what all else is compared with.
+    if output.kind.subject() == Subject::Drawing {
+        return (Method::Hash, None);
+    }
     match output.kind.format() {
         Format::Pdf => return (Method::Reading, on_paper(expected, output, bytes, findings)),
         Format::Stl => {
@@ -148,7 +152,7 @@ fn file(
         (subject, Format::Gcode) => {
             let parts = (expected.spec, expected.machine, expected.design);
             let (hot, sheet) = (subject == Subject::Seal, output.sheet.unwrap_or(0));
-            let task = ProgramTask::of_stars(parts, hot, sheet, output.star);
+            let task = ProgramTask::of_pieces(parts, hot, sheet, output.star.or(output.copy));
             (Method::Reading, task.map(|task| task.check(text, findings)))
         }
         (subject, format) => {

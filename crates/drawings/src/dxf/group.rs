@@ -1,0 +1,124 @@
+//! Group codes: pairs of lines, and the records they make.
+
+use crate::{Fault, Place};
+
+/// A code and its value.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Group<'a> {
+    pub(super) code: i32,
+    pub(super) value: &'a str,
+}
+
+/// All groups up to the end of the file; group `i` is on the lines `2 i + 1` and `2 i + 2`.
+pub(super) fn groups(text: &str, most: usize) -> Result<Vec<Group<'_>>, Fault> {
+    let mut lines = text.lines();
+    let mut groups = Vec::new();
+    while let Some(first) = lines.next() {
+        let line = 2 * groups.len() + 1;
+        let fault =
+            |text: String, remedy: &str| Fault { place: Place::line(line), text, remedy: remedy.into() };
+        let Ok(code) = first.trim().parse::<i32>() else {
+            if first.trim().is_empty() && lines.all(|rest| rest.trim().is_empty()) {
+                break;
+            }
+            let found: String = first.trim().chars().take(20).collect();
+            return Err(fault(
+                format!("\"{found}\" is not a group code."),
+                "Export the drawing as ASCII DXF again.",
+            ));
+        };
+        let Some(value) = lines.next() else {
+            return Err(fault(
+                "The file ends within a group.".into(),
+                "Copy or export the file again: it is cut off.",
+            ));
+        };
+        if groups.len() >= most {
+            return Err(fault(format!("The file has more than {most} groups."), "Split the drawing."));
+        }
+        let value = if code == 1 { value } else { value.trim() };
+        groups.push(Group { code, value });
+        if code == 0 && value == "EOF" {
+            return Ok(groups);
+        }
+    }
+    let line = 2 * groups.len();
+    let text = "The file has no end mark (0, EOF); it may be cut off.".into();
+    let remedy = "Export it again, or add the lines 0 and EOF if it is complete.".into();
+    Err(Fault { place: Place::line(line), text, remedy })
+}
+
+/// An entity or a table entry: a type (code 0) and the groups up to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Record<'a, 'g> {
+    /// Its type, such as LINE.
+    pub(super) kind: &'a str,
+    /// Its groups without the type and without the data of other programs (codes from 1000).
+    pub(super) groups: &'g [Group<'a>],
+    /// The line of its type.
+    pub(super) line: usize,
+}
+
+/// A reason for which a record is not read, and its line.
+#[derive(Debug)]
+pub(super) struct Flaw {
+    pub(super) text: String,
+    pub(super) line: usize,
+}
+
+impl<'a> Record<'a, '_> {
+    /// The first value of a code.
+    pub(super) fn text(&self, code: i32) -> Option<&'a str> {
+        self.groups.iter().find(|group| group.code == code).map(|group| group.value)
+    }
+
+    /// All values of a code as numbers.
+    pub(super) fn numbers(&self, code: i32) -> Result<Vec<f64>, Flaw> {
+        let found = self.groups.iter().enumerate().filter(|(_, group)| group.code == code);
+        found.map(|(i, group)| self.parse(i, group)).collect()
+    }
+
+    /// The number of group `i`.
+    pub(super) fn parse(&self, i: usize, group: &Group<'_>) -> Result<f64, Flaw> {
+        group.value.parse::<f64>().ok().filter(|number| number.is_finite()).ok_or_else(|| {
+            let found: String = group.value.chars().take(20).collect();
+            let text = format!("Code {} of {} is \"{found}\", not a finite number.", group.code, self.kind);
+            Flaw { text, line: self.line + 2 * (i + 1) + 1 }
+        })
+    }
+
+    /// The first number of a code.
+    pub(super) fn optional(&self, code: i32) -> Result<Option<f64>, Flaw> {
+        let found = self.groups.iter().enumerate().find(|(_, group)| group.code == code);
+        found.map(|(i, group)| self.parse(i, group)).transpose()
+    }
+
+    /// The number of a code that must be there.
+    pub(super) fn number(&self, code: i32) -> Result<f64, Flaw> {
+        self.optional(code)?.ok_or_else(|| self.flaw(format!("{} has no value of code {code}.", self.kind)))
+    }
+
+    /// A flag word; 0 if it is missing.
+    pub(super) fn flags(&self, code: i32) -> Result<i64, Flaw> {
+        let number = self.optional(code)?.unwrap_or(0.0);
+        #[expect(clippy::cast_possible_truncation, reason = "flags are small, and a cast saturates")]
+        Ok(number as i64)
+    }
+
+    /// A flaw of the whole record.
+    pub(super) fn flaw(&self, text: String) -> Flaw {
+        Flaw { text, line: self.line }
+    }
+}
+
+/// The records of a section.
+pub(super) fn records<'a, 'g>(groups: &'g [Group<'a>], first_group: usize) -> Vec<Record<'a, 'g>> {
+    let mut starts: Vec<usize> = (0..groups.len()).filter(|&i| groups[i].code == 0).collect();
+    starts.push(groups.len());
+    let record = |pair: &[usize]| {
+        let body = &groups[pair[0] + 1..pair[1]];
+        let end = body.iter().position(|group| group.code >= 1000).unwrap_or(body.len());
+        Record { kind: groups[pair[0]].value, groups: &body[..end], line: 2 * (first_group + pair[0]) + 1 }
+    };
+    starts.windows(2).map(record).collect()
+}

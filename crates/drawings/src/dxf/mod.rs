@@ -1,0 +1,91 @@
+//! DXF files: ASCII, from R12 to 2018.
+//!
+//! Groups make records, records make sections; a walk over the entities resolves blocks. Entities with a plane of their own have its
+//! coordinates mirrored where the plane faces down. All else is in [`figures`].
+
+mod figures;
+mod group;
+mod polyline;
+mod tables;
+mod walk;
+
+use std::borrow::Cow;
+
+use crate::affine::Affine;
+use crate::collector::Collector;
+use crate::{Drawing, Fault, Options, Place, Unit, Weight};
+
+/// Reads an ASCII DXF file.
+///
+/// # Errors
+/// All faults of the file, each with its place: what is no DXF, numbers that are none, missing values, unknown units, and
+/// limits that are exceeded.
+pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
+    crate::admit::admit(bytes, crate::Format::Dxf, options).map_err(|fault| vec![fault])?;
+    let text = decoded(bytes);
+    let groups =
+        group::groups(&text, options.limits.visits.saturating_mul(16)).map_err(|fault| vec![fault])?;
+    let sections = tables::sections(&groups);
+    let mut collector = Collector::new(options);
+    if matches!(text, Cow::Owned(_)) {
+        collector.note(
+            Weight::Information,
+            Place::default(),
+            "The text is not UTF-8; it is read as Latin-1.",
+        );
+    }
+    if !sections.has_entities {
+        collector.fault(
+            Place::default(),
+            "The file has no section ENTITIES.",
+            "Export the drawing as ASCII DXF again.",
+        );
+    }
+    if let Some(unit_mm) = unit(&sections, &mut collector) {
+        collector.set_unit(unit_mm);
+        // A limit that is exceeded is among the faults.
+        let _ = walk::Walk::new(&sections, &mut collector).run(&Affine::scale(unit_mm, unit_mm));
+    }
+    collector.finish()
+}
+
+/// The text as UTF-8; files before 2007 have code pages, of which Latin-1 serves for names.
+fn decoded(bytes: &[u8]) -> Cow<'_, str> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_) => Cow::Owned(bytes.iter().map(|&byte| char::from(byte)).collect()),
+    }
+}
+
+/// Length of the file's unit, mm: the user's, or $INSUNITS.
+fn unit(sections: &tables::Sections<'_, '_>, collector: &mut Collector<'_>) -> Option<f64> {
+    let code = sections.units.map_or(0, |value| value.parse::<i64>().unwrap_or(-1));
+    let own = match code {
+        1 => Some(Unit::Inch),
+        2 => Some(Unit::Foot),
+        4 => Some(Unit::Millimetre),
+        5 => Some(Unit::Centimetre),
+        6 => Some(Unit::Metre),
+        9 => Some(Unit::Mil),
+        10 => Some(Unit::Yard),
+        13 => Some(Unit::Micrometre),
+        14 => Some(Unit::Decimetre),
+        _ => None,
+    };
+    match (collector.options().unit, own) {
+        (Some(given), Some(own)) if given != own => {
+            let text = format!("The unit {} replaces the file's unit {}.", given.name(), own.name());
+            collector.note(Weight::Information, Place::default(), text);
+            Some(given.millimetres())
+        }
+        (Some(unit), _) | (None, Some(unit)) => Some(unit.millimetres()),
+        (None, None) => {
+            let found = sections.units.map_or("is missing".into(), |value| format!("is {value}"));
+            let text = format!("The file has no unit: $INSUNITS {found}.");
+            let names: Vec<_> = Unit::names().collect();
+            collector.fault(Place::default(), text, format!("Give the unit: {}.", names.join(", ")));
+            None
+        }
+    }
+}

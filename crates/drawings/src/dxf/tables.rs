@@ -1,0 +1,100 @@
+//! Sections of the file: header, layers, blocks, entities.
+
+use std::collections::BTreeMap;
+
+use super::group::{Group, Record, records};
+
+/// A block: what an INSERT repeats.
+#[derive(Debug)]
+pub(super) struct Block<'a, 'g> {
+    /// The BLOCK record, which has the base point and the flags.
+    pub(super) head: Record<'a, 'g>,
+    /// Its entities.
+    pub(super) entities: Vec<Record<'a, 'g>>,
+}
+
+/// Visibility of a layer.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Layer {
+    /// Its colour is negative.
+    pub(super) off: bool,
+    /// Frozen: inserts on it show nothing either.
+    pub(super) frozen: bool,
+}
+
+/// The parts of a file that are read. Names of layers and blocks have no case, so keys are in lower case.
+#[derive(Debug, Default)]
+pub(super) struct Sections<'a, 'g> {
+    /// $INSUNITS, as written.
+    pub(super) units: Option<&'a str>,
+    pub(super) layers: BTreeMap<String, Layer>,
+    pub(super) blocks: BTreeMap<String, Block<'a, 'g>>,
+    pub(super) entities: Vec<Record<'a, 'g>>,
+    /// Whether there is a section ENTITIES.
+    pub(super) has_entities: bool,
+}
+
+/// Finds the sections of a file.
+pub(super) fn sections<'a, 'g>(groups: &'g [Group<'a>]) -> Sections<'a, 'g> {
+    let mut out = Sections::default();
+    let mut at = 0;
+    while at + 1 < groups.len() {
+        let (start, name) = (&groups[at], &groups[at + 1]);
+        if start.code != 0 || start.value != "SECTION" || name.code != 2 {
+            at += 1;
+            continue;
+        }
+        let from = at + 2;
+        let length = groups[from..].iter().position(|group| group.code == 0 && group.value == "ENDSEC");
+        let to = length.map_or(groups.len(), |length| from + length);
+        let body = &groups[from..to];
+        match name.value {
+            "HEADER" => out.units = header(body, "$INSUNITS"),
+            "TABLES" => out.layers = layers(&records(body, from)),
+            "BLOCKS" => out.blocks = blocks(records(body, from)),
+            "ENTITIES" => {
+                out.has_entities = true;
+                out.entities = records(body, from);
+                out.entities.retain(|record| record.kind != "EOF");
+            }
+            _ => {}
+        }
+        at = to;
+    }
+    out
+}
+
+/// The value of a header variable.
+fn header<'a>(groups: &[Group<'a>], name: &str) -> Option<&'a str> {
+    let at = groups.iter().position(|group| group.code == 9 && group.value == name)?;
+    groups.get(at + 1).map(|group| group.value)
+}
+
+fn layers(records: &[Record<'_, '_>]) -> BTreeMap<String, Layer> {
+    let layer = |record: &&Record<'_, '_>| record.kind == "LAYER";
+    let read = |record: &Record<'_, '_>| {
+        let integer = |code| record.text(code).and_then(|value| value.parse::<i64>().ok()).unwrap_or(0);
+        let name = record.text(2).unwrap_or_default().to_lowercase();
+        (name, Layer { off: integer(62) < 0, frozen: integer(70) & 1 != 0 })
+    };
+    records.iter().filter(layer).map(read).collect()
+}
+
+fn blocks<'a, 'g>(records: Vec<Record<'a, 'g>>) -> BTreeMap<String, Block<'a, 'g>> {
+    let mut out = BTreeMap::new();
+    let mut open: Option<Block<'a, 'g>> = None;
+    for record in records {
+        match (record.kind, open.as_mut()) {
+            ("BLOCK", _) => open = Some(Block { head: record, entities: Vec::new() }),
+            ("ENDBLK", _) => {
+                if let Some(block) = open.take() {
+                    let name = block.head.text(2).unwrap_or_default().to_lowercase();
+                    drop(out.insert(name, block));
+                }
+            }
+            (_, Some(block)) => block.entities.push(record),
+            (_, None) => {}
+        }
+    }
+    out
+}

@@ -1,0 +1,256 @@
+//! The walk over the entities: layers, inserts, notes.
+
+use inflatable::geom::Point;
+
+use super::figures::{Geometry, Reading, Shape, mirrored, read};
+use super::group::{Flaw, Record};
+use super::tables::{Block, Layer, Sections};
+use crate::affine::Affine;
+use crate::collector::{Collector, Stop};
+use crate::{Place, Weight};
+
+/// Entities that show nothing of their own.
+const INVISIBLE: [&str; 4] = ["SEQEND", "VIEWPORT", "ATTDEF", "VERTEX"];
+
+/// Where an entity stands: in the drawing, or in an inserted block.
+#[derive(Clone)]
+struct Context {
+    map: Affine,
+    /// Ids of the inserts around, each with " > " behind it.
+    path: String,
+    /// Layers of the inserts around, innermost first.
+    layers: Vec<String>,
+    /// Names of the blocks around, as keys.
+    blocks: Vec<String>,
+}
+
+/// The state of the walk.
+pub(super) struct Walk<'s, 'a, 'g, 'c, 'o> {
+    sections: &'s Sections<'a, 'g>,
+    out: &'c mut Collector<'o>,
+}
+
+impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
+    pub(super) fn new(sections: &'s Sections<'a, 'g>, out: &'c mut Collector<'o>) -> Self {
+        Self { sections, out }
+    }
+
+    /// Reads all entities of the drawing; `map` leads to mm.
+    pub(super) fn run(&mut self, map: &Affine) -> Result<(), Stop> {
+        let context = Context { map: *map, path: String::new(), layers: Vec::new(), blocks: Vec::new() };
+        self.entities(&self.sections.entities, &context)
+    }
+
+    fn entities(&mut self, entities: &[Record<'a, 'g>], context: &Context) -> Result<(), Stop> {
+        let mut at = 0;
+        while let Some(record) = entities.get(at) {
+            at += 1;
+            let parts = match record.kind {
+                "POLYLINE" => entities[at..].iter().take_while(|part| part.kind == "VERTEX").count(),
+                _ => 0,
+            };
+            let vertices = &entities[at..at + parts];
+            at += parts;
+            self.out.visit()?;
+            let inner = [record].into_iter().chain(vertices);
+            self.out.text(inner.map(|record| 4 * record.groups.len()).sum())?;
+            let place = self.place(record, context)?;
+            if self.is_hidden(record, &place) || INVISIBLE.contains(&record.kind) {
+                continue;
+            }
+            let read = match record.kind {
+                "INSERT" => self.insert(record, &place, context)?,
+                _ => self.entity(record, vertices, &place, context)?,
+            };
+            if let Err(Flaw { text, line }) = read {
+                self.out.fault(
+                    Place { line: Some(line), ..place },
+                    text,
+                    "Export the drawing again, or remove the entity.",
+                );
+            }
+        }
+        Ok(())
+    }
+
+    /// Id, layers, line and a first point of an entity.
+    fn place(&mut self, record: &Record<'_, '_>, context: &Context) -> Result<Place, Stop> {
+        let own = match record.text(5) {
+            Some(handle) => format!("{} {handle}", record.kind),
+            None => format!("{} at line {}", record.kind, record.line),
+        };
+        let layer = record.text(8).unwrap_or("0");
+        let inherits = layer == "0" && !context.layers.is_empty();
+        let mut layers: Vec<String> = if inherits { Vec::new() } else { vec![layer.to_owned()] };
+        layers.extend(context.layers.iter().filter(|name| inherits || **name != layer).cloned());
+        let id = format!("{}{own}", context.path);
+        self.out.text(id.len() + layers.iter().map(|name| 24 + name.len()).sum::<usize>())?;
+        let number = |code| record.optional(code).ok().flatten();
+        let at = number(10).zip(number(20)).map(|(x, y)| context.map.point(Point::new(x, y)));
+        let at = at.filter(|at| at.x.is_finite() && at.y.is_finite());
+        Ok(Place { element: Some(id), layers, line: Some(record.line), at })
+    }
+
+    fn layer(&self, name: &str) -> Layer {
+        self.sections.layers.get(&name.to_lowercase()).copied().unwrap_or_default()
+    }
+
+    /// Notes an entity that the drawing does not show: on paper, invisible, or on a layer that is off or frozen.
+    fn is_hidden(&mut self, record: &Record<'_, '_>, place: &Place) -> bool {
+        let name = place.layers.first().map_or("0", String::as_str);
+        let layer = self.layer(name);
+        let flag = |code| record.flags(code).unwrap_or(0) == 1;
+        let reason = if flag(67) {
+            "It is on a paper layout, and is left out.".to_owned()
+        } else if flag(60) {
+            "It is invisible, and is left out.".to_owned()
+        } else if layer.frozen {
+            format!("Its layer {name} is frozen; it is left out.")
+        } else if layer.off && record.kind != "INSERT" {
+            format!("Its layer {name} is off; it is left out.")
+        } else {
+            return false;
+        };
+        if !INVISIBLE.contains(&record.kind) {
+            self.out.note(Weight::Information, place.clone(), reason);
+        }
+        true
+    }
+
+    fn entity(
+        &mut self,
+        record: &Record<'a, 'g>,
+        parts: &[Record<'a, 'g>],
+        place: &Place,
+        context: &Context,
+    ) -> Result<Result<(), Flaw>, Stop> {
+        match read(record, parts) {
+            Ok(Reading::Geometry(geometry)) => {
+                self.heights(&geometry, place);
+                if let Some(remark) = geometry.remark {
+                    self.out.note(Weight::Information, place.clone(), remark);
+                }
+                let mirror = if geometry.mirrored { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY };
+                let map = context.map.after(&mirror);
+                let place = Place { at: None, ..place.clone() };
+                match geometry.shape {
+                    Shape::Point(point) => self.out.point(place, &map, point),
+                    Shape::Chain(chain) => self.out.chain(place, &map, &chain)?,
+                }
+            }
+            Ok(Reading::Tilted) => self.lost(place, "Its plane is not that of the drawing; it is left out."),
+            Ok(Reading::Unknown) => {
+                let text = format!("Entities of type {} are not read; it is left out.", record.kind);
+                self.lost(place, text);
+            }
+            Err(flaw) => return Ok(Err(flaw)),
+        }
+        Ok(Ok(()))
+    }
+
+    fn lost(&mut self, place: &Place, text: impl Into<String>) {
+        self.out.note(Weight::Lost, place.clone(), text);
+    }
+
+    /// Notes what does not lie at z = 0.
+    fn heights(&mut self, geometry: &Geometry, place: &Place) {
+        let [low, high] = geometry.heights;
+        if high - low > 1e-6 {
+            let text = format!("It rises from z = {low} to {high}; its projection to the plane is read.");
+            self.lost(place, text);
+        } else if low.abs() > 1e-6 {
+            let text = format!("It lies at z = {low}; it is read as if at 0.");
+            self.out.note(Weight::Information, place.clone(), text);
+        }
+    }
+
+    /// Reads the block of an INSERT, once for each row and column.
+    fn insert(
+        &mut self,
+        record: &Record<'a, 'g>,
+        place: &Place,
+        context: &Context,
+    ) -> Result<Result<(), Flaw>, Stop> {
+        let sections = self.sections;
+        let name = record.text(2).unwrap_or_default();
+        let key = name.to_lowercase();
+        let limit = self.out.options().limits.depth;
+        let block = match sections.blocks.get(&key) {
+            Some(_) if context.blocks.contains(&key) => {
+                return Ok(Err(record.flaw(format!("The block \"{name}\" contains itself."))));
+            }
+            Some(_) if context.blocks.len() >= limit => {
+                return Ok(Err(record.flaw(format!("Blocks are more than {limit} levels deep."))));
+            }
+            Some(block) => block,
+            None => return Ok(Err(record.flaw(format!("The block \"{name}\" is not defined.")))),
+        };
+        if block.head.flags(70).is_ok_and(|flags| flags & 4 != 0) {
+            self.lost(place, format!("The block \"{name}\" is in another file; it is left out."));
+            return Ok(Ok(()));
+        }
+        let placement = match Placement::read(record, block) {
+            Ok(Some(placement)) => placement,
+            Ok(None) => {
+                self.lost(place, "Its plane is not that of the drawing; it is left out.");
+                return Ok(Ok(()));
+            }
+            Err(flaw) => return Ok(Err(flaw)),
+        };
+        let id = place.element.clone().unwrap_or_default();
+        let mut inner =
+            Context { layers: place.layers.clone(), blocks: context.blocks.clone(), ..context.clone() };
+        inner.blocks.push(key);
+        for row in 0..placement.counts[1] {
+            for column in 0..placement.counts[0] {
+                self.out.visit()?;
+                let copies = placement.counts != [1, 1];
+                let index = if copies { format!("[{},{}]", column + 1, row + 1) } else { String::new() };
+                inner.path = format!("{id}{index} > ");
+                inner.map = context.map.after(&placement.map(column, row));
+                self.entities(&block.entities, &inner)?;
+            }
+        }
+        Ok(Ok(()))
+    }
+}
+
+/// Where an INSERT puts its block.
+struct Placement {
+    mirror: Affine,
+    turn: Affine,
+    scale: Affine,
+    base: Affine,
+    at: Point,
+    counts: [u32; 2],
+    steps: [f64; 2],
+}
+
+impl Placement {
+    /// `None` if its plane is not that of the drawing.
+    fn read(record: &Record<'_, '_>, block: &Block<'_, '_>) -> Result<Option<Self>, Flaw> {
+        let Some(mirrored) = mirrored(record)? else { return Ok(None) };
+        let or = |code, default| Ok(record.optional(code)?.unwrap_or(default));
+        let count = |code| -> Result<u32, Flaw> {
+            let found = record.flags(code)?.max(1);
+            u32::try_from(found).map_err(|_| record.flaw(format!("Code {code} of INSERT is {found}.")))
+        };
+        let base = [block.head.optional(10)?.unwrap_or(0.0), block.head.optional(20)?.unwrap_or(0.0)];
+        Ok(Some(Self {
+            mirror: if mirrored { Affine::scale(-1.0, 1.0) } else { Affine::IDENTITY },
+            turn: Affine::rotate(or(50, 0.0)?),
+            scale: Affine::scale(or(41, 1.0)?, or(42, 1.0)?),
+            base: Affine::translate(-base[0], -base[1]),
+            at: Point::new(record.number(10)?, record.number(20)?),
+            counts: [count(70)?, count(71)?],
+            steps: [or(44, 0.0)?, or(45, 0.0)?],
+        }))
+    }
+
+    /// The map of the block's entities for a column and a row, from 0.
+    fn map(&self, column: u32, row: u32) -> Affine {
+        let step = Affine::translate(f64::from(column) * self.steps[0], f64::from(row) * self.steps[1]);
+        let move_to = Affine::translate(self.at.x, self.at.y);
+        self.mirror.after(&move_to).after(&self.turn).after(&step).after(&self.scale).after(&self.base)
+    }
+}

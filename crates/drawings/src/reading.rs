@@ -1,0 +1,21 @@
+//! Files by their names.
+
+use crate::{Drawing, Fault, Format, Options, Place};
+
+/// Reads a file by the ending of its name, `.svg` or `.dxf`.
+///
+/// # Errors
+/// An ending that is none of these, content of another format, and the faults of [`crate::read_svg`] and [`crate::read_dxf`].
+pub fn read(name: &str, bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
+    match Format::of_name(name) {
+        Some(Format::Svg) => crate::read_svg(bytes, options),
+        Some(Format::Dxf) => crate::read_dxf(bytes, options),
+        None => {
+            let found = name.rsplit_once('.').map_or("no ending", |(_, ending)| ending);
+            let found: String = found.chars().take(20).collect();
+            let text = format!("The ending of the file name is \"{found}\"; \"svg\" and \"dxf\" are read.");
+            let remedy = "Export the drawing as SVG or as ASCII DXF.".into();
+            Err(vec![Fault { place: Place::default(), text, remedy }])
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Bounds of what an XML file may ask of its parser, in one pass over the bytes.
+//!
+//! The parser compares each attribute with all others of its element, and copies the namespaces in scope to each element that
+//! declares one; entities repeat text. Without these bounds a small file can take hours or gigabytes.
+
+use crate::{Fault, Place};
+
+/// Most attributes of an element. Inkscape writes about 40 on its root.
+const ATTRIBUTES: usize = 256;
+/// Most namespace declarations of a file.
+const NAMESPACES: usize = 4096;
+/// Most bytes that entities may stand for in all.
+const EXPANDED: usize = 4 << 20;
+
+/// Refuses text that would cost the parser more than linear time or memory.
+pub(super) fn admit(text: &str) -> Result<(), Fault> {
+    let fault = |at: usize, found: String| {
+        let line = 1 + text.as_bytes()[..at].iter().filter(|&&byte| byte == b'\n').count();
+        Fault { place: Place::line(line), text: found, remedy: "Save the drawing as plain SVG.".into() }
+    };
+    if let Some(at) = crowded(text.as_bytes()) {
+        let found = format!("An element has more than {ATTRIBUTES} attributes.");
+        return Err(fault(at, found));
+    }
+    if text.matches("xmlns").count() > NAMESPACES {
+        let found = format!("The file declares more than {NAMESPACES} namespaces.");
+        return Err(fault(0, found));
+    }
+    if let Some(at) = text.find("<!ENTITY") {
+        let subset = &text[at..text[at..].find("]>").map_or(text.len(), |end| at + end)];
+        let references = text.bytes().filter(|&byte| byte == b'&').count();
+        if subset.contains('&') || subset.len().saturating_mul(references) > EXPANDED {
+            let found = "Its entities stand within one another, or for too much text.".to_owned();
+            return Err(fault(at, found));
+        }
+    }
+    Ok(())
+}
+
+/// The place of a tag with too many attributes.
+fn crowded(bytes: &[u8]) -> Option<usize> {
+    let mut at = 0;
+    while at < bytes.len() {
+        let rest = &bytes[at..];
+        let skipped = [(&b"<!--"[..], &b"-->"[..]), (b"<![CDATA[", b"]]>"), (b"<?", b"?>")];
+        if rest[0] != b'<' {
+            at += 1;
+        } else if let Some((open, close)) = skipped.iter().find(|(open, _)| rest.starts_with(open)) {
+            let inner = &rest[open.len()..];
+            let end = inner.windows(close.len()).position(|window| window == *close)?;
+            at += open.len() + end + close.len();
+        } else {
+            let (mut count, mut quote, mut length) = (0, None, 1);
+            while length < rest.len() && (quote.is_some() || rest[length] != b'>') {
+                match (rest[length], quote) {
+                    (byte, Some(open)) if byte == open => quote = None,
+                    (byte @ (b'"' | b'\''), None) => quote = Some(byte),
+                    (b'=', None) => count += 1,
+                    _ => {}
+                }
+                length += 1;
+            }
+            if count > ATTRIBUTES {
+                return Some(at);
+            }
+            at += length;
+        }
+    }
+    None
+}

@@ -1,0 +1,124 @@
+//! SVG files: SVG 1.1 and the static parts of SVG 2.
+//!
+//! [`guard`] bounds what the parser is asked, [`viewport`] finds the page in mm, [`walk`] goes through the tree with its transforms,
+//! styles and references, and [`shapes`] and [`path_data`] give the pieces.
+
+mod guard;
+mod path_data;
+mod shapes;
+mod style;
+mod viewport;
+mod walk;
+
+use roxmltree::{Document, Node, NodeType, ParsingOptions};
+
+use crate::collector::Collector;
+use crate::{Drawing, Fault, Options, Place, Weight};
+
+/// Namespace of SVG.
+const SVG: &str = "http://www.w3.org/2000/svg";
+
+/// Reads an SVG file.
+///
+/// # Errors
+/// All faults of the file, each with its place: what is no XML or no SVG, a page without physical size, faulty path data, numbers,
+/// transforms and lengths, references that lead to themselves, and limits that are exceeded.
+pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
+    crate::admit::admit(bytes, crate::Format::Svg, options).map_err(|fault| vec![fault])?;
+    let text = utf8(bytes).map_err(|fault| vec![fault])?;
+    let document = parsed(text, options).map_err(|fault| vec![fault])?;
+    let mut out = Collector::new(options);
+    let root = document.root_element();
+    if !is_svg(root) || root.tag_name().name() != "svg" {
+        let text = format!("The root element is <{}>, not <svg>.", root.tag_name().name());
+        out.fault(Place::line(1), text, "Export the drawing as SVG.");
+        return out.finish();
+    }
+    let source = Source { lines: line_starts(text), sheet: sheet(&document, &mut out) };
+    if let Some((map, viewport)) = viewport::page(root, head(text), &mut out) {
+        // A limit that is exceeded is among the faults.
+        let _ = walk::Walk::new(&document, &source, &mut out).run(&map, viewport);
+    }
+    out.finish()
+}
+
+/// What is known of a file beside its tree.
+struct Source {
+    /// Offsets at which lines start.
+    lines: Vec<usize>,
+    sheet: style::Sheet,
+}
+
+impl Source {
+    /// The line of a node, from 1.
+    fn line(&self, node: Node<'_, '_>) -> usize {
+        self.lines.partition_point(|&start| start <= node.range().start)
+    }
+}
+
+fn line_starts(text: &str) -> Vec<usize> {
+    std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect()
+}
+
+fn utf8(bytes: &[u8]) -> Result<&str, Fault> {
+    std::str::from_utf8(bytes).map_err(|error| {
+        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        let text = "The text is not UTF-8.".into();
+        Fault { place: Place::line(line), text, remedy: "Save the file as UTF-8.".into() }
+    })
+}
+
+/// The first text of a file, where programs name themselves.
+fn head(text: &str) -> &str {
+    let mut end = text.len().min(2048);
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    &text[..end]
+}
+
+fn parsed<'t>(text: &'t str, options: &Options) -> Result<Document<'t>, Fault> {
+    guard::admit(text)?;
+    // Texts between elements are nodes too.
+    let nodes_limit = u32::try_from(options.limits.visits.saturating_mul(4)).unwrap_or(u32::MAX);
+    let parsing = ParsingOptions { allow_dtd: true, nodes_limit, ..ParsingOptions::default() };
+    Document::parse_with_options(text, parsing).map_err(|error| {
+        let line = usize::try_from(error.pos().row).unwrap_or(1);
+        let text = match error {
+            roxmltree::Error::NodesLimitReached => format!("The file has more than {nodes_limit} nodes."),
+            error => format!("The file is not well-formed XML: {error}."),
+        };
+        Fault { place: Place::line(line), text, remedy: "Save the drawing as plain SVG again.".into() }
+    })
+}
+
+/// The rules of all style sheets in the file; notes on those that are not applied.
+fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> style::Sheet {
+    let mut sheet = style::Sheet::default();
+    for node in document.root().descendants() {
+        match node.node_type() {
+            NodeType::Element if is_svg(node) && node.tag_name().name() == "style" => {
+                // Attributes such as media are rare; the rules are taken as they are.
+                let text: String =
+                    node.descendants().filter_map(|child| child.text().filter(|_| child.is_text())).collect();
+                sheet.add(&text);
+            }
+            NodeType::PI if node.pi().is_some_and(|pi| pi.target == "xml-stylesheet") => {
+                out.note(Weight::Lost, Place::default(), "A style sheet in another file is not read.");
+            }
+            _ => {}
+        }
+    }
+    for rule in &sheet.unread {
+        let rule: String = rule.chars().take(60).collect();
+        let text =
+            format!("The style rule \"{rule}\" is not applied: only simple tags, classes and ids are.");
+        out.note(Weight::Lost, Place::default(), text);
+    }
+    sheet
+}
+
+/// Whether an element is of SVG; files without a namespace are taken as such.
+fn is_svg(node: Node<'_, '_>) -> bool {
+    node.is_element() && node.tag_name().namespace().is_none_or(|namespace| namespace == SVG)
+}

@@ -1,0 +1,385 @@
+//! The walk through the tree: transforms, styles, references, names.
+
+use std::collections::BTreeMap;
+
+use roxmltree::{Document, Node, NodeId};
+use svgtypes::{TransformListParser, TransformListToken as Token};
+
+use super::style::{Cascade, Paint, Style};
+use super::viewport::{Viewport, fitted, view_box};
+use super::{Source, is_svg, shapes};
+use crate::affine::Affine;
+use crate::collector::{Collector, Stop};
+use crate::{Place, Weight};
+
+/// Elements that are shown by reference only, or not at all.
+const UNSEEN: [&str; 15] = [
+    "defs",
+    "symbol",
+    "clipPath",
+    "mask",
+    "pattern",
+    "marker",
+    "linearGradient",
+    "radialGradient",
+    "filter",
+    "title",
+    "desc",
+    "metadata",
+    "style",
+    "view",
+    "font",
+];
+/// Properties by which a style sheet of SVG 2 can change geometry.
+const GEOMETRY: [&str; 17] = [
+    "transform",
+    "translate",
+    "rotate",
+    "scale",
+    "offset-path",
+    "zoom",
+    "d",
+    "x",
+    "y",
+    "cx",
+    "cy",
+    "r",
+    "rx",
+    "ry",
+    "width",
+    "height",
+    "transform-origin",
+];
+
+/// What an element has from those around it.
+#[derive(Clone)]
+struct Context<'a> {
+    map: Affine,
+    viewport: Viewport,
+    style: Style,
+    /// Ids and labels of groups and references around, outermost first.
+    names: Vec<&'a str>,
+    /// Ids of the references around, each with " > " behind it.
+    path: String,
+    /// Targets of the references around.
+    targets: Vec<NodeId>,
+    depth: usize,
+}
+
+/// The state of the walk.
+pub(super) struct Walk<'s, 'a, 'd, 'c, 'o> {
+    root: Node<'a, 'd>,
+    source: &'s Source,
+    ids: BTreeMap<&'a str, Node<'a, 'd>>,
+    out: &'c mut Collector<'o>,
+}
+
+impl<'s, 'a, 'd, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
+    pub(super) fn new(document: &'a Document<'d>, source: &'s Source, out: &'c mut Collector<'o>) -> Self {
+        let mut ids = BTreeMap::new();
+        for node in document.root().descendants() {
+            if let Some(id) = node.attribute("id") {
+                let _ = ids.entry(id).or_insert(node);
+            }
+        }
+        Self { root: document.root_element(), source, ids, out }
+    }
+
+    /// Reads all elements; `map` leads from the root's user units to mm.
+    pub(super) fn run(&mut self, map: &Affine, viewport: Viewport) -> Result<(), Stop> {
+        let context = Context {
+            map: *map,
+            viewport,
+            style: Style::INITIAL,
+            names: Vec::new(),
+            path: String::new(),
+            targets: Vec::new(),
+            depth: 0,
+        };
+        self.group(self.root, context, false)
+    }
+
+    /// Reads the children of a group, with the group's transform, style and names.
+    fn group(&mut self, node: Node<'a, 'd>, context: Context<'a>, only_first: bool) -> Result<(), Stop> {
+        let limit = self.out.options().limits.depth;
+        if context.depth >= limit {
+            let text = format!("Groups and references are more than {limit} levels deep.");
+            self.out.fault(self.place(node, &context), text, "Ungroup the drawing.");
+            return Err(Stop);
+        }
+        let Some(mut inner) = self.entered(node, context) else { return Ok(()) };
+        inner.names.extend(names(node));
+        inner.depth += 1;
+        let shown = |child: &Node<'a, 'd>| {
+            !only_first || child.attribute("requiredExtensions").is_none_or(str::is_empty)
+        };
+        for child in node.children().filter(|child| is_svg(*child)).filter(shown).take(if only_first {
+            1
+        } else {
+            usize::MAX
+        }) {
+            self.element(child, &inner)?;
+        }
+        Ok(())
+    }
+
+    fn element(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        self.out.visit()?;
+        self.out.text(node.attributes().map(|attribute| 16 + attribute.value().len()).sum())?;
+        let tag = node.tag_name().name();
+        if UNSEEN.contains(&tag) || tag.starts_with("fe") {
+            return Ok(());
+        }
+        if self.cascade(node).value("display") == Some("none") {
+            let place = self.place(node, context);
+            self.out.note(Weight::Information, place, "It is hidden (display: none), and is left out.");
+            return Ok(());
+        }
+        match tag {
+            "g" | "a" => self.group(node, context.clone(), false),
+            "switch" => self.group(node, context.clone(), true),
+            "svg" => self.nested(node, node, context),
+            "use" => self.reference(node, context),
+            _ if shapes::TAGS.contains(&tag) => self.shape(node, context),
+            _ => {
+                let text = match tag {
+                    "text" => "Text is not read. Convert it to paths to have its outlines.".to_owned(),
+                    "image" => "Pictures are not read. Trace it to have outlines.".to_owned(),
+                    "script" => "Scripts are not run.".to_owned(),
+                    "animate" | "set" | "animateTransform" | "animateMotion" => {
+                        "Animations are not run; the drawing is read as it starts.".to_owned()
+                    }
+                    _ => format!("Elements <{tag}> are not read; it is left out."),
+                };
+                let place = self.place(node, context);
+                self.out.note(Weight::Lost, place, text);
+                Ok(())
+            }
+        }
+    }
+
+    /// A nested `<svg>`, or a `<symbol>` or `<svg>` that `frame` (a `<use>`) refers to and may give a size.
+    fn nested(&mut self, node: Node<'a, 'd>, frame: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        let read = || -> Result<(Affine, Viewport), String> {
+            let length = |name, axis, default: f64| {
+                let value = frame.attribute(name).or_else(|| node.attribute(name));
+                value
+                    .filter(|v| v.trim() != "auto")
+                    .map_or(Ok(default), |v| context.viewport.length(name, v, axis))
+            };
+            let [w, h] = context.viewport.0;
+            let size = [length("width", 0, w)?, length("height", 1, h)?];
+            let corner = |name, axis| {
+                let value = node.attribute(name).filter(|_| node.tag_name().name() == "svg");
+                value.map_or(Ok(0.0), |value| context.viewport.length(name, value, axis))
+            };
+            let shift = Affine::translate(corner("x", 0)?, corner("y", 1)?);
+            Ok(match view_box(node)? {
+                Some(from) => (shift.after(&fitted(node, from, size)?), Viewport([from.w, from.h])),
+                None => (shift, Viewport(size)),
+            })
+        };
+        match read() {
+            Ok((map, viewport)) => {
+                let Some(own) = self.transform(node, context) else { return Ok(()) };
+                let map = context.map.after(&own).after(&map);
+                self.group(node, Context { map, viewport, ..context.clone() }, false)
+            }
+            Err(text) => {
+                let place = self.place(node, context);
+                self.out.fault(place, text, "Correct the attribute.");
+                Ok(())
+            }
+        }
+    }
+
+    fn reference(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        let href =
+            node.attributes().find(|attribute| attribute.name() == "href").map_or("", |a| a.value().trim());
+        let place = self.place(node, context);
+        let Some(target) = href.strip_prefix('#').and_then(|id| self.ids.get(id).copied()) else {
+            let found: String = href.chars().take(60).collect();
+            let text = if href.starts_with('#') || href.is_empty() {
+                format!("It refers to \"{found}\", which is not in the file.")
+            } else {
+                format!("It refers to another file (\"{found}\"), which is not read.")
+            };
+            self.out.note(Weight::Lost, place, text);
+            return Ok(());
+        };
+        if context.targets.contains(&target.id()) {
+            self.out.fault(place, format!("It refers to itself by \"{href}\"."), "Remove the reference.");
+            return Ok(());
+        }
+        let corner = ["x", "y"].iter().enumerate().map(|(axis, name)| {
+            node.attribute(*name).map_or(Ok(0.0), |value| context.viewport.length(name, value, axis))
+        });
+        let corner: Vec<f64> = match corner.collect() {
+            Ok(corner) => corner,
+            Err(text) => {
+                self.out.fault(place, text, "Correct the attribute.");
+                return Ok(());
+            }
+        };
+        let Some(mut inner) = self.entered(node, context.clone()) else { return Ok(()) };
+        inner.map = inner.map.after(&Affine::translate(corner[0], corner[1]));
+        inner.names.extend(names(node));
+        inner.path = format!("{} > ", place.element.unwrap_or_default());
+        inner.targets.push(target.id());
+        inner.depth += 1;
+        self.out.text(inner.path.len())?;
+        match target.tag_name().name() {
+            "symbol" | "svg" => self.nested(target, node, &inner),
+            _ => self.element(target, &inner),
+        }
+    }
+
+    fn shape(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        let Some(inner) = self.entered(node, context.clone()) else { return Ok(()) };
+        let mut place = self.place(node, context);
+        let mut own: Vec<&str> = names(node).collect();
+        own.reverse(); // the id comes before the label
+        let colour = inner.style.layer();
+        let around = context.names.iter().rev().copied();
+        let mut layers: Vec<String> = Vec::new();
+        for name in own.into_iter().chain(colour.as_deref()).chain(around) {
+            if !layers.iter().any(|known| known == name) {
+                layers.push(name.to_owned());
+            }
+        }
+        place.layers = layers;
+        if !inner.style.visible {
+            self.out.note(Weight::Information, place, "It is hidden (visibility), and is left out.");
+            return Ok(());
+        }
+        self.remarks(&inner.style, &place);
+        let chains = match shapes::chains(node, inner.viewport) {
+            Ok(chains) => chains,
+            Err(text) => {
+                self.out.fault(place, text, "Correct or remove the element.");
+                return Ok(());
+            }
+        };
+        if chains.is_empty() {
+            self.out.note(Weight::Information, place.clone(), "It has no geometry.");
+        }
+        let id = place.element.clone().unwrap_or_default();
+        let names: usize = place.layers.iter().map(|name| 24 + name.len()).sum();
+        for (i, chain) in chains.iter().enumerate() {
+            self.out.text(names + id.len())?;
+            let element = if i == 0 { id.clone() } else { format!("{id}#{}", i + 1) };
+            self.out.chain(Place { element: Some(element), ..place.clone() }, &inner.map, chain)?;
+        }
+        Ok(())
+    }
+
+    /// Notes paints that name no layer.
+    fn remarks(&mut self, style: &Style, place: &Place) {
+        let text = match (style.stroke, style.fill) {
+            (Paint::Server, _) => "Its stroke is a gradient or a pattern, which names no layer.",
+            (Paint::None, Paint::Server) => "Its fill is a gradient or a pattern, which names no layer.",
+            (Paint::None, Paint::None) => "It has neither stroke nor fill; it is read nevertheless.",
+            _ => return,
+        };
+        self.out.note(Weight::Information, place.clone(), text);
+    }
+
+    /// The context inside an element: its transform and style; `None` with a fault recorded.
+    fn entered(&mut self, node: Node<'a, 'd>, context: Context<'a>) -> Option<Context<'a>> {
+        let cascade = self.cascade(node);
+        let style = context.style.inherited(cascade);
+        let is_frame = matches!(node.tag_name().name(), "svg" | "symbol");
+        let changed = GEOMETRY
+            .iter()
+            .find(|name| !is_frame && cascade.styled(name).is_some_and(|value| value != "none"));
+        let origin = node.attribute("transform-origin").map(|_| &"transform-origin");
+        if let Some(name) = changed.or(origin) {
+            let text = format!("Its style sets \"{name}\", which is read as an attribute only.");
+            let place = self.place(node, &context);
+            self.out.fault(
+                place,
+                text,
+                "Apply the transform in the drawing program, or save as plain SVG 1.1.",
+            );
+            return None;
+        }
+        for name in ["clip-path", "mask", "filter", "marker", "marker-start", "marker-mid", "marker-end"] {
+            let Some(value) = cascade.value(name).filter(|value| !matches!(*value, "none" | "inherit"))
+            else {
+                continue;
+            };
+            let value: String = value.chars().take(60).collect();
+            let (weight, text) = match name {
+                "clip-path" | "mask" => {
+                    (Weight::Lost, format!("The {name} {value} is not applied; the whole outlines are read."))
+                }
+                "filter" => (Weight::Information, format!("The filter {value} is not applied.")),
+                _ => (Weight::Lost, format!("The markers {value} are not read.")),
+            };
+            let place = self.place(node, &context);
+            self.out.note(weight, place, text);
+        }
+        // A nested frame has its transform applied before its view box, in `nested`.
+        let is_nested = is_frame && node.id() != self.root.id();
+        let map = if is_nested { Affine::IDENTITY } else { self.transform(node, &context)? };
+        Some(Context { map: context.map.after(&map), style, ..context })
+    }
+
+    /// The transform of an element; `None` with a fault recorded.
+    fn transform(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Option<Affine> {
+        let text = node.attribute("transform").unwrap_or_default();
+        let mut map = Affine::IDENTITY;
+        for token in TransformListParser::from(text) {
+            let Ok(token) = token else {
+                let place = self.place(node, context);
+                self.out.fault(place, "Its transform is faulty.", "Correct or remove it.");
+                return None;
+            };
+            map = map.after(&match token {
+                Token::Matrix { a, b, c, d, e, f } => Affine::new([a, b, c, d, e, f]),
+                Token::Translate { tx, ty } => Affine::translate(tx, ty),
+                Token::Scale { sx, sy } => Affine::scale(sx, sy),
+                Token::Rotate { angle } => Affine::rotate(angle),
+                Token::SkewX { angle } => Affine::new([1.0, 0.0, angle.to_radians().tan(), 1.0, 0.0, 0.0]),
+                Token::SkewY { angle } => Affine::new([1.0, angle.to_radians().tan(), 0.0, 1.0, 0.0, 0.0]),
+            });
+        }
+        Some(map)
+    }
+
+    fn cascade(&self, node: Node<'a, 'd>) -> Cascade<'s, 'a, 'd> {
+        Cascade { sheet: &self.source.sheet, node }
+    }
+
+    /// Id, layers and line of an element.
+    fn place(&self, node: Node<'a, 'd>, context: &Context<'a>) -> Place {
+        let line = self.source.line(node);
+        let own = match node.attribute("id") {
+            Some(id) => id.to_owned(),
+            None => format!("{} at line {line}", node.tag_name().name()),
+        };
+        let mut layers: Vec<&str> = names(node).collect();
+        layers.reverse();
+        layers.extend(context.names.iter().rev());
+        Place {
+            element: Some(format!("{}{own}", context.path)),
+            layers: layers.into_iter().map(str::to_owned).collect(),
+            line: Some(line),
+            at: None,
+        }
+    }
+}
+
+/// The names by which a user knows an element, the label of its program before the id.
+fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
+    // Inkscape writes inkscape:label, Illustrator data-name, Affinity serif:id.
+    let label = |name: &str, namespace: Option<&str>| match (name, namespace) {
+        ("label", Some(namespace)) => namespace.contains("inkscape"),
+        ("data-name", None) => true,
+        ("id", Some(namespace)) => namespace.contains("serif"),
+        _ => false,
+    };
+    let label =
+        node.attributes().find(|attribute| label(attribute.name(), attribute.namespace())).map(|a| a.value());
+    label.into_iter().chain(node.attribute("id"))
+}

@@ -1,0 +1,202 @@
+//! Roles: which element of a drawing is what, by its layers.
+
+use std::collections::BTreeMap;
+
+use crate::design::{Refusal, RefusalCode, Refusals};
+use crate::shape::{Drawn, DrawnPort, PortPlace, Sketch};
+use crate::spec::{DrawingSpec, DrawnPlace, LayerRole, key, nearest};
+use drawings::{Drawing, Element, Figure, Note, Weight};
+use inflatable::geom::{Path, Point};
+
+/// Names of elements that a message lists; the others are counted.
+const LISTED: usize = 3;
+
+/// The elements of `drawing` by the roles of `spec`.
+pub(super) fn sketch(drawing: &Drawing, spec: &DrawingSpec) -> Sketch {
+    let mut sketch = Sketch::default();
+    for element in &drawing.elements {
+        let name = element.id.clone();
+        match (spec.role(&element.layers), &element.figure) {
+            (None | Some(LayerRole::Ignore), _) => {}
+            (Some(LayerRole::Port), figure) => sketch.ports.push(DrawnPort { name, place: port(figure) }),
+            // A point is no curve: `refusals` names it.
+            (_, Figure::Point(_)) => {}
+            (Some(role), Figure::Path(path)) => {
+                let drawn = Drawn { name, path: path.clone() };
+                match role {
+                    LayerRole::Air => sketch.air.push(drawn),
+                    LayerRole::Seam => sketch.seams.push(drawn),
+                    LayerRole::Cut => sketch.cuts.push(drawn),
+                    LayerRole::Hole => sketch.holes.push(drawn),
+                    LayerRole::Port | LayerRole::Ignore => {}
+                }
+            }
+        }
+    }
+    sketch
+}
+
+/// A port as drawn: a point, the middle of a closed mark, or the two ends of a line.
+fn port(figure: &Figure) -> PortPlace {
+    match figure {
+        Figure::Point(at) => PortPlace::At(*at),
+        Figure::Path(path) => match (path.closed, path.start(), path.end()) {
+            (false, Some(start), Some(end)) => PortPlace::Across([start, end]),
+            _ => PortPlace::At(path.bounds().center()),
+        },
+    }
+}
+
+/// Every element without a role, role without an element, and loss of geometry that is not to be ignored.
+pub(super) fn refusals(drawing: &Drawing, spec: &DrawingSpec) -> Refusals {
+    let mut refusals: Refusals = without_role(drawing, spec).into_iter().collect();
+    refusals.extend(unknown(drawing, spec));
+    refusals.extend(drawing.notes.iter().filter_map(|note| lost(note, spec)));
+    let points = drawing.elements.iter().filter(|element| matches!(element.figure, Figure::Point(_)));
+    let is_curve = |element: &&Element| {
+        !matches!(spec.role(&element.layers), None | Some(LayerRole::Port | LayerRole::Ignore))
+    };
+    refusals.extend(points.filter(is_curve).map(|element| {
+        let found = format!("{} is a point, and its layer is one of curves", element.id);
+        let remedy = "only ports may be points: move it to another layer".to_owned();
+        Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place(element))
+    }));
+    refusals
+}
+
+/// Elements without a role, by the layer that would give them one.
+fn without_role(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
+    let mut by_layer: BTreeMap<&str, Vec<&Element>> = BTreeMap::new();
+    for element in drawing.elements.iter().filter(|element| spec.role(&element.layers).is_none()) {
+        by_layer.entry(layer_of(element)).or_default().push(element);
+    }
+    let refusal = |(layer, elements): (&str, Vec<&Element>)| {
+        let first = elements[0];
+        let at = middle(first);
+        let found = format!(
+            "layer {layer:?} has no role: {}, first at X {:.3} Y {:.3} mm",
+            listed(&elements),
+            at.x,
+            at.y
+        );
+        let words: Vec<&str> = spec.layers.iter().map(|(name, _)| name.as_str()).collect();
+        let near = nearest(layer, words).map_or(String::new(), |near| format!("; did you mean {near:?}?"));
+        let remedy = format!("name it in one of the lists of [drawing.layers], or in `ignore`{near}");
+        let elements = elements.iter().map(|element| element.id.clone()).collect();
+        let place = DrawnPlace { elements, at: Some([at.x, at.y]) };
+        Refusal::new(key::drawing::LAYERS, RefusalCode::LayerWithoutRole, found, remedy).drawn_at(place)
+    };
+    by_layer.into_iter().map(refusal).collect()
+}
+
+/// Names in the spec that no layer of the drawing has.
+fn unknown(drawing: &Drawing, spec: &DrawingSpec) -> Vec<Refusal> {
+    let of_elements = drawing.elements.iter().flat_map(|element| &element.layers);
+    let of_notes = drawing.notes.iter().flat_map(|note| &note.place.layers);
+    let known: Vec<&str> = of_elements.chain(of_notes).map(String::as_str).collect();
+    let missing = spec.layers.iter().filter(|(name, _)| !known.contains(&name.as_str()));
+    let layers = layers(drawing);
+    let refusal = |(name, _): &(String, LayerRole)| {
+        let found = format!("the drawing has no layer {name:?}");
+        let remedy = match nearest(name, known.iter().copied()) {
+            Some(near) => format!("did you mean {near:?}?"),
+            None => format!(
+                "its layers are {}",
+                layers.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
+            ),
+        };
+        Refusal::new(key::drawing::LAYERS, RefusalCode::UnknownLayer, found, remedy)
+    };
+    missing.map(refusal).collect()
+}
+
+/// Geometry that the drawing shows and that could not be read.
+fn lost(note: &Note, spec: &DrawingSpec) -> Option<Refusal> {
+    let ignored = spec.role(&note.place.layers) == Some(LayerRole::Ignore);
+    if note.weight == Weight::Information || ignored {
+        return None;
+    }
+    let elements = note.place.element.iter().cloned().collect();
+    let place = DrawnPlace { elements, at: note.place.at.map(|at| [at.x, at.y]) };
+    let remedy = "convert it to a path, remove it, or name its layer in `ignore`".to_owned();
+    let found = note.to_string().trim_end_matches('.').to_owned();
+    Some(Refusal::new(key::drawing::LAYERS, RefusalCode::LostGeometry, found, remedy).drawn_at(place))
+}
+
+/// The layers that would give roles, in the order of the drawing.
+fn layers(drawing: &Drawing) -> Vec<&str> {
+    let mut layers: Vec<&str> = Vec::new();
+    for layer in drawing.elements.iter().map(layer_of) {
+        if !layers.contains(&layer) {
+            layers.push(layer);
+        }
+    }
+    layers
+}
+
+/// The layer of an element that best gives it a role: that of the outermost group, of one without a group its colour or its own name.
+fn layer_of(element: &Element) -> &str {
+    element.layers.last().map_or(element.id.as_str(), String::as_str)
+}
+
+/// "path1, path2, path3 and 4 more".
+fn listed(elements: &[&Element]) -> String {
+    let names: Vec<&str> = elements.iter().take(LISTED).map(|element| element.id.as_str()).collect();
+    match elements.len().saturating_sub(LISTED) {
+        0 => names.join(", "),
+        more => format!("{} and {more} more", names.join(", ")),
+    }
+}
+
+fn place(element: &Element) -> DrawnPlace {
+    let at = middle(element);
+    DrawnPlace { elements: vec![element.id.clone()], at: Some([at.x, at.y]) }
+}
+
+/// A point of an element.
+fn middle(element: &Element) -> Point {
+    match &element.figure {
+        Figure::Point(at) => *at,
+        Figure::Path(path) => path.start().unwrap_or(Point::ORIGIN),
+    }
+}
+
+/// The layers of `drawing`, each with the role that its name and figures suggest, and the reason.
+pub fn proposed(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
+    let all = layers(drawing);
+    let is_closed = |figure: &Figure| matches!(figure, Figure::Path(path) if path.closed);
+    let mut out: Vec<(String, LayerRole, String)> = Vec::new();
+    for layer in &all {
+        let own = || drawing.elements.iter().filter(|element| layer_of(element) == *layer);
+        let (number, closed) = (own().count(), own().filter(|element| is_closed(&element.figure)).count());
+        let figures = format!("{number} figure{}, {closed} closed", if number == 1 { "" } else { "s" });
+        let small = layer.to_lowercase();
+        let named = WORDS.iter().find(|(_, words)| words.iter().any(|word| small.contains(word)));
+        let (role, reason) = match named {
+            Some((role, _)) => (*role, format!("by its name; {figures}")),
+            None if own().all(|element| is_port(&element.figure)) => {
+                (LayerRole::Port, format!("points; {figures}"))
+            }
+            None if closed > 0 => (LayerRole::Air, format!("closed curves; {figures}")),
+            None => (LayerRole::Seam, format!("open curves; {figures}")),
+        };
+        out.push(((*layer).to_owned(), role, reason));
+    }
+    out
+}
+
+/// Words in the names of layers, and the roles that they suggest.
+const WORDS: [(LayerRole, &[&str]); 6] = [
+    (LayerRole::Ignore, &["note", "text", "dim", "guide", "construction", "ignore", "label"]),
+    (LayerRole::Port, &["port", "inlet", "hose", "valve"]),
+    (LayerRole::Hole, &["hole", "punch", "drill"]),
+    (LayerRole::Cut, &["cut", "outline", "contour"]),
+    (LayerRole::Seam, &["seam", "weld", "seal", "barrier"]),
+    (LayerRole::Air, &["air", "chamber", "tube", "bladder", "pouch"]),
+];
+
+/// Whether a figure is as small as a mark for a port.
+fn is_port(figure: &Figure) -> bool {
+    let small = |path: &Path| path.length() < 5.0;
+    matches!(figure, Figure::Point(_)) || matches!(figure, Figure::Path(path) if small(path))
+}

@@ -1,0 +1,71 @@
+//! Faults of files and shapes as refusals and warnings: each with the names of elements, a place, and the key to change.
+
+use crate::design::{Refusal, RefusalCode, Warning};
+use crate::shape::{Repair, ShapeCode, ShapeFault};
+use crate::spec::{DrawnPlace, KeyPath, key};
+use drawings::Fault;
+
+/// A fault of the file.
+pub(super) fn unreadable(fault: &Fault) -> Refusal {
+    let elements = fault.place.element.iter().cloned().collect();
+    let at = fault.place.at.map(|at| [at.x, at.y]);
+    let found = format!("{}: {}", fault.place, fault.text.trim_end_matches('.'));
+    let refusal =
+        Refusal::new(key::drawing::FILE, RefusalCode::UnreadableDrawing, found, fault.remedy.clone());
+    refusal.drawn_at(DrawnPlace { elements, at })
+}
+
+/// A fault of the shape.
+pub(super) fn refusal(fault: &ShapeFault) -> Refusal {
+    let (key, code) = of(fault.code);
+    Refusal::new(key, code, found(fault), fault.remedy.clone()).drawn_at(place(fault))
+}
+
+/// A warning about the shape.
+pub(super) fn warning(fault: &ShapeFault) -> Warning {
+    let (key, code) = of(fault.code);
+    Warning { key, code, found: found(fault), remedy: fault.remedy.clone() }
+}
+
+/// What was mended.
+pub(super) fn repair(repair: &Repair) -> String {
+    format!("{} at X {:.3} Y {:.3} mm", repair.what, repair.place.x, repair.place.y)
+}
+
+/// Whether it is about the width of a passage.
+pub(super) fn is_passage(fault: &ShapeFault) -> bool {
+    matches!(fault.code, ShapeCode::NarrowPassage | ShapeCode::NarrowTube)
+}
+
+fn found(fault: &ShapeFault) -> String {
+    format!("{} at X {:.3} Y {:.3} mm", fault.what, fault.place.x, fault.place.y)
+}
+
+fn place(fault: &ShapeFault) -> DrawnPlace {
+    DrawnPlace { elements: fault.names.clone(), at: Some([fault.place.x, fault.place.y]) }
+}
+
+/// The key that is best changed, and the code.
+fn of(code: ShapeCode) -> (KeyPath, RefusalCode) {
+    use key::drawing::{FILE, JOIN, LAYERS};
+    match code {
+        ShapeCode::NotFinite => (FILE, RefusalCode::CurveNotFinite),
+        ShapeCode::Gap => (JOIN, RefusalCode::CurveGap),
+        ShapeCode::DanglingEnd => (FILE, RefusalCode::CurveDanglingEnd),
+        ShapeCode::Crossing => (FILE, RefusalCode::CurvesCross),
+        ShapeCode::NestedIsland => (LAYERS, RefusalCode::NestedIsland),
+        ShapeCode::WallOutside => (LAYERS, RefusalCode::WallOutside),
+        ShapeCode::NoRoom => (key::seal::BAND, RefusalCode::NoRoomForBand),
+        ShapeCode::BandsOverlap => (key::seal::BAND, RefusalCode::BandsOverlap),
+        ShapeCode::NarrowTube => (key::seal::BAND, RefusalCode::NarrowTube),
+        ShapeCode::NarrowPassage => (FILE, RefusalCode::NarrowPassage),
+        ShapeCode::SharpCorner => (key::seal::BAND, RefusalCode::SharpCorner),
+        ShapeCode::NoPort => (LAYERS, RefusalCode::ChamberWithoutPort),
+        ShapeCode::LostPort => (LAYERS, RefusalCode::PortOffEdge),
+        ShapeCode::PortTooWide => (key::inlet::TUBE_DIAMETER, RefusalCode::PortTooWide),
+        ShapeCode::ShortSeam => (key::seal::OVERLAP, RefusalCode::ShortSeam),
+        ShapeCode::Outlines => (LAYERS, RefusalCode::WrongOutlines),
+        ShapeCode::CutInBand => (key::seal::ALLOWANCE, RefusalCode::CutInBand),
+        ShapeCode::Empty => (LAYERS, RefusalCode::NothingDrawn),
+    }
+}

@@ -1,0 +1,117 @@
+//! What every product's piece has, flat: seams, tube, cut and fabric.
+
+use crate::design::part::SHEETS;
+use crate::design::{Circle, DrawnPiece, Edge, StarDesign};
+use crate::shape::SealedShape;
+use crate::spec::Fabric;
+use inflatable::geom::{Bounds, Path, Point};
+
+/// One piece in its own frame, whatever it belongs to.
+#[derive(Clone, Copy, Debug)]
+pub enum FlatPiece<'a> {
+    /// A star.
+    Star(&'a StarDesign),
+    /// A piece by a drawing.
+    Drawn(&'a DrawnPiece),
+}
+
+/// The lines along which a piece is cut, closed and counterclockwise.
+#[derive(Clone, Debug)]
+pub struct PieceCut<'a> {
+    /// Around the piece.
+    pub outside: &'a Path,
+    /// Out of the piece.
+    pub inside: &'a [Path],
+    /// Round holes, as drawn.
+    pub holes: &'a [Circle],
+    /// Width of the cut for which the lines are; 0 for the piece's own edges, mm.
+    pub kerf: f64,
+}
+
+impl<'a> FlatPiece<'a> {
+    /// Its seams, cut and ports.
+    pub fn shape(self) -> &'a SealedShape {
+        match self {
+            Self::Star(star) => &star.shape,
+            Self::Drawn(piece) => &piece.shape,
+        }
+    }
+
+    /// The edges of the air as the iron makes them, those inside others first.
+    pub fn tube(self) -> &'a [Path] {
+        match self {
+            Self::Star(star) => &star.realised_edges,
+            Self::Drawn(piece) => &piece.tube,
+        }
+    }
+
+    /// The same edges as drawn.
+    pub fn edges(self) -> &'a [Path] {
+        match self {
+            Self::Star(star) => &star.edges,
+            Self::Drawn(piece) => &piece.edges,
+        }
+    }
+
+    /// Where it is cut.
+    pub fn cut(self, edge: Edge) -> PieceCut<'a> {
+        let (outside, inside, holes, kerf) = match (self, edge) {
+            (Self::Star(star), Edge::Part) => {
+                let outline = &star.outline;
+                (&outline.outside, std::slice::from_ref(&outline.hole), &outline.registration[..], 0.0)
+            }
+            (Self::Star(star), Edge::Tool) => {
+                let cut = &star.cut;
+                (&cut.outside, std::slice::from_ref(&cut.hole), &star.outline.registration[..], cut.kerf)
+            }
+            (Self::Drawn(piece), Edge::Part) => (&piece.part.outside, &piece.part.inside[..], &[][..], 0.0),
+            (Self::Drawn(piece), Edge::Tool) => {
+                (&piece.tool.outside, &piece.tool.inside[..], &[][..], piece.tool.kerf)
+            }
+        };
+        PieceCut { outside, inside, holes, kerf }
+    }
+
+    /// Fabric of the piece, both sheets, mm^2.
+    pub fn fabric(self) -> f64 {
+        match self {
+            Self::Star(star) => star.fabric(),
+            Self::Drawn(piece) => {
+                let holes: f64 = piece.part.inside.iter().map(|hole| hole.area().abs()).sum();
+                SHEETS * (piece.part.outside.area().abs() - holes)
+            }
+        }
+    }
+
+    /// Mass of the fabric, both sheets, g; `None` where its areal density is not known.
+    pub fn mass(self, fabric: &Fabric) -> Option<f64> {
+        // 1 kg/m^2 is 1e-3 g/mm^2.
+        fabric.areal_density.map(|density| density.0 * 1e-3 * self.fabric())
+    }
+
+    /// The point by which pieces are put in order.
+    pub fn middle(self) -> Point {
+        match self {
+            Self::Star(_) => Point::ORIGIN,
+            Self::Drawn(piece) => piece.part.outside.bounds().center(),
+        }
+    }
+
+    /// Width of the tube, mm: what marks and labels are sized by.
+    pub fn tube_width(self) -> f64 {
+        match self {
+            Self::Star(star) => star.star.w,
+            Self::Drawn(piece) => piece.label_width(),
+        }
+    }
+}
+
+/// The box that a piece needs on its sheet: the tool's way around it, and the bands with ramps of length `ramp`.
+pub(super) fn footprint(shape: &SealedShape, around: &Path, ramp: f64) -> Bounds {
+    shape
+        .seams
+        .iter()
+        .map(|seam| seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp)).bounds())
+        .map(|bounds| bounds.grown(shape.band / 2.0))
+        .fold(around.bounds(), Bounds::union)
+}

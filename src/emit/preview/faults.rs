@@ -1,0 +1,70 @@
+//! A drawing with its faults, numbered, and what each of them is.
+
+use crate::emit::picture::{Group, Picture, Text};
+use crate::emit::preview::block::{Block, flow};
+use crate::emit::preview::style::{CUT, GREY, PAGE, Style, circle, rectangle, straight};
+use crate::emit::text::inert;
+use inflatable::geom::{Bounds, Path, Point, Vec2};
+
+/// Characters a line of the legend.
+const LINE: usize = 110;
+
+/// A fault: what it is, and where if that is known.
+pub struct FaultMark {
+    /// In the frame of the drawing, mm.
+    pub at: Option<Point>,
+    /// What is wrong, and what to do.
+    pub text: String,
+}
+
+/// `drawn` with `faults` over it, as an SVG at 1:1.
+pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
+    let places = Bounds::of_points(faults.iter().filter_map(|fault| fault.at));
+    let around = drawn.iter().map(Path::bounds).fold(places, Bounds::union);
+    let around = if around.width() >= 0.0 { around } else { Bounds::of_points([Point::ORIGIN]).grown(50.0) };
+    let style = Style::new(around.width().max(around.height()).max(10.0) * 1.2);
+    let unit = style.unit;
+    let (mut lines, mut marks, mut words) =
+        (Group::new("drawing"), Group::new("faults"), Group::new("words"));
+    for path in drawn {
+        lines.line(path.clone(), style.pen(GREY, 1.5));
+    }
+    let mut legend = Block::new(format!("{}: {} faults", inert(title, 60), faults.len()));
+    for (number, fault) in (1..).zip(faults) {
+        let mut rest = format!("{number}  {}", fault.text);
+        while !rest.is_empty() {
+            let most = rest.char_indices().nth(LINE).map_or(rest.len(), |(at, _)| at);
+            let end = if most < rest.len() {
+                rest[..most].rfind(' ').filter(|at| *at > 0).unwrap_or(most)
+            } else {
+                most
+            };
+            legend.say(inert(&rest[..end], LINE));
+            rest = rest[end..].trim_start().to_owned();
+            rest = if rest.is_empty() { rest } else { format!("     {rest}") };
+        }
+        let Some(at) = fault.at else { continue };
+        // Faults at one place keep their numbers apart.
+        let same = faults[..number - 1]
+            .iter()
+            .filter(|other| other.at.is_some_and(|other| other.distance(at) < unit))
+            .count();
+        #[expect(clippy::cast_precision_loss, reason = "a few faults")]
+        let aside = at + Vec2::new(1.6 * unit * (1.0 + same as f64), 1.6 * unit);
+        marks.line(circle(at, 0.8 * unit), style.pen(CUT, 3.0));
+        marks.line(straight(at, aside), style.pen(CUT, 1.0));
+        words.text(Text::centered(aside + Vec2::new(0.5 * unit, 0.5 * unit), unit, CUT, number.to_string()));
+    }
+    let view = around.grown(4.0 * unit);
+    let mut said = Group::new("legend");
+    let width = view.width().max(legend.width(style) + 4.0 * unit);
+    let height = flow(&mut said, &[legend], Point::new(view.min.x + 2.0 * unit, view.min.y), width, style);
+    let window = Bounds {
+        min: Point::new(view.min.x, view.min.y - height - 2.0 * unit),
+        max: Point::new(view.min.x + width, view.max.y),
+    };
+    let mut page = Group::new("page");
+    page.area(vec![rectangle(&window)], PAGE);
+    let groups = vec![page, lines, marks, words, said];
+    Picture { title: title.to_owned(), window, top: around.max.y, groups }.svg()
+}

@@ -1,0 +1,58 @@
+//! One piece as it lies on its sheet: fabric, tube, bands, edges, holes.
+
+use crate::design::{Edge, FlatPiece, PlacedPart};
+use crate::emit::picture::{Group, Pen};
+use crate::emit::preview::place::Places;
+use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TUBE, circle};
+use inflatable::geom::Path;
+
+/// Fabric, tube, bands and edges of one piece.
+pub(super) fn piece_group(part: FlatPiece<'_>, placed: &PlacedPart, style: Style) -> Group {
+    let place = |path: &Path| placed.placement.path(path);
+    let mut group = Group::new(format!("{}-{}", placed.kind, placed.index));
+    let (shape, lines) = (part.shape(), part.cut(Edge::Part));
+    let cut: Vec<Path> = std::iter::once(lines.outside).chain(lines.inside).map(place).collect();
+    group.area(cut.clone(), FABRIC);
+    // The outermost edge first, what lies inside it after.
+    group.area(part.tube().iter().rev().map(place).collect(), TUBE);
+    for seam in &shape.seams {
+        group.line(place(&seam.center_line), Pen::new(BAND, shape.band));
+    }
+    // As drawn, where a round iron cannot follow: in the cusps.
+    let thin = (1.2 / style.unit * shape.band).min(1.0);
+    for edge in part.edges() {
+        group.line(place(edge), style.dashes(LABEL, 0.5 * thin));
+    }
+    if let FlatPiece::Star(_) = part {
+        for edge in part.tube() {
+            group.line(place(edge), style.pen(LABEL, 0.7 * thin));
+        }
+    }
+    for edge in cut {
+        group.line(edge, style.pen(CUT, 1.0));
+    }
+    for hole in lines.holes {
+        let edge = circle(placed.placement.point(hole.center), hole.diameter / 2.0);
+        group.area(vec![edge.clone()], PAGE);
+        group.line(edge, style.pen(CUT, 1.0));
+    }
+    group
+}
+
+/// Labels keep off everything of the piece that is thinner than they are.
+pub(super) fn keep_off_piece(places: &mut Places, part: FlatPiece<'_>, placed: &PlacedPart, ramp: f64) {
+    let place = |path: &Path| placed.placement.path(path);
+    let (shape, cut) = (part.shape(), part.cut(Edge::Part));
+    for edge in std::iter::once(cut.outside).chain(cut.inside) {
+        places.keep_off(&place(edge), 0.0);
+    }
+    for seam in &shape.seams {
+        places.keep_off(&place(&seam.center_line), shape.band);
+        for lead in [seam.lead_in(ramp), seam.lead_out(ramp)] {
+            places.keep_off(&place(&lead), shape.band);
+        }
+    }
+    for hole in cut.holes {
+        places.keep_off(&circle(placed.placement.point(hole.center), hole.diameter / 2.0), 0.0);
+    }
+}

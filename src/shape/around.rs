@@ -1,0 +1,339 @@
+//! From a sketch to a sealed shape: the drawing is mended, seams run half a band outside the air's edges, the cut outside of the bands.
+
+use crate::shape::air::{Air, Boundary, Wall, air};
+use crate::shape::bottleneck::{Curve, bottlenecks};
+use crate::shape::clean::{NOTHING, Piece, without_doubles};
+use crate::shape::fault::{ShapeCode, quoted};
+use crate::shape::join::{Network, network};
+use crate::shape::loose::{crossings, loose_ends};
+use crate::shape::mouth::{Mouth, NoChannel, cap, channel};
+use crate::shape::notes::{Notes, named};
+use crate::shape::offset::offset_right;
+use crate::shape::sketch::{Rules, Sketch};
+use inflatable::geom::{Path, Point, Vec2};
+
+/// A band's centre line before it is a seam.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    pub path: Path,
+    /// The names of the drawn curves that it comes from.
+    pub names: Vec<String>,
+    pub kind: Kind,
+    /// Whether its start and end lie on another band.
+    pub joined: [bool; 2],
+}
+
+/// What a centre line is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kind {
+    /// An open weld that ends in the air.
+    Weld,
+    /// A wall between chambers.
+    Wall,
+    /// The edge of an island.
+    Island,
+    /// The outer edge of the air.
+    Outer,
+}
+
+/// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it), and mouths.
+#[derive(Default)]
+pub(super) struct Lines {
+    pub lines: Vec<Line>,
+    pub closed: Vec<Path>,
+    pub edges: Vec<(Path, f64)>,
+    pub mouths: Vec<Mouth>,
+}
+
+/// The centre lines of the bands around the drawn air. Nothing where the drawing has faults.
+pub(super) fn around_air(sketch: &Sketch, rules: &Rules, taken: &mut Vec<usize>, notes: &mut Notes) -> Lines {
+    let names: Vec<String> = sketch.air.iter().map(|drawn| drawn.name.clone()).collect();
+    let (mut pieces, mut edges) = notes.mended(&sketch.air, rules.join);
+    let mut mouths = caps(sketch, rules, &edges, &mut pieces);
+    if !mouths.is_empty() {
+        edges = network(&pieces, rules.join);
+        taken.extend(mouths.iter().map(|mouth| mouth.port));
+    }
+    let before = notes.faults.len();
+    loose_ends(&edges, &names, rules.join, notes);
+    crossings(&edges, &names, rules.join, notes);
+    if notes.faults.len() > before {
+        return Lines::default();
+    }
+    let drawn = sketch.air.iter().enumerate();
+    let rings: Vec<(usize, &Path)> =
+        drawn.filter(|(_, drawn)| drawn.path.closed).map(|(i, drawn)| (i, &drawn.path)).collect();
+    let mut air = air(&edges, &rings, &names, rules.join, &mut notes.faults);
+    let length = rules.band + rules.allowance;
+    open_edges(sketch, rules, length, &mut air, &mut mouths, taken, notes);
+    necks(&air, rules, &names, notes);
+    let offset = offsets(&air, rules, &names, notes);
+    if notes.faults.len() > before {
+        return Lines::default();
+    }
+    let (boundaries, walls) = one_band_a_wall(offset, &names, rules, notes);
+    // Distances outwards add up: the cut may follow the centre lines where edges were united.
+    let (followed, by) =
+        if walls.is_empty() { (&air.boundaries, length) } else { (&boundaries, length - rules.band / 2.0) };
+    let outer = followed.iter().filter(|boundary| boundary.outer);
+    let edges = outer.map(|boundary| (boundary.path.clone(), by)).collect();
+    let (mut lines, mut closed) = (Vec::new(), Vec::new());
+    for Boundary { path, sources, outer } in boundaries {
+        closed.push(path.clone());
+        let kind = if outer { Kind::Outer } else { Kind::Island };
+        let names = named(&sources, &names);
+        lines.extend(opened(path, &mouths, rules, rules.band / 2.0).into_iter().map(|path| Line {
+            path,
+            names: names.clone(),
+            kind,
+            joined: [false; 2],
+        }));
+    }
+    let half = rules.band / 2.0;
+    let drawn = air.walls.into_iter().map(|wall| lengthened(wall, half));
+    for Wall { path, sources, .. } in drawn.chain(walls) {
+        lines.push(Line { path, names: named(&sources, &names), kind: Kind::Wall, joined: [true; 2] });
+    }
+    Lines { lines, closed, edges, mouths }
+}
+
+/// Closes the edge over each port that lies between two free ends.
+fn caps(sketch: &Sketch, rules: &Rules, edges: &Network, pieces: &mut Vec<Piece>) -> Vec<Mouth> {
+    let mut free: Vec<(Point, Vec2, usize)> = Vec::new();
+    for (node, edge, which) in edges.free_ends() {
+        let edge = &edges.edges[edge];
+        let path = if which == 0 { edge.path.reversed() } else { edge.path.clone() };
+        let tangent = path.tangent_at(path.length()).unwrap_or(Vec2::new(1.0, 0.0));
+        free.push((edges.nodes[node], tangent, edge.sources[0]));
+    }
+    let mut mouths = Vec::new();
+    for (port, drawn) in sketch.ports.iter().enumerate() {
+        let place = drawn.place.middle();
+        free.sort_by(|a, b| a.0.distance(place).total_cmp(&b.0.distance(place)));
+        let [a, b, ..] = free.as_slice() else { break };
+        let gap = a.0.distance(b.0);
+        // Wider than the hose the mouth leaks, narrower it has no room: both are found by the port's width.
+        let near =
+            a.0.midpoint(b.0).distance(place) <= gap / 2.0 && gap <= 2.0 * rules.port_width + rules.band;
+        if near && gap > rules.join {
+            let (path, mouth) = cap(port, [a.0, b.0], [a.1, b.1], rules.overrun + 1.0);
+            pieces.push(Piece { path, source: a.2 });
+            mouths.push(mouth);
+            let _ = free.drain(..2);
+        }
+    }
+    mouths
+}
+
+/// Channels through the edges for the ports that are not taken.
+fn open_edges(
+    sketch: &Sketch,
+    rules: &Rules,
+    length: f64,
+    air: &mut Air,
+    mouths: &mut Vec<Mouth>,
+    taken: &mut Vec<usize>,
+    notes: &mut Notes,
+) {
+    let edges: Vec<Path> = air
+        .boundaries
+        .iter()
+        .filter(|boundary| boundary.outer)
+        .map(|boundary| boundary.path.clone())
+        .collect();
+    for (number, port) in sketch.ports.iter().enumerate() {
+        let place = port.place.middle();
+        if taken.contains(&number) {
+            continue;
+        }
+        let outer = air.boundaries.iter_mut().filter(|boundary| boundary.outer);
+        let nearest = outer.min_by(|a, b| a.path.distance(place).total_cmp(&b.path.distance(place)));
+        let Some(boundary) = nearest else { continue };
+        let leads = |_: Point, _: Vec2| length;
+        match channel(&boundary.path, number, &port.place, rules.port_width, leads, rules.overrun + 1.0) {
+            Ok((path, mouth)) => {
+                boundary.path = path;
+                mouths.push(mouth);
+                taken.push(number);
+            }
+            // Perhaps a drawn seam is nearer.
+            Err(NoChannel::Far(_)) if !sketch.seams.is_empty() => {}
+            Err(mut why) => {
+                taken.push(number);
+                if let NoChannel::Far(far) = &mut why {
+                    // Not from the channel of another port.
+                    *far = edges.iter().map(|edge| edge.distance(place)).fold(f64::INFINITY, f64::min);
+                }
+                no_channel(&why, &port.name, place, rules, notes);
+            }
+        }
+    }
+}
+
+pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rules, notes: &mut Notes) {
+    let names = [name.to_owned()];
+    match why {
+        NoChannel::Far(distance) => {
+            let what = format!("port {} lies {distance:.3} mm from the nearest outer edge", quoted(&names));
+            let allowed = rules.port_width.max(5.0);
+            let remedy = format!("put it on an edge, or at most {allowed} mm from it");
+            notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), [*distance, allowed]);
+        }
+        NoChannel::Narrow(width) => {
+            let what = format!("the edge at port {} has room for {width:.3} mm only", quoted(&names));
+            let remedy = format!(
+                "the hose needs {:.3} mm: make the edge longer, or take a thinner hose",
+                rules.port_width
+            );
+            notes.fault(ShapeCode::PortTooWide, &names, place, (what, remedy), [*width, rules.port_width]);
+        }
+    }
+}
+
+/// Faults where fabric between two edges has no room for their bands.
+fn necks(air: &Air, rules: &Rules, names: &[String], notes: &mut Notes) {
+    let curves: Vec<Curve<'_>> =
+        air.boundaries.iter().map(|edge| Curve { path: &edge.path, joined: [false; 2] }).collect();
+    let closed = inflatable::geom::Enclosures::new(air.boundaries.iter().map(|edge| &edge.path));
+    let both = 2.0 * rules.band;
+    for neck in bottlenecks(&curves, both - 1e-6) {
+        let in_air = closed.around(neck.middle()).len() % 2 == 1;
+        let is_wall = (neck.width - rules.band).abs() <= rules.join;
+        if in_air || is_wall {
+            continue;
+        }
+        let mut sources: Vec<usize> =
+            neck.curves.iter().flat_map(|i| air.boundaries[*i].sources.clone()).collect();
+        sources.dedup();
+        let own = named(&sources, names);
+        let what = format!(
+            "{:.3} mm of fabric between edges of {} are too narrow for two bands",
+            neck.width,
+            quoted(&own)
+        );
+        let remedy = format!(
+            "make it {} mm, for a wall that is sealed once, or at least {both} mm, for two bands",
+            rules.band
+        );
+        notes.fault(ShapeCode::BandsOverlap, &own, neck.middle(), (what, remedy), [neck.width, both]);
+    }
+}
+
+/// The centre lines of the boundaries' bands.
+fn offsets(air: &Air, rules: &Rules, names: &[String], notes: &mut Notes) -> Vec<Boundary> {
+    let half = rules.band / 2.0;
+    let mut lines = Vec::new();
+    for Boundary { path, sources, outer } in &air.boundaries {
+        let own = named(sources, names);
+        let place = path.start().unwrap_or(Point::ORIGIN);
+        let loops = offset_right(path, half);
+        let same_turn = loops.iter().filter(|line| (line.area() > 0.0) == *outer).count();
+        match loops.as_slice() {
+            [one] if same_turn == 1 => {
+                lines.push(Boundary { path: one.clone(), sources: sources.clone(), outer: *outer });
+            }
+            [] => {
+                let bounds = path.bounds();
+                let size = bounds.width().min(bounds.height());
+                let what = format!("island {} of {size:.3} mm has no room for a band around", quoted(&own));
+                let remedy =
+                    format!("make it at least {} mm wide, or draw a seam along its middle", 2.0 * rules.band);
+                notes.fault(
+                    ShapeCode::NoRoom,
+                    &own,
+                    bounds.center(),
+                    (what, remedy),
+                    [size, 2.0 * rules.band],
+                );
+            }
+            _ => {
+                let known = notes.faults.iter().any(|fault| {
+                    fault.code == ShapeCode::BandsOverlap && fault.names.iter().any(|name| own.contains(name))
+                });
+                if !known {
+                    let what = format!("the band along {} falls into {} loops", quoted(&own), loops.len());
+                    let remedy = "make the fabric between its edges wider".to_owned();
+                    let numbers = [f64::NAN, 2.0 * rules.band];
+                    notes.fault(ShapeCode::BandsOverlap, &own, place, (what, remedy), numbers);
+                }
+            }
+        }
+    }
+    lines
+}
+
+/// Boundaries and walls where two bands lie on each other: that stretch is one wall.
+fn one_band_a_wall(
+    offset: Vec<Boundary>,
+    names: &[String],
+    rules: &Rules,
+    notes: &mut Notes,
+) -> (Vec<Boundary>, Vec<Wall>) {
+    let pieces: Vec<Piece> = offset
+        .iter()
+        .enumerate()
+        .map(|(source, boundary)| Piece { path: boundary.path.clone(), source })
+        .collect();
+    let (pieces, doubled) = without_doubles(pieces, rules.join);
+    if doubled.is_empty() {
+        return (offset, Vec::new());
+    }
+    let network = network(&pieces, 2.0 * rules.join);
+    let own: Vec<String> = offset.iter().map(|boundary| named(&boundary.sources, names).join("+")).collect();
+    let closed: Vec<(usize, &Path)> = offset.iter().enumerate().map(|(i, b)| (i, &b.path)).collect();
+    let found = air(&network, &closed, &own, rules.join, &mut notes.faults);
+    let back = |sources: Vec<usize>| {
+        let mut all: Vec<usize> = sources.iter().flat_map(|source| offset[*source].sources.clone()).collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    };
+    let boundaries = found.boundaries.into_iter();
+    let walls = found.walls.into_iter();
+    (
+        boundaries.map(|edge| Boundary { sources: back(edge.sources), ..edge }).collect(),
+        walls.map(|wall| Wall { sources: back(wall.sources), ..wall }).collect(),
+    )
+}
+
+/// A wall that ends on an edge goes on to the centre line of the band along that edge.
+fn lengthened(wall: Wall, by: f64) -> Wall {
+    let mut segments = wall.path.segments.clone();
+    let (Some(start), Some(end)) = (wall.path.start(), wall.path.end()) else { return wall };
+    let length = wall.path.length();
+    let line = |a: Point, b: Point| inflatable::geom::Line::new(a, b).into();
+    if let (true, Some(tangent)) = (wall.on_boundary[0], wall.path.tangent_at(0.0)) {
+        segments.insert(0, line(start - tangent * by, start));
+    }
+    if let (true, Some(tangent)) = (wall.on_boundary[1], wall.path.tangent_at(length)) {
+        segments.push(line(end, end + tangent * by));
+    }
+    let path = crate::shape::offset::merged(&Path { segments, closed: wall.path.closed });
+    Wall { path, ..wall }
+}
+
+/// The closed centre line `path` without what lies past the mouths that it has, `half` mm outside the air's edges.
+pub(super) fn opened(path: Path, mouths: &[Mouth], rules: &Rules, half: f64) -> Vec<Path> {
+    let mut parts = vec![path];
+    for mouth in mouths {
+        let across = mouth.half + half;
+        let sides = [across, -across].map(|side| mouth.point(rules.overrun, side));
+        let on = |path: &Path| sides.iter().all(|side| path.distance(*side) < 1e-6);
+        let Some(at) = parts.iter().position(on) else { continue };
+        let part = parts.swap_remove(at);
+        if part.closed {
+            parts.extend(mouth.open(&part, rules.overrun, across));
+            continue;
+        }
+        let stations: Vec<f64> =
+            sides.iter().filter_map(|side| part.nearest(*side)).map(|nearest| nearest.s).collect();
+        let (from, to) = (
+            stations.iter().copied().fold(f64::INFINITY, f64::min),
+            stations.iter().copied().fold(0.0, f64::max),
+        );
+        parts.push(part.part(0.0, from));
+        parts.push(part.part(to, part.length()));
+    }
+    parts.retain(|path| path.length() > NOTHING);
+    parts
+}

@@ -1,0 +1,193 @@
+//! Drawn curves as **pieces**: unbroken, finite, without segments of no length, none along another.
+
+use crate::shape::fault::{Repair, ShapeCode, ShapeFault, quoted};
+use crate::shape::sketch::Drawn;
+use inflatable::geom::{BoxIndex, Path, Point, Segment};
+
+/// Segments shorter than this, and gaps narrower than this, are rounding, mm.
+pub(super) const NOTHING: f64 = 1e-9;
+/// Coordinates beyond this are an error of a drawing, mm.
+const FAR: f64 = 1e6;
+
+/// An unbroken part of a drawn curve.
+#[derive(Clone, Debug)]
+pub(super) struct Piece {
+    /// The part.
+    pub path: Path,
+    /// The number of its curve.
+    pub source: usize,
+}
+
+/// The pieces of `drawn`, in its order.
+pub(super) fn pieces(drawn: &[Drawn], repairs: &mut Vec<Repair>, faults: &mut Vec<ShapeFault>) -> Vec<Piece> {
+    let mut pieces = Vec::new();
+    for (source, Drawn { name, path }) in drawn.iter().enumerate() {
+        let names = vec![name.clone()];
+        let ends = path.segments.iter().flat_map(|segment| [segment.start(), segment.end()]);
+        let mut ends = ends.chain(path.segments.iter().map(|segment| segment.point(0.5)));
+        if !ends.all(|p| p.x.abs() <= FAR && p.y.abs() <= FAR) {
+            faults.push(ShapeFault {
+                code: ShapeCode::NotFinite,
+                place: Point::ORIGIN,
+                found: f64::NAN,
+                allowed: FAR,
+                what: format!("{} has a coordinate beyond {FAR} mm", quoted(&names)),
+                remedy: "draw it near the origin".to_owned(),
+                names,
+            });
+            continue;
+        }
+        let solid: Vec<Segment> =
+            path.segments.iter().filter(|segment| segment.length() > NOTHING).copied().collect();
+        if let Some(first) = path.segments.iter().find(|segment| segment.length() <= NOTHING) {
+            let count = path.segments.len() - solid.len();
+            let what = format!("{count} segments of no length in {} dropped", quoted(&names));
+            repairs.push(Repair { place: first.start(), what, names });
+        }
+        pieces.extend(unbroken(Path { segments: solid, closed: path.closed }, source));
+    }
+    pieces
+}
+
+/// A path cut where a segment does not begin where the one before ends.
+fn unbroken(path: Path, source: usize) -> Vec<Piece> {
+    if path.segments.is_empty() {
+        return Vec::new();
+    }
+    if path.largest_gap() <= NOTHING {
+        return vec![Piece { path, source }];
+    }
+    let meets = |a: &Segment, b: &Segment| a.end().distance(b.start()) <= NOTHING;
+    let mut runs: Vec<Vec<Segment>> = path.segments.chunk_by(meets).map(<[Segment]>::to_vec).collect();
+    if path.closed && runs.len() > 1 {
+        let joins =
+            runs.last().and_then(|run| run.last()).zip(runs[0].first()).is_some_and(|(a, b)| meets(a, b));
+        if joins {
+            let first = runs.remove(0);
+            if let Some(last) = runs.last_mut() {
+                last.extend(first);
+            }
+        }
+    }
+    runs.into_iter().map(|segments| Piece { path: Path::open(segments), source }).collect()
+}
+
+/// A quarter turn at most, or a line.
+struct Part {
+    segment: Segment,
+    piece: usize,
+    at: usize,
+    from: f64,
+    to: f64,
+}
+
+/// What was drawn twice: the curve that was kept, the one that gave way, and a place.
+pub(super) type Doubled = ([usize; 2], Point);
+
+/// The pieces without what runs within `join` of an earlier piece, or of an earlier part of its own.
+pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec<Doubled>) {
+    let parts: Vec<Part> = pieces
+        .iter()
+        .enumerate()
+        .flat_map(|(piece, Piece { path, .. })| {
+            path.segments.iter().enumerate().flat_map(move |(at, segment)| quarters(segment, piece, at))
+        })
+        .collect();
+    let index = BoxIndex::new(parts.iter().map(|part| part.segment.bounds()));
+    let mut removed: Vec<(usize, usize, f64, f64)> = Vec::new();
+    let mut doubled: Vec<Doubled> = Vec::new();
+    for (i, part) in parts.iter().enumerate() {
+        index.visit(&part.segment.bounds().grown(join), |j| {
+            if j >= i {
+                return;
+            }
+            if let Some((a, b)) = shared(&part.segment, &parts[j].segment, join) {
+                let scale = part.to - part.from;
+                removed.push((part.piece, part.at, part.from + a * scale, part.from + b * scale));
+                let sources = [pieces[parts[j].piece].source, pieces[part.piece].source];
+                if !doubled.iter().rev().take(64).any(|(known, _)| *known == sources) {
+                    doubled.push((sources, part.segment.point(f64::midpoint(a, b))));
+                }
+            }
+        });
+    }
+    if removed.is_empty() {
+        return (pieces, doubled);
+    }
+    doubled.sort_by_key(|(sources, _)| *sources);
+    doubled.dedup_by_key(|(sources, _)| *sources);
+    removed.sort_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
+    let kept = pieces.into_iter().enumerate().flat_map(|(number, piece)| {
+        let from = removed.partition_point(|cut| cut.0 < number);
+        let to = removed.partition_point(|cut| cut.0 <= number);
+        if from == to { vec![piece] } else { rest(&piece, &removed[from..to], 2.0 * join) }
+    });
+    (kept.collect(), doubled)
+}
+
+fn quarters(segment: &Segment, piece: usize, at: usize) -> impl Iterator<Item = Part> + use<> {
+    let count = match segment {
+        Segment::Line(_) => 1,
+        Segment::Arc(arc) => (1..8).find(|n| arc.sweep.abs() <= f64::from(*n) * 1.6).unwrap_or(8),
+    };
+    let segment = *segment;
+    (0..count).map(move |i| {
+        let (from, to) = (f64::from(i) / f64::from(count), f64::from(i + 1) / f64::from(count));
+        Part { segment: segment.part(from, to), piece, at, from, to }
+    })
+}
+
+/// The fractions of `s` between which it runs within `join` of `t`.
+fn shared(s: &Segment, t: &Segment, join: f64) -> Option<(f64, f64)> {
+    let (a, b) = (s.nearest_fraction(t.start()), s.nearest_fraction(t.end()));
+    let (a, b) = (a.min(b), a.max(b));
+    let length = (b - a) * s.length();
+    if length <= NOTHING {
+        return None;
+    }
+    // Neighbours of a fine chain are near to each other, but not along each other.
+    let near = join.min(length / 4.0);
+    let along = (0..=4).all(|k| t.distance(s.point(a + (b - a) * f64::from(k) / 4.0)) <= near);
+    along.then_some((a, b))
+}
+
+/// What is left of a piece without the stretches `cuts` of its segments (sorted), but for crumbs of at most `crumb` mm.
+fn rest(piece: &Piece, cuts: &[(usize, usize, f64, f64)], crumb: f64) -> Vec<Piece> {
+    let mut runs: Vec<Vec<Segment>> = vec![Vec::new()];
+    let mut cut_at_start = false;
+    for (at, segment) in piece.path.segments.iter().enumerate() {
+        let length = segment.length();
+        let mut from = 0.0;
+        let own = cuts.partition_point(|cut| cut.1 < at)..cuts.partition_point(|cut| cut.1 <= at);
+        for (_, _, a, b) in &cuts[own] {
+            if (a - from) * length > NOTHING {
+                push(&mut runs, segment.part(from, *a));
+            }
+            cut_at_start |= at == 0 && *a * length <= NOTHING;
+            from = from.max(*b);
+            if runs.last().is_some_and(|run| !run.is_empty()) {
+                runs.push(Vec::new());
+            }
+        }
+        if (1.0 - from) * length > NOTHING {
+            push(&mut runs, if from > 0.0 { segment.part(from, 1.0) } else { *segment });
+        }
+    }
+    // A closed piece goes on over its start.
+    if piece.path.closed && !cut_at_start && runs.len() > 1 {
+        let first = runs.remove(0);
+        if let Some(last) = runs.last_mut() {
+            last.extend(first);
+        }
+    }
+    runs.into_iter()
+        .map(|segments| Piece { path: Path::open(segments), source: piece.source })
+        .filter(|piece| piece.path.length() > crumb)
+        .collect()
+}
+
+fn push(runs: &mut [Vec<Segment>], segment: Segment) {
+    if let Some(run) = runs.last_mut() {
+        run.push(segment);
+    }
+}

@@ -1,0 +1,135 @@
+//! Repairs, warnings and faults of a sketch: each with names, a place and numbers.
+
+use std::fmt;
+
+use inflatable::geom::Point;
+
+/// A small error of a drawing that was mended.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repair {
+    /// The curves.
+    pub names: Vec<String>,
+    /// Where.
+    pub place: Point,
+    /// The error, and what was done.
+    pub what: String,
+}
+
+/// The kind of a fault or a warning of a sketch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum ShapeCode {
+    /// A coordinate is not finite.
+    NotFinite,
+    /// Two ends are too far apart to be joined.
+    Gap,
+    /// A curve ends in the open.
+    DanglingEnd,
+    /// Two curves cross or touch.
+    Crossing,
+    /// A curve inside an island.
+    NestedIsland,
+    /// A wall without air on its sides.
+    WallOutside,
+    /// No room for a band between two edges.
+    NoRoom,
+    /// Bands overlap.
+    BandsOverlap,
+    /// A tube narrower than two bands.
+    NarrowTube,
+    /// A passage narrower than the least passage.
+    NarrowPassage,
+    /// A hinge sharper than the iron is round.
+    SharpCorner,
+    /// A chamber without a port.
+    NoPort,
+    /// A port that no edge is near to.
+    LostPort,
+    /// An edge too short for the port.
+    PortTooWide,
+    /// A closed seam shorter than twice its overlap.
+    ShortSeam,
+    /// Several outlines, or none.
+    Outlines,
+    /// A cut or a hole in a band, or in the air.
+    CutInBand,
+    /// Nothing is drawn.
+    Empty,
+}
+
+/// Something to be said of a shape: what is wrong where, how much is allowed, and the remedy.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShapeFault {
+    /// Its kind.
+    pub code: ShapeCode,
+    /// The curves.
+    pub names: Vec<String>,
+    /// Where.
+    pub place: Point,
+    /// The value found, mm or a count; NaN where there is none.
+    pub found: f64,
+    /// The value allowed, in the same unit; NaN where there is none.
+    pub allowed: f64,
+    /// What is wrong.
+    pub what: String,
+    /// What to do.
+    pub remedy: String,
+}
+
+/// A place that may fail or differ from the drawing. The shape can be made.
+pub type ShapeWarning = ShapeFault;
+
+impl ShapeCode {
+    /// The code in messages.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::NotFinite => "curve-not-finite",
+            Self::Gap => "curve-gap",
+            Self::DanglingEnd => "curve-dangling-end",
+            Self::Crossing => "curves-cross",
+            Self::NestedIsland => "nested-island",
+            Self::WallOutside => "wall-outside",
+            Self::NoRoom => "no-room-for-band",
+            Self::BandsOverlap => "bands-overlap",
+            Self::NarrowTube => "narrow-tube",
+            Self::NarrowPassage => "narrow-passage",
+            Self::SharpCorner => "sharp-corner",
+            Self::NoPort => "chamber-without-port",
+            Self::LostPort => "port-off-edge",
+            Self::PortTooWide => "port-too-wide",
+            Self::ShortSeam => "short-seam",
+            Self::Outlines => "wrong-outlines",
+            Self::CutInBand => "cut-in-band",
+            Self::Empty => "nothing-drawn",
+        }
+    }
+}
+
+impl fmt::Display for ShapeCode {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.word())
+    }
+}
+
+/// "found at (12.000, 40.000): remedy".
+impl fmt::Display for ShapeFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { place, what, remedy, .. } = self;
+        write!(f, "{what} at ({:.3}, {:.3}): {remedy}", place.x, place.y)
+    }
+}
+
+/// "'a' and 'b'": the names that are not empty, each once.
+pub(super) fn quoted(names: &[String]) -> String {
+    let mut known: Vec<&str> = Vec::new();
+    for name in names.iter().map(String::as_str).filter(|name| !name.is_empty()) {
+        if !known.contains(&name) {
+            known.push(name);
+        }
+    }
+    match known.as_slice() {
+        [] => "a curve".to_owned(),
+        [one] => format!("'{one}'"),
+        [one, two] => format!("'{one}' and '{two}'"),
+        [one, two, rest @ ..] => format!("'{one}', '{two}' and {} more", rest.len()),
+    }
+}

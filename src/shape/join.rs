@@ -1,0 +1,319 @@
+//! Pieces joined end to end: a **network** of edges between nodes. A node is where more than two edges meet, or where one ends
+//! in the open; an edge that meets no node is closed.
+
+use crate::shape::clean::{NOTHING, Piece};
+use inflatable::geom::{Arc, Bounds, BoxIndex, Path, Point, Segment};
+
+/// A run of curves from node to node.
+#[derive(Clone, Debug)]
+pub(super) struct Edge {
+    /// The run.
+    pub path: Path,
+    /// The nodes at its ends; `None` for a closed one without a node.
+    pub nodes: Option<[usize; 2]>,
+    /// The numbers of the curves that it is made of.
+    pub sources: Vec<usize>,
+}
+
+/// Edges and nodes.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Network {
+    pub nodes: Vec<Point>,
+    pub edges: Vec<Edge>,
+    /// Ends that were joined over a gap: the curves, the place, the gap in mm.
+    pub closed_gaps: Vec<(Vec<usize>, Point, f64)>,
+}
+
+impl Network {
+    /// The nodes at which a single edge ends: node, edge, and which end.
+    pub(super) fn free_ends(&self) -> Vec<(usize, usize, usize)> {
+        let mut ends: Vec<Vec<(usize, usize)>> = vec![Vec::new(); self.nodes.len()];
+        for (number, edge) in self.edges.iter().enumerate() {
+            for (which, node) in edge.nodes.iter().flatten().enumerate() {
+                ends[*node].push((number, which));
+            }
+        }
+        let single = ends.iter().enumerate().filter(|(_, ends)| ends.len() == 1);
+        single.map(|(node, ends)| (node, ends[0].0, ends[0].1)).collect()
+    }
+}
+
+/// An end of an open piece.
+struct End {
+    piece: usize,
+    last: bool,
+    at: Point,
+}
+
+/// The pieces, joined where they come within `join` of each other: end to end, or an end to the side of another.
+pub(super) fn network(pieces: &[Piece], join: f64) -> Network {
+    let ends: Vec<End> = pieces
+        .iter()
+        .enumerate()
+        .filter(|(_, piece)| !piece.path.closed)
+        .flat_map(|(number, Piece { path, .. })| {
+            let end = |last, at: Option<Point>| at.map(|at| End { piece: number, last, at });
+            [end(false, path.start()), end(true, path.end())].into_iter().flatten()
+        })
+        .collect();
+    let groups = Groups::of(&ends, join);
+    let mut nodes: Vec<Point> = groups.places(&ends);
+    let mut closed_gaps = groups.gaps(&ends, &nodes, pieces);
+    let sides = sides(pieces, &ends, &groups, join);
+    let mut cuts: Vec<Vec<(f64, usize)>> = vec![Vec::new(); pieces.len()];
+    for Side { group, piece, s, at, gap, from } in sides {
+        if gap > NOTHING {
+            closed_gaps.push((vec![pieces[from].source, pieces[piece].source], at, gap));
+        }
+        nodes[group] = at;
+        cuts[piece].push((s, group));
+    }
+    let mut parts = Vec::new();
+    let mut next = 0;
+    for (number, piece) in pieces.iter().enumerate() {
+        let own = if piece.path.closed {
+            None
+        } else {
+            next += 2;
+            Some([groups.of[next - 2], groups.of[next - 1]])
+        };
+        cuts[number].sort_by(|a, b| a.0.total_cmp(&b.0));
+        parts.extend(split(piece, own, &cuts[number], &nodes, join));
+    }
+    Network { edges: chained(parts, nodes.len()), nodes, closed_gaps }
+}
+
+/// Ends that lie together, by number.
+struct Groups {
+    /// The group of each end.
+    of: Vec<usize>,
+    members: Vec<Vec<usize>>,
+}
+
+impl Groups {
+    fn of(ends: &[End], join: f64) -> Self {
+        let index = BoxIndex::new(ends.iter().map(|end| Bounds::of_points([end.at])));
+        let mut parent: Vec<usize> = (0..ends.len()).collect();
+        for (i, end) in ends.iter().enumerate() {
+            for j in index.overlapping(&Bounds::of_points([end.at]).grown(join)) {
+                if j < i && ends[j].at.distance(end.at) <= join {
+                    let (a, b) = (root(&mut parent, i), root(&mut parent, j));
+                    parent[a.max(b)] = a.min(b);
+                }
+            }
+        }
+        let mut number = vec![usize::MAX; ends.len()];
+        let mut members: Vec<Vec<usize>> = Vec::new();
+        let mut of = Vec::with_capacity(ends.len());
+        for i in 0..ends.len() {
+            let root = root(&mut parent, i);
+            if number[root] == usize::MAX {
+                number[root] = members.len();
+                members.push(Vec::new());
+            }
+            members[number[root]].push(i);
+            of.push(number[root]);
+        }
+        Self { of, members }
+    }
+
+    /// Where each group is: the middle of its first two ends.
+    fn places(&self, ends: &[End]) -> Vec<Point> {
+        let place = |group: &Vec<usize>| match group.as_slice() {
+            [a, b, ..] if ends[*a].at.distance(ends[*b].at) > NOTHING => ends[*a].at.midpoint(ends[*b].at),
+            _ => ends[group[0]].at,
+        };
+        self.members.iter().map(place).collect()
+    }
+
+    fn gaps(&self, ends: &[End], nodes: &[Point], pieces: &[Piece]) -> Vec<(Vec<usize>, Point, f64)> {
+        let gap = |(group, node): (&Vec<usize>, &Point)| {
+            let far = |i: &usize| ends[group[0]].at.distance(ends[*i].at);
+            let gap = group.iter().map(far).fold(0.0, f64::max);
+            let sources = group.iter().map(|i| pieces[ends[*i].piece].source).collect();
+            (gap > NOTHING).then_some((sources, *node, gap))
+        };
+        self.members.iter().zip(nodes).filter_map(gap).collect()
+    }
+}
+
+/// The first member of the set of `i`.
+pub(super) fn root(parent: &mut [usize], mut i: usize) -> usize {
+    while parent[i] != i {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
+    }
+    i
+}
+
+/// A group of ends that lies at the side of a piece.
+struct Side {
+    group: usize,
+    piece: usize,
+    s: f64,
+    at: Point,
+    gap: f64,
+    from: usize,
+}
+
+fn sides(pieces: &[Piece], ends: &[End], groups: &Groups, join: f64) -> Vec<Side> {
+    if ends.is_empty() {
+        return Vec::new();
+    }
+    let mut segments: Vec<(usize, f64, Segment)> = Vec::new();
+    for (number, piece) in pieces.iter().enumerate() {
+        let mut s = 0.0;
+        for segment in &piece.path.segments {
+            segments.push((number, s, *segment));
+            s += segment.length();
+        }
+    }
+    let lengths: Vec<f64> = pieces.iter().map(|piece| piece.path.length()).collect();
+    let index = BoxIndex::new(segments.iter().map(|(_, _, segment)| segment.bounds()));
+    let mut sides: Vec<Side> = Vec::new();
+    for (group, members) in groups.members.iter().enumerate() {
+        let End { piece: from, at: place, .. } = ends[members[0]];
+        let mut best: Vec<Side> = Vec::new();
+        for i in index.overlapping(&Bounds::of_points([place]).grown(join)) {
+            let (piece, before, segment) = &segments[i];
+            let t = segment.nearest_fraction(place);
+            let at = segment.point(t);
+            let (gap, s) = (at.distance(place), before + t * segment.length());
+            let length = lengths[*piece];
+            // Beside its own end every piece is near.
+            let at_own_end = !pieces[*piece].path.closed
+                && members.iter().any(|end| {
+                    let along = if ends[*end].last { length - s } else { s };
+                    ends[*end].piece == *piece && along <= 4.0 * join
+                });
+            if gap > join || at_own_end {
+                continue;
+            }
+            match best.iter_mut().find(|side| side.piece == *piece) {
+                Some(side) if side.gap <= gap => {}
+                Some(side) => *side = Side { group, piece: *piece, s, at, gap, from },
+                None => best.push(Side { group, piece: *piece, s, at, gap, from }),
+            }
+        }
+        sides.extend(best);
+    }
+    sides
+}
+
+/// A piece between the nodes at its ends and at its side.
+fn split(
+    piece: &Piece,
+    own: Option<[usize; 2]>,
+    cuts: &[(f64, usize)],
+    nodes: &[Point],
+    join: f64,
+) -> Vec<Edge> {
+    let sources = vec![piece.source];
+    let length = piece.path.length();
+    let edge = |path: Path, nodes: [usize; 2]| Edge { path, nodes: Some(nodes), sources: sources.clone() };
+    let mut edges: Vec<Edge> = match (own, cuts) {
+        (None, []) => return vec![Edge { path: piece.path.clone(), nodes: None, sources }],
+        (None, [first, ..]) => {
+            let ahead = cuts.iter().skip(1).copied().chain([(first.0 + length, first.1)]);
+            let pairs = cuts.iter().copied().zip(ahead);
+            pairs.map(|(a, b)| edge(piece.path.part(a.0, b.0), [a.1, b.1])).collect()
+        }
+        (Some(ends), []) => vec![edge(piece.path.clone(), ends)],
+        (Some([start, end]), cuts) => {
+            let stops: Vec<(f64, usize)> =
+                [(0.0, start)].into_iter().chain(cuts.iter().copied()).chain([(length, end)]).collect();
+            let pairs = stops.windows(2);
+            pairs.map(|stop| edge(piece.path.part(stop[0].0, stop[1].0), [stop[0].1, stop[1].1])).collect()
+        }
+    };
+    // A crumb between two ends that were joined.
+    edges.retain(|edge| {
+        let same = edge.nodes.is_some_and(|[a, b]| a == b);
+        !edge.path.segments.is_empty() && !(same && edge.path.length() <= 2.0 * join)
+    });
+    for edge in &mut edges {
+        let Some([a, b]) = edge.nodes else { continue };
+        move_start(&mut edge.path, nodes[a]);
+        move_end(&mut edge.path, nodes[b]);
+    }
+    edges
+}
+
+fn move_start(path: &mut Path, to: Point) {
+    if let Some(first) = path.segments.first_mut() {
+        *first = with_end(&first.reversed(), to).reversed();
+    }
+}
+
+fn move_end(path: &mut Path, to: Point) {
+    if let Some(last) = path.segments.last_mut() {
+        *last = with_end(last, to);
+    }
+}
+
+/// The segment with another end; an arc keeps the turn between its ends.
+fn with_end(segment: &Segment, end: Point) -> Segment {
+    if segment.end().distance(end) < 1e-11 {
+        return *segment;
+    }
+    match segment {
+        Segment::Line(line) => inflatable::geom::Line::new(line.start, end).into(),
+        Segment::Arc(arc) => Arc::from_bulge(arc.start(), end, arc.bulge()).map_or(*segment, Segment::Arc),
+    }
+}
+
+/// The edges, run together where just two of them meet.
+fn chained(parts: Vec<Edge>, nodes: usize) -> Vec<Edge> {
+    let mut ends: Vec<Vec<(usize, usize)>> = vec![Vec::new(); nodes];
+    for (number, part) in parts.iter().enumerate() {
+        for (which, node) in part.nodes.iter().flatten().enumerate() {
+            ends[*node].push((number, which));
+        }
+    }
+    let is_node = |node: usize| ends[node].len() != 2;
+    let mut used = vec![false; parts.len()];
+    let mut edges = Vec::new();
+    // From nodes first, so that what is left is closed.
+    let begins =
+        |which: usize| (0..parts.len()).filter(move |_| which < 2).map(move |number| (number, which));
+    let open = begins(0)
+        .chain(begins(1))
+        .filter(|(number, which)| parts[*number].nodes.is_some_and(|nodes| is_node(nodes[*which])));
+    let closed = (0..parts.len()).map(|number| (number, 0));
+    for (number, which) in open.chain(closed) {
+        if !used[number] {
+            edges.push(run(&parts, &ends, &mut used, (number, which)));
+        }
+    }
+    edges
+}
+
+/// The run that begins at end `which` of part `number`.
+fn run(parts: &[Edge], ends: &[Vec<(usize, usize)>], used: &mut [bool], begin: (usize, usize)) -> Edge {
+    let (mut number, mut which) = begin;
+    let Some(first) = parts[number].nodes.map(|nodes| nodes[which]) else {
+        used[number] = true;
+        return parts[number].clone();
+    };
+    let (mut segments, mut sources) = (Vec::new(), Vec::new());
+    loop {
+        used[number] = true;
+        let part = &parts[number];
+        let path = if which == 0 { part.path.clone() } else { part.path.reversed() };
+        segments.extend(path.segments);
+        sources.extend(part.sources.iter().copied());
+        let last = part.nodes.map_or(first, |nodes| nodes[1 - which]);
+        let onward =
+            ends[last].iter().find(|(other, end)| !used[*other] && (*other, *end) != (number, 1 - which));
+        match onward {
+            Some((other, end)) if ends[last].len() == 2 => (number, which) = (*other, *end),
+            _ => {
+                sources.sort_unstable();
+                sources.dedup();
+                let closed = last == first && ends[last].len() == 2;
+                let nodes = (!closed).then_some([first, last]);
+                return Edge { path: Path { segments, closed }, nodes, sources };
+            }
+        }
+    }
+}

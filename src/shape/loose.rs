@@ -1,0 +1,114 @@
+//! What a drawing leaves loose: ends in the open, and curves that cross.
+
+use crate::shape::fault::{ShapeCode, quoted};
+use crate::shape::join::Network;
+use crate::shape::notes::{Notes, named};
+use inflatable::geom::{Bounds, BoxIndex, Point, Segment, intersections};
+
+/// Ends farther apart than this are two ends, not a gap, mm.
+const WIDEST_GAP: f64 = 5.0;
+
+/// Faults where an edge ends in the open: a gap if another edge is near.
+pub(super) fn loose_ends(network: &Network, names: &[String], join: f64, notes: &mut Notes) {
+    let free = network.free_ends();
+    if free.is_empty() {
+        return;
+    }
+    let ends = BoxIndex::new(free.iter().map(|(node, ..)| Bounds::of_points([network.nodes[*node]])));
+    let segments: Vec<(usize, Segment)> = network
+        .edges
+        .iter()
+        .enumerate()
+        .flat_map(|(number, edge)| edge.path.segments.iter().map(move |segment| (number, *segment)))
+        .collect();
+    let sides = BoxIndex::new(segments.iter().map(|(_, segment)| segment.bounds()));
+    let mut told = vec![false; free.len()];
+    for (i, (node, edge, _)) in free.iter().enumerate() {
+        if told[i] {
+            continue;
+        }
+        let place = network.nodes[*node];
+        let zone = Bounds::of_points([place]).grown(WIDEST_GAP);
+        let far = |j: usize| network.nodes[free[j].0].distance(place);
+        let other = ends.overlapping(&zone).into_iter().filter(|j| *j != i && !told[*j]);
+        let other = other.min_by(|a, b| far(*a).total_cmp(&far(*b))).filter(|j| far(*j) <= WIDEST_GAP);
+        let side = sides.overlapping(&zone).into_iter().filter(|at| segments[*at].0 != *edge);
+        let side = side.map(|at| (segments[at].1.distance(place), segments[at].0));
+        let side = side.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(gap, _)| *gap <= WIDEST_GAP);
+        let own = |edge: usize| named(&network.edges[edge].sources, names);
+        let (gap, partner) = match (other, side) {
+            (Some(j), side) if side.is_none_or(|(gap, _)| far(j) <= gap + join) => {
+                told[j] = true;
+                (far(j), free[j].1)
+            }
+            (_, Some((gap, partner))) => (gap, partner),
+            _ => {
+                let names = own(*edge);
+                let what = format!("{} ends in the open", quoted(&names));
+                let remedy =
+                    "close it, or put it on a layer of seams if it is a weld that ends in the air".to_owned();
+                notes.fault(ShapeCode::DanglingEnd, &names, place, (what, remedy), [f64::NAN; 2]);
+                continue;
+            }
+        };
+        let both = [own(*edge), own(partner)].concat();
+        let what = format!("gap of {gap:.4} mm in {}", quoted(&both));
+        let would = (gap * 1000.0).ceil() / 1000.0;
+        let remedy = format!("close it in the drawing; join = \"{would} mm\" would close it");
+        notes.fault(ShapeCode::Gap, &both, place, (what, remedy), [gap, join]);
+    }
+}
+
+/// Faults where edges cross, but for where they are joined.
+pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &mut Notes) {
+    let segments: Vec<(usize, usize, Segment)> = network
+        .edges
+        .iter()
+        .enumerate()
+        .flat_map(|(number, edge)| {
+            edge.path.segments.iter().enumerate().map(move |(at, segment)| (number, at, *segment))
+        })
+        .collect();
+    let boxes: Vec<Bounds> = segments.iter().map(|(_, _, segment)| segment.bounds()).collect();
+    let index = BoxIndex::new(boxes.iter().copied());
+    let mut told: Vec<([usize; 2], Point)> = Vec::new();
+    for (i, (a, at, s)) in segments.iter().enumerate() {
+        index.visit(&boxes[i], |j| {
+            let (b, other, t) = &segments[j];
+            if j >= i {
+                return;
+            }
+            let count = network.edges[*a].path.segments.len();
+            let steps = at.abs_diff(*other);
+            let follows = a == b && (steps == 1 || steps + 1 == count);
+            for p in intersections(s, t) {
+                let at_end = |segment: &Segment, slack: f64| {
+                    p.distance(segment.start()) <= slack || p.distance(segment.end()) <= slack
+                };
+                let is_node = |edge: usize| {
+                    let nodes = network.edges[edge].nodes.into_iter().flatten();
+                    nodes.into_iter().any(|node| network.nodes[node].distance(p) <= 4.0 * join)
+                };
+                let joined = (follows && at_end(s, 1e-6) && at_end(t, 1e-6)) || (is_node(*a) && is_node(*b));
+                if !joined {
+                    told.push(([*b, *a], p));
+                }
+            }
+        });
+    }
+    told.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.x.total_cmp(&b.1.x)).then(a.1.y.total_cmp(&b.1.y)));
+    told.dedup_by(|b, a| a.0 == b.0 && a.1.distance(b.1) <= 1e-6);
+    for ([a, b], place) in told {
+        let mut own = named(&network.edges[a].sources, names);
+        if a != b {
+            own.extend(named(&network.edges[b].sources, names));
+        }
+        let what = if a == b {
+            format!("{} crosses itself", quoted(&own))
+        } else {
+            format!("{} cross or touch", quoted(&own))
+        };
+        let remedy = "move them apart, or unite their areas".to_owned();
+        notes.fault(ShapeCode::Crossing, &own, place, (what, remedy), [f64::NAN; 2]);
+    }
+}

@@ -1,0 +1,164 @@
+//! **Mouths**: where a port opens an edge. A channel as wide as the hose leads straight outwards from the edge; the seam along its sides
+//! ends past the cut.
+
+use crate::shape::sketch::PortPlace;
+use inflatable::geom::{Line, Path, Point, Segment, Vec2, intersections};
+
+/// The mouth of a port.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mouth {
+    /// The number of the port.
+    pub port: usize,
+    /// The middle of the mouth: on the cut.
+    pub at: Point,
+    /// Outwards, of length 1.
+    pub out: Vec2,
+    /// Half the width between the air's edges, mm.
+    pub half: f64,
+    /// How far the closed edge runs past the mouth, mm.
+    pub beyond: f64,
+}
+
+impl Mouth {
+    /// The point `along` the way out and `across` it to the left, from the middle of the mouth.
+    pub(super) fn point(&self, along: f64, across: f64) -> Point {
+        self.at + self.out * along + self.out.perp() * across
+    }
+
+    /// The closed `path` without what lies farther out than `along` mm past the mouth, on sides `across` mm from its middle: an open path
+    /// with its ends there. `None` if it does not pass there.
+    pub(super) fn open(&self, path: &Path, along: f64, across: f64) -> Option<Path> {
+        let sides = [across, -across].map(|across| self.point(along, across));
+        let [a, b] = [path.nearest(sides[0])?, path.nearest(sides[1])?];
+        if a.distance.max(b.distance) > 1e-6 {
+            return None;
+        }
+        let length = path.length();
+        let onward = |from: f64, to: f64| if to > from { to } else { to + length };
+        // Air on the left: outwards on the right side, seen along the way out, and back on the left.
+        let (from, to) = if path.area() > 0.0 { (a.s, b.s) } else { (b.s, a.s) };
+        Some(path.part(from, onward(from, to)))
+    }
+}
+
+/// The closed line over the mouth between two free ends of an edge, from one to the other, and the mouth itself. The ends lead to
+/// `towards`.
+pub(super) fn cap(port: usize, ends: [Point; 2], leading: [Vec2; 2], beyond: f64) -> (Path, Mouth) {
+    let across = (ends[1] - ends[0]).normalized();
+    let mut out = across.perp();
+    if out.dot(leading[0] + leading[1]) < 0.0 {
+        out = -out;
+    }
+    let at = ends[0].midpoint(ends[1]);
+    let mouth = Mouth { port, at, out, half: ends[0].distance(ends[1]) / 2.0, beyond };
+    let far = ends.map(|end| end + out * beyond);
+    let corners = [ends[0], far[0], far[1], ends[1]];
+    (Path::open(corners.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect()), mouth)
+}
+
+/// Why a port has no channel.
+pub(super) enum NoChannel {
+    /// The edge is this far away, mm.
+    Far(f64),
+    /// The edge is at most this wide there, mm.
+    Narrow(f64),
+}
+
+/// A channel of `width` through the closed `path` (air on its left) at `place`, which runs `length` mm past the edge to its mouth and
+/// `beyond` on: the path with it, and the mouth.
+pub(super) fn channel(
+    path: &Path,
+    port: usize,
+    place: &PortPlace,
+    width: f64,
+    length: impl Fn(Point, Vec2) -> f64,
+    beyond: f64,
+) -> Result<(Path, Mouth), NoChannel> {
+    let (s, middle, out) = foot(path, place, width)?;
+    let (across, half, total) = (out.perp(), width / 2.0, path.length());
+    let side = |s: f64| (path.point_at(s.rem_euclid(total)).unwrap_or(middle) - middle).dot(across);
+    // Travelling with the air on the left, the way out is on the right: the edge goes on to the left of it.
+    let ahead =
+        first_across(path, s, middle, across, half).ok_or(NoChannel::Narrow(extent(path, s, side)))?;
+    let back = first_across(&path.reversed(), total - s, middle, -across, half)
+        .ok_or(NoChannel::Narrow(extent(path, s, side)))?;
+    let length = length(middle, out);
+    let far = |lateral: f64, along: f64| middle + across * lateral + out * along;
+    let (from, to) = (ahead, total - back);
+    let rest = path.part(from, if to > from { to } else { to + total });
+    let (Some(start), Some(end)) = (rest.start(), rest.end()) else { return Err(NoChannel::Narrow(0.0)) };
+    // Sides that begin deep inside have run past a narrower neck.
+    if [start, end].iter().any(|p| (*p - middle).dot(out).abs() > width) {
+        return Err(NoChannel::Narrow(extent(path, s, side)));
+    }
+    let corners = [end, far(-half, length + beyond), far(half, length + beyond), start];
+    let lines = corners.windows(2).map(|pair| Segment::Line(Line::new(pair[0], pair[1])));
+    let opened = Path::closed(rest.segments.iter().copied().chain(lines).collect());
+    Ok((opened, Mouth { port, at: far(0.0, length), out, half, beyond }))
+}
+
+/// Where the port is on the path: the arc length, the point, and the way out.
+fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<(f64, Point, Vec2), NoChannel> {
+    let nearest = path.nearest(place.middle()).ok_or(NoChannel::Far(f64::INFINITY))?;
+    if let PortPlace::Across([a, b]) = place {
+        let line = Segment::Line(Line::new(*a, *b));
+        let mut before = 0.0;
+        for segment in &path.segments {
+            if let Some(p) = intersections(segment, &line).first() {
+                let t = segment.nearest_fraction(*p);
+                let way = (*b - *a).normalized();
+                let outwards = segment.tangent(t).cross(way) < 0.0;
+                return Ok((before + t * segment.length(), *p, if outwards { way } else { -way }));
+            }
+            before += segment.length();
+        }
+    }
+    if nearest.distance > width.max(5.0) {
+        return Err(NoChannel::Far(nearest.distance));
+    }
+    let tangent = path.tangent_at(nearest.s).unwrap_or(Vec2::new(1.0, 0.0));
+    // At a corner the way out lies between both sides.
+    let before = path.part(nearest.s - 1e-6, nearest.s);
+    let before = before.tangent_at(0.0).unwrap_or(tangent);
+    let out = -(tangent + before).perp().normalized();
+    Ok((nearest.s, nearest.point, out))
+}
+
+/// The arc length at which the path, from `s` on, first lies `half` to the side `across` of `middle`.
+fn first_across(path: &Path, s: f64, middle: Point, across: Vec2, half: f64) -> Option<f64> {
+    let total = path.length();
+    let way = across.perp();
+    let reach = 1e3 + total;
+    let rail =
+        Segment::Line(Line::new(middle + across * half - way * reach, middle + across * half + way * reach));
+    let from = path.starting_at(s.rem_euclid(total));
+    let mut before = 0.0;
+    for segment in &from.segments {
+        let length = segment.length();
+        let end = (segment.end() - middle).dot(across);
+        let mut met: Vec<f64> =
+            intersections(segment, &rail).iter().map(|p| segment.nearest_fraction(*p)).collect();
+        if (end - half).abs() < 1e-9 {
+            met.push(1.0);
+        }
+        met.sort_by(f64::total_cmp);
+        if let Some(t) = met.first() {
+            return Some(s + before + t * length).map(|s| s.rem_euclid(total));
+        }
+        before += length;
+        if before > total / 2.0 {
+            return None;
+        }
+    }
+    None
+}
+
+/// The largest width that the path has to both sides of `s`, roughly.
+fn extent(path: &Path, s: f64, side: impl Fn(f64) -> f64) -> f64 {
+    let total = path.length();
+    let samples = |sign: f64| {
+        let reach = (0..100).map(|i| sign * side(s + sign * total * f64::from(i) / 200.0));
+        reach.fold(0.0, f64::max)
+    };
+    2.0 * samples(1.0).min(samples(-1.0))
+}

@@ -1,0 +1,61 @@
+//! What is found on the way from a sketch to a shape.
+
+use crate::shape::clean::{Doubled, Piece, pieces, without_doubles};
+use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning, quoted};
+use crate::shape::join::{Network, network};
+use crate::shape::sketch::Drawn;
+use inflatable::geom::Point;
+
+/// Repairs, warnings and faults in the order in which they are found.
+#[derive(Default)]
+pub(super) struct Notes {
+    pub repairs: Vec<Repair>,
+    pub warnings: Vec<ShapeWarning>,
+    pub faults: Vec<ShapeFault>,
+}
+
+impl Notes {
+    fn doubled(&mut self, doubled: &[Doubled], names: &[String]) {
+        for (sources, place) in doubled {
+            let names: Vec<String> = sources.iter().map(|source| names[*source].clone()).collect();
+            let what = format!("a curve drawn twice in {} merged", quoted(&names));
+            self.repairs.push(Repair { names, place: *place, what });
+        }
+    }
+
+    fn gaps(&mut self, network: &Network, names: &[String]) {
+        for (sources, place, gap) in &network.closed_gaps {
+            let names: Vec<String> = sources.iter().map(|source| names[*source].clone()).collect();
+            let what = format!("gap of {gap:.2e} mm in {} closed", quoted(&names));
+            self.repairs.push(Repair { names, place: *place, what });
+        }
+    }
+
+    pub(super) fn fault(
+        &mut self,
+        code: ShapeCode,
+        names: &[String],
+        place: Point,
+        text: (String, String),
+        numbers: [f64; 2],
+    ) {
+        let ((what, remedy), [found, allowed], names) = (text, numbers, names.to_vec());
+        self.faults.push(ShapeFault { code, names, place, found, allowed, what, remedy });
+    }
+
+    /// The network of drawn curves, mended.
+    pub(super) fn mended(&mut self, drawn: &[Drawn], join: f64) -> (Vec<Piece>, Network) {
+        let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
+        let pieces = pieces(drawn, &mut self.repairs, &mut self.faults);
+        let (pieces, doubled) = without_doubles(pieces, join);
+        self.doubled(&doubled, &names);
+        let network = network(&pieces, join);
+        self.gaps(&network, &names);
+        (pieces, network)
+    }
+}
+
+/// The names of the curves `sources`.
+pub(super) fn named(sources: &[usize], names: &[String]) -> Vec<String> {
+    sources.iter().filter_map(|source| names.get(*source).cloned()).collect()
+}

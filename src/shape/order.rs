@@ -1,0 +1,103 @@
+//! The order of sealing, and where closed seams start.
+
+use crate::shape::around::{Kind, Line};
+use inflatable::geom::{Path, Point, Segment};
+
+/// The lines in the order of sealing: what lies inside first, the outer edges last, so that the iron seldom passes over finished bands;
+/// among those of a kind the nearest next, open ones from their nearer end.
+pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
+    for line in &mut lines {
+        if line.path.closed {
+            line.path = well_started(&line.path);
+        }
+    }
+    let mut ordered = Vec::with_capacity(lines.len());
+    let mut at = Point::ORIGIN;
+    for stage in [Kind::Weld, Kind::Island, Kind::Outer] {
+        // Walls go with the welds: both end in other bands or in the air.
+        let kind = |line: &Line| if line.kind == Kind::Wall { Kind::Weld } else { line.kind };
+        let (mut left, rest): (Vec<Line>, Vec<Line>) =
+            lines.into_iter().partition(|line| kind(line) == stage);
+        lines = rest;
+        while let Some((next, backwards)) = nearest(&left, at) {
+            let mut line = left.remove(next);
+            if backwards {
+                line.path = line.path.reversed();
+                line.joined.reverse();
+            }
+            at = line.path.end().unwrap_or(at);
+            ordered.push(line);
+        }
+    }
+    ordered
+}
+
+/// The line that begins nearest to `at`, and whether its end does.
+fn nearest(lines: &[Line], at: Point) -> Option<(usize, bool)> {
+    let mut best: Option<(f64, usize, bool)> = None;
+    for (number, line) in lines.iter().enumerate() {
+        let ends = [(line.path.start(), false), (line.path.end(), true)];
+        for (end, backwards) in ends.into_iter().filter(|(_, backwards)| !(*backwards && line.path.closed)) {
+            let far = end.map_or(f64::INFINITY, |end| end.distance(at));
+            if best.is_none_or(|(least, ..)| far < least) {
+                best = Some((far, number, backwards));
+            }
+        }
+    }
+    best.map(|(_, number, backwards)| (number, backwards))
+}
+
+/// A closed path from the middle of its longest straight segment, or of its longest arc if it has no straight one.
+fn well_started(path: &Path) -> Path {
+    let mut best: Option<(bool, f64, f64)> = None;
+    let mut before = 0.0;
+    for segment in &path.segments {
+        let (straight, length) = (matches!(segment, Segment::Line(_)), segment.length());
+        let better =
+            best.is_none_or(
+                |(known, least, _)| {
+                    if straight == known { length > least * (1.0 + 1e-9) } else { straight }
+                },
+            );
+        if better {
+            best = Some((straight, length, before + length / 2.0));
+        }
+        before += length;
+    }
+    best.map_or_else(|| path.clone(), |(_, _, s)| path.starting_at(s))
+}
+
+/// The names of seams: the drawn names where they can stand in a program, else what the seam is for. No two are alike.
+pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
+    let mut used: Vec<String> = Vec::new();
+    let outers = lines.iter().filter(|line| line.kind == Kind::Outer).count();
+    for line in lines {
+        let (word, alone) = match line.kind {
+            Kind::Outer => ("outer", outers == 1),
+            Kind::Island => ("island", false),
+            Kind::Wall => ("wall", false),
+            Kind::Weld => ("weld", false),
+        };
+        let drawn = match line.names.as_slice() {
+            [name] => safe(name),
+            _ => String::new(),
+        };
+        let base = if drawn.is_empty() { word.to_owned() } else { drawn.clone() };
+        let mut name = if drawn.is_empty() && !alone { format!("{base}-1") } else { base.clone() };
+        let mut number = 1;
+        while used.contains(&name) {
+            number += 1;
+            name = format!("{base}-{number}");
+        }
+        used.push(name);
+    }
+    used
+}
+
+/// The name with letters, digits, "-" and "_" only; empty if it has no letter.
+fn safe(name: &str) -> String {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    let safe: String = name.chars().take(40).map(|c| if plain(c) { c } else { '-' }).collect();
+    let safe = safe.trim_matches('-').to_owned();
+    if safe.chars().any(|c| c.is_ascii_alphabetic()) { safe } else { String::new() }
+}

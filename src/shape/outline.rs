@@ -1,0 +1,152 @@
+//! The cut around a sealed shape, and what is cut inside it.
+
+use crate::shape::air::{beside, depth};
+use crate::shape::around::{Line, Lines};
+use crate::shape::fault::{ShapeCode, quoted};
+use crate::shape::loose::{crossings, loose_ends};
+use crate::shape::mouth::Mouth;
+use crate::shape::notes::{Notes, named};
+use crate::shape::offset::offset_right;
+use crate::shape::sketch::{Drawn, Rules, Sketch};
+use inflatable::geom::{BoxIndex, Enclosures, Line as Chord, Path, Point, Segment};
+
+/// The outline, and the closed paths that are cut inside it.
+pub(super) fn outline(
+    sketch: &Sketch,
+    rules: &Rules,
+    lines: &Lines,
+    notes: &mut Notes,
+) -> (Option<Path>, Vec<Path>) {
+    let mut inner = closed(&sketch.holes, rules, notes);
+    let drawn = closed(&sketch.cuts, rules, notes);
+    let around = Enclosures::new(drawn.iter().map(|(path, _)| path));
+    let mut outlines: Vec<(Path, Vec<String>)> = Vec::new();
+    if sketch.cuts.is_empty() {
+        let across = rules.band + rules.allowance;
+        let offset =
+            |(edge, by): &(Path, f64)| Some((offset_cut(edge, *by, &lines.mouths, across)?, Vec::new()));
+        outlines.extend(lines.edges.iter().filter_map(offset));
+    } else {
+        for (path, names) in &drawn {
+            let list = if depth(&around, path) == 0 { &mut outlines } else { &mut inner };
+            list.push((path.clone(), names.clone()));
+        }
+    }
+    if outlines.len() > 1 && sketch.cuts.is_empty() {
+        let within = Enclosures::new(outlines.iter().map(|(path, _)| path));
+        outlines.retain(|(path, _)| depth(&within, path) == 0);
+    }
+    match outlines.len() {
+        1 => {}
+        0 if lines.lines.is_empty() => {}
+        count => {
+            let place = outlines.get(1).and_then(|(path, _)| path.start()).unwrap_or(Point::ORIGIN);
+            let names: Vec<String> = outlines.iter().flat_map(|(_, names)| names.clone()).collect();
+            let text = (
+                format!("{count} outlines to be cut"),
+                "draw one cut around all of it, or a file for each piece".to_owned(),
+            );
+            #[expect(clippy::cast_precision_loss, reason = "a count of curves")]
+            let found = count as f64;
+            notes.fault(ShapeCode::Outlines, &names, place, text, [found, 1.0]);
+        }
+    }
+    touching(&outlines, &inner, rules, lines, notes);
+    (outlines.into_iter().next().map(|(path, _)| path), inner.into_iter().map(|(path, _)| path).collect())
+}
+
+/// Drawn curves that must be closed, mended.
+fn closed(drawn: &[Drawn], rules: &Rules, notes: &mut Notes) -> Vec<(Path, Vec<String>)> {
+    let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
+    let (_, network) = notes.mended(drawn, rules.join);
+    loose_ends(&network, &names, rules.join, notes);
+    crossings(&network, &names, rules.join, notes);
+    let edges = network.edges.into_iter().filter(|edge| edge.nodes.is_none());
+    edges.map(|edge| (edge.path, named(&edge.sources, &names))).collect()
+}
+
+/// The outline at `by` mm outside an edge, straight across its mouths, whose flaps end `across` mm outside the air.
+fn offset_cut(edge: &Path, by: f64, mouths: &[Mouth], across: f64) -> Option<Path> {
+    let mut cut = offset_right(edge, by).into_iter().max_by(|a, b| a.area().total_cmp(&b.area()))?;
+    for mouth in mouths {
+        let Some(open) = mouth.open(&cut, 0.0, mouth.half + across) else { continue };
+        let (Some(start), Some(end)) = (open.start(), open.end()) else { continue };
+        let mut segments = open.segments;
+        segments.push(Chord::new(end, start).into());
+        cut = crate::shape::offset::merged(&Path::closed(segments));
+    }
+    Some(cut)
+}
+
+/// Faults where a cut or a hole comes into a band, or a hole lies in the air or off the piece.
+fn touching(
+    outlines: &[(Path, Vec<String>)],
+    inner: &[(Path, Vec<String>)],
+    rules: &Rules,
+    lines: &Lines,
+    notes: &mut Notes,
+) {
+    let half = rules.band / 2.0;
+    let segments: Vec<Segment> =
+        lines.lines.iter().flat_map(|Line { path, .. }| path.segments.clone()).collect();
+    let index = BoxIndex::new(segments.iter().map(Segment::bounds));
+    let in_mouth = |p: Point| {
+        lines
+            .mouths
+            .iter()
+            .any(|mouth| (p - mouth.at).length() <= mouth.half + rules.band + 2.0 * rules.overrun + 1e-6)
+    };
+    let outline = Enclosures::new(outlines.iter().map(|(path, _)| path));
+    let air = Enclosures::new(&lines.closed);
+    for (number, (path, names)) in outlines.iter().chain(inner).enumerate() {
+        let mut least: Option<(f64, Point)> = None;
+        for segment in &path.segments {
+            for i in index.overlapping(&segment.bounds().grown(half)) {
+                let far = inflatable::geom::segment_distance(segment, &segments[i]);
+                let place = segments[i].point(segments[i].nearest_fraction(segment.point(0.5)));
+                let place = segment.point(segment.nearest_fraction(place));
+                if far < half - 1e-6 && !in_mouth(place) && least.is_none_or(|(known, _)| far < known) {
+                    least = Some((far, place));
+                }
+            }
+        }
+        if let Some((far, place)) = least {
+            let what = format!("{} comes within {far:.3} mm of the middle of a band", quoted(names));
+            let remedy = format!("keep {half} mm from it, half a band");
+            notes.fault(ShapeCode::CutInBand, names, place, (what, remedy), [far, half]);
+        }
+        let (place, _) = beside(path, 1e-6);
+        if number >= outlines.len() && (outline.around(place).is_empty() && !outlines.is_empty()) {
+            let what = format!("{} lies outside of the cut", quoted(names));
+            notes.fault(
+                ShapeCode::CutInBand,
+                names,
+                place,
+                (what, "move it inside".to_owned()),
+                [f64::NAN; 2],
+            );
+        }
+        if number >= outlines.len() && air.around(place).len() % 2 == 1 {
+            let what = format!("{} lies in the air", quoted(names));
+            let remedy = "move it, or draw an island around it".to_owned();
+            notes.fault(ShapeCode::CutInBand, names, place, (what, remedy), [f64::NAN; 2]);
+        }
+    }
+    outside(outlines, lines, notes);
+}
+
+/// Faults of seams outside of the outline, but for what runs out of a mouth.
+fn outside(outlines: &[(Path, Vec<String>)], lines: &Lines, notes: &mut Notes) {
+    if outlines.is_empty() {
+        return;
+    }
+    let outline = Enclosures::new(outlines.iter().map(|(path, _)| path));
+    for line in &lines.lines {
+        let (place, _) = beside(&line.path, 1e-6);
+        if outline.around(place).is_empty() {
+            let what = format!("the seam of {} lies outside of the cut", quoted(&line.names));
+            let remedy = "draw the cut around it".to_owned();
+            notes.fault(ShapeCode::CutInBand, &line.names, place, (what, remedy), [f64::NAN; 2]);
+        }
+    }
+}

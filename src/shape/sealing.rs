@@ -1,0 +1,101 @@
+//! A sketch as a sealed shape, or all its faults.
+
+use crate::shape::around::{Kind, Lines, around_air};
+use crate::shape::checks::{checked, sharp_corners};
+use crate::shape::drawn_seams::{drawn_seams, join_ends, lost_ports};
+use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
+use crate::shape::notes::Notes;
+use crate::shape::order::{ordered, seam_names};
+use crate::shape::outline::outline;
+use crate::shape::sketch::{Rules, Sketch};
+use crate::shape::{Port, Role, SealedShape, Seam};
+use inflatable::geom::{Path, Point};
+
+/// A sketch that can be sealed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sealing {
+    /// The shape.
+    pub shape: SealedShape,
+    /// Closed paths that are cut inside the outline: holes, and drawn cuts inside it.
+    pub holes: Vec<Path>,
+    /// What was mended in the drawing.
+    pub repairs: Vec<Repair>,
+    /// Places that may fail or differ from the drawing.
+    pub warnings: Vec<ShapeWarning>,
+}
+
+/// The sealed shape of a sketch.
+///
+/// # Errors
+/// All faults that were found, each with its place. Faults of single curves hide those of bands.
+pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<ShapeFault>> {
+    let mut notes = Notes::default();
+    let mut taken = Vec::new();
+    let mut lines = around_air(sketch, rules, &mut taken, &mut notes);
+    drawn_seams(sketch, rules, &mut taken, &mut lines, &mut notes);
+    if notes.faults.is_empty() {
+        lost_ports(sketch, rules, &taken, &mut notes);
+    }
+    if lines.lines.is_empty() && notes.faults.is_empty() {
+        let text = (
+            "no edge of air and no seam is drawn".to_owned(),
+            "give a layer the role air or seam".to_owned(),
+        );
+        notes.fault(ShapeCode::Empty, &[], Point::ORIGIN, text, [0.0, 1.0]);
+    }
+    if !notes.faults.is_empty() {
+        return Err(notes.faults);
+    }
+    join_ends(&mut lines.lines, rules.band);
+    let (cut, holes) = outline(sketch, rules, &lines, &mut notes);
+    lines.lines = ordered(lines.lines);
+    checked(&lines, rules, &mut notes);
+    sharp_corners(&lines, rules, &mut notes);
+    let shape =
+        SealedShape { seams: seams(&lines, rules, &mut notes), band: rules.band, cut, ports: ports(&lines) };
+    chambers_without_port(&shape, &mut notes);
+    if !notes.faults.is_empty() {
+        return Err(notes.faults);
+    }
+    Ok(Sealing { shape, holes, repairs: notes.repairs, warnings: notes.warnings })
+}
+
+fn ports(lines: &Lines) -> Vec<Port> {
+    let mut mouths = lines.mouths.clone();
+    mouths.sort_by_key(|mouth| mouth.port);
+    mouths.iter().map(|mouth| Port { at: mouth.at, width: 2.0 * mouth.half }).collect()
+}
+
+fn seams(lines: &Lines, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
+    let named = lines.lines.iter().zip(seam_names(&lines.lines));
+    let seam = |(line, name): (&crate::shape::around::Line, String)| {
+        let closed = line.path.closed;
+        let (length, least) = (line.path.length(), 2.0 * rules.overlap);
+        if closed && length < least {
+            let place = line.path.start().unwrap_or(Point::ORIGIN);
+            let text = (
+                format!("seam {name} is {length:.3} mm long, shorter than twice its overlap"),
+                format!("make the overlap at most {:.3} mm", (length * 500.0).floor() / 1000.0),
+            );
+            notes.fault(ShapeCode::ShortSeam, &line.names, place, text, [length, least]);
+        }
+        let role = if line.kind == Kind::Weld { Role::Weld } else { Role::Boundary };
+        let overlap = if closed { rules.overlap } else { 0.0 };
+        Seam { name, role, center_line: line.path.clone(), overlap }
+    };
+    named.map(seam).collect()
+}
+
+/// Faults of chambers that no port leads into.
+fn chambers_without_port(shape: &SealedShape, notes: &mut Notes) {
+    let topology = shape.topology();
+    let chambers = topology.chambers.iter().zip(&topology.insides);
+    for (chamber, inside) in chambers.filter(|(chamber, _)| chamber.ports.is_empty()) {
+        let names = [shape.seams[chamber.outside].name.clone()];
+        let text = (
+            format!("the chamber inside of {} has no port", names[0]),
+            "draw a port on its outer edge, or open a wall to a chamber with a port".to_owned(),
+        );
+        notes.fault(ShapeCode::NoPort, &names, *inside, text, [0.0, 1.0]);
+    }
+}

@@ -1,0 +1,74 @@
+//! A sketch: curves that a person drew, by role, and the rules by which they become a sealed shape.
+
+use inflatable::geom::{Path, Point};
+
+/// A drawn curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// Its name in the drawing: an element's id. May be empty.
+    pub name: String,
+    /// The curve.
+    pub path: Path,
+}
+
+/// Where a drawn port is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PortPlace {
+    /// A point on an edge, or in the gap between two free ends of edges.
+    At(Point),
+    /// A short line across an edge.
+    Across([Point; 2]),
+}
+
+/// A drawn port: a hose goes in here.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnPort {
+    /// Its name in the drawing. May be empty.
+    pub name: String,
+    /// Where it is.
+    pub place: PortPlace,
+}
+
+/// Drawn curves by role.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sketch {
+    /// Edges of the air side. An edge with air on both sides is the centre line of a wall.
+    pub air: Vec<Drawn>,
+    /// Centre lines of bands: closed, or open.
+    pub seams: Vec<Drawn>,
+    /// Ports.
+    pub ports: Vec<DrawnPort>,
+    /// The cut: one outline, and cuts inside it. Without any the cut follows the edges.
+    pub cuts: Vec<Drawn>,
+    /// Holes to be punched.
+    pub holes: Vec<Drawn>,
+}
+
+/// The rules by which a sketch becomes a sealed shape. Lengths in mm.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rules {
+    /// Width of a band, > 0.
+    pub band: f64,
+    /// Fabric between a band and the cut, >= 0.
+    pub allowance: f64,
+    /// Ends nearer than this are joined, and curves nearer than this along a stretch are one.
+    pub join: f64,
+    /// Path that is sealed twice where a closed seam meets its start.
+    pub overlap: f64,
+    /// Flat width between the bands at a port, > 0.
+    pub port_width: f64,
+    /// How far the bands of a port run past the cut.
+    pub overrun: f64,
+    /// A passage narrower than this is a warning.
+    pub least_passage: f64,
+}
+
+impl PortPlace {
+    /// The middle of the place.
+    pub fn middle(&self) -> Point {
+        match self {
+            Self::At(point) => *point,
+            Self::Across([a, b]) => a.midpoint(*b),
+        }
+    }
+}

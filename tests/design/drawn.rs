@@ -1,0 +1,217 @@
+//! Drawings: shipped stars come back through files of their own edges, and shipped drawings are proven from their directory.
+
+use std::borrow::Cow;
+use std::fmt::Write;
+use std::fs;
+use std::path::Path as File;
+
+use stargrip_cam::artifact::Asked;
+use stargrip_cam::design::{Design, StarDesign};
+use stargrip_cam::geom::{Path, Point, Segment};
+use stargrip_cam::pipeline::{Built, Sources, build, prove_files};
+use stargrip_cam::spec::{self, Source, Spec};
+use stargrip_cam::verify::OutputFiles;
+
+use crate::support;
+
+/// A build of `text` whose drawing is `bytes`.
+fn drawn(text: &str, bytes: &[u8]) -> Result<Built, stargrip_cam::design::Refusals> {
+    let reading = spec::read(&Source::new("drawn", text)).unwrap_or_else(|faults| panic!("{faults}"));
+    let spec = reading.with_drawing(bytes).spec;
+    let sources = Sources { spec: text, machine: support::generic() };
+    build(&spec, &support::machine(), sources, &Asked::default())
+}
+
+/// A quarter of a turn at most, so that no arc's centre is lost in rounding.
+fn pieces(path: &Path) -> Vec<Segment> {
+    let cut = |segment: &Segment| -> Vec<Segment> {
+        let count = match segment {
+            Segment::Arc(arc) if arc.sweep.abs() > 1.6 => (arc.sweep.abs() / 1.5).ceil(),
+            _ => 1.0,
+        };
+        let parts = (0..8).map(f64::from).take_while(|i| *i < count);
+        parts.map(|i| segment.part(i / count, (i + 1.0) / count)).collect()
+    };
+    path.segments.iter().flat_map(cut).collect()
+}
+
+fn svg(edges: &[(&str, &Path)], ports: &[Point]) -> String {
+    let mut out = String::from(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"2000mm\" height=\"2000mm\" viewBox=\"-1000 -1000 2000 2000\">\n<g id=\"tube\">\n",
+    );
+    for (id, path) in edges {
+        let start = path.start().expect("a start");
+        let _ = write!(out, "<path id=\"{id}\" d=\"M {} {}", start.x, -start.y);
+        for piece in pieces(path) {
+            let to = piece.end();
+            let _ = match piece {
+                Segment::Line(_) => write!(out, " L {} {}", to.x, -to.y),
+                Segment::Arc(arc) => {
+                    // With Y down a counterclockwise arc goes by falling angles.
+                    let flag = u8::from(arc.sweep < 0.0);
+                    write!(out, " A {r} {r} 0 0 {flag} {} {}", to.x, -to.y, r = arc.radius)
+                }
+            };
+        }
+        out += if path.closed { " Z\"/>\n" } else { "\"/>\n" };
+    }
+    out += "</g>\n<g id=\"hose\">\n";
+    for at in ports {
+        let _ = writeln!(out, "<circle cx=\"{}\" cy=\"{}\" r=\"1\"/>", at.x, -at.y);
+    }
+    out + "</g>\n</svg>\n"
+}
+
+fn dxf(edges: &[(&str, &Path)], ports: &[Point]) -> String {
+    let mut out =
+        String::from("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n");
+    out += "0\nSECTION\n2\nENTITIES\n";
+    for (id, path) in edges {
+        let pieces = pieces(path);
+        let last = pieces.last().map(Segment::end).filter(|_| !path.closed);
+        let vertices = pieces.len() + usize::from(last.is_some());
+        let _ =
+            write!(out, "0\nLWPOLYLINE\n5\n{id}\n8\ntube\n90\n{vertices}\n70\n{}\n", u8::from(path.closed));
+        for piece in &pieces {
+            let _ = write!(out, "10\n{}\n20\n{}\n", piece.start().x, piece.start().y);
+            if let Segment::Arc(arc) = piece {
+                let _ = write!(out, "42\n{}\n", (arc.sweep / 4.0).tan());
+            }
+        }
+        if let Some(last) = last {
+            let _ = write!(out, "10\n{}\n20\n{}\n", last.x, last.y);
+        }
+    }
+    for at in ports {
+        let _ = write!(out, "0\nPOINT\n8\nhose\n10\n{}\n20\n{}\n", at.x, at.y);
+    }
+    out + "0\nENDSEC\n0\nEOF\n"
+}
+
+/// A spec of a drawing that is sealed as `star`.
+fn of_drawing(star: &Spec, file: &str) -> String {
+    let seal = &star.seal;
+    let hose = star.inlet.as_ref().expect("an inlet").tube_diameter;
+    format!(
+        "schema = 1\nname = \"edges\"\n[drawing]\nfile = \"{file}\"\nlayers = {{ air = [\"tube\"], port = [\"hose\"] }}\n\
+         [inlet]\ntube_diameter = \"{hose}\"\n[seal]\ntemperature = \"{}\"\nspeed = \"{}\"\nband = \"{}\"\noverlap = \"{}\"\n\
+         allowance = \"{}\"\n",
+        seal.temperature, seal.speed, seal.band, seal.overlap, seal.allowance
+    )
+}
+
+/// The largest distance of a place on `a` from `b`.
+fn furthest(a: &Path, b: &Path) -> f64 {
+    let places = a.segments.iter().flat_map(|segment| (0..=8).map(|i| segment.point(f64::from(i) / 8.0)));
+    places.map(|place| b.distance(place)).fold(0.0, f64::max)
+}
+
+#[test]
+fn shipped_stars_come_back_through_svg_and_dxf() {
+    let mut stars = 0;
+    let files = fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/designs")).expect("designs/");
+    for path in files.map(|entry| entry.expect("an entry").path()).filter(|path| path.is_file()) {
+        let spec = support::read(&fs::read_to_string(&path).expect("a design"));
+        let design = Design::new(&spec, &support::machine()).expect("a design");
+        for part in &design.assembly().expect("stars").distinct {
+            if part.channel.is_none() {
+                continue;
+            }
+            stars += 1;
+            let ports: Vec<Point> = part.shape.ports.iter().map(|port| port.at).collect();
+            let [inner, outer] = &part.edges;
+            for (file, text) in [
+                ("edges.svg", svg(&[("inner", inner), ("outer", outer)], &ports)),
+                ("edges.dxf", dxf(&[("A1", inner), ("A2", outer)], &ports)),
+            ] {
+                let name = format!("{} {file}", path.display());
+                let back = drawn(&of_drawing(&spec, file), text.as_bytes())
+                    .unwrap_or_else(|refusals| panic!("{name}: {refusals}"));
+                assert_eq!(back.proof().findings, [], "{name}");
+                same_seams(part, &back, &name, spec.seal.speed.0);
+            }
+        }
+    }
+    assert!(stars >= 10, "{stars}");
+}
+
+/// Every seam of `part` is one of `back`, as long, and takes as long.
+fn same_seams(part: &StarDesign, back: &Built, name: &str, speed: f64) {
+    let shape = back.forecast.design.part(&back.forecast.design.placed()[0]).shape();
+    assert_eq!(shape.seams.len(), part.shape.seams.len(), "{name}");
+    for seam in &part.shape.seams {
+        let near = |other: &&stargrip_cam::shape::Seam| {
+            furthest(&seam.center_line, &other.center_line) < 1e-6
+                && furthest(&other.center_line, &seam.center_line) < 1e-6
+        };
+        let other = shape.seams.iter().find(near);
+        let other = other.unwrap_or_else(|| panic!("{name}: no seam like {}", seam.name));
+        assert!((other.center_line.length() - seam.center_line.length()).abs() < 1e-6, "{name}");
+        let report = back.forecast.programs[0].seams.iter().find(|report| report.name.seam == other.name);
+        let report = report.expect("a report");
+        let own = seam.run().length();
+        assert!((report.length - own).abs() < 1e-6, "{name}: {} mm, {own} mm", report.length);
+        let process = support::machine().process;
+        let ramp = process.ramp.0.hypot(process.heights.travel.0 - process.heights.contact.0);
+        assert!((report.time * speed - own - 2.0 * ramp).abs() < 1e-6, "{name}: {} s", report.time);
+    }
+}
+
+/// What a directory holds proves it, its drawing included.
+#[test]
+fn shipped_drawings_are_proven_from_their_directory() {
+    let folder = File::new(env!("CARGO_MANIFEST_DIR")).join("designs/drawings");
+    let mut number = 0;
+    for path in fs::read_dir(&folder).expect("drawings").map(|entry| entry.expect("an entry").path()) {
+        if path.extension().is_none_or(|ending| ending != "toml") {
+            continue;
+        }
+        number += 1;
+        let text = fs::read_to_string(&path).expect("a design");
+        let file = spec::read(&Source::new("x", text.as_str()))
+            .expect("valid")
+            .spec
+            .drawing
+            .expect("a drawing")
+            .file;
+        let bytes = fs::read(folder.join(file)).expect("a drawing");
+        let made = drawn(&text, &bytes).unwrap_or_else(|refusals| panic!("{}: {refusals}", path.display()));
+        let files = || -> Vec<(String, Vec<u8>)> {
+            made.files().map(|(name, bytes)| (name.to_owned(), bytes.into_owned())).collect()
+        };
+        let prove = |files: &[(String, Vec<u8>)]| {
+            let files =
+                files.iter().map(|(name, bytes)| (Cow::from(name.as_str()), Cow::from(bytes.as_slice())));
+            prove_files(&OutputFiles { files: files.collect() }).findings
+        };
+        assert_eq!(prove(&files()), [], "{}", path.display());
+        // Another drawing in its place is found out: by its hash, and by every file that follows from it.
+        let mut other = files();
+        let copy = other.iter_mut().find(|(name, _)| name.starts_with("drawing.")).expect("a copy");
+        let moved = String::from_utf8(copy.1.clone()).expect("text").replacen("20", "21", 3);
+        assert_ne!(copy.1, moved.as_bytes());
+        copy.1 = moved.into_bytes();
+        assert!(prove(&other).len() > 1, "{}", path.display());
+    }
+    assert!(number >= 3, "{number}");
+}
+
+/// Every fault at once, each with its elements and its place.
+#[test]
+fn a_faulty_drawing_is_refused_with_elements_and_places() {
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"chambr\"], ignore = [\"notes\"] }\n";
+    let drawing = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"100mm\" height=\"100mm\" viewBox=\"0 0 100 100\">\n\
+        <g id=\"chamber\"><rect id=\"room\" x=\"10\" y=\"10\" width=\"60\" height=\"60\"/></g>\n\
+        <g id=\"notes\"><path id=\"note\" d=\"M 1 1 L 2 2\"/></g>\n</svg>";
+    let refusals = drawn(text, drawing.as_bytes()).expect_err("a layer has no role");
+    let codes: Vec<String> = refusals.iter().map(|refusal| refusal.code.to_string()).collect();
+    assert_eq!(codes, ["layer-without-role", "unknown-layer"]);
+    let place = refusals[0].drawn.as_ref().expect("a place");
+    assert_eq!(place.elements, ["room"]);
+    assert!(refusals[1].remedy.contains("chamber"), "{}", refusals[1].remedy);
+    // With its role it has no port, and that is told where it is.
+    let refusals = drawn(&text.replace("chambr", "chamber"), drawing.as_bytes()).expect_err("no port");
+    let codes: Vec<String> = refusals.iter().map(|refusal| refusal.code.to_string()).collect();
+    assert_eq!(codes, ["chamber-without-port"]);
+    assert!(refusals[0].drawn.as_ref().is_some_and(|place| place.at.is_some()));
+}
