@@ -11,7 +11,6 @@ use inflatable::mechanics::hinge::{HingeModel, Level, fit};
 use inflatable::mechanics::star::Correction;
 use inflatable::mechanics::star::correction::Ratios;
 use inflatable::mechanics::strength::{ElasticSheet, FULL_ACTUATION, INEXTENSIBLE};
-use std::sync::LazyLock;
 
 /// Beta of the `bvp` level; its distance from the exact ring is about ln(beta)/beta.
 pub const BVP_BETA: f64 = 1000.0;
@@ -20,25 +19,15 @@ pub const BVP_BETA: f64 = 1000.0;
 pub(super) const ARMS_LET_OUT: &str =
     "some 2 to 14 deg further and soften; the table of their effect ends before this hinge";
 
-static TABLE: LazyLock<Result<SectionTable, HingeFault>> = LazyLock::new(SectionTable::shipped);
-
-/// The section's table.
-///
-/// # Errors
-/// Never: a test reads it.
-pub fn section_table() -> Result<&'static SectionTable, HingeFault> {
-    TABLE.as_ref().map_err(|fault| *fault)
-}
-
 /// `section` from its table for the hinges of `case` at the gauge pressure `pressure` (Pa): what `auto` takes.
 ///
 /// # Errors
 /// If `section` does not cover one of the hinges at this pressure.
-pub fn tabled(case: &Case, pressure: f64) -> Result<Tabled<'static>, StarFault> {
+pub fn tabled(case: &Case, pressure: f64) -> Result<Tabled, StarFault> {
     let (star, sheet) = (&case.mechanism, &case.sheet);
     let scales = [sheet.bendability(pressure, star.width), sheet.thickness / star.width, sheet.poisson_ratio];
     let r_stars = [star.tip().r_star, star.corner().r_star];
-    Ok(Tabled::new(section_table()?, scales, r_stars)?)
+    Ok(Tabled::new(SectionTable::shipped()?, scales, r_stars)?)
 }
 
 /// `case` as `model` sees its star: `section` knows how wide hinges are at their pressure, and what shells of stars add to them.

@@ -2,46 +2,48 @@
 
 /// A symmetric matrix whose entries further than `WIDTH - 1` from the diagonal vanish; only its lower half is kept.
 ///
-/// Row `i` holds the entries of columns `i, i - 1, .., i - WIDTH + 1`, the diagonal first.
+/// Column `i` holds the entries of rows `i, i + 1, .., i + WIDTH - 1`, the diagonal first. Behind the last one there are
+/// `WIDTH - 1` columns of nothing, so that no column is shorter than others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SymmetricBand<const WIDTH: usize> {
-    rows: Vec<[f64; WIDTH]>,
+    size: usize,
+    columns: Vec<[f64; WIDTH]>,
 }
 
 impl<const WIDTH: usize> SymmetricBand<WIDTH> {
     /// A zero matrix of `size` rows.
     pub fn zero(size: usize) -> Self {
-        Self { rows: vec![[0.0; WIDTH]; size] }
+        Self { size, columns: vec![[0.0; WIDTH]; size + WIDTH - 1] }
     }
 
     /// Makes every entry zero.
     pub fn clear(&mut self) {
-        self.rows.fill([0.0; WIDTH]);
+        self.columns.fill([0.0; WIDTH]);
     }
 
     /// The entry in row `row`, `back` columns left of the diagonal.
     #[inline]
     pub fn entry(&mut self, row: usize, back: usize) -> &mut f64 {
-        &mut self.rows[row][back]
+        &mut self.columns[row - back][back]
     }
 
     /// Makes row and column `index` those of the identity.
     pub fn pin(&mut self, index: usize) {
-        self.rows[index] = [0.0; WIDTH];
-        self.rows[index][0] = 1.0;
-        for (back, row) in self.rows[index + 1..].iter_mut().take(WIDTH - 1).enumerate() {
-            row[back + 1] = 0.0;
+        for back in 1..WIDTH.min(index + 1) {
+            *self.entry(index, back) = 0.0;
         }
+        self.columns[index] = [0.0; WIDTH];
+        self.columns[index][0] = 1.0;
     }
 
     /// The matrix times `vector`.
     pub fn times(&self, vector: &[f64]) -> Vec<f64> {
         let mut product = vec![0.0; vector.len()];
-        for (i, row) in self.rows.iter().enumerate() {
-            for (back, entry) in row.iter().enumerate().take(i + 1) {
-                product[i] += entry * vector[i - back];
-                if back > 0 {
-                    product[i - back] += entry * vector[i];
+        for (i, column) in self.columns[..self.size].iter().enumerate() {
+            for (below, entry) in column.iter().enumerate().take(self.size - i) {
+                product[i + below] += entry * vector[i];
+                if below > 0 {
+                    product[i] += entry * vector[i + below];
                 }
             }
         }
@@ -53,49 +55,51 @@ impl<const WIDTH: usize> SymmetricBand<WIDTH> {
     /// If it is not, what `self` holds afterwards is of no use.
     #[must_use]
     pub fn factor(&mut self, matrix: &Self, shift: f64, diagonal: &[f64]) -> bool {
-        self.rows.copy_from_slice(&matrix.rows);
-        for i in 0..self.rows.len() {
-            let (above, below) = self.rows.split_at_mut(i);
-            let row = &mut below[0];
-            row[0] += shift * diagonal[i];
-            for back in (1..WIDTH.min(i + 1)).rev() {
-                let other = &above[i - back];
-                let mut sum = row[back];
-                for k in 1..WIDTH - back {
-                    sum -= row[back + k] * other[k];
-                }
-                // The diagonal of a factored row is kept as its inverse.
-                row[back] = sum * other[0];
-            }
-            let sum = row[1..].iter().fold(row[0], |sum, entry| sum - entry * entry);
+        self.columns.copy_from_slice(&matrix.columns);
+        for (i, weight) in diagonal.iter().enumerate().take(self.size) {
+            let (own, right) = self.columns[i..i + WIDTH].split_at_mut(1);
+            let own = &mut own[0];
+            let pivot = own[0] + shift * weight;
             // Also false for what is not a number.
-            if !(sum > 0.0 && sum.is_finite()) {
+            if !(pivot > 0.0 && pivot.is_finite()) {
                 return false;
             }
-            row[0] = sum.sqrt().recip();
+            // The diagonal of a factored column is kept as its inverse.
+            let inverse = pivot.sqrt().recip();
+            own.iter_mut().for_each(|entry| *entry *= inverse);
+            own[0] = inverse;
+            for (a, column) in right.iter_mut().enumerate() {
+                let factor = own[a + 1];
+                for (entry, other) in column.iter_mut().zip(&own[a + 1..]) {
+                    *entry -= factor * other;
+                }
+            }
         }
         true
     }
 
     /// Solves for the right-hand side in place; `self` holds factors.
     pub fn solve(&self, right: &mut [f64]) {
-        let size = self.rows.len();
-        for i in 0..size {
-            let row = &self.rows[i];
-            let mut sum = right[i];
-            for back in 1..WIDTH.min(i + 1) {
-                sum -= row[back] * right[i - back];
+        // Room for the columns of nothing: every step works on as many entries.
+        let mut all = [&*right, &[0.0; WIDTH]].concat();
+        let columns = &self.columns[..self.size];
+        for (i, column) in columns.iter().enumerate() {
+            let Some(window) = all[i..].first_chunk_mut::<WIDTH>() else { break };
+            let value = window[0] * column[0];
+            for (entry, below) in window.iter_mut().zip(column) {
+                *entry -= below * value;
             }
-            right[i] = sum * row[0];
+            window[0] = value;
         }
-        for i in (0..size).rev() {
-            let row = &self.rows[i];
-            let value = right[i] * row[0];
-            right[i] = value;
-            for back in 1..WIDTH.min(i + 1) {
-                right[i - back] -= row[back] * value;
+        for (i, column) in columns.iter().enumerate().rev() {
+            let Some(window) = all[i..].first_chunk_mut::<WIDTH>() else { break };
+            let mut sum = window[0];
+            for (entry, below) in window.iter().zip(column).skip(1) {
+                sum -= entry * below;
             }
+            window[0] = sum * column[0];
         }
+        right.copy_from_slice(&all[..self.size]);
     }
 }
 

@@ -136,12 +136,15 @@ pub(super) fn density(scales: &Scales, w: f64, lambda: f64, jet: &Jet, exact: bo
 
     let mut gradient = [0.0; 6];
     let mut hessian = [[0.0; 6]; 6];
-    for i in 0..6 {
-        gradient[i] = at.n_s * e_s[i] + at.n_th * e_th[i] + m_s * k_s[i] + m_th * k_th[i];
-        for j in i..6 {
-            hessian[i][j] = meridian * e_s[i] * e_s[j]
-                + hoop * (e_th[i] * e_th[j] + nu * (e_s[i] * e_th[j] + e_th[i] * e_s[j]))
-                + bend * (k_s[i] * k_s[j] + k_th[i] * k_th[j] + nu * (k_s[i] * k_th[j] + k_th[i] * k_s[j]));
+    for j in 0..6 {
+        gradient[j] = at.n_s * e_s[j] + at.n_th * e_th[j] + m_s * k_s[j] + m_th * k_th[j];
+        // The law of the sheet times the derivatives of the strains.
+        let along = meridian * e_s[j] + nu * hoop * e_th[j];
+        let around = hoop * (e_th[j] + nu * e_s[j]);
+        let (with_s, with_th) = (bend * (k_s[j] + nu * k_th[j]), bend * (k_th[j] + nu * k_s[j]));
+        // All rows, though the upper triangle would do: the loop is unrolled.
+        for i in 0..6 {
+            hessian[i][j] = e_s[i] * along + e_th[i] * around + k_s[i] * with_s + k_th[i] * with_th;
         }
     }
     let pull = (if exact { at.n_s } else { at.n_s.max(0.0) }) / at.stretch;

@@ -1,7 +1,9 @@
 //! The flat meridian in cubic elements: shorter at the rims, where bending and hoop stress end in layers, and in the
 //! middle, where a stiff sheet folds.
 
+use crate::mechanics::hinge::section::ELEMENTS;
 use crate::numerics::gauss::gauss_legendre;
+use std::sync::LazyLock;
 
 /// Gauss points of an element: exact to degree 7, which the bending of a cubic needs with its weight; with 3 the soft
 /// sheets are as good, the stiff ones 10 times worse.
@@ -53,7 +55,17 @@ pub(super) struct Mesh {
 impl Mesh {
     /// `count` elements, two or more.
     pub(super) fn new(r_star: f64, count: usize) -> Self {
-        let mut nodes = graded(count);
+        Self::on(r_star, nodes(count))
+    }
+
+    /// The mesh on every `step`-th of the nodes, with the core of a sharp rim.
+    pub(super) fn coarser(&self, step: usize) -> Self {
+        let last = self.nodes.len() - 1;
+        let kept = self.nodes.iter().enumerate().filter(|(i, _)| i % step == 0 || *i == last);
+        Self { is_disc: self.is_disc, ..Self::on(self.r_star, kept.map(|(_, s)| *s).collect()) }
+    }
+
+    fn on(r_star: f64, mut nodes: Vec<f64>) -> Self {
         if r_star < CORE {
             let core = CORE - r_star;
             nodes.retain(|s| *s == 0.0 || *s > 1.5 * core);
@@ -75,6 +87,24 @@ impl Mesh {
         4 * self.nodes.len()
     }
 
+    /// The shape that has the `unknowns` on the nodes of `coarse`, on the nodes of this mesh.
+    pub(super) fn refined(&self, coarse: &Self, unknowns: &[f64]) -> Vec<f64> {
+        let mut element = 0;
+        let mut out = Vec::with_capacity(self.unknowns());
+        for &s in &self.nodes {
+            while element + 2 < coarse.nodes.len() && coarse.nodes[element + 1] <= s {
+                element += 1;
+            }
+            let h = coarse.nodes[element + 1] - coarse.nodes[element];
+            let own = &unknowns[4 * element..4 * element + 8];
+            for of in [[0, 1, 4, 5], [2, 3, 6, 7]] {
+                let cubics = cubics((s - coarse.nodes[element]) / h, h);
+                out.extend(cubics.map(|n| n.iter().zip(of).map(|(n, place)| n * own[place]).sum::<f64>()));
+            }
+        }
+        out
+    }
+
     /// Unknowns that are 0: z at both rims, but not in the middle of a disc; at a point on the axis also Q and the slope.
     pub(super) fn pinned(&self) -> impl Iterator<Item = usize> {
         let apex = self.r_star == 0.0;
@@ -85,19 +115,28 @@ impl Mesh {
     }
 }
 
+/// Values and slopes at `x` (0 to 1) of an element of length `h`: Hermite's cubics, and their derivatives.
+fn cubics(x: f64, h: f64) -> [[f64; 4]; 2] {
+    let y = 1.0 - x;
+    [
+        [(1.0 + 2.0 * x) * y * y, h * x * y * y, x * x * (3.0 - 2.0 * x), -h * x * x * y],
+        [-6.0 * x * y / h, y * (1.0 - 3.0 * x), 6.0 * x * y / h, x * (3.0 * x - 2.0)],
+    ]
+}
+
 /// A Gauss point at `x` with `weight` of the element between `ends`, with Hermite's cubics.
 fn point(r_star: f64, ends: [f64; 2], (x, weight): (f64, f64)) -> Point {
     let h = ends[1] - ends[0];
-    let y = 1.0 - x;
     let place = ends[0] + h * x;
     let radius = r_star + place;
+    let [value, slope] = cubics(x, h);
     Point {
         place,
         radius,
         area: weight * h * radius,
         shape: [
-            [(1.0 + 2.0 * x) * y * y, h * x * y * y, x * x * (3.0 - 2.0 * x), -h * x * x * y],
-            [-6.0 * x * y / h, y * (1.0 - 3.0 * x), 6.0 * x * y / h, x * (3.0 * x - 2.0)],
+            value,
+            slope,
             [
                 (12.0 * x - 6.0) / (h * h),
                 (6.0 * x - 4.0) / h,
@@ -106,6 +145,12 @@ fn point(r_star: f64, ends: [f64; 2], (x, weight): (f64, f64)) -> Point {
             ],
         ],
     }
+}
+
+/// [`graded`]; the usual ones are made once.
+fn nodes(count: usize) -> Vec<f64> {
+    static USUAL: LazyLock<Vec<f64>> = LazyLock::new(|| graded(ELEMENTS));
+    if count == ELEMENTS { USUAL.clone() } else { graded(count) }
 }
 
 /// Nodes at equal steps of the number of elements, whose density is 1 and the layers' `share / (reach + distance)`.

@@ -13,19 +13,29 @@ pub(super) const WIDTH: usize = 8;
 
 /// The meridian at `point`, from the unknowns `x` of its element.
 #[inline]
-pub(super) fn jet(point: &Point, x: &[f64]) -> Jet {
-    std::array::from_fn(|i| {
-        let shift = if i < 3 { 0 } else { TO_Z };
-        point.shape[i % 3].iter().zip(OF_Q).map(|(n, place)| n * x[place + shift]).sum()
-    })
+pub(super) fn jet(point: &Point, x: &[f64; WIDTH]) -> Jet {
+    let mut out = [0.0; 6];
+    for (i, n) in point.shape.iter().enumerate() {
+        for (part, shift) in [0, TO_Z].into_iter().enumerate() {
+            let [a, b, c, d] = OF_Q.map(|place| x[place + shift]);
+            out[i + 3 * part] = n[0] * a + n[1] * b + n[2] * c + n[3] * d;
+        }
+    }
+    out
+}
+
+/// The unknowns of element number `element` among all of them.
+pub(super) fn of_element(x: &[f64], element: usize) -> &[f64; WIDTH] {
+    x[4 * element..].first_chunk().unwrap_or(&[0.0; WIDTH])
 }
 
 /// Pi at the shape `x`; `None` where the sheet would cross the axis, or nothing is finite.
 pub(super) fn value(scales: &Scales, mesh: &Mesh, lambda: f64, x: &[f64]) -> Option<f64> {
     let mut sum = 0.0;
     for (element, points) in mesh.elements.iter().enumerate() {
+        let own = of_element(x, element);
         for point in points {
-            let at = jet(point, &x[4 * element..]);
+            let at = jet(point, own);
             let [q, slope, _, z, ..] = at;
             if q <= 0.0 {
                 return None;
@@ -54,11 +64,15 @@ pub(super) struct Potential {
     pub(super) reaction: f64,
 }
 
-/// What one element adds.
+/// A block of an element's Hessian, by its four unknowns of Q or of z.
+type Block = [[f64; 4]; 4];
+
+/// What one element adds: by Q and by z; of the Hessian the blocks of Q twice, of Q and z, of z twice.
+#[derive(Default)]
 struct Element {
-    gradient: [f64; WIDTH],
-    mixed: [f64; WIDTH],
-    hessian: [[f64; WIDTH]; WIDTH],
+    gradient: [[f64; 4]; 2],
+    mixed: [[f64; 4]; 2],
+    blocks: [Block; 3],
 }
 
 impl Potential {
@@ -75,21 +89,14 @@ impl Potential {
         self.mixed.fill(0.0);
         self.hessian.clear();
         for (number, points) in mesh.elements.iter().enumerate() {
-            let zero = [0.0; WIDTH];
-            let mut own = Element { gradient: zero, mixed: zero, hessian: [zero; WIDTH] };
+            let (unknowns, mut own) = (of_element(x, number), Element::default());
             for point in points {
-                let at = density(scales, point.radius, lambda, &jet(point, &x[4 * number..]), exact);
+                let at = density(scales, point.radius, lambda, &jet(point, unknowns), exact);
                 self.slope += point.area * at.slope;
                 self.curvature += point.area * at.curvature;
                 own.add(point, &at.gradient, &at.mixed, &at.hessian);
             }
-            for row in 0..WIDTH {
-                self.gradient[4 * number + row] += own.gradient[row];
-                self.mixed[4 * number + row] += own.mixed[row];
-                for column in 0..=row {
-                    *self.hessian.entry(4 * number + row, row - column) += own.entry(row, column);
-                }
-            }
+            self.add(4 * number, &own);
         }
         self.reaction = -self.gradient[TO_Z];
         for pinned in mesh.pinned() {
@@ -97,40 +104,69 @@ impl Potential {
             self.hessian.pin(pinned);
         }
     }
-}
 
-impl Element {
-    /// Adds a point's density: rows of Q and columns of Q and z, rows of z and columns of z; the rest is symmetric.
-    #[inline]
-    fn add(&mut self, point: &Point, gradient: &Jet, mixed: &Jet, hessian: &[Jet; 6]) {
-        let n = &point.shape;
-        let dot = |k: usize, part: [f64; 3]| n[0][k] * part[0] + n[1][k] * part[1] + n[2][k] * part[2];
-        let upper = |i: usize, j: usize| point.area * if i <= j { hessian[i][j] } else { hessian[j][i] };
-        for (k, row) in OF_Q.into_iter().enumerate() {
-            let both = |jet: &Jet| {
-                [dot(k, [jet[0], jet[1], jet[2]]), dot(k, [jet[3], jet[4], jet[5]])].map(|x| point.area * x)
-            };
-            let ([g_q, g_z], [m_q, m_z]) = (both(gradient), both(mixed));
-            self.gradient[row] += g_q;
-            self.gradient[row + TO_Z] += g_z;
-            self.mixed[row] += m_q;
-            self.mixed[row + TO_Z] += m_z;
-            // k is the column here: first the Hessian's rows along it, then across the rows.
-            let along = |i: usize, j: usize| dot(k, [upper(i, j), upper(i, j + 1), upper(i, j + 2)]);
-            let qq = [along(0, 0), along(1, 0), along(2, 0)];
-            let qz = [along(0, 3), along(1, 3), along(2, 3)];
-            let zz = [along(3, 3), along(4, 3), along(5, 3)];
-            for (l, across) in OF_Q.into_iter().enumerate() {
-                self.hessian[across][row] += dot(l, qq);
-                self.hessian[across][row + TO_Z] += dot(l, qz);
-                self.hessian[across + TO_Z][row + TO_Z] += dot(l, zz);
+    /// Adds what `element` says of the unknowns from number `first` on.
+    fn add(&mut self, first: usize, element: &Element) {
+        let [qq, qz, zz] = &element.blocks;
+        for (l, row) in OF_Q.into_iter().enumerate() {
+            for (part, shift) in [0, TO_Z].into_iter().enumerate() {
+                self.gradient[first + row + shift] += element.gradient[part][l];
+                self.mixed[first + row + shift] += element.mixed[part][l];
+            }
+            for (k, column) in OF_Q.into_iter().enumerate() {
+                if column <= row {
+                    *self.hessian.entry(first + row, row - column) += qq[l][k];
+                    *self.hessian.entry(first + row + TO_Z, row - column) += zz[l][k];
+                }
+                let (low, high) = (row.min(column + TO_Z), row.max(column + TO_Z));
+                *self.hessian.entry(first + high, high - low) += qz[l][k];
             }
         }
     }
+}
 
+impl Element {
+    /// Adds a point's density.
     #[inline]
-    fn entry(&self, row: usize, column: usize) -> f64 {
-        let is_z = |place: usize| place % 4 >= TO_Z;
-        if is_z(row) && !is_z(column) { self.hessian[column][row] } else { self.hessian[row][column] }
+    fn add(&mut self, point: &Point, gradient: &Jet, mixed: &Jet, h: &[Jet; 6]) {
+        let n = &point.shape;
+        let weighted = n.map(|row| row.map(|n| point.area * n));
+        let [g0, g1, g2, g3, g4, g5] = *gradient;
+        add(&mut self.gradient[0], by_unknowns(&weighted, [g0, g1, g2]));
+        add(&mut self.gradient[1], by_unknowns(&weighted, [g3, g4, g5]));
+        let [m0, m1, m2, m3, m4, m5] = *mixed;
+        add(&mut self.mixed[0], by_unknowns(&weighted, [m0, m1, m2]));
+        add(&mut self.mixed[1], by_unknowns(&weighted, [m3, m4, m5]));
+        let [qq, qz, zz] = &mut self.blocks;
+        let part = |rows: [usize; 3], columns: [usize; 3]| {
+            rows.map(|i| columns.map(|j| if i <= j { h[i][j] } else { h[j][i] }))
+        };
+        twice(qq, n, &weighted, part([0, 1, 2], [0, 1, 2]));
+        twice(qz, n, &weighted, part([0, 1, 2], [3, 4, 5]));
+        twice(zz, n, &weighted, part([3, 4, 5], [3, 4, 5]));
     }
+}
+
+/// Three derivatives of Q or z, times what each of the four unknowns adds to them.
+#[inline]
+fn by_unknowns(n: &[[f64; 4]; 3], [a, b, c]: [f64; 3]) -> [f64; 4] {
+    let mut out = [0.0; 4];
+    for (k, out) in out.iter_mut().enumerate() {
+        *out = n[0][k] * a + n[1][k] * b + n[2][k] * c;
+    }
+    out
+}
+
+/// Adds `h`, second derivatives by three derivatives of Q or z, as second derivatives by unknowns.
+#[inline]
+fn twice(block: &mut Block, n: &[[f64; 4]; 3], weighted: &[[f64; 4]; 3], h: [[f64; 3]; 3]) {
+    let rows = h.map(|row| by_unknowns(weighted, row));
+    for (l, row) in block.iter_mut().enumerate() {
+        add(row, by_unknowns(&rows, [n[0][l], n[1][l], n[2][l]]));
+    }
+}
+
+#[inline]
+fn add(to: &mut [f64; 4], own: [f64; 4]) {
+    to.iter_mut().zip(own).for_each(|(to, own)| *to += own);
 }

@@ -1,7 +1,7 @@
 //! What the sheet bears along its meridian.
 
 use crate::mechanics::hinge::section::density::Strains;
-use crate::mechanics::hinge::section::potential::jet;
+use crate::mechanics::hinge::section::potential::{jet, of_element};
 use crate::mechanics::hinge::section::solve::Search;
 
 /// One place of the meridian. Lengths in units of W, forces per flat length in units of p W.
@@ -43,7 +43,7 @@ impl Meridian {
         let mut volume = 0.0;
         for (number, element) in mesh.elements.iter().enumerate() {
             for point in element {
-                let at = jet(point, &shape[4 * number..]);
+                let at = jet(point, of_element(shape, number));
                 let [radius, slope, _, height, ..] = at;
                 let strains = Strains::of(scales, point.radius, *lambda, &at);
                 volume += 2.0 * lambda * point.area / point.radius * radius * height * slope;

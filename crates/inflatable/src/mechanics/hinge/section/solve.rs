@@ -23,8 +23,12 @@ use crate::numerics::{SymmetricBand, dot};
 /// the steps, from the flat sheet the first is unbounded. Rims sharper than a thousandth of the width may need another.
 const STARTS: [f64; 5] = [0.2, 0.6, 1.0, 0.05, 1.4];
 const START_LAMBDA: f64 = 1.02;
-/// Newton's decrement, relative to Pi, at which the last step is taken: its square is below rounding.
-const CONVERGED: f64 = 1e-13;
+/// Elements of the mesh on which a hinge is searched first, in one: most of Newton's steps are taken there.
+const COARSER: usize = 4;
+/// Decrement at which the coarser mesh has done its part: what is left is less than what the finer one changes.
+const ENOUGH_TO_REFINE: f64 = 1e-6;
+/// Newton's decrement, relative to Pi, at which the last step is taken: that step squares it.
+const CONVERGED: f64 = 1e-10;
 /// Decrement at which a step that does not lower Pi any more is laid to rounding.
 const ROUNDING: f64 = 1e-9;
 /// Most steps; the random cases of the tests take 40 at most.
@@ -51,6 +55,8 @@ pub(super) struct Search {
     pub(super) stiffness: f64,
     /// Newton's decrement, relative to Pi, before the last step.
     pub(super) decrement: f64,
+    /// Decrement at which the last step is taken.
+    enough: f64,
     /// Factorisations so far.
     pub(super) factorisations: u32,
     factors: SymmetricBand<WIDTH>,
@@ -83,6 +89,7 @@ impl Search {
             potential: Potential::new(zero.len()),
             stiffness: 0.0,
             decrement: f64::MAX,
+            enough: CONVERGED,
             factorisations: 0,
             factors: SymmetricBand::zero(zero.len()),
             lumped: lumped(&mesh),
@@ -93,8 +100,23 @@ impl Search {
         }
     }
 
-    /// Goes from the beginning to the hinge at rest.
+    /// Goes from the beginning to the hinge at rest, by way of a coarser mesh.
     pub(super) fn rest(&mut self) -> Result<(), Lost> {
+        let mut coarse = Self::new(self.scales, self.mesh.coarser(COARSER));
+        coarse.enough = ENOUGH_TO_REFINE;
+        let found = coarse.rest_from_arcs();
+        self.factorisations += coarse.factorisations;
+        if found.is_ok() {
+            self.lambda = coarse.lambda;
+            self.shape = self.mesh.refined(&coarse.mesh, &coarse.shape);
+            if self.minimise(true).is_ok() {
+                return Ok(());
+            }
+        }
+        self.rest_from_arcs()
+    }
+
+    fn rest_from_arcs(&mut self) -> Result<(), Lost> {
         for angle in STARTS {
             self.lambda = START_LAMBDA;
             self.shape = arc(&self.mesh, self.lambda, angle);
@@ -159,9 +181,9 @@ impl Search {
             let fall = -(dot(&self.potential.gradient, &self.step) + turn * self.potential.slope);
             self.decrement = fall.abs() / value.abs();
             let stable = exact && (!free || self.stiffness > 0.0);
-            if stable && self.decrement < CONVERGED {
+            if stable && self.decrement < self.enough {
                 self.advance(1.0, turn);
-                return self.settle();
+                return if self.enough > CONVERGED { Ok(()) } else { self.settle() };
             }
             match self.descend(value, fall, turn) {
                 Some((next, part)) => {

@@ -4,15 +4,23 @@
 //! Chebyshev coefficients fall fast in all four; those below [`SMALLEST`] are left out. `b` goes to a bound that falls with
 //! tau, so that the series end a little beyond p W / Y = 0.1 and not far from it. R* enters by its logarithm from a
 //! thousandth on, where the solver's own core begins.
+//!
+//! A series is summed over one dimension after the other: nu, tau, b, and R* last. Designs that follow one another in a study
+//! often share fabric and pressure, so each thread keeps the sums of its last hinge, and begins at the first dimension that
+//! changed. The order of summation is always the same, so an answer does not depend on what was asked before.
 
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::section::{MOST_R_STAR, Section};
 use crate::mechanics::hinge::{HingeModel, check_r_star};
 use crate::numerics::Chebyshev;
+use std::cell::RefCell;
 use std::fmt::Write;
+use std::sync::LazyLock;
 
 /// Points of each series: b, tau, R*, nu.
 const COUNTS: [usize; 4] = [11, 7, 9, 3];
+/// Orders of what is summed first, second and third: nu, tau, b.
+const ORDERS: [usize; 3] = [COUNTS[3], COUNTS[1], COUNTS[0]];
 /// Number of quantities.
 const QUANTITIES: usize = 8;
 /// Coefficients below this, in every quantity, are left out.
@@ -30,8 +38,20 @@ const SHIPPED: &str = include_str!("table.txt");
 /// The section's table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SectionTable {
-    /// Orders of the four Chebyshev polynomials, and the coefficients of the eight quantities.
-    terms: Vec<([u8; 4], [f64; QUANTITIES])>,
+    /// The coefficients of the eight quantities by the orders of nu, tau, b and R*, the last one fastest.
+    coefficients: Vec<Quantities>,
+}
+
+/// The series at one fabric, width and pressure: what is left depends on R* alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RadiusSeries([Quantities; COUNTS[2]]);
+
+/// The partial sums of the last hinge: over nu; over nu and tau; over nu, tau and b.
+#[derive(Debug, Default)]
+struct PartialSums {
+    /// Where the sums were taken: nu, tau and b, each 0 to 1.
+    places: [f64; 3],
+    sums: [Vec<Quantities>; 3],
 }
 
 /// A hinge at rest, as the table gives it.
@@ -100,18 +120,24 @@ impl SectionTable {
     /// unfold on the way, and a quartic does not follow: there the moment is an estimate only.
     pub const MOMENT_ERROR: f64 = 3e-2;
 
-    /// The table that is shipped. Reading it takes a fraction of a millisecond.
+    /// The table that is shipped, the only one. It is read once, in a fraction of a millisecond.
     ///
     /// # Errors
     /// Never: a test reads it.
-    pub fn shipped() -> Result<Self, HingeFault> {
-        let lines = SHIPPED.lines().filter(|line| !line.starts_with('#'));
-        let terms: Option<Vec<_>> = lines.map(term).collect();
-        terms.map(|terms| Self { terms }).ok_or(HingeFault::Unsolved {
-            r_star: 0.0,
-            lambda: 0.0,
-            residual: f64::MAX,
-        })
+    pub fn shipped() -> Result<&'static Self, HingeFault> {
+        static TABLE: LazyLock<Option<SectionTable>> = LazyLock::new(|| SectionTable::read(SHIPPED));
+        let unread = HingeFault::Unsolved { r_star: 0.0, lambda: 0.0, residual: f64::MAX };
+        TABLE.as_ref().ok_or(unread)
+    }
+
+    fn read(text: &str) -> Option<Self> {
+        let [of_b, of_tau, of_r, of_nu] = COUNTS;
+        let mut coefficients = vec![[0.0; QUANTITIES]; of_b * of_tau * of_r * of_nu];
+        for line in text.lines().filter(|line| !line.starts_with('#')) {
+            let ([b, tau, r, nu], own) = term(line)?;
+            *coefficients.get_mut(((nu * of_tau + tau) * of_b + b) * of_r + r)? = own;
+        }
+        Some(Self { coefficients })
     }
 
     /// The hinge at rest: the same arguments and ranges as [`Section::new`], and R*.
@@ -125,23 +151,25 @@ impl SectionTable {
         poisson: f64,
         r_star: f64,
     ) -> Result<SectionEntry, HingeFault> {
-        let _ = Section::new(bendability, thickness, poisson)?;
-        check_r_star(r_star, MOST_R_STAR)?;
-        let place = place(bendability, thickness, poisson, r_star);
-        let polynomials: [[f64; 16]; 4] = std::array::from_fn(|i| polynomials(place[i]));
-        let mut sum = [0.0; QUANTITIES];
-        for (orders, coefficients) in &self.terms {
-            let basis: f64 = orders.iter().zip(&polynomials).map(|(k, own)| own[usize::from(*k)]).product();
-            sum.iter_mut().zip(coefficients).for_each(|(sum, c)| *sum += basis * c);
+        self.along_radii(bendability, thickness, poisson)?.at(r_star)
+    }
+
+    /// The series in R* at 1/eps = `bendability`, t/W = `thickness` and nu = `poisson`.
+    ///
+    /// # Errors
+    /// As for [`Section::new`].
+    pub fn along_radii(
+        &self,
+        bendability: f64,
+        thickness: f64,
+        poisson: f64,
+    ) -> Result<RadiusSeries, HingeFault> {
+        thread_local! {
+            static LAST: RefCell<PartialSums> = RefCell::default();
         }
-        let [lambda, stiffness, opening, width, secants @ ..] = sum;
-        Ok(SectionEntry {
-            lambda: 1.0 + lambda.exp(),
-            stiffness: stiffness.exp(),
-            opening: opening.exp(),
-            width,
-            secants,
-        })
+        let _ = Section::new(bendability, thickness, poisson)?;
+        let place = place(bendability, thickness, poisson);
+        Ok(LAST.with_borrow_mut(|last| last.at(&self.coefficients, place)))
     }
 
     /// Computes the series anew from the solver, as the text that is shipped; takes minutes. `progress` hears of each part.
@@ -184,6 +212,62 @@ impl SectionTable {
     }
 }
 
+impl PartialSums {
+    /// The series in R* of `coefficients` at nu, tau and b.
+    fn at(&mut self, coefficients: &[Quantities], places: [f64; 3]) -> RadiusSeries {
+        let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits();
+        let unchanged = if self.sums[2].is_empty() {
+            0
+        } else {
+            self.places.iter().zip(&places).take_while(|pair| same(*pair)).count()
+        };
+        self.places = places;
+        for dimension in unchanged..3 {
+            let (before, own) = self.sums.split_at_mut(dimension);
+            let all = before.last().map_or(coefficients, Vec::as_slice);
+            summed(all, ORDERS[dimension], places[dimension], &mut own[0]);
+        }
+        let mut series = [[0.0; QUANTITIES]; COUNTS[2]];
+        series.copy_from_slice(&self.sums[2]);
+        RadiusSeries(series)
+    }
+}
+
+impl RadiusSeries {
+    /// The hinge at rest at R*.
+    ///
+    /// # Errors
+    /// As for [`HingeModel::target`].
+    pub fn at(&self, r_star: f64) -> Result<SectionEntry, HingeFault> {
+        check_r_star(r_star, MOST_R_STAR)?;
+        let mut sum = [0.0; QUANTITIES];
+        let polynomials = polynomials(place_of_radius(r_star));
+        for (polynomial, coefficients) in polynomials.iter().zip(&self.0) {
+            sum.iter_mut().zip(coefficients).for_each(|(sum, c)| *sum += polynomial * c);
+        }
+        let [lambda, stiffness, opening, width, secants @ ..] = sum;
+        Ok(SectionEntry {
+            lambda: 1.0 + lambda.exp(),
+            stiffness: stiffness.exp(),
+            opening: opening.exp(),
+            width,
+            secants,
+        })
+    }
+}
+
+/// Sums `coefficients` over their first dimension, which is at `place`, into `out`: as many as there are for one order.
+fn summed(coefficients: &[Quantities], orders: usize, place: f64, out: &mut Vec<Quantities>) {
+    let block = coefficients.len() / orders;
+    out.clear();
+    out.resize(block, [0.0; QUANTITIES]);
+    for (polynomial, own) in polynomials(place).iter().zip(coefficients.chunks_exact(block)) {
+        for (sum, c) in out.as_flattened_mut().iter_mut().zip(own.as_flattened()) {
+            *sum += polynomial * c;
+        }
+    }
+}
+
 /// Chebyshev coefficients of each quantity, whose values at the points are `line`.
 fn transformed(line: &[Quantities]) -> Vec<Quantities> {
     let series: [Chebyshev; QUANTITIES] = std::array::from_fn(|quantity| {
@@ -204,7 +288,7 @@ fn indices(mut number: usize) -> [usize; 4] {
 }
 
 /// One line of the table: four orders, eight coefficients in millionths.
-fn term(line: &str) -> Option<([u8; 4], Quantities)> {
+fn term(line: &str) -> Option<([usize; 4], Quantities)> {
     let mut words = line.split_ascii_whitespace();
     let mut orders = [0; 4];
     for order in &mut orders {
@@ -232,15 +316,19 @@ fn most_bendability(tau: f64) -> f64 {
     std::f64::consts::SQRT_2 / f64::hypot(1e-4, 10.0 * tau * tau)
 }
 
-/// Where a hinge is in the four dimensions, each 0 to 1.
-fn place(bendability: f64, thickness: f64, poisson: f64, r_star: f64) -> [f64; 4] {
+/// Where a hinge is in nu, tau and b, each 0 to 1.
+fn place(bendability: f64, thickness: f64, poisson: f64) -> [f64; 3] {
     let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
     [
-        (bendability / 10.0).ln() / (most_bendability(tau) / 10.0).ln(),
-        (tau / TAU[0]).ln() / (TAU[1] / TAU[0]).ln(),
-        (r_star / SHARPEST).ln_1p() / (MOST_R_STAR / SHARPEST).ln_1p(),
         poisson / 0.49,
+        (tau / TAU[0]).ln() / (TAU[1] / TAU[0]).ln(),
+        (bendability / 10.0).ln() / (most_bendability(tau) / 10.0).ln(),
     ]
+}
+
+/// Where a hinge is in R*, 0 to 1.
+fn place_of_radius(r_star: f64) -> f64 {
+    (r_star / SHARPEST).ln_1p() / (MOST_R_STAR / SHARPEST).ln_1p()
 }
 
 /// The quantities at a place of the series.

@@ -2,7 +2,7 @@
 
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::section::arms::{ArmsByArc, arms};
-use crate::mechanics::hinge::section::table::{SectionEntry, SectionTable};
+use crate::mechanics::hinge::section::table::{RadiusSeries, SectionEntry, SectionTable};
 use crate::mechanics::hinge::section::{LEAST_LAMBDA, MOST_R_STAR};
 use crate::mechanics::hinge::{
     Arms, Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star,
@@ -13,10 +13,10 @@ const MOST_LAMBDA: f64 = 3.0;
 
 /// The section at one pressure, for the hinges of one star. Hinges of other R* are looked up each time.
 #[derive(Clone, Copy, Debug)]
-pub struct Tabled<'a> {
-    table: &'a SectionTable,
-    /// 1/eps, t/W, nu.
-    scales: [f64; 3],
+pub struct Tabled {
+    series: RadiusSeries,
+    /// 1/eps and tau.
+    scales: [f64; 2],
     known: [Known; 2],
 }
 
@@ -28,38 +28,34 @@ struct Known {
     arms: Option<ArmsByArc>,
 }
 
-impl<'a> Tabled<'a> {
+impl Tabled {
     /// The section at 1/eps = `bendability` of fabric of thickness t/W = `thickness` and Poisson ratio `poisson`, with
     /// hinges of R* = `r_stars`.
     ///
     /// # Errors
     /// As for [`SectionTable::at`].
     pub fn new(
-        table: &'a SectionTable,
+        table: &SectionTable,
         [bendability, thickness, poisson]: [f64; 3],
         r_stars: [f64; 2],
     ) -> Result<Self, HingeFault> {
-        let scales = [bendability, thickness, poisson];
-        let one = known(table, scales, r_stars[0])?;
-        let other = if r_stars[0] == r_stars[1] { one } else { known(table, scales, r_stars[1])? };
-        Ok(Self { table, scales, known: [one, other] })
+        let series = table.along_radii(bendability, thickness, poisson)?;
+        let scales = [bendability, thickness / (12.0 * (1.0 - poisson * poisson)).sqrt()];
+        let one = known(&series, scales, r_stars[0])?;
+        let other = if r_stars[0] == r_stars[1] { one } else { known(&series, scales, r_stars[1])? };
+        Ok(Self { series, scales, known: [one, other] })
     }
 
     fn at(&self, r_star: f64) -> Result<Known, HingeFault> {
         match self.known.iter().find(|known| known.r_star == r_star) {
             Some(known) => Ok(*known),
-            None => known(self.table, self.scales, r_star),
+            None => known(&self.series, self.scales, r_star),
         }
     }
 }
 
-fn known(
-    table: &SectionTable,
-    [bendability, thickness, poisson]: [f64; 3],
-    r_star: f64,
-) -> Result<Known, HingeFault> {
-    let entry = table.at(bendability, thickness, poisson, r_star)?;
-    let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
+fn known(series: &RadiusSeries, [bendability, tau]: [f64; 2], r_star: f64) -> Result<Known, HingeFault> {
+    let entry = series.at(r_star)?;
     Ok(Known { r_star, entry, arms: arms(bendability, tau, r_star) })
 }
 
@@ -93,7 +89,7 @@ impl Known {
     }
 }
 
-impl HingeModel for Tabled<'_> {
+impl HingeModel for Tabled {
     fn level(&self) -> Level {
         Level::Section
     }
@@ -122,7 +118,7 @@ mod tests {
     use super::*;
     use crate::mechanics::hinge::section::Section;
 
-    fn pair(table: &SectionTable, scales: [f64; 3], r_star: f64) -> (Tabled<'_>, Section) {
+    fn pair(table: &SectionTable, scales: [f64; 3], r_star: f64) -> (Tabled, Section) {
         let tabled = Tabled::new(table, scales, [r_star, r_star]).expect("in range");
         (tabled, Section::new(scales[0], scales[1], scales[2]).expect("in range"))
     }
@@ -132,7 +128,7 @@ mod tests {
         let table = SectionTable::shipped().expect("whole");
         for scales in [[330.0, 0.015, 0.39], [1500.0, 0.01, 0.39], [500.0, 0.02, 0.2]] {
             for r_star in [0.02, 0.1, 0.7] {
-                let (fast, slow) = pair(&table, scales, r_star);
+                let (fast, slow) = pair(table, scales, r_star);
                 let (a, b) = (fast.target(r_star).expect("at rest"), slow.target(r_star).expect("at rest"));
                 assert!((a.lambda - b.lambda).abs() < SectionTable::COILING_ERROR);
                 assert!((a.curvature / b.curvature - 1.0).abs() < SectionTable::STIFFNESS_ERROR);
@@ -148,7 +144,7 @@ mod tests {
     #[test]
     fn moments_lead_on_beyond_the_tables_ends_and_their_slopes_are_theirs() {
         let table = SectionTable::shipped().expect("whole");
-        let (tabled, _) = pair(&table, [900.0, 0.012, 0.39], 0.1);
+        let (tabled, _) = pair(table, [900.0, 0.012, 0.39], 0.1);
         let rest = tabled.target(0.1).expect("at rest").lambda;
         let slope = |lambda| tabled.state(0.1, lambda).expect("covered").slope;
         let mut before = f64::INFINITY;
