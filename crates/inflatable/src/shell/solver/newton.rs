@@ -90,7 +90,7 @@ pub struct Solver {
     held: ControlledSolve,
     /// The lever's multiplier at the last equilibrium: forces + multiplier c = 0.
     pub multiplier: f64,
-    factor: Factor,
+    pub(super) factor: Factor,
     step: Vec<f64>,
     /// What a shift adds to each unknown's diagonal.
     springs: Vec<f64>,
@@ -178,7 +178,7 @@ impl Solver {
         Err(Stop::Contact)
     }
 
-    fn linearise(&mut self, state: &State, pressure: f64) -> Energy {
+    pub(super) fn linearise(&mut self, state: &State, pressure: f64) -> Energy {
         let mut energy = self.assembly.linearise(state, pressure);
         if let Some(contact) = &self.contact {
             contact.add(state, &mut self.assembly);
