@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let (e, nu) = (128e6, 0.39);
         let fabric = Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu };
         let start = std::time::Instant::now();
-        for chamber in chambers(&outline, &[], &outline[1..])? {
+        for chamber in chambers(&outline, &[], &[Path::closed(vec![Arc::new(Point::ORIGIN, 0.01, 0.0, TAU).into()])])? {
             let case = FlatRegion { chamber, fabric, pressure: p, band: 0.003 };
             println!("{name}");
             match region(&case, fineness, &Watch::default()) {

@@ -110,7 +110,8 @@ impl Chamber {
         }
         for weld in &region.welds {
             let middle = weld.curve.point(0.5);
-            if !self.has_fabric(middle) && self.curves().all(|path| path.distance(middle) > MEETS) {
+            let mut rims = self.curves().take(1 + holes);
+            if !self.has_fabric(middle) && rims.all(|rim| rim.distance(middle) > MEETS) {
                 return Err(MeshFault::Outside { at: [middle.x, middle.y] });
             }
         }

@@ -14,6 +14,8 @@ mod seams;
 mod stability;
 mod supports;
 mod surface;
+#[cfg(test)]
+mod tests;
 
 pub use answer::{InflatedRegion, Seam, SeamPull, Wrinkles};
 pub use chambers::{FlatRegion, chambers};

@@ -8,8 +8,6 @@ use crate::shell::mesh::{Border, Chamber, Meshed};
 pub(super) struct Sealed {
     /// Points at z = 0.
     pub(super) points: Vec<bool>,
-    /// Triangles on islands.
-    pub(super) welded: Vec<bool>,
     /// Edges of islands, and on welds.
     pub(super) welds: Vec<usize>,
 }
@@ -22,17 +20,15 @@ impl Sealed {
             let [a, b, c] = corners.map(|corner| mesh.points[corner]);
             Point::new((a[0] + b[0] + c[0]) / 3.0, (a[1] + b[1] + c[1]) / 3.0)
         };
-        let welded: Vec<bool> =
-            mesh.triangles.iter().map(|corners| chamber.is_welded(middle(corners))).collect();
         let mut points = vec![false; mesh.points.len()];
         for (edge, _) in mesh.edges.iter().zip(&meshed.piece_of).filter(|(_, piece)| piece.is_some()) {
             edge.ends.into_iter().for_each(|end| points[end] = true);
         }
-        for (corners, _) in mesh.triangles.iter().zip(&welded).filter(|(_, welded)| **welded) {
+        for corners in mesh.triangles.iter().filter(|corners| chamber.is_welded(middle(corners))) {
             corners.iter().for_each(|corner| points[*corner] = true);
         }
         let is_weld = |edge: &usize| meshed.piece_of[*edge].is_some() && mesh.edges[*edge].border.is_none();
-        Self { points, welded, welds: (0..mesh.edges.len()).filter(is_weld).collect() }
+        Self { points, welds: (0..mesh.edges.len()).filter(is_weld).collect() }
     }
 }
 
