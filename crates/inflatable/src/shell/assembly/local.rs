@@ -4,7 +4,6 @@ use crate::shell::assembly::numbering::LOCAL;
 use crate::shell::assembly::sheet::{Beyond, Piece, Sheet};
 use crate::shell::assembly::supports::Supports;
 use crate::shell::element::fold::Facet;
-use crate::shell::element::membrane::Membrane;
 use crate::shell::element::vector::{Vector, dot, times};
 use crate::shell::element::{LAST, NEXT, Square, volume};
 
@@ -65,7 +64,7 @@ impl Slopes {
 /// What the energy of a triangle's corners alone brings: membrane, pressure, and the moments `turning` on its folds.
 fn own(sheet: &Sheet, piece: &Piece, x: [Vector; 3], facet: &Facet, loads: Loads) -> Square {
     let mut hessian = [[0.0; 9]; 9];
-    let membrane = Membrane::new(sheet.fabric, &piece.flat, x);
+    let membrane = sheet.membrane(piece, x);
     let (strain, stress) = membrane.rows(sheet.fabric, &piece.flat);
     for a in 0..9 {
         for b in 0..9 {

@@ -12,14 +12,13 @@ mod supports;
 mod tests;
 mod unknowns;
 
-pub use sheet::{Sheet, State};
+pub use sheet::{Compression, Sheet, State};
 pub use supports::{Plane, Supports};
 
 use crate::shell::assembly::local::{Loads, Local};
 use crate::shell::assembly::numbering::{LOCAL, NONE, Numbering, Pattern};
 use crate::shell::assembly::sheet::{Beyond, Piece};
 use crate::shell::element::fold::{Facet, fold, mirror_fold};
-use crate::shell::element::membrane::Membrane;
 use crate::shell::element::vector::{dot, minus};
 use crate::shell::element::{LAST, NEXT, volume};
 
@@ -122,7 +121,7 @@ impl Assembly {
             });
             let k = &piece.stiffness;
             *moments = std::array::from_fn(|i| k[i][0] * alpha[0] + k[i][1] * alpha[1] + k[i][2] * alpha[2]);
-            energy.membrane += Membrane::new(self.sheet.fabric, &piece.flat, x).energy(&piece.flat);
+            energy.membrane += self.sheet.membrane(piece, x).energy(&piece.flat);
             energy.bending += dot(alpha, *moments) / 2.0;
             energy.volume += volume::volume(x);
         }
@@ -165,7 +164,7 @@ impl Assembly {
         for (piece, facet) in self.sheet.pieces.iter().zip(&self.facets) {
             let x = piece.corners.map(|corner| state.points[corner]);
             let mut gradient = [0.0; 9];
-            Membrane::new(self.sheet.fabric, &piece.flat, x).add_gradient(&piece.flat, &mut gradient);
+            self.sheet.membrane(piece, x).add_gradient(&piece.flat, &mut gradient);
             volume::add_gradient(x, -pressure, &mut gradient);
             for i in 0..3 {
                 let weights = facet.weights(i);

@@ -1,7 +1,8 @@
 //! A mesh as the sums over its triangles see it: everything that no solve changes.
 
 use crate::shell::element::bending;
-use crate::shell::element::membrane::Flat;
+use crate::shell::element::membrane::{Flat, Membrane};
+use crate::shell::element::vector::Vector;
 use crate::shell::element::{Fabric, LAST, NEXT};
 use crate::shell::mesh::{Border, Mesh};
 
@@ -42,6 +43,18 @@ pub struct Sheet {
     pub(crate) edge_count: usize,
     /// Points, then edges, in an order in which little fills in as they are eliminated.
     pub(crate) order: Vec<usize>,
+    /// How it bears compression within its plane.
+    pub(crate) compression: Compression,
+}
+
+/// How a sheet bears compression within its plane.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Compression {
+    /// As it bears tension, until it buckles in wrinkles that the mesh must resolve.
+    #[default]
+    Elastic,
+    /// Hardly: it gives way in wrinkles that are too fine for the mesh, of which the shape is the mean. With this part of its stiffness.
+    Wrinkled(f64),
 }
 
 impl Sheet {
@@ -61,6 +74,39 @@ impl Sheet {
             areas,
             edge_count: mesh.edges.len(),
             order: mesh.elimination_order(),
+            compression: Compression::Elastic,
+        }
+    }
+
+    /// The stretched triangle `piece` with its corners at `corners`.
+    pub(crate) fn membrane(&self, piece: &Piece, corners: [Vector; 3]) -> Membrane {
+        match self.compression {
+            Compression::Elastic => Membrane::new(self.fabric, &piece.flat, corners),
+            Compression::Wrinkled(left) => Membrane::wrinkled(self.fabric, &piece.flat, corners, left),
+        }
+    }
+
+    /// One of its triangles with its corners at `corners`.
+    pub(crate) fn stretched(&self, triangle: usize, corners: [Vector; 3]) -> Membrane {
+        self.membrane(&self.pieces[triangle], corners)
+    }
+
+    /// Lets the triangles on both sides of `edge` turn freely there, as at a rim: the director of each takes the angle that costs least,
+    /// which is no unknown.
+    pub fn release(&mut self, edge: usize) {
+        for piece in self.pieces.iter_mut().filter(|piece| piece.edges.contains(&edge)) {
+            for i in (0..3).filter(|i| piece.edges[*i] == edge) {
+                let k = piece.stiffness;
+                if k[i][i] > 0.0 {
+                    let without = |a: usize, b: usize| k[a][b] - k[a][i] * k[i][b] / k[i][i];
+                    piece.stiffness = std::array::from_fn(|a| std::array::from_fn(|b| without(a, b)));
+                }
+                for j in 0..3 {
+                    (piece.stiffness[i][j], piece.stiffness[j][i]) = (0.0, 0.0);
+                }
+                (piece.beyond[i], piece.lean[i]) = (Beyond::Nothing, 0.0);
+            }
+            piece.twins = twins(&piece.beyond);
         }
     }
 
@@ -111,10 +157,14 @@ fn piece(mesh: &Mesh, fabric: Fabric, t: usize) -> Piece {
             _ => -1.0,
         };
     }
+    let twins = twins(&beyond);
+    Piece { corners, edges, beyond, lean, flat, stiffness: bending::stiffness(fabric, &flat), twins }
+}
+
+fn twins(beyond: &[Beyond; 3]) -> [bool; 3] {
     let far =
         beyond.map(|beyond| if let Beyond::Neighbour { corner, .. } = beyond { Some(corner) } else { None });
-    let twins = std::array::from_fn(|i| far[NEXT[i]].is_some() && far[NEXT[i]] == far[LAST[i]]);
-    Piece { corners, edges, beyond, lean, flat, stiffness: bending::stiffness(fabric, &flat), twins }
+    std::array::from_fn(|i| far[NEXT[i]].is_some() && far[NEXT[i]] == far[LAST[i]])
 }
 
 fn neighbour(mesh: &Mesh, triangle: usize, edge: usize) -> Beyond {

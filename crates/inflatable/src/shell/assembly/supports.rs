@@ -59,8 +59,7 @@ impl Supports {
     ///
     /// A border on a plane that `planes` does not have is not held.
     pub fn new(mesh: &Mesh, planes: Vec<Plane>) -> Self {
-        let free = Hold { axes: SPACE, fixed: [false; 3], plane: None };
-        let mut supports = Self { planes, holds: vec![free; mesh.points.len()] };
+        let mut supports = Self { planes, ..Self::none(mesh.points.len()) };
         for edge in &mesh.edges {
             for point in edge.ends {
                 match edge.border {
@@ -71,6 +70,12 @@ impl Supports {
             }
         }
         supports
+    }
+
+    /// What holds nothing of a sheet of `count` points.
+    pub fn none(count: usize) -> Self {
+        let free = Hold { axes: SPACE, fixed: [false; 3], plane: None };
+        Self { planes: Vec::new(), holds: vec![free; count] }
     }
 
     /// Holds `point` along one of its axes: 0 along its mirror plane (or x), 1 across it (or y), 2 upwards.

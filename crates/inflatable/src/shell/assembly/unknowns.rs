@@ -61,6 +61,17 @@ impl Assembly {
         springs
     }
 
+    /// For each unknown the flat area that its point stands for; 0 for a director.
+    pub(crate) fn masses(&self) -> Vec<f64> {
+        let mut masses = vec![0.0; self.numbering.count];
+        for (numbers, area) in self.numbering.points.iter().zip(&self.sheet.areas) {
+            for number in numbers.iter().filter(|number| **number != NONE) {
+                masses[*number as usize] = *area;
+            }
+        }
+        masses
+    }
+
     /// Flat area of each point, 0 for those that are held in the plane `wall`.
     pub(crate) fn contact_areas(&self, wall: Option<Plane>) -> Vec<f64> {
         let is_held = |point: usize| {

@@ -1,6 +1,6 @@
 //! The paper's V-actuator: two arms, one hinge, sealed ends.
 
-use crate::shell::assembly::{Plane, Supports};
+use crate::shell::assembly::{Plane, Sheet, Supports};
 use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::bend::{Bend, angle_of};
 use crate::shell::cases::fault::{Input, ShellFault};
@@ -8,7 +8,7 @@ use crate::shell::cases::refinement::{Evidence, Family, Watch};
 use crate::shell::cases::shape::Shape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
-use crate::shell::mesh::{Border, HalfActuator, Mesh, Sizes, plane};
+use crate::shell::mesh::{Border, HalfActuator, Mesh, Meshed, Sizes, plane};
 use crate::shell::solver::{Equilibrium, Solver};
 use std::f64::consts::PI;
 
@@ -105,7 +105,8 @@ pub fn actuator(
         return Err(ShellFault::TooMany { name: "angles", found: angles.len(), most: MOST_ANGLES });
     }
     let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
-    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &supports, obstacles: &[] };
+    let hold = |meshed: &Meshed, _: &mut Sheet| supports(&meshed.mesh);
+    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[], from_above: false };
     let mut shape = Shape::default();
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
         let line = arm_line(&half, &meshed.mesh);

@@ -3,13 +3,13 @@
 //! At the turning angle a = lambda arc the sheet's energy is Pi(a), and by the envelope dPi/da is its change with every
 //! point held but those of the turned plane. At rest it vanishes; C alpha_0 = 2 arc d2Pi/da2 for both sheets, whatever arc is.
 
-use crate::shell::assembly::{Plane, State, Supports};
+use crate::shell::assembly::{Plane, Sheet, State, Supports};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::refinement::{Evidence, Family, Watch};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
-use crate::shell::mesh::{self, Border, Mesh, Sizes, plane};
+use crate::shell::mesh::{self, Border, Mesh, Meshed, Sizes, plane};
 use crate::shell::solver::{Aim, Solver, Stop};
 
 /// A hinge without arms.
@@ -51,8 +51,8 @@ pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCe
     case.tube.check()?;
     let region = mesh::Cell { r: case.radius / case.tube.width, w: 1.0, arc: case.arc };
     let coarsest = region.mesh(&Sizes::across(1.0, fineness.cells))?;
-    let hold = |mesh: &Mesh| Supports::new(mesh, vec![Plane::first(), Plane::second(case.arc)]);
-    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[] };
+    let hold = |meshed: &Meshed, _: &mut Sheet| Supports::new(&meshed.mesh, vec![Plane::first(), Plane::second(case.arc)]);
+    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[], from_above: false };
     let ([lambda, stiffness], evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
         let turning = Turning {
             arc: case.arc,

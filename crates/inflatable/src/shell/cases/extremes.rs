@@ -2,7 +2,6 @@
 
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::value::Value;
-use crate::shell::element::membrane::Membrane;
 use crate::shell::mesh::{Border, Mesh};
 use std::collections::BTreeMap;
 
@@ -52,7 +51,7 @@ pub(crate) fn extremes(sheet: &Sheet, mesh: &Mesh, state: &State) -> Extremes {
     let mut worst = Extremes::default();
     for (triangle, corners) in mesh.triangles.iter().enumerate() {
         let flat = sheet.flat_triangle(triangle);
-        let membrane = Membrane::new(sheet.fabric(), flat, corners.map(|corner| state.points[corner]));
+        let membrane = sheet.stretched(triangle, corners.map(|corner| state.points[corner]));
         let middle = [0, 1].map(|c| corners.iter().map(|corner| mesh.points[*corner][c]).sum::<f64>() / 3.0);
         let stretch = membrane.principal()[1][0];
         if stretch > worst.stretch {

@@ -7,7 +7,7 @@ use crate::shell::element::bending;
 use crate::shell::element::membrane::Flat;
 use crate::shell::element::{LAST, NEXT};
 use crate::shell::mesh::{Border, Edge, HalfSector, Mesh, Sizes};
-use crate::shell::solver::{Equilibrium, Solver, Stop};
+use crate::shell::solver::{Equilibrium, Solver, Stop, rigid_motions};
 use std::collections::BTreeMap;
 
 /// Flat places that are nearer are one point, W.
@@ -149,74 +149,6 @@ fn held_in_space(mesh: &Mesh) -> Supports {
     supports
 }
 
-/// A field of vectors on the points.
-type Field = Vec<[f64; 3]>;
-
-/// Sum of products, each point counted by its area.
-fn product(sheet: &Sheet, a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
-    let terms = sheet.areas.iter().zip(a.iter().zip(b));
-    terms.map(|(area, (a, b))| area * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2])).sum()
-}
-
-/// The six motions of the shape as a whole, orthonormal.
-fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]]) -> Vec<Field> {
-    let raw = |k: usize, [x, y, z]: [f64; 3]| match k {
-        0 => [1.0, 0.0, 0.0],
-        1 => [0.0, 1.0, 0.0],
-        2 => [0.0, 0.0, 1.0],
-        3 => [0.0, -z, y],
-        4 => [z, 0.0, -x],
-        _ => [-y, x, 0.0],
-    };
-    let mut motions: Vec<Field> = Vec::new();
-    for k in 0..6 {
-        let mut field: Field = points.iter().map(|x| raw(k, *x)).collect();
-        take_off(sheet, &motions, &mut field);
-        let size = product(sheet, &field, &field).sqrt();
-        field.iter_mut().flatten().for_each(|x| *x /= size);
-        motions.push(field);
-    }
-    motions
-}
-
-fn take_off(sheet: &Sheet, motions: &[Field], field: &mut Field) {
-    for motion in motions {
-        let part = product(sheet, motion, field);
-        for (x, r) in field.iter_mut().zip(motion) {
-            (0..3).for_each(|c| x[c] -= part * r[c]);
-        }
-    }
-}
-
-/// The lowest eigenvalue of the last Hessian: of twice the energy over the square of the displacement, summed over the sheets' area. `motions` cost
-/// nothing and are left out. By inverse iteration from a field without any symmetry; also its mode.
-fn lowest_eigenvalue(solver: &mut Solver, motions: &[Field]) -> (f64, Field) {
-    let points = solver.assembly.sheet.points.len();
-    let mut field: Field =
-        (0_u32..).take(points).map(|k| [0.7, 1.3, 2.1].map(|c| (c * f64::from(k) + c).sin())).collect();
-    let mut value = f64::NAN;
-    for _ in 0..60 {
-        let sheet = &solver.assembly.sheet;
-        take_off(sheet, motions, &mut field);
-        let size = product(sheet, &field, &field).sqrt();
-        field.iter_mut().flatten().for_each(|x| *x /= size);
-        let loads: Vec<(usize, [f64; 3])> = (0..)
-            .zip(field.iter().zip(&sheet.areas))
-            .map(|(k, (x, area))| (k, x.map(|x| area * x)))
-            .collect();
-        let mut answer = solver.assembly.project(&loads);
-        solver.solve(&mut answer);
-        let mut moved =
-            State { points: vec![[0.0; 3]; points], leans: vec![0.0; solver.assembly.sheet.edge_count] };
-        solver.assembly.advance(&mut moved, &answer, 1.0);
-        let sheet = &solver.assembly.sheet;
-        take_off(sheet, motions, &mut moved.points);
-        value = 1.0 / product(sheet, &field, &moved.points);
-        field = moved.points;
-    }
-    (value, field)
-}
-
 /// Half a sector of the paper's star with `points` points and this tip angle at `pressure`, from flat.
 fn half_a_sector(sector: &HalfSector, pressure: f64, cells: f64) -> (Mesh, Solver, Equilibrium) {
     let tube = tube(0.03, pressure);
@@ -236,7 +168,8 @@ fn whole(points: u32, tip_angle: f64, pressure: f64, cells: f64) -> [f64; 2] {
     let nearest = equilibrium.state.points.iter().map(|x| tip.distance(*x)).fold(f64::INFINITY, f64::min);
     assert!(nearest > -1e-9, "arms that touch are another case");
     let Whole { sheet, supports, mut state } = Whole::new(&sector, &mesh, &half, &equilibrium.state);
-    let of_half = lowest_eigenvalue(&mut half, &[]).0;
+    let of_half =
+        half.lowest_eigenvalue(&equilibrium.state, equilibrium.pressure, &[]).expect("an eigenvalue");
     let mut solver = Solver::new(sheet, supports).expect("small");
     // The copies fit together: what is at rest as half a sector is at rest as a whole, with as many times the volume.
     let energy = solver.assembly.differentiate(&state, equilibrium.pressure);
@@ -260,8 +193,9 @@ fn whole(points: u32, tip_angle: f64, pressure: f64, cells: f64) -> [f64; 2] {
         Err(why @ (Stop::Unstable | Stop::Shift)) => panic!("{points} points at {pressure} Pa: {why:?}"),
         Err(why) => panic!("{why:?}"),
     }
-    let motions = rigid_motions(&solver.assembly.sheet, &state.points);
-    let of_whole = lowest_eigenvalue(&mut solver, &motions).0;
+    let motions = rigid_motions(&solver.assembly.sheet, &state.points, &[0, 1, 2, 3, 4, 5]);
+    let of_whole =
+        solver.lowest_eigenvalue(&state, equilibrium.pressure, &motions).expect("an eigenvalue");
     println!(
         "{points} points, {} kPa, {} unknowns: lowest eigenvalue {:.4} p/W, of half a sector {:.4} p/W",
         1e-3 * pressure,

@@ -17,6 +17,7 @@ mod fault;
 mod full_star;
 mod pressures;
 mod refinement;
+mod region;
 mod shape;
 mod star;
 #[cfg(test)]
@@ -30,6 +31,7 @@ pub use extremes::Extremes;
 pub use fault::{Input, ShellFault};
 pub use pressures::{Inflation, inflations};
 pub use refinement::{Evidence, Progress, Watch};
+pub use region::{FlatRegion, InflatedRegion, Seam, SeamPull, Surface, Wrinkles, chambers, region};
 pub use shape::Shape;
 pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, Objects, star, star_by_sizes};
 pub use tube::Tube;

@@ -6,7 +6,7 @@ use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::contact::{Contact, Obstacle};
 use crate::shell::mesh::{Mesh, Meshed};
-use crate::shell::solver::{Broken, Effort, Equilibrium, Solver, Stop};
+use crate::shell::solver::{Aim, Broken, Effort, Equilibrium, Rest, Solver, Stop};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -47,8 +47,12 @@ pub(crate) struct Family<'a> {
     pub(crate) coarsest: Meshed,
     /// How often its triangles are cut into four; at least 2.
     pub(crate) cuts: usize,
-    pub(crate) hold: &'a dyn Fn(&Mesh) -> Supports,
+    /// What holds a mesh; it may change how the sheet bears what it bears.
+    pub(crate) hold: &'a dyn Fn(&Meshed, &mut Sheet) -> Supports,
     pub(crate) obstacles: &'a [Obstacle],
+    /// Whether each mesh begins at a pressure that stretches it, and is let down from there, instead of being pressurised from flat: what
+    /// suits sheets that bear no compression.
+    pub(crate) from_above: bool,
 }
 
 /// An equilibrium beside that at the pressure alone: with something pressed into it.
@@ -113,8 +117,9 @@ impl Family<'_> {
 
     fn solver(&self, meshed: &Meshed, watch: &Watch) -> Result<Solver, ShellFault> {
         let mesh = &meshed.mesh;
-        let sheet = Sheet::new(mesh, self.tube.scaled());
-        let mut solver = Solver::new(sheet, (self.hold)(mesh))
+        let mut sheet = Sheet::new(mesh, self.tube.scaled());
+        let supports = (self.hold)(meshed, &mut sheet);
+        let mut solver = Solver::new(sheet, supports)
             .ok_or(ShellFault::TooLarge { triangles: mesh.triangles.len() })?;
         if !self.obstacles.is_empty() {
             solver.contact = Some(Contact::new(&solver.assembly, self.obstacles.to_vec()));
@@ -124,12 +129,45 @@ impl Family<'_> {
     }
 
     fn pressurise(&self, solver: &mut Solver, watch: &Watch) -> Result<Equilibrium, ShellFault> {
+        if self.from_above {
+            let flat = solver.assembly.sheet.flat();
+            return self.let_down(solver, flat);
+        }
         let continuation = self.tube.continuation();
         let all = (continuation.last / continuation.first).ln().max(1e-9);
         let told = |equilibrium: &Equilibrium| {
             watch.tell(part(self.cuts) * (equilibrium.pressure / continuation.first).ln() / all, "from flat");
         };
         continuation.run(solver, told).map_err(|broken| self.broken(broken, solver.triangles()))
+    }
+
+    /// From `state` to the equilibrium at a pressure that stretches the sheet well, and down from there.
+    fn let_down(&self, solver: &mut Solver, mut state: State) -> Result<Equilibrium, ShellFault> {
+        let continuation = self.tube.continuation();
+        let mut pressure = continuation.last.max(WELL_STRETCHED);
+        let (mut below, mut ratio) = (None::<Equilibrium>, DOWN);
+        loop {
+            match rest_in_rounds(solver, &mut state, continuation.aim(pressure)) {
+                Ok(rest) => {
+                    if pressure <= continuation.last {
+                        return Ok(Equilibrium { pressure, state, rest });
+                    }
+                    below = Some(Equilibrium { pressure, state: state.clone(), rest });
+                    ratio = (ratio * ratio).max(DOWN);
+                }
+                Err(why) => {
+                    ratio = ratio.sqrt();
+                    let Some(last) = below.as_ref().filter(|_| why != Stop::Cancelled && ratio < LEAST_DOWN)
+                    else {
+                        let last = below.map(Box::new);
+                        return Err(self.broken(Broken { pressure, why, last }, solver.triangles()));
+                    };
+                    state.clone_from(&last.state);
+                }
+            }
+            let from = below.as_ref().map_or(pressure, |below| below.pressure);
+            pressure = (from * ratio).max(continuation.last);
+        }
     }
 
     fn broken(&self, Broken { pressure, why, last }: Broken, triangles: usize) -> ShellFault {
@@ -151,6 +189,14 @@ impl Family<'_> {
         watch: &Watch,
     ) -> Result<Equilibrium, ShellFault> {
         let continuation = self.tube.continuation();
+        if self.from_above {
+            let mut state = coarse.assembly.prolong(&equilibrium.state, &fine.assembly.sheet);
+            fine.assembly.hold(&mut state);
+            return match self.let_down(fine, state) {
+                Err(ShellFault::Stopped { .. }) => self.pressurise(fine, watch),
+                found => found,
+            };
+        }
         let (mut lower, mut pressure) = (equilibrium.state.clone(), continuation.last);
         for _ in 0..MOST_LET_DOWN {
             let finer: &Assembly = &fine.assembly;
@@ -170,6 +216,27 @@ impl Family<'_> {
         self.pressurise(fine, watch)
     }
 }
+
+/// Newton's method for as many rounds as wrinkles need that come and go.
+fn rest_in_rounds(solver: &mut Solver, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
+    let mut found = Err(Stop::Iterations);
+    for _ in 0..MOST_ROUNDS {
+        found = solver.rest(state, aim);
+        if found != Err(Stop::Iterations) {
+            break;
+        }
+    }
+    found
+}
+
+/// p W/Y from which a sheet that bears no compression is let down: from flat and from a coarser mesh it comes to rest there within some ten
+/// steps, and at a hundredth of it hardly at all.
+const WELL_STRETCHED: f64 = 0.02;
+/// Factor of pressure from one equilibrium to the next on the way down, and the one nearest to 1.
+const DOWN: f64 = 0.4;
+const LEAST_DOWN: f64 = 0.95;
+/// Rounds of Newton's method for one of them.
+const MOST_ROUNDS: u32 = 4;
 
 /// How often a coarse sheet is let down to begin a finer one, and the factor of pressure each time.
 const MOST_LET_DOWN: usize = 4;

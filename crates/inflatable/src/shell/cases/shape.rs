@@ -2,7 +2,6 @@
 
 use crate::shell::assembly::State;
 use crate::shell::cases::tube::Tube;
-use crate::shell::element::membrane::Membrane;
 use crate::shell::mesh::{Field, FieldFault, Mesh, vtu};
 use crate::shell::solver::Solver;
 
@@ -32,7 +31,7 @@ impl Shape {
         let principal: Vec<[[f64; 2]; 2]> = (mesh.triangles.iter().enumerate())
             .map(|(triangle, corners)| {
                 let corners = corners.map(|corner| state.points[corner]);
-                Membrane::new(sheet.fabric(), sheet.flat_triangle(triangle), corners).principal()
+                sheet.stretched(triangle, corners).principal()
             })
             .collect();
         Self {

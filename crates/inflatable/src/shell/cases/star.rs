@@ -1,6 +1,6 @@
 //! The star: half a sector of it between a reentrant corner's plane of symmetry and a tip's.
 
-use crate::shell::assembly::{Plane, State, Supports};
+use crate::shell::assembly::{Plane, Sheet, State, Supports};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::extremes::{self, Extremes};
@@ -10,7 +10,7 @@ use crate::shell::cases::shape::Shape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::contact::Obstacle;
-use crate::shell::mesh::{Border, HalfSector, Mesh, Sizes, plane};
+use crate::shell::mesh::{Border, HalfSector, Mesh, Meshed, Sizes, plane};
 use crate::shell::solver::{Aim, Equilibrium, Solver, Stop};
 
 /// A flat star, SI units and radians.
@@ -136,8 +136,8 @@ pub fn star_by_sizes(
     let coarsest = sector.mesh(sizes)?;
     let planes = [Plane::first(), Plane::second(sector.half_angle())];
     let obstacles = [Obstacle::Wall(planes[0]), Obstacle::Wall(planes[1]), Obstacle::Post { radius: 0.0 }];
-    let hold = |mesh: &Mesh| Supports::new(mesh, planes.to_vec());
-    let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles };
+    let hold = |meshed: &Meshed, _: &mut Sheet| Supports::new(&meshed.mesh, planes.to_vec());
+    let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
     let (mut worst, mut shape) = (Extremes::default(), Shape::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
         let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];

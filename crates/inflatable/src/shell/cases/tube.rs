@@ -16,12 +16,14 @@ pub struct Tube {
     pub pressure: f64,
 }
 
+/// t/W below which no tube was tried.
+const THINNEST: f64 = 1e-4;
 /// t/W beyond which the sheet is no thin shell.
 const THICKEST: f64 = 0.03;
 /// p W/Y beyond which strains are no longer small.
 const MOST_STRETCHED: f64 = 0.1;
 /// 1/eps up to which the shell was tried.
-const MOST_BENDABLE: f64 = 5000.0;
+pub(crate) const MOST_BENDABLE: f64 = 5000.0;
 /// Poisson's ratios that fabrics have.
 const MOST_POISSON: f64 = 0.499;
 /// Least norm of residuals, by Y W: 1e-16 a force of order one, of a hundred thousand.
@@ -47,6 +49,11 @@ impl Tube {
     /// # Errors
     /// If it is no tube, or one that a thin shell of small strains does not describe.
     pub(crate) fn check(&self) -> Result<(), ShellFault> {
+        self.check_within(THINNEST, MOST_BENDABLE)
+    }
+
+    /// The same with other limits of t/W from below and of 1/eps from above.
+    pub(crate) fn check_within(&self, thinnest: f64, most_bendable: f64) -> Result<(), ShellFault> {
         let range = |name, found, least: f64, most: f64| {
             if spans(&(least..=most), found) {
                 Ok(())
@@ -58,8 +65,8 @@ impl Tube {
         range(Input::Poisson, self.fabric.poisson, 0.0, MOST_POISSON)?;
         range(Input::Stretching, self.fabric.stretch, 1e-3, 1e12)?;
         range(Input::Bending, self.fabric.bending, 1e-15, 1e9)?;
-        range(Input::Slenderness, self.slenderness(), 1e-4, THICKEST)?;
-        range(Input::Bendability, self.bendability(), 1.0, MOST_BENDABLE)?;
+        range(Input::Slenderness, self.slenderness(), thinnest, THICKEST)?;
+        range(Input::Bendability, self.bendability(), 1.0, most_bendable)?;
         range(Input::Stretch, self.stretch(), 0.0, MOST_STRETCHED)
     }
 

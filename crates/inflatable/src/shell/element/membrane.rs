@@ -33,6 +33,8 @@ pub struct Membrane {
     pub strain: [f64; 3],
     /// Second Piola-Kirchhoff stress resultants S11, S22, S12, force a unit of flat length.
     pub stress: [f64; 3],
+    /// What the stress answers to changes of E11, E22, 2 E12 where that is not the elastic one.
+    tangent: Option<[[f64; 3]; 3]>,
 }
 
 impl Membrane {
@@ -52,7 +54,42 @@ impl Membrane {
         let nu = fabric.poisson;
         let stress =
             [plane * (strain[0] + nu * strain[1]), plane * (strain[1] + nu * strain[0]), shear * strain[2]];
-        Self { columns, strain, stress }
+        Self { columns, strain, stress, tangent: None }
+    }
+
+    /// The same of a sheet that gives way to compression in fine wrinkles: where one principal stress would be compressive only the
+    /// other is left, Y E_1, and where both would be, none. `left` is the part of the elastic response that remains besides.
+    ///
+    /// The energy is the largest convex one below the elastic one: Pipkin, "The relaxed energy density for isotropic elastic membranes"
+    /// (1986).
+    pub fn wrinkled(fabric: Fabric, flat: &Flat, corners: [Vector; 3], left: f64) -> Self {
+        let elastic = Self::new(fabric, flat, corners);
+        let [e11, e22, double] = elastic.strain;
+        let (mean, half) = (f64::midpoint(e11, e22), ((e11 - e22) / 2.0).hypot(double / 2.0));
+        let (most, least) = (mean + half, mean - half);
+        let nu = fabric.poisson;
+        if least + nu * most >= 0.0 && most > 0.0 {
+            return elastic;
+        }
+        let [plane, shear] = moduli(fabric);
+        let mut tangent =
+            [[plane, nu * plane, 0.0], [nu * plane, plane, 0.0], [0.0, 0.0, shear]].map(|row| row.map(|c| left * c));
+        let mut stress = elastic.stress.map(|s| left * s);
+        if most > 0.0 {
+            let (sine, cosine) = (0.5 * double.atan2(e11 - e22)).sin_cos();
+            // E_1 by E11, E22, 2 E12; and by how much its direction turns.
+            let grows = [cosine * cosine, sine * sine, sine * cosine];
+            let turns = [-sine * cosine, sine * cosine, 0.5 * (cosine * cosine - sine * sine)];
+            let along = (1.0 - left) * fabric.stretch;
+            let aside = along * most / half;
+            for i in 0..3 {
+                stress[i] += along * most * grows[i];
+                for j in 0..3 {
+                    tangent[i][j] += along * grows[i] * grows[j] + aside * turns[i] * turns[j];
+                }
+            }
+        }
+        Self { stress, tangent: Some(tangent), ..elastic }
     }
 
     /// Its energy.
@@ -86,7 +123,10 @@ impl Membrane {
                 for (row, value) in strain.iter_mut().zip([e11, e22, e12]) {
                     row[3 * k + c] = value;
                 }
-                let answers = [plane * (e11 + nu * e22), plane * (e22 + nu * e11), shear * e12];
+                let answers = match self.tangent {
+                    None => [plane * (e11 + nu * e22), plane * (e22 + nu * e11), shear * e12],
+                    Some(c) => c.map(|c| flat.area * (c[0] * e11 + c[1] * e22 + c[2] * e12)),
+                };
                 for (row, value) in stress.iter_mut().zip(answers) {
                     row[3 * k + c] = value;
                 }

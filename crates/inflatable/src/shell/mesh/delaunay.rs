@@ -1,5 +1,5 @@
-//! A region filled with triangles: border points as dense as the sizing asks for, **seeds** within by Delaunay insertion of
-//! circumcentres, evened out by moving each to the middle of its triangles.
+//! A region filled with triangles: points on its border and welds as dense as the sizing asks for, **seeds** within by Delaunay insertion
+//! of circumcentres, evened out by moving each to the middle of its triangles.
 //!
 //! Everything goes by fixed order and exact predicates, so the same region gives the same bits.
 
@@ -10,7 +10,7 @@ use spade::{CdtEdge, ConstrainedDelaunayTriangulation, Point2, PositionInTriangu
 
 use crate::geom::{Point, Segment};
 use crate::shell::mesh::sizing::Sizing;
-use crate::shell::mesh::{MeshFault, Meshed, Region, angles, signed_area};
+use crate::shell::mesh::{MeshFault, Meshed, Piece, Region, angles, signed_area};
 
 type Triangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
@@ -23,6 +23,9 @@ const LARGE: f64 = 0.7;
 
 /// Distance of seeds from the border, by the size asked for: nearer, triangles at the border get flat.
 const CLEAR: f64 = 0.5;
+
+/// Ends of welds that are nearer to a point, in the mesh's unit, are that point.
+const SAME: f64 = 1e-6;
 
 /// Rounds of evening out. Chosen, not tuned.
 const ROUNDS: usize = 20;
@@ -42,38 +45,78 @@ pub(super) fn fill(region: &Region, sizing: &Sizing) -> Result<Meshed, MeshFault
     }
     let seeds = best.1;
     let (points, triangles) = (border.with(&seeds), border.triangles(&seeds)?);
-    Meshed::new(points, triangles, region.pieces.clone(), &border.pieces())
+    let pieces = region.all().copied().collect();
+    Meshed::new(points, triangles, pieces, &border.pieces())
 }
 
-/// The points of a border, counterclockwise, and the piece that runs from each to the next.
+/// The points of a border, counterclockwise, then those of the welds within it, and the edges between them.
 struct BorderPoints {
     points: Vec<Point>,
-    piece: Vec<usize>,
+    /// Ends of each edge and the piece that it lies on; those of the border first, with the region on their left.
+    edges: Vec<([usize; 2], usize)>,
+    /// How many edges are of the border.
+    outer: usize,
 }
 
 impl BorderPoints {
     fn new(region: &Region, sizing: &Sizing) -> Self {
-        let (mut points, mut piece) = (Vec::new(), Vec::new());
-        let before = region.pieces.iter().cycle().skip(region.pieces.len().saturating_sub(1));
-        for (index, (this, before)) in region.pieces.iter().zip(before).enumerate() {
+        let mut border = Self { points: Vec::new(), edges: Vec::new(), outer: 0 };
+        let mut piece = 0;
+        for pieces in std::iter::once(&region.pieces).chain(&region.holes) {
+            border.add_loop(pieces, sizing, piece);
+            piece += pieces.len();
+        }
+        border.outer = border.edges.len();
+        for (index, weld) in region.welds.iter().enumerate() {
+            border.add_weld(sizing.along(&weld.curve), weld.curve.end(), piece + index);
+        }
+        border
+    }
+
+    /// Adds a closed loop, of whose pieces `first` is the first.
+    fn add_loop(&mut self, pieces: &[Piece], sizing: &Sizing, first: usize) {
+        let start = self.points.len();
+        let mut piece = Vec::new();
+        let before = pieces.iter().cycle().skip(pieces.len().saturating_sub(1));
+        for (index, (this, before)) in pieces.iter().zip(before).enumerate() {
             let mut run = sizing.along(&this.curve);
             // A line's ends are given, those of an arc are computed.
             if let (Segment::Line(line), Some(first)) = (before.curve, run.first_mut()) {
                 *first = line.end;
             }
-            piece.extend(run.iter().map(|_| index));
-            points.extend(run);
+            piece.extend(run.iter().map(|_| first + index));
+            self.points.extend(run);
         }
-        Self { points, piece }
+        let count = piece.len();
+        let ends = |at: usize| [start + at, start + (at + 1) % count];
+        self.edges.extend(piece.into_iter().enumerate().map(|(at, piece)| (ends(at), piece)));
     }
 
-    fn next(&self, at: usize) -> usize {
-        (at + 1) % self.points.len()
+    /// Adds a piece of weld through `run` to `end`; points that are there already are shared.
+    fn add_weld(&mut self, run: Vec<Point>, end: Point, piece: usize) {
+        let mut before = None;
+        let last = run.len();
+        for (at, p) in run.into_iter().chain([end]).enumerate() {
+            let is_end = at == 0 || at == last;
+            let same = self.points.iter().position(|q| is_end && q.distance(p) < SAME);
+            let point = same.unwrap_or_else(|| {
+                self.points.push(p);
+                self.points.len() - 1
+            });
+            if let Some(before) = before.filter(|before| *before != point) {
+                self.edges.push(([before, point], piece));
+            }
+            before = Some(point);
+        }
     }
 
     fn pieces(&self) -> BTreeMap<[usize; 2], usize> {
-        let ends = |at: usize| [at.min(self.next(at)), at.max(self.next(at))];
-        self.piece.iter().enumerate().map(|(at, &piece)| (ends(at), piece)).collect()
+        self.edges.iter().map(|&([a, b], piece)| ([a.min(b), a.max(b)], piece)).collect()
+    }
+
+    /// The edges of the border by their points.
+    fn outer(&self) -> impl Iterator<Item = [Point; 2]> + '_ {
+        self.edges[..self.outer].iter().map(|(ends, _)| ends.map(|end| self.points[end]))
     }
 
     /// Border points first, then seeds.
@@ -91,8 +134,7 @@ impl BorderPoints {
             }
         }
         let vertices: Vec<_> = found.fixed_vertices().collect();
-        for at in 0..self.points.len() {
-            let ends = [at, self.next(at)];
+        for &(ends, _) in &self.edges {
             let [a, b] = ends.map(|end| vertices[end]);
             if found.can_add_constraint(a, b) {
                 let _ = found.add_constraint(a, b);
@@ -110,14 +152,17 @@ impl BorderPoints {
         Ok(self.inner(&found))
     }
 
-    /// The triangles to the left of the border, and all that are reached from them without crossing it. (To ask whether a
+    /// The triangles to the left of the border and on both sides of welds, and all that are reached from them without crossing it. (To ask whether a
     /// triangle's middle lies within would fail for flat ones between points of one line.)
     fn inner(&self, found: &Triangles) -> Vec<[usize; 3]> {
         let vertices: Vec<_> = found.fixed_vertices().collect();
         let mut within = vec![false; found.num_all_faces()];
-        let mut open: Vec<_> = (0..self.points.len())
-            .filter_map(|at| found.get_edge_from_neighbors(vertices[at], vertices[self.next(at)]))
-            .filter_map(|edge| edge.face().as_inner())
+        let edges = self.edges.iter().map(|(ends, _)| ends.map(|end| vertices[end]));
+        let edges = edges.filter_map(|[a, b]| found.get_edge_from_neighbors(a, b));
+        let mut open: Vec<_> = edges
+            .enumerate()
+            .flat_map(|(at, edge)| [Some(edge), (at >= self.outer).then(|| edge.rev())])
+            .filter_map(|edge| edge?.face().as_inner())
             .collect();
         while let Some(face) = open.pop() {
             if !std::mem::replace(&mut within[face.index()], true) {
@@ -130,23 +175,22 @@ impl BorderPoints {
     }
 
     fn encloses(&self, p: Point) -> bool {
-        let crosses = |at: usize| {
-            let (a, b) = (self.points[at], self.points[self.next(at)]);
+        let crosses = |&[a, b]: &[Point; 2]| {
             let rises = (a.y <= p.y) != (b.y <= p.y);
             rises && ((b - a).cross(p - a) > 0.0) == (b.y > a.y)
         };
-        (0..self.points.len()).filter(|&at| crosses(at)).count() % 2 == 1
+        self.outer().filter(crosses).count() % 2 == 1
     }
 
-    /// Whether `p` lies within the border, at least `clear` away from it.
+    /// Whether `p` lies within the border, at least `clear` away from it and from welds.
     fn has_room(&self, p: Point, clear: f64) -> bool {
-        let near = |at: usize| {
-            let (a, b) = (self.points[at], self.points[self.next(at)]);
+        let near = |(ends, _): &([usize; 2], usize)| {
+            let [a, b] = ends.map(|end| self.points[end]);
             let along = b - a;
             let t = ((p - a).dot(along) / along.dot(along)).clamp(0.0, 1.0);
             (a + along * t).distance(p) < clear
         };
-        self.encloses(p) && !(0..self.points.len()).any(near)
+        self.encloses(p) && !self.edges.iter().any(near)
     }
 
     /// Seeds until no triangle is too large: the circumcentre of the largest first, pass by pass.

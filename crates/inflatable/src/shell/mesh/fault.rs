@@ -68,6 +68,11 @@ pub enum MeshFault {
         /// How many are allowed.
         most: usize,
     },
+    /// A weld or an island leaves the outline.
+    Outside {
+        /// Where, in the mesh's unit.
+        at: [f64; 2],
+    },
     /// An edge of the border is missing among the triangles: the border meets or crosses itself.
     BorderLost {
         /// The border points between which it should lie.
@@ -105,6 +110,10 @@ impl fmt::Display for MeshFault {
             Self::TooMany { most } => {
                 write!(f, "the mesh would have more than {most} points: ask for larger triangles")
             }
+            Self::Outside { at: [x, y] } => write!(
+                f,
+                "a weld lies outside the outline near ({x:.4}, {y:.4}) by the widest width: end it within or on the outline"
+            ),
             Self::BorderLost { ends: [a, b] } => {
                 write!(f, "the border between its points {a} and {b} is crossed: the region overlaps itself")
             }

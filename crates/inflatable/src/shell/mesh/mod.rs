@@ -5,6 +5,7 @@
 //! All lengths of one mesh have the same unit, whatever it is; border numbers are those of [`rim`] and [`plane`].
 
 mod cases;
+mod chamber;
 mod connect;
 mod delaunay;
 mod fault;
@@ -18,8 +19,10 @@ mod strip;
 mod tests;
 mod unfold;
 mod vtu;
+mod width;
 
 pub use cases::{Cell, HalfActuator, HalfSector};
+pub use chamber::Chamber;
 pub use fault::MeshFault;
 pub use grid::{Diagonal, rectangle};
 pub use region::{Meshed, Piece, Region};
@@ -35,6 +38,8 @@ pub mod rim {
     pub const OUTER: u8 = 1;
     /// The sealed end of an arm.
     pub const END: u8 = 2;
+    /// A weld within the sheet.
+    pub const WELD: u8 = 3;
 }
 
 /// Numbers of the planes of symmetry, for [`Border::Mirror`].

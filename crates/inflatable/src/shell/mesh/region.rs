@@ -17,12 +17,21 @@ pub struct Piece {
 /// What lies within a closed border.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Region {
-    /// The border, counterclockwise, each piece beginning where the one before ends.
+    /// The outer border, counterclockwise, each piece beginning where the one before ends.
     pub pieces: Vec<Piece>,
+    /// Holes in it, clockwise.
+    pub holes: Vec<Vec<Piece>>,
+    /// Pieces of welds within it, which the mesh follows. They meet each other and the border at their ends only.
+    pub welds: Vec<Piece>,
 }
 
 impl Region {
-    /// The exact area.
+    /// All its pieces, as edges of its meshes count them.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Piece> {
+        self.pieces.iter().chain(self.holes.iter().flatten()).chain(&self.welds)
+    }
+
+    /// The exact area within the outer border.
     pub fn area(&self) -> f64 {
         Path::closed(self.pieces.iter().map(|piece| piece.curve).collect()).area()
     }
@@ -33,19 +42,20 @@ impl Region {
     }
 }
 
-/// A mesh whose border edges know the curves they stand for.
+/// A mesh whose edges on borders and welds know the curves they stand for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meshed {
     /// The triangles.
     pub mesh: Mesh,
-    /// The pieces of the border, of all its loops.
+    /// The pieces of the border, of holes, and of welds.
     pub pieces: Vec<Piece>,
-    /// The piece that each edge of the mesh lies on; none within the sheet.
+    /// The piece that each edge of the mesh lies on; none elsewhere within the sheet.
     pub piece_of: Vec<Option<usize>>,
 }
 
 impl Meshed {
-    /// The mesh of `triangles` whose border edges, by their ends with the smaller index first, lie on pieces as `on` says.
+    /// The mesh of `triangles` whose edges, by their ends with the smaller index first, lie on pieces as `on` says: all of the
+    /// border, and those on welds.
     ///
     /// # Errors
     /// As [`Mesh::from_triangles`].
@@ -56,12 +66,12 @@ impl Meshed {
         on: &BTreeMap<[usize; 2], usize>,
     ) -> Result<Self, MeshFault> {
         let mesh = Mesh::from_triangles(points, triangles, |ends| Some(pieces[*on.get(&ends)?].border))?;
-        let piece = |edge: &Edge| edge.border.and_then(|_| on.get(&edge.ends).copied());
+        let piece = |edge: &Edge| on.get(&edge.ends).copied();
         let piece_of = mesh.edges.iter().map(piece).collect();
         Ok(Self { mesh, pieces, piece_of })
     }
 
-    /// Every triangle cut into four. New border points lie on the exact curves, old points keep their numbers, and the point
+    /// Every triangle cut into four. New points of borders and welds lie on the exact curves, old points keep their numbers, and the point
     /// in the middle of edge `e` becomes number `points + e`.
     ///
     /// # Errors

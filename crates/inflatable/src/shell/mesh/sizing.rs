@@ -93,6 +93,13 @@ impl Sizing {
         Self { most: sizes.arm, places }
     }
 
+    /// Edges of length `most` but on discs: centre, radius, and the length there.
+    pub(super) fn around(most: f64, discs: Vec<(Point, f64, f64)>) -> Self {
+        let place = |(center, radius, size)| (Place::Disc { center, radius }, size);
+        let places = discs.into_iter().map(place).filter(|(_, size)| *size < most).collect();
+        Self { most, places }
+    }
+
     /// Edge length at `p`.
     pub(super) fn at(&self, p: Point) -> f64 {
         self.places.iter().fold(self.most, |least, (place, size)| {

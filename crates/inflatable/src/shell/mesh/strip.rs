@@ -93,6 +93,6 @@ impl Strip {
         let [left, right] = self.began;
         let first = Line::new(left, right);
         pieces.push(piece(Border::Mirror(plane::FIRST))(first.into()));
-        (Region { pieces }, self.hinges)
+        (Region { pieces, holes: Vec::new(), welds: Vec::new() }, self.hinges)
     }
 }

@@ -43,7 +43,7 @@ fn check(meshed: &Meshed, thinnest: f64) -> Result<(), TestCaseError> {
         let smallest = mesh.smallest_angle().to_degrees();
         prop_assert!(smallest > thinnest, "{smallest} deg");
     }
-    let region = Region { pieces: meshed.pieces.clone() };
+    let region = Region { pieces: meshed.pieces.clone(), holes: Vec::new(), welds: Vec::new() };
     let (coarse, fine, exact) = (meshed.mesh.total_area(), fine.mesh.total_area(), region.area());
     let extrapolated = fine + (fine - coarse) / 3.0;
     prop_assert!((extrapolated - exact).abs() < 1e-4 * exact, "{extrapolated} for {exact}");
@@ -120,7 +120,7 @@ fn the_same_bits_each_time() -> Result<(), MeshFault> {
 fn a_half_sector_lies_between_its_planes() -> Result<(), MeshFault> {
     for star in [PAPER, HalfSector { r_i: 3.0, r_e: 6.0, ..PAPER }] {
         let meshed = star.mesh(&Sizes::across(star.w, 6.0))?;
-        let region = Region { pieces: meshed.pieces.clone() };
+        let region = Region { pieces: meshed.pieces.clone(), holes: Vec::new(), welds: Vec::new() };
         // Arc lengths and area of a tube of constant width: along its middle.
         let (phi_i, phi_e) = (star.phi_i, star.phi_i + 2.0 * star.half_angle());
         let middle =

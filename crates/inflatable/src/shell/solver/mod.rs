@@ -2,6 +2,7 @@
 
 mod continuation;
 mod displacement_control;
+mod eigenvalue;
 mod factor;
 mod newton;
 #[cfg(test)]
@@ -9,4 +10,5 @@ mod tests;
 
 pub use continuation::{Broken, Continuation, Equilibrium};
 pub use displacement_control::DisplacementControl;
+pub(crate) use eigenvalue::rigid_motions;
 pub use newton::{Aim, Effort, Rest, Solver, Stop};

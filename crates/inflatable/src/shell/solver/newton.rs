@@ -1,7 +1,7 @@
 //! One equilibrium: Newton's method on the energy, with the full Hessian.
 
 use crate::numerics::dot;
-use crate::shell::assembly::{Assembly, Energy, Sheet, State, Supports};
+use crate::shell::assembly::{Assembly, Compression, Energy, Sheet, State, Supports};
 use crate::shell::contact::{Contact, ContactError};
 use crate::shell::solver::displacement_control::{ControlledSolve, DisplacementControl};
 use crate::shell::solver::factor::Factor;
@@ -63,6 +63,8 @@ const MOST_HALVINGS: u32 = 12;
 const ARMIJO: f64 = 1e-4;
 /// Largest shift over the least one: the smallest triangles at a sharp rim have a millionth of W^2, and are as stiff as any.
 const MOST_SHIFT: f64 = 1e14;
+/// Shift over the least one from which on no shorter step is tried.
+const MOST_SHORTENED: f64 = 1e8;
 /// Rounding of a sum of energies, relative to its largest part.
 const ROUNDING: f64 = 1e-14;
 /// Rounding of a strain, which is a difference of squares of order one: sheets that are hardly stretched feel it.
@@ -90,7 +92,7 @@ pub struct Solver {
     held: ControlledSolve,
     /// The lever's multiplier at the last equilibrium: forces + multiplier c = 0.
     pub multiplier: f64,
-    factor: Factor,
+    pub(super) factor: Factor,
     step: Vec<f64>,
     /// What a shift adds to each unknown's diagonal.
     springs: Vec<f64>,
@@ -147,7 +149,10 @@ impl Solver {
                 return if stable { Ok(Rest { energy, residual }) } else { Err(Stop::Unstable) };
             }
             self.find_step(aim)?;
-            energy = self.take_step(state, energy, aim)?;
+            match self.take_step(state, energy, aim) {
+                Ok(next) => energy = next,
+                Err(why) => energy = self.shorten_step(state, aim).ok_or(why)?,
+            }
             self.effort.iterations += 1;
         }
         Err(Stop::Iterations)
@@ -178,7 +183,7 @@ impl Solver {
         Err(Stop::Contact)
     }
 
-    fn linearise(&mut self, state: &State, pressure: f64) -> Energy {
+    pub(super) fn linearise(&mut self, state: &State, pressure: f64) -> Energy {
         let mut energy = self.assembly.linearise(state, pressure);
         if let Some(contact) = &self.contact {
             contact.add(state, &mut self.assembly);
@@ -283,6 +288,18 @@ impl Solver {
             fraction /= 2.0;
         }
         Err(Stop::Stalled)
+    }
+
+    /// Begins anew at `state` with a larger shift, which shortens the next step. Only where wrinkles come and go: there the Hessian says little
+    /// about what lies one step ahead, elsewhere a larger one is of no use.
+    fn shorten_step(&mut self, state: &State, aim: Aim) -> Option<Energy> {
+        let least = 0.01 * aim.pressure;
+        let comes_and_goes = matches!(self.assembly.sheet.compression, Compression::Wrinkled(_));
+        if !comes_and_goes || self.shift > MOST_SHORTENED * least {
+            return None;
+        }
+        self.shift = (60.0 * self.shift).max(6.0 * least);
+        Some(self.linearise(state, aim.pressure))
     }
 
     /// Solves with the unshifted Hessian of the last equilibrium.

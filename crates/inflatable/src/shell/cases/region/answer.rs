@@ -1,0 +1,174 @@
+//! The inflated chamber in SI units.
+
+use crate::shell::assembly::Compression;
+use crate::shell::cases::refinement::Evidence;
+use crate::shell::cases::region::chambers::FlatRegion;
+use crate::shell::cases::region::measure::{Measured, NUMBERS};
+use crate::shell::cases::region::seams::Station;
+use crate::shell::cases::region::surface::Surface;
+use crate::shell::cases::shape::Shape;
+use crate::shell::cases::tube::{MOST_BENDABLE, Tube};
+use crate::shell::cases::value::Value;
+
+/// How a computation treats wrinkles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wrinkles {
+    /// The sheet bears compression until it buckles; the mesh shows the wrinkles.
+    Resolved,
+    /// They are too fine for a mesh: the sheet bears no compression, and the shape is their mean.
+    Averaged,
+}
+
+/// The part of its stiffness against compression that an averaged sheet keeps, by p W/Y.
+const LEFT: f64 = 1e-3;
+
+impl Wrinkles {
+    /// That of sheets like those of `tube`.
+    pub(super) fn of(tube: &Tube) -> Self {
+        if tube.bendability() > MOST_BENDABLE { Self::Averaged } else { Self::Resolved }
+    }
+
+    pub(super) fn compression(self, tube: &Tube) -> Compression {
+        match self {
+            Self::Resolved => Compression::Elastic,
+            Self::Averaged => Compression::Wrinkled(LEFT * tube.stretch()),
+        }
+    }
+}
+
+/// A seam of a chamber.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seam {
+    /// Its outline.
+    Outline,
+    /// The rim of one of its holes.
+    Hole(usize),
+    /// One of its islands.
+    Island(usize),
+    /// One of its welds: the pull is that of the sheets on both sides together.
+    Weld(usize),
+}
+
+/// The pull on a seam at one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeamPull {
+    /// Which seam.
+    pub seam: Seam,
+    /// Where on the flat sheet, m.
+    pub at: [f64; 2],
+    /// Force that parts the sheets by length of flat seam, N/m, the mean over a band's width around it.
+    pub pull: Value,
+}
+
+/// A chamber under pressure; both sheets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InflatedRegion {
+    /// Diameter of the largest circle in the flat chamber, m: the W of 1/eps, t/W and p W/Y.
+    pub width: f64,
+    /// 1/eps = p W^3 / B.
+    pub bendability: f64,
+    /// How wrinkles are treated.
+    pub wrinkles: Wrinkles,
+    /// Largest distance between the sheets, m.
+    pub height: Value,
+    /// Where on the flat sheet, m.
+    pub height_at: [f64; 2],
+    /// Extents of the flat chamber along x and y, m.
+    pub flat_extents: [f64; 2],
+    /// Extents of the inflated one where it lies best on the flat one, m.
+    pub extents: [Value; 2],
+    /// Volume, m^3.
+    pub volume: Value,
+    /// Largest pull on a seam, N/m.
+    pub seal_pull: Value,
+    /// Its place on the finest mesh.
+    pub pull_at: [f64; 2],
+    /// The pull along each seam.
+    pub seams: Vec<SeamPull>,
+    /// Largest principal stretch, and where on the flat sheet, m. At a sharp corner that points into the chamber it has no limit, and its mesh
+    /// error says so.
+    pub stretch: Value,
+    /// Where on the flat sheet, m.
+    pub stretch_at: [f64; 2],
+    /// Largest principal tension, N/m: the stress times the thickness. At sharp corners as the stretch.
+    pub tension: Value,
+    /// Where on the flat sheet, m.
+    pub tension_at: [f64; 2],
+    /// Lowest eigenvalue of the energy's Hessian by p/W where both sheets stay images of each other; positive.
+    pub symmetric_eigenvalue: Value,
+    /// The same where both sheets move to the same side. Below 0 the shape leaves its plane.
+    pub antisymmetric_eigenvalue: Value,
+    /// The upper sheet on its finest mesh.
+    pub shape: Shape,
+    /// Both sheets.
+    pub surface: Surface,
+    /// How it was come by.
+    pub evidence: Evidence,
+}
+
+impl InflatedRegion {
+    /// Whether it leaves its plane as far as the computation can tell: the lowest eigenvalue is not above its mesh error.
+    pub fn may_leave_its_plane(&self) -> bool {
+        let lowest = self.antisymmetric_eigenvalue;
+        // Not a number is no proof of stability.
+        !(lowest.meshes[2] > 0.0 && lowest.value > 0.0)
+    }
+}
+
+/// What the family of meshes of `case` gave.
+pub(super) fn answer(
+    case: &FlatRegion,
+    tube: &Tube,
+    (values, evidence): ([Value; NUMBERS], Evidence),
+    pulls: &[Vec<Station>],
+    (measured, shape, surface): (Measured, Shape, Surface),
+) -> InflatedRegion {
+    let (w, y) = (tube.width, tube.fabric.stretch);
+    let seams = seam_pulls(case, pulls, [w, y]);
+    let largest = seams.iter().max_by(|a, b| a.pull.meshes[2].total_cmp(&b.pull.meshes[2]));
+    let place = |at: [f64; 2]| at.map(|x| x * w);
+    let flat = case.chamber.outline.bounds();
+    let [volume, height, x, y_extent, stretch, tension, symmetric, antisymmetric, pull] = values;
+    InflatedRegion {
+        width: w,
+        bendability: tube.bendability(),
+        wrinkles: Wrinkles::of(tube),
+        height: height.scaled(w),
+        height_at: place(measured.height_at),
+        flat_extents: [flat.width(), flat.height()],
+        extents: [x.scaled(w), y_extent.scaled(w)],
+        volume: volume.scaled(w.powi(3)),
+        seal_pull: pull.scaled(y),
+        pull_at: largest.map_or([0.0; 2], |largest| largest.at),
+        seams,
+        stretch,
+        stretch_at: place(measured.stretch_at),
+        tension: tension.scaled(y),
+        tension_at: place(measured.tension_at),
+        symmetric_eigenvalue: symmetric,
+        antisymmetric_eigenvalue: antisymmetric,
+        shape,
+        surface,
+        evidence,
+    }
+}
+
+/// The pull at each station from the last three meshes.
+fn seam_pulls(case: &FlatRegion, pulls: &[Vec<Station>], [w, y]: [f64; 2]) -> Vec<SeamPull> {
+    let holes = case.chamber.holes.len();
+    let islands = holes + case.chamber.islands.len();
+    let Some(last) = pulls.last() else { return Vec::new() };
+    let on = |mesh: usize, station: usize| pulls[mesh.min(pulls.len() - 1)][station].pull;
+    (last.iter().enumerate())
+        .map(|(k, station)| SeamPull {
+            seam: match station.curve {
+                0 => Seam::Outline,
+                hole if hole <= holes => Seam::Hole(hole - 1),
+                island if island <= islands => Seam::Island(island - holes - 1),
+                weld => Seam::Weld(weld - islands - 1),
+            },
+            at: station.at.map(|x| x * w),
+            pull: Value::new([0, 1, 2].map(|mesh| on(mesh, k))).scaled(y),
+        })
+        .collect()
+}

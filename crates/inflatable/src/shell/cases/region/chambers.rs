@@ -1,0 +1,71 @@
+//! From loops and welds to chambers.
+
+use crate::geom::{Path, Point};
+use crate::shell::element::Fabric;
+use crate::shell::mesh::{Chamber, MeshFault};
+
+/// One flat chamber and its load, SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FlatRegion {
+    /// Where it is sealed, m.
+    pub chamber: Chamber,
+    /// Y, N/m, B, N m, and nu of one sheet.
+    pub fabric: Fabric,
+    /// Gauge pressure p, Pa.
+    pub pressure: f64,
+    /// Width of the band that seals it, m: over so long a piece of seam the pull is the mean.
+    pub band: f64,
+}
+
+/// The chambers that `loops` enclose, in the order of their outlines, each with its islands and with those of the open `welds` that begin in
+/// it or on its outline. A loop in an even number of others is an outline, one in an odd number an island, or a hole if one of the closed
+/// curves `cuts`, along which fabric is cut out, lies in it. Loops may run either way.
+///
+/// # Errors
+/// If a curve is empty or has a gap, or a weld lies in no chamber.
+pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Chamber>, MeshFault> {
+    if let Some(bad) = loops.iter().chain(welds).chain(cuts).find(|path| !is_sound(path)) {
+        return Err(MeshFault::Dimension {
+            name: "the largest gap of a curve, m",
+            found: bad.largest_gap(),
+            allowed: "a millionth of its length",
+        });
+    }
+    let holds = |outer: &Path, p: Point| outer.encloses(p);
+    let depth = |at: usize| {
+        let p = loops[at].segments[0].point(0.5);
+        (0..loops.len()).filter(|other| *other != at && holds(&loops[*other], p)).count()
+    };
+    let depths: Vec<usize> = (0..loops.len()).map(depth).collect();
+    let mut found: Vec<(usize, Chamber)> = Vec::new();
+    for (outline, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 0) {
+        let outline = if outline.area() < 0.0 { outline.reversed() } else { outline.clone() };
+        found.push((*depth, Chamber { outline, ..Chamber::default() }));
+    }
+    for (island, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 1) {
+        let p = island.segments[0].point(0.5);
+        let around = found.iter_mut().find(|(outer, chamber)| outer + 1 == *depth && holds(&chamber.outline, p));
+        let Some((_, chamber)) = around else { continue };
+        if cuts.iter().any(|cut| cut.start().is_some_and(|p| holds(island, p))) {
+            let is_clockwise = island.area() < 0.0;
+            chamber.holes.push(if is_clockwise { island.clone() } else { island.reversed() });
+        } else {
+            chamber.islands.push(island.clone());
+        }
+    }
+    for weld in welds {
+        let p = weld.segments[0].point(0.5);
+        let around = found.iter_mut().filter(|(_, chamber)| holds(&chamber.outline, p));
+        match around.max_by_key(|(depth, _)| *depth) {
+            Some((_, chamber)) => chamber.welds.push(weld.clone()),
+            None => return Err(MeshFault::Outside { at: [p.x, p.y] }),
+        }
+    }
+    Ok(found.into_iter().map(|(_, chamber)| chamber).collect())
+}
+
+/// Whether a curve is one: finite, of some length, and without gaps.
+fn is_sound(path: &Path) -> bool {
+    let length = path.length();
+    length > 0.0 && length.is_finite() && path.largest_gap() <= 1e-6 * length
+}

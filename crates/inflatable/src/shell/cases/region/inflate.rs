@@ -1,0 +1,75 @@
+//! One chamber, inflated on a family of meshes.
+
+use crate::shell::assembly::{Sheet, State};
+use crate::shell::cases::actuator::Fineness;
+use crate::shell::cases::fault::ShellFault;
+use crate::shell::cases::refinement::{Family, Watch};
+use crate::shell::cases::region::answer::{InflatedRegion, Wrinkles, answer};
+use crate::shell::cases::region::chambers::FlatRegion;
+use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
+use crate::shell::cases::region::seams::{Seams, Station};
+use crate::shell::cases::region::supports::{self, Sealed};
+use crate::shell::cases::region::surface::Surface;
+use crate::shell::cases::shape::Shape;
+use crate::shell::cases::tube::Tube;
+use crate::shell::element::Fabric;
+use crate::shell::mesh::Meshed;
+
+impl Fineness {
+    /// For a first look at a [`region`]: some 15,000 unknowns on the finest mesh of a disc.
+    pub const COARSE: Self = Self { cells: 5.0, cuts: 2 };
+}
+
+/// t/W and 1/eps of regions.
+const THINNEST: f64 = 1e-6;
+const MOST_BENDABLE_REGION: f64 = 1e10;
+
+/// Inflates one chamber from flat.
+///
+/// # Errors
+/// If its curves cross or leave the outline, if it is out of range, or if it has no stable equilibrium that keeps z = 0 a plane of symmetry:
+/// where it stopped, and why.
+pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
+    let width = case.chamber.widest();
+    let tube = Tube { width, fabric: case.fabric, pressure: case.pressure };
+    tube.check_within(THINNEST, MOST_BENDABLE_REGION)?;
+    let tube = softened(tube);
+    let chamber = case.chamber.by(width);
+    let (coarsest, curve_of) = chamber.mesh(fineness.cells)?;
+    let compression = Wrinkles::of(&tube).compression(&tube);
+    let hold = |meshed: &Meshed, sheet: &mut Sheet| {
+        sheet.compression = compression;
+        supports::symmetric(meshed, &Sealed::new(&chamber, meshed), sheet)
+    };
+    let family = Family { tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[], from_above: Wrinkles::of(&tube) == Wrinkles::Averaged };
+    let seams = Seams::new(&chamber, case.band / width);
+    let mut pulls: Vec<Vec<Station>> = Vec::new();
+    let mut last = (Measured::default(), Shape::default(), Surface::default());
+    let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
+        let sealed = Sealed::new(&chamber, meshed);
+        let state: State = measure::aligned(&solver.assembly.sheet, &equilibrium.state);
+        let measured = measure::measure(solver, meshed, (&state, equilibrium.pressure), &sealed);
+        let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
+        let stations = seams.pulls(meshed, &curve_of, solver.assembly.forces());
+        let mut numbers = measured.numbers;
+        numbers[NUMBERS - 1] = stations.iter().map(|station| station.pull).fold(0.0, f64::max);
+        pulls.push(stations);
+        let shape = Shape::new(&tube, solver, &meshed.mesh, &state);
+        let surface = Surface::new(&shape, &sealed);
+        last = (measured, shape, surface);
+        Ok(numbers)
+    })?;
+    Ok(answer(case, &tube, (values, evidence), &pulls, last))
+}
+
+/// p W/Y below which a sheet that bears no compression is computed as if it stretched as much: some 0.1 % of its lengths. Stiffer ones come
+/// to rest slowly or not at all.
+const LEAST_STRETCHED: f64 = 5e-3;
+
+fn softened(tube: Tube) -> Tube {
+    let most = tube.pressure * tube.width / LEAST_STRETCHED;
+    if Wrinkles::of(&tube) == Wrinkles::Resolved || tube.fabric.stretch < most {
+        return tube;
+    }
+    Tube { fabric: Fabric { stretch: most, ..tube.fabric }, ..tube }
+}

@@ -1,0 +1,76 @@
+//! What each mesh of a chamber gives.
+
+use crate::shell::assembly::{Sheet, State};
+use crate::shell::cases::region::stability;
+use crate::shell::cases::region::supports::Sealed;
+use crate::shell::mesh::Meshed;
+use crate::shell::solver::Solver;
+
+/// Volume, height, extents, stretch, tension, both eigenvalues, and the largest pull on a seam.
+pub(super) const NUMBERS: usize = 9;
+
+/// One mesh's numbers, of both sheets, and the flat places of the largest.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Measured {
+    /// The last one is for the pull.
+    pub(super) numbers: [f64; NUMBERS],
+    pub(super) height_at: [f64; 2],
+    pub(super) stretch_at: [f64; 2],
+    pub(super) tension_at: [f64; 2],
+}
+
+pub(super) fn measure(
+    solver: &mut Solver,
+    meshed: &Meshed,
+    (state, pressure): (&State, f64),
+    sealed: &Sealed,
+) -> Measured {
+    let mesh = &meshed.mesh;
+    let volume = 2.0 * solver.assembly.energy(state).volume;
+    let top = (0..mesh.points.len()).max_by(|a, b| state.points[*a][2].total_cmp(&state.points[*b][2]));
+    let top = top.unwrap_or_default();
+    let extent = |axis: usize| {
+        let along = || state.points.iter().map(|x| x[axis]);
+        along().fold(f64::NEG_INFINITY, f64::max) - along().fold(f64::INFINITY, f64::min)
+    };
+    let mut measured = Measured { height_at: mesh.points[top], ..Measured::default() };
+    let (mut stretch, mut tension) = (0.0, 0.0);
+    for (triangle, corners) in mesh.triangles.iter().enumerate() {
+        let stretched = solver.assembly.sheet.stretched(triangle, corners.map(|corner| state.points[corner]));
+        let [[most, _], [longest, _]] = stretched.principal();
+        let middle = [0, 1].map(|c| corners.iter().map(|corner| mesh.points[*corner][c]).sum::<f64>() / 3.0);
+        if longest > stretch {
+            (stretch, measured.stretch_at) = (longest, middle);
+        }
+        if most > tension {
+            (tension, measured.tension_at) = (most, middle);
+        }
+    }
+    let height = 2.0 * state.points[top][2];
+    let (x, y) = (extent(0), extent(1));
+    let [within, beyond] = stability::lowest(solver, (state, pressure), sealed);
+    measured.numbers = [volume, height, x, y, stretch, tension, within, beyond, 0.0];
+    measured
+}
+
+/// The same shape where it lies best on the flat sheet, by the mean of squares over the area.
+pub(super) fn aligned(sheet: &Sheet, state: &State) -> State {
+    let flat = sheet.flat();
+    let all: f64 = sheet.areas.iter().sum();
+    let mean = |points: &[[f64; 3]]| {
+        [0, 1].map(|c| points.iter().zip(&sheet.areas).map(|(x, area)| area * x[c]).sum::<f64>() / all)
+    };
+    let (from, to) = (mean(&state.points), mean(&flat.points));
+    let (mut sine, mut cosine) = (0.0, 0.0);
+    for ((x, at), area) in state.points.iter().zip(&flat.points).zip(&sheet.areas) {
+        let ([x, y], [u, v]) = ([0, 1].map(|c| x[c] - from[c]), [0, 1].map(|c| at[c] - to[c]));
+        cosine += area * (x * u + y * v);
+        sine += area * (x * v - y * u);
+    }
+    let (sine, cosine) = sine.atan2(cosine).sin_cos();
+    let place = |x: &[f64; 3]| {
+        let [u, v] = [0, 1].map(|c| x[c] - from[c]);
+        [cosine * u - sine * v + to[0], sine * u + cosine * v + to[1], x[2]]
+    };
+    State { points: state.points.iter().map(place).collect(), leans: state.leans.clone() }
+}

@@ -1,0 +1,123 @@
+//! The pull on each seam: force across the plane of the sheets by length, where they part.
+
+use crate::geom::{Path, Segment};
+use crate::shell::mesh::{Chamber, Meshed};
+
+/// A place on a seam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Station {
+    /// The curve, as [`Chamber::curves`] counts.
+    pub(super) curve: usize,
+    /// Where, flat.
+    pub(super) at: [f64; 2],
+    /// Mean force by length over a band around it.
+    pub(super) pull: f64,
+}
+
+/// The seams of a chamber, and where the pull on them is asked for.
+pub(super) struct Seams<'a> {
+    chamber: &'a Chamber,
+    band: f64,
+}
+
+/// Stations on one curve at most.
+const MOST_STATIONS: f64 = 400.0;
+/// Least length over which a pull is the mean, by W: shorter ones mean nothing on the meshes that there are.
+const SHORTEST_BAND: f64 = 0.02;
+
+impl<'a> Seams<'a> {
+    pub(super) fn new(chamber: &'a Chamber, band: f64) -> Self {
+        Self { chamber, band: if band > SHORTEST_BAND { band.min(1.0) } else { SHORTEST_BAND } }
+    }
+
+    /// The pull at stations half a band apart, the same ones on every mesh, from the energy's slopes by each point. `curve_of` says of which
+    /// curve each piece of the mesh is.
+    pub(super) fn pulls(&self, meshed: &Meshed, curve_of: &[usize], forces: &[[f64; 3]]) -> Vec<Station> {
+        let curves = self.chamber.curves().enumerate();
+        curves.flat_map(|(curve, path)| self.along(curve, path, &Profile::new(meshed, curve_of, curve, forces))).collect()
+    }
+
+    fn along(&self, curve: usize, path: &Path, profile: &Profile) -> Vec<Station> {
+        let length = path.length();
+        let count = (2.0 * length / self.band).ceil().clamp(1.0, MOST_STATIONS);
+        let mut stations = Vec::new();
+        let mut k = 0.5;
+        while k < count {
+            let s = length * k / count;
+            if let Some(at) = path.point_at(s) {
+                let pull = profile.mean(s / length, self.band / length, path.closed);
+                stations.push(Station { curve, at: [at.x, at.y], pull });
+            }
+            k += 1.0;
+        }
+        stations
+    }
+}
+
+/// The force along one curve of a mesh, summed up from its start; lengths and places by the curve's length.
+struct Profile {
+    /// Where each edge ends, and the sums of force and of length there; from 0.
+    sums: Vec<[f64; 3]>,
+}
+
+impl Profile {
+    fn new(meshed: &Meshed, curve_of: &[usize], curve: usize, forces: &[[f64; 3]]) -> Self {
+        let mesh = &meshed.mesh;
+        let mut starts = vec![0.0; meshed.pieces.len() + 1];
+        for (piece, of) in curve_of.iter().enumerate() {
+            let own = if *of == curve { meshed.pieces[piece].curve.length() } else { 0.0 };
+            starts[piece + 1] = starts[piece] + own;
+        }
+        let all = starts[meshed.pieces.len()];
+        let place = |segment: &Segment, edge: usize| {
+            let ends = mesh.edges[edge].ends.map(|end| mesh.points[end]);
+            let [x, y] = [0, 1].map(|c| f64::midpoint(ends[0][c], ends[1][c]));
+            segment.nearest_fraction(crate::geom::Point::new(x, y)) * segment.length()
+        };
+        let mut edges: Vec<(f64, usize)> = (0..mesh.edges.len())
+            .filter_map(|edge| {
+                let piece = meshed.piece_of[edge].filter(|piece| curve_of[*piece] == curve)?;
+                Some((starts[piece] + place(&meshed.pieces[piece].curve, edge), edge))
+            })
+            .collect();
+        edges.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // A point's force goes to the edges at it by their lengths.
+        let mut lengths = std::collections::BTreeMap::<usize, f64>::new();
+        for edge in (0..mesh.edges.len()).filter(|edge| meshed.piece_of[*edge].is_some()) {
+            for end in mesh.edges[edge].ends {
+                *lengths.entry(end).or_default() += mesh.length(edge);
+            }
+        }
+        let chords: f64 = edges.iter().map(|(_, edge)| mesh.length(*edge)).sum();
+        let mut sums = vec![[0.0; 3]];
+        let mut sum = [0.0; 3];
+        for (_, edge) in edges {
+            let length = mesh.length(edge);
+            let force: f64 = mesh.edges[edge].ends.iter().map(|end| -forces[*end][2] * length / lengths[end]).sum();
+            sum = [sum[0] + length / chords, sum[1] + force, sum[2] + length * all / chords];
+            sums.push(sum);
+        }
+        Self { sums }
+    }
+
+    /// Sums of force and of length up to `s`, 0 to 1.
+    fn up_to(&self, s: f64) -> [f64; 2] {
+        let after = self.sums.partition_point(|sum| sum[0] < s).clamp(1, self.sums.len().max(2) - 1);
+        let (Some(a), Some(b)) = (self.sums.get(after - 1), self.sums.get(after)) else { return [0.0; 2] };
+        let t = ((s - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0);
+        [a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])]
+    }
+
+    /// Mean force by length over `band` around `s`.
+    fn mean(&self, s: f64, band: f64, closed: bool) -> f64 {
+        let [from, to] = [s - band / 2.0, s + band / 2.0];
+        let all = self.up_to(1.0);
+        let sum = |s: f64| {
+            let turns = if closed { s.floor() } else { 0.0 };
+            let [force, length] = self.up_to(s - turns);
+            [force + turns * all[0], length + turns * all[1]]
+        };
+        let ([f0, l0], [f1, l1]) = (sum(from), sum(to));
+        if l1 > l0 { (f1 - f0) / (l1 - l0) } else { 0.0 }
+    }
+}

@@ -1,0 +1,22 @@
+//! Whether a chamber is stable: as long as z = 0 is its plane of symmetry, and where it leaves that plane.
+//!
+//! Let one sheet move by d and the other by the image of d, or by that of -d. Either way the energy of both is twice that of one sheet to second
+//! order, and the two kinds of motion do not mix. Where both sheets are one the first kind stays at z = 0, the second moves along z only. So the
+//! lowest eigenvalue of the whole is the lower of two of the same sheet with two kinds of supports.
+
+use crate::shell::assembly::State;
+use crate::shell::cases::region::supports::{Sealed, antisymmetric};
+use crate::shell::solver::{Solver, rigid_motions};
+
+/// The lowest eigenvalues of both kinds by p/W; not a number where the mesh is too large.
+pub(super) fn lowest(solver: &mut Solver, (state, pressure): (&State, f64), sealed: &Sealed) -> [f64; 2] {
+    let sheet = &solver.assembly.sheet;
+    let (within, beyond) = (
+        rigid_motions(sheet, &state.points, &[0, 1, 5]),
+        rigid_motions(sheet, &state.points, &[2, 3, 4]),
+    );
+    let other = Solver::new(sheet.clone(), antisymmetric(sealed));
+    let symmetric = solver.lowest_eigenvalue(state, pressure, &within);
+    let antisymmetric = other.and_then(|mut other| other.lowest_eigenvalue(state, pressure, &beyond));
+    [symmetric, antisymmetric].map(|value| value.map_or(f64::NAN, |value| value / pressure))
+}

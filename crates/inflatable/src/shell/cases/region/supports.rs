@@ -1,0 +1,69 @@
+//! What holds a chamber: as long as z = 0 is its plane of symmetry, and where it leaves that plane.
+
+use crate::geom::Point;
+use crate::shell::assembly::{Sheet, Supports};
+use crate::shell::mesh::{Border, Chamber, Meshed};
+
+/// Where both sheets are one.
+pub(super) struct Sealed {
+    /// Points at z = 0.
+    pub(super) points: Vec<bool>,
+    /// Edges of islands, and on welds.
+    pub(super) welds: Vec<usize>,
+}
+
+impl Sealed {
+    /// Of a mesh of `chamber`.
+    pub(super) fn new(chamber: &Chamber, meshed: &Meshed) -> Self {
+        let mesh = &meshed.mesh;
+        let middle = |corners: &[usize; 3]| {
+            let [a, b, c] = corners.map(|corner| mesh.points[corner]);
+            Point::new((a[0] + b[0] + c[0]) / 3.0, (a[1] + b[1] + c[1]) / 3.0)
+        };
+        let mut points = vec![false; mesh.points.len()];
+        for (edge, _) in mesh.edges.iter().zip(&meshed.piece_of).filter(|(_, piece)| piece.is_some()) {
+            edge.ends.into_iter().for_each(|end| points[end] = true);
+        }
+        for corners in mesh.triangles.iter().filter(|corners| chamber.is_welded(middle(corners))) {
+            corners.iter().for_each(|corner| points[*corner] = true);
+        }
+        let is_weld = |edge: &usize| meshed.piece_of[*edge].is_some() && mesh.edges[*edge].border.is_none();
+        Self { points, welds: (0..mesh.edges.len()).filter(is_weld).collect() }
+    }
+}
+
+/// Holds what is sealed at z = 0 and the whole from sliding and turning there; `sheet` turns freely along welds.
+pub(super) fn symmetric(meshed: &Meshed, sealed: &Sealed, sheet: &mut Sheet) -> Supports {
+    let mesh = &meshed.mesh;
+    sealed.welds.iter().for_each(|edge| sheet.release(*edge));
+    let mut supports = Supports::none(mesh.points.len());
+    let held = (0..mesh.points.len()).filter(|point| sealed.points[*point]);
+    held.for_each(|point| supports.fix(point, 2));
+    let on_rim = |edge: &&crate::shell::mesh::Edge| matches!(edge.border, Some(Border::Rim(_)));
+    let rim: Vec<usize> = mesh.edges.iter().filter(on_rim).flat_map(|edge| edge.ends).collect();
+    let place = |point: usize| Point::new(mesh.points[point][0], mesh.points[point][1]);
+    let Some(&first) = rim.first() else { return supports };
+    let far = |from: usize| {
+        let away = |point: &&usize| place(**point).distance(place(from));
+        rim.iter().max_by(|a, b| away(a).total_cmp(&away(b))).copied().unwrap_or(from)
+    };
+    let one = far(first);
+    let other = far(one);
+    let apart = place(other) - place(one);
+    // The far point may come nearer along the axis that lies most along the line between both.
+    let across = if apart.x.abs() > apart.y.abs() { 1 } else { 0 };
+    for (point, axis) in [(one, 0), (one, 1), (other, across)] {
+        supports.fix(point, axis);
+    }
+    supports
+}
+
+/// Lets what is sealed move up and down only: what remains of symmetric sheets where they move to the same side.
+pub(super) fn antisymmetric(sealed: &Sealed) -> Supports {
+    let mut supports = Supports::none(sealed.points.len());
+    for (point, _) in sealed.points.iter().enumerate().filter(|(_, is_sealed)| **is_sealed) {
+        supports.fix(point, 0);
+        supports.fix(point, 1);
+    }
+    supports
+}

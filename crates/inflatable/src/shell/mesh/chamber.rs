@@ -1,0 +1,217 @@
+//! A chamber of any outline, with islands and welds within it, and its mesh.
+
+use crate::geom::{Bounds, Path, Point, Segment, Vec2, intersections};
+use crate::shell::mesh::sizing::Sizing;
+use crate::shell::mesh::width::Walls;
+use crate::shell::mesh::{Border, MeshFault, Meshed, Piece, Region, delaunay, rim};
+
+/// One chamber between two sheets; lengths in any unit.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Chamber {
+    /// Where it is sealed all around: closed, counterclockwise.
+    pub outline: Path,
+    /// Rims around holes in the fabric: closed, clockwise. They slide in the plane as the outline does.
+    pub holes: Vec<Path>,
+    /// Closed curves within which both sheets are welded to each other.
+    pub islands: Vec<Path>,
+    /// Open curves along which they are; they may end on the outline, on islands and on each other.
+    pub welds: Vec<Path>,
+}
+
+/// Ends of welds that are nearer than this to a curve lie on it; by the widest width.
+const MEETS: f64 = 5e-7;
+/// Edges along walls by those within the chamber: the sheet is steepest there.
+const ALONG_WALLS: f64 = 0.7;
+/// Edges in the narrowest places by those in the widest.
+const NARROWEST: f64 = 1.0 / 8.0;
+/// Edges at a corner that points into the chamber by those within it: tension is largest there.
+const AT_CORNERS: f64 = 1.0 / 8.0;
+/// Corners that turn by less, rad, are smooth.
+const SMOOTH: f64 = 0.35;
+/// Turn of an arc along one edge, rad.
+const TURN: f64 = 0.5;
+/// Samples of a wall at most.
+const MOST_SAMPLES: f64 = 1000.0;
+
+impl Chamber {
+    /// All its curves: outline, holes, islands, welds.
+    pub fn curves(&self) -> impl Iterator<Item = &Path> {
+        std::iter::once(&self.outline).chain(&self.holes).chain(&self.islands).chain(&self.welds)
+    }
+
+    /// Whether `p` lies where there is fabric.
+    fn has_fabric(&self, p: Point) -> bool {
+        self.outline.encloses(p) && !self.holes.iter().any(|hole| hole.encloses(p))
+    }
+
+    fn walls(&self) -> Walls {
+        Walls::new(self.curves().flat_map(|path| path.segments.iter().copied()))
+    }
+
+    /// Whether `p` lies where there is air.
+    pub fn has_air(&self, p: Point) -> bool {
+        self.has_fabric(p) && !self.is_welded(p)
+    }
+
+    /// Whether `p` lies on an island.
+    pub fn is_welded(&self, p: Point) -> bool {
+        self.islands.iter().any(|island| island.encloses(p))
+    }
+
+    /// Diameter of the largest circle that it holds, within 1 %.
+    pub fn widest(&self) -> f64 {
+        self.walls().widest(self.outline.bounds(), |p| self.has_air(p))
+    }
+
+    /// The same chamber in units of `unit`.
+    pub fn by(&self, unit: f64) -> Self {
+        let all = |paths: &[Path]| paths.iter().map(|path| scaled(path, 1.0 / unit)).collect();
+        Self {
+            outline: scaled(&self.outline, 1.0 / unit),
+            holes: all(&self.holes),
+            islands: all(&self.islands),
+            welds: all(&self.welds),
+        }
+    }
+
+    /// Its mesh with `cells` edges across the widest place, which is 1 wide. The numbers say of which curve, as
+    /// [`Chamber::curves`] counts, each piece is.
+    ///
+    /// # Errors
+    /// If curves cross, leave the outline, or ask for too many triangles.
+    pub fn mesh(&self, cells: f64) -> Result<(Meshed, Vec<usize>), MeshFault> {
+        if !(cells >= 1.0 && cells <= 200.0) {
+            return Err(MeshFault::Dimension { name: "edges a width", found: cells, allowed: "1 to 200" });
+        }
+        let (region, curve_of) = self.region()?;
+        let meshed = delaunay::fill(&region, &self.sizing(&region, 1.0 / cells))?;
+        Ok((meshed, curve_of))
+    }
+
+    /// The region, its curves parted where they meet.
+    fn region(&self) -> Result<(Region, Vec<usize>), MeshFault> {
+        let parted = parted(&self.curves().collect::<Vec<_>>());
+        let holes = self.holes.len();
+        let mut region = Region { pieces: Vec::new(), holes: Vec::new(), welds: Vec::new() };
+        let mut curve_of = Vec::new();
+        for (number, segments) in parted.into_iter().enumerate() {
+            curve_of.extend(segments.iter().map(|_| number));
+            let border = Border::Rim(match number {
+                0 => rim::OUTER,
+                hole if hole <= holes => rim::INNER,
+                _ => rim::WELD,
+            });
+            let pieces = segments.into_iter().map(|curve| Piece { curve, border });
+            match number {
+                0 => region.pieces = pieces.collect(),
+                hole if hole <= holes => region.holes.push(pieces.collect()),
+                _ => region.welds.extend(pieces),
+            }
+        }
+        for weld in &region.welds {
+            let middle = weld.curve.point(0.5);
+            let mut rims = self.curves().take(1 + holes);
+            if !self.has_fabric(middle) && rims.all(|rim| rim.distance(middle) > MEETS) {
+                return Err(MeshFault::Outside { at: [middle.x, middle.y] });
+            }
+        }
+        Ok((region, curve_of))
+    }
+
+    /// Edges of length `most` within, shorter along walls, in narrow places and at corners that point inwards.
+    fn sizing(&self, region: &Region, most: f64) -> Sizing {
+        let walls = self.walls();
+        let mut discs = Vec::new();
+        for piece in region.all() {
+            let is_weld = piece.border == Border::Rim(rim::WELD);
+            let curve = piece.curve;
+            let length = curve.length();
+            let bow = if let Segment::Arc(arc) = curve { arc.radius * TURN } else { f64::INFINITY };
+            let count = (length / (0.5 * most)).ceil().clamp(1.0, MOST_SAMPLES);
+            let mut at = 0.5;
+            while at < count {
+                let (p, along) = (curve.point(at / count), curve.tangent(at / count));
+                let inward = along.perp();
+                let left = walls.across(p, inward, 1.0);
+                let right = if is_weld { walls.across(p, -inward, 1.0) } else { 1.0 };
+                let size = most * (ALONG_WALLS * left.min(right)).max(NARROWEST);
+                discs.push((p, 0.5 * length / count, size.min(bow).min(length)));
+                at += 1.0;
+            }
+        }
+        for path in self.curves() {
+            discs.extend(self.sharp_corners(path).map(|p| (p, 0.0, most * AT_CORNERS)));
+        }
+        Sizing::around(most, discs)
+    }
+
+    /// Corners of `path` that point into the chamber, and the ends of open curves.
+    fn sharp_corners<'a>(&'a self, path: &'a Path) -> impl Iterator<Item = Point> + 'a {
+        let count = path.segments.len();
+        let joints = (0..count).filter(move |at| path.closed || at + 1 < count);
+        let corners = joints.filter_map(move |at| {
+            let (before, after) = (path.segments[at].tangent(1.0), path.segments[(at + 1) % count].tangent(0.0));
+            let turn = before.cross(after).atan2(before.dot(after));
+            let corner = path.segments[at].end();
+            // A step along the bisector, away from the corner, is in the air if the corner points into it.
+            let ahead = Vec2::new(before.x - after.x, before.y - after.y).normalized();
+            (turn.abs() > SMOOTH && self.has_air(corner + ahead * 1e-6)).then_some(corner)
+        });
+        let ends = [path.start(), path.end()].into_iter().flatten().filter(move |_| !path.closed);
+        corners.chain(ends)
+    }
+}
+
+fn scaled(path: &Path, by: f64) -> Path {
+    let point = |p: Point| Point::new(by * p.x, by * p.y);
+    let segments = path.segments.iter().map(|segment| match *segment {
+        Segment::Line(line) => Segment::Line(crate::geom::Line::new(point(line.start), point(line.end))),
+        Segment::Arc(arc) => {
+            Segment::Arc(crate::geom::Arc { center: point(arc.center), radius: by * arc.radius, ..arc })
+        }
+    });
+    Path { segments: segments.collect(), closed: path.closed }
+}
+
+/// The segments of each curve, cut where another curve meets them.
+fn parted(curves: &[&Path]) -> Vec<Vec<Segment>> {
+    let boxes: Vec<Vec<Bounds>> =
+        curves.iter().map(|path| path.segments.iter().map(Segment::bounds).collect()).collect();
+    let whole: Vec<Bounds> = curves.iter().map(|path| path.bounds().grown(MEETS)).collect();
+    let cuts = |own: usize, at: usize| {
+        let segment = &curves[own].segments[at];
+        let bounds = boxes[own][at].grown(MEETS);
+        let mut cuts = vec![0.0, 1.0];
+        for (other, path) in curves.iter().enumerate() {
+            if other == own || !whole[other].overlaps(&bounds) {
+                continue;
+            }
+            let near = path.segments.iter().zip(&boxes[other]).filter(|(_, b)| b.overlaps(&bounds));
+            let mut hits: Vec<Point> =
+                near.flat_map(|(crossing, _)| intersections(segment, crossing)).collect();
+            if !path.closed {
+                let ends = [path.start(), path.end()].into_iter().flatten();
+                hits.extend(ends.filter(|end| segment.distance(*end) < MEETS));
+            }
+            cuts.extend(hits.into_iter().map(|hit| segment.nearest_fraction(hit)));
+        }
+        cuts.sort_by(f64::total_cmp);
+        let least = 2.0 * MEETS / segment.length();
+        cuts.dedup_by(|b, a| *b - *a < least);
+        if let Some(last) = cuts.last_mut() {
+            *last = 1.0;
+        }
+        cuts
+    };
+    let parts = |own: usize| {
+        let path = curves[own];
+        (0..path.segments.len()).flat_map(move |at| {
+            let cuts = cuts(own, at);
+            let segment = path.segments[at];
+            cuts.windows(2)
+                .map(|cut| if *cut == [0.0, 1.0] { segment } else { segment.part(cut[0], cut[1]) })
+                .collect::<Vec<_>>()
+        })
+    };
+    (0..curves.len()).map(|own| parts(own).collect()).collect()
+}
