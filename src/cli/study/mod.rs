@@ -8,13 +8,11 @@ mod part;
 mod rows;
 mod run;
 
-pub(super) use load::loaded;
-pub(super) use run::{Destination, Span};
-
 use std::fmt::Write;
 use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
+use crate::cli::study::load::loaded;
 use crate::cli::verbosity::Quiet;
 use crate::forecast::study::{Kind, Study};
 

@@ -1,4 +1,4 @@
-//! Rows of a study to standard output, a file, or parts in a directory: what commands have in common that compute a study.
+//! Rows of a study to standard output, a file, or parts in a directory: where `study run` writes.
 
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Read, Write, stdout};
@@ -17,7 +17,7 @@ use crate::forecast::study::Study;
 /// Which rows are computed, and where they go.
 #[derive(clap::Args, Debug)]
 pub(in crate::cli) struct Destination {
-    /// Compute only part k of N, or parts A..B of N. Of a study, on standard output only part 1 has the header, so that parts can be
+    /// Compute only part k of N, or parts A..B of N. On standard output only part 1 has the header, so that parts can be
     /// joined by `cat`; as files, all have.
     #[arg(long, value_name = "k/N", value_parser = span)]
     pub(in crate::cli) part: Option<Span>,
@@ -94,15 +94,6 @@ fn span(text: &str) -> Result<Span, String> {
 }
 
 impl Destination {
-    /// Whether it says more than which part.
-    pub(in crate::cli) fn is_of_a_study(&self) -> bool {
-        self.parts.is_some()
-            || self.output.is_some()
-            || self.format.is_some()
-            || self.threads.is_some()
-            || self.units
-    }
-
     /// Computes the rows of `study`, and writes them in order.
     pub(in crate::cli) fn run(&self, study: &Study) -> Result<(), Failure> {
         match (self.format, &self.output) {

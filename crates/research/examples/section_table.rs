@@ -1,6 +1,6 @@
 //! Makes the section's table anew, and prints it: the command of its provenance.
 //!
-//! `cargo run --release --example section_table > crates/inflatable/src/mechanics/hinge/section/table.txt`
+//! `cargo run --release -p research --example section_table > crates/inflatable/src/mechanics/hinge/section/table.txt`
 
 use sha2::{Digest, Sha256};
 use stargrip_cam::mechanics::hinge::section::SectionTable;
@@ -20,7 +20,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "# The section at rest as Chebyshev series; read by crates/inflatable/src/mechanics/hinge/section/table.rs."
     );
-    println!("# Made by `cargo run --release --example section_table`. SHA-256 of the lines below: {hash}");
+    println!(
+        "# Made by `cargo run --release -p research --example section_table`. SHA-256 of the lines below: {hash}"
+    );
     println!(
         "# Orders in 1/eps, tau, R*, nu; millionths of ln(lambda - 1), ln C, ln V, width, and four ln(secant / C)."
     );

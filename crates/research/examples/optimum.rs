@@ -1,6 +1,6 @@
 //! Searches against grids: problems at random, the winner of each against 10^5 designs of a grid that meet the same constraints.
 //!
-//! `cargo run --release --example optimum -- 200`; with a second number, that problem alone. `-- 200 shell 20` computes the first 20
+//! `cargo run --release -p research --example optimum -- 200`; with a second number, that problem alone. `-- 200 shell 20` computes the first 20
 //! winners whose constraints a shell can judge as shells: how far they close, whether they open so far, how hard they press.
 
 #[path = "support/dice.rs"]
