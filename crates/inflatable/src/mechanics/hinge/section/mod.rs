@@ -25,7 +25,7 @@ mod tests;
 
 pub use self::arms::ArmsByArc;
 pub use self::profile::{Meridian, MeridianPoint};
-pub use self::table::{SectionEntry, SectionTable};
+pub use self::table::{OFFSETS, SectionEntry, SectionTable, hinge_at};
 pub use self::tabled::Tabled;
 
 use self::density::{Hoop, Scales};
