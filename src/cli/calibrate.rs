@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use crate::cli::bench::{Bench, Coiling, Stiffnesses};
+use crate::cli::bench::{BenchArgs, Coiling, Stiffnesses};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
@@ -38,7 +38,7 @@ pub(super) struct Args {
     #[arg(long, default_value_t = 1.5, allow_hyphen_values = true, value_parser = number(Allowed::closed(1.0, 100.0)))]
     margin: f64,
     #[command(flatten)]
-    bench: Bench,
+    bench: BenchArgs,
     #[command(flatten)]
     verbosity: Verbosity,
 }

@@ -29,8 +29,8 @@ pub use self::table::{OFFSETS, SectionEntry, SectionTable, hinge_at};
 pub use self::tabled::Tabled;
 
 use self::density::{Hoop, Scales};
-use self::mesh::Mesh;
-use self::solve::{Lost, Search};
+use self::mesh::MeridianMesh;
+use self::solve::{Lost, ShapeSearch};
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::{
     Arms, Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star,
@@ -136,7 +136,7 @@ impl Section {
     /// # Errors
     /// If no shape is found.
     pub fn disc(&self) -> Result<[f64; 2], HingeFault> {
-        let mut search = Search::new(self.scales, Mesh::disc(self.elements));
+        let mut search = ShapeSearch::new(self.scales, MeridianMesh::disc(self.elements));
         search.rest_at(1.0).map_err(|lost| unsolved(0.0, lost))?;
         let shape = &search.shape;
         Ok([shape[shape.len() - 4], shape[2]])
@@ -148,9 +148,9 @@ impl Section {
         arms::arms(bendability, (stiffness * bendability).sqrt().recip(), r_star)
     }
 
-    fn rest(&self, r_star: f64) -> Result<Search, HingeFault> {
+    fn rest(&self, r_star: f64) -> Result<ShapeSearch, HingeFault> {
         check_r_star(r_star, MOST_R_STAR)?;
-        let mut search = Search::new(self.scales, Mesh::new(r_star, self.elements));
+        let mut search = ShapeSearch::new(self.scales, MeridianMesh::new(r_star, self.elements));
         search.rest().map_err(|lost| unsolved(r_star, lost))?;
         Ok(search)
     }
@@ -182,8 +182,8 @@ impl HingeModel for Section {
     }
 }
 
-fn state(search: &Search) -> HingeState {
-    let Search { lambda, shape, potential, .. } = search;
+fn state(search: &ShapeSearch) -> HingeState {
+    let ShapeSearch { lambda, shape, potential, .. } = search;
     HingeState {
         lambda: *lambda,
         volume: None,

@@ -1,7 +1,7 @@
 //! The potential of one sheet, summed over the meridian, with its exact gradient and Hessian.
 
 use crate::mechanics::hinge::section::density::{Jet, Scales, Strains, density};
-use crate::mechanics::hinge::section::mesh::{Mesh, Point};
+use crate::mechanics::hinge::section::mesh::{GaussPoint, MeridianMesh};
 use crate::numerics::SymmetricBand;
 
 /// Places of Q, Q' at an element's start and end among its eight unknowns; z, z' are two further on.
@@ -13,7 +13,7 @@ pub(super) const WIDTH: usize = 8;
 
 /// The meridian at `point`, from the unknowns `x` of its element.
 #[inline]
-pub(super) fn jet(point: &Point, x: &[f64]) -> Jet {
+pub(super) fn jet(point: &GaussPoint, x: &[f64]) -> Jet {
     std::array::from_fn(|i| {
         let shift = if i < 3 { 0 } else { TO_Z };
         point.shape[i % 3].iter().zip(OF_Q).map(|(n, place)| n * x[place + shift]).sum()
@@ -21,7 +21,7 @@ pub(super) fn jet(point: &Point, x: &[f64]) -> Jet {
 }
 
 /// Pi at the shape `x`; `None` where the sheet would cross the axis, or nothing is finite.
-pub(super) fn value(scales: &Scales, mesh: &Mesh, lambda: f64, x: &[f64]) -> Option<f64> {
+pub(super) fn value(scales: &Scales, mesh: &MeridianMesh, lambda: f64, x: &[f64]) -> Option<f64> {
     let mut sum = 0.0;
     for (element, points) in mesh.elements.iter().enumerate() {
         for point in points {
@@ -69,7 +69,14 @@ impl Potential {
     }
 
     /// Takes all derivatives at the shape `x`; for `exact` see [`density`].
-    pub(super) fn assemble(&mut self, scales: &Scales, mesh: &Mesh, lambda: f64, x: &[f64], exact: bool) {
+    pub(super) fn assemble(
+        &mut self,
+        scales: &Scales,
+        mesh: &MeridianMesh,
+        lambda: f64,
+        x: &[f64],
+        exact: bool,
+    ) {
         (self.slope, self.curvature) = (0.0, 0.0);
         self.gradient.fill(0.0);
         self.mixed.fill(0.0);
@@ -102,7 +109,7 @@ impl Potential {
 impl Element {
     /// Adds a point's density: rows of Q and columns of Q and z, rows of z and columns of z; the rest is symmetric.
     #[inline]
-    fn add(&mut self, point: &Point, gradient: &Jet, mixed: &Jet, hessian: &[Jet; 6]) {
+    fn add(&mut self, point: &GaussPoint, gradient: &Jet, mixed: &Jet, hessian: &[Jet; 6]) {
         let n = &point.shape;
         let dot = |k: usize, part: [f64; 3]| n[0][k] * part[0] + n[1][k] * part[1] + n[2][k] * part[2];
         let upper = |i: usize, j: usize| point.area * if i <= j { hessian[i][j] } else { hessian[j][i] };

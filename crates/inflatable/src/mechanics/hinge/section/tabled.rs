@@ -17,12 +17,12 @@ pub struct Tabled<'a> {
     table: &'a SectionTable,
     /// 1/eps, t/W, nu.
     scales: [f64; 3],
-    known: [Known; 2],
+    known: [TabledState; 2],
 }
 
 /// A hinge that was looked up.
 #[derive(Clone, Copy, Debug)]
-struct Known {
+struct TabledState {
     r_star: f64,
     entry: SectionEntry,
     arms: Option<ArmsByArc>,
@@ -45,7 +45,7 @@ impl<'a> Tabled<'a> {
         Ok(Self { table, scales, known: [one, other] })
     }
 
-    fn at(&self, r_star: f64) -> Result<Known, HingeFault> {
+    fn at(&self, r_star: f64) -> Result<TabledState, HingeFault> {
         match self.known.iter().find(|known| known.r_star == r_star) {
             Some(known) => Ok(*known),
             None => known(self.table, self.scales, r_star),
@@ -57,13 +57,13 @@ fn known(
     table: &SectionTable,
     [bendability, thickness, poisson]: [f64; 3],
     r_star: f64,
-) -> Result<Known, HingeFault> {
+) -> Result<TabledState, HingeFault> {
     let entry = table.at(bendability, thickness, poisson, r_star)?;
     let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
-    Ok(Known { r_star, entry, arms: arms(bendability, tau, r_star) })
+    Ok(TabledState { r_star, entry, arms: arms(bendability, tau, r_star) })
 }
 
-impl Known {
+impl TabledState {
     fn state(&self, lambda: f64) -> HingeState {
         let entry = &self.entry;
         // Beyond the ends of the table its last secant goes on: a straight line.
