@@ -11,7 +11,7 @@ use crate::cli::load::Loaded;
 use crate::cli::quantity::{number, quantity};
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::Verbosity;
-use crate::coupon::{Calibration, Row, calibrate, listing, read_rows, settings, steady};
+use crate::coupon::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};
 use crate::design::Design;
 use crate::forecast::case::Case;
 use crate::forecast::seal_load::seal_loads;
@@ -118,7 +118,7 @@ impl BenchResult<'_> {
 
 /// A setting for programs.
 fn setting(found: &Calibration) -> Value {
-    let Row { temperature, speed, height, .. } = found.setting;
+    let PeelRow { temperature, speed, height, .. } = found.setting;
     json!({
         "temperature_C": temperature,
         "speed_mm_s": speed,

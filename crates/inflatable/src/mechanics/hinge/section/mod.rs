@@ -33,7 +33,7 @@ use self::mesh::MeridianMesh;
 use self::solve::{Lost, ShapeSearch};
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::{
-    Arms, Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star,
+    Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
 };
 use crate::numerics::spans;
 use std::ops::RangeInclusive;
@@ -197,7 +197,7 @@ fn state(search: &ShapeSearch) -> HingeState {
             // The rim is sheet like the rest, and carries nothing of its own.
             rim_force: 0.0,
         }),
-        effort: Effort { residual: search.decrement, iterations: search.factorisations, error: ERROR },
+        effort: HingeEffort { residual: search.decrement, iterations: search.factorisations, error: ERROR },
     }
 }
 

@@ -5,7 +5,7 @@ use crate::mechanics::hinge::section::arms::{ArmsByArc, arms};
 use crate::mechanics::hinge::section::table::{SectionEntry, SectionTable};
 use crate::mechanics::hinge::section::{LEAST_LAMBDA, MOST_R_STAR};
 use crate::mechanics::hinge::{
-    Arms, Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star,
+    Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
 };
 
 /// Largest lambda: the straight line beyond the table's end leads there, as a short hinge between strong ones needs it.
@@ -88,7 +88,7 @@ impl TabledState {
                 width: entry.width,
                 rim_force: 0.0,
             }),
-            effort: Effort { residual: 0.0, iterations: 0, error: SectionTable::STIFFNESS_ERROR },
+            effort: HingeEffort { residual: 0.0, iterations: 0, error: SectionTable::STIFFNESS_ERROR },
         }
     }
 }
