@@ -35,10 +35,12 @@ python:
 portable:
 	packaging/portable $(TARGETS)
 
+# What is tested: the Python package has tests of its own (`make python`).
+TESTED = -p stargrip-cam -p inflatable -p research
 # Examples are compiled by the lints of `check`; a test that needs one has it as a module.
 test:
-	$(CARGO) test --locked --tests
-	$(CARGO) test --locked --doc
+	$(CARGO) test --locked --tests $(TESTED)
+	$(CARGO) test --locked --doc $(TESTED)
 
 # What CI runs first: format, dependencies, lints, the tests in debug, the fuzz targets' lock file, the release program's files against
 # those of the tests, the documentation.
@@ -50,7 +52,7 @@ check:
 	$(CARGO) tree --manifest-path fuzz/Cargo.toml --locked >/dev/null
 	$(RELEASE)
 	$(CARGO) test --locked --test golden -- --ignored
-	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items
+	RUSTDOCFLAGS="-D warnings" $(CARGO) doc --locked --no-deps --document-private-items $(TESTED)
 
 # The pages of docs/ as a book, target/book/index.html. `make test` holds its list, links and pictures, so CI does not build it.
 MDBOOK = $(shell PATH="$$PATH:target/ci-tools/bin" command -v mdbook)

@@ -9,7 +9,7 @@ use stargrip_cam::design::{self, Refusals};
 use stargrip_cam::forecast::predict as ask;
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::forecast::shell::Detail;
-use stargrip_cam::forecast::shell::star::{self, Refusal};
+use stargrip_cam::forecast::shell::star::{self, ShellRefusal};
 use stargrip_cam::shell::cases::{Shape, Watch};
 use stargrip_cam::spec::{ModelChoice, Spec as Read};
 use stargrip_cam::units::Length;
@@ -119,8 +119,8 @@ fn by_shell(
     let watch = Watch { progress: Some(&tell), cancel: Arc::clone(&line.cancel) };
     let found = star::predict((&spec, &design), &asked.radii, asked.detail, &watch);
     let (prediction, shape) = found.map_err(|refusal| match refusal {
-        Refusal::Cancelled => Refused::Cancelled,
-        Refusal::Fault(fault) => Refused::Fault(fault),
+        ShellRefusal::Cancelled => Refused::Cancelled,
+        ShellRefusal::Fault(fault) => Refused::Fault(fault),
     })?;
     Ok((Answer::Star(Arc::clone(given), Box::new(prediction)), Some(shape)))
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use rayon::ThreadPoolBuilder;
-use stargrip_cam::forecast::study::{Batch, Study, Values};
+use stargrip_cam::forecast::study::{ColumnValues, RowBatch, Study};
 use stargrip_cam::spec::Source;
 use stargrip_cam::spec::study::{Axis, Block, StudyFile, Wanted, read_study};
 
@@ -117,11 +117,11 @@ fn varied(vary: &Bound<'_, PyDict>) -> PyResult<StudyFile> {
 }
 
 /// The columns of `rows`; fewer rows if nobody wants them any more.
-fn computed(study: &Study, rows: Range<usize>, line: &Line) -> Vec<Values> {
+fn computed(study: &Study, rows: Range<usize>, line: &Line) -> Vec<ColumnValues> {
     let total = rows.len();
-    let mut all: Vec<Values> = Vec::new();
+    let mut all: Vec<ColumnValues> = Vec::new();
     let (mut done, mut told) = (0, 0);
-    let take = |batch: Batch, count: usize| {
+    let take = |batch: RowBatch, count: usize| {
         done += count;
         if all.is_empty() {
             all = batch.columns.iter().map(|values| empty(values, total)).collect();
@@ -141,29 +141,29 @@ fn computed(study: &Study, rows: Range<usize>, line: &Line) -> Vec<Values> {
 }
 
 /// No value yet, with room for `total` of the kind of `values`; of very many only a part is asked for at once.
-fn empty(values: &Values, total: usize) -> Values {
+fn empty(values: &ColumnValues, total: usize) -> ColumnValues {
     let total = total.min(1 << 22);
     match values {
-        Values::Real(_) => Values::Real(Vec::with_capacity(total)),
-        Values::Whole(_) => Values::Whole(Vec::with_capacity(total)),
-        Values::Text(_) => Values::Text(Vec::with_capacity(total)),
+        ColumnValues::Real(_) => ColumnValues::Real(Vec::with_capacity(total)),
+        ColumnValues::Whole(_) => ColumnValues::Whole(Vec::with_capacity(total)),
+        ColumnValues::Text(_) => ColumnValues::Text(Vec::with_capacity(total)),
     }
 }
 
-fn append(own: &mut Values, more: Values) {
+fn append(own: &mut ColumnValues, more: ColumnValues) {
     match (own, more) {
-        (Values::Real(own), Values::Real(more)) => own.extend(more),
-        (Values::Whole(own), Values::Whole(more)) => own.extend(more),
-        (Values::Text(own), Values::Text(more)) => own.extend(more),
+        (ColumnValues::Real(own), ColumnValues::Real(more)) => own.extend(more),
+        (ColumnValues::Whole(own), ColumnValues::Whole(more)) => own.extend(more),
+        (ColumnValues::Text(own), ColumnValues::Text(more)) => own.extend(more),
         _ => {}
     }
 }
 
-fn array(py: Python<'_>, values: Values) -> PyResult<Bound<'_, PyAny>> {
+fn array(py: Python<'_>, values: ColumnValues) -> PyResult<Bound<'_, PyAny>> {
     match values {
-        Values::Real(values) => floats(py, &values, &[values.len()]),
-        Values::Whole(values) => integers(py, &values, &[values.len()]),
-        Values::Text(values) => {
+        ColumnValues::Real(values) => floats(py, &values, &[values.len()]),
+        ColumnValues::Whole(values) => integers(py, &values, &[values.len()]),
+        ColumnValues::Text(values) => {
             let list = PyList::new(py, values.iter().map(Option::as_deref))?;
             let object = py.import("builtins")?.getattr("object")?;
             py.import("numpy")?.call_method1("array", (list, object))

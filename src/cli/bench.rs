@@ -25,7 +25,7 @@ const OFF_WIDTH: f64 = 0.2e-3;
 
 /// Arguments about the bench.
 #[derive(clap::Args, Debug)]
-pub(super) struct Bench {
+pub(super) struct BenchArgs {
     /// The V-actuator's angle between its arms, flat, such as "58 deg".
     #[arg(long, value_name = "ANGLE", requires = "inflated_angle", allow_hyphen_values = true, value_parser = quantity_or_number::<Angle>(Allowed::between(0.0, 180.0)))]
     flat_angle: Option<f64>,
@@ -46,7 +46,7 @@ pub(super) struct Bench {
     radius_ratio: f64,
 }
 
-impl Bench {
+impl BenchArgs {
     /// What was measured at the V-actuator and what is predicted: at its pressure by `section` for the fabric of the spec, else by the
     /// exact ring; `None` if nothing was measured.
     pub(super) fn coiling(&self, spec: Option<&Loaded>) -> Result<Option<Coiling>, Failure> {
@@ -101,7 +101,7 @@ impl Bench {
             let named = |fault: BenchFault| Failure::Message(format!("--disc-width: {fault}"));
             stretch = at(0.0).map_err(named)?;
             let ends = [at(-OFF_WIDTH), at(OFF_WIDTH)].map(Result::ok);
-            found.stretch = Some(Found { value: stretch, ends, at: pressure });
+            found.stretch = Some(MeasuredStiffness { value: stretch, ends, at: pressure });
         }
         if let Some(pressure) = self.angle_pressure {
             let spec = &loaded.reading.spec;
@@ -112,7 +112,7 @@ impl Bench {
             let named = |fault: BenchFault| Failure::Message(format!("--inflated-angle: {fault}"));
             let value = at(0.0).map_err(named)?;
             let ends = [at(-OFF_ANGLE), at(OFF_ANGLE)].map(Result::ok);
-            found.bending = Some(Found { value, ends, at: pressure });
+            found.bending = Some(MeasuredStiffness { value, ends, at: pressure });
         }
         Ok(found)
     }
@@ -148,7 +148,7 @@ impl Coiling {
 }
 
 /// One stiffness, SI units, with those of a measurement that is off a little to either side, where there are any.
-struct Found {
+struct MeasuredStiffness {
     value: f64,
     ends: [Option<f64>; 2],
     at: Pressure,
@@ -157,8 +157,8 @@ struct Found {
 /// Stiffnesses of a fabric, as far as the bench tells them.
 #[derive(Default)]
 pub(super) struct Stiffnesses {
-    stretch: Option<Found>,
-    bending: Option<Found>,
+    stretch: Option<MeasuredStiffness>,
+    bending: Option<MeasuredStiffness>,
 }
 
 impl Stiffnesses {
@@ -171,19 +171,22 @@ impl Stiffnesses {
     /// Lines of `[fabric]`.
     pub(super) fn toml(&self) -> String {
         let mut out = String::new();
-        let mut line =
-            |found: &Option<Found>, key: &str, source: &str, off: &str, text: &dyn Fn(f64) -> String| {
-                let Some(Found { value, ends, at }) = found else { return };
-                let ends = ends.map(|end| end.map_or("unknown".to_owned(), text));
-                // A String takes everything.
-                let _ = writeln!(
-                    out,
-                    "# of the {source} at {at}; {off} less or more would make it {}, {}\n{key} = \"{}\"",
-                    ends[0],
-                    ends[1],
-                    text(*value)
-                );
-            };
+        let mut line = |found: &Option<MeasuredStiffness>,
+                        key: &str,
+                        source: &str,
+                        off: &str,
+                        text: &dyn Fn(f64) -> String| {
+            let Some(MeasuredStiffness { value, ends, at }) = found else { return };
+            let ends = ends.map(|end| end.map_or("unknown".to_owned(), text));
+            // A String takes everything.
+            let _ = writeln!(
+                out,
+                "# of the {source} at {at}; {off} less or more would make it {}, {}\n{key} = \"{}\"",
+                ends[0],
+                ends[1],
+                text(*value)
+            );
+        };
         line(&self.stretch, "stretch_stiffness", "disc", "0.2 mm", &|y| {
             digits(LineForce::from_newtons_per_metre(y).0) + " N/mm"
         });
@@ -195,8 +198,9 @@ impl Stiffnesses {
 
     /// For programs.
     pub(super) fn json(&self) -> Value {
-        let known =
-            |found: &Option<Found>, unit: fn(f64) -> f64| found.as_ref().map(|found| unit(found.value));
+        let known = |found: &Option<MeasuredStiffness>, unit: fn(f64) -> f64| {
+            found.as_ref().map(|found| unit(found.value))
+        };
         json!({
             "stretch_stiffness_N_mm": known(&self.stretch, |y| LineForce::from_newtons_per_metre(y).0),
             "bending_stiffness_Nmm": known(&self.bending, |b| BendingStiffness::from_newton_metres(b).0),

@@ -136,7 +136,7 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
 }
 
 /// What was published, and what is said of it.
-struct Made {
+struct PublishedOutput {
     proven: Proven,
     target: PathBuf,
     notes: Vec<Precaution>,
@@ -155,7 +155,7 @@ fn made(
     targets: &BTreeMap<&Path, PathBuf>,
     spec: &Path,
     verbosity: Verbosity,
-) -> Result<Made, Failure> {
+) -> Result<PublishedOutput, Failure> {
     let loaded = Loaded::spoken(spec, verbosity)?;
     let forecast = loaded.forecast()?;
     let named = || Path::new("out").join(new::file_stem(&forecast.spec.name));
@@ -167,12 +167,12 @@ fn made(
     // What became of files that were there is told however quiet one is.
     tell(&publish(&target, &proven)?.to_string());
     let (source, machine) = (loaded.source.clone(), loaded.sources().machine.to_owned());
-    Ok(Made { proven, target, notes, source, machine })
+    Ok(PublishedOutput { proven, target, notes, source, machine })
 }
 
 /// Answers for one build, and opens its page if that is wanted.
-fn answered(args: &Args, made: &Made) -> Result<Option<Value>, Failure> {
-    let Made { proven, target, notes, .. } = made;
+fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failure> {
+    let PublishedOutput { proven, target, notes, .. } = made;
     let (verbosity, forecast) = (args.verbosity, &proven.built().forecast);
     if args.open {
         match overview::to_look_at(proven) {

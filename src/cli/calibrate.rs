@@ -4,14 +4,14 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use crate::cli::bench::{Bench, Coiling, Stiffnesses};
+use crate::cli::bench::{BenchArgs, Coiling, Stiffnesses};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
 use crate::cli::quantity::{number, quantity};
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::Verbosity;
-use crate::coupon::{Calibration, Row, calibrate, listing, read_rows, settings, steady};
+use crate::coupon::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};
 use crate::design::Design;
 use crate::forecast::case::Case;
 use crate::forecast::seal_load::seal_loads;
@@ -38,7 +38,7 @@ pub(super) struct Args {
     #[arg(long, default_value_t = 1.5, allow_hyphen_values = true, value_parser = number(Allowed::closed(1.0, 100.0)))]
     margin: f64,
     #[command(flatten)]
-    bench: Bench,
+    bench: BenchArgs,
     #[command(flatten)]
     verbosity: Verbosity,
 }
@@ -118,7 +118,7 @@ impl BenchResult<'_> {
 
 /// A setting for programs.
 fn setting(found: &Calibration) -> Value {
-    let Row { temperature, speed, height, .. } = found.setting;
+    let PeelRow { temperature, speed, height, .. } = found.setting;
     json!({
         "temperature_C": temperature,
         "speed_mm_s": speed,

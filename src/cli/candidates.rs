@@ -9,7 +9,7 @@ use crate::cli::terminal::width;
 use crate::forecast::optimize::{
     Confirmation, Constraints, Evaluation, SEARCHED, SearchResult, is_at_pressure, shortfalls, thinned,
 };
-use crate::forecast::outcome::{Hold, Outcome};
+use crate::forecast::outcome::{Grip, Outcome};
 use crate::forecast::ranges::{mm, shown};
 use crate::units::Length;
 
@@ -179,7 +179,7 @@ fn cells(candidate: &Evaluation, constraints: &Constraints) -> [String; COLUMNS.
         (Some(value), None) => format!("{value:.3}, range unknown"),
         (None, _) => "-".to_owned(),
     };
-    let untried = own.is_some_and(|own| own.hold == Some(Hold::Untried));
+    let untried = own.is_some_and(|own| own.hold == Some(Grip::Untried));
     let of_force =
         |value: Option<f64>, range| if untried { "unknown".to_owned() } else { ranged(value, range) };
     let or_none = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());

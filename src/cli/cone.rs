@@ -9,7 +9,7 @@ use crate::cli::load::Loaded;
 use crate::cli::quantity::{SIZE, number, quantity};
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::{Verbosity, pretty};
-use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, Reduced, csv, read_test, reduce};
+use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, ReducedPoint, csv, read_test, reduce};
 use crate::design::Star;
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::of_spec;
@@ -92,7 +92,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// Prints the points; how they were reduced is told to who asks.
-fn show(args: &Args, ratio: f64, first: f64, points: &[Reduced]) -> Result<(), Failure> {
+fn show(args: &Args, ratio: f64, first: f64, points: &[ReducedPoint]) -> Result<(), Failure> {
     let first = Length::from_metres(first);
     if args.verbosity.json {
         return say(&pretty(&json!({
@@ -107,7 +107,7 @@ fn show(args: &Args, ratio: f64, first: f64, points: &[Reduced]) -> Result<(), F
     say(&csv(points))
 }
 
-fn point(point: &Reduced) -> Value {
+fn point(point: &ReducedPoint) -> Value {
     let Predicted { force, range } = point.predicted.unwrap_or_default();
     json!({
         "travel_mm": point.press.travel,

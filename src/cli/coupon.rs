@@ -13,7 +13,7 @@ use crate::cli::load::Loaded;
 use crate::cli::publish::publish_files;
 use crate::cli::quantity::quantity;
 use crate::cli::verbosity::Verbosity;
-use crate::coupon::{Grid, Group};
+use crate::coupon::{CouponGroup, StripGrid};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
 use crate::spec::Allowed;
 use crate::units::{Length, Speed, Temperature};
@@ -92,18 +92,18 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// The kinds of coupons that are wanted: all, if none was named.
-fn groups(args: &Args) -> Vec<Group> {
-    let all = Group::NAMES.iter();
+fn groups(args: &Args) -> Vec<CouponGroup> {
+    let all = CouponGroup::NAMES.iter();
     all.filter(|(name, _)| args.only.is_empty() || args.only.iter().any(|only| only == name))
         .map(|(_, group)| *group)
         .collect()
 }
 
 /// What is tried out.
-fn grid(args: &Args, loaded: &Loaded) -> Result<Grid, Failure> {
+fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
     let (seal, heights) = (&loaded.reading.spec.seal, &loaded.machine.process.heights);
     let speeds = [1.0, 2.0, 5.0].map(|factor| Speed(factor * seal.speed.0));
-    let grid = Grid {
+    let grid = StripGrid {
         temperatures: or(&args.temperatures, &[seal.temperature]),
         speeds: or(&args.speeds, &speeds),
         heights: or(&args.heights, &[heights.contact]),

@@ -23,7 +23,7 @@ pub(super) struct Args {
 }
 
 /// One code of the page.
-struct Row {
+struct CodeRow {
     /// The heading above it.
     about: &'static str,
     code: &'static str,
@@ -32,7 +32,7 @@ struct Row {
     example: &'static str,
 }
 
-impl Row {
+impl CodeRow {
     fn json(&self) -> Value {
         json!({ "code": self.code, "about": self.about, "meaning": self.meaning, "example": self.example })
     }
@@ -42,15 +42,15 @@ impl Row {
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let rows = rows();
     let Some(code) = &args.code else {
-        let line = |row: &Row| wrapped(&format!("{:24} {}", row.code, row.meaning), 25, width(&stdout()));
+        let line = |row: &CodeRow| wrapped(&format!("{:24} {}", row.code, row.meaning), 25, width(&stdout()));
         let lines: Vec<String> = rows.iter().map(line).collect();
-        let all = json!({ "codes": rows.iter().map(Row::json).collect::<Vec<_>>() });
+        let all = json!({ "codes": rows.iter().map(CodeRow::json).collect::<Vec<_>>() });
         return args.verbosity.report(&(lines.join("\n") + "\n"), &all);
     };
     // Who copies it from a message may copy its brackets.
     let word = code.trim_start_matches("error").trim_start_matches("warning").trim_matches(['[', ']', ':']);
     if let Some(row) = rows.iter().find(|row| row.code == word) {
-        let Row { about, code, meaning, example } = row;
+        let CodeRow { about, code, meaning, example } = row;
         let example = example.replace("&lt;", "<").replace("\\|", "|");
         let example = if example.is_empty() { example } else { format!("Example: {example}\n") };
         return args.verbosity.report(&format!("{code} ({about})\n{meaning}\n{example}"), &row.json());
@@ -64,7 +64,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// The rows of the page's tables.
-fn rows() -> Vec<Row> {
+fn rows() -> Vec<CodeRow> {
     let mut about = "";
     let mut rows = Vec::new();
     for line in PAGE.lines() {
@@ -76,7 +76,7 @@ fn rows() -> Vec<Row> {
             .and_then(|line| line.strip_suffix(" |"))
             .and_then(|line| line.split_once("` | "))
             .and_then(|(code, line)| Some((code, line.split_once(" | ")?)));
-        rows.extend(row.map(|(code, (meaning, example))| Row { about, code, meaning, example }));
+        rows.extend(row.map(|(code, (meaning, example))| CodeRow { about, code, meaning, example }));
     }
     rows
 }

@@ -15,13 +15,13 @@ use crate::spec::{Machine, Motion};
 #[command(args_conflicts_with_subcommands = true)]
 pub(super) struct Args {
     #[command(subcommand)]
-    command: Option<Command>,
+    command: Option<MachinesCommand>,
     #[command(flatten)]
     verbosity: Verbosity,
 }
 
 #[derive(clap::Subcommand, Debug)]
-enum Command {
+enum MachinesCommand {
     /// Print one profile, to start your own from.
     Show {
         /// Name of a built-in profile.
@@ -31,7 +31,7 @@ enum Command {
 
 /// Lists the built-in profiles, or prints one.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
-    let Some(Command::Show { name }) = &args.command else {
+    let Some(MachinesCommand::Show { name }) = &args.command else {
         let machines = machines()?;
         return match args.verbosity {
             Verbosity { json: true, .. } => say(&json(&machines)),

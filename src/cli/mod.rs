@@ -42,7 +42,6 @@ mod resume;
 mod schema;
 mod shell;
 mod study;
-mod table;
 mod terminal;
 mod text_file;
 mod trade;
@@ -120,11 +119,8 @@ enum Command {
     /// Print a page of the manual.
     Man(man::Args),
     /// The same as `study run`.
-    #[command(hide = true)]
+    #[command(hide = true, alias = "table")]
     Sweep(study::compute::Args),
-    /// Compute the shipped tables of arms and stars anew, or a part of them; a study file as `study run`.
-    #[command(hide = true)]
-    Table(table::Args),
 }
 
 /// The program's commands, with its help in groups.
@@ -164,7 +160,6 @@ pub fn run(args: Vec<OsString>) -> u8 {
         Command::Optimize(args) => optimize::run(&args),
         Command::Sweep(args) => study::compute::run(&args),
         Command::Study(args) => study::run(&args),
-        Command::Table(args) => table::run(&args),
         Command::Trade(args) => trade::run(&args),
         Command::Cone(args) => cone::run(&args),
         Command::Verify(args) => verify::run(&args),
@@ -207,7 +202,7 @@ mod tests {
     /// Commands that have no other answer than a document for other programs, whole and always the same.
     const DOCUMENTS: [&str; 3] = ["schema", "completions", "man"];
     /// Commands that compute for hours and whose answers are files, a row or a file for each.
-    const FILES: [&str; 5] = ["run", "show", "join", "sweep", "table"];
+    const FILES: [&str; 4] = ["run", "show", "join", "sweep"];
 
     #[test]
     fn every_command_that_reports_speaks_as_loud_as_one_likes() {

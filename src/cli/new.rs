@@ -6,7 +6,7 @@ use serde_json::json;
 
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::new_object::{Made, ObjectArgs, chosen};
+use crate::cli::new_object::{NewGripper, ObjectArgs, chosen};
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{defaults, progress, schema};
@@ -38,7 +38,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     write_new(&path, &text)?;
     let schema = schema::write_beside(&path)?;
     let verdict = found.as_ref().and_then(|made| made.forecast.verdict());
-    let chosen = found.as_ref().map(Made::json);
+    let chosen = found.as_ref().map(NewGripper::json);
     let json = json!({ "wrote": path, "schema": schema, "verdict": verdict, "chosen": chosen });
     let path = shown(&path);
     let said = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));

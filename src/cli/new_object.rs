@@ -16,7 +16,7 @@ use crate::cli::quantity::{SIZE, number, quantity};
 use crate::design::{RefusalCode, Refusals};
 use crate::forecast::candidate::Candidate;
 use crate::forecast::sizing::{
-    Choice, FRICTION, Infeasible, Nearest, Requirements, Workspace, choose, spec_text,
+    Choice, FRICTION, Infeasible, NearestRequirements, Requirements, Workspace, choose, spec_text,
 };
 use crate::forecast::verdict::Verdict;
 use crate::pipeline::Forecast;
@@ -97,7 +97,7 @@ fn sheet(text: &str) -> Result<[Length; 2], String> {
 }
 
 /// A gripper for an object: its spec, and what was forecast of it.
-pub(super) struct Made {
+pub(super) struct NewGripper {
     /// The spec's text.
     pub(super) text: String,
     /// Everything that `check` knows of it.
@@ -106,7 +106,7 @@ pub(super) struct Made {
     pub(super) friction_assumed: bool,
 }
 
-impl Made {
+impl NewGripper {
     /// The verdict with its reasons, and below it what was chosen: a line each.
     pub(super) fn in_words(&self) -> String {
         let verdict = self.forecast.verdict();
@@ -161,7 +161,7 @@ impl Made {
 }
 
 /// The spec of a gripper for the object; `None` without an object.
-pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Failure> {
+pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>, Failure> {
     let Some((object, mass)) = args.object.zip(args.mass) else { return Ok(None) };
     let base = base(args)?;
     let machine = machine(&base.machine.profile)?;
@@ -190,7 +190,7 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<Made>, Fail
         for choice in choices {
             match buildable(name, choice, base, &machine) {
                 Ok((text, forecast)) => {
-                    return Ok(Made { text, forecast, friction_assumed: args.friction.is_none() });
+                    return Ok(NewGripper { text, forecast, friction_assumed: args.friction.is_none() });
                 }
                 Err(refusals) => why = why.or(Some(refusals)),
             }
@@ -229,7 +229,12 @@ fn argument(text: &str) -> String {
 }
 
 /// What can be had in place of `requirements`, and the command that has it.
-fn in_words(name: &str, args: &ObjectArgs, requirements: &Requirements, nearest: &Nearest) -> Option<String> {
+fn in_words(
+    name: &str,
+    args: &ObjectArgs,
+    requirements: &Requirements,
+    nearest: &NearestRequirements,
+) -> Option<String> {
     let (had, best) = (&nearest.requirements, &nearest.choices.first()?.best.point);
     let stars = if best.stars == 1 { "1 star".to_owned() } else { format!("{} stars", best.stars) };
     let at = best.load.pressure.map_or(String::new(), |pressure| format!(" at {pressure}"));

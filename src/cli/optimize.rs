@@ -13,12 +13,12 @@ use crate::cli::verbosity::{Verbosity, pretty};
 use crate::design::{Design, room};
 use crate::forecast::candidate::Candidate;
 use crate::forecast::optimize::{
-    Bounds, Confirmation, Constraints, Effort, Evaluation, Goal, ROUNDING, Search, SearchResult,
-    is_at_pressure,
+    Confirmation, Constraints, DesignSearch, Evaluation, Goal, ROUNDING, SearchBounds, SearchEffort,
+    SearchResult, is_at_pressure,
 };
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::star;
-use crate::forecast::shell::star::Refusal;
+use crate::forecast::shell::star::ShellRefusal;
 use crate::forecast::sizing::is_result;
 use crate::spec;
 use crate::spec::edit::{StarEdit, with_comments, with_star, with_value};
@@ -123,13 +123,13 @@ pub(super) fn answer(
     let (goal, constraints) = wanted(args, loaded, &base)?;
     let table = RingTable::new().map_err(|fault| message(&fault.to_string()))?;
     let bounds = bounds(args, &base);
-    let search = Search {
+    let search = DesignSearch {
         base: &base,
         bounds: &bounds,
         constraints: &constraints,
         goal,
         table: &table,
-        effort: Effort::default(),
+        effort: SearchEffort::default(),
         cancel,
     };
     Ok((progress::during(args.verbosity, "searching", |_| search.run()), constraints))
@@ -244,12 +244,12 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
     Ok((goal, constraints))
 }
 
-fn bounds(args: &Args, base: &Candidate) -> Bounds {
+fn bounds(args: &Args, base: &Candidate) -> SearchBounds {
     let star = &base.star;
     let lengths = |range: Option<(Length, Length)>, default: [Length; 2]| range.map_or(default, Into::into);
     let width = star.tube_width.0;
     let (from, to) = args.count.unwrap_or((base.stars, base.stars));
-    Bounds {
+    SearchBounds {
         points: args.points.0..=args.points.1,
         tip_angle: args.tip_angle.unwrap_or((Angle(10.0), Angle(90.0))).into(),
         width: lengths(args.tube_width, [Length(0.5 * width), Length(1.5 * width)]),
@@ -329,8 +329,8 @@ fn confirmed(
     let spec = spec::read(&Source::new("optimised", text))?.spec;
     let (found, _) = watched_by(verbosity, |watch| {
         star::predict((&spec, design), &[], Detail::Medium, watch).map_err(|refusal| match refusal {
-            Refusal::Cancelled => Failure::Interrupted,
-            Refusal::Fault(fault) => {
+            ShellRefusal::Cancelled => Failure::Interrupted,
+            ShellRefusal::Fault(fault) => {
                 message(&format!("the shell refuses the best design, which --confirm asks for: {fault}"))
             }
         })

@@ -25,10 +25,10 @@ use crate::units::{Angle, Length};
 const LABEL: usize = 11;
 
 /// A label and what stands beside it; rows without one are sentences of their own.
-type Row = (&'static str, String);
+type OverviewRow = (&'static str, String);
 
 /// What it is, and what it does.
-pub(super) fn head(forecast: &Forecast) -> Vec<Row> {
+pub(super) fn head(forecast: &Forecast) -> Vec<OverviewRow> {
     let mut rows = vec![("", forecast.spec.name.clone())];
     rows.extend(pieces(forecast).into_iter().map(|text| ("", text)));
     if forecast.design.assembly().is_some() {
@@ -93,7 +93,7 @@ fn in_words(star: &StarSpec) -> String {
 }
 
 /// How long sealing takes, and on what.
-pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<Row> {
+pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
     let seconds = sealing_time(forecast);
     let end = clock::finish(now, seconds)
         .map(|end| format!("; begun now, it ends {end}, heating and pauses not counted"));
@@ -113,7 +113,7 @@ pub(super) fn sealing_time(forecast: &Forecast) -> f64 {
 }
 
 /// What was written, what to look at, and what to run.
-pub(super) fn written(proven: &Proven, target: &Path) -> Vec<Row> {
+pub(super) fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
     let mut rows =
         vec![("files", format!("{number} in {}", shown(target))), ("proven", scope(proven.proof()))];
@@ -133,7 +133,7 @@ pub(super) fn written(proven: &Proven, target: &Path) -> Vec<Row> {
 }
 
 /// What was proven in memory, and that there are kinds which were not made.
-pub(super) fn proven(proven: &Proven) -> Vec<Row> {
+pub(super) fn proven(proven: &Proven) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
     let more = match left_out(proven).len() {
         0 => String::new(),
@@ -176,9 +176,9 @@ fn more(programs: &[String]) -> String {
 }
 
 /// Prints rows to standard output.
-pub(super) fn show(rows: &[Row]) -> Result<(), Failure> {
+pub(super) fn show(rows: &[OverviewRow]) -> Result<(), Failure> {
     let width = width(&stdout());
-    let line = |(label, text): &Row| match *label {
+    let line = |(label, text): &OverviewRow| match *label {
         "" => wrapped(text, 2, width) + "\n",
         label => wrapped(&format!("{label:LABEL$}{text}"), LABEL, width) + "\n",
     };

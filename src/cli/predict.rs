@@ -12,7 +12,7 @@ use crate::forecast::predict::{PredictFault, add_curve, predict};
 use crate::forecast::report;
 use crate::forecast::shell::Detail;
 use crate::forecast::shell::star;
-use crate::forecast::shell::star::Refusal;
+use crate::forecast::shell::star::ShellRefusal;
 use crate::pipeline::no_prediction;
 use crate::spec::{ModelChoice, Spec};
 use crate::units::Length;
@@ -116,8 +116,8 @@ fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Resu
     args.shell.show(&question, args.verbosity, |watch| {
         let found = star::predict((spec, design), radii, args.shell.detail(), watch);
         let (prediction, shape) = found.map_err(|refusal| match refusal {
-            Refusal::Cancelled => Failure::Interrupted,
-            Refusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
+            ShellRefusal::Cancelled => Failure::Interrupted,
+            ShellRefusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
         })?;
         let vtu = args.shell.wants_vtu().then(|| shape.vtu()).transpose();
         let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;

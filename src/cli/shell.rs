@@ -16,7 +16,7 @@ use inflatable::shell::cases::{ShellFault, Watch};
 pub(super) struct ShellArgs {
     /// Of the shell: how fine its meshes are. Errors of the mesh are said beside every number.
     #[arg(long, value_name = "HOW", default_value = "medium")]
-    fineness: Fineness,
+    fineness: FinenessWord,
     /// Of the shell: write the inflated sheet as a VTU file, which ParaView reads.
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
@@ -27,7 +27,7 @@ pub(super) struct ShellArgs {
 
 /// How fine meshes are, as words of the command line.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
-enum Fineness {
+enum FinenessWord {
     /// A first look: seconds.
     Coarse,
     /// For most ends.
@@ -50,9 +50,9 @@ impl ShellArgs {
     /// How fine meshes shall be.
     pub(super) fn detail(&self) -> Detail {
         match self.fineness {
-            Fineness::Coarse => Detail::Coarse,
-            Fineness::Medium => Detail::Medium,
-            Fineness::Fine => Detail::Fine,
+            FinenessWord::Coarse => Detail::Coarse,
+            FinenessWord::Medium => Detail::Medium,
+            FinenessWord::Fine => Detail::Fine,
         }
     }
 

@@ -10,7 +10,7 @@ use std::fmt;
 use std::fmt::Write;
 
 use crate::coupon::strips::WIDTH;
-use crate::coupon::table::{Column, read_table};
+use crate::coupon::table::{TableColumn, read_table};
 use crate::spec::{Allowed, Faults, Source};
 
 /// Fewest specimens of a setting.
@@ -21,17 +21,17 @@ const WEAKEST: f64 = 1e-3;
 const SPREAD: f64 = 0.25;
 
 /// The columns of the table that `coupon` writes, those with numbers that are needed.
-const COLUMNS: [Column; 4] = [
-    Column { names: &["temperature"], unit: "C", allowed: Allowed::closed(0.0, 1e3), optional: false },
-    Column { names: &["speed"], unit: "mm_s", allowed: Allowed::closed(1e-3, 1e3), optional: false },
-    Column { names: &["height"], unit: "mm", allowed: Allowed::closed(-20.0, 1e3), optional: false },
+const COLUMNS: [TableColumn; 4] = [
+    TableColumn { names: &["temperature"], unit: "C", allowed: Allowed::closed(0.0, 1e3), optional: false },
+    TableColumn { names: &["speed"], unit: "mm_s", allowed: Allowed::closed(1e-3, 1e3), optional: false },
+    TableColumn { names: &["height"], unit: "mm", allowed: Allowed::closed(-20.0, 1e3), optional: false },
     // Empty where a strip was not tested.
-    Column { names: &["peel"], unit: "N", allowed: Allowed::closed(0.0, 1e6), optional: true },
+    TableColumn { names: &["peel"], unit: "N", allowed: Allowed::closed(0.0, 1e6), optional: true },
 ];
 
 /// One filled-in row.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Row {
+pub struct PeelRow {
     /// Temperature, in degrees Celsius.
     pub temperature: f64,
     /// Speed, mm/s.
@@ -58,7 +58,7 @@ impl std::error::Error for CalibrationFault {}
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {
     /// The setting, with its mean peel force in place of a single one.
-    pub setting: Row,
+    pub setting: PeelRow,
     /// Mean peel strength, N/mm.
     pub mean: f64,
     /// Standard deviation of the peel strength, N/mm; not a number for a single specimen.
@@ -73,11 +73,11 @@ pub struct Calibration {
 ///
 /// # Errors
 /// All faults of the table, see [`read_table`].
-pub fn read_rows(source: &Source) -> Result<Vec<Row>, Faults> {
+pub fn read_rows(source: &Source) -> Result<Vec<PeelRow>, Faults> {
     let rows = read_table(source, &COLUMNS)?;
     let tested = rows.into_iter().filter_map(|row| match row {
         [Some(temperature), Some(speed), Some(height), Some(peel)] => {
-            Some(Row { temperature, speed, height, peel })
+            Some(PeelRow { temperature, speed, height, peel })
         }
         _ => None,
     });
@@ -85,9 +85,9 @@ pub fn read_rows(source: &Source) -> Result<Vec<Row>, Faults> {
 }
 
 /// Every setting that was tested, in the order of the table. The work is linear in the number of rows.
-pub fn settings(rows: &[Row]) -> Vec<Calibration> {
+pub fn settings(rows: &[PeelRow]) -> Vec<Calibration> {
     let mut places = HashMap::new();
-    let mut found: Vec<(Row, Vec<f64>)> = Vec::new();
+    let mut found: Vec<(PeelRow, Vec<f64>)> = Vec::new();
     for row in rows {
         // 0 is added because 0 and -0 are one height.
         let key = [row.temperature, row.speed, row.height].map(|x| (x + 0.0).to_bits());
@@ -144,12 +144,12 @@ pub fn steady(settings: &[Calibration]) -> Result<Vec<Calibration>, CalibrationF
     Ok(steady)
 }
 
-fn judge(setting: Row, peels: &[f64]) -> Calibration {
+fn judge(setting: PeelRow, peels: &[f64]) -> Calibration {
     #[expect(clippy::cast_precision_loss, reason = "a handful of specimens")]
     let n = peels.len() as f64;
     let mean = peels.iter().sum::<f64>() / n;
     let deviation = (peels.iter().map(|p| (p - mean).powi(2)).sum::<f64>() / (n - 1.0)).sqrt();
-    let setting = Row { peel: mean * WIDTH, ..setting };
+    let setting = PeelRow { peel: mean * WIDTH, ..setting };
     Calibration { setting, mean, deviation, strength: mean - 2.0 * deviation, count: peels.len() }
 }
 
@@ -188,7 +188,7 @@ pub fn listing(settings: &[Calibration]) -> String {
         "# speed/(mm/s)  temperature/C  height/mm  specimens  mean/(N/mm)  deviation  holds/(N/mm)\n",
     );
     for c in sorted {
-        let Row { temperature, speed, height, .. } = c.setting;
+        let PeelRow { temperature, speed, height, .. } = c.setting;
         let holds = c.unfit().map_or_else(|| format!("{:.3}", c.strength), str::to_owned);
         let deviation = if c.count > 1 { format!("{:.3}", c.deviation) } else { "-".to_owned() };
         // A String takes everything.
@@ -210,7 +210,7 @@ mod tests {
         4,200,0.5,-0.3,50,peel\n5,200,0.5,-0.3,52,peel\n6,200,0.5,-0.3,48,peel\n\
         7,200,1,-0.3,20,peel\n8,200,1,-0.3,40,peel\n9,200,1,-0.3,10,peel\n10,220,1,-0.3,,\n";
 
-    fn rows() -> Vec<Row> {
+    fn rows() -> Vec<PeelRow> {
         read_rows(&Source::new("results.csv", TABLE)).expect("a table")
     }
 
@@ -228,14 +228,15 @@ mod tests {
 
     #[test]
     fn a_strength_is_rounded_down() {
-        let row = |peel| Row { temperature: 200.0, speed: 1.0, height: 0.0, peel };
+        let row = |peel| PeelRow { temperature: 200.0, speed: 1.0, height: 0.0, peel };
         let settings = settings(&[row(49.99), row(49.99), row(49.99)]);
         assert!(settings[0].toml().contains("seal_strength = \"1.999 N/mm\""), "{}", settings[0].toml());
     }
 
     #[test]
     fn data_that_support_nothing_are_said_to() {
-        let why = |rows: &[Row], needed| calibrate(&settings(rows), needed, 1.5).expect_err("no choice").0;
+        let why =
+            |rows: &[PeelRow], needed| calibrate(&settings(rows), needed, 1.5).expect_err("no choice").0;
         assert!(why(&rows()[..2], 1.0).contains("no setting has 3 specimens"));
         assert!(why(&rows()[6..], 0.1).contains("spread is above 25 %"));
         assert!(why(&rows(), 10.0).contains("the strongest setting holds 2.760 N/mm"));
@@ -251,7 +252,7 @@ mod tests {
 
     #[test]
     fn settings_are_told_apart_by_all_of_their_values() {
-        let row = |temperature, speed, height| Row { temperature, speed, height, peel: 25.0 };
+        let row = |temperature, speed, height| PeelRow { temperature, speed, height, peel: 25.0 };
         let rows = [
             row(200.0, 1.0, 0.0),
             row(200.0, 1.0, -0.0),

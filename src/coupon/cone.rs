@@ -13,19 +13,19 @@
 use std::fmt;
 use std::fmt::Write;
 
-use crate::coupon::table::{Column, read_table};
+use crate::coupon::table::{TableColumn, read_table};
 use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
 use crate::units::Readable;
 
 /// The columns of a test; `travel` is 0 at first contact.
-const COLUMNS: [Column; 2] = [
-    Column {
+const COLUMNS: [TableColumn; 2] = [
+    TableColumn {
         names: &["travel", "displacement", "extension"],
         unit: "mm",
         allowed: Allowed::closed(-1e5, 1e5),
         optional: false,
     },
-    Column { names: &["load"], unit: "N", allowed: Allowed::closed(-1e6, 1e6), optional: false },
+    TableColumn { names: &["load"], unit: "N", allowed: Allowed::closed(-1e6, 1e6), optional: false },
 ];
 
 /// Which balance of forces reduces the test.
@@ -153,7 +153,7 @@ pub type Overlay<'a> = &'a dyn Fn(f64) -> Predicted;
 
 /// One point of a test, reduced.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reduced {
+pub struct ReducedPoint {
     /// What was measured.
     pub press: Press,
     /// Radius at which the corners touch the cone, mm.
@@ -173,11 +173,11 @@ pub fn reduce(
     balance: Balance,
     first: f64,
     overlay: Option<Overlay<'_>>,
-) -> Vec<Reduced> {
+) -> Vec<ReducedPoint> {
     let ratio = cone.ratio(balance);
     let reduced = |press: &Press| {
         let radius = cone.radius(first, press.travel * 1e-3);
-        Reduced {
+        ReducedPoint {
             press: *press,
             radius: radius * 1e3,
             force: ratio * press.load,
@@ -188,11 +188,11 @@ pub fn reduce(
 }
 
 /// A reduced test as CSV. The columns of predicted forces are there if there is a prediction.
-pub fn csv(points: &[Reduced]) -> String {
+pub fn csv(points: &[ReducedPoint]) -> String {
     let mut out = String::from("travel_mm,load_N,radius_mm,force_N");
     let is_laid_over = points.iter().any(|point| point.predicted.is_some());
     out.push_str(if is_laid_over { ",predicted_N,predicted_lo_N,predicted_hi_N\n" } else { "\n" });
-    for Reduced { press: Press { travel, load }, radius, force, predicted } in points {
+    for ReducedPoint { press: Press { travel, load }, radius, force, predicted } in points {
         // A String takes everything.
         let _ = write!(out, "{travel},{load},{radius:.6},{force:.6}");
         let forces = predicted.iter().flat_map(|Predicted { force, range }| {

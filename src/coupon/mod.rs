@@ -21,14 +21,16 @@ use crate::shape::{LaidSeam, PieceName, PlacedPiece, SealedShape, Seam, laid_sea
 use crate::spec::{Machine, Spec};
 use inflatable::geom::{Bounds, Isometry, Path, Point};
 
-pub use calibration::{Calibration, CalibrationFault, Row, calibrate, listing, read_rows, settings, steady};
+pub use calibration::{
+    Calibration, CalibrationFault, PeelRow, calibrate, listing, read_rows, settings, steady,
+};
 pub use shapes::{disc, hose, vee};
-pub use strips::{Grid, Strip, overview, table};
-pub use table::{Column, read_table};
+pub use strips::{StripGrid, TestStrip, overview, table};
+pub use table::{TableColumn, read_table};
 
 /// A kind of coupons, which can be made alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Group {
+pub enum CouponGroup {
     /// Seal strips for the T-peel test.
     Strips,
     /// A disc.
@@ -39,7 +41,7 @@ pub enum Group {
     Burst,
 }
 
-impl Group {
+impl CouponGroup {
     /// Every group, by its name.
     pub const NAMES: [(&'static str, Self); 4] = [
         ("strips", Self::Strips),
@@ -118,20 +120,21 @@ impl Coupon {
 pub fn coupons(
     spec: &Spec,
     machine: &Machine,
-    grid: &Grid,
-    groups: &[Group],
+    grid: &StripGrid,
+    groups: &[CouponGroup],
 ) -> Result<Vec<Coupon>, Refusals> {
     let mut out = Vec::new();
-    let has = |group: Group| groups.contains(&group);
-    if has(Group::Strips) {
+    let has = |group: CouponGroup| groups.contains(&group);
+    if has(CouponGroup::Strips) {
         for (temperature, speed, height) in grid.settings() {
             let (mut spec, mut machine) = (spec.clone(), machine.clone());
             (spec.seal.temperature, spec.seal.speed) = (temperature, speed);
             let strips = grid.strips(&machine);
             machine.process.heights.contact = height;
-            let is_own = |s: &&Strip| s.temperature == temperature && s.speed == speed && s.height == height;
+            let is_own =
+                |s: &&TestStrip| s.temperature == temperature && s.speed == speed && s.height == height;
             let band = spec.seal.band.0;
-            let piece = |strip: &Strip| {
+            let piece = |strip: &TestStrip| {
                 let seams = vec![Seam::weld(strip.seam())];
                 let shape = SealedShape { seams, band, cut: None, ports: Vec::new() };
                 CouponPiece {
@@ -156,17 +159,17 @@ pub fn coupons(
         CouponPiece { name, shape, label: Some((number, label)) }
     };
     let only = |name: &str| PieceName::Named(name.to_owned());
-    if has(Group::Disc) {
+    if has(CouponGroup::Disc) {
         let pouch = disc(DISC, hose, &spec.seal)?;
         out.push(coupon(spec, machine, "disc", vec![place(only("disc"), 1, &pouch, 0.0, 0.0)])?);
     }
-    if let Some(star) = spec.stars.first().filter(|_| has(Group::VActuator)) {
+    if let Some(star) = spec.stars.first().filter(|_| has(CouponGroup::VActuator)) {
         let pouch = vee(star, hose, &spec.seal)?;
         // There is one of it, and a number might fall onto its band.
         let piece = CouponPiece { label: None, ..place(only("v-actuator"), 1, &pouch, 0.0, 0.0) };
         out.push(coupon(spec, machine, "v-actuator", vec![piece])?);
     }
-    if has(Group::Burst) {
+    if has(CouponGroup::Burst) {
         let pouch = disc(BURST_DISC, hose, &spec.seal)?;
         let (x, y) = machine.bench.work_area.map_or((USUAL_BED, USUAL_BED), |(x, y)| (x.0, y.0));
         let bounds = pouch.seam_bounds();

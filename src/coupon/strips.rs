@@ -21,7 +21,7 @@ const EDGE: f64 = 10.0;
 
 /// What is varied.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Grid {
+pub struct StripGrid {
     /// Temperatures of the iron.
     pub temperatures: Vec<Temperature>,
     /// Speeds of the iron.
@@ -34,7 +34,7 @@ pub struct Grid {
 
 /// One strip.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Strip {
+pub struct TestStrip {
     /// Its number in the table and on the fabric, from 1.
     pub number: usize,
     /// Temperature of the iron.
@@ -47,7 +47,7 @@ pub struct Strip {
     pub start: Point,
 }
 
-impl Grid {
+impl StripGrid {
     /// Every temperature, speed and height together: one program each.
     pub fn settings(&self) -> impl Iterator<Item = (Temperature, Speed, Length)> {
         let pairs = self.temperatures.iter().flat_map(|t| self.speeds.iter().map(move |v| (*t, *v)));
@@ -73,7 +73,7 @@ impl Grid {
     }
 
     /// Every strip, in rows from the lower left, as many in a row as `machine` reaches.
-    pub fn strips(&self, machine: &Machine) -> Vec<Strip> {
+    pub fn strips(&self, machine: &Machine) -> Vec<TestStrip> {
         let ramp = machine.process.ramp.0.max(WASTE);
         let (edge, pitch) = (EDGE + ramp, WIDTH + 2.0 * WASTE + 2.0 * ramp);
         let room = machine.bench.work_area.map_or(f64::INFINITY, |(x, _)| x.0 - EDGE);
@@ -86,13 +86,13 @@ impl Grid {
                 #[expect(clippy::cast_precision_loss, reason = "a few hundred strips at most")]
                 let (column, row) = ((i % row) as f64, (i / row) as f64);
                 let start = Point::new(edge + column * pitch, 15.0 + row * (LEGS + 15.0));
-                Strip { number: i + 1, temperature, speed, height, start }
+                TestStrip { number: i + 1, temperature, speed, height, start }
             })
             .collect()
     }
 }
 
-impl Strip {
+impl TestStrip {
     /// What the iron travels in contact.
     pub fn seam(&self) -> Path {
         let end = Point::new(self.start.x + WIDTH + 2.0 * WASTE, self.start.y);
@@ -106,7 +106,7 @@ impl Strip {
 }
 
 /// All strips on one page, each with its setting and the specimen that is cut out of it.
-pub fn overview(spec: &Spec, grid: &Grid, strips: &[Strip]) -> String {
+pub fn overview(spec: &Spec, grid: &StripGrid, strips: &[TestStrip]) -> String {
     let cells: Vec<Cell> = strips
         .iter()
         .map(|strip| {
@@ -125,7 +125,12 @@ pub fn overview(spec: &Spec, grid: &Grid, strips: &[Strip]) -> String {
 }
 
 /// Name of the program of a setting of `grid`, without its ending; the height is in it where there are several.
-pub(super) fn program_name(grid: &Grid, temperature: Temperature, speed: Speed, height: Length) -> String {
+pub(super) fn program_name(
+    grid: &StripGrid,
+    temperature: Temperature,
+    speed: Speed,
+    height: Length,
+) -> String {
     let z = match grid.heights.len() {
         0 | 1 => String::new(),
         _ => format!("-z{}um", (height.0 * 1e3).round()),
@@ -134,10 +139,10 @@ pub(super) fn program_name(grid: &Grid, temperature: Temperature, speed: Speed, 
 }
 
 /// The table to fill in, as CSV.
-pub fn table(strips: &[Strip]) -> String {
+pub fn table(strips: &[TestStrip]) -> String {
     let mut out = String::from("strip,temperature_C,speed_mm_s,height_mm,peel_N,failure\n");
     for strip in strips {
-        let Strip { number, temperature, speed, height, .. } = strip;
+        let TestStrip { number, temperature, speed, height, .. } = strip;
         let _ = writeln!(out, "{number},{},{},{},,", temperature.0, speed.0, height.0);
     }
     out

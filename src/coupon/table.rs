@@ -21,7 +21,7 @@ const MARK: char = '\u{feff}';
 
 /// A column of numbers that a table must have.
 #[derive(Clone, Copy, Debug)]
-pub struct Column {
+pub struct TableColumn {
     /// What it is called, in lower case; the first is the name that `coupon` writes, the others are as good.
     pub names: &'static [&'static str],
     /// Its unit: `mm_s` for mm/s.
@@ -32,7 +32,7 @@ pub struct Column {
     pub optional: bool,
 }
 
-impl Column {
+impl TableColumn {
     /// The header as `coupon` writes it.
     fn header(&self) -> String {
         format!("{}_{}", self.names[0], self.unit)
@@ -58,7 +58,7 @@ impl Column {
 /// fewer cells than the header, a cell that is not a number in its range.
 pub fn read_table<const N: usize>(
     source: &Source,
-    columns: &[Column; N],
+    columns: &[TableColumn; N],
 ) -> Result<Vec<[Option<f64>; N]>, Faults> {
     let mut table = Table::new(source);
     let rows = table.read(columns);
@@ -81,7 +81,7 @@ impl<'a> Table<'a> {
         Self { text, delimiter, faults: Vec::new() }
     }
 
-    fn read<const N: usize>(&mut self, columns: &[Column; N]) -> Vec<[Option<f64>; N]> {
+    fn read<const N: usize>(&mut self, columns: &[TableColumn; N]) -> Vec<[Option<f64>; N]> {
         // A comment would swallow all that follows it, were a lone CR the end of a line.
         let bytes = self.text.as_bytes();
         if let Some(at) = (0..bytes.len()).find(|i| bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n')) {
@@ -154,7 +154,7 @@ impl<'a> Table<'a> {
         &mut self,
         record: &StringRecord,
         line: &Range<usize>,
-        columns: &[Column; N],
+        columns: &[TableColumn; N],
     ) -> Option<[usize; N]> {
         let mut places = [0; N];
         let known = |cell: &str| columns.iter().any(|column| column.unit_in(cell).is_some());
@@ -204,7 +204,7 @@ impl<'a> Table<'a> {
         &mut self,
         record: &StringRecord,
         line: &Range<usize>,
-        columns: &[Column; N],
+        columns: &[TableColumn; N],
         places: [usize; N],
         count: usize,
     ) -> Option<[Option<f64>; N]> {
@@ -258,7 +258,7 @@ impl<'a> Table<'a> {
 }
 
 /// A cell that is no number of its column.
-fn bad_number(column: &Column, cell: &str, place: Range<usize>) -> Fault {
+fn bad_number(column: &TableColumn, cell: &str, place: Range<usize>) -> Fault {
     let name = column.header();
     let pointed = cell.replacen(',', ".", 1);
     if cell.contains(',') && pointed.parse::<f64>().is_ok() {
@@ -280,7 +280,7 @@ fn shortened(cell: &str) -> String {
 }
 
 /// "`travel_mm`, `load_N`".
-fn headers(columns: &[Column]) -> String {
+fn headers(columns: &[TableColumn]) -> String {
     columns.iter().map(|column| format!("`{}`", column.header())).collect::<Vec<_>>().join(", ")
 }
 
@@ -288,14 +288,14 @@ fn headers(columns: &[Column]) -> String {
 mod tests {
     use super::*;
 
-    const COLUMNS: [Column; 2] = [
-        Column {
+    const COLUMNS: [TableColumn; 2] = [
+        TableColumn {
             names: &["travel", "extension"],
             unit: "mm",
             allowed: Allowed::closed(-10.0, 1e3),
             optional: false,
         },
-        Column { names: &["speed"], unit: "mm_s", allowed: Allowed::closed(0.0, 10.0), optional: true },
+        TableColumn { names: &["speed"], unit: "mm_s", allowed: Allowed::closed(0.0, 10.0), optional: true },
     ];
 
     fn rows(text: &str) -> Vec<[Option<f64>; 2]> {

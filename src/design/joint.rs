@@ -32,7 +32,7 @@ const PLACES: f64 = 250.0;
 
 /// Where one tip is cut off.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Cut {
+pub(super) struct JointCut {
     /// The tip.
     pub(super) tip: u32,
     /// Direction of its ray.
@@ -61,7 +61,7 @@ struct Chord {
     high: (f64, f64),
 }
 
-impl Cut {
+impl JointCut {
     /// The cut of tip `tip` that is nearest to the axis, with knobs of radius `most` or less; `None` if there is no room for one.
     pub(super) fn new(star: &Star, outline: &Outline, mask: &MaskPlate, tip: u32, most: f64) -> Option<Self> {
         let ray = star.tip_ray(tip);

@@ -15,7 +15,7 @@ impl TileGrid<'_> {
         let all = tiles.iter().map(|tile| tile.shown).fold(extent, Bounds::union);
         let scale = (self.window.width() / all.width()).min(self.window.height() / all.height());
         let shift = self.window.center() - Point::ORIGIN;
-        let small = Reduced { scale, shift: shift - (all.center() - Point::ORIGIN) * scale };
+        let small = Scaled { scale, shift: shift - (all.center() - Point::ORIGIN) * scale };
         let mut layers: Vec<(Layer, Vec<Shape>)> = drawing
             .layers
             .iter()
@@ -46,12 +46,12 @@ impl TileGrid<'_> {
 }
 
 /// Everything smaller by `scale`, then moved by `shift`.
-struct Reduced {
+struct Scaled {
     scale: f64,
     shift: Vec2,
 }
 
-impl Reduced {
+impl Scaled {
     fn point(&self, p: Point) -> Point {
         Point::ORIGIN + (p - Point::ORIGIN) * self.scale + self.shift
     }

@@ -6,7 +6,7 @@
 //! the tip is. The registration holes come with the tips and the middle that they lie in.
 
 use crate::design::engraving::Spot;
-use crate::design::joint::{Cut, RADII, WALL};
+use crate::design::joint::{JointCut, RADII, WALL};
 use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};
 use crate::spec::{Bed, key};
 use crate::units::Readable;
@@ -63,8 +63,8 @@ impl Pieces {
         // Knobs take room, too: with smaller ones the middle may fit.
         let mut refusal = None;
         for most in RADII {
-            let cuts: Vec<Cut> =
-                (1..=star.n).filter_map(|tip| Cut::new(star, outline, mask, tip, most)).collect();
+            let cuts: Vec<JointCut> =
+                (1..=star.n).filter_map(|tip| JointCut::new(star, outline, mask, tip, most)).collect();
             match Self::cut_up(&cuts, mask, bed) {
                 Ok(pieces) => return Ok(pieces),
                 Err(found) => refusal = Some(found),
@@ -73,7 +73,7 @@ impl Pieces {
         refusal.map_or_else(|| Ok(whole(lie)), Err)
     }
 
-    fn cut_up(cuts: &[Cut], mask: &MaskPlate, bed: Bed) -> Result<Self, Refusal> {
+    fn cut_up(cuts: &[JointCut], mask: &MaskPlate, bed: Bed) -> Result<Self, Refusal> {
         let mut core = mask.plate.clone();
         let mut tips = Vec::new();
         for cut in cuts {

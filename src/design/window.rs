@@ -45,7 +45,7 @@ pub(super) struct Zone<'a> {
 }
 
 /// The end of a window on one side: a line across the tube.
-struct Cut {
+struct WindowCut {
     /// Where it leaves the tube outside, or meets its mirror image.
     inner: Point,
     /// Whether `inner` is where it meets its mirror image.
@@ -134,7 +134,7 @@ impl<'a> Zone<'a> {
         Point::new(self.star.d_p, 0.0) + Vec2::new(-cos, sin) * rho + Vec2::new(sin, cos) * c
     }
 
-    fn cut(&self, extent: f64, hole: f64) -> Option<Cut> {
+    fn cut(&self, extent: f64, hole: f64) -> Option<WindowCut> {
         let (h, grip) = (self.half(), self.star.r_e + self.star.w);
         let (a, x) = if extent < grip * h { (extent / grip, 0.0) } else { (h, extent - grip * h) };
         let c = x - self.creep;
@@ -162,7 +162,7 @@ impl<'a> Zone<'a> {
             None => Point::new(self.at(a, axis, c).x, 0.0),
         };
         let angles = [outside.map_or(0.0, |(_, angle)| angle), hole_angle];
-        Some(Cut { inner, meets: outside.is_none(), outer: self.at(a, top, c), angles })
+        Some(WindowCut { inner, meets: outside.is_none(), outer: self.at(a, top, c), angles })
     }
 
     fn nothing_left(&self, extent: f64) -> Refusal {

@@ -24,14 +24,14 @@ const DECIMALS: u32 = 3;
 /// Length of the head, which names the solid.
 const HEAD: usize = 80;
 
-type Triangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
+type StlTriangles = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
 /// Of an undirected edge: whether plate ends there, whether sunk and plain meet there.
 type Changes = BTreeMap<[usize; 2], [bool; 2]>;
 
 /// The plate of `drawing`, `thickness` high, with its labels sunk `depth` deep; `name` stands in its head.
 pub fn stl(name: &str, drawing: &Drawing, thickness: f64, depth: f64) -> Vec<u8> {
-    let mut triangles = Triangles::new();
+    let mut triangles = StlTriangles::new();
     let mut changes = Changes::new();
     for (layer, shapes) in &drawing.layers {
         for path in shapes.iter().flat_map(|shape| shape.paths().into_owned()) {
@@ -68,7 +68,7 @@ fn head(name: &str) -> Vec<u8> {
 }
 
 /// Puts the corners of a closed path and the edges between them into the triangulation.
-fn insert(path: &Path, change: usize, triangles: &mut Triangles, changes: &mut Changes) {
+fn insert(path: &Path, change: usize, triangles: &mut StlTriangles, changes: &mut Changes) {
     let corners = corners(path);
     let vertices: Vec<FixedVertexHandle> =
         corners.iter().filter_map(|[x, y]| triangles.insert(Point2::new(*x, *y)).ok()).collect();
@@ -84,7 +84,7 @@ fn insert(path: &Path, change: usize, triangles: &mut Triangles, changes: &mut C
 }
 
 /// How high each face reaches, by its index; `None` for void.
-fn tops(triangles: &Triangles, changes: &Changes, thickness: f64, depth: f64) -> Vec<Option<f64>> {
+fn tops(triangles: &StlTriangles, changes: &Changes, thickness: f64, depth: f64) -> Vec<Option<f64>> {
     // Of each face: is it plate, is it sunk. The outer one is neither.
     let mut states: Vec<Option<[bool; 2]>> = vec![None; triangles.num_all_faces()];
     let outer = triangles.outer_face().fix().index();

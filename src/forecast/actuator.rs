@@ -56,7 +56,7 @@ pub struct ActuatorPrediction {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<Vec<[f64; 2]>>,
     /// In which intervals a shell's values lie.
-    pub ranges: Ranges,
+    pub ranges: ActuatorRanges,
     /// How good all this is.
     pub evidence: ActuatorEvidence,
 }
@@ -64,7 +64,7 @@ pub struct ActuatorPrediction {
 /// Intervals in which a shell's values lie in at least 95 % of cases; `None` where nothing is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
-pub struct Ranges {
+pub struct ActuatorRanges {
     /// Of the angle.
     pub angle_deg: Option<[f64; 2]>,
     /// Of the coiling.
@@ -88,7 +88,7 @@ pub struct ActuatorEvidence {
     pub numerical_error: f64,
     /// How far the meshes leave each number open; the shell's only.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub mesh_errors: Option<MeshErrors>,
+    pub mesh_errors: Option<ActuatorMeshErrors>,
     /// Unknowns of each mesh, coarse to fine; the shell's only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unknowns: Option<Vec<usize>>,
@@ -100,7 +100,7 @@ pub struct ActuatorEvidence {
 /// that is more.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
-pub struct MeshErrors {
+pub struct ActuatorMeshErrors {
     /// Of the angle.
     pub angle_deg: f64,
     /// Of the coiling.
@@ -141,7 +141,7 @@ impl ActuatorPrediction {
                     format!("{value:.decimals$} {unit}").trim_end().to_owned() + ", range unknown"
                 }
             };
-        let error = |of: fn(&MeshErrors) -> f64| mesh.map(of);
+        let error = |of: fn(&ActuatorMeshErrors) -> f64| mesh.map(of);
         lines.push(format!(
             "angle at rest         {}",
             said(self.angle_deg, self.ranges.angle_deg, error(|mesh| mesh.angle_deg), 2, "deg")
@@ -221,7 +221,12 @@ fn of_a_hinge(
 }
 
 /// The ranges of `actuator` at rest at `angle` (rad); `None` where no V-actuator like it was computed as a shell.
-fn ranges(actuator: &Actuator, model: &dyn HingeModel, rest: &HingeState, angle: f64) -> Option<Ranges> {
+fn ranges(
+    actuator: &Actuator,
+    model: &dyn HingeModel,
+    rest: &HingeState,
+    angle: f64,
+) -> Option<ActuatorRanges> {
     let Actuator { width, arm, pressure, .. } = *actuator;
     let hinge = actuator.hinge();
     let within = |x: f64, [low, high]: Interval| (low..=high).contains(&x);
@@ -231,11 +236,11 @@ fn ranges(actuator: &Actuator, model: &dyn HingeModel, rest: &HingeState, angle:
         && model.arms(hinge.r_star, hinge.arc()).is_some();
     let angles = errors::ACTUATOR.map(|error| angle + error);
     let stiffness = hinge.stiffness(pressure, rest);
-    tried.then(|| Ranges {
+    tried.then(|| ActuatorRanges {
         angle_deg: Some(angles.map(f64::to_degrees)),
         coiling: Some([angles[1], angles[0]].map(|angle| hinge.coiling(angle))),
         stiffness_Nm: Some(scaled(errors::HINGE, stiffness)),
-        ..Ranges::default()
+        ..ActuatorRanges::default()
     })
 }
 

@@ -11,7 +11,7 @@ use crate::units::{Length, Pressure};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::fit::Fit;
 use inflatable::mechanics::hinge::ring::{Ring, RingTable};
-use inflatable::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level};
+use inflatable::mechanics::hinge::{Edges, HingeEffort, HingeModel, HingeState, Level};
 use std::fmt;
 
 /// The exact ring with its targets from the table.
@@ -40,7 +40,7 @@ impl HingeModel for TableRing<'_> {
                 width: entry.width,
                 rim_force: 2.0 * entry.tension * entry.angle.cos(),
             }),
-            effort: Effort { residual: 0.0, iterations: 0, error: RingTable::ERROR },
+            effort: HingeEffort { residual: 0.0, iterations: 0, error: RingTable::ERROR },
         })
     }
 

@@ -68,6 +68,24 @@ impl Case {
         })
     }
 
+    /// The case of `star` alone, made of `sheet` at `pressure`, Pa: without band, flap, load and object, as shells of stars are computed.
+    pub fn bare(star: &Star, sheet: ElasticSheet, pressure: f64) -> Self {
+        let inner_radius = Length(star.rho_0).metres();
+        Self {
+            mechanism: mechanism(star),
+            inner_radius,
+            realised: Hinges::default(),
+            band: 0.0,
+            sheet,
+            peel: None,
+            pressure: Some(pressure),
+            hole: inner_radius,
+            object: None,
+            entering: None,
+            friction: None,
+        }
+    }
+
     /// The case of `star`, one of the stars of `spec`.
     ///
     /// # Errors

@@ -16,8 +16,6 @@
 //! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
 //! | [`shell`] | the same by the shell, which is asked by name only |
-//! | [`arms`] | what arms add to a hinge: ladders of shells, and the table made of them |
-//! | [`stars`] | stars as shells, by which predictions without shells are judged |
 //! | [`candidate`], [`mod@study`], [`optimize`] | the same answer for one design among millions |
 //! | [`stiffness`] | from bench tests to what a spec says of its fabric |
 //! | [`sizing`] | from an object to a spec |
@@ -25,7 +23,6 @@
 //! | [`keys`] | every key of an answer with its meaning |
 
 pub mod actuator;
-pub mod arms;
 pub mod candidate;
 pub mod case;
 pub mod charts;
@@ -44,7 +41,6 @@ pub mod seal_load;
 pub mod shell;
 pub mod sizing;
 mod star_answer;
-pub mod stars;
 pub mod stiffness;
 pub mod study;
 pub mod trade;

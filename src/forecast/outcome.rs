@@ -32,7 +32,7 @@ pub struct Outcome {
     /// Radial force that is stored in a star that is pressed shut, N; by a limit, no shell was compared with it.
     pub preload: Option<f64>,
     /// What becomes of the object; needs a pressure.
-    pub hold: Option<Hold>,
+    pub hold: Option<Grip>,
     /// Mass that friction holds with this star alone, kg.
     pub payload: Option<f64>,
     /// Bendability 1/eps.
@@ -49,7 +49,7 @@ pub struct Outcome {
 
 /// What becomes of an object within a star.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Hold {
+pub enum Grip {
     /// It is held with this radial force, N.
     Held(f64),
     /// It is thinner than the final radius.
@@ -113,12 +113,12 @@ impl Outcome {
     /// Without the numbers of which no range is known: those are of a star at its pressure, and not of a limit.
     fn as_far_as_known(self) -> Self {
         let known = self.ranges.domain != Domain::Unknown;
-        let untried = matches!(self.hold, Some(Hold::Held(_))) && self.force_range.is_none();
+        let untried = matches!(self.hold, Some(Grip::Held(_))) && self.force_range.is_none();
         Self {
             known,
             stiffness: self.stiffness.filter(|_| self.ranges.stiffness.is_some()),
             preload: self.preload.filter(|_| self.ranges.stiffness.is_some()),
-            hold: if untried || !known { self.hold.map(|_| Hold::Untried) } else { self.hold },
+            hold: if untried || !known { self.hold.map(|_| Grip::Untried) } else { self.hold },
             payload: self.payload.filter(|_| known && !untried),
             ..self
         }
@@ -135,14 +135,14 @@ impl Outcome {
     fn at(case: &Case, rest: Rest, force: impl Fn(f64, &Rest) -> Result<f64, StarFault>) -> Self {
         let rho_0 = case.inner_radius;
         let hold = case.pressure.and(case.object).map(|rho| match rho {
-            _ if rho <= 0.0 => Hold::Beside,
-            _ if case.entering.unwrap_or(rho) > case.hole => Hold::TooWideToEnter,
-            _ if rho < rest.radius => Hold::TooThin,
-            _ if rho > rest.widest.radius => Hold::TooWideToOpen,
-            _ => force(rho, &rest).map_or_else(Hold::Unknown, Hold::Held),
+            _ if rho <= 0.0 => Grip::Beside,
+            _ if case.entering.unwrap_or(rho) > case.hole => Grip::TooWideToEnter,
+            _ if rho < rest.radius => Grip::TooThin,
+            _ if rho > rest.widest.radius => Grip::TooWideToOpen,
+            _ => force(rho, &rest).map_or_else(Grip::Unknown, Grip::Held),
         });
         let with_pressure = |value: f64| case.pressure.map(|_| value);
-        let object_force = hold.and_then(Hold::force);
+        let object_force = hold.and_then(Grip::force);
         let width = case.mechanism.width;
         Self {
             rest,
@@ -163,7 +163,7 @@ impl Outcome {
 
     /// Radial force on the object, N; 0 on one that the star does not reach.
     pub fn object_force(&self) -> Option<f64> {
-        self.hold.and_then(Hold::force)
+        self.hold.and_then(Grip::force)
     }
 
     /// What a person should know about the object, if anything.
@@ -171,33 +171,33 @@ impl Outcome {
         let (least, most) = (self.rest.radius, self.rest.widest.radius);
         let across = |radius: f64| format!("{:.2} mm across", 2.0 * Length::from_metres(radius).0);
         match self.hold? {
-            Hold::Held(_) => self.locks(case).then(|| {
+            Grip::Held(_) => self.locks(case).then(|| {
                 format!(
                     "the object is nearly as wide as the inflated star opens, {}: the arms lock there, and the \
                      predicted force grows without bound",
                     across(most)
                 )
             }),
-            Hold::TooThin => Some(format!(
+            Grip::TooThin => Some(format!(
                 "the object is thinner than the closed star, {}: the star does not reach it",
                 across(least)
             )),
-            Hold::Beside => Some("the object ends below or above the star: it does not touch it".to_owned()),
-            Hold::TooWideToEnter => Some(format!(
+            Grip::Beside => Some("the object ends below or above the star: it does not touch it".to_owned()),
+            Grip::TooWideToEnter => Some(format!(
                 "the object is wider than the cut hole, {}: it does not enter",
                 across(case.hole)
             )),
-            Hold::TooWideToOpen => Some(format!(
+            Grip::TooWideToOpen => Some(format!(
                 "the object is wider than the inflated star opens, {}: the arms lock there, and the star does not \
                  close around it; a larger inner radius, fewer points or a narrower tube open it wider",
                 across(most)
             )),
-            Hold::Unknown(fault) => Some(format!("no force on the object: {fault}")),
-            Hold::Untried if self.ranges.stiffness.is_none() => Some(
+            Grip::Unknown(fault) => Some(format!("no force on the object: {fault}")),
+            Grip::Untried if self.ranges.stiffness.is_none() => Some(
                 "the arms touch: how hard the star presses on the object is not known; a wider tip_angle keeps them apart"
                     .to_owned(),
             ),
-            Hold::Untried => Some(
+            Grip::Untried => Some(
                 "the object opens the star further than any that was computed as a shell: how hard it presses is not known; a \
                  larger inner_radius closes less far"
                     .to_owned(),
@@ -226,7 +226,7 @@ fn at_the_edge(case: &Case) -> Option<Outcome> {
     Some(Outcome::of(&case, &model).ok()?.1)
 }
 
-impl Hold {
+impl Grip {
     /// Radial force, N; `None` where the star cannot hold the object.
     pub fn force(self) -> Option<f64> {
         match self {

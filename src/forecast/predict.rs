@@ -3,12 +3,12 @@
 use crate::design::{Design, Meeting, StarAssembly, StarDesign};
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::{corrected, hinge_model, limits_of_validity, named, tabled};
-use crate::forecast::outcome::{Hold, Outcome};
-use crate::forecast::prediction::{Evidence, ForceAt, Hinges, Prediction, StarPrediction};
+use crate::forecast::outcome::{Grip, Outcome};
+use crate::forecast::prediction::{ForceAt, Hinges, ModelEvidence, Prediction, StarPrediction};
 use crate::forecast::pressures::{LEAST, MOST, modelled, rows};
 use crate::forecast::ranges::{Domain, Interval, Ranges, StarRanges, errors, outside, sum};
 use crate::forecast::seal_load::{
-    Bursting, Hinge, burst, burst_range, factor, largest_pull, remedy, safe_radius,
+    Bursting, LoadedHinge, burst, burst_range, factor, largest_pull, remedy, safe_radius,
 };
 use crate::forecast::star_answer::{StarAnswer, bare, of_the_shape};
 use crate::forecast::verdict::verdict;
@@ -120,11 +120,11 @@ pub fn add_curve(
 const ENDLESS: Length = Length(1e5);
 
 /// One star, and what is asked about it.
-struct StarQuestion<'a> {
+struct PlacedCase<'a> {
     spec: &'a Spec,
     part: &'a StarDesign,
     case: Case,
-    seal: Seal,
+    seal: SealForecast,
 }
 
 fn predict_star(
@@ -133,14 +133,14 @@ fn predict_star(
     meeting: Option<Meeting>,
 ) -> Result<StarPrediction, StarFault> {
     let case = Case::of(spec, &part.star)?.meeting(meeting);
-    let asked = StarQuestion { spec, part, case, seal: Seal::new(&case) };
+    let asked = PlacedCase { spec, part, case, seal: SealForecast::new(&case) };
     let width = case.mechanism.width;
     let Some(level) = named(spec.accuracy.model) else { return asked.automatic() };
     let model = hinge_model(level, &case.sheet, case.pressure, width)?;
     asked.by(model.as_ref(), format!("{} was asked for", level.name()))
 }
 
-impl StarQuestion<'_> {
+impl PlacedCase<'_> {
     /// The cheapest model that knows a star at its pressure: `section`, from its table.
     fn automatic(&self) -> Result<StarPrediction, StarFault> {
         let Some(pressure) = self.case.pressure else {
@@ -216,7 +216,7 @@ impl StarQuestion<'_> {
             burst_pressure_kPa: seal.burst.map(|p| Pressure::from_pascals(p).0),
             burst_margin: seal.burst.zip(case.pressure).map(|(burst, p)| burst / p),
             ranges: seal.ranges(),
-            evidence: Evidence {
+            evidence: ModelEvidence {
                 choice,
                 numerical_error: Some(0.0),
                 safe_radius_mm: seal.safe.map(|radius| radius.0),
@@ -224,7 +224,7 @@ impl StarQuestion<'_> {
                 of_burst,
                 ..bare.evidence.clone()
             },
-            hold: case.pressure.and(case.object).map(|_| Hold::Untried),
+            hold: case.pressure.and(case.object).map(|_| Grip::Untried),
             ..bare
         }
     }
@@ -278,7 +278,7 @@ fn per_mm(pull: f64) -> f64 {
 }
 
 /// What the seal bears at the radii that the band makes of the hinges, whatever the model.
-struct Seal {
+struct SealForecast {
     load: Hinges<Option<f64>>,
     pull: Option<(f64, Option<Interval>, &'static str)>,
     burst: Option<f64>,
@@ -286,7 +286,7 @@ struct Seal {
     safe: Option<Length>,
 }
 
-impl Seal {
+impl SealForecast {
     fn new(case: &Case) -> Self {
         let load = |radius: f64| factor(&Ring, radius / case.mechanism.width);
         let (burst, burst_range) = (burst(case, &Ring), burst_range(case));
@@ -297,7 +297,7 @@ impl Seal {
             pull: largest_pull(case),
             burst,
             burst_range,
-            safe: if bursts { safe_radius(case, Hinge::Tip) } else { None },
+            safe: if bursts { safe_radius(case, LoadedHinge::Tip) } else { None },
         }
     }
 

@@ -1,7 +1,7 @@
 //! The answer: what one spec's stars do, with the evidence for it. Lengths in mm, angles in deg.
 
 pub use crate::forecast::case::Hinges;
-use crate::forecast::outcome::Hold;
+use crate::forecast::outcome::Grip;
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, StarRanges, scaled, shown};
 use inflatable::mechanics::star::Correction;
@@ -196,13 +196,13 @@ pub struct StarPrediction {
     /// The fabric's largest tension at the rim, at one point: its part across the seam's plane is what peels,
     /// see docs/models.md; by the shell.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub seal_tension: Option<Place>,
+    pub seal_tension: Option<LoadedPlace>,
     /// Mass of the two sheets that are cut for the star; needs areal_density.
     pub mass_g: Option<f64>,
     /// Mass that friction holds; needs pressure, object_radius and friction.
     pub payload_kg: Option<f64>,
     /// Stretch of the fabric; needs a pressure.
-    pub stretch: Stretch,
+    pub stretch: FabricStretch,
     /// Burst pressure over the pressure; needs both.
     pub burst_margin: Option<f64>,
     /// Whose values `ranges` hold: those of computed shells; no gripper was measured.
@@ -215,10 +215,10 @@ pub struct StarPrediction {
     /// The star with a limit's own, asymmetric V_bar in place of linear hinges; of `section` linear ones are nearer to shells.
     pub nonlinear: Option<Nonlinear>,
     /// How good all this is.
-    pub evidence: Evidence,
+    pub evidence: ModelEvidence,
     /// What becomes of the object; needs pressure and object_diameter.
     #[serde(skip)]
-    pub hold: Option<Hold>,
+    pub hold: Option<Grip>,
     /// Where no model covers the star at its pressure: the pressures, kPa, at which one does.
     #[serde(skip)]
     pub modelled_kPa: Option<Interval>,
@@ -230,14 +230,14 @@ pub struct StarPrediction {
 /// Stretch of the fabric.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Stretch {
+pub enum FabricStretch {
     /// p W / Y; `None` without a pressure.
     Ratio(Option<f64>),
     /// The largest principal stretch; by the shell.
-    Largest(Place),
+    Largest(LoadedPlace),
 }
 
-impl Stretch {
+impl FabricStretch {
     /// p W / Y, where it is that.
     pub fn ratio(self) -> Option<f64> {
         match self {
@@ -249,7 +249,7 @@ impl Stretch {
 
 /// The hardest loaded place for one quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Place {
+pub struct LoadedPlace {
     /// Its value: N/mm of pull, or a stretch.
     pub value: f64,
     /// Its mesh error; where a hinge turns on a point there is no largest value, and this says so by being as
@@ -293,7 +293,7 @@ impl Prediction {
 
 /// The evidence for an answer.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Evidence {
+pub struct ModelEvidence {
     /// Why this model.
     pub choice: String,
     /// What of the fabric was measured, if anything.

@@ -1,6 +1,6 @@
 //! The answer as a person reads it: what the gripper does, what was assumed, what to beware of.
 
-use crate::forecast::outcome::Hold;
+use crate::forecast::outcome::Grip;
 use crate::forecast::prediction::{ForceAt, Hinges, Prediction, StarPrediction};
 use crate::forecast::pressures::PressureRow;
 use crate::forecast::ranges::{Interval, scaled, shown};
@@ -164,7 +164,7 @@ const PAYLOAD: &str = "payload of this star";
 /// Whether the spec asks for `what`, so that it is said where it is not known.
 fn is_asked(star: &StarPrediction, what: &str) -> bool {
     match what {
-        FORCE => star.hold == Some(Hold::Untried),
+        FORCE => star.hold == Some(Grip::Untried),
         PAYLOAD => false,
         _ => star.bendability.is_some(),
     }

@@ -20,14 +20,14 @@ use std::fmt;
 
 /// A kind of hinge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Hinge {
+pub enum LoadedHinge {
     /// The tips' inner rims.
     Tip,
     /// The reentrant corners'.
     Corner,
 }
 
-impl Hinge {
+impl LoadedHinge {
     /// As messages name it.
     fn place(self) -> &'static str {
         match self {
@@ -71,7 +71,7 @@ pub fn factor(ring: &dyn HingeModel, r_star: f64) -> Option<f64> {
 
 /// The largest pull (N per m) at the seal of a hinge whose inner rim has the radius `radius` (m), at `pressure` (Pa): the mean over a piece
 /// of seam as long as the band is wide. `k` is [`factor`] there.
-pub fn pull(case: &Case, k: f64, (hinge, radius): (Hinge, f64), pressure: f64) -> f64 {
+pub fn pull(case: &Case, k: f64, (hinge, radius): (LoadedHinge, f64), pressure: f64) -> f64 {
     let width = case.mechanism.width;
     let band = (case.band / radius).max(NARROWEST).powf(-BAND);
     let bending = (case.sheet.bendability(pressure, width) / 1e3).powf(-BENDABILITY);
@@ -112,9 +112,9 @@ impl Bursting {
 
 /// The kind of hinge whose seal is pulled hardest, its inner radius, m, and `k` there; at all pressures the
 /// same. `None` outside the range of `ring`.
-fn hardest(case: &Case, ring: &dyn HingeModel) -> Option<(f64, (Hinge, f64))> {
+fn hardest(case: &Case, ring: &dyn HingeModel) -> Option<(f64, (LoadedHinge, f64))> {
     let Hinges { tip, corner } = case.realised;
-    let [tip, corner] = [(Hinge::Tip, tip), (Hinge::Corner, corner)].map(|hinge| {
+    let [tip, corner] = [(LoadedHinge::Tip, tip), (LoadedHinge::Corner, corner)].map(|hinge| {
         let k = factor(ring, hinge.1 / case.mechanism.width)?;
         Some((pull(case, k, hinge, 1.0), (k, hinge)))
     });
@@ -143,14 +143,14 @@ pub fn burst_range(case: &Case) -> Option<Interval> {
 }
 
 /// The range of the burst pressure (Pa) of a hinge.
-fn hinge_burst_range(case: &Case, k: f64, hinge: (Hinge, f64)) -> Option<Interval> {
+fn hinge_burst_range(case: &Case, k: f64, hinge: (LoadedHinge, f64)) -> Option<Interval> {
     let peel = case.peel?;
     let [low, high] = range(case, hinge.1, bursting(case, k, hinge, peel))?;
     Some([high, low].map(|part| bursting(case, k, hinge, peel / part)))
 }
 
 /// The pressure (Pa) at which the pull at a hinge is `peel` (N per m): the pull grows with the pressure, and less than in proportion.
-fn bursting(case: &Case, k: f64, hinge: (Hinge, f64), peel: f64) -> f64 {
+fn bursting(case: &Case, k: f64, hinge: (LoadedHinge, f64), peel: f64) -> f64 {
     // pull = tube p + bent p^(1 - BENDABILITY): between two powers of p, so Newton's method in logarithms gains digits from the start, and
     // the sixth step finds rounding only. The start is the straight tube's pressure.
     let tube = FRAC_1_PI * case.mechanism.width;
@@ -168,7 +168,7 @@ fn bursting(case: &Case, k: f64, hinge: (Hinge, f64), peel: f64) -> f64 {
 /// The least inner radius of `hinge` at which its seal holds the pressure at the upper end of [`RANGE`],
 /// rounded up to a hundredth of a mm so that what is printed holds; `None` if no hinge is round enough, or
 /// pressure or peel strength are not known.
-pub fn safe_radius(case: &Case, hinge: Hinge) -> Option<Length> {
+pub fn safe_radius(case: &Case, hinge: LoadedHinge) -> Option<Length> {
     let width = case.mechanism.width;
     let (allowed, pressure) = (case.peel?, case.pressure?);
     let at = |r_star: f64| {
@@ -225,8 +225,8 @@ pub fn seal_loads(case: &Case, part: &StarDesign) -> Vec<SealLoad> {
     let width = case.mechanism.width;
     let channel = part.channel.map(|channel| Length(2.0 * channel.half_width).metres());
     let places = [
-        ("tips", Some((Hinge::Tip, case.realised.tip)), Some(width)),
-        ("corners", Some((Hinge::Corner, case.realised.corner)), Some(width)),
+        ("tips", Some((LoadedHinge::Tip, case.realised.tip)), Some(width)),
+        ("corners", Some((LoadedHinge::Corner, case.realised.corner)), Some(width)),
         ("arms", None, Some(width)),
         ("inlet", None, channel),
     ];
@@ -234,7 +234,7 @@ pub fn seal_loads(case: &Case, part: &StarDesign) -> Vec<SealLoad> {
     with_width.map(|(place, hinge, width)| at_place(case, place, hinge, width)).collect()
 }
 
-fn at_place(case: &Case, place: &'static str, hinge: Option<(Hinge, f64)>, width: f64) -> SealLoad {
+fn at_place(case: &Case, place: &'static str, hinge: Option<(LoadedHinge, f64)>, width: f64) -> SealLoad {
     let k = hinge.map(|hinge| (hinge, factor(&Ring, hinge.1 / width)));
     let at = |pressure: f64| match k {
         Some((hinge, k)) => k.map(|k| pull(case, k, hinge, pressure)),

@@ -3,7 +3,7 @@
 use crate::design::StarDesign;
 use crate::forecast::case::{Case, measured_stiffnesses};
 use crate::forecast::outcome::{Outcome, SHORTEST_ARM};
-use crate::forecast::prediction::{Evidence, Hinges, Nonlinear, StarPrediction, Stretch};
+use crate::forecast::prediction::{FabricStretch, Hinges, ModelEvidence, Nonlinear, StarPrediction};
 use crate::forecast::ranges::{StarRanges, scaled};
 use crate::spec::Spec;
 use crate::units::{Length, Percent, Pressure, Readable};
@@ -163,13 +163,13 @@ pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPredictio
         seal_tension: None,
         mass_g: part.mass(&spec.fabric),
         payload_kg: None,
-        stretch: Stretch::Ratio(stretch),
+        stretch: FabricStretch::Ratio(stretch),
         burst_margin: None,
         ranges_of: "shell",
         ranges: StarRanges::default(),
         pressures: None,
         nonlinear: None,
-        evidence: Evidence {
+        evidence: ModelEvidence {
             choice: String::new(),
             fabric: measured_stiffnesses(&spec.fabric),
             residual: 0.0,

@@ -5,7 +5,7 @@ use crate::forecast::load_check::{
     bursts, may_burst, outside_models, too_hard, too_heavy, too_short, too_thin, too_wide_to_enter,
     too_wide_to_open,
 };
-use crate::forecast::outcome::Hold;
+use crate::forecast::outcome::Grip;
 use crate::forecast::prediction::StarPrediction;
 pub use crate::forecast::prediction::{Holds, Verdict};
 use crate::forecast::ranges::{Interval, sum};
@@ -17,7 +17,7 @@ use inflatable::mechanics::strength::GRAVITY;
 pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
     let load = spec.load.as_ref()?;
     let _ = load.object_radius.filter(|_| load.pressure.is_some())?;
-    let judged = Findings::of(spec, load, stars);
+    let judged = VerdictLines::of(spec, load, stars);
     let hardest = stars
         .iter()
         .filter(|star| star.object_force_N.is_some())
@@ -33,7 +33,7 @@ pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
         largest_force_N: load.largest_force.map(|force| force.0),
         stars: stars.len(),
         assumed: Object::assumed(load, stars.len()),
-        reasons: judged.findings.iter().map(Finding::reason).collect(),
+        reasons: judged.findings.iter().map(VerdictLine::reason).collect(),
     })
 }
 
@@ -41,15 +41,15 @@ pub fn verdict(spec: &Spec, stars: &[StarPrediction]) -> Option<Verdict> {
 /// object, or no model covers it. Empty if none of this is certain, or nothing is asked.
 pub fn refusals(spec: &Spec, stars: &[StarPrediction]) -> Vec<Refusal> {
     let Some(load) = spec.load.as_ref().filter(|load| load.pressure.is_some()) else { return Vec::new() };
-    let judged = Findings::of(spec, load, stars);
+    let judged = VerdictLines::of(spec, load, stars);
     // One star that holds the object will do.
     let idle = judged.is_idle();
-    let counts = |finding: &&Finding| match finding.weight {
+    let counts = |finding: &&VerdictLine| match finding.weight {
         Weight::Refuted | Weight::Unknown => true,
         Weight::Idle => idle,
         Weight::Doubted => false,
     };
-    judged.findings.iter().filter(counts).filter_map(Finding::refusal).collect()
+    judged.findings.iter().filter(counts).filter_map(VerdictLine::refusal).collect()
 }
 
 fn force(stars: &[StarPrediction]) -> Option<f64> {
@@ -81,34 +81,34 @@ enum Weight {
 
 /// One thing that was found.
 #[derive(Debug)]
-struct Finding {
+struct VerdictLine {
     weight: Weight,
     /// Number of the star, 1 = bottom, where there are several.
     star: Option<usize>,
-    what: What,
+    what: VerdictText,
 }
 
 /// In words alone, or as a refusal.
 #[derive(Debug)]
-enum What {
+enum VerdictText {
     Reason(String),
     Refusal(Refusal),
 }
 
-impl Finding {
+impl VerdictLine {
     fn of_star(&self, text: &str) -> String {
         self.star.map_or_else(|| text.to_owned(), |star| format!("star {star}: {text}"))
     }
 
     fn reason(&self) -> String {
         match &self.what {
-            What::Reason(text) => self.of_star(text),
-            What::Refusal(refusal) => self.of_star(&refusal.found),
+            VerdictText::Reason(text) => self.of_star(text),
+            VerdictText::Refusal(refusal) => self.of_star(&refusal.found),
         }
     }
 
     fn refusal(&self) -> Option<Refusal> {
-        let What::Refusal(refusal) = &self.what else { return None };
+        let VerdictText::Refusal(refusal) = &self.what else { return None };
         let key = self.star.map_or(refusal.key, |star| refusal.key.of_star(star));
         Some(Refusal { key, found: self.of_star(&refusal.found), ..refusal.clone() })
     }
@@ -116,13 +116,13 @@ impl Finding {
 
 /// What was found.
 #[derive(Debug, Default)]
-struct Findings {
-    findings: Vec<Finding>,
+struct VerdictLines {
+    findings: Vec<VerdictLine>,
     /// Distinct stars: one that holds the object will do.
     stars: usize,
 }
 
-impl Findings {
+impl VerdictLines {
     fn of(spec: &Spec, load: &Load, stars: &[StarPrediction]) -> Self {
         let is_first =
             |(index, star): &(usize, &StarPrediction)| !stars.iter().take(*index).any(|other| other == *star);
@@ -173,33 +173,33 @@ impl Findings {
         found.or(Some(RefusalCode::MayNotHold.as_str()))
     }
 
-    fn add(&mut self, weight: Weight, index: usize, what: What) {
+    fn add(&mut self, weight: Weight, index: usize, what: VerdictText) {
         let star = (self.stars > 1).then_some(index + 1);
-        self.findings.push(Finding { weight, star, what });
+        self.findings.push(VerdictLine { weight, star, what });
     }
 
     fn star(&mut self, spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction)) {
         if let Some(refusal) = bursts(load, star) {
-            self.add(Weight::Refuted, index, What::Refusal(refusal));
+            self.add(Weight::Refuted, index, VerdictText::Refusal(refusal));
         }
         if let Some(reason) = may_burst(load, star) {
-            self.add(Weight::Doubted, index, What::Reason(reason));
+            self.add(Weight::Doubted, index, VerdictText::Reason(reason));
         }
         if let Some(refusal) = outside_models(load, star) {
-            return self.add(Weight::Unknown, index, What::Refusal(refusal));
+            return self.add(Weight::Unknown, index, VerdictText::Refusal(refusal));
         }
         let Some(object) = star.object_radius_mm else { return };
         if let Some(refusal) = idle(spec, load, (index, star), object) {
-            return self.add(Weight::Idle, index, What::Refusal(refusal));
+            return self.add(Weight::Idle, index, VerdictText::Refusal(refusal));
         }
         let doubts = doubts(load, star, object);
         for reason in doubts {
-            self.add(Weight::Doubted, index, What::Reason(reason));
+            self.add(Weight::Doubted, index, VerdictText::Reason(reason));
         }
         if let Some((Force(bears), range)) = load.largest_force.zip(star.ranges.object_force_N)
             && range[0] > bears
         {
-            self.add(Weight::Refuted, index, What::Refusal(too_hard(range, bears)));
+            self.add(Weight::Refuted, index, VerdictText::Refusal(too_hard(range, bears)));
         }
     }
 
@@ -207,11 +207,11 @@ impl Findings {
         let needed = needed_force(load);
         let (weight, what) = match (needed, force_range(stars), force(stars)) {
             (Some(needed), Some(range), _) if range[1] < needed => {
-                (Weight::Refuted, What::Refusal(too_heavy(load, range, needed)))
+                (Weight::Refuted, VerdictText::Refusal(too_heavy(load, range, needed)))
             }
             (Some(needed), Some([low, _]), _) if low < needed => {
                 let text = format!("friction needs {needed:.1} N, and there may be {low:.1} N only");
-                (Weight::Doubted, What::Reason(text))
+                (Weight::Doubted, VerdictText::Reason(text))
             }
             (_, None, Some(force)) => {
                 let needs =
@@ -219,18 +219,18 @@ impl Findings {
                 let text = format!(
                     "by the model it presses with {force:.1} N,{needs} but how far that is off is not known"
                 );
-                (Weight::Doubted, What::Reason(text))
+                (Weight::Doubted, VerdictText::Reason(text))
             }
             _ => return,
         };
-        self.findings.push(Finding { weight, star: None, what });
+        self.findings.push(VerdictLine { weight, star: None, what });
     }
 }
 
 /// Why star `index` certainly does not hold the object of radius `object` (mm).
 fn idle(spec: &Spec, load: &Load, (index, star): (usize, &StarPrediction), object: f64) -> Option<Refusal> {
     let [least, most] = star.graspable_radius_mm?;
-    if star.hold == Some(Hold::Beside) {
+    if star.hold == Some(Grip::Beside) {
         return Some(too_short(load));
     }
     if let Some(refusal) = spec.stars.get(index).and_then(|part| too_wide_to_enter(spec, part, star)) {
@@ -254,7 +254,7 @@ fn doubts(load: &Load, star: &StarPrediction, object: f64) -> Vec<String> {
     if let Some([_, high]) = star.ranges.final_radius_mm.filter(|[_, high]| object < *high) {
         reasons.push(format!("it may close to {:.1} mm across only, and not reach the object", 2.0 * high));
     }
-    if star.hold == Some(Hold::Untried) {
+    if star.hold == Some(Grip::Untried) {
         reasons.push("how hard it presses on the object is not known".to_owned());
     }
     match (load.largest_force, star.ranges.object_force_N, star.object_force_N) {

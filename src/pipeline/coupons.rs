@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::airtight;
 use crate::artifact::{Kind, Output, program_ending};
-use crate::coupon::{Coupon, CouponPiece, Grid, Group, coupons, overview, table};
+use crate::coupon::{Coupon, CouponGroup, CouponPiece, StripGrid, coupons, overview, table};
 use crate::design::{Refusal, Refusals};
 use crate::manifest::{CouponChoice, CouponManifest, MANIFEST, ManifestFile, SealedPiece, Tool, sha256};
 use crate::pipeline::Sources;
@@ -49,8 +49,8 @@ impl MadeCoupons {
         spec: &Spec,
         machine: &Machine,
         sources: Sources<'_>,
-        grid: &Grid,
-        groups: &[Group],
+        grid: &StripGrid,
+        groups: &[CouponGroup],
     ) -> Result<Self, Refusals> {
         let coupons = coupons(spec, machine, grid, groups)?;
         let pieces = coupons.iter().flat_map(|coupon| &coupon.pieces);
@@ -73,7 +73,7 @@ impl MadeCoupons {
             files.push((format!("{}.{ending}", coupon.name), Kind::SealGcode, coupon.gcode().into_bytes()));
             files.push((format!("{}.svg", coupon.name), Kind::SealSvg, coupon.svg.clone().into_bytes()));
         }
-        let has_strips = groups.contains(&Group::Strips);
+        let has_strips = groups.contains(&CouponGroup::Strips);
         let strips = if has_strips { grid.strips(machine) } else { Vec::new() };
         if has_strips {
             files.push((OVERVIEW.to_owned(), Kind::SealSvg, overview(spec, grid, &strips).into_bytes()));
@@ -210,7 +210,7 @@ pub(super) fn prove_coupons(written: &CouponManifest, files: &OutputFiles<'_>) -
 }
 
 /// The settings and groups of a manifest; `None` if `coupon` would refuse them.
-fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(Grid, Vec<Group>)> {
+fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<CouponGroup>)> {
     let within = |values: &[f64], low: f64, high: f64| {
         !values.is_empty() && values.iter().all(|value| (low..=high).contains(value))
     };
@@ -224,9 +224,10 @@ fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(Grid, Vec<Group>)
             .iter()
             .try_fold(temperatures.len(), |n, m| n.checked_mul(*m))?
             <= MOST_STRIPS;
-    let group = |name: &String| Group::NAMES.iter().find(|(known, _)| known == name).map(|(_, group)| *group);
+    let group =
+        |name: &String| CouponGroup::NAMES.iter().find(|(known, _)| known == name).map(|(_, group)| *group);
     let groups = only.iter().map(group).collect::<Option<Vec<_>>>()?;
-    let grid = Grid {
+    let grid = StripGrid {
         temperatures: temperatures.iter().copied().map(Temperature).collect(),
         speeds: speeds.iter().copied().map(Speed).collect(),
         heights: heights.iter().copied().map(Length).collect(),
@@ -251,12 +252,12 @@ fn coupon_task(coupon: &Coupon) -> ProgramTask<'_> {
 
 fn manifest(
     spec: &Spec,
-    grid: &Grid,
-    groups: &[Group],
+    grid: &StripGrid,
+    groups: &[CouponGroup],
     coupons: &[Coupon],
     files: &[(String, Kind, Vec<u8>)],
 ) -> CouponManifest {
-    let only = Group::NAMES.iter().filter(|(_, group)| groups.contains(group));
+    let only = CouponGroup::NAMES.iter().filter(|(_, group)| groups.contains(group));
     CouponManifest {
         tool: Tool::this(),
         name: spec.name.clone(),

@@ -45,7 +45,7 @@ struct Way {
 }
 
 /// Ways that follow each other, which mostly lie together, and the box around them.
-struct Block {
+struct WayGroup {
     near: Bounds,
     ways: Vec<Way>,
 }
@@ -66,13 +66,13 @@ pub(super) fn clamps_in_the_way(
     }
     let reach = spec.seal.band.0 / 2.0;
     let programs: Vec<&Program> = seals.iter().chain(traces).collect();
-    let mut blocks: Vec<Block> = Vec::new();
+    let mut blocks: Vec<WayGroup> = Vec::new();
     for (number, program) in programs.iter().enumerate() {
         let mut ways = ways(number, program, reach).into_iter().peekable();
         while ways.peek().is_some() {
             let ways: Vec<Way> = ways.by_ref().take(BLOCK).collect();
             let near = ways.iter().map(|way| way.near).fold(Bounds::EMPTY, Bounds::union);
-            blocks.push(Block { near, ways });
+            blocks.push(WayGroup { near, ways });
         }
     }
     let refusal = |zone: &KeepOut| {

@@ -50,12 +50,12 @@ pub struct Pacer {
     early: f64,
     /// The most by which it was early after the longest wait, s.
     overdue: f64,
-    run: Run,
+    run: PacedRun,
 }
 
 /// What was travelled since the iron stood still.
 #[derive(Clone, Copy, Debug, Default)]
-struct Run {
+struct PacedRun {
     steps: [f64; 3],
     length: f64,
     /// Time counted for it, s.
@@ -79,7 +79,7 @@ impl Pace {
 impl Pacer {
     /// A pacer at the start of a contact; `speed` is the seal's, mm/s.
     pub fn new(pace: Pace, speed: f64) -> Self {
-        Self { pace, speed, early: 0.0, overdue: 0.0, run: Run::default() }
+        Self { pace, speed, early: 0.0, overdue: 0.0, run: PacedRun::default() }
     }
 
     /// Hands the strokes of `piece` to `each`, in order; `heights` are those of its two ends where they differ.
@@ -121,7 +121,7 @@ impl Pacer {
         let Written { from, to, length } = *written;
         let (before, steps) = (self.run, chop.steps(from, to));
         let waiting = std::array::from_fn(|i| before.waiting[i] + steps[i]);
-        let mut run = Run { length: before.length + length, waiting, ..before };
+        let mut run = PacedRun { length: before.length + length, waiting, ..before };
         let is_made = chop.makes(waiting);
         if is_made {
             run.steps = std::array::from_fn(|i| before.steps[i] + waiting[i].abs());
@@ -136,7 +136,7 @@ impl Pacer {
         if is_made {
             self.overdue = self.overdue.max(self.early);
         }
-        self.run = if dwell > 0.0 { Run::default() } else { run };
+        self.run = if dwell > 0.0 { PacedRun::default() } else { run };
         (moving, dwell)
     }
 }

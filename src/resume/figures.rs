@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::emit;
 use crate::resume::record::Record;
-use crate::resume::toolpath::{Phase, TimedMove, Toolpath};
+use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
 use crate::verify::gcode::Comment;
 
 /// Lengths and times of a new program, of which the first seam may be a part of the old one.
@@ -28,10 +28,10 @@ impl Figures {
     pub(super) fn new(old: &Toolpath<'_>, new: &Toolpath<'_>) -> Self {
         let (mut title, mut seam, mut first, mut length) = (None, 0.0, (0.0, 0.0), 0.0);
         new.walk(|step: &TimedMove| {
-            if step.phase == Phase::Clear {
+            if step.phase == JobPhase::Clear {
                 return ControlFlow::Continue(());
             }
-            let flat = if step.phase == Phase::Contact { step.flat() } else { 0.0 };
+            let flat = if step.phase == JobPhase::Contact { step.flat() } else { 0.0 };
             length += flat;
             if title.is_none() {
                 title = step.title;

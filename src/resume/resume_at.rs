@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::resume::ResumeFault;
-use crate::resume::toolpath::{Phase, TimedMove, Toolpath};
+use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
 use inflatable::geom::Point;
 
 /// Farthest from a seam that a point may be told, mm: as well as one reads a position off a display or a ruler.
@@ -22,21 +22,21 @@ pub enum ResumeAt {
 
 /// A place on the toolpath.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Stop {
+pub(super) struct StopPoint {
     /// Line of the move.
     pub(super) line: usize,
     /// What the iron did in it.
-    pub(super) phase: Phase,
+    pub(super) phase: JobPhase,
     /// Way in contact since the seam's run began, mm.
     pub(super) along: f64,
     /// Part of the job's time before it, 0 to 1.
     pub(super) done: f64,
 }
 
-impl Stop {
+impl StopPoint {
     /// The place at this part of a move, 0 to 1, of a job of `total` seconds.
     fn new(at: &TimedMove, fraction: f64, total: f64) -> Self {
-        let length = if at.phase == Phase::Contact { at.step.length() } else { 0.0 };
+        let length = if at.phase == JobPhase::Contact { at.step.length() } else { 0.0 };
         let done = (at.begins + fraction * at.seconds) / total;
         Self { line: at.step.line, phase: at.phase, along: at.along + fraction * length, done }
     }
@@ -44,7 +44,7 @@ impl Stop {
 
 impl ResumeAt {
     /// The place on the toolpath.
-    pub(super) fn find(self, toolpath: &Toolpath<'_>) -> Result<Stop, ResumeFault> {
+    pub(super) fn find(self, toolpath: &Toolpath<'_>) -> Result<StopPoint, ResumeFault> {
         match self {
             Self::Line(line) if line == 0 || line > toolpath.lines => {
                 Err(ResumeFault::NoSuchLine(line, toolpath.lines))
@@ -63,24 +63,24 @@ impl ResumeAt {
 }
 
 /// The first move of which `at` knows a part at which the job stopped.
-fn first(toolpath: &Toolpath<'_>, at: impl Fn(&TimedMove) -> Option<f64>) -> Result<Stop, ResumeFault> {
+fn first(toolpath: &Toolpath<'_>, at: impl Fn(&TimedMove) -> Option<f64>) -> Result<StopPoint, ResumeFault> {
     let mut stop = None;
     toolpath.walk(|step| {
-        stop = at(step).map(|fraction| Stop::new(step, fraction, toolpath.seconds));
+        stop = at(step).map(|fraction| StopPoint::new(step, fraction, toolpath.seconds));
         if stop.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     });
     stop.ok_or(ResumeFault::NothingLeft)
 }
 
 /// The place in contact that is nearest to `point`.
-fn near(toolpath: &Toolpath<'_>, point: Point) -> Result<Stop, ResumeFault> {
-    let mut best: Option<(f64, Stop)> = None;
+fn near(toolpath: &Toolpath<'_>, point: Point) -> Result<StopPoint, ResumeFault> {
+    let mut best: Option<(f64, StopPoint)> = None;
     toolpath.walk(|step| {
-        if let Some(path) = step.step.path.filter(|_| step.phase == Phase::Contact) {
+        if let Some(path) = step.step.path.filter(|_| step.phase == JobPhase::Contact) {
             let t = path.nearest_fraction(point);
             let distance = path.point(t).distance(point);
             if best.is_none_or(|(least, _)| distance < least - 1e-6) {
-                best = Some((distance, Stop::new(step, t, toolpath.seconds)));
+                best = Some((distance, StopPoint::new(step, t, toolpath.seconds)));
             }
         }
         ControlFlow::Continue(())

@@ -14,7 +14,7 @@ const HEIGHT: f64 = 1e-6;
 
 /// What the iron is doing, told from its heights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Phase {
+pub(super) enum JobPhase {
     /// Away from the fabric.
     Clear,
     /// On the way down.
@@ -29,7 +29,7 @@ pub(super) enum Phase {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TimedMove {
     pub(super) step: Move,
-    pub(super) phase: Phase,
+    pub(super) phase: JobPhase,
     /// Way in contact since the seam's run began, mm, at the start of the move.
     pub(super) along: f64,
     /// Time before it, s.
@@ -139,24 +139,24 @@ impl<'a> Toolpath<'a> {
         let (record, heights) = (self.record, &self.record.process.heights);
         let (low, high) = (step.from.z.min(step.to.z), step.from.z.max(step.to.z));
         let phase = if low >= heights.travel.0 - HEIGHT {
-            Phase::Clear
+            JobPhase::Clear
         } else if high <= heights.contact.0 + HEIGHT {
-            Phase::Contact
+            JobPhase::Contact
         } else if step.to.z < step.from.z {
-            Phase::Down
+            JobPhase::Down
         } else {
-            Phase::Up
+            JobPhase::Up
         };
         let along = before
-            .filter(|b| matches!(b.phase, Phase::Contact | Phase::Up) && phase != Phase::Down)
-            .map_or(0.0, |b| b.along + if b.phase == Phase::Contact { b.step.length() } else { 0.0 });
+            .filter(|b| matches!(b.phase, JobPhase::Contact | JobPhase::Up) && phase != JobPhase::Down)
+            .map_or(0.0, |b| b.along + if b.phase == JobPhase::Contact { b.step.length() } else { 0.0 });
         let begins = before.map_or(0.0, |b| b.begins + b.seconds);
         let seconds = match step.feed {
-            _ if phase != Phase::Clear => step.length() / record.seal.speed.0,
+            _ if phase != JobPhase::Clear => step.length() / record.seal.speed.0,
             Some(feed) => step.length() / feed * 60.0,
             None => step.length() / record.process.travel_speed.0,
         };
-        let along = if phase == Phase::Clear { 0.0 } else { along };
+        let along = if phase == JobPhase::Clear { 0.0 } else { along };
         TimedMove { step, phase, along, begins, seconds, rests: false, title }
     }
 

@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 use std::ops::ControlFlow;
 
 use crate::emit::Decimals;
-use crate::resume::resume_at::Stop;
-use crate::resume::toolpath::{Phase, TimedMove, Toolpath};
+use crate::resume::resume_at::StopPoint;
+use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
 use crate::verify::gcode::MoveKind;
 use inflatable::geom::{Path, Segment};
 
@@ -30,16 +30,17 @@ pub(super) struct Window {
 
 impl Window {
     /// What lies around `stop`, as far as `back` mm before it; `None` if nothing is left.
-    pub(super) fn around(toolpath: &Toolpath<'_>, stop: &Stop, back: f64) -> Option<Next> {
-        let in_contact = matches!(stop.phase, Phase::Contact | Phase::Up);
+    pub(super) fn around(toolpath: &Toolpath<'_>, stop: &StopPoint, back: f64) -> Option<Next> {
+        let in_contact = matches!(stop.phase, JobPhase::Contact | JobPhase::Up);
         let mut window = Self { steps: VecDeque::new(), length: 0.0, done: stop.along, title: None };
         let (mut travel, mut next, mut past) = (toolpath.hot, None, false);
         toolpath.walk(|step| {
-            if step.phase == Phase::Clear && step.step.kind == MoveKind::Rapid && step.step.path.is_some() {
+            if step.phase == JobPhase::Clear && step.step.kind == MoveKind::Rapid && step.step.path.is_some()
+            {
                 travel = step.step.line - 1;
             }
             if in_contact {
-                if past && step.phase != Phase::Contact {
+                if past && step.phase != JobPhase::Contact {
                     return ControlFlow::Break(());
                 }
                 window.add(*step);
@@ -55,7 +56,7 @@ impl Window {
                         .and_then(|line| toolpath.line(line))
                         .map(|line| line.trim_end().to_owned());
                 }
-            } else if step.step.line >= stop.line && step.phase == Phase::Down {
+            } else if step.step.line >= stop.line && step.phase == JobPhase::Down {
                 // On the way down the seam is this one.
                 next = Some(travel.max(toolpath.hot));
                 return ControlFlow::Break(());
@@ -67,13 +68,13 @@ impl Window {
 
     /// The next move: a seam begins with its way down.
     fn add(&mut self, step: TimedMove) {
-        let is_new =
-            step.phase == Phase::Down && self.steps.back().is_some_and(|last| last.phase != Phase::Down);
-        if step.phase == Phase::Clear || is_new {
+        let is_new = step.phase == JobPhase::Down
+            && self.steps.back().is_some_and(|last| last.phase != JobPhase::Down);
+        if step.phase == JobPhase::Clear || is_new {
             self.steps.clear();
             self.length = 0.0;
         }
-        if !matches!(step.phase, Phase::Down | Phase::Contact) {
+        if !matches!(step.phase, JobPhase::Down | JobPhase::Contact) {
             return;
         }
         self.length += step.flat();
@@ -98,11 +99,11 @@ impl Window {
     }
 
     fn down(&self) -> impl Iterator<Item = &TimedMove> {
-        self.steps.iter().take_while(|step| step.phase == Phase::Down)
+        self.steps.iter().take_while(|step| step.phase == JobPhase::Down)
     }
 
     fn contact(&self) -> impl Iterator<Item = &TimedMove> {
-        self.steps.iter().filter(|step| step.phase == Phase::Contact)
+        self.steps.iter().filter(|step| step.phase == JobPhase::Contact)
     }
 
     /// The last place at or before `from`, mm along the run, at which the iron stands still: where the run begins, or a dwell is.

@@ -39,7 +39,7 @@ pub fn settings(source: &Source) -> Vec<Setting> {
         Some(shown(table?.get(key)?))
     };
     let mut out: Vec<Setting> = known()
-        .map(|Known { section, key, default, meaning }| {
+        .map(|KnownKey { section, key, default, meaning }| {
             let own = written(section, key);
             let given = own.is_some();
             let value = own.or_else(|| default.map(str::to_owned));
@@ -84,7 +84,7 @@ fn shown(value: &RawValue) -> String {
 }
 
 /// A key of the starter.
-struct Known {
+struct KnownKey {
     section: &'static str,
     key: &'static str,
     default: Option<&'static str>,
@@ -92,7 +92,7 @@ struct Known {
 }
 
 /// The keys of the starter but those of single stars.
-fn known() -> impl Iterator<Item = Known> {
+fn known() -> impl Iterator<Item = KnownKey> {
     let mut section = "";
     TEMPLATE.lines().filter_map(move |line| {
         let (line, has_default) = match (line.strip_prefix("## "), line.strip_prefix("# ")) {
@@ -111,7 +111,7 @@ fn known() -> impl Iterator<Item = Known> {
         }
         let (value, meaning) = rest.split_once("  #").unwrap_or((rest, ""));
         let default = has_default.then(|| value.trim().trim_matches('"'));
-        Some(Known { section, key, default, meaning: meaning.trim() })
+        Some(KnownKey { section, key, default, meaning: meaning.trim() })
     })
 }
 

@@ -209,15 +209,3 @@ fn an_interruption_leaves_nothing() {
     assert!(output.stdout.is_empty() && text(&output.stderr).contains("stopped"), "{}", text(&output.stderr));
     assert!(kept(dir.path()).is_empty() && !dir.path().join("sheet.vtu").exists());
 }
-
-#[test]
-fn a_table_is_joined_only_of_all_its_ladders() {
-    let dir = folder();
-    let none = run(dir.path(), &["table", "ladders", "--join"]);
-    assert!(none.status.code() == Some(1) && text(&none.stderr).contains("ladder 1 is missing"));
-    assert_eq!(run(dir.path(), &["table", "ladders", "--part", "3/2"]).status.code(), Some(2));
-    fs::create_dir(dir.path().join("ladders")).expect("made");
-    fs::write(dir.path().join("ladders/ladder-01.txt"), "ladder 1 tau 0.003162\n").expect("written");
-    let torn = run(dir.path(), &["table", "ladders", "--join"]);
-    assert!(torn.status.code() == Some(1) && text(&torn.stderr).contains("ladder 1 is missing"));
-}

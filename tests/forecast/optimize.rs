@@ -5,7 +5,7 @@
 use crate::{candidate, close, paper};
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
 use stargrip_cam::forecast::optimize::{
-    Bounds, Constraints, Evaluation, Goal, ROUNDING, SearchResult, search, thinned,
+    Constraints, Evaluation, Goal, ROUNDING, SearchBounds, SearchResult, search, thinned,
 };
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::mechanics::hinge::ring::RingTable;
@@ -14,8 +14,8 @@ use std::sync::LazyLock;
 
 static TABLE: LazyLock<RingTable> = LazyLock::new(|| RingTable::new().expect("solved"));
 
-fn just(base: &Candidate) -> Bounds {
-    Bounds::just(base)
+fn just(base: &Candidate) -> SearchBounds {
+    SearchBounds::just(base)
 }
 
 fn violation(base: &Candidate, constraints: Constraints) -> f64 {
@@ -105,7 +105,7 @@ fn what_is_not_known_is_as_bad_as_nothing() {
 /// Angle and width in a box, three to six points.
 fn found(goal: Goal) -> SearchResult {
     let base = candidate(&paper(5));
-    let bounds = Bounds {
+    let bounds = SearchBounds {
         points: 3..=6,
         tip_angle: [20.0, 60.0].map(Angle),
         width: [12.0, 35.0].map(Length),

@@ -2,7 +2,7 @@
 
 use crate::{case, close, paper};
 use stargrip_cam::forecast::case::Case;
-use stargrip_cam::forecast::outcome::{Hold, Outcome};
+use stargrip_cam::forecast::outcome::{Grip, Outcome};
 use stargrip_cam::mechanics::hinge::ring::Ring;
 use stargrip_cam::mechanics::star::response::Inflated;
 
@@ -19,14 +19,14 @@ fn an_object_is_held_between_the_final_radius_and_the_widest() {
     // Five points open beyond the cut hole, 50 mm less 2 mm of band and flap: the hole decides. 48 mm itself enters.
     let hole = holding(5, 0.03).0.hole;
     close(hole, 0.048, 1e-12);
-    assert!(matches!(holding(5, hole).1.hold, Some(Hold::Held(force)) if force > 0.0));
-    assert_eq!(holding(5, hole + 1e-9).1.hold, Some(Hold::TooWideToEnter));
+    assert!(matches!(holding(5, hole).1.hold, Some(Grip::Held(force)) if force > 0.0));
+    assert_eq!(holding(5, hole + 1e-9).1.hold, Some(Grip::TooWideToEnter));
     // Eight points do not open to 50 mm.
     let open = holding(8, 0.03).1.rest;
     assert!(open.widest.radius < 0.05);
-    assert_eq!(holding(8, open.widest.radius + 1e-9).1.hold, Some(Hold::TooWideToOpen));
-    assert!(matches!(holding(8, open.widest.radius - 1e-6).1.hold, Some(Hold::Held(_))));
-    assert_eq!(holding(8, open.radius - 1e-9).1.hold, Some(Hold::TooThin));
+    assert_eq!(holding(8, open.widest.radius + 1e-9).1.hold, Some(Grip::TooWideToOpen));
+    assert!(matches!(holding(8, open.widest.radius - 1e-6).1.hold, Some(Grip::Held(_))));
+    assert_eq!(holding(8, open.radius - 1e-9).1.hold, Some(Grip::TooThin));
     assert_eq!(holding(8, open.radius - 1e-9).1.object_force(), Some(0.0));
     assert_eq!(holding(8, 0.0501).1.object_force(), None);
 }

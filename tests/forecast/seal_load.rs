@@ -3,7 +3,8 @@
 use crate::{case, close, design, paper};
 use stargrip_cam::forecast::case::Case;
 use stargrip_cam::forecast::seal_load::{
-    Bursting, Hinge, RANGE, SealLoad, burst, burst_range, factor, largest_pull, pull, safe_radius, seal_loads,
+    Bursting, LoadedHinge, RANGE, SealLoad, burst, burst_range, factor, largest_pull, pull, safe_radius,
+    seal_loads,
 };
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::ring::Ring;
@@ -56,10 +57,10 @@ fn the_safe_radius_is_the_least() {
     for pressure in [12e3, 20e3, 37e3, 60e3] {
         let case = weak(pressure);
         let width = case.mechanism.width;
-        let safe = safe_radius(&case, Hinge::Tip).expect("round enough").0;
+        let safe = safe_radius(&case, LoadedHinge::Tip).expect("round enough").0;
         let load = |mm: f64| {
             let k = factor(&Ring, mm * 1e-3 / width).expect("in range");
-            RANGE[1] * pull(&case, k, (Hinge::Tip, mm * 1e-3), pressure)
+            RANGE[1] * pull(&case, k, (LoadedHinge::Tip, mm * 1e-3), pressure)
         };
         assert!(load(safe) <= 1e3 && load(safe - 0.01) > 1e3, "{safe} mm: {}", load(safe));
         close((safe * 100.0).round(), safe * 100.0, 1e-12);
@@ -76,7 +77,7 @@ fn the_safe_radius_scales_with_the_star_and_depends_on_ratios_only() {
     larger.mechanism.width *= factor;
     larger.sheet.thickness *= factor;
     let [own, same, larger] =
-        [case, same, larger].map(|case| safe_radius(&case, Hinge::Tip).expect("round enough").0);
+        [case, same, larger].map(|case| safe_radius(&case, LoadedHinge::Tip).expect("round enough").0);
     // Rounding may tip a hundredth.
     assert!((own - same).abs() < 0.011, "{own} {same}");
     // Each is rounded up to a hundredth.
@@ -86,8 +87,8 @@ fn the_safe_radius_scales_with_the_star_and_depends_on_ratios_only() {
 #[test]
 fn without_pressure_or_strength_nothing_is_said_about_bursting() {
     let case = weak(37e3);
-    assert_eq!(safe_radius(&Case { pressure: None, ..case }, Hinge::Tip), None);
-    assert_eq!(safe_radius(&Case { peel: None, ..case }, Hinge::Tip), None);
+    assert_eq!(safe_radius(&Case { pressure: None, ..case }, LoadedHinge::Tip), None);
+    assert_eq!(safe_radius(&Case { peel: None, ..case }, LoadedHinge::Tip), None);
     assert_eq!(burst(&Case { peel: None, ..case }, &Ring), None);
     let mut spec = paper(5);
     (spec.fabric.seal_strength, spec.load) = (None, None);

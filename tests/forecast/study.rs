@@ -3,7 +3,7 @@
 use crate::{PAPER, candidate, close, paper};
 use proptest::prelude::*;
 use stargrip_cam::forecast::candidate::TableRing;
-use stargrip_cam::forecast::study::{Batch, Kind, Study, Values, csv};
+use stargrip_cam::forecast::study::{ColumnKind, ColumnValues, RowBatch, Study, csv};
 use stargrip_cam::mechanics::hinge::HingeModel;
 use stargrip_cam::mechanics::hinge::ring::{Ring, RingTable};
 use stargrip_cam::spec::Source;
@@ -50,25 +50,25 @@ fn lines(study: &Study, rows: Range<usize>) -> Vec<String> {
 }
 
 /// The numbers of column `name`.
-fn numbers(study: &Study, batch: &Batch, name: &str) -> Vec<f64> {
+fn numbers(study: &Study, batch: &RowBatch, name: &str) -> Vec<f64> {
     let at = study.columns().iter().position(|column| column.name == name).expect(name);
     match &batch.columns[at] {
-        Values::Real(values) => values.clone(),
+        ColumnValues::Real(values) => values.clone(),
         #[expect(clippy::cast_precision_loss, reason = "small numbers")]
-        Values::Whole(values) => values.iter().map(|value| *value as f64).collect(),
-        Values::Text(_) => panic!("{name} holds words"),
+        ColumnValues::Whole(values) => values.iter().map(|value| *value as f64).collect(),
+        ColumnValues::Text(_) => panic!("{name} holds words"),
     }
 }
 
-fn words(study: &Study, batch: &Batch, name: &str) -> Vec<Option<String>> {
+fn words(study: &Study, batch: &RowBatch, name: &str) -> Vec<Option<String>> {
     let at = study.columns().iter().position(|column| column.name == name).expect(name);
     match &batch.columns[at] {
-        Values::Text(values) => values.iter().map(|word| word.as_deref().map(str::to_owned)).collect(),
+        ColumnValues::Text(values) => values.iter().map(|word| word.as_deref().map(str::to_owned)).collect(),
         _ => panic!("{name} holds numbers"),
     }
 }
 
-fn whole(study: &Study) -> Batch {
+fn whole(study: &Study) -> RowBatch {
     study.batch(0..study.rows(), &NEVER).expect("nobody stops it")
 }
 
@@ -321,8 +321,8 @@ fn refusals_have_their_codes_and_nothing_else() {
         let text = &words(&study, &batch, "refused")[i];
         assert_eq!(code.is_some(), text.is_some());
         for (column, values) in columns.iter().zip(&batch.columns) {
-            let is_answer = column.kind == Kind::Real && !column.name.starts_with("seal.");
-            if let (true, Values::Real(values), Some(_)) = (is_answer, values, code) {
+            let is_answer = column.kind == ColumnKind::Real && !column.name.starts_with("seal.");
+            if let (true, ColumnValues::Real(values), Some(_)) = (is_answer, values, code) {
                 assert!(values[i].is_nan(), "{}: {}", column.name, values[i]);
             }
         }

@@ -1,6 +1,6 @@
 //! Coupons: every program is one that its controller reads, hot, at its own speed and height.
 
-use stargrip_cam::coupon::{Coupon, Grid, Group, read_rows, table};
+use stargrip_cam::coupon::{Coupon, CouponGroup, StripGrid, read_rows, table};
 use stargrip_cam::pipeline::{MadeCoupons, Sources};
 use stargrip_cam::spec::{Machine, Source, Spec};
 use stargrip_cam::units::{Length, Speed, Temperature};
@@ -9,8 +9,8 @@ use stargrip_cam::verify::gcode::{Dialect, read_program};
 use crate::{PROFILES, machine, profile, spec, spec_text};
 
 /// All coupons, read back as every program is.
-fn proven(spec: &Spec, machine: &Machine, grid: &Grid) -> Vec<Coupon> {
-    let groups = Group::NAMES.map(|(_, group)| group);
+fn proven(spec: &Spec, machine: &Machine, grid: &StripGrid) -> Vec<Coupon> {
+    let groups = CouponGroup::NAMES.map(|(_, group)| group);
     let sources = Sources { spec: "", machine: "" };
     let made = MadeCoupons::new(spec, machine, sources, grid, &groups);
     let made = made.unwrap_or_else(|refusals| panic!("{}: {refusals}", machine.name));
@@ -24,7 +24,7 @@ fn every_coupon_is_sound_in_every_dialect() {
         let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
         let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
         let (spec, machine) = (spec(&spec_text(rest)), machine(profile(name)));
-        let grid = Grid {
+        let grid = StripGrid {
             temperatures: vec![Temperature(180.0), Temperature(210.0)],
             speeds: vec![Speed(0.1), Speed(0.5)],
             heights: vec![Length(-0.3), Length(-0.1)],
@@ -62,7 +62,7 @@ fn every_coupon_is_sound_in_every_dialect() {
 #[test]
 fn strips_that_the_controller_holds_go_steadily() {
     let (spec, machine) = (spec(&spec_text("[machine]\nfeed_floor = \"chop\"\n")), machine(profile("grbl")));
-    let grid = Grid {
+    let grid = StripGrid {
         temperatures: vec![Temperature(200.0)],
         speeds: vec![Speed(0.2), Speed(0.5)],
         heights: vec![Length(-0.3)],
@@ -95,7 +95,7 @@ fn strips_that_the_controller_holds_go_steadily() {
 /// A coupon is called by its own name, and says so wherever a star would say its number and its loop.
 #[test]
 fn coupons_do_not_pass_for_stars() {
-    let grid = Grid {
+    let grid = StripGrid {
         temperatures: vec![Temperature(200.0)],
         speeds: vec![Speed(0.5)],
         heights: vec![Length(-0.3)],
@@ -120,7 +120,7 @@ fn coupons_do_not_pass_for_stars() {
 /// The mouth of every pouch is that of the hose of the spec.
 #[test]
 fn pouches_have_a_mouth_for_the_hose_of_the_spec() {
-    let grid = Grid {
+    let grid = StripGrid {
         temperatures: vec![Temperature(200.0)],
         speeds: vec![Speed(0.5)],
         heights: vec![Length(-0.3)],

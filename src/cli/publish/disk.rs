@@ -14,13 +14,13 @@ use crate::cli::publish::faults::step;
 /// Where a test interferes.
 #[cfg(not(test))]
 #[expect(clippy::unnecessary_wraps, reason = "in tests it fails")]
-fn step(_: Step, _: &Path) -> io::Result<()> {
+fn step(_: DiskStep, _: &Path) -> io::Result<()> {
     Ok(())
 }
 
 /// What is about to be done.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Step {
+pub(super) enum DiskStep {
     Create,
     Write,
     Rename,
@@ -32,43 +32,43 @@ pub(super) enum Step {
 }
 
 pub(super) fn create_dir(path: &Path) -> io::Result<()> {
-    step(Step::Create, path)?;
+    step(DiskStep::Create, path)?;
     fs::create_dir(path)
 }
 
 /// Writes a file that is not there yet, synced: after a power cut no name stands for an empty file.
 pub(super) fn write_new(path: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
-    step(Step::Write, path)?;
+    step(DiskStep::Write, path)?;
     let mut file = File::create_new(path)?;
     if let Some(permissions) = permissions {
         file.set_permissions(permissions)?;
     }
     let (first, rest) = bytes.split_at(bytes.len() / 2);
     file.write_all(first)?;
-    step(Step::Write, path)?; // a full disk leaves half of a file
+    step(DiskStep::Write, path)?; // a full disk leaves half of a file
     file.write_all(rest)?;
     file.sync_all()
 }
 
 pub(super) fn rename(from: &Path, to: &Path) -> io::Result<()> {
-    step(Step::Rename, from)?;
+    step(DiskStep::Rename, from)?;
     fs::rename(from, to)
 }
 
 pub(super) fn remove_file(path: &Path) -> io::Result<()> {
-    step(Step::Remove, path)?;
+    step(DiskStep::Remove, path)?;
     fs::remove_file(path)
 }
 
 /// Removes an empty directory; one that is not empty stays as it is.
 pub(super) fn remove_dir(path: &Path) -> io::Result<()> {
-    step(Step::Remove, path)?;
+    step(DiskStep::Remove, path)?;
     fs::remove_dir(path)
 }
 
 /// Removes a directory of half-written files, if there is one.
 pub(super) fn remove_tree(path: &Path) -> io::Result<()> {
-    step(Step::Remove, path)?;
+    step(DiskStep::Remove, path)?;
     #[cfg(unix)]
     if fs::metadata(path).is_ok_and(|found| found.permissions().readonly()) {
         use std::os::unix::fs::PermissionsExt;
@@ -81,13 +81,13 @@ pub(super) fn remove_tree(path: &Path) -> io::Result<()> {
 }
 
 pub(super) fn set_permissions(path: &Path, permissions: Permissions) -> io::Result<()> {
-    step(Step::Permit, path)?;
+    step(DiskStep::Permit, path)?;
     fs::set_permissions(path, permissions)
 }
 
 /// What a directory holds, in order.
 pub(super) fn entries(directory: &Path) -> io::Result<Vec<PathBuf>> {
-    step(Step::List, directory)?;
+    step(DiskStep::List, directory)?;
     let mut paths = Vec::new();
     for entry in fs::read_dir(directory)? {
         paths.push(entry?.path());
@@ -98,7 +98,7 @@ pub(super) fn entries(directory: &Path) -> io::Result<Vec<PathBuf>> {
 
 /// Makes the names in a directory outlive a power cut, where the system can.
 pub(super) fn sync_dir(path: &Path) -> io::Result<()> {
-    step(Step::Sync, path)?;
+    step(DiskStep::Sync, path)?;
     if !cfg!(unix) {
         return Ok(()); // elsewhere a directory cannot be opened as a file
     }
@@ -118,7 +118,7 @@ pub(super) fn sync_dir(path: &Path) -> io::Result<()> {
 #[cfg(any(target_os = "linux", target_os = "android"))]
 pub(super) fn exchange(a: &Path, b: &Path) -> io::Result<()> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
-    step(Step::Exchange, a)?;
+    step(DiskStep::Exchange, a)?;
     Ok(renameat_with(CWD, a, CWD, b, RenameFlags::EXCHANGE)?)
 }
 

@@ -7,16 +7,19 @@ use std::path::PathBuf;
 
 use crate::cli::publish::disk;
 use crate::cli::publish::fault::PublishFault;
-use crate::cli::publish::place::{Place, Role};
-use crate::cli::publish::stage::{File, Staging};
+use crate::cli::publish::place::{PlaceRole, TargetPlace};
+use crate::cli::publish::stage::{StagedFile, Staging};
 
 /// Puts `files` in the target's place. Returns where the old build is now, if there was one.
 ///
 /// # Errors
 /// The target is then as it was.
-pub(super) fn publish(place: &Place, files: &[File<'_>]) -> Result<Option<PathBuf>, PublishFault> {
-    let (target, ready, old) = (&place.target, place.beside(Role::Ready), place.beside(Role::Old));
-    let staging = Staging::write(&place.beside(Role::New), &ready, files, target)?;
+pub(super) fn publish(
+    place: &TargetPlace,
+    files: &[StagedFile<'_>],
+) -> Result<Option<PathBuf>, PublishFault> {
+    let (target, ready, old) = (&place.target, place.beside(PlaceRole::Ready), place.beside(PlaceRole::Old));
+    let staging = Staging::write(&place.beside(PlaceRole::New), &ready, files, target)?;
     let left = if !disk::exists(target) {
         disk::rename(staging.path(), target).map_err(PublishFault::io("create", target))?;
         None

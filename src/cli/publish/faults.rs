@@ -11,9 +11,9 @@ use std::{env, fs, io};
 
 use tempfile::TempDir;
 
-use crate::cli::publish::disk::Step;
-use crate::cli::publish::place::Place;
-use crate::cli::publish::stage::File;
+use crate::cli::publish::disk::DiskStep;
+use crate::cli::publish::place::TargetPlace;
+use crate::cli::publish::stage::StagedFile;
 use crate::cli::publish::{PublishFault, Published, journal, put, retire};
 use crate::manifest::{MANIFEST, sha256};
 
@@ -72,15 +72,17 @@ thread_local! {
 }
 
 /// Before an operation on `path`.
-pub(super) fn step(step: Step, path: &Path) -> io::Result<()> {
+pub(super) fn step(step: DiskStep, path: &Path) -> io::Result<()> {
     FATE.with_borrow_mut(|fate| {
         let Some(fate) = fate else { return Ok(()) };
         fate.steps += 1;
         match fate.system {
-            System::Mount if step == Step::Exchange || (step == Step::Rename && path == fate.target) => {
+            System::Mount
+                if step == DiskStep::Exchange || (step == DiskStep::Rename && path == fate.target) =>
+            {
                 return Err(io::ErrorKind::ResourceBusy.into());
             }
-            System::Rename if step == Step::Exchange => return Err(io::ErrorKind::InvalidInput.into()),
+            System::Rename if step == DiskStep::Exchange => return Err(io::ErrorKind::InvalidInput.into()),
             _ => {}
         }
         match fate.event {
@@ -103,14 +105,14 @@ pub(super) fn step(step: Step, path: &Path) -> io::Result<()> {
 }
 
 /// The files of version `version` of a build: one changes, one stays, one comes and goes.
-fn build(version: u8) -> Vec<File<'static>> {
+fn build(version: u8) -> Vec<StagedFile<'static>> {
     let passing = if version.is_multiple_of(2) { "sheet-1.svg" } else { "sheet-2.svg" };
-    let mut files: Vec<File<'static>> = vec![
+    let mut files: Vec<StagedFile<'static>> = vec![
         ("machine.toml", Cow::Borrowed(b"the same")),
         ("star-1.gcode", format!("version {version}").into_bytes().into()),
         (passing, Cow::Borrowed(b"passing")),
     ];
-    let listed = |(name, bytes): &File<'_>| serde_json::json!({ "path": name, "bytes": bytes.len(), "sha256": sha256(bytes) });
+    let listed = |(name, bytes): &StagedFile<'_>| serde_json::json!({ "path": name, "bytes": bytes.len(), "sha256": sha256(bytes) });
     let listed: Vec<_> = files.iter().map(listed).collect();
     let manifest = serde_json::json!({ "name": format!("design {version}"), "files": listed });
     files.push((MANIFEST, manifest.to_string().into_bytes().into()));
@@ -206,7 +208,7 @@ fn one_fault_leaves_the_old_build_or_the_new_one() {
                     break;
                 }
                 tried += 1;
-                let place = Place::new(&target).unwrap();
+                let place = TargetPlace::new(&target).unwrap();
                 let case = format!("{system:?}, {event:?} at {at} of {steps}: {result:?}");
                 match event {
                     Event::Fails(_) => {

@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::publish::disk;
 use crate::cli::publish::fault::PublishFault;
-use crate::cli::publish::place::{Place, Role};
-use crate::cli::publish::record::{Record, is_manifest};
+use crate::cli::publish::place::{PlaceRole, TargetPlace};
+use crate::cli::publish::record::{PublishRecord, is_manifest};
 use crate::cli::publish::retire::retire;
-use crate::cli::publish::stage::{File, Staging};
+use crate::cli::publish::stage::{StagedFile, Staging};
 use crate::manifest::MANIFEST;
 
 /// Puts `files` into the target in place of the build that `before` records. Returns where the old build is now.
@@ -22,12 +22,12 @@ use crate::manifest::MANIFEST;
 /// # Errors
 /// The target is then as it was; if not even that could be done, the next publication into it does it.
 pub(super) fn publish(
-    place: &Place,
-    files: &[File<'_>],
-    before: Option<&Record>,
+    place: &TargetPlace,
+    files: &[StagedFile<'_>],
+    before: Option<&PublishRecord>,
 ) -> Result<PathBuf, PublishFault> {
-    let ready = place.inside(Role::Ready);
-    Staging::write(&place.inside(Role::New), &ready, files, &place.target)?.keep();
+    let ready = place.inside(PlaceRole::Ready);
+    Staging::write(&place.inside(PlaceRole::New), &ready, files, &place.target)?.keep();
     if let Err(fault) = commit(place, files, before) {
         // The first fault is the one to tell; the next publication tries again.
         let _ = undo(place);
@@ -35,11 +35,15 @@ pub(super) fn publish(
     }
     let _ = disk::sync_dir(&place.target);
     let _ = disk::remove_dir(&ready);
-    Ok(place.inside(Role::Old))
+    Ok(place.inside(PlaceRole::Old))
 }
 
-fn commit(place: &Place, files: &[File<'_>], before: Option<&Record>) -> Result<(), PublishFault> {
-    let (target, ready, old) = (&place.target, place.inside(Role::Ready), place.inside(Role::Old));
+fn commit(
+    place: &TargetPlace,
+    files: &[StagedFile<'_>],
+    before: Option<&PublishRecord>,
+) -> Result<(), PublishFault> {
+    let (target, ready, old) = (&place.target, place.inside(PlaceRole::Ready), place.inside(PlaceRole::Old));
     disk::sync_dir(target).map_err(PublishFault::io("sync", target))?;
     disk::create_dir(&old).map_err(PublishFault::io("create", &old))?;
     let entries = disk::entries(target).map_err(PublishFault::io("read", target))?;
@@ -68,9 +72,9 @@ fn move_to(entry: &Path, directory: &Path) -> Result<(), PublishFault> {
 }
 
 /// Puts the target back as it was before a publication into it that was cut short. It may be cut short itself.
-fn undo(place: &Place) -> Result<Vec<PathBuf>, PublishFault> {
-    let (target, ready, old) = (&place.target, place.inside(Role::Ready), place.inside(Role::Old));
-    for file in Record::read(&ready).into_iter().flat_map(|record| record.files) {
+fn undo(place: &TargetPlace) -> Result<Vec<PathBuf>, PublishFault> {
+    let (target, ready, old) = (&place.target, place.inside(PlaceRole::Ready), place.inside(PlaceRole::Old));
+    for file in PublishRecord::read(&ready).into_iter().flat_map(|record| record.files) {
         let (staged, published) = (ready.join(&file.path), target.join(&file.path));
         // What is not ready any more has been moved, so what the target has is the new one.
         if !disk::exists(&staged) && disk::exists(&published) {
@@ -88,7 +92,7 @@ fn undo(place: &Place) -> Result<Vec<PathBuf>, PublishFault> {
         }
         kept = retire(&old, None, &place.kept(&old))?;
     }
-    let new = place.inside(Role::New);
+    let new = place.inside(PlaceRole::New);
     disk::rename(&ready, &new).map_err(PublishFault::io("set aside", &ready))?;
     disk::remove_tree(&new).map_err(PublishFault::io("remove", &new))?;
     Ok(kept)
@@ -98,8 +102,8 @@ fn undo(place: &Place) -> Result<Vec<PathBuf>, PublishFault> {
 ///
 /// # Errors
 /// If the system refuses.
-pub(super) fn recover(place: &Place) -> Result<Vec<PathBuf>, PublishFault> {
-    let [new, ready, old] = Role::ALL.map(|role| place.inside(role));
+pub(super) fn recover(place: &TargetPlace) -> Result<Vec<PathBuf>, PublishFault> {
+    let [new, ready, old] = PlaceRole::ALL.map(|role| place.inside(role));
     if disk::exists(&new) {
         disk::remove_tree(&new).map_err(PublishFault::io("remove", &new))?;
     }
@@ -110,7 +114,7 @@ pub(super) fn recover(place: &Place) -> Result<Vec<PathBuf>, PublishFault> {
         disk::remove_dir(&ready).map_err(PublishFault::io("remove", &ready))?;
     }
     if disk::exists(&old) {
-        return retire(&old, Record::read(&place.target).as_ref(), &place.kept(&old));
+        return retire(&old, PublishRecord::read(&place.target).as_ref(), &place.kept(&old));
     }
     Ok(Vec::new())
 }

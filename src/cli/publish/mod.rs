@@ -22,9 +22,9 @@ use std::path::{Path, PathBuf};
 
 use crate::artifact::Kind;
 use crate::cli::escape::shown;
-use crate::cli::publish::place::Place;
-use crate::cli::publish::record::Record;
-use crate::cli::publish::stage::File;
+use crate::cli::publish::place::TargetPlace;
+use crate::cli::publish::record::PublishRecord;
+use crate::cli::publish::stage::StagedFile;
 use crate::manifest::MANIFEST;
 use crate::pipeline::Proven;
 
@@ -58,7 +58,7 @@ impl fmt::Display for Published {
 
 /// The kinds that the build in `target` has beside those that come by default; none where there is no build.
 pub(super) fn extras_of(target: &Path) -> Vec<Kind> {
-    let with = Record::read(target).map_or_else(Vec::new, |record| record.with);
+    let with = PublishRecord::read(target).map_or_else(Vec::new, |record| record.with);
     with.iter().filter_map(|name| Kind::from_name(name)).filter(|kind| kind.is_extra()).collect()
 }
 
@@ -67,7 +67,7 @@ pub(super) fn extras_of(target: &Path) -> Vec<Kind> {
 /// # Errors
 /// See [`PublishFault`]; the target is then as it was before.
 pub fn publish(target: &Path, proven: &Proven) -> Result<Published, PublishFault> {
-    let files: Vec<File<'_>> = proven.built().files().collect();
+    let files: Vec<StagedFile<'_>> = proven.built().files().collect();
     put(target, &files)
 }
 
@@ -76,18 +76,20 @@ pub fn publish(target: &Path, proven: &Proven) -> Result<Published, PublishFault
 /// # Errors
 /// See [`PublishFault`]; the target is then as it was before.
 pub(super) fn publish_files(target: &Path, files: &[(&str, Vec<u8>)]) -> Result<Published, PublishFault> {
-    let files: Vec<File<'_>> = files.iter().map(|(name, bytes)| (*name, bytes.as_slice().into())).collect();
+    let files: Vec<StagedFile<'_>> =
+        files.iter().map(|(name, bytes)| (*name, bytes.as_slice().into())).collect();
     put(target, &files)
 }
 
 /// Puts `files` (name, content) into the directory `target`.
-fn put(target: &Path, files: &[File<'_>]) -> Result<Published, PublishFault> {
-    let place = Place::new(target)?;
+fn put(target: &Path, files: &[StagedFile<'_>]) -> Result<Published, PublishFault> {
+    let place = TargetPlace::new(target)?;
     let locks = place.lock();
     let mut kept = retire::sweep(&place, locks.alone())?;
     kept.extend(journal::recover(&place)?);
     let before = record::ours(&place.target)?;
-    let after = files.iter().find(|(name, _)| *name == MANIFEST).and_then(|(_, bytes)| Record::parse(bytes));
+    let after =
+        files.iter().find(|(name, _)| *name == MANIFEST).and_then(|(_, bytes)| PublishRecord::parse(bytes));
     let by_files = || journal::publish(&place, files, before.as_ref()).map(Some);
     let old = if place.underfoot() {
         by_files()?

@@ -10,7 +10,7 @@ use crate::cli::publish::fault::{NAME_BYTES, PublishFault};
 
 /// What a hidden directory is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Role {
+pub(super) enum PlaceRole {
     /// Being written: nothing in it is of use to anybody.
     New,
     /// A whole build that waits to take the target's place, or an old one that it has exchanged places with.
@@ -19,7 +19,7 @@ pub(super) enum Role {
     Old,
 }
 
-impl Role {
+impl PlaceRole {
     pub(super) const ALL: [Self; 3] = [Self::New, Self::Ready, Self::Old];
 
     fn suffix(self) -> &'static str {
@@ -33,7 +33,7 @@ impl Role {
 
 /// A target, with nothing about it left to guess.
 #[derive(Debug)]
-pub(super) struct Place {
+pub(super) struct TargetPlace {
     /// The output directory; links in its path are resolved.
     pub(super) target: PathBuf,
     /// The directory that holds it.
@@ -42,7 +42,7 @@ pub(super) struct Place {
     _made: Parents,
 }
 
-impl Place {
+impl TargetPlace {
     /// The place that `target` names. A link is followed, so that the directory it names is replaced and not the link.
     /// Missing parents are made, and removed again with the place if nothing was put into them.
     pub(super) fn new(target: &Path) -> Result<Self, PublishFault> {
@@ -66,12 +66,12 @@ impl Place {
     }
 
     /// The hidden directory beside the target.
-    pub(super) fn beside(&self, role: Role) -> PathBuf {
+    pub(super) fn beside(&self, role: PlaceRole) -> PathBuf {
         self.parent.join(hidden(&self.name, role))
     }
 
     /// The hidden directory in the target.
-    pub(super) fn inside(&self, role: Role) -> PathBuf {
+    pub(super) fn inside(&self, role: PlaceRole) -> PathBuf {
         self.target.join(role.suffix())
     }
 
@@ -95,11 +95,11 @@ impl Place {
     }
 
     /// Every hidden directory beside the target, of whatever target: its path, the target's name, its role.
-    pub(super) fn hidden(&self) -> Vec<(PathBuf, OsString, Role)> {
+    pub(super) fn hidden(&self) -> Vec<(PathBuf, OsString, PlaceRole)> {
         let entries = disk::entries(&self.parent).unwrap_or_default();
         let known = entries.into_iter().filter_map(|path| {
             let name = path.file_name()?.as_encoded_bytes();
-            let role = Role::ALL.into_iter().find(|role| name.ends_with(role.suffix().as_bytes()))?;
+            let role = PlaceRole::ALL.into_iter().find(|role| name.ends_with(role.suffix().as_bytes()))?;
             let of = path.file_name()?.to_str()?.strip_prefix('.')?.strip_suffix(role.suffix())?;
             let own = !of.is_empty() && path.symlink_metadata().is_ok_and(|found| found.is_dir());
             own.then(|| (path.clone(), OsString::from(of), role))
@@ -108,7 +108,7 @@ impl Place {
     }
 }
 
-fn hidden(name: &OsStr, role: Role) -> OsString {
+fn hidden(name: &OsStr, role: PlaceRole) -> OsString {
     let mut hidden = OsString::from(".");
     hidden.push(name);
     hidden.push(role.suffix());

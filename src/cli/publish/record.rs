@@ -19,7 +19,7 @@ const LARGEST_FILE: u64 = 1 << 28;
 
 /// The part of a manifest that publishing needs. Every version of the program has written it alike.
 #[derive(Clone, Debug, Deserialize)]
-pub(super) struct Record {
+pub(super) struct PublishRecord {
     /// What the spec calls the design.
     pub(super) name: String,
     /// Every file beside the manifest.
@@ -38,7 +38,7 @@ pub(super) struct Recorded {
     sha256: String,
 }
 
-impl Record {
+impl PublishRecord {
     /// The record in `directory`, if there is one.
     pub(super) fn read(directory: &Path) -> Option<Self> {
         let path = directory.join(MANIFEST);
@@ -87,7 +87,7 @@ pub(super) fn is_manifest(entry: &Path) -> bool {
 ///
 /// # Errors
 /// If something in it is named by no record, or protected from being written.
-pub(super) fn ours(target: &Path) -> Result<Option<Record>, PublishFault> {
+pub(super) fn ours(target: &Path) -> Result<Option<PublishRecord>, PublishFault> {
     if !disk::exists(target) {
         return Ok(None);
     }
@@ -98,7 +98,7 @@ pub(super) fn ours(target: &Path) -> Result<Option<Record>, PublishFault> {
     if !writable(target) {
         return Err(PublishFault::ReadOnly(target.to_owned()));
     }
-    let record = Record::read(target);
+    let record = PublishRecord::read(target);
     for entry in disk::entries(target).map_err(PublishFault::io("read", target))? {
         if !record.as_ref().is_some_and(|record| record.names(&entry)) {
             return Err(PublishFault::Foreign(entry));
@@ -133,9 +133,14 @@ mod tests {
             let text = format!(
                 r#"{{"name": "n", "files": [{{"path": "a", "bytes": {bytes}, "sha256": "{hash}"}}]}}"#
             );
-            assert_eq!(Record::parse(text.as_bytes()).expect("a record").holds(&entry), held, "{bytes}");
+            assert_eq!(
+                PublishRecord::parse(text.as_bytes()).expect("a record").holds(&entry),
+                held,
+                "{bytes}"
+            );
         }
-        let record = Record::parse(br#"{"name": "n", "files": [{"path": "a", "bytes": 1, "sha256": "0"}]}"#);
+        let record =
+            PublishRecord::parse(br#"{"name": "n", "files": [{"path": "a", "bytes": 1, "sha256": "0"}]}"#);
         assert!(!record.expect("a record").holds(&entry));
     }
 }

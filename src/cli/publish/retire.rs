@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::publish::disk;
 use crate::cli::publish::fault::PublishFault;
-use crate::cli::publish::place::{Place, Role, kept_beside};
-use crate::cli::publish::record::{Record, is_manifest};
+use crate::cli::publish::place::{PlaceRole, TargetPlace, kept_beside};
+use crate::cli::publish::record::{PublishRecord, is_manifest};
 
 /// Names that are tried for what is kept, per place.
 const NAMES: usize = 10_000;
@@ -24,10 +24,10 @@ const NAMES: usize = 10_000;
 /// If the system refuses; then what was not removed is still there.
 pub(super) fn retire(
     directory: &Path,
-    successor: Option<&Record>,
+    successor: Option<&PublishRecord>,
     kept: &[PathBuf],
 ) -> Result<Vec<PathBuf>, PublishFault> {
-    let record = Record::read(directory);
+    let record = PublishRecord::read(directory);
     let entries = disk::entries(directory).map_err(PublishFault::io("read", directory))?;
     let (manifest, files): (Vec<_>, Vec<_>) = entries.into_iter().partition(|entry| is_manifest(entry));
     let clean = |entry: &PathBuf| {
@@ -80,9 +80,9 @@ fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault
 ///
 /// # Errors
 /// If something of this very target stays in the way; leftovers of others harm nobody.
-pub(super) fn sweep(place: &Place, alone: bool) -> Result<Vec<PathBuf>, PublishFault> {
+pub(super) fn sweep(place: &TargetPlace, alone: bool) -> Result<Vec<PathBuf>, PublishFault> {
     let mut kept = Vec::new();
-    for role in Role::ALL {
+    for role in PlaceRole::ALL {
         let path = place.beside(role);
         kept.extend(clear(&path, role, &place.target, &place.kept(&path))?);
     }
@@ -95,19 +95,24 @@ pub(super) fn sweep(place: &Place, alone: bool) -> Result<Vec<PathBuf>, PublishF
 }
 
 /// Clears away the hidden directory `path` of `target`.
-fn clear(path: &Path, role: Role, target: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault> {
+fn clear(
+    path: &Path,
+    role: PlaceRole,
+    target: &Path,
+    kept: &[PathBuf],
+) -> Result<Vec<PathBuf>, PublishFault> {
     if !disk::exists(path) {
         return Ok(Vec::new());
     }
     match role {
-        Role::New => {
+        PlaceRole::New => {
             disk::remove_tree(path).map_err(PublishFault::io("remove", path))?;
             Ok(Vec::new())
         }
-        Role::Old if !disk::exists(target) => {
+        PlaceRole::Old if !disk::exists(target) => {
             disk::rename(path, target).map_err(PublishFault::io("restore", target))?;
             Ok(Vec::new())
         }
-        Role::Ready | Role::Old => retire(path, Record::read(target).as_ref(), kept),
+        PlaceRole::Ready | PlaceRole::Old => retire(path, PublishRecord::read(target).as_ref(), kept),
     }
 }

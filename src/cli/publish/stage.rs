@@ -8,7 +8,7 @@ use crate::cli::publish::disk;
 use crate::cli::publish::fault::PublishFault;
 
 /// A file to publish: its name and content.
-pub(super) type File<'a> = (&'a str, Cow<'a, [u8]>);
+pub(super) type StagedFile<'a> = (&'a str, Cow<'a, [u8]>);
 
 /// A whole build in a hidden directory, synced. It goes when it is dropped.
 #[derive(Debug)]
@@ -24,7 +24,7 @@ impl Staging {
     pub(super) fn write(
         path: &Path,
         ready: &Path,
-        files: &[File<'_>],
+        files: &[StagedFile<'_>],
         model: &Path,
     ) -> Result<Self, PublishFault> {
         disk::create_dir(path).map_err(PublishFault::io("create", path))?;

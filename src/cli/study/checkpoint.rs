@@ -11,12 +11,12 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
 use crate::digest::sha256;
-use crate::forecast::study::{Batch, Study, checkpoint};
+use crate::forecast::study::{RowBatch, Study, checkpoint};
 
 /// The rows that are kept, and the file that keeps them, which nobody else writes meanwhile.
 pub(super) struct Checkpoint {
     file: File,
-    rows: BTreeMap<usize, Batch>,
+    rows: BTreeMap<usize, RowBatch>,
 }
 
 /// The file that keeps the rows of `path`: "study.rows" of "study.csv".
@@ -76,7 +76,7 @@ impl Checkpoint {
     ///
     /// # Errors
     /// If it cannot be written.
-    pub(super) fn keep(&mut self, batch: Batch) -> io::Result<()> {
+    pub(super) fn keep(&mut self, batch: RowBatch) -> io::Result<()> {
         let cells = serde_json::to_string(&checkpoint::cells(&batch))?;
         self.file.write_all(format!("{} {cells}\n", sha256(&cells)).as_bytes())?;
         self.file.sync_data()?;
@@ -85,13 +85,13 @@ impl Checkpoint {
     }
 
     /// Takes row `row` out of what is kept here; the file still has it.
-    pub(super) fn take(&mut self, row: usize) -> Option<Batch> {
+    pub(super) fn take(&mut self, row: usize) -> Option<RowBatch> {
         self.rows.remove(&row)
     }
 }
 
 /// The row of a line; `None` if it is torn.
-fn row(line: &[u8], study: &Study) -> Option<Batch> {
+fn row(line: &[u8], study: &Study) -> Option<RowBatch> {
     let line = std::str::from_utf8(line).ok()?.strip_suffix('\n')?;
     let (hash, cells) = line.split_once(' ')?;
     if sha256(cells) != hash {

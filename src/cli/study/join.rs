@@ -9,13 +9,13 @@ use std::path::{Path, PathBuf};
 
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
-use crate::cli::study::part::{Job, is_sound, job, name};
+use crate::cli::study::part::{PartJob, is_sound, job, name};
 use crate::cli::study::run::{refuse_foreign, refuse_parquet};
 use crate::cli::verbosity::Verbosity;
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 
 /// A part with its job.
-type Part = (PathBuf, Job);
+type JoinedPart = (PathBuf, PartJob);
 
 /// Joins the parts in `dir` to the file `output`.
 pub(super) fn run(dir: &Path, output: &Path, verbosity: Verbosity) -> Result<(), Failure> {
@@ -57,16 +57,17 @@ fn is_part(path: &Path) -> bool {
 }
 
 /// All parts of one study in order, or what is missing or foreign.
-fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<Part>, Failure> {
+fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<JoinedPart>, Failure> {
     let mut faults = Vec::new();
-    let mut found: BTreeMap<usize, Part> = BTreeMap::new();
-    let jobs: Vec<(&PathBuf, Option<Job>)> = files.iter().map(|path| (path, job(path))).collect();
+    let mut found: BTreeMap<usize, JoinedPart> = BTreeMap::new();
+    let jobs: Vec<(&PathBuf, Option<PartJob>)> = files.iter().map(|path| (path, job(path))).collect();
     let first = jobs.iter().find_map(|(_, job)| job.as_ref());
     let Some(first) = first else {
         let text = format!("{} holds no parts; `study run STUDY --part k/N -o DIR` writes them", shown(dir));
         return Err(Failure::Message(text));
     };
-    let alike = |job: &Job| (&job.study, job.parts, job.units) == (&first.study, first.parts, first.units);
+    let alike =
+        |job: &PartJob| (&job.study, job.parts, job.units) == (&first.study, first.parts, first.units);
     for (path, job) in jobs.iter().cloned() {
         let own = job.filter(|job| alike(job) && is_named(path, job));
         match own {
@@ -95,12 +96,12 @@ fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<Part>, Failure> {
 }
 
 /// Whether the file has the name of its part.
-fn is_named(path: &Path, job: &Job) -> bool {
+fn is_named(path: &Path, job: &PartJob) -> bool {
     path.file_name().is_some_and(|own| *own == *name(job.part, job.parts))
 }
 
 /// The header of the first, and all rows.
-fn csv<W: Write>(parts: &[Part], mut out: W) -> io::Result<W> {
+fn csv<W: Write>(parts: &[JoinedPart], mut out: W) -> io::Result<W> {
     for (i, (path, job)) in parts.iter().enumerate() {
         let mut file = BufReader::with_capacity(1 << 16, File::open(path)?);
         let mut header = Vec::new();

@@ -8,25 +8,23 @@ mod part;
 mod rows;
 mod run;
 
-pub(super) use load::loaded;
-pub(super) use run::{Destination, Span};
-
 use std::fmt::Write;
 use std::path::PathBuf;
 
 use crate::cli::failure::{Failure, say};
+use crate::cli::study::load::loaded;
 use crate::cli::verbosity::Quiet;
-use crate::forecast::study::{Kind, Study};
+use crate::forecast::study::{ColumnKind, Study};
 
 /// Arguments of `study`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
     #[command(subcommand)]
-    what: What,
+    what: StudyCommand,
 }
 
 #[derive(clap::Subcommand, Debug)]
-enum What {
+enum StudyCommand {
     /// Compute the rows of a study file, or of every combination of the values of --vary.
     Run(compute::Args),
     /// Print what a study file asks for: rows, and every column with its unit and meaning.
@@ -52,9 +50,9 @@ enum What {
 /// Shows a study, or joins its parts.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     match &args.what {
-        What::Run(args) => compute::run(args),
-        What::Show { study, quiet } => say(&shown(&loaded(study, quiet.verbosity())?)),
-        What::Join { dir, output, quiet } => join::run(dir, output, quiet.verbosity()),
+        StudyCommand::Run(args) => compute::run(args),
+        StudyCommand::Show { study, quiet } => say(&shown(&loaded(study, quiet.verbosity())?)),
+        StudyCommand::Join { dir, output, quiet } => join::run(dir, output, quiet.verbosity()),
     }
 }
 
@@ -63,9 +61,9 @@ fn shown(study: &Study) -> String {
     for column in study.columns() {
         let kind = match (column.kind, column.unit) {
             (_, Some(unit)) => unit,
-            (Kind::Real, None) => "number",
-            (Kind::Whole, None) => "whole",
-            (Kind::Text, None) => "text",
+            (ColumnKind::Real, None) => "number",
+            (ColumnKind::Whole, None) => "whole",
+            (ColumnKind::Text, None) => "text",
         };
         // A String takes everything.
         let _ = writeln!(text, "{:32} {:8} {}", column.name, kind, column.about);

@@ -14,14 +14,14 @@ use serde::{Deserialize, Serialize};
 
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
-use crate::cli::study::rows::{Ear, Rows};
+use crate::cli::study::rows::{StudyMonitor, StudyRows};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 use crate::digest::Running;
 use crate::forecast::study::Study;
 
 /// What is known of a part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(super) struct Job {
+pub(super) struct PartJob {
     /// Fingerprint of the study.
     pub(super) study: String,
     /// Which part, from 1.
@@ -48,7 +48,7 @@ pub(in crate::cli) struct Parts<'a> {
 }
 
 /// What there is of a part.
-enum Found {
+enum PartState {
     Done,
     Nothing,
     Foreign,
@@ -56,7 +56,11 @@ enum Found {
 
 impl Parts<'_> {
     /// Computes the parts `from` to `to` that are not there yet; returns how many were.
-    pub(in crate::cli) fn compute(&self, [from, to]: [usize; 2], ear: &Ear<'_>) -> Result<usize, Failure> {
+    pub(in crate::cli) fn compute(
+        &self,
+        [from, to]: [usize; 2],
+        ear: &StudyMonitor<'_>,
+    ) -> Result<usize, Failure> {
         let made = fs::create_dir_all(self.dir);
         made.map_err(|error| Failure::file("create", self.dir, &error))?;
         sweep_leftovers(self.dir, |name| name.starts_with("part-"));
@@ -64,13 +68,13 @@ impl Parts<'_> {
         let mut there = 0;
         for part in from..=to {
             match self.found(part, &fingerprint) {
-                Found::Done => {
+                PartState::Done => {
                     there += 1;
                     // One who was killed at the very end may have left them.
                     self.rows(part, &self.path(part)).forget();
                 }
-                Found::Nothing => self.write(part, &fingerprint, ear)?,
-                Found::Foreign => {
+                PartState::Nothing => self.write(part, &fingerprint, ear)?,
+                PartState::Foreign => {
                     let path = shown(self.path(part));
                     let text = format!(
                         "{path} is no part of this study, and is not written over; choose another directory"
@@ -86,8 +90,8 @@ impl Parts<'_> {
         self.dir.join(name(part, self.of))
     }
 
-    fn rows<'b>(&'b self, part: usize, path: &'b Path) -> Rows<'b> {
-        Rows {
+    fn rows<'b>(&'b self, part: usize, path: &'b Path) -> StudyRows<'b> {
+        StudyRows {
             study: self.study,
             range: self.study.part(part, self.of),
             header: true,
@@ -96,21 +100,21 @@ impl Parts<'_> {
         }
     }
 
-    fn job(&self, part: usize, study: &str, (bytes, sha256): (u64, String)) -> Job {
+    fn job(&self, part: usize, study: &str, (bytes, sha256): (u64, String)) -> PartJob {
         let rows = self.study.part(part, self.of);
         let rows = [rows.start, rows.end];
-        Job { study: study.to_owned(), part, parts: self.of, rows, units: self.units, bytes, sha256 }
+        PartJob { study: study.to_owned(), part, parts: self.of, rows, units: self.units, bytes, sha256 }
     }
 
-    fn found(&self, part: usize, study: &str) -> Found {
+    fn found(&self, part: usize, study: &str) -> PartState {
         let path = self.path(part);
-        let Ok(metadata) = fs::symlink_metadata(&path) else { return Found::Nothing };
-        let Some(job) = job(&path) else { return Found::Foreign };
+        let Ok(metadata) = fs::symlink_metadata(&path) else { return PartState::Nothing };
+        let Some(job) = job(&path) else { return PartState::Foreign };
         let right = self.job(part, study, (metadata.len(), job.sha256.clone()));
-        if metadata.is_file() && job == right { Found::Done } else { Found::Foreign }
+        if metadata.is_file() && job == right { PartState::Done } else { PartState::Foreign }
     }
 
-    fn write(&self, part: usize, study: &str, ear: &Ear<'_>) -> Result<(), Failure> {
+    fn write(&self, part: usize, study: &str, ear: &StudyMonitor<'_>) -> Result<(), Failure> {
         let path = self.path(part);
         let rows = self.rows(part, &path);
         let written = || -> io::Result<()> {
@@ -150,7 +154,7 @@ const TICKET: u64 = 1 << 16;
 
 /// The job of the part at `path`; `None` also where it, or the part, is no file of its own: a link or a pipe
 /// may have no end.
-pub(super) fn job(path: &Path) -> Option<Job> {
+pub(super) fn job(path: &Path) -> Option<PartJob> {
     let beside = path.with_extension("json");
     let length = |path: &Path| fs::symlink_metadata(path).ok().filter(Metadata::is_file).map(|own| own.len());
     let _ = length(path)?;
@@ -159,7 +163,7 @@ pub(super) fn job(path: &Path) -> Option<Job> {
 }
 
 /// Whether the file at `path` has the length and the hash of its job.
-pub(super) fn is_sound(path: &Path, job: &Job) -> io::Result<bool> {
+pub(super) fn is_sound(path: &Path, job: &PartJob) -> io::Result<bool> {
     let own = fs::symlink_metadata(path)?;
     if !own.is_file() || own.len() != job.bytes {
         return Ok(false);

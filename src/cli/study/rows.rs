@@ -8,10 +8,10 @@ use std::path::Path;
 use crate::cli::interrupt::Listening;
 use crate::cli::progress::Progress;
 use crate::cli::study::checkpoint::{Checkpoint, beside, drop_beside};
-use crate::forecast::study::{Batch, Study, csv};
+use crate::forecast::study::{RowBatch, Study, csv};
 
 /// Some rows of a study, as they are to be written.
-pub(in crate::cli) struct Rows<'a> {
+pub(in crate::cli) struct StudyRows<'a> {
     pub(in crate::cli) study: &'a Study,
     /// Which.
     pub(in crate::cli) range: Range<usize>,
@@ -24,14 +24,14 @@ pub(in crate::cli) struct Rows<'a> {
 }
 
 /// Who is told how far it is, and says when it shall stop.
-pub(in crate::cli) struct Ear<'a> {
+pub(in crate::cli) struct StudyMonitor<'a> {
     pub(in crate::cli) progress: &'a Progress,
     pub(in crate::cli) listening: &'a Listening,
 }
 
-impl Rows<'_> {
+impl StudyRows<'_> {
     /// Computes the rows and writes them to `out`, which is handed back. An error of the kind `Interrupted` is a signal's.
-    pub(in crate::cli) fn write<W: Write + Send>(&self, mut out: W, ear: &Ear<'_>) -> io::Result<W> {
+    pub(in crate::cli) fn write<W: Write + Send>(&self, mut out: W, ear: &StudyMonitor<'_>) -> io::Result<W> {
         if self.header {
             out.write_all(csv::header(self.study.columns(), self.units).as_bytes())?;
         }
@@ -49,8 +49,8 @@ impl Rows<'_> {
 
     fn run<T: Send>(
         &self,
-        ear: &Ear<'_>,
-        make: impl Fn(Batch) -> T + Sync,
+        ear: &StudyMonitor<'_>,
+        make: impl Fn(RowBatch) -> T + Sync,
         mut take: impl FnMut(T) -> io::Result<()> + Send,
     ) -> io::Result<()> {
         if let Some(target) = self.target.filter(|_| self.study.is_slow()) {
@@ -70,7 +70,7 @@ impl Rows<'_> {
     }
 
     /// All rows, those that were kept beside `target` and those that are computed now, and kept.
-    fn kept(&self, target: &Path, ear: &Ear<'_>) -> io::Result<Checkpoint> {
+    fn kept(&self, target: &Path, ear: &StudyMonitor<'_>) -> io::Result<Checkpoint> {
         let mut kept = Checkpoint::open(&beside(target), self.study)?;
         let missing: Vec<usize> = self.range.clone().filter(|row| !kept.has(*row)).collect();
         let (mut done, mut result) = (self.range.len() - missing.len(), Ok(()));
@@ -85,7 +85,7 @@ impl Rows<'_> {
         if is_done { Ok(kept) } else { Err(io::ErrorKind::Interrupted.into()) }
     }
 
-    fn tell(&self, done: usize, ear: &Ear<'_>) {
+    fn tell(&self, done: usize, ear: &StudyMonitor<'_>) {
         let total = self.range.len();
         #[expect(clippy::cast_precision_loss, reason = "at most 1e9 rows")]
         ear.progress.tell_part(done as f64 / total.max(1) as f64, &format!("{done} of {total} designs"));

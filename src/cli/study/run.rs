@@ -1,4 +1,4 @@
-//! Rows of a study to standard output, a file, or parts in a directory: what commands have in common that compute a study.
+//! Rows of a study to standard output, a file, or parts in a directory: where `study run` writes.
 
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Read, Write, stdout};
@@ -9,7 +9,7 @@ use crate::cli::failure::{Failure, tell};
 use crate::cli::interrupt::Listening;
 use crate::cli::progress;
 use crate::cli::study::part::Parts;
-use crate::cli::study::rows::{Ear, Rows};
+use crate::cli::study::rows::{StudyMonitor, StudyRows};
 use crate::cli::verbosity::{Quiet, Verbosity};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 use crate::forecast::study::Study;
@@ -17,7 +17,7 @@ use crate::forecast::study::Study;
 /// Which rows are computed, and where they go.
 #[derive(clap::Args, Debug)]
 pub(in crate::cli) struct Destination {
-    /// Compute only part k of N, or parts A..B of N. Of a study, on standard output only part 1 has the header, so that parts can be
+    /// Compute only part k of N, or parts A..B of N. On standard output only part 1 has the header, so that parts can be
     /// joined by `cat`; as files, all have.
     #[arg(long, value_name = "k/N", value_parser = span)]
     pub(in crate::cli) part: Option<Span>,
@@ -94,15 +94,6 @@ fn span(text: &str) -> Result<Span, String> {
 }
 
 impl Destination {
-    /// Whether it says more than which part.
-    pub(in crate::cli) fn is_of_a_study(&self) -> bool {
-        self.parts.is_some()
-            || self.output.is_some()
-            || self.format.is_some()
-            || self.threads.is_some()
-            || self.units
-    }
-
     /// Computes the rows of `study`, and writes them in order.
     pub(in crate::cli) fn run(&self, study: &Study) -> Result<(), Failure> {
         match (self.format, &self.output) {
@@ -129,7 +120,7 @@ impl Destination {
         let listening = Listening::new();
         let there =
             progress::listening(Verbosity { quiet, ..Verbosity::default() }, "designs", |progress| {
-                let ear = Ear { progress, listening: &listening };
+                let ear = StudyMonitor { progress, listening: &listening };
                 match &self.output {
                     None => self.to_stdout(study, span, &ear).map(|()| 0),
                     Some(path) if self.is_directory(path) => self.to_parts(path, (study, span), &ear),
@@ -151,13 +142,13 @@ impl Destination {
             || (self.part.is_some() && path.extension().is_none())
     }
 
-    fn rows<'a>(&self, study: &'a Study, span: Span) -> Rows<'a> {
+    fn rows<'a>(&self, study: &'a Study, span: Span) -> StudyRows<'a> {
         let range = study.part(span.from, span.of).start..study.part(span.to, span.of).end;
-        Rows { study, range, header: true, units: self.units, target: None }
+        StudyRows { study, range, header: true, units: self.units, target: None }
     }
 
-    fn to_stdout(&self, study: &Study, span: Span, ear: &Ear<'_>) -> Result<(), Failure> {
-        let rows = Rows { header: span.from == 1, ..self.rows(study, span) };
+    fn to_stdout(&self, study: &Study, span: Span, ear: &StudyMonitor<'_>) -> Result<(), Failure> {
+        let rows = StudyRows { header: span.from == 1, ..self.rows(study, span) };
         // Whole chunks are written at a time; a buffer of lines would only slow them down.
         rows.write(stdout(), ear).map(drop).map_err(|error| match error.kind() {
             io::ErrorKind::BrokenPipe => Failure::Pipe,
@@ -167,12 +158,22 @@ impl Destination {
     }
 
     /// Returns how many parts were there already.
-    fn to_parts(&self, dir: &Path, (study, span): (&Study, Span), ear: &Ear<'_>) -> Result<usize, Failure> {
+    fn to_parts(
+        &self,
+        dir: &Path,
+        (study, span): (&Study, Span),
+        ear: &StudyMonitor<'_>,
+    ) -> Result<usize, Failure> {
         let parts = Parts { dir, study, of: span.of, units: self.units };
         parts.compute([span.from, span.to], ear)
     }
 
-    fn to_file(&self, path: &Path, (study, span): (&Study, Span), ear: &Ear<'_>) -> Result<(), Failure> {
+    fn to_file(
+        &self,
+        path: &Path,
+        (study, span): (&Study, Span),
+        ear: &StudyMonitor<'_>,
+    ) -> Result<(), Failure> {
         let rows = self.rows(study, span);
         let own = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let dir = path.parent().filter(|dir| !dir.as_os_str().is_empty()).unwrap_or(Path::new("."));
@@ -183,7 +184,7 @@ impl Destination {
                 return rows.write(BufWriter::new(file), ear).and_then(|mut out| out.flush());
             }
             sweep_leftovers(dir, |name| name == own);
-            let rows = Rows { target: Some(path), ..rows };
+            let rows = StudyRows { target: Some(path), ..rows };
             let out = rows.write(BufWriter::new(WholeFile::begin(path)?), ear)?;
             out.into_inner().map_err(io::IntoInnerError::into_error)?.publish()?;
             rows.forget();

@@ -14,7 +14,7 @@ pub(super) struct Spelling {
     /// without `G0_FEEDRATE`; RepRapFirmware, GCodes.cpp, outside of CNC mode).
     pub(super) travel_at_feed: bool,
     /// What its display shows.
-    progress: Progress,
+    progress: ProgressWords,
     /// What its host reads of a file's comments.
     host: Host,
 }
@@ -33,7 +33,7 @@ enum Host {
 
 /// How the display is told the job's progress.
 #[derive(Clone, Copy, Debug)]
-enum Progress {
+enum ProgressWords {
     /// There is no command for it.
     None,
     /// M73 with the per cent done (Klipper, extras/display_status.py).
@@ -43,15 +43,15 @@ enum Progress {
 }
 
 /// Every dialect: whether dwells are told early, whether travels need a feed, its display, its host.
-const SPELLINGS: [(Dialect, bool, bool, Progress, Host); 8] = [
-    (Dialect::Generic, false, true, Progress::None, Host::None),
-    (Dialect::LinuxCnc, false, false, Progress::None, Host::None),
-    (Dialect::Grbl, true, false, Progress::None, Host::None),
-    (Dialect::GrblHal, true, false, Progress::None, Host::None),
-    (Dialect::FluidNc, false, false, Progress::None, Host::None),
-    (Dialect::Marlin, false, true, Progress::PercentAndMinutes, Host::None),
-    (Dialect::Klipper, false, true, Progress::Percent, Host::Moonraker),
-    (Dialect::RepRapFirmware, false, true, Progress::PercentAndMinutes, Host::Duet),
+const SPELLINGS: [(Dialect, bool, bool, ProgressWords, Host); 8] = [
+    (Dialect::Generic, false, true, ProgressWords::None, Host::None),
+    (Dialect::LinuxCnc, false, false, ProgressWords::None, Host::None),
+    (Dialect::Grbl, true, false, ProgressWords::None, Host::None),
+    (Dialect::GrblHal, true, false, ProgressWords::None, Host::None),
+    (Dialect::FluidNc, false, false, ProgressWords::None, Host::None),
+    (Dialect::Marlin, false, true, ProgressWords::PercentAndMinutes, Host::None),
+    (Dialect::Klipper, false, true, ProgressWords::Percent, Host::Moonraker),
+    (Dialect::RepRapFirmware, false, true, ProgressWords::PercentAndMinutes, Host::Duet),
 ];
 
 impl Spelling {
@@ -98,9 +98,9 @@ impl Spelling {
     /// The display's progress, where there is a command for it: whole per cent done, whole minutes to go.
     pub(super) fn progress(self, percent: u32, minutes: u32) -> Option<String> {
         match self.progress {
-            Progress::None => None,
-            Progress::Percent => Some(format!("M73 P{percent}")),
-            Progress::PercentAndMinutes => Some(format!("M73 P{percent} R{minutes}")),
+            ProgressWords::None => None,
+            ProgressWords::Percent => Some(format!("M73 P{percent}")),
+            ProgressWords::PercentAndMinutes => Some(format!("M73 P{percent} R{minutes}")),
         }
     }
 }

@@ -40,7 +40,7 @@ pub(super) struct Pose {
 
 /// One of a hinge's two kinds.
 #[derive(Clone, Copy)]
-enum Hinge {
+enum PosedHinge {
     Corner,
     Tip,
 }
@@ -72,17 +72,17 @@ impl Pose {
     }
 
     /// Where the point at `place` lies, in the half of a sector above +X; never beyond the rays that bound it.
-    fn point(&self, place: Place) -> Point {
+    fn point(&self, place: PosePlace) -> Point {
         let p = match place {
-            Place::Corner { turn, out } => {
+            PosePlace::Corner { turn, out } => {
                 let radius = (self.radii[0] - self.beyond(out)).max(0.0);
                 self.corner + Vec2::unit(PI - turn * self.halves[0]) * radius
             }
-            Place::Arm { along, out } => {
+            PosePlace::Arm { along, out } => {
                 let foot = self.corner + self.across * self.radii[0] - self.across * self.beyond(out);
                 foot + self.along * along
             }
-            Place::Tip { turn, out } => {
+            PosePlace::Tip { turn, out } => {
                 let radius = (self.radii[1] + self.width + self.beyond(out)).max(0.0);
                 self.tip + Vec2::unit(self.ray() - turn * self.halves[1]) * radius
             }
@@ -104,7 +104,7 @@ impl Pose {
     }
 
     /// Where `q` lies, of the half of a sector above +X.
-    fn place(&self, q: Point) -> Place {
+    fn place(&self, q: Point) -> PosePlace {
         let from_corner = q - self.corner;
         let along = from_corner.dot(self.along);
         let out = |beyond: f64| match beyond {
@@ -114,13 +114,13 @@ impl Pose {
         };
         if along < 0.0 {
             let turn = (PI - from_corner.angle().abs()) / self.halves[0];
-            Place::Corner { turn, out: out(self.radii[0] - from_corner.length()) }
+            PosePlace::Corner { turn, out: out(self.radii[0] - from_corner.length()) }
         } else if along > self.arm {
             let from_tip = q - self.tip;
             let turn = (self.ray() - from_tip.angle()) / self.halves[1];
-            Place::Tip { turn, out: out(from_tip.length() - self.radii[1] - self.width) }
+            PosePlace::Tip { turn, out: out(from_tip.length() - self.radii[1] - self.width) }
         } else {
-            Place::Arm { along, out: out(self.radii[0] - from_corner.dot(self.across)) }
+            PosePlace::Arm { along, out: out(self.radii[0] - from_corner.dot(self.across)) }
         }
     }
 
@@ -128,7 +128,7 @@ impl Pose {
     fn columns(&self) -> Vec<(Point, Vec2)> {
         let mut out = Vec::new();
         for k in 0..self.points {
-            for (hinge, half) in [(Hinge::Corner, self.halves[0]), (Hinge::Tip, self.halves[1])] {
+            for (hinge, half) in [(PosedHinge::Corner, self.halves[0]), (PosedHinge::Tip, self.halves[1])] {
                 for i in 0..=ALONG {
                     let turn = half * (2.0 * f64::from(i) / f64::from(ALONG) - 1.0);
                     out.push(self.column(hinge, k, turn));
@@ -138,15 +138,15 @@ impl Pose {
         out
     }
 
-    fn column(&self, hinge: Hinge, k: u32, turn: f64) -> (Point, Vec2) {
+    fn column(&self, hinge: PosedHinge, k: u32, turn: f64) -> (Point, Vec2) {
         let corner_ray = 2.0 * f64::from(k) * self.ray();
         match hinge {
-            Hinge::Corner => {
+            PosedHinge::Corner => {
                 let centre = Point::polar(self.corner.x, corner_ray);
                 let towards_hole = Vec2::unit(corner_ray + PI - turn);
                 (centre + towards_hole * (self.radii[0] + self.width), -towards_hole)
             }
-            Hinge::Tip => {
+            PosedHinge::Tip => {
                 let ray = corner_ray + self.ray();
                 let centre = Point::polar(self.tip.distance(Point::ORIGIN), ray);
                 let outwards = Vec2::unit(ray + turn);
@@ -173,7 +173,7 @@ impl Pose {
 
 /// Where a point lies beside a tube, in words that hold for every pose.
 #[derive(Clone, Copy)]
-enum Place {
+enum PosePlace {
     /// At a corner, `turn` from 0 on its ray to 1 where the arm begins.
     Corner { turn: f64, out: Out },
     /// Beside an arm, a length from the corner's end.
@@ -292,8 +292,9 @@ mod tests {
                         let sector = (y.atan2(x) / (2.0 * to.ray())).round() * 2.0 * to.ray();
                         let q = rotated(Point::new(x, y), -sector);
                         let place = to.place(Point::new(q.x, q.y.abs()));
-                        let (Place::Corner { out, .. } | Place::Arm { out, .. } | Place::Tip { out, .. }) =
-                            place;
+                        let (PosePlace::Corner { out, .. }
+                        | PosePlace::Arm { out, .. }
+                        | PosePlace::Tip { out, .. }) = place;
                         assert!((to.beyond(out) - beyond).abs() < 1e-9, "{side:?} {phi} {p:?}");
                     }
                 }

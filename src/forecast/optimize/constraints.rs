@@ -3,7 +3,7 @@
 
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::forecast::case::Case;
-use crate::forecast::outcome::{Hold, Outcome, SHORTEST_ARM};
+use crate::forecast::outcome::{Grip, Outcome, SHORTEST_ARM};
 use crate::forecast::ranges::{Domain, outside_by};
 use crate::spec::ModelChoice;
 use crate::units::Length;
@@ -71,17 +71,17 @@ pub fn shortfalls(point: &Candidate, answer: &Answer, constraints: &Constraints)
         }
         if let Some(most) = constraints.largest_force {
             // A force of which nothing is known may be too much.
-            let unknown = if own.hold == Some(Hold::Untried) { 1.0 } else { 0.0 };
+            let unknown = if own.hold == Some(Grip::Untried) { 1.0 } else { 0.0 };
             all.push(("pressing", most_force(point, own).map_or(unknown, |force| over(force, most))));
         }
         match own.hold {
-            Some(Hold::TooWideToEnter | Hold::TooWideToOpen) => all.push(("object", 0.1)),
-            Some(Hold::TooThin) => {
+            Some(Grip::TooWideToEnter | Grip::TooWideToOpen) => all.push(("object", 0.1)),
+            Some(Grip::TooThin) => {
                 let object = point.load.object_radius.map_or(own.rest.radius, Length::metres);
                 all.push(("object", over(own.rest.radius, object)));
             }
-            Some(Hold::Beside) => all.push(("object", 1.0)),
-            Some(Hold::Held(_) | Hold::Unknown(_) | Hold::Untried) | None => {}
+            Some(Grip::Beside) => all.push(("object", 1.0)),
+            Some(Grip::Held(_) | Grip::Unknown(_) | Grip::Untried) | None => {}
         }
     }
     if let Some(payload) = constraints.payload {

@@ -16,7 +16,7 @@ pub use self::constraints::{
 pub use self::front::thinned;
 
 use self::front::front;
-use self::poll::{AXES, Place, polled, scanned};
+use self::poll::{AXES, UnitPoint, polled, scanned};
 use crate::design::{least_pitch, pitch_for};
 use crate::forecast::candidate::{Answer, Candidate};
 use crate::units::{Angle, Length, Pressure};
@@ -42,7 +42,7 @@ pub enum Goal {
 
 /// The box that is searched. Equal ends fix a value.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bounds {
+pub struct SearchBounds {
     /// Number of points.
     pub points: RangeInclusive<u32>,
     /// Tip angle.
@@ -61,7 +61,7 @@ pub struct Bounds {
     pub stars: RangeInclusive<u32>,
 }
 
-impl Bounds {
+impl SearchBounds {
     /// The box that holds `base` alone.
     pub fn just(base: &Candidate) -> Self {
         let star = &base.star;
@@ -103,7 +103,7 @@ pub struct SearchResult {
 
 /// How much is computed for each n.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Effort {
+pub struct SearchEffort {
     /// Places of the scan: 1024 leave no gap larger than an eighth of the box in four dimensions.
     pub scanned: u32,
     /// Places that are followed down.
@@ -115,12 +115,12 @@ pub struct Effort {
     pub failures: u32,
 }
 
-impl Effort {
+impl SearchEffort {
     /// For several searches of which none may take long: of the problems of `examples/optimum.rs` a grid beats one in a hundred, by 1 %.
     pub const QUICK: Self = Self { scanned: 1024, followed: 4, polls: 80, failures: 1 };
 }
 
-impl Default for Effort {
+impl Default for SearchEffort {
     fn default() -> Self {
         Self { scanned: 1024, followed: 6, polls: 600, failures: 12 }
     }
@@ -132,21 +132,22 @@ const SMALLEST_STEP: f64 = 1e-4;
 /// Searches around `base`, whose other values are kept.
 pub fn search(
     base: &Candidate,
-    bounds: &Bounds,
+    bounds: &SearchBounds,
     constraints: &Constraints,
     goal: Goal,
     table: &RingTable,
 ) -> SearchResult {
-    Search { base, bounds, constraints, goal, table, effort: Effort::default(), cancel: None }.run()
+    DesignSearch { base, bounds, constraints, goal, table, effort: SearchEffort::default(), cancel: None }
+        .run()
 }
 
 /// What is searched, and for what.
 #[derive(Clone, Copy, Debug)]
-pub struct Search<'a> {
+pub struct DesignSearch<'a> {
     /// The design whose values are kept where nothing else is said.
     pub base: &'a Candidate,
     /// The box.
-    pub bounds: &'a Bounds,
+    pub bounds: &'a SearchBounds,
     /// What must hold.
     pub constraints: &'a Constraints,
     /// What is wanted.
@@ -154,12 +155,12 @@ pub struct Search<'a> {
     /// The ring's table.
     pub table: &'a RingTable,
     /// How much is computed.
-    pub effort: Effort,
+    pub effort: SearchEffort,
     /// Raised by another thread to end at the next design; what is found then is not the best.
     pub cancel: Option<&'a AtomicBool>,
 }
 
-impl Search<'_> {
+impl DesignSearch<'_> {
     /// Searches.
     pub fn run(&self) -> SearchResult {
         let all: Vec<u32> = self.bounds.points.clone().collect();
@@ -176,7 +177,8 @@ impl Search<'_> {
 
     /// The ends of the box along each axis, deg, mm and kPa.
     fn sides(&self) -> [[f64; 2]; AXES] {
-        let Bounds { tip_angle, width, tip_radius, corner_radius, inner_radius, pressure, .. } = self.bounds;
+        let SearchBounds { tip_angle, width, tip_radius, corner_radius, inner_radius, pressure, .. } =
+            self.bounds;
         let own = self.base.load.pressure.unwrap_or_default();
         let lengths =
             [width, tip_radius, corner_radius, inner_radius].map(|ends| ends.map(|length| length.0));
@@ -186,7 +188,7 @@ impl Search<'_> {
     }
 
     /// The design with `points` points at `place`; `None` if there is none, it cannot be cut out, or nobody wants it any more.
-    fn at(&self, points: u32, place: &Place) -> Option<Evaluation> {
+    fn at(&self, points: u32, place: &UnitPoint) -> Option<Evaluation> {
         if self.cancel.is_some_and(|cancel| cancel.load(Relaxed)) {
             return None;
         }
@@ -261,7 +263,7 @@ impl Search<'_> {
         let scanned = (1..=if varied.is_empty() { 1 } else { self.effort.scanned })
             .map(|index| scanned(index, &varied))
             .filter_map(|place| Some((place, self.at(points, &place)?)));
-        let mut scanned: Vec<(Place, Evaluation)> = scanned.collect();
+        let mut scanned: Vec<(UnitPoint, Evaluation)> = scanned.collect();
         scanned.sort_by(|a, b| compare(&a.1, &b.1, self.goal));
         let starts: Vec<_> = scanned.iter().take(self.effort.followed).cloned().collect();
         let mut all: Vec<Evaluation> = scanned.iter().map(|(_, candidate)| candidate.clone()).collect();
@@ -275,10 +277,10 @@ impl Search<'_> {
         let best = all.iter().min_by(|a, b| compare(a, b, self.goal)).map_or(0, |best| best.point.stars);
         let from = *self.bounds.stars.start();
         for count in (from..best).filter(|_| self.constraints.payload.is_some()) {
-            let bounds = Bounds { stars: count..=count, ..self.bounds.clone() };
-            let fewer = Search { bounds: &bounds, ..*self };
+            let bounds = SearchBounds { stars: count..=count, ..self.bounds.clone() };
+            let fewer = DesignSearch { bounds: &bounds, ..*self };
             // As if all stars met the object's middle: only to find where to begin.
-            let missed = |(place, one): &(Place, Evaluation)| {
+            let missed = |(place, one): &(UnitPoint, Evaluation)| {
                 let point = Candidate { stars: count, ..one.point.clone() };
                 (*place, fewer.judged(point, &one.answer.of_stars(count)))
             };
@@ -291,7 +293,13 @@ impl Search<'_> {
     }
 
     /// The search downwards from `start`; all designs on the way go to `all`.
-    fn descend(&self, points: u32, start: (Place, Evaluation), varied: &[usize], all: &mut Vec<Evaluation>) {
+    fn descend(
+        &self,
+        points: u32,
+        start: (UnitPoint, Evaluation),
+        varied: &[usize],
+        all: &mut Vec<Evaluation>,
+    ) {
         let (mut place, mut here) = start;
         let (mut step, mut failed) = (0.1, 0);
         for round in 0..self.effort.polls {

@@ -7,13 +7,13 @@
 pub(super) const AXES: usize = 6;
 
 /// A place in the unit cube that stands for the box: tip angle, width, tip, corner and inner radius, pressure.
-pub(super) type Place = [f64; AXES];
+pub(super) type UnitPoint = [f64; AXES];
 
 /// Bases of the scan, one an axis that is varied.
 const BASES: [u32; AXES] = [2, 3, 5, 7, 11, 13];
 
 /// Place `index` of the Halton sequence in the axes `varied`; 0 in all others.
-pub(super) fn scanned(index: u32, varied: &[usize]) -> Place {
+pub(super) fn scanned(index: u32, varied: &[usize]) -> UnitPoint {
     let mut place = [0.0; AXES];
     for (axis, base) in varied.iter().zip(BASES) {
         place[*axis] = mirrored(index, base);
@@ -33,7 +33,7 @@ fn mirrored(index: u32, base: u32) -> f64 {
 }
 
 /// The places that poll number `round` tries around `place` at distance `step` along the axes `varied`; even rounds go along the axes.
-pub(super) fn polled(place: Place, step: f64, varied: &[usize], round: u32) -> Vec<Place> {
+pub(super) fn polled(place: UnitPoint, step: f64, varied: &[usize], round: u32) -> Vec<UnitPoint> {
     let normal: Vec<f64> = if round.is_multiple_of(2) {
         vec![0.0; varied.len()]
     } else {

@@ -10,8 +10,8 @@ fn base() -> Candidate {
     Candidate { model: ModelChoice::Ring, ..base }
 }
 
-fn bounds() -> Bounds {
-    Bounds { points: 3..=9, ..Bounds::just(&base()) }
+fn bounds() -> SearchBounds {
+    SearchBounds { points: 3..=9, ..SearchBounds::just(&base()) }
 }
 
 fn table() -> RingTable {
@@ -28,7 +28,7 @@ fn the_papers_star_contracts_most_with_four_or_five_points() {
 
 #[test]
 fn the_optimum_is_the_best_of_a_dense_grid() {
-    let bounds = Bounds {
+    let bounds = SearchBounds {
         tip_angle: [20.0, 57.0].map(Angle),
         width: [15.0, 40.0].map(Length),
         points: 4..=5,
@@ -63,12 +63,12 @@ fn the_optimum_is_the_best_of_a_dense_grid() {
 fn at_a_pressure_the_winner_is_the_best_of_a_grid_too() {
     let mut base = Candidate { model: ModelChoice::Auto, ..base() };
     (base.star.tip_radius, base.star.corner_radius) = (Length(2.0), Length(2.0));
-    let bounds = Bounds {
+    let bounds = SearchBounds {
         tip_angle: [20.0, 60.0].map(Angle),
         width: [12.0, 29.0].map(Length),
         points: 4..=6,
         stars: 1..=4,
-        ..Bounds::just(&base)
+        ..SearchBounds::just(&base)
     };
     let constraints =
         Constraints { payload: Some(0.6), grasp: Some([25.0, 38.0].map(Length)), ..Constraints::default() };
@@ -96,7 +96,7 @@ fn at_a_pressure_the_winner_is_the_best_of_a_grid_too() {
 
 #[test]
 fn nothing_on_the_front_is_beaten() {
-    let bounds = Bounds {
+    let bounds = SearchBounds {
         tip_angle: [12.0, 69.0].map(Angle),
         width: [10.0, 40.0].map(Length),
         points: 3..=6,
@@ -118,7 +118,7 @@ fn nothing_on_the_front_is_beaten() {
 
 #[test]
 fn a_search_is_the_same_in_any_number_of_threads() {
-    let bounds = Bounds { tip_angle: [12.0, 69.0].map(Angle), ..bounds() };
+    let bounds = SearchBounds { tip_angle: [12.0, 69.0].map(Angle), ..bounds() };
     let run = || search(&base(), &bounds, &Constraints::default(), Goal::Stiffness, &table());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a pool");
     assert_eq!(run(), pool.install(run));

@@ -8,7 +8,6 @@
 pub mod errors;
 mod interval;
 pub mod shown;
-pub mod validation;
 
 pub use interval::{Interval, mm, scaled, sum};
 

@@ -38,7 +38,7 @@ fn the_ring_gives_the_loads_of_the_reference() {
 fn the_radius_that_is_printed_holds() {
     for tenths in (90..1000).step_by(7) {
         let mut spec = spec(f64::from(tenths) * 0.1);
-        let Some(safe) = safe_radius(&case(&spec), Hinge::Tip) else { continue };
+        let Some(safe) = safe_radius(&case(&spec), LoadedHinge::Tip) else { continue };
         let text = remedy(Some(safe));
         let printed = text.split(' ').find_map(|word| word.parse::<f64>().ok()).expect("a number");
         spec.stars[0] =
@@ -55,8 +55,8 @@ fn the_radius_that_is_printed_holds() {
 
 #[test]
 fn beyond_a_straight_tube_no_radius_helps() {
-    assert!(safe_radius(&case(&spec(60.0)), Hinge::Tip).is_some());
-    assert_eq!(safe_radius(&case(&spec(104.0)), Hinge::Tip), None);
+    assert!(safe_radius(&case(&spec(60.0)), LoadedHinge::Tip).is_some());
+    assert_eq!(safe_radius(&case(&spec(104.0)), LoadedHinge::Tip), None);
     assert!(remedy(None).contains("no radius"));
 }
 
@@ -66,13 +66,13 @@ fn beyond_a_straight_tube_no_radius_helps() {
 #[test]
 fn shells_pull_as_much_as_predicted() {
     let shells = [
-        (30.0, 1.0, 2941.0, 2.0, Hinge::Tip, 4.53),
-        (12.6, 2.89, 1846.0, 3.3, Hinge::Tip, 1.09),
-        (21.3, 0.84, 3965.0, 1.7, Hinge::Tip, 3.84),
-        (31.7, 1.74, 108.0, 3.2, Hinge::Tip, 6.88),
-        (16.7, 2.40, 345.0, 1.8, Hinge::Tip, 3.15),
-        (16.5, 1.42, 150.0, 2.8, Hinge::Corner, 3.09),
-        (21.8, 0.97, 156.0, 1.8, Hinge::Corner, 7.06),
+        (30.0, 1.0, 2941.0, 2.0, LoadedHinge::Tip, 4.53),
+        (12.6, 2.89, 1846.0, 3.3, LoadedHinge::Tip, 1.09),
+        (21.3, 0.84, 3965.0, 1.7, LoadedHinge::Tip, 3.84),
+        (31.7, 1.74, 108.0, 3.2, LoadedHinge::Tip, 6.88),
+        (16.7, 2.40, 345.0, 1.8, LoadedHinge::Tip, 3.15),
+        (16.5, 1.42, 150.0, 2.8, LoadedHinge::Corner, 3.09),
+        (21.8, 0.97, 156.0, 1.8, LoadedHinge::Corner, 7.06),
     ];
     for (width, radius, bendability, band, hinge, found) in shells {
         let mut case = case(&spec(37.0));
@@ -96,7 +96,9 @@ fn at_the_burst_pressure_the_pull_is_the_seal_s_strength() {
     assert!((pull / 1e3 - 1.0).abs() < 1e-9 && range.is_some_and(|[low, high]| low < pull && pull < high));
     // A straight tube pulls least, and a hinge as round as that pulls as it does.
     let round = factor(&Ring, 1e5).expect("in range");
-    assert!((bursting(&case, round, (Hinge::Tip, 1e5 * 0.03), 1e3) / (PI * 1e3 / 0.03) - 1.0).abs() < 1e-3);
+    assert!(
+        (bursting(&case, round, (LoadedHinge::Tip, 1e5 * 0.03), 1e3) / (PI * 1e3 / 0.03) - 1.0).abs() < 1e-3
+    );
 }
 
 #[test]

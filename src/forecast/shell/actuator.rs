@@ -1,7 +1,7 @@
 //! A single hinge between two arms as a shell, in the words of predictions.
 
 use crate::forecast::actuator::{
-    Actuator, ActuatorEvidence, ActuatorPrediction, MeshErrors, Ranges, short_arms,
+    Actuator, ActuatorEvidence, ActuatorMeshErrors, ActuatorPrediction, ActuatorRanges, short_arms,
 };
 use crate::forecast::shell::{Detail, SHELL, fabric};
 use inflatable::shell::cases::{Shape, ShellFault, Tube, VActuator, Value, Watch, actuator};
@@ -38,12 +38,12 @@ pub fn actuate(
         moment: (!angles.is_empty()).then(|| {
             found.moments.iter().map(|(angle, moment)| [angle.to_degrees(), moment.value]).collect()
         }),
-        ranges: Ranges::default(),
+        ranges: ActuatorRanges::default(),
         evidence: ActuatorEvidence {
             residual: found.evidence.residual,
             iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
             numerical_error: largest([found.coiling, found.volume, found.stiffness]),
-            mesh_errors: Some(MeshErrors {
+            mesh_errors: Some(ActuatorMeshErrors {
                 angle_deg: at_rest.error,
                 coiling: found.coiling.error,
                 volume_mm3: volume.error,

@@ -13,7 +13,7 @@ const MOST_POINTS: u32 = 16;
 
 /// Why shells give no answer.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Refusal {
+pub enum ShellRefusal {
     /// They were told to stop.
     Cancelled,
     /// They refuse.
@@ -21,8 +21,8 @@ pub enum Refusal {
 }
 
 /// A fault that is best mended at `key`.
-pub(in crate::forecast) fn fault(key: KeyPath, what: String) -> Refusal {
-    Refusal::Fault(PredictFault { star: None, key, what })
+pub(in crate::forecast) fn fault(key: KeyPath, what: String) -> ShellRefusal {
+    ShellRefusal::Fault(PredictFault { star: None, key, what })
 }
 
 /// What a shell says of a star: each number with its mesh error.
@@ -54,7 +54,7 @@ pub(in crate::forecast) struct Measurements {
 ///
 /// # Errors
 /// If no pressure is given, or it has too many points.
-pub fn flat(case: &Case) -> Result<FlatStar, Refusal> {
+pub fn flat(case: &Case) -> Result<FlatStar, ShellRefusal> {
     let Some(pressure) = case.pressure else {
         let what = "a shell is computed at its pressure, and none is given: give one, or take ring";
         return Err(fault(key::load::PRESSURE, what.to_owned()));
@@ -84,7 +84,7 @@ pub(in crate::forecast) fn ask(
     radii: &[f64],
     detail: Detail,
     watch: &Watch<'_>,
-) -> Result<(FlatStar, InflatedStar, Measurements), Refusal> {
+) -> Result<(FlatStar, InflatedStar, Measurements), ShellRefusal> {
     let flat = flat(case)?;
     let object = entered(case);
     let mut objects: Vec<f64> = radii.iter().copied().chain(object).collect();
@@ -106,9 +106,9 @@ pub(in crate::forecast) fn entered(case: &Case) -> Option<f64> {
 }
 
 /// The key that is best changed.
-fn refused(why: &ShellFault) -> Refusal {
+fn refused(why: &ShellFault) -> ShellRefusal {
     let key = match why {
-        ShellFault::Cancelled => return Refusal::Cancelled,
+        ShellFault::Cancelled => return ShellRefusal::Cancelled,
         ShellFault::Range { name: Input::Slenderness | Input::Width, .. } => key::star::TUBE_WIDTH,
         ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
         ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,

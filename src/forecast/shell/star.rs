@@ -5,7 +5,7 @@ use crate::design::{Design, Meeting, PlacedPart, StarDesign};
 use crate::forecast::case::Case;
 use crate::forecast::predict::{PredictFault, stars_of};
 use crate::forecast::prediction::{
-    Evidence, ForceAt, MeshErrors, Place, Prediction, StarPrediction, Stretch,
+    FabricStretch, ForceAt, LoadedPlace, MeshErrors, ModelEvidence, Prediction, StarPrediction,
 };
 use crate::forecast::shell::request::{Measurements, ask, entered, fault};
 use crate::forecast::shell::{Detail, SHELL};
@@ -15,7 +15,7 @@ use crate::units::Readable;
 use inflatable::mechanics::strength::payload;
 use inflatable::shell::cases::{FlatStar, InflatedStar, Shape, Value, Watch};
 
-pub use crate::forecast::shell::request::{Refusal, flat};
+pub use crate::forecast::shell::request::{ShellRefusal, flat};
 
 /// Points with which they were tried.
 const TRIED_POINTS: u32 = 8;
@@ -30,8 +30,8 @@ pub fn predict(
     radii: &[f64],
     detail: Detail,
     watch: &Watch<'_>,
-) -> Result<(Prediction, Shape), Refusal> {
-    let design = stars_of(design).map_err(Refusal::Fault)?;
+) -> Result<(Prediction, Shape), ShellRefusal> {
+    let design = stars_of(design).map_err(ShellRefusal::Fault)?;
     let meetings = design.meetings(spec);
     let meeting = |placed: &PlacedPart| meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();
     let mut computed = Vec::new();
@@ -56,7 +56,7 @@ pub fn predict(
     Ok((Prediction { first, verdict: None, stack_mass_g, stars }, shape))
 }
 
-impl Refusal {
+impl ShellRefusal {
     fn of_star(self, star: usize) -> Self {
         match self {
             Self::Fault(fault) => Self::Fault(PredictFault { star: fault.star.or(Some(star)), ..fault }),
@@ -79,7 +79,7 @@ fn compute(
     (radii, meetings): (&[f64], &[Option<Meeting>]),
     detail: Detail,
     watch: &Watch<'_>,
-) -> Result<ShellRun, Refusal> {
+) -> Result<ShellRun, ShellRefusal> {
     let case = Case::of(spec, &part.star).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))?;
     let met = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
     let all: Vec<f64> = radii.iter().copied().chain(met).collect();
@@ -140,18 +140,18 @@ impl ShellAnswer<'_> {
             }),
             seal_pull_N_per_mm: Some(1e-3 * extremes.seal_pull),
             seal_pull_at_mm: Some(extremes.pull_at.map(mm)),
-            seal_tension: Some(Place {
+            seal_tension: Some(LoadedPlace {
                 value: pull,
                 mesh_error: pull_error,
                 at_mm: extremes.seal_at.map(mm),
             }),
             payload_kg: case.friction.zip(force).map(|(mu, force)| payload(mu, [force])),
-            stretch: Stretch::Largest(Place {
+            stretch: FabricStretch::Largest(LoadedPlace {
                 value: extremes.stretch,
                 mesh_error: extremes.stretch_error,
                 at_mm: extremes.stretch_at.map(mm),
             }),
-            evidence: Evidence {
+            evidence: ModelEvidence {
                 choice: format!("{SHELL} was asked for"),
                 residual: found.evidence.residual,
                 iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),

@@ -7,7 +7,7 @@ mod nearest;
 mod text;
 
 use self::nearest::three_digits;
-pub use self::nearest::{Infeasible, Nearest, choose};
+pub use self::nearest::{Infeasible, NearestRequirements, choose};
 pub use self::text::{is_result, spec_text};
 
 use crate::design::{pitch_for, room};
@@ -15,7 +15,7 @@ use crate::forecast::candidate::Candidate;
 use crate::forecast::case::sheet;
 use crate::forecast::load_check::COATED;
 use crate::forecast::optimize::{
-    Bounds, Constraints, Effort, Evaluation, Goal, Search, SearchResult, Short, shortfalls,
+    Constraints, DesignSearch, Evaluation, Goal, SearchBounds, SearchEffort, SearchResult, Short, shortfalls,
 };
 use crate::forecast::ranges::errors;
 use crate::spec::{Load, ObjectShape, ObjectSize, StarSpec};
@@ -104,7 +104,7 @@ pub struct Choice {
 }
 
 /// Why no gripper meets requirements.
-enum Obstacle {
+enum Shortfall {
     /// No tube of the fabric was tried.
     Tube,
     /// No star does what is asked; the one that misses least.
@@ -116,9 +116,9 @@ fn feasible(
     requirements: &Requirements,
     base: &Candidate,
     ring: &RingTable,
-) -> Result<Vec<Choice>, Obstacle> {
+) -> Result<Vec<Choice>, Shortfall> {
     let base = requirements.candidate(base);
-    let Some(bounds) = requirements.bounds(&base) else { return Err(Obstacle::Tube) };
+    let Some(bounds) = requirements.bounds(&base) else { return Err(Shortfall::Tube) };
     let kept = requirements.constraints(&base, MARGIN);
     let round = |found: &SearchResult| -> Vec<Evaluation> {
         let met = found.best.iter().filter(|one| one.violation == 0.0);
@@ -127,13 +127,13 @@ fn feasible(
     let asked = requirements.constraints(&base, SEARCHED_MARGIN);
     let (base, bounds) = (&base, &bounds);
     let search = |constraints: &Constraints| {
-        Search {
+        DesignSearch {
             base,
             bounds,
             constraints,
             goal: Goal::Fabric,
             table: ring,
-            effort: Effort::QUICK,
+            effort: SearchEffort::QUICK,
             cancel: None,
         }
         .run()
@@ -155,7 +155,7 @@ fn feasible(
     let mut others: Vec<(u32, f64)> = met.iter().map(|one| (one.point.star.points, one.fabric())).collect();
     others.sort_by_key(|(points, _)| *points);
     if met.is_empty() {
-        return Err(Obstacle::Star(found.best.into_iter().next().map(Box::new)));
+        return Err(Shortfall::Star(found.best.into_iter().next().map(Box::new)));
     }
     Ok(met
         .into_iter()
@@ -185,7 +185,7 @@ impl Requirements {
     }
 
     /// The box of what was tried; `None` if no tube of this fabric lies in it.
-    fn bounds(&self, base: &Candidate) -> Option<Bounds> {
+    fn bounds(&self, base: &Candidate) -> Option<SearchBounds> {
         let sheet = sheet(&base.fabric).ok()?;
         let (thickness, poisson) = (Length::from_metres(sheet.thickness).0, sheet.poisson_ratio);
         let slender = (12.0 * (1.0 - poisson * poisson)).sqrt();
@@ -195,14 +195,14 @@ impl Requirements {
         let flap = base.seal.band.0 + base.seal.hole_allowance.0;
         let hole = self.object.0 + room(self.object).0 + flap;
         let degrees = errors::TIP_ANGLE.map(Angle);
-        (width[0] < width[1]).then(|| Bounds {
+        (width[0] < width[1]).then(|| SearchBounds {
             points: POINTS,
             tip_angle: degrees,
             width: width.map(Length),
             inner_radius: [Length(hole), Length(2.0 * hole + 20.0)],
             pressure: Some(self.pressure.map_or(PRESSURES, |pressure| [pressure; 2])),
             stars: 1..=MOST_STARS,
-            ..Bounds::just(base)
+            ..SearchBounds::just(base)
         })
     }
 

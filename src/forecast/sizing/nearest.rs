@@ -2,9 +2,9 @@
 
 use crate::forecast::candidate::Candidate;
 use crate::forecast::load_check::COATED;
-use crate::forecast::optimize::{Bounds, Constraints, Effort, Goal, Search, sure_payload};
+use crate::forecast::optimize::{Constraints, DesignSearch, Goal, SearchBounds, SearchEffort, sure_payload};
 use crate::forecast::sizing::{
-    Choice, MARGIN, MOST_STARS, Obstacle, Requirements, SEARCHED_MARGIN, Workspace, feasible, no_tube,
+    Choice, MARGIN, MOST_STARS, Requirements, SEARCHED_MARGIN, Shortfall, Workspace, feasible, no_tube,
 };
 use crate::units::{Force, Length, Mass};
 use inflatable::mechanics::hinge::ring::RingTable;
@@ -16,12 +16,12 @@ pub struct Infeasible {
     /// What stands in the way, one sentence each.
     pub reasons: Vec<String>,
     /// The closest requirements that can be met; `None` if none were found.
-    pub nearest: Option<Box<Nearest>>,
+    pub nearest: Option<Box<NearestRequirements>>,
 }
 
 /// Requirements that can be met in place of others, and the grippers that meet them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Nearest {
+pub struct NearestRequirements {
     /// The requirements: less mass, a larger sheet, any pressure, an object that bears more, or an object of
     /// another size.
     pub requirements: Requirements,
@@ -49,20 +49,20 @@ pub fn choose(
     ring: &RingTable,
 ) -> Result<Vec<Choice>, Infeasible> {
     feasible(requirements, base, ring).map_err(|obstacle| match obstacle {
-        Obstacle::Star(best) => Infeasible {
+        Shortfall::Star(best) => Infeasible {
             reasons: requirements.reasons(base, best.as_deref()),
             nearest: nearest(requirements, base, ring).map(Box::new),
         },
-        Obstacle::Tube => Infeasible { reasons: vec![no_tube(base)], nearest: None },
+        Shortfall::Tube => Infeasible { reasons: vec![no_tube(base)], nearest: None },
     })
 }
 
 /// The closest requirements to `requirements` that can be met: coated corners, an object that bears more,
 /// less mass, at last another size.
-fn nearest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Option<Nearest> {
+fn nearest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Option<NearestRequirements> {
     let tried = |requirements: Requirements| {
         let choices = feasible(&requirements, base, ring).ok()?;
-        Some(Nearest { requirements, choices })
+        Some(NearestRequirements { requirements, choices })
     };
     let bearing_more = |requirements: Requirements| {
         let asked = requirements.largest_force?.0;
@@ -105,15 +105,15 @@ fn nearest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> O
 /// The most mass that can be counted on with all else as required, kg; `None` if nothing else is.
 fn heaviest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Option<f64> {
     let base = requirements.candidate(base);
-    let bounds = Bounds { stars: 1..=MOST_STARS, ..requirements.bounds(&base)? };
+    let bounds = SearchBounds { stars: 1..=MOST_STARS, ..requirements.bounds(&base)? };
     let constraints = Constraints { payload: None, ..requirements.constraints(&base, 1.0) };
-    let search = Search {
+    let search = DesignSearch {
         base: &base,
         bounds: &bounds,
         constraints: &constraints,
         goal: Goal::Payload,
         table: ring,
-        effort: Effort::QUICK,
+        effort: SearchEffort::QUICK,
         cancel: None,
     };
     let most = search.run().best.into_iter().find(|one| one.violation == 0.0)?;
@@ -128,7 +128,11 @@ pub(super) fn three_digits(mass: f64) -> Option<Mass> {
 }
 
 /// The same on a sheet that is as large as it must be, as far as the machine reaches.
-fn on_larger_sheet(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> Option<Nearest> {
+fn on_larger_sheet(
+    requirements: &Requirements,
+    base: &Candidate,
+    ring: &RingTable,
+) -> Option<NearestRequirements> {
     let endless = Requirements { room: Workspace { sheet: None, ..requirements.room }, ..*requirements };
     let choices = feasible(&endless, base, ring).ok()?;
     let best = &choices.first()?.best;
@@ -136,7 +140,7 @@ fn on_larger_sheet(requirements: &Requirements, base: &Candidate, ring: &RingTab
     let side = Length(((2.0 * reach + requirements.room.edge.0) / SHEET).ceil() * SHEET);
     let exact = Requirements { room: Workspace { sheet: Some(side), ..requirements.room }, ..*requirements };
     match feasible(&exact, base, ring) {
-        Ok(choices) => Some(Nearest { requirements: exact, choices }),
-        Err(_) => Some(Nearest { requirements: endless, choices }),
+        Ok(choices) => Some(NearestRequirements { requirements: exact, choices }),
+        Err(_) => Some(NearestRequirements { requirements: endless, choices }),
     }
 }

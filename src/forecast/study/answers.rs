@@ -8,7 +8,7 @@ use crate::forecast::candidate::{Answer, Candidate, RefusedDesign};
 use crate::forecast::model_selection::hinge_model;
 use crate::forecast::outcome::Outcome;
 use crate::forecast::shell::Detail;
-use crate::forecast::shell::request::{Measurements, Refusal, ask};
+use crate::forecast::shell::request::{Measurements, ShellRefusal, ask};
 use crate::spec::{Code, ModelChoice};
 use inflatable::mechanics::hinge::Level;
 use inflatable::mechanics::hinge::ring::RingTable;
@@ -73,10 +73,10 @@ impl Models {
     }
 }
 
-fn unanswered(refusal: Refusal) -> RowRefusal {
+fn unanswered(refusal: ShellRefusal) -> RowRefusal {
     match refusal {
-        Refusal::Cancelled => RowRefusal::Cancelled,
-        Refusal::Fault(fault) => {
+        ShellRefusal::Cancelled => RowRefusal::Cancelled,
+        ShellRefusal::Fault(fault) => {
             let code = RefusalCode::NoPrediction.as_str();
             RowRefusal::Refused(RefusedDesign { code, text: fault.to_string() })
         }

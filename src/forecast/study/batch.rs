@@ -2,8 +2,8 @@
 
 use crate::forecast::study::Study;
 use crate::forecast::study::answers::RowRefusal;
-use crate::forecast::study::columns::Kind;
-use crate::forecast::study::output::Row;
+use crate::forecast::study::columns::ColumnKind;
+use crate::forecast::study::output::StudyRow;
 use crate::spec::study::KeyValue;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -17,7 +17,7 @@ const AT_ONCE: usize = 64;
 
 /// The values of one column.
 #[derive(Clone, Debug)]
-pub enum Values {
+pub enum ColumnValues {
     /// Numbers; NaN where nothing is known.
     Real(Vec<f64>),
     /// Whole numbers.
@@ -28,19 +28,19 @@ pub enum Values {
 
 /// Consecutive rows, by column.
 #[derive(Clone, Debug)]
-pub struct Batch {
+pub struct RowBatch {
     /// Which rows of the study.
     pub rows: Range<usize>,
     /// One for each of [`Study::columns`], each as long as `rows`.
-    pub columns: Vec<Values>,
+    pub columns: Vec<ColumnValues>,
 }
 
-impl Values {
-    fn new(kind: Kind, len: usize) -> Self {
+impl ColumnValues {
+    fn new(kind: ColumnKind, len: usize) -> Self {
         match kind {
-            Kind::Real => Self::Real(Vec::with_capacity(len)),
-            Kind::Whole => Self::Whole(Vec::with_capacity(len)),
-            Kind::Text => Self::Text(Vec::with_capacity(len)),
+            ColumnKind::Real => Self::Real(Vec::with_capacity(len)),
+            ColumnKind::Whole => Self::Whole(Vec::with_capacity(len)),
+            ColumnKind::Text => Self::Text(Vec::with_capacity(len)),
         }
     }
 
@@ -92,15 +92,15 @@ impl Values {
 
 impl Study {
     /// The rows `rows`, those beyond the last left out, computed in parallel; `None` if `cancel` was raised meanwhile.
-    pub fn batch(&self, rows: Range<usize>, cancel: &Arc<AtomicBool>) -> Option<Batch> {
+    pub fn batch(&self, rows: Range<usize>, cancel: &Arc<AtomicBool>) -> Option<RowBatch> {
         let rows = rows.start.min(self.rows())..rows.end.min(self.rows());
-        let chunks: Vec<Batch> = self
+        let chunks: Vec<RowBatch> = self
             .chunks(&rows)
             .into_par_iter()
             .map(|chunk| self.chunk(chunk, cancel))
             .collect::<Option<_>>()?;
-        let empty = self.columns.iter().map(|column| Values::new(column.kind, rows.len())).collect();
-        let mut whole = Batch { rows, columns: empty };
+        let empty = self.columns.iter().map(|column| ColumnValues::new(column.kind, rows.len())).collect();
+        let mut whole = RowBatch { rows, columns: empty };
         for chunk in chunks {
             for (column, more) in whole.columns.iter_mut().zip(chunk.columns) {
                 column.append(more);
@@ -115,7 +115,7 @@ impl Study {
         &self,
         rows: Range<usize>,
         cancel: &Arc<AtomicBool>,
-        make: impl Fn(Batch) -> T + Sync,
+        make: impl Fn(RowBatch) -> T + Sync,
         mut take: impl FnMut(T, usize) -> bool + Send,
     ) -> bool {
         if self.is_slow() {
@@ -145,9 +145,9 @@ impl Study {
     }
 
     /// One chunk, by this thread.
-    pub(super) fn chunk(&self, rows: Range<usize>, cancel: &Arc<AtomicBool>) -> Option<Batch> {
-        let mut columns: Vec<Values> =
-            self.columns.iter().map(|column| Values::new(column.kind, rows.len())).collect();
+    pub(super) fn chunk(&self, rows: Range<usize>, cancel: &Arc<AtomicBool>) -> Option<RowBatch> {
+        let mut columns: Vec<ColumnValues> =
+            self.columns.iter().map(|column| ColumnValues::new(column.kind, rows.len())).collect();
         let mut place = Vec::new();
         for row in rows.clone() {
             if cancel.load(Ordering::Relaxed) {
@@ -156,7 +156,7 @@ impl Study {
             self.designs.place(row, &mut place);
             self.fill(row, &place, &mut columns, cancel)?;
         }
-        Some(Batch { rows, columns })
+        Some(RowBatch { rows, columns })
     }
 
     /// Adds a row; `None` if its answer was cancelled.
@@ -164,11 +164,11 @@ impl Study {
         &self,
         row: usize,
         place: &[usize],
-        columns: &mut [Values],
+        columns: &mut [ColumnValues],
         cancel: &Arc<AtomicBool>,
     ) -> Option<()> {
         let mut columns = columns.iter_mut();
-        let mut next = |with: &dyn Fn(&mut Values)| {
+        let mut next = |with: &dyn Fn(&mut ColumnValues)| {
             if let Some(column) = columns.next() {
                 with(column);
             }
@@ -185,7 +185,7 @@ impl Study {
         let refused = match &answered {
             Ok((point, answered)) => {
                 let (answer, shell) = (&answered.answer, answered.shell.as_deref());
-                let row = Row { point, answer, shell, all: self.codes };
+                let row = StudyRow { point, answer, shell, all: self.codes };
                 for output in &self.outputs {
                     next(&|column| column.push_number(output.value(&row).unwrap_or(f64::NAN)));
                 }
@@ -199,8 +199,8 @@ impl Study {
                 Some(refused)
             }
         };
-        let word = |column: &mut Values, text: Option<&str>| {
-            if let Values::Text(values) = column {
+        let word = |column: &mut ColumnValues, text: Option<&str>| {
+            if let ColumnValues::Text(values) = column {
                 values.push(text.map(Into::into));
             }
         };

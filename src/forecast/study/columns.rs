@@ -1,11 +1,11 @@
 //! The columns of a study: what a row says, in which unit.
 
-use crate::forecast::study::output::Output;
+use crate::forecast::study::output::OutputColumn;
 use crate::spec::study::{Block, Field};
 
 /// What a column holds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum ColumnKind {
     /// Numbers; NaN where nothing is known.
     Real,
     /// Whole numbers, always known.
@@ -22,37 +22,39 @@ pub struct Column {
     /// The unit, as people write it: "N/m"; `None` for plain numbers and words.
     pub unit: Option<&'static str>,
     /// What it holds.
-    pub kind: Kind,
+    pub kind: ColumnKind,
     /// What it means.
     pub about: String,
 }
 
 /// The columns of a study of `blocks`: `row`, a column an axis, `outputs`, and the refusal, with its code if
 /// it is wanted.
-pub(super) fn columns(blocks: &[Block], outputs: &[&'static Output], codes: bool) -> Vec<Column> {
+pub(super) fn columns(blocks: &[Block], outputs: &[&'static OutputColumn], codes: bool) -> Vec<Column> {
     let text = |name: &str, unit, kind, about: &str| Column {
         name: name.to_owned(),
         unit,
         kind,
         about: about.to_owned(),
     };
-    let mut columns = vec![text("row", None, Kind::Whole, "the row's number in the whole study, from 0")];
+    let mut columns =
+        vec![text("row", None, ColumnKind::Whole, "the row's number in the whole study, from 0")];
     columns.extend(blocks.iter().flat_map(Block::axes).map(|axis| of_field(&axis.field)));
-    columns.extend(outputs.iter().map(|output| text(output.name, output.unit, Kind::Real, output.about)));
+    columns
+        .extend(outputs.iter().map(|output| text(output.name, output.unit, ColumnKind::Real, output.about)));
     if codes {
         let about = "the code of the refusal, a word of docs/codes.md; none for a design that was answered";
-        columns.push(text("refused_code", None, Kind::Text, about));
+        columns.push(text("refused_code", None, ColumnKind::Text, about));
     }
-    columns.push(text("refused", None, Kind::Text, "why there is no such design, and what to do"));
+    columns.push(text("refused", None, ColumnKind::Text, "why there is no such design, and what to do"));
     columns
 }
 
 /// The column of a key that varies.
 fn of_field(field: &Field) -> Column {
     let kind = match (field.is_whole(), field.is_number()) {
-        (true, _) => Kind::Whole,
-        (_, true) => Kind::Real,
-        _ => Kind::Text,
+        (true, _) => ColumnKind::Whole,
+        (_, true) => ColumnKind::Real,
+        _ => ColumnKind::Text,
     };
     let unit = field.unit();
     let name = format!("{}{}", field.key(), unit.map(suffix).unwrap_or_default());
@@ -80,7 +82,7 @@ mod tests {
         let kind = |key: &str| of_field(&Field::of(key).expect("a key")).kind;
         assert_eq!(
             ["star.points", "load.friction", "mask.mirror"].map(kind),
-            [Kind::Whole, Kind::Real, Kind::Text]
+            [ColumnKind::Whole, ColumnKind::Real, ColumnKind::Text]
         );
     }
 }

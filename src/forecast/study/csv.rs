@@ -1,6 +1,6 @@
 //! Batches as CSV: a header, a line a row, empty cells where nothing is known.
 
-use crate::forecast::study::batch::{Batch, Values};
+use crate::forecast::study::batch::{ColumnValues, RowBatch};
 use crate::forecast::study::columns::Column;
 use crate::forecast::study::figure;
 
@@ -12,7 +12,7 @@ pub fn header(columns: &[Column], units: bool) -> String {
 }
 
 /// The lines of `batch`.
-pub fn lines(batch: &Batch) -> Vec<u8> {
+pub fn lines(batch: &RowBatch) -> Vec<u8> {
     let mut out = Vec::with_capacity(batch.rows.len() * (12 * batch.columns.len() + 8));
     for i in 0..batch.rows.len() {
         for (k, column) in batch.columns.iter().enumerate() {
@@ -20,10 +20,10 @@ pub fn lines(batch: &Batch) -> Vec<u8> {
                 out.push(b',');
             }
             match column {
-                Values::Real(values) if values[i].is_nan() => {}
-                Values::Real(values) => figure::write(&mut out, values[i]),
-                Values::Whole(values) => figure::whole(&mut out, values[i]),
-                Values::Text(values) => text(&mut out, values[i].as_deref()),
+                ColumnValues::Real(values) if values[i].is_nan() => {}
+                ColumnValues::Real(values) => figure::write(&mut out, values[i]),
+                ColumnValues::Whole(values) => figure::whole(&mut out, values[i]),
+                ColumnValues::Text(values) => text(&mut out, values[i].as_deref()),
             }
         }
         out.push(b'\n');

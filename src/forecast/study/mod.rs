@@ -25,15 +25,15 @@ mod shell_outputs;
 mod slow;
 mod wanted;
 
-pub use batch::{Batch, Values};
-pub use columns::{Column, Kind};
+pub use batch::{ColumnValues, RowBatch};
+pub use columns::{Column, ColumnKind};
 
 use crate::digest::of_parts;
 use crate::forecast::candidate::{Candidate, RefusedDesign};
 use crate::forecast::shell::Detail;
 use crate::forecast::study::answers::Models;
 use crate::forecast::study::designs::Designs;
-use crate::forecast::study::output::{ModelKinds, Output};
+use crate::forecast::study::output::{ModelKinds, OutputColumn};
 use crate::spec::edit::with_values;
 use crate::spec::study::{Axis, Block, Field, KeyValue, StudyFile};
 use crate::spec::{Fault, FaultCode, Faults, ModelChoice, Source, key, read};
@@ -47,7 +47,7 @@ pub const MOST_ROWS: usize = 1_000_000_000;
 #[derive(Debug)]
 pub struct Study {
     designs: Designs,
-    outputs: Vec<&'static Output>,
+    outputs: Vec<&'static OutputColumn>,
     columns: Vec<Column>,
     codes: bool,
     models: Models,
@@ -104,7 +104,7 @@ impl Study {
     /// `detail`: how fine the meshes of shells are; `None` for a sweep without a study file.
     fn of(
         designs: Designs,
-        outputs: Vec<&'static Output>,
+        outputs: Vec<&'static OutputColumn>,
         detail: Option<Detail>,
         is_slow: bool,
     ) -> Result<Self, String> {

@@ -7,7 +7,7 @@ use crate::spec::ModelChoice;
 use inflatable::mechanics::strength::payload;
 
 /// A design with its answer.
-pub(super) struct Row<'a> {
+pub(super) struct StudyRow<'a> {
     pub(super) point: &'a Candidate,
     pub(super) answer: &'a Answer,
     /// What a shell says, if it was asked.
@@ -16,7 +16,7 @@ pub(super) struct Row<'a> {
     pub(super) all: bool,
 }
 
-impl Row<'_> {
+impl StudyRow<'_> {
     /// What a model of the hinges says, if it knows such stars.
     pub(super) fn own(&self) -> Option<&Outcome> {
         self.answer.outcome.as_ref().filter(|own| own.known)
@@ -43,7 +43,7 @@ impl Row<'_> {
 
 /// A column of answers.
 #[derive(Debug)]
-pub(super) struct Output {
+pub(super) struct OutputColumn {
     pub(super) name: &'static str,
     pub(super) unit: Option<&'static str>,
     pub(super) about: &'static str,
@@ -56,11 +56,11 @@ pub(super) struct Output {
 #[derive(Debug)]
 pub(super) enum Of {
     /// Every model.
-    Any(fn(&Row<'_>) -> Option<f64>),
+    Any(fn(&StudyRow<'_>) -> Option<f64>),
     /// Models of the hinges.
-    Hinges(fn(&Row<'_>) -> Option<f64>),
+    Hinges(fn(&StudyRow<'_>) -> Option<f64>),
     /// Shells.
-    Shell(fn(&Row<'_>, &Measurements) -> Option<f64>),
+    Shell(fn(&StudyRow<'_>, &Measurements) -> Option<f64>),
 }
 
 /// Which models the rows of a study ask.
@@ -80,9 +80,9 @@ impl ModelKinds {
     }
 }
 
-impl Output {
+impl OutputColumn {
     /// Its value; `None` where nothing is known.
-    pub(super) fn value(&self, row: &Row<'_>) -> Option<f64> {
+    pub(super) fn value(&self, row: &StudyRow<'_>) -> Option<f64> {
         match self.of {
             Of::Any(of) => of(row),
             Of::Hinges(of) => of(row).filter(|_| row.shell.is_none()),

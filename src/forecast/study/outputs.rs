@@ -5,14 +5,14 @@ use crate::forecast::ranges::Interval;
 use crate::forecast::shell::request::Measurements;
 use crate::forecast::star_answer::mm;
 use crate::forecast::study::output::Of::{self, Any, Hinges};
-use crate::forecast::study::output::{Output, Row};
+use crate::forecast::study::output::{OutputColumn, StudyRow};
 
-const fn plain(name: &'static str, unit: Option<&'static str>, about: &'static str, of: Of) -> Output {
-    Output { name, unit, about, plain: true, of }
+const fn plain(name: &'static str, unit: Option<&'static str>, about: &'static str, of: Of) -> OutputColumn {
+    OutputColumn { name, unit, about, plain: true, of }
 }
 
-const fn more(name: &'static str, unit: Option<&'static str>, about: &'static str, of: Of) -> Output {
-    Output { name, unit, about, plain: false, of }
+const fn more(name: &'static str, unit: Option<&'static str>, about: &'static str, of: Of) -> OutputColumn {
+    OutputColumn { name, unit, about, plain: false, of }
 }
 
 fn low(range: Option<Interval>) -> Option<f64> {
@@ -23,29 +23,29 @@ fn high(range: Option<Interval>) -> Option<f64> {
     range.map(|[_, high]| high)
 }
 
-fn radius(row: &Row<'_>) -> Option<Interval> {
+fn radius(row: &StudyRow<'_>) -> Option<Interval> {
     row.own()?.ranges.radius.map(|range| range.map(mm))
 }
 
-fn angle(row: &Row<'_>) -> Option<Interval> {
+fn angle(row: &StudyRow<'_>) -> Option<Interval> {
     row.own()?.ranges.angle.map(|range| range.map(f64::to_degrees))
 }
 
-fn contraction(row: &Row<'_>) -> Option<Interval> {
+fn contraction(row: &StudyRow<'_>) -> Option<Interval> {
     row.own()?.contraction_range(&row.answer.case)
 }
 
-fn stiffness(row: &Row<'_>) -> Option<Interval> {
+fn stiffness(row: &StudyRow<'_>) -> Option<Interval> {
     // Without a pressure there is no stiffness, and no range of one.
     row.own().filter(|own| own.stiffness.is_some())?.ranges.stiffness
 }
 
-fn force(row: &Row<'_>) -> Option<Interval> {
+fn force(row: &StudyRow<'_>) -> Option<Interval> {
     row.own()?.force_range
 }
 
 /// What models of the hinges say, and what no model is needed for, in order. Lengths mm, angles deg.
-pub(super) const OUTPUTS: [Output; 33] = [
+pub(super) const OUTPUTS: [OutputColumn; 33] = [
     plain("arm_length_mm", Some("mm"), "length of the straight arms", Any(|row| Some(row.answer.star.l))),
     plain(
         "tip_equilibrium_angle_deg",

@@ -1,7 +1,7 @@
 //! The columns that only shells know: what they measure of a star beside what hinges have, and how far the meshes leave each number open.
 
 use crate::forecast::shell::request::Measurements;
-use crate::forecast::study::output::{Of, Output, Row};
+use crate::forecast::study::output::{Of, OutputColumn, StudyRow};
 
 /// Of a column: how far the meshes leave it open.
 const OPEN: &str = "how far the meshes leave it open";
@@ -10,21 +10,21 @@ const fn measured(
     name: &'static str,
     unit: Option<&'static str>,
     about: &'static str,
-    of: fn(&Row<'_>, &Measurements) -> Option<f64>,
-) -> Output {
-    Output { name, unit, about, plain: false, of: Of::Shell(of) }
+    of: fn(&StudyRow<'_>, &Measurements) -> Option<f64>,
+) -> OutputColumn {
+    OutputColumn { name, unit, about, plain: false, of: Of::Shell(of) }
 }
 
 const fn open(
     name: &'static str,
     unit: Option<&'static str>,
-    of: fn(&Row<'_>, &Measurements) -> Option<f64>,
-) -> Output {
+    of: fn(&StudyRow<'_>, &Measurements) -> Option<f64>,
+) -> OutputColumn {
     measured(name, unit, OPEN, of)
 }
 
 /// What shells alone say, in order.
-pub(super) const SHELL_OUTPUTS: [Output; 17] = [
+pub(super) const SHELL_OUTPUTS: [OutputColumn; 17] = [
     measured("tip_angle_deg", Some("deg"), "angle of the tips between their arms' lines", |_, shell| {
         Some(shell.tip_angle.value)
     }),

@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use rayon::prelude::*;
 
 use crate::forecast::study::Study;
-use crate::forecast::study::batch::Batch;
+use crate::forecast::study::batch::RowBatch;
 
 impl Study {
     /// Computes each of `rows` in parallel, and hands it to `take` as a batch of one when it is there, in no order; `take` may stop
@@ -17,7 +17,7 @@ impl Study {
         &self,
         rows: impl Iterator<Item = usize> + Send,
         cancel: &Arc<AtomicBool>,
-        take: impl FnMut(Batch) -> bool + Send,
+        take: impl FnMut(RowBatch) -> bool + Send,
     ) -> bool {
         let take = Mutex::new(take);
         let one = |row: usize| {
@@ -33,7 +33,7 @@ impl Study {
         &self,
         rows: Range<usize>,
         cancel: &Arc<AtomicBool>,
-        mut take: impl FnMut(Batch) -> bool + Send,
+        mut take: impl FnMut(RowBatch) -> bool + Send,
     ) -> bool {
         let (mut next, mut early) = (rows.start, BTreeMap::new());
         self.each(rows, cancel, |batch| {

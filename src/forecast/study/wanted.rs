@@ -1,23 +1,23 @@
 //! Which columns a study has.
 
-use crate::forecast::study::output::{ModelKinds, Output};
+use crate::forecast::study::output::{ModelKinds, OutputColumn};
 use crate::forecast::study::outputs::OUTPUTS;
 use crate::forecast::study::shell_outputs::SHELL_OUTPUTS;
 use crate::spec::study::Wanted;
 use crate::spec::{Fault, FaultCode, Faults, Source, nearest};
 
 /// Every column, in order.
-fn every() -> impl Iterator<Item = &'static Output> {
+fn every() -> impl Iterator<Item = &'static OutputColumn> {
     OUTPUTS.iter().chain(&SHELL_OUTPUTS)
 }
 
 /// The columns that `sweep --vary` has.
-pub(super) fn plain() -> Vec<&'static Output> {
+pub(super) fn plain() -> Vec<&'static OutputColumn> {
     OUTPUTS.iter().filter(|output| output.plain).collect()
 }
 
 /// All columns that one of the models that are `asked` knows.
-pub(super) fn known(asked: ModelKinds) -> Vec<&'static Output> {
+pub(super) fn known(asked: ModelKinds) -> Vec<&'static OutputColumn> {
     every().filter(|output| output.is_known(asked)).collect()
 }
 
@@ -26,9 +26,9 @@ pub(super) fn chosen(
     wanted: &[Wanted],
     source: &Source,
     asked: ModelKinds,
-) -> Result<Vec<&'static Output>, Faults> {
+) -> Result<Vec<&'static OutputColumn>, Faults> {
     let mut faults = Vec::new();
-    let mut found: Vec<&'static Output> = Vec::new();
+    let mut found: Vec<&'static OutputColumn> = Vec::new();
     for Wanted { name, place } in wanted {
         let own = every().find(|output| output.name == name);
         let fault = |code, label: &str| {

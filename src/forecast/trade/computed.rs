@@ -1,7 +1,22 @@
-//! The shells of every fineness, as they were computed once: `by_shell.txt`, by `by_shell.py`.
+//! Shells as they were computed once: of every fineness, `by_shell.txt`, and the finest of the paper's stars, `finest.txt`. Both are
+//! made by `crates/research`.
 
 /// One computation a line.
 const SHIPPED: &str = include_str!("by_shell.txt");
+
+/// One of the paper's stars a line.
+const FINEST: &str = include_str!("finest.txt");
+
+/// E of all of them, MPa.
+pub const YOUNG: f64 = 128.0;
+/// nu of all of them.
+pub const POISSON: f64 = 0.39;
+/// Their thickness, m.
+pub const THICKNESS: f64 = 0.3e-3;
+/// How far an object opens the finest shell, by W.
+pub const OPENING: f64 = 0.45;
+/// W of the stars, mm.
+const WIDTH: f64 = 30.0;
 
 /// The finenesses, from the coarsest.
 pub const FINENESSES: [&str; 3] = ["coarse", "medium", "fine"];
@@ -38,7 +53,45 @@ pub struct Shell {
     pub memory: f64,
 }
 
-/// All of them.
+/// One of the paper's stars by its finest shell: four meshes up to some 160,000 unknowns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Finest {
+    /// n.
+    pub points: u32,
+    /// Gauge pressure, kPa.
+    pub pressure: f64,
+    /// Final radius, mm.
+    pub radius: MeshedNumber,
+    /// Radial stiffness, N/m.
+    pub stiffness: MeshedNumber,
+    /// Force on a round object that opens it by [`OPENING`], N.
+    pub force: MeshedNumber,
+}
+
+/// All of the paper's stars.
+pub fn finest() -> Vec<Finest> {
+    FINEST.lines().filter(|line| !line.starts_with('#')).filter_map(star).collect()
+}
+
+fn star(line: &str) -> Option<Finest> {
+    let (points, rest) = line.split_once(' ')?;
+    let numbers: Vec<f64> = rest.split(' ').filter_map(|word| word.parse().ok()).collect();
+    let [pressure, radius, radius_error, spring, spring_error, secant, secant_error] = numbers[..] else {
+        return None;
+    };
+    // N/mm times mm.
+    let force = spring * secant * OPENING * WIDTH;
+    let open = spring_error / spring + secant_error / secant;
+    Some(Finest {
+        points: points.parse().ok()?,
+        pressure,
+        radius: MeshedNumber { value: radius, error: radius_error },
+        stiffness: MeshedNumber { value: 1e3 * spring, error: 1e3 * spring_error },
+        force: MeshedNumber { value: force, error: open * force },
+    })
+}
+
+/// All shells of every fineness.
 pub fn shells() -> Vec<Shell> {
     SHIPPED.lines().filter(|line| !line.starts_with('#')).filter_map(shell).collect()
 }
@@ -69,6 +122,7 @@ mod tests {
     fn every_line_is_read() {
         let lines = SHIPPED.lines().filter(|line| !line.starts_with('#')).count();
         assert_eq!(shells().len(), lines);
+        assert_eq!(finest().len(), 24);
         for pressure in [14.0, 37.0, 60.0] {
             let of = |fineness: &str, points: Option<u32>| {
                 let found = shells().into_iter().find(|shell| {

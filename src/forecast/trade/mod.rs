@@ -56,7 +56,7 @@ pub fn measure(base: &StarSpec, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>
     models
         .extend(penalised.iter().map(|bvp| (format!("bvp, beta = {}", bvp.beta()), bvp as &dyn HingeModel)));
     let stars = stars(base);
-    let exact = ModelTargets::of(&Ring)?;
+    let exact = TargetTable::of(&Ring)?;
     models
         .into_iter()
         .map(|(model, own)| {
@@ -71,7 +71,7 @@ pub fn measure(base: &StarSpec, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>
                 }
             }
             for star in &stars {
-                let rest = |model: &ModelTargets| -> Result<Rest, StarFault> {
+                let rest = |model: &TargetTable| -> Result<Rest, StarFault> {
                     Ok(Inflated::new(star, model, 1e4)?.linear_rest())
                 };
                 let (exact, rest) = (rest(&exact)?, rest(&own)?);
@@ -84,12 +84,12 @@ pub fn measure(base: &StarSpec, clock: &dyn Fn() -> f64) -> Result<Vec<TradeRow>
 }
 
 /// A model's targets at the R* of the comparison, computed once: all that linear stars need.
-struct ModelTargets {
+struct TargetTable {
     level: Level,
     targets: [HingeState; R_STARS.len()],
 }
 
-impl ModelTargets {
+impl TargetTable {
     fn of(model: &dyn HingeModel) -> Result<Self, StarFault> {
         let mut targets = [model.target(R_STARS[0])?; R_STARS.len()];
         for (target, r_star) in targets.iter_mut().zip(R_STARS).skip(1) {
@@ -99,7 +99,7 @@ impl ModelTargets {
     }
 }
 
-impl HingeModel for ModelTargets {
+impl HingeModel for TargetTable {
     fn level(&self) -> Level {
         self.level
     }
@@ -139,13 +139,13 @@ fn raise(most: &mut Option<f64>, value: f64, exact: f64) {
 
 /// Mean time of one target, and the targets; repeated until it takes a tenth of a second, so that the clock's grain
 /// does not count.
-fn time_of(model: &dyn HingeModel, clock: &dyn Fn() -> f64) -> Result<(f64, ModelTargets), StarFault> {
+fn time_of(model: &dyn HingeModel, clock: &dyn Fn() -> f64) -> Result<(f64, TargetTable), StarFault> {
     let mut repeats = 1_u32;
     loop {
         let start = clock();
-        let mut known = ModelTargets::of(model)?;
+        let mut known = TargetTable::of(model)?;
         for _ in 1..repeats {
-            known = std::hint::black_box(ModelTargets::of(model)?);
+            known = std::hint::black_box(TargetTable::of(model)?);
         }
         let time = clock() - start;
         if time >= 0.1 || repeats >= 1 << 22 {

@@ -1,17 +1,18 @@
 //! Every model against the finest shells: the paper's stars of three to eight points and one V-actuator, at the pressures that
 //! grippers work at.
 //!
-//! The shells are data ([`stars`](crate::forecast::stars), [`computed`](super::computed)); what is computed here are the models that
+//! The shells are data ([`computed`](super::computed)); what is computed here are the models that
 //! know no arms but by a table.
 
+use crate::design::Star;
 use crate::forecast::actuator::{Actuator, actuate};
 use crate::forecast::case::Case;
 use crate::forecast::model_selection::{corrected, hinge_model, tabled};
-use crate::forecast::ranges::validation::case_of;
-use crate::forecast::stars::computed::{ComputedStar, ShellNumbers};
-use crate::forecast::stars::draw::{POISSON, Set, YOUNG};
-use crate::forecast::stars::shipped::shipped;
-use crate::forecast::trade::computed::{FINENESSES, MeshedNumber, Shell, shells};
+use crate::forecast::trade::computed::{
+    FINENESSES, Finest, MeshedNumber, OPENING, POISSON, Shell, THICKNESS, YOUNG, finest, shells,
+};
+use crate::spec::StarSpec;
+use crate::units::Pressure;
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::hinge::{HingeModel, Level};
 use inflatable::mechanics::star::response::Inflated;
@@ -21,9 +22,6 @@ use inflatable::mechanics::strength::ElasticSheet;
 pub const PRESSURES: [f64; 3] = [14.0, 37.0, 60.0];
 /// Points of its stars.
 pub const STARS: [u32; 6] = [3, 4, 5, 6, 7, 8];
-/// How far an object opens the finest shell, by W.
-const OPENING: f64 = 0.45;
-
 /// The models that are compared: by their levels, and the section from its table.
 const MODELS: [(&str, Option<Level>); 5] = [
     ("fit", Some(Level::Fit)),
@@ -79,14 +77,6 @@ pub struct Agreement {
     pub furthest: f64,
 }
 
-/// The finest shells of stars: four meshes up to some 160,000 unknowns, in mm, N/m, N.
-struct Finest {
-    star: ComputedStar,
-    radius: MeshedNumber,
-    stiffness: MeshedNumber,
-    force: MeshedNumber,
-}
-
 /// Compares every model and the coarser shells with the finest; `clock` tells the time in s.
 ///
 /// # Errors
@@ -121,7 +111,7 @@ pub fn against_shells(clock: &dyn Fn() -> f64) -> Result<Vec<ShellRow>, StarFaul
 }
 
 fn at(finest: &[Finest], pressure: f64) -> impl Iterator<Item = &Finest> {
-    finest.iter().filter(move |known| known.star.star.pressure.total_cmp(&pressure).is_eq())
+    finest.iter().filter(move |known| known.pressure.total_cmp(&pressure).is_eq())
 }
 
 fn actuator_of<'a>(computed: &'a [Shell], fineness: &str, pressure: f64) -> Option<&'a Shell> {
@@ -130,27 +120,9 @@ fn actuator_of<'a>(computed: &'a [Shell], fineness: &str, pressure: f64) -> Opti
     })
 }
 
-/// The stars of the set `paper`.
-fn finest() -> Vec<Finest> {
-    let known = |star: ComputedStar| {
-        let ShellNumbers { radius, stiffness, secants, .. } = star.found.clone()?;
-        let (_, secant) = secants.iter().find(|(part, _)| part.total_cmp(&OPENING).is_eq())?;
-        // N/mm times mm.
-        let force = stiffness.value * secant.value * OPENING * star.star.width;
-        let open = stiffness.error / stiffness.value + secant.error / secant.value;
-        Some(Finest {
-            radius: MeshedNumber { value: radius.value, error: radius.error },
-            stiffness: MeshedNumber { value: 1e3 * stiffness.value, error: 1e3 * stiffness.error },
-            force: MeshedNumber { value: force, error: open * force },
-            star,
-        })
-    };
-    shipped().into_iter().filter(|star| star.star.set == Set::Paper).filter_map(known).collect()
-}
-
 /// The V-actuator of W 20 mm, R 2 mm, arms of 80 mm, 60 deg, t 0.3 mm.
 fn actuator(kilopascals: f64) -> Result<Actuator, StarFault> {
-    let sheet = ElasticSheet::new(0.3e-3, 1e6 * YOUNG, POISSON)?;
+    let sheet = ElasticSheet::new(THICKNESS, 1e6 * YOUNG, POISSON)?;
     let angle = 60_f64.to_radians();
     Ok(Actuator { width: 0.02, radius: 0.002, arm: 0.08, angle, pressure: 1e3 * kilopascals, sheet })
 }
@@ -175,7 +147,7 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
             // What the others are compared with: what its own meshes leave open.
             let open = |known: MeshedNumber| known.error / known.value;
             row.stars.push(StarErrors {
-                points: known.star.star.points,
+                points: known.points,
                 radius: open(known.radius),
                 stiffness: Some(open(known.stiffness)),
                 force: Some(open(known.force)),
@@ -188,7 +160,7 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
             Some(own.value / known.value - 1.0).filter(|part| part.is_finite())
         };
         row.stars.push(StarErrors {
-            points: known.star.star.points,
+            points: known.points,
             radius: own.rest.value / known.radius.value - 1.0,
             stiffness: part(own.stiffness, known.stiffness),
             force: own.force.and_then(|force| part(force, known.force)),
@@ -203,11 +175,10 @@ fn by_shell(fineness: &str, pressure: f64, finest: &[Finest], computed: &[Shell]
 }
 
 fn same<'a>(computed: &'a [Shell], fineness: &str, known: &Finest) -> Option<&'a Shell> {
-    let star = &known.star.star;
     computed.iter().find(|one| {
         one.fineness == fineness
-            && one.points == Some(star.points)
-            && one.pressure.total_cmp(&star.pressure).is_eq()
+            && one.points == Some(known.points)
+            && one.pressure.total_cmp(&known.pressure).is_eq()
     })
 }
 
@@ -277,7 +248,9 @@ impl ShellRow {
         level: Option<Level>,
         clock: &dyn Fn() -> f64,
     ) -> Result<(), StarFault> {
-        let Some((case, pressure)) = case_of(&known.star.star) else { return Ok(()) };
+        let Ok(star) = Star::new(&StarSpec::paper(known.points)) else { return Ok(()) };
+        let pressure = Pressure(known.pressure).pascals();
+        let case = Case::bare(&star, ElasticSheet::new(THICKNESS, 1e6 * YOUNG, POISSON)?, pressure);
         let start = clock();
         let model = model(level, &case, pressure)?;
         let case = corrected(&case, &*model)?;
@@ -287,7 +260,7 @@ impl ShellRow {
         let object = 1e-3 * known.radius.value + OPENING * case.mechanism.width;
         let force = if object < rest.radius { Some(0.0) } else { inflated.linear_force(object, &rest).ok() };
         self.stars.push(StarErrors {
-            points: known.star.star.points,
+            points: known.points,
             radius: 1e3 * rest.radius / known.radius.value - 1.0,
             stiffness: Some(rest.stiffness / known.stiffness.value - 1.0),
             force: force.map(|force| force / known.force.value - 1.0),

@@ -9,7 +9,7 @@ use crate::units::{Acceleration, Duration, Speed};
 
 /// A list of lines in `[program]`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Part {
+pub(super) enum LinePart {
     /// Before the first move.
     Start,
     /// The line at which the machine waits for the operator.
@@ -66,13 +66,13 @@ pub(super) fn effect(line: &str, vocabulary: Vocabulary) -> Option<Effect> {
 }
 
 /// The lines of `part` that programs for `vocabulary` may carry, in words.
-pub(super) fn allowed(part: Part, vocabulary: Vocabulary) -> String {
+pub(super) fn allowed(part: LinePart, vocabulary: Vocabulary) -> String {
     let mut all: Vec<String> = Vec::new();
     for (letter, number, command) in vocabulary.codes() {
         let code = format!("{letter}{number}");
         all.extend(match (command, part) {
-            (Command::Pause, Part::Pause) | (Command::End, Part::End) => Some(code),
-            (_, Part::Pause) => None,
+            (Command::Pause, LinePart::Pause) | (Command::End, LinePart::End) => Some(code),
+            (_, LinePart::Pause) => None,
             (Command::HeatOnly, _) => Some(format!("{code} S0")),
             (Command::Setting, _) if code == "M203" => Some("M203 I..".to_owned()),
             (Command::Setting, _) if code == "M205" => Some("M205 S.. T..".to_owned()),
@@ -81,8 +81,10 @@ pub(super) fn allowed(part: Part, vocabulary: Vocabulary) -> String {
             _ => None,
         });
     }
-    let named =
-        vocabulary.words.iter().filter(|(_, command)| (*command == Command::Pause) == (part == Part::Pause));
+    let named = vocabulary
+        .words
+        .iter()
+        .filter(|(_, command)| (*command == Command::Pause) == (part == LinePart::Pause));
     all.extend(named.map(|(word, _)| (*word).to_owned()));
     all.join(", ")
 }
@@ -269,12 +271,12 @@ mod tests {
     fn the_allowed_lines_are_named() {
         let vocabulary = Vocabulary::of(Dialect::Klipper);
         assert_eq!(
-            allowed(Part::Start, vocabulary),
+            allowed(LinePart::Start, vocabulary),
             "G21, G90, M104 S0, SET_IDLE_TIMEOUT, SET_VELOCITY_LIMIT"
         );
-        assert_eq!(allowed(Part::Pause, vocabulary), "PAUSE");
+        assert_eq!(allowed(LinePart::Pause, vocabulary), "PAUSE");
         assert_eq!(
-            allowed(Part::End, Vocabulary::of(Dialect::Grbl)),
+            allowed(LinePart::End, Vocabulary::of(Dialect::Grbl)),
             "G17, G21, G61, G90, G91.1, G94, M2, M30"
         );
     }

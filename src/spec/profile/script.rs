@@ -6,7 +6,7 @@ use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::machine::{Controller, Limits, Process, Script};
 use crate::spec::motion::Motion;
-use crate::spec::profile::line::{Effect, Part, allowed, effect};
+use crate::spec::profile::line::{Effect, LinePart, allowed, effect};
 use crate::spec::profile::modes::check_modes;
 use crate::spec::section::{Reader, Section};
 use crate::spec::vocabulary::{Command, Vocabulary};
@@ -30,12 +30,12 @@ pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Stated<'_>) -> Scrip
     let mut program = reader.section("program");
     program.require(&[("start", "[\"G21\", \"G90\"]"), ("pause", "\"M0\""), ("end", "[\"M2\"]")]);
     let mut limits = Limits::default();
-    let start = read_commands(&mut program, ("start", Part::Start), stated, &mut limits);
+    let start = read_commands(&mut program, ("start", LinePart::Start), stated, &mut limits);
     check_modes(&mut program, &start, stated.controller);
     let pause = program.text("pause");
-    let pause =
-        pause.map(|(line, span)| read_command(&mut program, ("pause", Part::Pause), line, span, stated).0);
-    let end = read_commands(&mut program, ("end", Part::End), stated, &mut Limits::default());
+    let pause = pause
+        .map(|(line, span)| read_command(&mut program, ("pause", LinePart::Pause), line, span, stated).0);
+    let end = read_commands(&mut program, ("end", LinePart::End), stated, &mut Limits::default());
     // Each becomes a comment that begins with "; requires: ".
     let requires = program.texts("requires").unwrap_or_default();
     let requires = requires
@@ -48,7 +48,7 @@ pub(super) fn read_script(reader: &mut Reader<'_>, stated: &Stated<'_>) -> Scrip
 /// Reads a list of lines; what they set goes into `limits`.
 fn read_commands(
     s: &mut Section<'_, '_>,
-    (key, part): (&'static str, Part),
+    (key, part): (&'static str, LinePart),
     stated: &Stated<'_>,
     limits: &mut Limits,
 ) -> Vec<String> {
@@ -77,7 +77,7 @@ fn read_commands(
         }
         read.push(line);
     }
-    if part == Part::End && !ends && is_written {
+    if part == LinePart::End && !ends && is_written {
         let vocabulary = Vocabulary::for_controller(stated.controller);
         let ends = vocabulary.codes().filter(|(.., command)| *command == Command::End);
         let ends: Vec<String> = ends.map(|(letter, number, _)| format!("{letter}{number}")).collect();
@@ -90,16 +90,16 @@ fn read_commands(
 /// One line that the controller runs, and what it does; `None` if it was refused.
 fn read_command(
     s: &mut Section<'_, '_>,
-    (key, part): (&'static str, Part),
+    (key, part): (&'static str, LinePart),
     line: &str,
     span: Range<usize>,
     stated: &Stated<'_>,
 ) -> (String, Option<Effect>) {
     let vocabulary = Vocabulary::for_controller(stated.controller);
     let found = effect(line, vocabulary).filter(|effect| match effect {
-        Effect::Modes | Effect::Setting(_) | Effect::HeaterOff => part != Part::Pause,
-        Effect::Pause => part == Part::Pause,
-        Effect::End => part == Part::End,
+        Effect::Modes | Effect::Setting(_) | Effect::HeaterOff => part != LinePart::Pause,
+        Effect::Pause => part == LinePart::Pause,
+        Effect::End => part == LinePart::End,
     });
     if is_plain(line) && !line.trim().is_empty() && found.is_none() {
         let message = format!("a line of `{key}` is {}", quoted(line));

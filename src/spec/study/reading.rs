@@ -68,7 +68,7 @@ fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
     let fineness = fineness.map(|detail| (detail, root.place_of("fineness")));
     let outputs = root.texts("outputs");
     let wanted = |(name, place): (&str, Range<usize>)| Wanted { name: name.to_owned(), place };
-    let mut seen = Seen::default();
+    let mut seen = SeenKeys::default();
     if model.is_some() {
         seen.add(&key::accuracy::MODEL.to_string(), place, "model", &mut reader.faults);
     }
@@ -105,9 +105,9 @@ fn read_path(root: &mut Section<'_, '_>) -> String {
 
 /// The keys that were set so far, with the section that sets them.
 #[derive(Default)]
-struct Seen(Vec<(String, &'static str)>);
+struct SeenKeys(Vec<(String, &'static str)>);
 
-impl Seen {
+impl SeenKeys {
     /// Adds `name`; a fault if it is there already.
     fn add(&mut self, name: &str, place: Range<usize>, by: &'static str, faults: &mut Vec<Fault>) {
         if let Some((_, other)) = self.0.iter().find(|(known, _)| known == name) {
@@ -119,7 +119,7 @@ impl Seen {
 }
 
 /// The leaves of section `name`, each once.
-fn section<'r>(reader: &mut Reader<'r>, name: &'static str, seen: &mut Seen) -> Vec<Leaf<'r>> {
+fn section<'r>(reader: &mut Reader<'r>, name: &'static str, seen: &mut SeenKeys) -> Vec<Leaf<'r>> {
     let Some(value) = reader.free(name) else { return Vec::new() };
     let Some(table) = value.as_table() else { return Vec::new() };
     let found = leaves(table, &mut reader.faults);
@@ -129,7 +129,7 @@ fn section<'r>(reader: &mut Reader<'r>, name: &'static str, seen: &mut Seen) -> 
     found
 }
 
-fn read_set(reader: &mut Reader<'_>, seen: &mut Seen) -> Vec<(Field, KeyValue)> {
+fn read_set(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Vec<(Field, KeyValue)> {
     let mut set = Vec::new();
     for leaf in section(reader, "set", seen) {
         match leaf.field.read(leaf.value) {
@@ -140,12 +140,12 @@ fn read_set(reader: &mut Reader<'_>, seen: &mut Seen) -> Vec<(Field, KeyValue)> 
     set
 }
 
-fn read_vary(reader: &mut Reader<'_>, seen: &mut Seen) -> Vec<Block> {
+fn read_vary(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Vec<Block> {
     let leaves = section(reader, "vary", seen);
     leaves.into_iter().filter_map(|leaf| Block::new(vec![read_axis(leaf, &mut reader.faults)?])).collect()
 }
 
-fn read_rows(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
+fn read_rows(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
     let mut axes: Vec<Axis> = Vec::new();
     for leaf in section(reader, "rows", seen) {
         let (name, place) = (leaf.field.key(), leaf.value.span.clone());
@@ -206,7 +206,7 @@ fn read_list(field: Field, list: &[RawValue], faults: &mut Vec<Fault>) -> Option
     Some(Axis::listed(field, values))
 }
 
-fn read_draw(reader: &mut Reader<'_>, seen: &mut Seen) -> Option<Block> {
+fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
     let mut section = reader.section("draw");
     if section.is_written() {
         section.require(&[("count", "1000"), ("between", "{ \"star.tube_width\" = \"10 mm..40 mm\" }")]);

@@ -13,12 +13,12 @@ const ROUNDING: f64 = 1e-3;
 /// Reports every move that comes nearer to a clamp than `reach`, below its height.
 pub(in crate::verify) struct Clamps<'a> {
     reach: f64,
-    groups: Vec<Group<'a>>,
+    groups: Vec<ClampGroup<'a>>,
     findings: Findings,
 }
 
 /// A clamp without a rim of rounding: so that a way across it is found for a reach of 0 as well.
-struct Zone<'a> {
+struct ClampZone<'a> {
     clamp: &'a KeepOut,
     min: Point,
     max: Point,
@@ -27,21 +27,25 @@ struct Zone<'a> {
 
 impl<'a> Clamps<'a> {
     pub(in crate::verify) fn new(clamps: &'a [KeepOut], reach: f64) -> Self {
-        Self { reach, groups: grouped(clamps.iter().map(Zone::new).collect()), findings: Findings::default() }
+        Self {
+            reach,
+            groups: grouped(clamps.iter().map(ClampZone::new).collect()),
+            findings: Findings::default(),
+        }
     }
 }
 
 /// Clamps that lie near each other, and the box around them: most moves are near none of them.
-struct Group<'a> {
+struct ClampGroup<'a> {
     around: Bounds,
-    zones: Vec<Zone<'a>>,
+    zones: Vec<ClampZone<'a>>,
 }
 
 /// Clamps in a group.
 const GROUP: usize = 32;
 
 /// The clamps in strips along Y, and each strip in groups.
-fn grouped(mut zones: Vec<Zone<'_>>) -> Vec<Group<'_>> {
+fn grouped(mut zones: Vec<ClampZone<'_>>) -> Vec<ClampGroup<'_>> {
     let strips = zones.len().div_ceil(GROUP).isqrt().max(1);
     let strip = zones.len().div_ceil(strips).next_multiple_of(GROUP).max(GROUP);
     zones.sort_by(|a, b| a.min.x.total_cmp(&b.min.x));
@@ -51,14 +55,14 @@ fn grouped(mut zones: Vec<Zone<'_>>) -> Vec<Group<'_>> {
     let mut zones = zones.into_iter().peekable();
     let mut groups = Vec::new();
     while zones.peek().is_some() {
-        let zones: Vec<Zone<'_>> = zones.by_ref().take(GROUP).collect();
-        let around = zones.iter().map(Zone::bounds).fold(Bounds::EMPTY, Bounds::union);
-        groups.push(Group { around, zones });
+        let zones: Vec<ClampZone<'_>> = zones.by_ref().take(GROUP).collect();
+        let around = zones.iter().map(ClampZone::bounds).fold(Bounds::EMPTY, Bounds::union);
+        groups.push(ClampGroup { around, zones });
     }
     groups
 }
 
-impl<'a> Zone<'a> {
+impl<'a> ClampZone<'a> {
     fn new(clamp: &'a KeepOut) -> Self {
         let min = Point::new(clamp.x.0 + ROUNDING, clamp.y.0 + ROUNDING);
         let max = Point::new(clamp.x.0 + clamp.width.0 - ROUNDING, clamp.y.0 + clamp.depth.0 - ROUNDING);

@@ -33,7 +33,7 @@ pub(in crate::verify) fn iron<'a>(rules: &'a IronRules<'a>) -> [Box<dyn Judge + 
         Box::new(TravelFeed::new(rules.process.travel_speed.0)),
         Box::new(Contact { rules, findings: Findings::default() }),
         Box::new(Paced::new(rules)),
-        Box::new(Rest { rules, here: None, waited: 0.0, findings: Findings::default() }),
+        Box::new(IronRest { rules, here: None, waited: 0.0, findings: Findings::default() }),
     ]
 }
 
@@ -88,7 +88,7 @@ impl Judge for Contact<'_> {
 }
 
 /// On the fabric the iron never waits for long, and away from it never at all.
-struct Rest<'a> {
+struct IronRest<'a> {
     rules: &'a IronRules<'a>,
     /// Line of the last move, if that touched the fabric or left it, and the time waited since, s. However many waits it
     /// takes, the iron stands in one place; the last stroke of a seam ends, and has its wait, at travel height.
@@ -97,7 +97,7 @@ struct Rest<'a> {
     findings: Findings,
 }
 
-impl Rest<'_> {
+impl IronRest<'_> {
     fn wait(&mut self, dwell: &Dwell) {
         self.waited += dwell.seconds;
         let (waited, longest) = (self.waited, self.rules.longest_rest());
@@ -118,7 +118,7 @@ impl Rest<'_> {
     }
 }
 
-impl Judge for Rest<'_> {
+impl Judge for IronRest<'_> {
     fn see(&mut self, line: &Line<'_>) {
         for event in line.events {
             match event {

@@ -6,7 +6,7 @@
 
 use crate::verify::judge::Judge;
 use crate::verify::judge::rules::{IronRules, Phase};
-use crate::verify::judge::stroke::{Run, shortest_move};
+use crate::verify::judge::stroke::{StrokeRun, shortest_move};
 use crate::verify::read::gcode::{Event, Line, Move, MoveKind};
 use crate::verify::{FindingCode, Findings};
 use inflatable::geom::Segment;
@@ -22,7 +22,7 @@ struct Schedule {
     due: f64,
     spent: f64,
     /// What was travelled since the last stop, and the time counted for it.
-    run: Run,
+    run: StrokeRun,
     counted: f64,
     /// What was due, and by how much the iron was late, at the last stop.
     stop: (f64, f64),
@@ -121,7 +121,7 @@ impl Paced<'_> {
             self.on_time(step, stopped);
         }
         if rest > 0.0 {
-            (self.schedule.run, self.schedule.counted) = (Run::default(), 0.0);
+            (self.schedule.run, self.schedule.counted) = (StrokeRun::default(), 0.0);
         }
         let motion = self.rules.motion;
         let is_steady = (feed - speed).abs() <= ROUNDING * speed;

@@ -20,8 +20,8 @@ pub(in crate::verify) struct Script<'a> {
     pauses: usize,
     /// Whether anything has moved.
     moved: bool,
-    head: Wanted<'a>,
-    tail: Wanted<'a>,
+    head: WantedLine<'a>,
+    tail: WantedLine<'a>,
     findings: Findings,
 }
 
@@ -33,7 +33,7 @@ impl<'a> Script<'a> {
 
     /// The judge of a program that waits for the operator so often at most.
     pub(in crate::verify) fn with_pauses(machine: &'a Machine, pauses: usize) -> Self {
-        let (head, tail) = (Wanted::new(&machine.script.start), Wanted::new(&machine.script.end));
+        let (head, tail) = (WantedLine::new(&machine.script.start), WantedLine::new(&machine.script.end));
         Self { machine, pauses, moved: false, head, tail, findings: Findings::default() }
     }
 
@@ -75,7 +75,7 @@ impl Judge for Script<'_> {
 }
 
 /// Lines that should follow each other, and the first that does not.
-struct Wanted<'a> {
+struct WantedLine<'a> {
     lines: Vec<&'a str>,
     /// How many have come.
     come: usize,
@@ -86,7 +86,7 @@ struct Wanted<'a> {
     text: String,
 }
 
-impl<'a> Wanted<'a> {
+impl<'a> WantedLine<'a> {
     fn new(lines: &'a [String]) -> Self {
         let lines = lines.iter().map(|line| line.trim()).filter(|line| is_code(line)).collect();
         Self { lines, come: 0, last: 1, wrong: None, text: String::new() }

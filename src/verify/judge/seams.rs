@@ -48,8 +48,8 @@ impl<'a> Seams<'a> {
 
     /// The judge of a trace program.
     pub(in crate::verify) fn traced(&self) -> Traced {
-        let mut paths: Vec<Walk> = self.expected.iter().map(walk).collect();
-        paths.insert(0, Walk::new(self.frame, "frame".to_owned(), self.frame.length()));
+        let mut paths: Vec<SeamWalk> = self.expected.iter().map(walk).collect();
+        paths.insert(0, SeamWalk::new(self.frame, "frame".to_owned(), self.frame.length()));
         let wanted = paths.len() - 1;
         let (paths, inside, now, found) = (paths.into_iter(), false, None, 0);
         let findings = Findings::default();
@@ -57,13 +57,14 @@ impl<'a> Seams<'a> {
     }
 }
 
-fn walk(seam: &LaidSeam) -> Walk {
-    Walk::new(&seam.run, seam.name.to_string(), seam.once)
+fn walk(seam: &LaidSeam) -> SeamWalk {
+    SeamWalk::new(&seam.run, seam.name.to_string(), seam.once)
 }
 
 /// The way down, the run, the way up.
-fn walks(seam: &LaidSeam) -> [Walk; 3] {
-    let ramp = |path: &Path, what: &str| Walk::new(path, format!("{what} the {}", seam.name), path.length());
+fn walks(seam: &LaidSeam) -> [SeamWalk; 3] {
+    let ramp =
+        |path: &Path, what: &str| SeamWalk::new(path, format!("{what} the {}", seam.name), path.length());
     [ramp(&seam.lead_in, "way down to"), walk(seam), ramp(&seam.lead_out, "way up from")]
 }
 
@@ -82,7 +83,7 @@ pub(in crate::verify) struct Sealed<'a> {
 /// One contact with the fabric.
 enum Contact {
     /// Of a seam: the way down, the run, the way up.
-    Seam(Box<[Walk; 3]>),
+    Seam(Box<[SeamWalk; 3]>),
     /// Of none; the line in which it begins.
     Extra(Option<usize>),
 }
@@ -153,13 +154,13 @@ impl Judge for Sealed<'_> {
 /// A trace shows the frame, and then every seam.
 pub(in crate::verify) struct Traced {
     tolerance: f64,
-    paths: std::vec::IntoIter<Walk>,
+    paths: std::vec::IntoIter<SeamWalk>,
     /// How many seams there should be, and how many paths were found.
     wanted: usize,
     found: usize,
     /// Whether the last move was along a path, and along which of those that should be.
     inside: bool,
-    now: Option<Walk>,
+    now: Option<SeamWalk>,
     /// The largest, mm.
     pub(in crate::verify) deviation: f64,
     findings: Findings,
@@ -209,7 +210,7 @@ impl Judge for Traced {
 }
 
 /// One chain of moves, on its way along the path that it should follow.
-struct Walk {
+struct SeamWalk {
     follower: Follower,
     name: String,
     /// Length of the path, and of the part of it that closes the loop.
@@ -220,7 +221,7 @@ struct Walk {
     last: Option<usize>,
 }
 
-impl Walk {
+impl SeamWalk {
     fn new(path: &Path, name: String, once: f64) -> Self {
         Self { follower: Follower::new(path), name, length: path.length(), once, first: None, last: None }
     }

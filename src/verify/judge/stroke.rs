@@ -9,7 +9,7 @@ use crate::spec::{Motion, StepRate};
 
 /// What was travelled since the iron last stood still.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Run {
+pub(super) struct StrokeRun {
     /// Whole steps of each axis; lengths in mm where the steps are not known.
     moved: [f64; 3],
     length: f64,
@@ -18,7 +18,7 @@ pub(super) struct Run {
     is_short: bool,
 }
 
-impl Run {
+impl StrokeRun {
     /// The run with one more move from `from` to `to`, of this length, mm.
     pub(super) fn and(self, motion: &Motion, from: [f64; 3], to: [f64; 3], length: f64) -> Self {
         let scale = motion.steps_per_mm.unwrap_or([1.0; 3]);
@@ -69,7 +69,7 @@ impl Run {
 /// Time that the controller takes for one straight stroke from rest to rest, s, at `speed` mm/s; positions in mm.
 pub fn stroke_seconds(motion: &Motion, from: [f64; 3], to: [f64; 3], speed: f64) -> f64 {
     let length = (0..3).map(|i| to[i] - from[i]).fold(0.0, f64::hypot);
-    Run::default().and(motion, from, to, length).seconds(motion, speed)
+    StrokeRun::default().and(motion, from, to, length).seconds(motion, speed)
 }
 
 /// The shortest way in the plane that has the steps of a move in every direction, mm.
@@ -263,7 +263,7 @@ mod tests {
                 tick: Some(Duration(0.01)),
                 ..Motion::UNKNOWN
             };
-            let run = Run::default().and(&motion, [0.0; 3], to, 0.2);
+            let run = StrokeRun::default().and(&motion, [0.0; 3], to, 0.2);
             let found = run.seconds(&motion, 0.64741);
             assert!((found - seconds).abs() < 5e-5, "{acceleration} {to:?}: {found}");
         }

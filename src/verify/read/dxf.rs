@@ -17,7 +17,7 @@ const STRAIGHT: f64 = 1e11;
 const VERSIONS: [&str; 6] = ["AC1015", "AC1018", "AC1021", "AC1024", "AC1027", "AC1032"];
 
 #[derive(Clone, Copy, Debug)]
-struct Tag<'a> {
+struct DxfTag<'a> {
     line: usize,
     code: i32,
     value: &'a str,
@@ -87,7 +87,7 @@ struct DxfReader {
 }
 
 impl DxfReader {
-    fn tags<'a>(&mut self, text: &'a str) -> Vec<Tag<'a>> {
+    fn tags<'a>(&mut self, text: &'a str) -> Vec<DxfTag<'a>> {
         let mut tags = Vec::new();
         let mut lines = text.lines().enumerate();
         while let Some((i, code)) = lines.next() {
@@ -106,13 +106,13 @@ impl DxfReader {
             };
             // Comments may stand anywhere.
             if code != 999 {
-                tags.push(Tag { line: i + 1, code, value: value.trim() });
+                tags.push(DxfTag { line: i + 1, code, value: value.trim() });
             }
         }
         tags
     }
 
-    fn header(&mut self, body: &[Tag<'_>]) {
+    fn header(&mut self, body: &[DxfTag<'_>]) {
         for pair in body.windows(2) {
             let [name, tag] = pair else { continue };
             match (name.code, name.value) {
@@ -134,7 +134,7 @@ impl DxfReader {
         }
     }
 
-    fn entity(&mut self, head: Tag<'_>, body: &[Tag<'_>]) {
+    fn entity(&mut self, head: DxfTag<'_>, body: &[DxfTag<'_>]) {
         let text = |code: i32| body.iter().find(|tag| tag.code == code).map(|tag| tag.value);
         let layer = text(8).unwrap_or("0").to_owned();
         if !self.drawing.layers.contains_key(&layer) {
@@ -178,8 +178,8 @@ impl DxfReader {
     /// The values of group codes that must each be there once.
     fn numbers<const N: usize>(
         &mut self,
-        head: Tag<'_>,
-        body: &[Tag<'_>],
+        head: DxfTag<'_>,
+        body: &[DxfTag<'_>],
         codes: [i32; N],
     ) -> Option<[f64; N]> {
         let mut values = [0.0; N];
@@ -195,7 +195,7 @@ impl DxfReader {
         Some(values)
     }
 
-    fn number(&mut self, tag: Tag<'_>) -> Option<f64> {
+    fn number(&mut self, tag: DxfTag<'_>) -> Option<f64> {
         let value = number::value(tag.value);
         if value.is_none() {
             let allowed = format!("a number, at most {}", number::LARGEST);
@@ -204,7 +204,7 @@ impl DxfReader {
         value
     }
 
-    fn radius(&mut self, head: Tag<'_>, r: f64) -> Option<f64> {
+    fn radius(&mut self, head: DxfTag<'_>, r: f64) -> Option<f64> {
         if r > 0.0 {
             return Some(r);
         }
@@ -212,7 +212,7 @@ impl DxfReader {
         None
     }
 
-    fn polyline(&mut self, head: Tag<'_>, body: &[Tag<'_>]) -> Option<Path> {
+    fn polyline(&mut self, head: DxfTag<'_>, body: &[DxfTag<'_>]) -> Option<Path> {
         let whole = |code: i32| {
             body.iter().find(|tag| tag.code == code).and_then(|tag| tag.value.parse::<u32>().ok())
         };

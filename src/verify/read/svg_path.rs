@@ -7,18 +7,18 @@ use crate::verify::read::number;
 use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
 /// What is wrong: code, found, allowed.
-pub(in crate::verify) type Fault = (FindingCode, String, String);
+pub(in crate::verify) type PathFault = (FindingCode, String, String);
 
 /// The subpaths of `d`; a fault gives up what follows it.
-pub(in crate::verify) fn parse(d: &str) -> (Vec<Path>, Option<Fault>) {
+pub(in crate::verify) fn parse(d: &str) -> (Vec<Path>, Option<PathFault>) {
     let mut pen = SvgPen::default();
-    let mut scan = Scan { rest: d };
+    let mut scan = PathScan { rest: d };
     let fault = draw(&mut scan, &mut pen).err();
     pen.lift(false);
     (pen.paths, fault)
 }
 
-fn draw(scan: &mut Scan<'_>, pen: &mut SvgPen) -> Result<(), Fault> {
+fn draw(scan: &mut PathScan<'_>, pen: &mut SvgPen) -> Result<(), PathFault> {
     while let Some(command) = scan.command()? {
         if command == 'Z' {
             pen.close()?;
@@ -62,11 +62,11 @@ fn draw(scan: &mut Scan<'_>, pen: &mut SvgPen) -> Result<(), Fault> {
 const ALLOWED: &str = "M L H V A Z, absolute";
 
 /// The rest of the text.
-struct Scan<'a> {
+struct PathScan<'a> {
     rest: &'a str,
 }
 
-impl Scan<'_> {
+impl PathScan<'_> {
     fn skip(&mut self, comma: bool) {
         let blank = |c: char| matches!(c, ' ' | '\t' | '\r' | '\n' | '\u{c}');
         self.rest = self.rest.trim_start_matches(blank);
@@ -75,7 +75,7 @@ impl Scan<'_> {
         }
     }
 
-    fn command(&mut self) -> Result<Option<char>, Fault> {
+    fn command(&mut self) -> Result<Option<char>, PathFault> {
         self.skip(false);
         let Some(c) = self.rest.chars().next() else { return Ok(None) };
         if !c.is_ascii_alphabetic() {
@@ -90,7 +90,7 @@ impl Scan<'_> {
         number::read(self.rest, true).is_some()
     }
 
-    fn number(&mut self) -> Result<f64, Fault> {
+    fn number(&mut self) -> Result<f64, PathFault> {
         let number = number::read(self.rest, true).ok_or_else(|| self.fault("a number"))?;
         let beyond = || (FindingCode::BadNumber, quote(number.text), format!("at most {}", number::LARGEST));
         let value = number.value.ok_or_else(beyond)?;
@@ -100,7 +100,7 @@ impl Scan<'_> {
     }
 
     /// A flag is one digit, and need not be set off from what follows.
-    fn flag(&mut self) -> Result<bool, Fault> {
+    fn flag(&mut self) -> Result<bool, PathFault> {
         let flag = match self.rest.as_bytes().first() {
             Some(b'0') => false,
             Some(b'1') => true,
@@ -111,7 +111,7 @@ impl Scan<'_> {
         Ok(flag)
     }
 
-    fn fault(&self, allowed: &str) -> Fault {
+    fn fault(&self, allowed: &str) -> PathFault {
         (FindingCode::BadPath, quote(self.rest), allowed.to_owned())
     }
 }
@@ -139,7 +139,7 @@ impl SvgPen {
         }
     }
 
-    fn push(&mut self, segment: impl Into<Segment>, end: Point) -> Result<(), Fault> {
+    fn push(&mut self, segment: impl Into<Segment>, end: Point) -> Result<(), PathFault> {
         if self.start.is_none() {
             return Err((
                 FindingCode::BadPath,
@@ -152,11 +152,11 @@ impl SvgPen {
         Ok(())
     }
 
-    fn line(&mut self, end: Point) -> Result<(), Fault> {
+    fn line(&mut self, end: Point) -> Result<(), PathFault> {
         self.push(Line::new(self.here, end), end)
     }
 
-    fn close(&mut self) -> Result<(), Fault> {
+    fn close(&mut self) -> Result<(), PathFault> {
         let start = self.start.unwrap_or(self.here);
         if self.here.distance(start) > JOIN || self.start.is_none() {
             self.line(start)?;
@@ -166,7 +166,7 @@ impl SvgPen {
         Ok(())
     }
 
-    fn arc(&mut self, rx: f64, ry: f64, large: bool, sweep: bool, end: Point) -> Result<(), Fault> {
+    fn arc(&mut self, rx: f64, ry: f64, large: bool, sweep: bool, end: Point) -> Result<(), PathFault> {
         if rx != ry {
             let found = format!("an ellipse with radii {rx} and {ry}");
             return Err((FindingCode::BadArc, found, "circular arcs".to_owned()));

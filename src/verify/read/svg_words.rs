@@ -31,7 +31,7 @@ enum Says {
 }
 
 /// An element: its name, where it may stand, its attributes.
-type Row = (&'static str, &'static [&'static str], &'static [(&'static str, Says)]);
+type ElementRow = (&'static str, &'static [&'static str], &'static [(&'static str, Says)]);
 
 /// How lines of a drawing look: one pixel wide at any zoom, as thin as can be for a cutter.
 macro_rules! hairline {
@@ -45,7 +45,7 @@ macro_rules! hairline {
 }
 
 /// A drawing for cutters: outlines without fill, as hairlines, in the colour of their layer.
-const DRAWING: [Row; 5] = [
+const DRAWING: [ElementRow; 5] = [
     ("svg", &[""], &[("width", Says::Shape), ("height", Says::Shape), ("viewBox", Says::Shape)]),
     ("title", &["svg"], &[]),
     (
@@ -74,7 +74,7 @@ pub(in crate::verify) fn check(
     if !document.input_text().trim_ascii_start().starts_with("<svg") {
         findings.add(FindingCode::UnknownWord, 1, quote(document.input_text()), "<svg at the beginning");
     }
-    let mut reader = Reader { colour, faults: 0, findings };
+    let mut reader = WordReader { colour, faults: 0, findings };
     for node in document.root().descendants().skip(1) {
         if reader.faults >= ENOUGH {
             return;
@@ -91,13 +91,13 @@ pub(in crate::verify) fn check(
     }
 }
 
-struct Reader<'a> {
+struct WordReader<'a> {
     colour: &'a dyn Fn(&str) -> Option<&'static str>,
     faults: usize,
     findings: &'a mut Findings,
 }
 
-impl Reader<'_> {
+impl WordReader<'_> {
     fn refuse(&mut self, node: Node<'_, '_>, found: &str, allowed: &str) {
         self.faults += 1;
         let line = usize::try_from(node.document().text_pos_at(node.range().start).row).ok();

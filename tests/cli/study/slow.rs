@@ -202,14 +202,6 @@ fn a_table_of_a_study_is_its_sweep() {
     let at = dir.path();
     let table = done(at, &["table", "study.toml", "--units"]);
     assert_eq!(table, done(at, &["sweep", "study.toml", "--units"]));
-    for (args, words) in [
-        (&["table", "study.toml", "--set", "all"][..], "are the shipped tables'"),
-        (&["table", "study.toml", "--join"], "are joined by `study join`"),
-        (&["table", "ladders", "-o", "x.csv"], "are a study's"),
-    ] {
-        let said = refused(at, args, 2);
-        assert!(said.contains(words), "{args:?}: {said}");
-    }
     let said = refused(at, &["table", "stduy.toml"], 1);
     assert!(said.contains("stduy.toml") && !at.join("stduy.toml").exists(), "{said}");
 }

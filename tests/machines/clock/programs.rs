@@ -1,6 +1,6 @@
 //! The programs that are judged: those of a spec for a machine, as text.
 
-use stargrip_cam::coupon::{Grid, Group, coupons};
+use stargrip_cam::coupon::{CouponGroup, StripGrid, coupons};
 use stargrip_cam::emit;
 use stargrip_cam::pipeline::Designed;
 use stargrip_cam::plan::feed_checks;
@@ -83,13 +83,13 @@ pub(crate) fn feed_check(spec: &Spec, machine: &Machine) -> Named {
 
 /// Strips at three speeds, and the other coupons.
 pub(crate) fn coupon_programs(spec: &Spec, machine: &Machine) -> Vec<Named> {
-    let grid = Grid {
+    let grid = StripGrid {
         temperatures: vec![Temperature(200.0)],
         speeds: vec![Speed(0.1), Speed(0.2), Speed(0.5)],
         heights: vec![Length(-0.3)],
         repeats: 3,
     };
-    let set = coupons(spec, machine, &grid, &Group::NAMES.map(|(_, group)| group))
+    let set = coupons(spec, machine, &grid, &CouponGroup::NAMES.map(|(_, group)| group))
         .unwrap_or_else(|refusals| panic!("{refusals:?}"));
     set.into_iter().map(|coupon| (coupon.name.clone(), coupon.gcode())).collect()
 }

@@ -266,7 +266,7 @@ pub(in crate::verify) fn paths_of(shape: &Shape) -> Vec<Path> {
 }
 
 /// What one file holds.
-struct Seen {
+struct DrawnCurves {
     sheet: usize,
     file: String,
     /// (layer, number of paths, their length), empty layers left out.
@@ -276,7 +276,7 @@ struct Seen {
 /// The seal drawings of all formats, to be held against each other.
 #[derive(Default)]
 pub(in crate::verify) struct Seals {
-    seen: Vec<Seen>,
+    seen: Vec<DrawnCurves>,
 }
 
 impl Seals {
@@ -284,15 +284,15 @@ impl Seals {
     pub(in crate::verify) fn add(&mut self, sheet: usize, file: &str, drawing: &Drawing) {
         let layers = drawing.layers.iter().filter(|(_, paths)| !paths.is_empty());
         let layers = layers.map(|(name, paths)| (name.clone(), paths.len(), total(paths))).collect();
-        self.seen.push(Seen { sheet, file: file.to_owned(), layers });
+        self.seen.push(DrawnCurves { sheet, file: file.to_owned(), layers });
     }
 
     /// Files of the same sheet that hold different things.
     pub(in crate::verify) fn disagreements(&self, tolerance: f64) -> Vec<Finding> {
         let mut findings = Vec::new();
-        for (i, Seen { sheet, file, layers }) in self.seen.iter().enumerate() {
+        for (i, DrawnCurves { sheet, file, layers }) in self.seen.iter().enumerate() {
             let Some(first) = self.seen[..i].iter().find(|seen| seen.sheet == *sheet) else { continue };
-            let Seen { file: other, layers: theirs, .. } = first;
+            let DrawnCurves { file: other, layers: theirs, .. } = first;
             for (layer, count, length) in layers {
                 let twin = theirs.iter().find(|(name, _, _)| name == layer);
                 // As much as the rounding of a hundred vertices each could add up to.

@@ -3,7 +3,7 @@
 use crate::spec::Command;
 use crate::verify::FindingCode;
 use crate::verify::read::gcode::Dialect;
-use crate::verify::read::gcode::lexer::{Fault, Word};
+use crate::verify::read::gcode::lexer::{Word, WordFault};
 
 /// The commands and values of one line.
 #[derive(Clone, Debug, Default)]
@@ -21,7 +21,7 @@ const fn bit(letter: u8) -> u32 {
 
 impl Block {
     /// Reads `words` into this block, replacing what it held; the first fault ends it.
-    pub(super) fn read(&mut self, words: &[Word], dialect: &Dialect) -> Result<(), Fault> {
+    pub(super) fn read(&mut self, words: &[Word], dialect: &Dialect) -> Result<(), WordFault> {
         self.commands.clear();
         self.given = 0;
         for (place, word) in words.iter().enumerate() {
@@ -80,7 +80,7 @@ impl Block {
     }
 
     /// Words that contradict each other or belong to nothing on the line.
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), WordFault> {
         let dwell = self.has(Command::Dwell);
         if dwell && self.has_any(b"XYZIJ") {
             return Err((

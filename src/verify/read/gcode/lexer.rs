@@ -14,7 +14,7 @@ pub(super) struct Word {
 }
 
 /// What is wrong with a line's characters: code, found, allowed.
-pub(super) type Fault = (FindingCode, String, String);
+pub(super) type WordFault = (FindingCode, String, String);
 
 /// What each byte is in a line of some dialect.
 #[derive(Clone, Debug)]
@@ -56,7 +56,7 @@ pub(super) fn cut<'a>(
     dialect: &Dialect,
     alphabet: &Alphabet,
     words: &mut Vec<Word>,
-) -> (Option<&'a str>, Option<Fault>) {
+) -> (Option<&'a str>, Option<WordFault>) {
     words.clear();
     let kinds = alphabet.of(line);
     if kinds & BAD != 0 {
@@ -96,7 +96,7 @@ pub(super) fn cut<'a>(
 }
 
 /// The first character of `line` that is not printable, or else the first that the dialect forbids.
-fn bad_character(line: &str, dialect: &Dialect) -> Option<Fault> {
+fn bad_character(line: &str, dialect: &Dialect) -> Option<WordFault> {
     let fault = |bad: char, allowed| Some((FindingCode::BadCharacter, format!("{bad:?}"), allowed));
     if let Some(bad) = line.chars().find(|c| !matches!(c, ' '..='~')) {
         return fault(bad, "printable ASCII".to_owned());
@@ -106,7 +106,7 @@ fn bad_character(line: &str, dialect: &Dialect) -> Option<Fault> {
 }
 
 /// The line's code, and its comment without the mark.
-fn split_comment<'a>(line: &'a str, dialect: &Dialect) -> Result<(&'a str, Option<&'a str>), Fault> {
+fn split_comment<'a>(line: &'a str, dialect: &Dialect) -> Result<(&'a str, Option<&'a str>), WordFault> {
     if dialect.comments == CommentMark::Semicolon {
         return Ok(line.split_once(';').map_or((line, None), |(code, comment)| (code, Some(comment))));
     }

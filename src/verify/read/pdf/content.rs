@@ -1,7 +1,7 @@
 //! The content of a PDF page: operators to lines and arcs.
 
 use crate::verify::finding::quote;
-use crate::verify::read::pdf::object::{Object, Scan};
+use crate::verify::read::pdf::object::{PdfObject, PdfScan};
 use crate::verify::read::pdf::page::PdfPage;
 use crate::verify::{Drawing, FindingCode, Findings};
 use inflatable::geom::{Arc, Bounds, Line, Path, Point, Segment};
@@ -11,7 +11,7 @@ const ROUND: f64 = 0.002;
 
 /// What `q` saves.
 #[derive(Clone, Copy)]
-struct State {
+struct GraphicsState {
     /// Millimetres in a user unit: nothing but scaling and shifting is allowed.
     scale: f64,
     shift: (f64, f64),
@@ -23,8 +23,8 @@ struct State {
 }
 
 struct PdfPen<'a> {
-    state: State,
-    saved: Vec<State>,
+    state: GraphicsState,
+    saved: Vec<GraphicsState>,
     layers: Vec<String>,
     paths: Vec<Path>,
     segments: Vec<Segment>,
@@ -43,7 +43,7 @@ pub(in crate::verify) fn read(
     findings: &mut Findings,
 ) -> PdfPage {
     let mut pen = PdfPen {
-        state: State { scale: unit, shift: (0.0, 0.0), clip: None, width: None, gray: None },
+        state: GraphicsState { scale: unit, shift: (0.0, 0.0), clip: None, width: None, gray: None },
         saved: Vec::new(),
         layers: Vec::new(),
         paths: Vec::new(),
@@ -58,14 +58,14 @@ pub(in crate::verify) fn read(
         },
         findings,
     };
-    let mut scan = Scan::new(stream);
+    let mut scan = PdfScan::new(stream);
     let mut operands: Vec<f64> = Vec::new();
     let mut name = None;
     while let Some(object) = scan.object() {
         match object {
-            Object::Number(x) => operands.push(x),
-            Object::Name(text) => name = Some(text),
-            Object::Word(word) => {
+            PdfObject::Number(x) => operands.push(x),
+            PdfObject::Name(text) => name = Some(text),
+            PdfObject::Word(word) => {
                 pen.operator(word, &operands, name.take());
                 operands.clear();
             }
@@ -103,7 +103,7 @@ impl PdfPen<'_> {
                 None => self.findings.add(FindingCode::BadPdf, None, "Q without q", "pairs"),
             },
             ("cm", [a, b, c, d, e, f]) if *b == 0.0 && *c == 0.0 && a == d && *a > 0.0 => {
-                let State { scale, shift: (x, y), .. } = self.state;
+                let GraphicsState { scale, shift: (x, y), .. } = self.state;
                 self.state.shift = (x + scale * e, y + scale * f);
                 self.state.scale = scale * a;
             }
@@ -151,7 +151,7 @@ impl PdfPen<'_> {
     }
 
     fn point(&self, x: f64, y: f64) -> Point {
-        let State { scale, shift, .. } = self.state;
+        let GraphicsState { scale, shift, .. } = self.state;
         Point::new(shift.0 + scale * x, shift.1 + scale * y)
     }
 

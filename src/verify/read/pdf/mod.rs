@@ -9,7 +9,7 @@ mod page;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::verify::read::pdf::object::{Object, Scan};
+use crate::verify::read::pdf::object::{PdfObject, PdfScan};
 use crate::verify::{FindingCode, Findings};
 
 pub use page::PdfPage;
@@ -18,7 +18,7 @@ pub use page::PdfPage;
 const POINT: f64 = 25.4 / 72.0;
 
 /// The objects of a file by number.
-type Objects<'a> = BTreeMap<u32, Indirect<'a>>;
+type PdfObjects<'a> = BTreeMap<u32, Indirect<'a>>;
 
 /// What each kind of object may say; a key that is not here could run, hide or turn something.
 const KEYS: [(&str, &[&str]); 6] = [
@@ -51,11 +51,12 @@ pub(in crate::verify) fn read_document<'a>(
     if bytes.split(|byte| *byte == b'%').count() != SIGNS + 1 || !bytes.trim_ascii_end().ends_with(b"%%EOF") {
         findings.add(FindingCode::BadPdf, None, "comments, or no end", "no comments, and %%EOF last");
     }
-    let Some(File { objects, trailer }) = File::read(bytes, findings) else { return nothing };
-    let mut walk = Walk { objects: &objects, seen: BTreeSet::new(), findings };
+    let Some(PdfFile { objects, trailer }) = PdfFile::read(bytes, findings) else { return nothing };
+    let mut walk = PageWalk { objects: &objects, seen: BTreeSet::new(), findings };
     let root = trailer.get("Root").and_then(|root| walk.follow(root, "Catalog"));
     let scaling = root.and_then(|catalog| catalog.value.get("ViewerPreferences"));
-    if root.is_some() && scaling != Some(&Object::Dict([("PrintScaling", Object::Name("None"))].into())) {
+    if root.is_some() && scaling != Some(&PdfObject::Dict([("PrintScaling", PdfObject::Name("None"))].into()))
+    {
         walk.refuse("no /PrintScaling /None, without which pages are printed smaller");
     }
     let tree = root.and_then(|catalog| walk.follow(catalog.value.get("Pages")?, "Pages"));
@@ -65,10 +66,10 @@ pub(in crate::verify) fn read_document<'a>(
         findings.add(FindingCode::BadPdf, None, "no page tree", "a catalog with pages");
         return nothing;
     };
-    let kids = tree.value.get("Kids").map_or(&[][..], Object::items);
+    let kids = tree.value.get("Kids").map_or(&[][..], PdfObject::items);
     #[expect(clippy::cast_precision_loss, reason = "pages are few")]
     let (count, size) = (kids.len() as f64, objects.len() as f64 + 1.0);
-    let says = |object: &Object<'_>, key: &str| object.get(key).and_then(Object::number);
+    let says = |object: &PdfObject<'_>, key: &str| object.get(key).and_then(PdfObject::number);
     if says(&tree.value, "Count") != Some(count) || says(&trailer, "Size") != Some(size) {
         walk.refuse("another number of pages or objects than said");
     }
@@ -77,24 +78,24 @@ pub(in crate::verify) fn read_document<'a>(
         walk.refuse("objects that nothing refers to");
     }
     let title = info.and_then(|info| info.value.get("Title"));
-    let strings = title.into_iter().chain(trailer.get("ID").map_or(&[][..], Object::items));
-    (pages, strings.filter_map(Object::text).collect())
+    let strings = title.into_iter().chain(trailer.get("ID").map_or(&[][..], PdfObject::items));
+    (pages, strings.filter_map(PdfObject::text).collect())
 }
 
 /// The way from the trailer to all that it refers to.
-struct Walk<'a, 'b> {
-    objects: &'b Objects<'a>,
+struct PageWalk<'a, 'b> {
+    objects: &'b PdfObjects<'a>,
     seen: BTreeSet<u32>,
     findings: &'b mut Findings,
 }
 
-impl<'a, 'b> Walk<'a, 'b> {
+impl<'a, 'b> PageWalk<'a, 'b> {
     fn refuse(&mut self, found: impl Into<String>) {
         self.findings.add(FindingCode::BadPdf, None, found, "objects as this tool writes them");
     }
 
     /// The object that `reference` means, which must be of this kind, and not have been met before.
-    fn follow(&mut self, reference: &Object<'_>, kind: &str) -> Option<&'b Indirect<'a>> {
+    fn follow(&mut self, reference: &PdfObject<'_>, kind: &str) -> Option<&'b Indirect<'a>> {
         let number = reference.target()?;
         let object = self.objects.get(&number)?;
         if !self.seen.insert(number) {
@@ -108,9 +109,9 @@ impl<'a, 'b> Walk<'a, 'b> {
     }
 
     /// A dictionary has the keys of its kind, and says which kind it is.
-    fn keys(&mut self, object: &Object<'_>, kind: &str) {
+    fn keys(&mut self, object: &PdfObject<'_>, kind: &str) {
         let allowed = KEYS.iter().find(|(name, _)| *name == kind).map_or(&[][..], |(_, keys)| *keys);
-        let Object::Dict(entries) = object else {
+        let PdfObject::Dict(entries) = object else {
             self.refuse(format!("a {kind} that is no dictionary"));
             return;
         };
@@ -126,12 +127,12 @@ impl<'a, 'b> Walk<'a, 'b> {
         if let Some(missing) = missing {
             self.refuse(format!("a {kind} without /{missing}"));
         }
-        if entries.get("Type").is_some_and(|name| *name != Object::Name(kind)) {
+        if entries.get("Type").is_some_and(|name| *name != PdfObject::Name(kind)) {
             self.refuse(format!("another /Type than /{kind}"));
         }
     }
 
-    fn page(&mut self, kid: &Object<'_>) -> Option<PdfPage> {
+    fn page(&mut self, kid: &PdfObject<'_>) -> Option<PdfPage> {
         let content = self.follow(kid, "Page").and_then(|page| {
             let stream = self.follow(page.value.get("Contents")?, "Stream")?.stream?;
             Some((&page.value, stream, extent(&page.value)?))
@@ -146,24 +147,25 @@ impl<'a, 'b> Walk<'a, 'b> {
             return None;
         };
         // Resources can bring in fonts and pictures, which no drawing has.
-        if page.get("Resources") != Some(&Object::Dict(BTreeMap::new())) {
+        if page.get("Resources") != Some(&PdfObject::Dict(BTreeMap::new())) {
             self.refuse("a page with resources");
         }
-        let parent = page.get("Parent").and_then(Object::target).and_then(|number| self.objects.get(&number));
+        let parent =
+            page.get("Parent").and_then(PdfObject::target).and_then(|number| self.objects.get(&number));
         if !parent
             .is_some_and(|parent| parent.value.get("Kids").is_some_and(|kids| kids.items().contains(kid)))
         {
             self.refuse("a page whose parent does not have it");
         }
-        let unit = page.get("UserUnit").and_then(Object::number).unwrap_or(1.0);
+        let unit = page.get("UserUnit").and_then(PdfObject::number).unwrap_or(1.0);
         Some(content::read(stream, size, unit * POINT, self.findings))
     }
 }
 
 /// Width and height of a page, mm.
-fn extent(page: &Object<'_>) -> Option<(f64, f64)> {
-    let unit = page.get("UserUnit").map_or(Some(1.0), Object::number)?;
-    let numbers: Option<Vec<f64>> = page.get("MediaBox")?.items().iter().map(Object::number).collect();
+fn extent(page: &PdfObject<'_>) -> Option<(f64, f64)> {
+    let unit = page.get("UserUnit").map_or(Some(1.0), PdfObject::number)?;
+    let numbers: Option<Vec<f64>> = page.get("MediaBox")?.items().iter().map(PdfObject::number).collect();
     match numbers?[..] {
         [0.0, 0.0, w, h] if w > 0.0 && h > 0.0 => Some((w * unit * POINT, h * unit * POINT)),
         _ => None,
@@ -174,19 +176,19 @@ fn extent(page: &Object<'_>) -> Option<(f64, f64)> {
 struct Indirect<'a> {
     /// Where it begins, by which other readers find it.
     at: usize,
-    value: Object<'a>,
+    value: PdfObject<'a>,
     stream: Option<&'a [u8]>,
 }
 
 /// All objects, and the trailer's dictionary.
-struct File<'a> {
-    objects: Objects<'a>,
-    trailer: Object<'a>,
+struct PdfFile<'a> {
+    objects: PdfObjects<'a>,
+    trailer: PdfObject<'a>,
 }
 
-impl<'a> File<'a> {
+impl<'a> PdfFile<'a> {
     fn read(bytes: &'a [u8], findings: &mut Findings) -> Option<Self> {
-        let mut scan = Scan::new(bytes);
+        let mut scan = PdfScan::new(bytes);
         match Self::parts(&mut scan) {
             Ok(file) => Some(file),
             Err(found) => {
@@ -197,8 +199,8 @@ impl<'a> File<'a> {
         }
     }
 
-    fn parts(scan: &mut Scan<'a>) -> Result<Self, &'static str> {
-        let mut objects = Objects::new();
+    fn parts(scan: &mut PdfScan<'a>) -> Result<Self, &'static str> {
+        let mut objects = PdfObjects::new();
         let table = loop {
             let (at, word) = scan.word();
             if word == "xref" {
@@ -221,7 +223,7 @@ impl<'a> File<'a> {
 }
 
 /// An object whose number has been read.
-fn indirect<'a>(scan: &mut Scan<'a>, at: usize) -> Result<Indirect<'a>, &'static str> {
+fn indirect<'a>(scan: &mut PdfScan<'a>, at: usize) -> Result<Indirect<'a>, &'static str> {
     if (scan.word().1, scan.word().1) != ("0", "obj") {
         return Err("no object");
     }
@@ -229,7 +231,7 @@ fn indirect<'a>(scan: &mut Scan<'a>, at: usize) -> Result<Indirect<'a>, &'static
     let mut end = scan.word().1;
     let mut stream = None;
     if end == "stream" {
-        let length = value.get("Length").and_then(Object::number).and_then(whole);
+        let length = value.get("Length").and_then(PdfObject::number).and_then(whole);
         stream = length.and_then(|length| scan.stream(length));
         if stream.is_none() || scan.word().1 != "endstream" {
             return Err("a stream without its length");
@@ -240,7 +242,7 @@ fn indirect<'a>(scan: &mut Scan<'a>, at: usize) -> Result<Indirect<'a>, &'static
 }
 
 /// The table by which other readers find the objects says where they are.
-fn offsets(scan: &mut Scan<'_>, objects: &Objects<'_>) -> Result<(), &'static str> {
+fn offsets(scan: &mut PdfScan<'_>, objects: &PdfObjects<'_>) -> Result<(), &'static str> {
     let mut word = || scan.word().1;
     if (word(), word().parse()) != ("0", Ok(objects.len() + 1))
         || [word(), word(), word()] != ["0000000000", "65535", "f"]

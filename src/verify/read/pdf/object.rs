@@ -9,7 +9,7 @@ const DEPTH: usize = 16;
 
 /// One object.
 #[derive(Clone, Debug, PartialEq)]
-pub(in crate::verify) enum Object<'a> {
+pub(in crate::verify) enum PdfObject<'a> {
     /// A number.
     Number(f64),
     /// `/Name`.
@@ -17,16 +17,16 @@ pub(in crate::verify) enum Object<'a> {
     /// A string, as it stands in the file.
     Text(&'a [u8]),
     /// `[ ... ]`.
-    Array(Vec<Object<'a>>),
+    Array(Vec<PdfObject<'a>>),
     /// `<< ... >>`.
-    Dict(BTreeMap<&'a str, Object<'a>>),
+    Dict(BTreeMap<&'a str, PdfObject<'a>>),
     /// `n 0 R`.
     Reference(u32),
     /// A keyword or an operator.
     Word(&'a str),
 }
 
-impl<'a> Object<'a> {
+impl<'a> PdfObject<'a> {
     /// The value of `key`, if this is a dictionary that has it.
     pub(in crate::verify) fn get(&self, key: &str) -> Option<&Self> {
         match self {
@@ -70,14 +70,14 @@ impl<'a> Object<'a> {
 
 /// Reads objects off the front of bytes.
 #[derive(Clone)]
-pub(in crate::verify) struct Scan<'a> {
+pub(in crate::verify) struct PdfScan<'a> {
     bytes: &'a [u8],
     /// The same, if all of it is text, as a content is: then no word has to be looked at again.
     text: &'a str,
     at: usize,
 }
 
-impl<'a> Scan<'a> {
+impl<'a> PdfScan<'a> {
     pub(in crate::verify) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, text: std::str::from_utf8(bytes).unwrap_or_default(), at: 0 }
     }
@@ -118,11 +118,11 @@ impl<'a> Scan<'a> {
     }
 
     /// The next object; `None` at the end or where nothing can be read.
-    pub(in crate::verify) fn object(&mut self) -> Option<Object<'a>> {
+    pub(in crate::verify) fn object(&mut self) -> Option<PdfObject<'a>> {
         self.nested(0)
     }
 
-    fn nested(&mut self, depth: usize) -> Option<Object<'a>> {
+    fn nested(&mut self, depth: usize) -> Option<PdfObject<'a>> {
         if depth > DEPTH {
             return None;
         }
@@ -130,7 +130,7 @@ impl<'a> Scan<'a> {
         match (self.peek()?, self.bytes.get(self.at + 1)) {
             (b'/', _) => {
                 self.at += 1;
-                Some(Object::Name(self.regular()))
+                Some(PdfObject::Name(self.regular()))
             }
             (b'<', Some(b'<')) => {
                 self.at += 2;
@@ -143,7 +143,7 @@ impl<'a> Scan<'a> {
                     self.skip_blanks();
                     if self.peek()? == b']' {
                         self.at += 1;
-                        return Some(Object::Array(items));
+                        return Some(PdfObject::Array(items));
                     }
                     items.push(self.nested(depth + 1)?);
                 }
@@ -153,21 +153,21 @@ impl<'a> Scan<'a> {
             (b'<' | b')' | b']' | b'>' | b'{' | b'}', _) => None,
             _ => {
                 let word = self.regular();
-                let Some(value) = number::value(word) else { return Some(Object::Word(word)) };
-                Some(self.reference(word).unwrap_or(Object::Number(value)))
+                let Some(value) = number::value(word) else { return Some(PdfObject::Word(word)) };
+                Some(self.reference(word).unwrap_or(PdfObject::Number(value)))
             }
         }
     }
 
-    fn dict(&mut self, depth: usize) -> Option<Object<'a>> {
+    fn dict(&mut self, depth: usize) -> Option<PdfObject<'a>> {
         let mut entries = BTreeMap::new();
         loop {
             self.skip_blanks();
             if self.bytes.get(self.at..)?.starts_with(b">>") {
                 self.at += 2;
-                return Some(Object::Dict(entries));
+                return Some(PdfObject::Dict(entries));
             }
-            let Object::Name(key) = self.nested(depth + 1)? else { return None };
+            let PdfObject::Name(key) = self.nested(depth + 1)? else { return None };
             let value = self.nested(depth + 1)?;
             // A key that stands twice is read differently by different readers.
             if entries.insert(key, value).is_some() {
@@ -177,7 +177,7 @@ impl<'a> Scan<'a> {
     }
 
     /// `n 0 R`, of which `first` has been read.
-    fn reference(&mut self, first: &str) -> Option<Object<'a>> {
+    fn reference(&mut self, first: &str) -> Option<PdfObject<'a>> {
         let target: u32 = first.parse().ok()?;
         let mut ahead = self.clone();
         ahead.skip_blanks();
@@ -189,11 +189,11 @@ impl<'a> Scan<'a> {
             return None;
         }
         self.at = ahead.at;
-        Some(Object::Reference(target))
+        Some(PdfObject::Reference(target))
     }
 
     /// A string in brackets, which may hold pairs of brackets and escapes.
-    fn literal(&mut self) -> Option<Object<'a>> {
+    fn literal(&mut self) -> Option<PdfObject<'a>> {
         let (mut open, start) = (0_usize, self.at + 1);
         loop {
             match self.peek()? {
@@ -204,7 +204,7 @@ impl<'a> Scan<'a> {
             }
             self.at += 1;
             if open == 0 {
-                return Some(Object::Text(self.bytes.get(start..self.at - 1)?));
+                return Some(PdfObject::Text(self.bytes.get(start..self.at - 1)?));
             }
         }
     }

@@ -5,7 +5,7 @@
 //! Outside of these the constants are still returned, and [`covers`] says that they do not apply.
 
 use crate::mechanics::fault::HingeFault;
-use crate::mechanics::hinge::{Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
+use crate::mechanics::hinge::{HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star};
 use std::ops::RangeInclusive;
 
 /// Published target coiling factor, for R* = 0.1.
@@ -46,7 +46,7 @@ impl HingeModel for Fit {
             slope: curvature * (lambda - TARGET_COILING),
             curvature,
             edges: None,
-            effort: Effort::default(),
+            effort: HingeEffort::default(),
         })
     }
 

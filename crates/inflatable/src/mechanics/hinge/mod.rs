@@ -97,7 +97,7 @@ pub struct HingeState {
     /// The section's edges; `None` if the model does not know them.
     pub edges: Option<Edges>,
     /// How well the equations were solved.
-    pub effort: Effort,
+    pub effort: HingeEffort,
 }
 
 /// What happens at the inner and outer edge of the inflated hinge.
@@ -116,7 +116,7 @@ pub struct Edges {
 
 /// How well a model's equations were solved.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Effort {
+pub struct HingeEffort {
     /// Largest residual of the equations, scaled to order one.
     pub residual: f64,
     /// Newton steps.

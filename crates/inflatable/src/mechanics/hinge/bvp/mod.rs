@@ -18,7 +18,9 @@ mod volume;
 use self::path::{End, follow};
 use self::section::{PHI, PenalisedSection, TENSION, U};
 use crate::mechanics::fault::HingeFault;
-use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
+use crate::mechanics::hinge::{
+    Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
+};
 use crate::numerics::collocation::CollocationFault;
 
 /// Largest R*: beyond, the differences between sections are lost in the size of V_bar.
@@ -95,7 +97,7 @@ impl HingeModel for Bvp {
             slope: slopes.value,
             curvature: slopes.slope[0],
             edges: Some(edges(&end)),
-            effort: Effort {
+            effort: HingeEffort {
                 residual: end.solution.residual,
                 iterations: end.iterations,
                 // Measured: the error of V_bar and V_bar' is a hundredth of the residual at most.

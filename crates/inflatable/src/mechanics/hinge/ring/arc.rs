@@ -27,7 +27,7 @@ static RULE: LazyLock<[(f64, f64); POINTS]> = LazyLock::new(gauss_legendre::<POI
 
 /// Where an arc begins, and under which tension.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Start<const N: usize> {
+pub(super) struct ArcStart<const N: usize> {
     /// Slope angle phi there, rad.
     pub(super) phi: Dual<N>,
     /// Meridional tension T per radian.
@@ -40,7 +40,7 @@ pub(super) struct Start<const N: usize> {
 
 /// What an arc adds, and where it ends.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Arc<const N: usize> {
+pub(super) struct TensionArc<const N: usize> {
     /// Its length, the integral of ds.
     pub(super) length: Dual<N>,
     /// The integral of sin(phi) ds, the rise of z.
@@ -56,7 +56,7 @@ pub(super) struct Arc<const N: usize> {
 }
 
 /// The arc from `start` down to the slope angle `end`.
-pub(super) fn free_arc<const N: usize>(start: &Start<N>, end: Dual<N>) -> Arc<N> {
+pub(super) fn free_arc<const N: usize>(start: &ArcStart<N>, end: Dual<N>) -> TensionArc<N> {
     let zero = Dual::constant(0.0);
     let half = |phi: Dual<N>| (phi + FRAC_PI_2) * 0.5;
     let (theta_start, theta_end) = (half(start.phi), half(end));
@@ -66,7 +66,7 @@ pub(super) fn free_arc<const N: usize>(start: &Start<N>, end: Dual<N>) -> Arc<N>
     let end_sin = theta_end.sin_cos().0;
     let end_drop = tension4 * end_sin.squared();
     let end_axis = (bottom_square - end_drop).sqrt();
-    let mut arc = Arc {
+    let mut arc = TensionArc {
         length: zero,
         rise: zero,
         moment: zero,

@@ -30,7 +30,9 @@ use self::section::CONE;
 use self::section::{LAMBDA, PHI_0, TENSION};
 use self::solve::{Solved, solve_cone, solve_free, solve_onset, solve_target};
 use crate::mechanics::fault::HingeFault;
-use crate::mechanics::hinge::{Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star};
+use crate::mechanics::hinge::{
+    Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
+};
 use crate::numerics::NewtonFault;
 
 /// Largest R*: beyond, [`limit()`] is exact to 1e-6.
@@ -115,7 +117,7 @@ fn state(solved: &Solved) -> HingeState {
             width: solved.section.width.value,
             rim_force: 2.0 * tension * phi_0.cos(),
         }),
-        effort: Effort { residual: solved.residual, iterations: solved.iterations, error: ERROR },
+        effort: HingeEffort { residual: solved.residual, iterations: solved.iterations, error: ERROR },
     }
 }
 

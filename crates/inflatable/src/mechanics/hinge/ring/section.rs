@@ -14,7 +14,7 @@
 //! V_bar' = -∫ r^2 sin(phi) ds - 2 ∫_cone h r ds
 //! ```
 
-use crate::mechanics::hinge::ring::arc::{Arc, Start, free_arc};
+use crate::mechanics::hinge::ring::arc::{ArcStart, TensionArc, free_arc};
 use crate::numerics::Dual;
 use std::f64::consts::FRAC_PI_2;
 
@@ -25,41 +25,41 @@ pub(super) const CONE: usize = 2;
 pub(super) const LAMBDA: usize = 3;
 
 /// A number with its gradient with respect to the four unknowns.
-pub(super) type Number = Dual<4>;
+pub(super) type Gradient = Dual<4>;
 
 /// The section at one point of the space of unknowns.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct RingSection {
     /// Length of the meridian minus 1.
-    pub(super) length: Number,
+    pub(super) length: Gradient,
     /// z at the outer edge.
-    pub(super) closing: Number,
+    pub(super) closing: Gradient,
     /// `u = lambda r - s` at the end of the first arc.
-    pub(super) contact: Number,
+    pub(super) contact: Gradient,
     /// V_bar.
-    pub(super) volume: Number,
+    pub(super) volume: Gradient,
     /// dV_bar/dlambda.
-    pub(super) slope: Number,
+    pub(super) slope: Gradient,
     /// r at the outer edge: the inflated width over W.
-    pub(super) width: Number,
+    pub(super) width: Gradient,
 }
 
 /// The section without cone: one free arc, cut at a fixed angle only to share the quadrature.
 pub(super) fn free_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSection> {
-    let [phi_0, tension, _, lambda] = Number::variables(unknowns);
+    let [phi_0, tension, _, lambda] = Gradient::variables(unknowns);
     admissible(unknowns)?;
     let axis = lambda.recip() * r_star;
-    let start = Start { phi: phi_0, tension, axis, reach: Number::constant(0.0) };
-    let first = free_arc(&start, Number::constant(-0.75));
-    let start = Start { phi: Number::constant(-0.75), tension, axis: first.axis, reach: first.reach };
-    let second = free_arc(&start, Number::constant(-FRAC_PI_2));
+    let start = ArcStart { phi: phi_0, tension, axis, reach: Gradient::constant(0.0) };
+    let first = free_arc(&start, Gradient::constant(-0.75));
+    let start = ArcStart { phi: Gradient::constant(-0.75), tension, axis: first.axis, reach: first.reach };
+    let second = free_arc(&start, Gradient::constant(-FRAC_PI_2));
     Some(assemble(r_star, lambda, &first, None, &second))
 }
 
 /// The section with a cone between two free arcs.
 pub(super) fn cone_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSection> {
     admissible(unknowns)?;
-    let [phi_0, tension, cone, lambda] = Number::variables(unknowns);
+    let [phi_0, tension, cone, lambda] = Gradient::variables(unknowns);
     if lambda.value <= 1.0 || phi_0.value <= -lambda.value.recip().acos() {
         return None;
     }
@@ -67,7 +67,7 @@ pub(super) fn cone_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSectio
     let cos = lambda.recip();
     let sin = (-cos.squared() + 1.0).sqrt();
     let gamma = sin.atan2(cos);
-    let start = Start { phi: phi_0, tension, axis, reach: Number::constant(0.0) };
+    let start = ArcStart { phi: phi_0, tension, axis, reach: Gradient::constant(0.0) };
     let first = free_arc(&start, -gamma);
 
     // Along the cone Q and r grow by sigma cos(gamma), and T' = Q cot(gamma).
@@ -76,28 +76,28 @@ pub(super) fn cone_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSectio
     let end_tension = tension + cone * (q + gain * 0.5) * cos / sin;
     let hoop = cone * (q * r + (q + r) * gain * 0.5 + gain.squared() * (1.0 / 3.0)) / sin;
     let second_moment = -(sin * cone) * (r.squared() + r * gain + gain.squared() * (1.0 / 3.0));
-    let frustum = Cone {
+    let frustum = ConePart {
         length: cone,
         rise: -(sin * cone),
         moment: -(sin * cone) * (r + gain * 0.5),
         second_moment,
         hoop,
     };
-    let start = Start { phi: -gamma, tension: end_tension, axis: q + gain, reach: r + gain };
+    let start = ArcStart { phi: -gamma, tension: end_tension, axis: q + gain, reach: r + gain };
     if end_tension.value <= 0.0 || start.axis.value <= 0.0 {
         return None;
     }
-    let second = free_arc(&start, Number::constant(-FRAC_PI_2));
+    let second = free_arc(&start, Gradient::constant(-FRAC_PI_2));
     Some(assemble(r_star, lambda, &first, Some(&frustum), &second))
 }
 
 /// What the cone adds to the integrals; `hoop` is the integral of h r ds.
-struct Cone {
-    length: Number,
-    rise: Number,
-    moment: Number,
-    second_moment: Number,
-    hoop: Number,
+struct ConePart {
+    length: Gradient,
+    rise: Gradient,
+    moment: Gradient,
+    second_moment: Gradient,
+    hoop: Gradient,
 }
 
 /// Quadrature needs T > 0 and a start above the outer edge's slope, below a full turn.
@@ -108,13 +108,13 @@ fn admissible(unknowns: [f64; 4]) -> Option<()> {
 
 fn assemble(
     r_star: f64,
-    lambda: Number,
-    first: &Arc<4>,
-    cone: Option<&Cone>,
-    second: &Arc<4>,
+    lambda: Gradient,
+    first: &TensionArc<4>,
+    cone: Option<&ConePart>,
+    second: &TensionArc<4>,
 ) -> RingSection {
-    let zero = Number::constant(0.0);
-    let of_cone = |part: fn(&Cone) -> Number| cone.map_or(zero, part);
+    let zero = Gradient::constant(0.0);
+    let of_cone = |part: fn(&ConePart) -> Gradient| cone.map_or(zero, part);
     let moment = first.moment + of_cone(|c| c.moment) + second.moment;
     let second_moment = first.second_moment + of_cone(|c| c.second_moment) + second.second_moment;
     RingSection {

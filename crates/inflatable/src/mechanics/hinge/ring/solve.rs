@@ -5,7 +5,7 @@
 //! from the same Jacobian by implicit differentiation.
 
 use crate::mechanics::hinge::ring::section::{
-    CONE, LAMBDA, Number, PHI_0, RingSection, TENSION, cone_section, free_section,
+    CONE, Gradient, LAMBDA, PHI_0, RingSection, TENSION, cone_section, free_section,
 };
 use crate::numerics::newton::solve_dense;
 use crate::numerics::{NewtonFault, newton};
@@ -28,10 +28,10 @@ pub(super) struct Solved {
     pub(super) iterations: u32,
 }
 
-type Equations = fn(&RingSection) -> [Number; 4];
+type Equations = fn(&RingSection) -> [Gradient; 4];
 
 /// Which equations hold with a cone, in the order in which they are dropped when an unknown is held.
-fn with_cone(section: &RingSection) -> [Number; 4] {
+fn with_cone(section: &RingSection) -> [Gradient; 4] {
     [section.length, section.closing, section.contact, section.slope]
 }
 

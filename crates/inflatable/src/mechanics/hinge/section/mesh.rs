@@ -10,9 +10,9 @@ use std::sync::LazyLock;
 const POINTS: usize = 4;
 /// Share of the elements and reach of the layers at the inner and the outer rim, and of the fold at s = 1/2. Tuned on
 /// the stiffest sheets: without the fold's share their stiffness is ten times less accurate.
-const INNER: Layer = Layer { share: 0.1, reach: 0.01 };
-const OUTER: Layer = Layer { share: 0.1, reach: 0.02 };
-const FOLD: Layer = Layer { share: 0.15, reach: 0.05 };
+const INNER: GradedLayer = GradedLayer { share: 0.1, reach: 0.01 };
+const OUTER: GradedLayer = GradedLayer { share: 0.1, reach: 0.02 };
+const FOLD: GradedLayer = GradedLayer { share: 0.15, reach: 0.05 };
 /// Flat radius within which a sharp rim is one element. A point on the axis is a singular point: the coiling of a
 /// stretching sheet falls with the logarithm of the innermost element, for as long as one makes it smaller. A thousandth
 /// of the width is less than any fabric's thickness in range, and below that a sheet is none.
@@ -20,14 +20,14 @@ const CORE: f64 = 1e-3;
 
 /// Where elements are drawn together.
 #[derive(Clone, Copy, Debug)]
-struct Layer {
+struct GradedLayer {
     share: f64,
     reach: f64,
 }
 
 /// One Gauss point of the flat meridian.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Point {
+pub(super) struct GaussPoint {
     /// Distance s from the inner rim, in units of W.
     pub(super) place: f64,
     /// Flat radius w = R* + s.
@@ -41,7 +41,7 @@ pub(super) struct Point {
 
 /// The flat meridian of one R*.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Mesh {
+pub(super) struct MeridianMesh {
     /// R*; at 0 the inner rim is a point on the axis.
     pub(super) r_star: f64,
     /// Whether that point is none of a seal, but the middle of a disc, which rises.
@@ -49,10 +49,10 @@ pub(super) struct Mesh {
     /// Places of the nodes, rising from 0 to 1.
     pub(super) nodes: Vec<f64>,
     /// Gauss points of each element.
-    pub(super) elements: Vec<[Point; POINTS]>,
+    pub(super) elements: Vec<[GaussPoint; POINTS]>,
 }
 
-impl Mesh {
+impl MeridianMesh {
     /// `count` elements, two or more.
     pub(super) fn new(r_star: f64, count: usize) -> Self {
         Self::on(r_star, nodes(count))
@@ -125,12 +125,12 @@ fn cubics(x: f64, h: f64) -> [[f64; 4]; 2] {
 }
 
 /// A Gauss point at `x` with `weight` of the element between `ends`, with Hermite's cubics.
-fn point(r_star: f64, ends: [f64; 2], (x, weight): (f64, f64)) -> Point {
+fn point(r_star: f64, ends: [f64; 2], (x, weight): (f64, f64)) -> GaussPoint {
     let h = ends[1] - ends[0];
     let place = ends[0] + h * x;
     let radius = r_star + place;
     let [value, slope] = cubics(x, h);
-    Point {
+    GaussPoint {
         place,
         radius,
         area: weight * h * radius,
@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn nodes_rise_from_rim_to_rim_and_the_areas_are_the_annulus() {
         for r_star in [0.0, 1e-9, 5e-4, 1e-3, 0.1, 3.0] {
-            let mesh = Mesh::new(r_star, 48);
+            let mesh = MeridianMesh::new(r_star, 48);
             assert!(mesh.nodes.windows(2).all(|pair| pair[0] < pair[1]), "{r_star}");
             assert_eq!((mesh.nodes[0], mesh.nodes[mesh.nodes.len() - 1]), (0.0, 1.0));
             let area: f64 = mesh.elements.iter().flatten().map(|point| point.area).sum();
@@ -194,7 +194,7 @@ mod tests {
     #[test]
     fn shapes_reproduce_cubics() {
         let f = |s: f64| [s * s * s - 2.0 * s, 3.0 * s * s - 2.0, 6.0 * s];
-        let mesh = Mesh::new(0.1, 6);
+        let mesh = MeridianMesh::new(0.1, 6);
         for (ends, points) in mesh.nodes.windows(2).zip(&mesh.elements) {
             let [start, end] = [f(ends[0]), f(ends[1])];
             for point in points {

@@ -25,15 +25,15 @@ mod tests;
 
 pub use self::arms::ArmsByArc;
 pub use self::profile::{Meridian, MeridianPoint};
-pub use self::table::{RadiusSeries, SectionEntry, SectionTable};
+pub use self::table::{OFFSETS, RadiusSeries, SectionEntry, SectionTable, hinge_at};
 pub use self::tabled::Tabled;
 
 use self::density::{Hoop, Scales};
-use self::mesh::Mesh;
-use self::solve::{Lost, Search};
+use self::mesh::MeridianMesh;
+use self::solve::{Lost, ShapeSearch};
 use crate::mechanics::fault::HingeFault;
 use crate::mechanics::hinge::{
-    Arms, Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star,
+    Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
 };
 use crate::numerics::spans;
 use std::ops::RangeInclusive;
@@ -136,7 +136,7 @@ impl Section {
     /// # Errors
     /// If no shape is found.
     pub fn disc(&self) -> Result<[f64; 2], HingeFault> {
-        let mut search = Search::new(self.scales, Mesh::disc(self.elements));
+        let mut search = ShapeSearch::new(self.scales, MeridianMesh::disc(self.elements));
         search.rest_at(1.0).map_err(|lost| unsolved(0.0, lost))?;
         let shape = &search.shape;
         Ok([shape[shape.len() - 4], shape[2]])
@@ -148,9 +148,9 @@ impl Section {
         arms::arms(bendability, (stiffness * bendability).sqrt().recip(), r_star)
     }
 
-    fn rest(&self, r_star: f64) -> Result<Search, HingeFault> {
+    fn rest(&self, r_star: f64) -> Result<ShapeSearch, HingeFault> {
         check_r_star(r_star, MOST_R_STAR)?;
-        let mut search = Search::new(self.scales, Mesh::new(r_star, self.elements));
+        let mut search = ShapeSearch::new(self.scales, MeridianMesh::new(r_star, self.elements));
         search.rest().map_err(|lost| unsolved(r_star, lost))?;
         Ok(search)
     }
@@ -182,8 +182,8 @@ impl HingeModel for Section {
     }
 }
 
-fn state(search: &Search) -> HingeState {
-    let Search { lambda, shape, potential, .. } = search;
+fn state(search: &ShapeSearch) -> HingeState {
+    let ShapeSearch { lambda, shape, potential, .. } = search;
     HingeState {
         lambda: *lambda,
         volume: None,
@@ -197,7 +197,7 @@ fn state(search: &Search) -> HingeState {
             // The rim is sheet like the rest, and carries nothing of its own.
             rim_force: 0.0,
         }),
-        effort: Effort { residual: search.decrement, iterations: search.factorisations, error: ERROR },
+        effort: HingeEffort { residual: search.decrement, iterations: search.factorisations, error: ERROR },
     }
 }
 

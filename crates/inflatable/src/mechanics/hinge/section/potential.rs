@@ -1,7 +1,7 @@
 //! The potential of one sheet, summed over the meridian, with its exact gradient and Hessian.
 
 use crate::mechanics::hinge::section::density::{Jet, Scales, Strains, density};
-use crate::mechanics::hinge::section::mesh::{Mesh, Point};
+use crate::mechanics::hinge::section::mesh::{MeridianMesh, GaussPoint};
 use crate::numerics::SymmetricBand;
 
 /// Places of Q, Q' at an element's start and end among its eight unknowns; z, z' are two further on.
@@ -13,7 +13,7 @@ pub(super) const WIDTH: usize = 8;
 
 /// The meridian at `point`, from the unknowns `x` of its element.
 #[inline]
-pub(super) fn jet(point: &Point, x: &[f64; WIDTH]) -> Jet {
+pub(super) fn jet(point: &GaussPoint, x: &[f64; WIDTH]) -> Jet {
     let mut out = [0.0; 6];
     for (i, n) in point.shape.iter().enumerate() {
         for (part, shift) in [0, TO_Z].into_iter().enumerate() {
@@ -30,7 +30,7 @@ pub(super) fn of_element(x: &[f64], element: usize) -> &[f64; WIDTH] {
 }
 
 /// Pi at the shape `x`; `None` where the sheet would cross the axis, or nothing is finite.
-pub(super) fn value(scales: &Scales, mesh: &Mesh, lambda: f64, x: &[f64]) -> Option<f64> {
+pub(super) fn value(scales: &Scales, mesh: &MeridianMesh, lambda: f64, x: &[f64]) -> Option<f64> {
     let mut sum = 0.0;
     for (element, points) in mesh.elements.iter().enumerate() {
         let own = of_element(x, element);
@@ -83,7 +83,7 @@ impl Potential {
     }
 
     /// Takes all derivatives at the shape `x`; for `exact` see [`density`].
-    pub(super) fn assemble(&mut self, scales: &Scales, mesh: &Mesh, lambda: f64, x: &[f64], exact: bool) {
+    pub(super) fn assemble(&mut self, scales: &Scales, mesh: &MeridianMesh, lambda: f64, x: &[f64], exact: bool) {
         (self.slope, self.curvature) = (0.0, 0.0);
         self.gradient.fill(0.0);
         self.mixed.fill(0.0);
@@ -128,7 +128,7 @@ impl Potential {
 impl Element {
     /// Adds a point's density.
     #[inline]
-    fn add(&mut self, point: &Point, gradient: &Jet, mixed: &Jet, h: &[Jet; 6]) {
+    fn add(&mut self, point: &GaussPoint, gradient: &Jet, mixed: &Jet, h: &[Jet; 6]) {
         let n = &point.shape;
         let weighted = n.map(|row| row.map(|n| point.area * n));
         let [g0, g1, g2, g3, g4, g5] = *gradient;

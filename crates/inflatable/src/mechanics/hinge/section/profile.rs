@@ -2,7 +2,7 @@
 
 use crate::mechanics::hinge::section::density::Strains;
 use crate::mechanics::hinge::section::potential::{jet, of_element};
-use crate::mechanics::hinge::section::solve::Search;
+use crate::mechanics::hinge::section::solve::ShapeSearch;
 
 /// One place of the meridian. Lengths in units of W, forces per flat length in units of p W.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,8 +37,8 @@ pub struct Meridian {
 }
 
 impl Meridian {
-    pub(super) fn of(search: &Search) -> Self {
-        let Search { scales, mesh, lambda, shape, .. } = search;
+    pub(super) fn of(search: &ShapeSearch) -> Self {
+        let ShapeSearch { scales, mesh, lambda, shape, .. } = search;
         let mut points = Vec::new();
         let mut volume = 0.0;
         for (number, element) in mesh.elements.iter().enumerate() {

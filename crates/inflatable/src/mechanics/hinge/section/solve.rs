@@ -14,7 +14,7 @@
 //! unshifted H is positive definite. The buffers are made once.
 
 use crate::mechanics::hinge::section::density::Scales;
-use crate::mechanics::hinge::section::mesh::Mesh;
+use crate::mechanics::hinge::section::mesh::MeridianMesh;
 use crate::mechanics::hinge::section::potential::{Potential, WIDTH, value};
 use crate::numerics::{SymmetricBand, dot};
 
@@ -42,9 +42,9 @@ const MOST_SHIFT: f64 = 1e12;
 
 /// The search for shapes of one section, with the shape found last.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
+pub(super) struct ShapeSearch {
     pub(super) scales: Scales,
-    pub(super) mesh: Mesh,
+    pub(super) mesh: MeridianMesh,
     /// Coiling factor.
     pub(super) lambda: f64,
     /// Q, Q', z, z' at each node.
@@ -76,9 +76,9 @@ pub(super) struct Lost {
     pub(super) decrement: f64,
 }
 
-impl Search {
+impl ShapeSearch {
     /// Begins with a shallow arc.
-    pub(super) fn new(scales: Scales, mesh: Mesh) -> Self {
+    pub(super) fn new(scales: Scales, mesh: MeridianMesh) -> Self {
         let zero = vec![0.0; mesh.unknowns()];
         let lambda = START_LAMBDA;
         let shape = arc(&mesh, lambda, STARTS[0]);
@@ -279,7 +279,7 @@ impl Search {
 
 /// Lumped weights of the unknowns, which the shift multiplies. The radius is raised a little, or the nodes at a point on
 /// the axis had none.
-fn lumped(mesh: &Mesh) -> Vec<f64> {
+fn lumped(mesh: &MeridianMesh) -> Vec<f64> {
     let mut lumped = vec![0.0; mesh.unknowns()];
     for (number, ends) in mesh.nodes.windows(2).enumerate() {
         let h = ends[1] - ends[0];
@@ -293,7 +293,7 @@ fn lumped(mesh: &Mesh) -> Vec<f64> {
 }
 
 /// An arc of length 1 that opens by `angle` (rad) to both sides; at a point on the axis it begins flat.
-fn arc(mesh: &Mesh, lambda: f64, angle: f64) -> Vec<f64> {
+fn arc(mesh: &MeridianMesh, lambda: f64, angle: f64) -> Vec<f64> {
     let phi = |s: f64| {
         let flat = if mesh.r_star == 0.0 { s / (s + 0.02) } else { 1.0 };
         angle * (1.0 - 2.0 * s) * flat

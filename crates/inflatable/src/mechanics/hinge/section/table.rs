@@ -1,7 +1,7 @@
 //! The section at rest, and its moment around, as one series over (1/eps, t/W, R*, nu): for microseconds.
 //!
 //! In `b = 1/eps`, `tau = t / [W sqrt(12 (1 - nu^2))]`, R* and nu, with `p W / Y = b tau^2`, every quantity is smooth, and its
-//! Chebyshev coefficients fall fast in all four; those below [`SMALLEST`] are left out. `b` goes to a bound that falls with
+//! Chebyshev coefficients fall fast in all four; those below 3e-5 are left out. `b` goes to a bound that falls with
 //! tau, so that the series end a little beyond p W / Y = 0.1 and not far from it. R* enters by its logarithm from a
 //! thousandth on, where the solver's own core begins.
 //!
@@ -10,11 +10,9 @@
 //! changed. The order of summation is always the same, so an answer does not depend on what was asked before.
 
 use crate::mechanics::fault::HingeFault;
+use crate::mechanics::hinge::check_r_star;
 use crate::mechanics::hinge::section::{MOST_R_STAR, Section};
-use crate::mechanics::hinge::{HingeModel, check_r_star};
-use crate::numerics::Chebyshev;
 use std::cell::RefCell;
-use std::fmt::Write;
 use std::sync::LazyLock;
 
 /// Points of each series: b, tau, R*, nu.
@@ -23,14 +21,12 @@ const COUNTS: [usize; 4] = [11, 7, 9, 3];
 const ORDERS: [usize; 3] = [COUNTS[3], COUNTS[1], COUNTS[0]];
 /// Number of quantities.
 const QUANTITIES: usize = 8;
-/// Coefficients below this, in every quantity, are left out.
-const SMALLEST: f64 = 3e-5;
 /// tau at the ends of the series: t/W = 0.003 at nu = 0, and 0.03 at 0.49.
 const TAU: [f64; 2] = [8.660_254e-4, 9.934_52e-3];
 /// R* below which nothing changes any more.
 const SHARPEST: f64 = 1e-3;
 /// Where the moment is taken, as parts of lambda_t - 1 from lambda_t: from the flat angle to as far beyond.
-const OFFSETS: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
+pub const OFFSETS: [f64; 4] = [-1.0, -0.5, 0.5, 1.0];
 
 /// The series, as they are shipped.
 const SHIPPED: &str = include_str!("table.txt");
@@ -143,7 +139,7 @@ impl SectionTable {
     /// The hinge at rest: the same arguments and ranges as [`Section::new`], and R*.
     ///
     /// # Errors
-    /// As for [`Section::new`] and [`HingeModel::target`].
+    /// As for [`Section::new`] and [`HingeModel::target`](crate::mechanics::hinge::HingeModel::target).
     pub fn at(
         &self,
         bendability: f64,
@@ -170,45 +166,6 @@ impl SectionTable {
         let _ = Section::new(bendability, thickness, poisson)?;
         let place = place(bendability, thickness, poisson);
         Ok(LAST.with_borrow_mut(|last| last.at(&self.coefficients, place)))
-    }
-
-    /// Computes the series anew from the solver, as the text that is shipped; takes minutes. `progress` hears of each part.
-    ///
-    /// # Errors
-    /// If the section cannot be solved at one of its points.
-    pub fn make(progress: &mut dyn FnMut(usize, usize)) -> Result<String, HingeFault> {
-        let points = COUNTS.map(Chebyshev::points);
-        let total: usize = COUNTS.iter().product();
-        let mut values = Vec::with_capacity(total);
-        for number in 0..total {
-            let index = indices(number);
-            values.push(quantities(std::array::from_fn(|i| points[i][index[i]]))?);
-            progress(number + 1, total);
-        }
-        // One dimension after the other, each line of values becomes its coefficients.
-        for dimension in 0..4 {
-            for start in (0..total).filter(|number| indices(*number)[dimension] == 0) {
-                let stride: usize = COUNTS[dimension + 1..].iter().product();
-                let places = (0..COUNTS[dimension]).map(|i| start + i * stride);
-                let line: Vec<Quantities> = places.clone().map(|place| values[place]).collect();
-                for (place, coefficients) in places.zip(transformed(&line)) {
-                    values[place] = coefficients;
-                }
-            }
-        }
-        let mut text = String::new();
-        for (number, coefficients) in values.iter().enumerate() {
-            if coefficients.iter().any(|c| c.abs() >= SMALLEST) {
-                let orders = indices(number).map(|k| k.to_string()).join(" ");
-                let numbers: Vec<String> = coefficients
-                    .iter()
-                    .map(|c| format!("{:.0}", 1e6 * c))
-                    .map(|c| c.replace("-0", "0"))
-                    .collect();
-                let _ = writeln!(text, "{orders} {}", numbers.join(" "));
-            }
-        }
-        Ok(text)
     }
 }
 
@@ -237,7 +194,7 @@ impl RadiusSeries {
     /// The hinge at rest at R*.
     ///
     /// # Errors
-    /// As for [`HingeModel::target`].
+    /// As for [`HingeModel::target`](crate::mechanics::hinge::HingeModel::target).
     pub fn at(&self, r_star: f64) -> Result<SectionEntry, HingeFault> {
         check_r_star(r_star, MOST_R_STAR)?;
         let mut sum = [0.0; QUANTITIES];
@@ -266,25 +223,6 @@ fn summed(coefficients: &[Quantities], orders: usize, place: f64, out: &mut Vec<
             *sum += polynomial * c;
         }
     }
-}
-
-/// Chebyshev coefficients of each quantity, whose values at the points are `line`.
-fn transformed(line: &[Quantities]) -> Vec<Quantities> {
-    let series: [Chebyshev; QUANTITIES] = std::array::from_fn(|quantity| {
-        let values: Vec<f64> = line.iter().map(|values| values[quantity]).collect();
-        Chebyshev::through(&values)
-    });
-    (0..line.len()).map(|i| std::array::from_fn(|quantity| series[quantity].coefficients()[i])).collect()
-}
-
-/// Indices of a point in the four dimensions, the last one fastest.
-fn indices(mut number: usize) -> [usize; 4] {
-    let mut index = [0; 4];
-    for (own, count) in index.iter_mut().zip(COUNTS).rev() {
-        *own = number % count;
-        number /= count;
-    }
-    index
 }
 
 /// One line of the table: four orders, eight coefficients in millionths.
@@ -316,6 +254,14 @@ fn most_bendability(tau: f64) -> f64 {
     std::f64::consts::SQRT_2 / f64::hypot(1e-4, 10.0 * tau * tau)
 }
 
+/// b, tau, R* and nu at a place in the four dimensions, each 0 to 1: where the series are made.
+pub fn hinge_at([b, tau, r_star, poisson]: [f64; 4]) -> [f64; 4] {
+    let tau = TAU[0] * (TAU[1] / TAU[0]).powf(tau);
+    let bendability = 10.0 * (most_bendability(tau) / 10.0).powf(b);
+    let r_star = SHARPEST * ((MOST_R_STAR / SHARPEST).ln_1p() * r_star).exp_m1();
+    [bendability, tau, r_star, 0.49 * poisson]
+}
+
 /// Where a hinge is in nu, tau and b, each 0 to 1.
 fn place(bendability: f64, thickness: f64, poisson: f64) -> [f64; 3] {
     let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
@@ -329,25 +275,4 @@ fn place(bendability: f64, thickness: f64, poisson: f64) -> [f64; 3] {
 /// Where a hinge is in R*, 0 to 1.
 fn place_of_radius(r_star: f64) -> f64 {
     (r_star / SHARPEST).ln_1p() / (MOST_R_STAR / SHARPEST).ln_1p()
-}
-
-/// The quantities at a place of the series.
-fn quantities([b, tau, r_star, poisson]: [f64; 4]) -> Result<Quantities, HingeFault> {
-    let tau = TAU[0] * (TAU[1] / TAU[0]).powf(tau);
-    let bendability = 10.0 * (most_bendability(tau) / 10.0).powf(b);
-    let r_star = SHARPEST * ((MOST_R_STAR / SHARPEST).ln_1p() * r_star).exp_m1();
-    let section = Section::unchecked(bendability, (bendability * tau * tau).recip(), 0.49 * poisson);
-    let rest = section.target(r_star)?;
-    let away = OFFSETS.map(|part| part * (rest.lambda - 1.0));
-    let mut secants = [0.0; 4];
-    for half in [[1, 0], [2, 3]] {
-        let states = section.curve(r_star, &half.map(|i: usize| rest.lambda + away[i]))?;
-        for (i, state) in half.into_iter().zip(states) {
-            secants[i] = (state.slope / away[i] / rest.curvature).ln();
-        }
-    }
-    let edges = rest.edges.ok_or(HingeFault::Unsolved { r_star, lambda: rest.lambda, residual: f64::MAX })?;
-    let [a, b, c, d] = secants;
-    let opening = edges.tension * rest.lambda;
-    Ok([(rest.lambda - 1.0).ln(), (-rest.curvature).ln(), opening.ln(), edges.width, a, b, c, d])
 }

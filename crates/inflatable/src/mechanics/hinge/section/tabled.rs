@@ -5,7 +5,7 @@ use crate::mechanics::hinge::section::arms::{ArmsByArc, arms};
 use crate::mechanics::hinge::section::table::{RadiusSeries, SectionEntry, SectionTable};
 use crate::mechanics::hinge::section::{LEAST_LAMBDA, MOST_R_STAR};
 use crate::mechanics::hinge::{
-    Arms, Edges, Effort, HingeModel, HingeState, Level, check_lambda, check_r_star,
+    Arms, Edges, HingeEffort, HingeModel, HingeState, Level, check_lambda, check_r_star,
 };
 
 /// Largest lambda: the straight line beyond the table's end leads there, as a short hinge between strong ones needs it.
@@ -17,12 +17,12 @@ pub struct Tabled {
     series: RadiusSeries,
     /// 1/eps and tau.
     scales: [f64; 2],
-    known: [Known; 2],
+    known: [TabledState; 2],
 }
 
 /// A hinge that was looked up.
 #[derive(Clone, Copy, Debug)]
-struct Known {
+struct TabledState {
     r_star: f64,
     entry: SectionEntry,
     arms: Option<ArmsByArc>,
@@ -46,7 +46,7 @@ impl Tabled {
         Ok(Self { series, scales, known: [one, other] })
     }
 
-    fn at(&self, r_star: f64) -> Result<Known, HingeFault> {
+    fn at(&self, r_star: f64) -> Result<TabledState, HingeFault> {
         match self.known.iter().find(|known| known.r_star == r_star) {
             Some(known) => Ok(*known),
             None => known(&self.series, self.scales, r_star),
@@ -54,12 +54,12 @@ impl Tabled {
     }
 }
 
-fn known(series: &RadiusSeries, [bendability, tau]: [f64; 2], r_star: f64) -> Result<Known, HingeFault> {
+fn known(series: &RadiusSeries, [bendability, tau]: [f64; 2], r_star: f64) -> Result<TabledState, HingeFault> {
     let entry = series.at(r_star)?;
-    Ok(Known { r_star, entry, arms: arms(bendability, tau, r_star) })
+    Ok(TabledState { r_star, entry, arms: arms(bendability, tau, r_star) })
 }
 
-impl Known {
+impl TabledState {
     fn state(&self, lambda: f64) -> HingeState {
         let entry = &self.entry;
         // Beyond the ends of the table its last secant goes on: a straight line.
@@ -84,7 +84,7 @@ impl Known {
                 width: entry.width,
                 rim_force: 0.0,
             }),
-            effort: Effort { residual: 0.0, iterations: 0, error: SectionTable::STIFFNESS_ERROR },
+            effort: HingeEffort { residual: 0.0, iterations: 0, error: SectionTable::STIFFNESS_ERROR },
         }
     }
 }

@@ -21,8 +21,8 @@ fn draws(mut seed: u64) -> impl FnMut() -> f64 {
 fn gradient_and_hessian_are_the_derivatives_of_the_potential() {
     let scales = section(100.0, 300.0, 0.39, 0).scales;
     for r_star in [0.0, 0.1, 2.0] {
-        let mesh = Mesh::new(r_star, 5);
-        let mut search = Search::new(scales, mesh.clone());
+        let mesh = MeridianMesh::new(r_star, 5);
+        let mut search = ShapeSearch::new(scales, mesh.clone());
         // Any shape will do; a bent and stretched one leaves no term out.
         let mut draw = draws(3);
         search.shape.iter_mut().for_each(|x| *x += 0.02 * draw());

@@ -1,6 +1,6 @@
 //! The section at random over its whole range: does any hinge fail, and how many factorisations does it take?
 //!
-//! `cargo run --release --example section_random -- 10000`
+//! `cargo run --release -p research --example section_random -- 10000`
 
 #[path = "support/dice.rs"]
 mod dice;

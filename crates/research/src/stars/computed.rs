@@ -3,8 +3,8 @@
 
 use std::fmt::Write;
 
-use crate::digest::sha256;
-use crate::forecast::stars::draw::{DrawnStar, Set};
+use crate::sha256;
+use crate::stars::draw::{DrawnStar, Set};
 use inflatable::shell::cases::{Fineness, Objects, ShellFault, Value, Watch, star};
 
 /// Meshes of some 2,500, 10,000 and 40,000 unknowns.
@@ -63,7 +63,7 @@ impl DrawnStar {
     ) -> Result<String, ShellFault> {
         let Fineness { cells, cuts } = fineness;
         let mut text = String::from(
-            "# A star as a shell; `stargrip-cam table`. Lengths mm, t mm, angles deg, p kPa, E 128 MPa, nu 0.39.\n# Each number, its \
+            "# A star as a shell; `research stars`. Lengths mm, t mm, angles deg, p kPa, E 128 MPa, nu 0.39.\n# Each number, its \
              mesh error, and what the last three meshes gave.\n",
         );
         let _ = writeln!(text, "{} cells {cells} cuts {cuts}", self.words());

@@ -41,7 +41,7 @@ pub(crate) fn payload() -> String {
 
 /// The coating of the paper's gripper, and payloads over masses.
 pub(crate) fn coating() -> String {
-    let text = include_str!("../../designs/paper-gripper.toml");
+    let text = include_str!("../../../../designs/paper-gripper.toml");
     let spec = read(&Source::new("paper-gripper.toml", text)).expect("it is sound").spec;
     let design = StarDesign::new(&spec, &spec.stars[0]).expect("it can be made");
     let [thin, thick] = design.mask.coating_um();

@@ -1,6 +1,6 @@
 //! What the mechanics does at the ends of every range, as the tables of docs/stability.md.
 //!
-//! `cargo run --release --example extremes`
+//! `cargo run --release -p research --example extremes`
 
 use stargrip_cam::design::Star;
 use stargrip_cam::forecast::case::mechanism;

@@ -2,7 +2,7 @@
 //!
 //! Lengths mm, angles deg, pressures kPa, stiffnesses and moments N m; each number is followed by its mesh error.
 
-use stargrip_cam::forecast::stars::draw::Set;
+use research::stars::draw::Set;
 use stargrip_cam::shell::cases::{
     Fineness, Objects, ShellFault, Tube, VActuator, Value, Watch, actuator, star_by_sizes,
 };
@@ -180,7 +180,7 @@ fn compute_coarse(points: u32, grading: &str) -> Result<String, ShellFault> {
 /// Computes all of it, and prints it line by line as shells.txt is.
 pub(crate) fn compute() {
     println!(
-        "# V-actuators and stars as shells; made by `cargo run --release --example paper -- --shells`. t 0.3 mm, E 128 MPa, nu 0.39.\n\
+        "# V-actuators and stars as shells; made by `cargo run --release -p research --example paper -- --shells`. t 0.3 mm, E 128 MPa, nu 0.39.\n\
          # R = W/10; lengths mm, angles deg, p kPa: phi, lambda, C (N m), moments (N m) where held; each with its mesh error.\n\
          # Stars of the paper's figure: rho_f on three single meshes, the first of edges W/12.5, and their unknowns."
     );

@@ -3,9 +3,9 @@
 //! A tube that is pushed in by d on a small patch loses the volume A per d there, so it pushes back with p A. With the radii of
 //! curvature `R_m` along its meridian and `R_h` along the corner, cone included, the patch is an ellipse of `A = 2 pi d sqrt(R_m R_h)`.
 
+use research::stars::draw::PAPER_PRESSURES;
 use stargrip_cam::coupon::cone::{Balance, Cone};
 use stargrip_cam::forecast::model_selection::{corrected, tabled};
-use stargrip_cam::forecast::stars::draw::PAPER_PRESSURES;
 use stargrip_cam::mechanics::star::response::Inflated;
 use std::f64::consts::PI;
 use std::fmt::Write;

@@ -1,7 +1,7 @@
 //! All computed stars, one a line, as they are shipped.
 
-use crate::digest::sha256;
-use crate::forecast::stars::computed::ComputedStar;
+use crate::sha256;
+use crate::stars::computed::ComputedStar;
 
 /// The stars.
 const SHIPPED: &str = include_str!("stars.txt");
@@ -11,8 +11,8 @@ pub fn join(computed: &[ComputedStar]) -> String {
     let body: String = computed.iter().map(|star| star.line() + "\n").collect();
     let hash = sha256(&body);
     format!(
-        "# Stars as shells; read by src/forecast/stars/shipped.rs. E 128 MPa, nu 0.39; lengths mm, p kPa, angles deg.\n\
-         # Made by `stargrip-cam table DIR --set all`, the same with --forces, and --join. SHA-256 of the lines below: {hash}\n\
+        "# Stars as shells; read by crates/research/src/stars/shipped.rs. E 128 MPa, nu 0.39; lengths mm, p kPa, angles deg.\n\
+         # Made by `research stars DIR --set all`, the same with --forces, and --join. SHA-256 of the lines below: {hash}\n\
          # Radius and angle at rest, radial stiffness K (N/mm), force between arms (N), secants at openings by W (force over K times \
          the opening); each with its mesh error.\n{body}"
     )
@@ -26,7 +26,7 @@ pub fn shipped() -> Vec<ComputedStar> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::forecast::stars::computed::in_turn;
+    use crate::stars::computed::in_turn;
 
     #[test]
     fn the_shipped_stars_are_whole_and_are_those_that_are_drawn() {

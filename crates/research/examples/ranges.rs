@@ -1,10 +1,10 @@
 //! Predictions against stars computed as shells, as the tables of docs/ranges.md.
 //!
-//! `cargo run --release --example ranges`
+//! `cargo run --release -p research --example ranges`
 
-use stargrip_cam::forecast::ranges::validation::{Comparison, Pair, compare};
-use stargrip_cam::forecast::stars::draw::Set;
-use stargrip_cam::forecast::stars::shipped::shipped;
+use research::stars::draw::Set;
+use research::stars::shipped::shipped;
+use research::validation::{Comparison, Pair, compare};
 use std::fmt::Write;
 
 fn main() {

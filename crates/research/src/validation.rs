@@ -1,17 +1,17 @@
-//! The predictions held against the stars that shells were computed of: what the constants of [`errors`](super::errors) are taken from,
+//! The predictions held against the stars that shells were computed of: what the constants of [`errors`](stargrip_cam::forecast::ranges::errors) are taken from,
 //! and whether ranges hold.
 
-use crate::design::Star;
-use crate::forecast::case::{Case, Hinges, mechanism};
-use crate::forecast::model_selection::{corrected, tabled};
-use crate::forecast::outcome::Outcome;
-use crate::forecast::ranges::{Interval, angle_unit};
-use crate::forecast::stars::computed::{ComputedStar, Number, ShellNumbers};
-use crate::forecast::stars::draw::{DrawnStar, POISSON, Set, YOUNG};
-use crate::spec::StarSpec;
-use crate::units::{Angle, Length, Pressure};
+use crate::stars::computed::{ComputedStar, Number, ShellNumbers};
+use crate::stars::draw::{DrawnStar, POISSON, Set, YOUNG};
 use inflatable::mechanics::star::response::Inflated;
 use inflatable::mechanics::strength::ElasticSheet;
+use stargrip_cam::design::Star;
+use stargrip_cam::forecast::case::Case;
+use stargrip_cam::forecast::model_selection::{corrected, tabled};
+use stargrip_cam::forecast::outcome::Outcome;
+use stargrip_cam::forecast::ranges::{Interval, angle_unit};
+use stargrip_cam::spec::StarSpec;
+use stargrip_cam::units::{Angle, Length, Pressure};
 use std::f64::consts::PI;
 
 /// A number of the shell beside the predicted one.
@@ -25,7 +25,7 @@ pub struct Pair {
     pub predicted: f64,
     /// Its range.
     pub range: Interval,
-    /// The error as its constant counts it: see [`errors`](super::errors).
+    /// The error as its constant counts it: see [`errors`](stargrip_cam::forecast::ranges::errors).
     pub error: f64,
 }
 
@@ -112,20 +112,8 @@ pub fn case_of(drawn: &DrawnStar) -> Option<(Case, f64)> {
     };
     let star = Star::new(&spec).ok()?;
     let pressure = Pressure(drawn.pressure).pascals();
-    let case = Case {
-        mechanism: mechanism(&star),
-        inner_radius: Length(drawn.inner_radius).metres(),
-        realised: Hinges { tip: 0.0, corner: 0.0 },
-        band: 0.0,
-        sheet: ElasticSheet::new(Length(drawn.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?,
-        peel: None,
-        pressure: Some(pressure),
-        // Shells have no band and no flap.
-        hole: Length(drawn.inner_radius).metres(),
-        object: None,
-        entering: None,
-        friction: None,
-    };
+    let sheet = ElasticSheet::new(Length(drawn.thickness).metres(), 1e6 * YOUNG, POISSON).ok()?;
+    let case = Case::bare(&star, sheet, pressure);
     Some((case, pressure))
 }
 

@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Computes the paper's stars and one V-actuator as shells of every fineness, each as a process of its own: by_shell.txt.
 
-    python3 src/forecast/trade/by_shell.py target/release/stargrip-cam src/forecast/trade/by_shell.txt
+    python3 crates/research/by_shell.py target/release/stargrip-cam src/forecast/trade/by_shell.txt
 
 What stands in the file is not computed again. Time is the user's, over all threads; memory is the largest resident set.
 """
 import json, pathlib, subprocess, sys, tempfile
 
 HEAD = """\
-# Shells of every fineness, by src/forecast/trade/by_shell.py; one computation a line.
+# Shells of every fineness, by crates/research/by_shell.py; one computation a line.
 # Stars: W 30 mm, rho_0 50 mm, phi_i0 30 deg, R 0; V-actuator: W 20 mm, R 2 mm, arms 80 mm, 60 deg; both t 0.3 mm, E 128 MPa, nu 0.39.
 # fineness, n (0: the V-actuator), p kPa; radius mm or angle deg, its mesh error; K N/m or C N m, its mesh error; force N on the
 # object of that radius mm, its mesh error (stars); unknowns of the finest mesh; user time s; memory MB.
@@ -20,7 +20,7 @@ ACTUATOR = ["actuator", "--tube-width", "20 mm", "--radius", "2 mm", "--arm-leng
 
 def objects():
     """0.45 W more than the radii of the set `paper`."""
-    stars = pathlib.Path(__file__).parent.parent / "stars" / "stars.txt"
+    stars = pathlib.Path(__file__).parent / "src" / "stars" / "stars.txt"
     out = {}
     for line in stars.read_text().splitlines():
         words = line.split()

@@ -1,6 +1,6 @@
 //! The pictures of stars: radius by the number of points, force by the radius of the object.
 
-use stargrip_cam::forecast::stars::draw::PAPER_PRESSURES;
+use research::stars::draw::PAPER_PRESSURES;
 
 use super::actuator_pictures::{open, with};
 use super::plot::{Axis, COLOURS, GREY, Look, Plot, Series};

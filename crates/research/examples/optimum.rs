@@ -1,6 +1,6 @@
 //! Searches against grids: problems at random, the winner of each against 10^5 designs of a grid that meet the same constraints.
 //!
-//! `cargo run --release --example optimum -- 200`; with a second number, that problem alone. `-- 200 shell 20` computes the first 20
+//! `cargo run --release -p research --example optimum -- 200`; with a second number, that problem alone. `-- 200 shell 20` computes the first 20
 //! winners whose constraints a shell can judge as shells: how far they close, whether they open so far, how hard they press.
 
 #[path = "support/dice.rs"]
@@ -10,7 +10,7 @@ use dice::Dice;
 use rayon::prelude::*;
 use stargrip_cam::forecast::candidate::{Answer, Candidate};
 use stargrip_cam::forecast::optimize::{
-    Bounds, Constraints, Evaluation, Goal, search, shortfalls, sure_payload,
+    Constraints, Evaluation, Goal, SearchBounds, search, shortfalls, sure_payload,
 };
 use stargrip_cam::forecast::shell::star::flat;
 use stargrip_cam::mechanics::hinge::ring::RingTable;
@@ -30,7 +30,7 @@ const BEATEN: f64 = 0.005;
 /// One problem: what is searched, in which box, and for what.
 struct Problem {
     base: Candidate,
-    bounds: Bounds,
+    bounds: SearchBounds,
     constraints: Constraints,
     goal: Goal,
 }
@@ -64,7 +64,8 @@ impl Problem {
             friction: Some(dice.even(0.2, 0.9)),
             ..base.load
         };
-        let mut bounds = Bounds { points: POINTS, tip_angle: [15.0, 75.0].map(Angle), ..Bounds::just(&base) };
+        let mut bounds =
+            SearchBounds { points: POINTS, tip_angle: [15.0, 75.0].map(Angle), ..SearchBounds::just(&base) };
         match (3.0 * dice.throw()).floor() {
             0.0 => bounds.inner_radius = [0.7, 1.5].map(|part| Length(part * hole)),
             1.0 => bounds.pressure = Some([0.5, 1.5].map(|part| Pressure(part * pressure))),
@@ -115,7 +116,7 @@ impl Problem {
     }
 
     fn at(&self, points: u32, place: [u32; 2], table: &RingTable) -> Option<f64> {
-        let Bounds { tip_angle, width, inner_radius, pressure, .. } = &self.bounds;
+        let SearchBounds { tip_angle, width, inner_radius, pressure, .. } = &self.bounds;
         let [first, second] = place.map(|k| f64::from(k) / f64::from(PLACES - 1));
         let between = |[from, to]: [f64; 2], part: f64| from + part * (to - from);
         let mut point = self.base.clone();

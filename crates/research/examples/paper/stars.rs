@@ -1,14 +1,14 @@
 //! The paper's stars of three to nine points: how far they close, and how hard they press.
 
+use research::stars::computed::ComputedStar;
+use research::stars::draw::{PAPER_PRESSURES, Set};
+use research::stars::shipped::shipped;
+use research::validation::{Comparison, case_of, compare};
 use stargrip_cam::design::{Refusal, Star};
 use stargrip_cam::forecast::case::{Case, mechanism};
 use stargrip_cam::forecast::model_selection::tabled;
 use stargrip_cam::forecast::outcome::Outcome;
 use stargrip_cam::forecast::ranges::Interval;
-use stargrip_cam::forecast::ranges::validation::{Comparison, case_of, compare};
-use stargrip_cam::forecast::stars::computed::ComputedStar;
-use stargrip_cam::forecast::stars::draw::{PAPER_PRESSURES, Set};
-use stargrip_cam::forecast::stars::shipped::shipped;
 use stargrip_cam::mechanics::hinge::fit::Fit;
 use stargrip_cam::mechanics::hinge::ring::Ring;
 use stargrip_cam::mechanics::star::Mechanism;

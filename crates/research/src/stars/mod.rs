@@ -6,4 +6,5 @@
 
 pub mod computed;
 pub mod draw;
+pub mod finest;
 pub mod shipped;

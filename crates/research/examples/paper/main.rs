@@ -1,6 +1,6 @@
 //! Every figure and number of the paper that the models can give: the tables of docs/paper.md.
 //!
-//! `cargo run --release --example paper`; with `-- --svg docs` it writes the pictures there, too. `-- --shells` computes what is kept in
+//! `cargo run --release -p research --example paper`; with `-- --svg docs` it writes the pictures there, too. `-- --shells` computes what is kept in
 //! shells.txt, and prints it: minutes.
 
 mod actuator_pictures;

@@ -3,7 +3,7 @@
 //! A ladder is one tau, R* and nu at all pressures of the table's grid; its answer is a text that stands alone, with a
 //! checksum of its own in its last line. All texts together are joined into the table, `section` subtracted.
 
-use crate::digest::sha256;
+use crate::sha256;
 use inflatable::mechanics::fault::HingeFault;
 use inflatable::mechanics::hinge::HingeModel;
 use inflatable::mechanics::hinge::section::{Section, arms};
@@ -88,7 +88,7 @@ impl Ladder {
         };
         let found = inflations(&case, &pressures, fineness, watch)?;
         let mut text = String::from(
-            "# A V-actuator with arms of 4 W as a shell; `stargrip-cam table`.\n# 1/eps; alpha, deg, its mesh error, on \
+            "# A V-actuator with arms of 4 W as a shell; `research ladders`.\n# 1/eps; alpha, deg, its mesh error, on \
              three meshes; C alpha_0 / (p W^3), its mesh error, on three meshes.\n",
         );
         let Self { number, angle, tau, r_star, poisson } = self;
@@ -218,8 +218,8 @@ pub fn join(climbed: &[LadderTable]) -> Result<String, JoinFault> {
     }
     let hash = sha256(&body);
     Ok(format!(
-        "# What arms add to a hinge; read by src/mechanics/hinge/section/arms.rs.\n\
-         # Made by `stargrip-cam table DIR` and `stargrip-cam table DIR --join`. SHA-256 of the lines below: {hash}\n\
+        "# What arms add to a hinge; read by crates/inflatable/src/mechanics/hinge/section/arms.rs.\n\
+         # Made by `research ladders DIR` and `research ladders DIR --join` (crates/research). SHA-256 of the lines below: {hash}\n\
          # phi_0, deg, tau, R*, 1/eps; delta and its mesh error, the arms' give and its mesh error, deg.\n{body}"
     ))
 }

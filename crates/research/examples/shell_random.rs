@@ -1,6 +1,6 @@
 //! Shells at random over all that they are made for: does any find no equilibrium?
 //!
-//! `cargo run --release --example shell_random -- 100`: so many V-actuators, and so many stars of 3 to 8, 12 and 16 points. Half of all hinges turn on a
+//! `cargo run --release -p research --example shell_random -- 100`: so many V-actuators, and so many stars of 3 to 8, 12 and 16 points. Half of all hinges turn on a
 //! point. What was drawn is printed with each that fails.
 
 #[path = "support/dice.rs"]

@@ -1,0 +1,190 @@
+//! `research`: computes the stars and ladders of the shipped tables, a file each, and joins them. What is there is not computed again.
+
+use std::error::Error;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use inflatable::shell::cases::{Fineness, Watch};
+use research::ladders::{self, Ladder, LadderTable, ladders};
+use research::stars::computed::{self, ComputedStar, FORCE_FINENESS, OPENINGS, in_turn};
+use research::stars::draw::{DrawnStar, Set};
+use research::stars::{finest, shipped};
+
+/// Makes the tables of computed shells that stargrip-cam ships.
+#[derive(Parser)]
+struct Cli {
+    #[command(subcommand)]
+    table: Table,
+}
+
+#[derive(Subcommand)]
+enum Table {
+    /// V-actuators at rising pressures: what arms add to a hinge.
+    Ladders(Work),
+    /// Stars of the drawn sets.
+    Stars {
+        #[command(flatten)]
+        work: Work,
+        /// Which set: fit, range, test, paper or all.
+        #[arg(long, default_value = "all", value_parser = sets)]
+        set: Sets,
+        /// Open the stars by round objects, too.
+        #[arg(long)]
+        forces: bool,
+    },
+    /// Print the paper's stars as `stargrip-cam trade` ships them.
+    Finest,
+}
+
+#[derive(clap::Args)]
+struct Work {
+    /// Where each result is a file.
+    dir: PathBuf,
+    /// Compute nothing: print the table of what is there, and of stars whose files are not, as they are shipped.
+    #[arg(long)]
+    join: bool,
+    /// Compute only part k of N, for several processes at once.
+    #[arg(long, value_name = "k/N", value_parser = part, default_value = "1/1", conflicts_with = "join")]
+    part: Part,
+    /// Edges across the hinge of the coarsest mesh, in place of those of the shipped tables.
+    #[arg(long)]
+    cells: Option<f64>,
+}
+
+#[derive(Clone)]
+struct Sets(Vec<Set>);
+
+fn sets(text: &str) -> Result<Sets, String> {
+    let meant: Vec<Set> = Set::ALL.into_iter().filter(|set| text == "all" || text == set.name()).collect();
+    if meant.is_empty() {
+        Err("allowed are fit, range, test, paper and all".to_owned())
+    } else {
+        Ok(Sets(meant))
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Part {
+    own: usize,
+    of: usize,
+}
+
+fn part(text: &str) -> Result<Part, String> {
+    let read = || -> Option<Part> {
+        let (own, of) = text.split_once('/')?;
+        let part = Part { own: own.parse().ok()?, of: of.parse().ok()? };
+        (1..=part.of).contains(&part.own).then_some(part)
+    };
+    read().ok_or_else(|| format!("`{text}` is not k/N with k from 1 to N"))
+}
+
+fn main() -> ExitCode {
+    match run(Cli::parse().table) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(fault) => {
+            eprintln!("error: {fault}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(table: Table) -> Result<(), Box<dyn Error>> {
+    match table {
+        Table::Ladders(work) if work.join => {
+            let found = |ladder: &Ladder| LadderTable::read(&text_of(&ladder_file(&work.dir, ladder))?);
+            let found: Vec<LadderTable> = ladders().iter().filter_map(found).collect();
+            print!("{}", ladders::join(&found)?);
+        }
+        Table::Ladders(work) => all_ladders(&work)?,
+        Table::Stars { work, set, .. } if work.join => {
+            let known = shipped::shipped();
+            let of_set = in_turn().into_iter().filter(|star| set.0.contains(&star.set));
+            let joined: Vec<ComputedStar> =
+                of_set.filter_map(|star| rest_and_forces(&work.dir, &star, &known)).collect();
+            print!("{}", shipped::join(&joined));
+        }
+        Table::Stars { work, set, forces } => stars(&work, &set.0, forces)?,
+        Table::Finest => print!("{}", finest::table(&shipped::shipped())),
+    }
+    Ok(())
+}
+
+impl Work {
+    /// Those of `all` that are of this part.
+    fn of_part<T>(&self, all: Vec<T>) -> impl Iterator<Item = T> {
+        let Part { own, of } = self.part;
+        all.into_iter().enumerate().filter(move |(place, _)| place % of + 1 == own).map(|(_, one)| one)
+    }
+
+    fn fineness(&self, shipped: Fineness) -> Fineness {
+        Fineness { cells: self.cells.unwrap_or(shipped.cells), ..shipped }
+    }
+}
+
+fn all_ladders(work: &Work) -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all(&work.dir)?;
+    for ladder in work.of_part(ladders()) {
+        let path = ladder_file(&work.dir, &ladder);
+        if text_of(&path).and_then(|text| LadderTable::read(&text)).is_none() {
+            replace(&path, &ladder.compute(work.fineness(ladders::FINENESS), &Watch::default())?)?;
+            eprintln!("ladder {} of {}", ladder.number, ladders().len());
+        }
+    }
+    Ok(())
+}
+
+fn stars(work: &Work, sets: &[Set], forces: bool) -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all(&work.dir)?;
+    let all = in_turn().into_iter().filter(|star| sets.contains(&star.set)).collect();
+    for star in work.of_part(all) {
+        let (openings, fineness) = match star.set {
+            _ if forces => (&OPENINGS[..], FORCE_FINENESS),
+            Set::Paper => (&[][..], computed::PAPER_FINENESS),
+            Set::Fit | Set::Range | Set::Test => (&[][..], computed::FINENESS),
+        };
+        let path = star_file(&work.dir, &star, forces);
+        if read_star(&path, &star).is_none() {
+            replace(&path, &star.compute(openings, work.fineness(fineness), &Watch::default())?)?;
+            eprintln!("star {} of {}", star.number, star.set.name());
+        }
+    }
+    Ok(())
+}
+
+fn ladder_file(dir: &Path, ladder: &Ladder) -> PathBuf {
+    dir.join(format!("ladder-{:02}.txt", ladder.number))
+}
+
+fn star_file(dir: &Path, star: &DrawnStar, forces: bool) -> PathBuf {
+    dir.join(format!("{}-{:02}{}.txt", star.set.name(), star.number, if forces { "-forces" } else { "" }))
+}
+
+fn read_star(path: &Path, star: &DrawnStar) -> Option<ComputedStar> {
+    star.read(&text_of(path)?)
+}
+
+/// A star at rest, as the shipped table has it if its file is missing, with the secants of its file of forces.
+fn rest_and_forces(dir: &Path, star: &DrawnStar, known: &[ComputedStar]) -> Option<ComputedStar> {
+    let shipped = || known.iter().find(|one| one.star == *star).cloned();
+    let mut rest = read_star(&star_file(dir, star, false), star).or_else(shipped)?;
+    let opened = read_star(&star_file(dir, star, true), star).and_then(|opened| opened.found);
+    if let (Some(rest), Some(opened)) = (&mut rest.found, opened) {
+        rest.secants = opened.secants;
+    }
+    Some(rest)
+}
+
+/// The text of a file; `None` if there is none.
+fn text_of(path: &Path) -> Option<String> {
+    fs::read_to_string(path).ok()
+}
+
+/// Writes a file whole or not at all.
+fn replace(path: &Path, text: &str) -> io::Result<()> {
+    let unfinished = path.with_extension("unfinished");
+    fs::write(&unfinished, text)?;
+    fs::rename(unfinished, path)
+}
