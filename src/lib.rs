@@ -65,4 +65,5 @@ pub mod coupon;
 
 pub mod pipeline;
 
+#[cfg(feature = "cli")]
 pub mod cli;
