@@ -65,4 +65,7 @@ pub mod coupon;
 
 pub mod pipeline;
 
+pub mod answer;
+
+#[cfg(feature = "cli")]
 pub mod cli;

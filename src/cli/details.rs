@@ -3,13 +3,15 @@
 use std::fmt::Write;
 
 use crate::airtight;
-use crate::artifact::{Format, Output};
+use crate::artifact::Output;
 use crate::design::{COATING_ASSUMES, Design, FlatPiece, Plate, StarAssembly, StarDesign};
 use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};
 use crate::spec::Spec;
 use crate::units::Readable;
-use crate::verify::Proof;
+
+pub(super) use crate::answer::hours;
+pub(super) use crate::answer::proof::scope;
 
 /// What a check found out.
 pub(super) fn checked(forecast: &Forecast) -> String {
@@ -180,29 +182,6 @@ fn pages(output: &Output, design: &Design) -> Option<String> {
     }
 }
 
-/// What was compared with what, and how near it is.
-pub(super) fn scope(proof: &Proof) -> String {
-    let all = proof.files.len();
-    let measured = proof.files.iter().filter(|file| file.deviation.is_some()).count();
-    let nearest = |of: &dyn Fn(Format) -> bool| {
-        let deviations = proof.files.iter().filter(|file| of(file.output.kind.format()));
-        deviations.filter_map(|file| file.deviation).reduce(f64::max)
-    };
-    // Paper and solids say arcs by curves and chords, with tolerances of their own.
-    let within: Vec<String> = [
-        ("lines and arcs", nearest(&|format| !matches!(format, Format::Pdf | Format::Stl)), 6),
-        ("paper", nearest(&|format| format == Format::Pdf), 4),
-        ("solids", nearest(&|format| format == Format::Stl), 4),
-    ]
-    .into_iter()
-    .filter_map(|(what, mm, digits)| mm.map(|mm| format!("{what} within {mm:.digits$} mm")))
-    .collect();
-    if within.is_empty() {
-        return format!("none of {all} files has geometry that is compared; nothing was measured");
-    }
-    format!("{measured} of {all} files compared with the exact geometry: {}", within.join(", "))
-}
-
 /// What the gripper will do, where that was asked for.
 fn predicted(forecast: &Forecast) -> String {
     let Some(mut prediction) = forecast.prediction.clone() else { return String::new() };
@@ -211,10 +190,4 @@ fn predicted(forecast: &Forecast) -> String {
     // The name stands above already.
     let body = text.split_once('\n').map_or("", |(_, body)| body);
     format!("predicted:\n{}", body.trim_start_matches('\n'))
-}
-
-/// A time for people.
-pub(super) fn hours(seconds: f64) -> String {
-    let minutes = (seconds / 60.0).round();
-    format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
 }

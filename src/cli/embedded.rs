@@ -9,7 +9,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Command, ValueEnum};
 
-use crate::cli::load::{Loaded, machine_source, read_source, refused, with_drawing};
+use crate::answer;
+use crate::answer::refused::at_keys;
+use crate::cli::load::{Loaded, machine_source, read_source, with_drawing};
 use crate::cli::{actuator, cache, optimize, predict, verify};
 use crate::design::Refusals;
 use crate::forecast::actuator::Actuator;
@@ -62,7 +64,7 @@ impl Given {
 
     /// Refusals of its design as faults at the keys they speak of.
     pub fn refused(&self, refusals: Refusals) -> Faults {
-        refused(&self.source, &self.reading.raw, refusals)
+        at_keys(&self.source, &self.reading.raw, refusals)
     }
 }
 
@@ -78,7 +80,7 @@ pub fn prove(dir: &Path) -> Result<Proof, Failure> {
 
 /// A proof as `verify --json` prints it.
 pub fn proof_json(proof: &Proof) -> String {
-    verify::json(proof)
+    answer::proof::json(proof)
 }
 
 /// What a search has come to.

@@ -6,13 +6,13 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use crate::answer::refused::{finding_json, refusal, refused_by};
 use crate::cli::escape::{escaped, shown};
 use crate::cli::terminal::{fitted, has_colours, width};
 use crate::cli::unproven::Unproven;
 use crate::cli::{PublishFault, interrupt};
 use crate::pipeline::CommandCode;
-use crate::spec::{Code, Fault, Faults, Severity};
-use crate::verify::Finding;
+use crate::spec::{Code, Faults};
 
 /// Why a command did not do what it was asked for, or only a part of it.
 #[derive(Debug)]
@@ -64,7 +64,7 @@ impl Failure {
         let bare = |code: CommandCode, found: &str| vec![refusal(code.as_str(), found)];
         match self {
             Self::Faults(faults) => Some(refused_by(faults)),
-            Self::Unproven(unproven) => Some(unproven.findings.iter().map(found_wrong).collect()),
+            Self::Unproven(unproven) => Some(unproven.findings.iter().map(finding_json).collect()),
             Self::Publish(error) => Some(bare(CommandCode::NotPublished, &error.to_string())),
             Self::Infeasible(text) => Some(bare(CommandCode::Infeasible, text)),
             Self::Message(text) => Some(bare(CommandCode::Failed, text)),
@@ -127,39 +127,6 @@ impl From<PublishFault> for Failure {
     fn from(error: PublishFault) -> Self {
         Self::Publish(error)
     }
-}
-
-/// One refusal: its code, and what was found. Keys that mean nothing here are null.
-fn refusal(code: &str, found: &str) -> Value {
-    let none = Value::Null;
-    json!({ "code": code, "key": none, "found": found, "allowed": none, "remedy": none, "file": none, "line": none })
-}
-
-/// What refuses a spec or a profile; warnings are left out.
-fn refused_by(faults: &Faults) -> Vec<Value> {
-    let errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
-    let one = |fault: &Fault| {
-        let mut value = refusal(fault.code, &fault.message);
-        value["key"] = json!(faults.key_of(fault));
-        value["allowed"] = json!(fault.label);
-        value["remedy"] = json!(fault.help);
-        value["file"] = json!(faults.source().name);
-        value["line"] = json!(faults.line_of(fault));
-        if let Some(drawn) = &fault.drawn {
-            value["elements"] = json!(drawn.elements);
-            value["at_mm"] = json!(drawn.at);
-        }
-        value
-    };
-    errors.map(one).collect()
-}
-
-fn found_wrong(finding: &Finding) -> Value {
-    let mut value = refusal(finding.code, &finding.found);
-    value["allowed"] = json!(finding.allowed);
-    value["file"] = json!(finding.file);
-    value["line"] = json!(finding.line);
-    value
 }
 
 /// Prints warnings to standard error, if there are any.

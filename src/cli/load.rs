@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use crate::answer::refused::at_keys;
 use crate::artifact::Asked;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell, warn};
@@ -14,7 +15,7 @@ use crate::design::{Refusal, RefusalCode, Refusals, Warning};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{Forecast, Proven, Sources};
 use crate::spec;
-use crate::spec::{Fault, FaultCode, Faults, Machine, RawSpec, Reading, SIZE_LIMIT, Source, key};
+use crate::spec::{Fault, FaultCode, Faults, Machine, Reading, SIZE_LIMIT, Source, key};
 use crate::verify::Finding;
 
 /// The profile's name in a published directory.
@@ -121,27 +122,8 @@ impl Loaded {
 
     /// Refusals of the design as faults at the keys they speak of.
     pub(super) fn refused(&self, refusals: Refusals) -> Failure {
-        Failure::Faults(refused(&self.source, &self.reading.raw, refusals))
+        Failure::Faults(at_keys(&self.source, &self.reading.raw, refusals))
     }
-}
-
-/// Refusals of the design of `raw`, read from `source`, as faults at the keys they speak of.
-pub(super) fn refused(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
-    let faults = refusals.into_iter().map(|refusal| {
-        let key = refusal.key;
-        let fault = Fault::error(refusal.code, raw.span_of(key), refusal.found)
-            .label(refusal.remedy)
-            .drawn_at(refusal.drawn);
-        if raw.find(key).is_some() {
-            return fault;
-        }
-        fault.help(format!(
-            "`{}` in [{}] is not written: this is about its default",
-            key.key(),
-            key.section()
-        ))
-    });
-    Faults::new(source, faults.collect())
 }
 
 /// Whether `path` stands for standard input: "-".

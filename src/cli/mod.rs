@@ -36,7 +36,6 @@ mod overview;
 mod predict;
 mod progress;
 mod publish;
-mod quantity;
 mod rebuilt;
 mod resume;
 mod schema;
@@ -47,7 +46,6 @@ mod text_file;
 mod trade;
 mod unproven;
 mod verbosity;
-mod verdict;
 mod verify;
 mod watch;
 mod whole_file;
@@ -58,6 +56,8 @@ use std::process::ExitCode;
 
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use crate::answer::quantity;
+use crate::answer::verdict;
 use crate::cli::escape::shown;
 
 pub use publish::{PublishFault, Published, publish};

@@ -21,6 +21,9 @@ use crate::pipeline::{Forecast, Precaution, Proven};
 use crate::spec::StarSpec;
 use crate::units::{Angle, Length};
 
+pub(super) use crate::answer::overview_json as json;
+pub(super) use crate::answer::sealing_time;
+
 /// Columns of the labels.
 const LABEL: usize = 11;
 
@@ -105,11 +108,6 @@ pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
     let sheets = format!("{number} of {}{area}", forecast.sheet_sizes());
     let seal = format!("{} at {}{}", hours(seconds), forecast.spec.seal.speed, end.unwrap_or_default());
     vec![("sealing", seal), (if number == 1 { "sheet" } else { "sheets" }, sheets)]
-}
-
-/// How long all programs take, s, without heating and pauses.
-pub(super) fn sealing_time(forecast: &Forecast) -> f64 {
-    forecast.programs.iter().map(|program| program.time).sum()
 }
 
 /// What was written, what to look at, and what to run.
@@ -198,25 +196,6 @@ pub(super) fn warn_of(list: &[String]) {
     let width = width(&stderr());
     let lines = list.iter().map(|text| wrapped(&format!("  - {}", shown(text)), 4, width));
     tell_under("before you seal", &lines.collect::<Vec<_>>().join("\n"));
-}
-
-/// Everything of the first screen but the time of day, for programs.
-pub(super) fn json(forecast: &Forecast, list: &[Precaution]) -> Value {
-    let area = forecast.machine.bench.work_area.map(|(x, y)| [x.0, y.0]);
-    let sheets: Vec<[f64; 2]> =
-        forecast.design.sheets.iter().map(|sheet| [sheet.width, sheet.height]).collect();
-    json!({
-        "name": forecast.spec.name,
-        "stars": forecast.design.assembly().map_or(0, |assembly| assembly.stars.len()),
-        "pieces": forecast.design.placed().len(),
-        "verdict": verdict::json(forecast),
-        "before_you_seal": list.iter().map(|one| &one.text).collect::<Vec<_>>(),
-        "sealing_time_s": sealing_time(forecast),
-        "sheets_mm": sheets,
-        "work_area_mm": area,
-        "machine": forecast.machine.name,
-        "prediction": forecast.prediction,
-    })
 }
 
 /// What [`written`] says, for programs.

@@ -6,8 +6,7 @@ use std::fs;
 use std::io::{Read, stdout};
 use std::path::{Path, PathBuf};
 
-use serde_json::json;
-
+use crate::answer::proof::json;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
 use crate::cli::feedcheck::manifest_of;
@@ -107,21 +106,6 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
         .map_or_else(String::new, |more| format!("\n  and {more} more"));
     let what = if number == 1 { "a build is in it".to_owned() } else { format!("{number} builds are in it") };
     Err(Failure::Message(format!("{} is no build, but {what}:{}{more}", shown(dir), list.concat())))
-}
-
-pub(super) fn json(proof: &Proof) -> String {
-    let deviation: serde_json::Map<String, serde_json::Value> =
-        proof.files.iter().map(|file| (file.path.clone(), json!(file.deviation))).collect();
-    let proven: Vec<serde_json::Value> =
-        proof.files.iter().map(|file| json!({ "path": file.path, "by": file.by })).collect();
-    let json = json!({
-        "findings": proof.findings,
-        "deviation_mm": deviation,
-        "proven": proven,
-        "written_by": proof.written_by,
-        "unproven": proof.unproven,
-    });
-    format!("{json:#}\n")
 }
 
 fn text(dir: &Path, proof: &Proof) -> String {

@@ -12,7 +12,7 @@ use std::path::Path;
 const SOURCES: [&str; 2] = ["crates/inflatable/src", "src"];
 
 /// (room, the rooms it may use). A room is a directory or file directly in one of [`SOURCES`].
-const MAY_USE: [(&str, &[&str]); 22] = [
+const MAY_USE: [(&str, &[&str]); 23] = [
     ("digest", &[]),
     ("geom", &[]),
     ("numerics", &[]),
@@ -39,10 +39,12 @@ const MAY_USE: [(&str, &[&str]); 22] = [
             "spec", "units", "verify",
         ],
     ),
+    ("answer", &["artifact", "design", "forecast", "mechanics", "pipeline", "spec", "units", "verify"]),
     (
         "cli",
         &[
             "airtight",
+            "answer",
             "artifact",
             "coupon",
             "design",

@@ -4,12 +4,12 @@ use crate::spec::Allowed;
 use crate::units::{Quantity, Readable};
 
 /// Lengths that must be there: 1 um to 100 m, as in a spec.
-pub(super) const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
+pub const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
 /// Lengths that may be zero, to 100 m.
-pub(super) const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
+pub const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
 
 /// Reads a plain number in `allowed`.
-pub(super) fn number(allowed: Allowed) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
+pub fn number(allowed: Allowed) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
     move |text| {
         let found = text.trim().parse::<f64>().ok();
         found.filter(|number| allowed.holds(*number)).ok_or_else(|| {
@@ -23,9 +23,7 @@ pub(super) fn number(allowed: Allowed) -> impl Fn(&str) -> Result<f64, String> +
 }
 
 /// Reads a quantity with its unit, "30 deg", in `allowed` (of the base unit).
-pub(super) fn quantity<Q: Quantity>(
-    allowed: Allowed,
-) -> impl Fn(&str) -> Result<Q, String> + Clone + Send + Sync {
+pub fn quantity<Q: Quantity>(allowed: Allowed) -> impl Fn(&str) -> Result<Q, String> + Clone + Send + Sync {
     move |text| {
         let found = Q::parse(text).map_err(|_| {
             let unit = format!("write the {} as a number and one of {}", Q::KIND, Q::unit_list());
@@ -40,7 +38,7 @@ pub(super) fn quantity<Q: Quantity>(
 }
 
 /// Reads a quantity with its unit, "1.2 kg", or a bare number of its base unit, which older commands take; the base unit's number.
-pub(super) fn quantity_or_number<Q: Quantity>(
+pub fn quantity_or_number<Q: Quantity>(
     allowed: Allowed,
 ) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync {
     let quantity = quantity::<Q>(allowed);
@@ -52,9 +50,7 @@ pub(super) fn quantity_or_number<Q: Quantity>(
 }
 
 /// Reads a range "FROM..TO" with both ends in `allowed`, or one quantity for a fixed value.
-pub(super) fn range<Q: Quantity>(
-    allowed: Allowed,
-) -> impl Fn(&str) -> Result<(Q, Q), String> + Clone + Send + Sync {
+pub fn range<Q: Quantity>(allowed: Allowed) -> impl Fn(&str) -> Result<(Q, Q), String> + Clone + Send + Sync {
     let quantity = quantity::<Q>(allowed);
     move |text| {
         let (from, to) = text.split_once("..").unwrap_or((text, text));
@@ -92,7 +88,7 @@ fn remedy(text: &str, otherwise: &str) -> String {
 }
 
 /// Reads "FROM..TO/COUNT", or one value: evenly spaced ones, at most `most`; `ends` reads the first part.
-pub(super) fn evenly(
+pub fn evenly(
     text: &str,
     most: u32,
     ends: impl Fn(&str) -> Result<[f64; 2], String>,

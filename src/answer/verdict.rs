@@ -10,7 +10,7 @@ use crate::spec::key;
 use crate::units::Length;
 
 /// The verdict in one sentence.
-pub(super) fn in_words(forecast: &Forecast) -> String {
+pub fn in_words(forecast: &Forecast) -> String {
     let Some((load, prediction)) = forecast.spec.load.as_ref().zip(forecast.prediction.as_ref()) else {
         return "no verdict: add a [load] section that describes the object".to_owned();
     };
@@ -33,7 +33,7 @@ pub(super) fn in_words(forecast: &Forecast) -> String {
 }
 
 /// How far it closes and at which pressure it bursts, each under its label.
-pub(super) fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
+pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     let (Some(load), Some(prediction)) = (&forecast.spec.load, &forecast.prediction) else {
         return Vec::new();
     };
@@ -57,7 +57,7 @@ pub(super) fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
 }
 
 /// The same for programs.
-pub(super) fn json(forecast: &Forecast) -> Value {
+pub fn json(forecast: &Forecast) -> Value {
     let verdict = forecast.verdict();
     let holds = verdict.as_ref().and_then(|verdict| verdict.holds.known());
     let refused: Vec<Value> = forecast

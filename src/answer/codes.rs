@@ -1,0 +1,53 @@
+//! What the codes of messages mean: the page of codes, read.
+
+use serde_json::{Value, json};
+
+/// Where every code stands with its meaning.
+const PAGE: &str = include_str!("../../docs/codes.md");
+
+/// One code of the page.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct CodeMeaning {
+    /// The heading above it.
+    pub about: &'static str,
+    /// The code, as it stands in a message: no-arm.
+    pub code: &'static str,
+    /// What it means, and what to do.
+    pub meaning: &'static str,
+    /// A message with this code.
+    pub example: String,
+}
+
+impl CodeMeaning {
+    /// The same for programs.
+    pub fn json(&self) -> Value {
+        json!({ "code": self.code, "about": self.about, "meaning": self.meaning, "example": self.example })
+    }
+}
+
+/// All codes, in the order of the page.
+pub fn meanings() -> Vec<CodeMeaning> {
+    let mut about = "";
+    let mut rows = Vec::new();
+    for line in PAGE.lines() {
+        if let Some(heading) = line.strip_prefix("## ") {
+            about = heading;
+        }
+        let row = line
+            .strip_prefix("| `")
+            .and_then(|line| line.strip_suffix(" |"))
+            .and_then(|line| line.split_once("` | "))
+            .and_then(|(code, line)| Some((code, line.split_once(" | ")?)));
+        rows.extend(row.map(|(code, (meaning, example))| {
+            // The cells of a table have them escaped.
+            let example = example.replace("&lt;", "<").replace("\\|", "|");
+            CodeMeaning { about, code, meaning, example }
+        }));
+    }
+    rows
+}
+
+/// The code in what a person copied from a message, brackets and all.
+pub fn word_of(text: &str) -> &str {
+    text.trim_start_matches("error").trim_start_matches("warning").trim_matches(['[', ']', ':'])
+}

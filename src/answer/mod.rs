@@ -1,0 +1,42 @@
+//! What commands answer, in words and for programs, for every face: terminal, Python, page. Nothing here touches a file or a terminal.
+
+pub mod codes;
+pub mod object;
+pub mod proof;
+pub mod quantity;
+pub mod refused;
+pub mod verdict;
+
+use serde_json::{Value, json};
+
+use crate::pipeline::{Forecast, Precaution};
+
+/// How long all programs take, s, without heating and pauses.
+pub fn sealing_time(forecast: &Forecast) -> f64 {
+    forecast.programs.iter().map(|program| program.time).sum()
+}
+
+/// "13 h 02 min"
+pub fn hours(seconds: f64) -> String {
+    let minutes = (seconds / 60.0).round();
+    format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
+}
+
+/// Everything of the first screen but the time of day, for programs.
+pub fn overview_json(forecast: &Forecast, list: &[Precaution]) -> Value {
+    let area = forecast.machine.bench.work_area.map(|(x, y)| [x.0, y.0]);
+    let sheets: Vec<[f64; 2]> =
+        forecast.design.sheets.iter().map(|sheet| [sheet.width, sheet.height]).collect();
+    json!({
+        "name": forecast.spec.name,
+        "stars": forecast.design.assembly().map_or(0, |assembly| assembly.stars.len()),
+        "pieces": forecast.design.placed().len(),
+        "verdict": verdict::json(forecast),
+        "before_you_seal": list.iter().map(|one| &one.text).collect::<Vec<_>>(),
+        "sealing_time_s": sealing_time(forecast),
+        "sheets_mm": sheets,
+        "work_area_mm": area,
+        "machine": forecast.machine.name,
+        "prediction": forecast.prediction,
+    })
+}

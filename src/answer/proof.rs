@@ -1,0 +1,45 @@
+//! A proof for programs.
+
+use serde_json::json;
+
+use crate::artifact::Format;
+use crate::verify::Proof;
+
+/// What was found and what was measured, as `verify --json` prints it.
+pub fn json(proof: &Proof) -> String {
+    let deviation: serde_json::Map<String, serde_json::Value> =
+        proof.files.iter().map(|file| (file.path.clone(), json!(file.deviation))).collect();
+    let proven: Vec<serde_json::Value> =
+        proof.files.iter().map(|file| json!({ "path": file.path, "by": file.by })).collect();
+    let json = json!({
+        "findings": proof.findings,
+        "deviation_mm": deviation,
+        "proven": proven,
+        "written_by": proof.written_by,
+        "unproven": proof.unproven,
+    });
+    format!("{json:#}\n")
+}
+
+/// What was compared with what, and how near it is.
+pub fn scope(proof: &Proof) -> String {
+    let all = proof.files.len();
+    let measured = proof.files.iter().filter(|file| file.deviation.is_some()).count();
+    let nearest = |of: &dyn Fn(Format) -> bool| {
+        let deviations = proof.files.iter().filter(|file| of(file.output.kind.format()));
+        deviations.filter_map(|file| file.deviation).reduce(f64::max)
+    };
+    // Paper and solids say arcs by curves and chords, with tolerances of their own.
+    let within: Vec<String> = [
+        ("lines and arcs", nearest(&|format| !matches!(format, Format::Pdf | Format::Stl)), 6),
+        ("paper", nearest(&|format| format == Format::Pdf), 4),
+        ("solids", nearest(&|format| format == Format::Stl), 4),
+    ]
+    .into_iter()
+    .filter_map(|(what, mm, digits)| mm.map(|mm| format!("{what} within {mm:.digits$} mm")))
+    .collect();
+    if within.is_empty() {
+        return format!("none of {all} files has geometry that is compared; nothing was measured");
+    }
+    format!("{measured} of {all} files compared with the exact geometry: {}", within.join(", "))
+}

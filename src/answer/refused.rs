@@ -1,0 +1,62 @@
+//! What is refused, at the keys it speaks of, and for programs.
+
+use serde_json::{Value, json};
+
+use crate::design::Refusals;
+use crate::spec::{Fault, Faults, RawSpec, Severity, Source};
+use crate::verify::Finding;
+
+/// Refusals of the design of `raw`, read from `source`, as faults at the keys they speak of.
+pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
+    let faults = refusals.into_iter().map(|refusal| {
+        let key = refusal.key;
+        let fault = Fault::error(refusal.code, raw.span_of(key), refusal.found)
+            .label(refusal.remedy)
+            .drawn_at(refusal.drawn);
+        if raw.find(key).is_some() {
+            return fault;
+        }
+        fault.help(format!(
+            "`{}` in [{}] is not written: this is about its default",
+            key.key(),
+            key.section()
+        ))
+    });
+    Faults::new(source, faults.collect())
+}
+
+/// One refusal: its code, and what was found. Keys that mean nothing here are null.
+pub fn refusal(code: &str, found: &str) -> Value {
+    let none = Value::Null;
+    json!({ "code": code, "key": none, "found": found, "allowed": none, "remedy": none, "file": none, "line": none })
+}
+
+/// What refuses a spec or a profile; warnings are left out.
+pub fn refused_by(faults: &Faults) -> Vec<Value> {
+    let errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
+    errors.map(|fault| fault_json(faults, fault)).collect()
+}
+
+/// One of `faults`, an error or a warning, with the key and the line it is about.
+pub fn fault_json(faults: &Faults, fault: &Fault) -> Value {
+    let mut value = refusal(fault.code, &fault.message);
+    value["key"] = json!(faults.key_of(fault));
+    value["allowed"] = json!(fault.label);
+    value["remedy"] = json!(fault.help);
+    value["file"] = json!(faults.source().name);
+    value["line"] = json!(faults.line_of(fault));
+    if let Some(drawn) = &fault.drawn {
+        value["elements"] = json!(drawn.elements);
+        value["at_mm"] = json!(drawn.at);
+    }
+    value
+}
+
+/// A finding in a file that was just made, as a refusal.
+pub fn finding_json(finding: &Finding) -> Value {
+    let mut value = refusal(finding.code, &finding.found);
+    value["allowed"] = json!(finding.allowed);
+    value["file"] = json!(finding.file);
+    value["line"] = json!(finding.line);
+    value
+}

@@ -1,0 +1,150 @@
+// The form: a field for every key of the schema. It says what the spec says; a change of a field becomes a change of the text.
+
+/** The sections in the order in which they matter; those that the schema has besides follow. */
+const ORDER = ["", "star", "stack", "load", "fabric", "machine", "inlet", "seal", "sheet", "mask", "frame", "cut", "build"];
+const OPEN = ["star", "load"];
+const QUANTITY = /^\s*([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(\S.*?)\s*$/;
+
+/** An element with properties and children. */
+export function element(name, properties = {}, ...children) {
+    const made = document.createElement(name);
+    for (const [key, value] of Object.entries(properties)) {
+        if (key.includes("-") || key === "role") made.setAttribute(key, value);
+        else made[key] = value;
+    }
+    made.append(...children);
+    return made;
+}
+
+/** Number and unit of "30 mm"; null of what is none. */
+function quantity(text) {
+    const found = QUANTITY.exec(text ?? "");
+    return found && Number.isFinite(Number(found[1])) ? { number: Number(found[1]), unit: found[2] } : null;
+}
+
+/** Ends and step of a slider around `number`: what one tries, not what is allowed, which the reader says. */
+function around(number) {
+    const size = Math.abs(number);
+    const most = size === 0 ? 10 : Number((size * 2.5).toPrecision(1));
+    const step = 10 ** (Math.floor(Math.log10(most)) - 2);
+    return { min: number < 0 ? -most : 0, max: most, step };
+}
+
+/** A number as people write it, without the noise of steps. */
+const plain = (number) => String(Number(number.toPrecision(6)));
+
+export class Form {
+    #fields = new Map();
+    #change;
+
+    /** Fields of `schema` in `root`; `machines` are the profiles; `change(key, value)` is told what shall stand in the text: TOML, or null. */
+    constructor(root, schema, machines, change) {
+        this.#change = change;
+        const { properties } = schema;
+        const sections = { "": { properties: { name: properties.name }, description: "" } };
+        for (const [name, section] of Object.entries(properties)) if (section.properties) sections[name] = section;
+        const names = [...new Set([...ORDER, ...Object.keys(sections)])].filter((name) => sections[name]);
+        for (const name of names) {
+            const keys = Object.entries(sections[name].properties).filter(([, { items, type }]) => type !== "array" || items?.enum);
+            const required = sections[name].required ?? [];
+            keys.sort(([a], [b]) => required.includes(b) - required.includes(a));
+            const fields = keys.map(([key, property]) => this.#field(name, key, property, machines));
+            if (name === "") root.append(...fields);
+            else root.append(element("details", { open: OPEN.includes(name) }, element("summary", {}, `${name} `, element("small", {}, sections[name].description ?? "")), ...fields));
+        }
+    }
+
+    #field(section, key, property, machines) {
+        const path = section ? `${section}.${key}` : key, id = `field-${path}`;
+        const tell = (value) => this.#change(path, value);
+        const words = key.replaceAll("_", " ");
+        const about = element("p", { className: "soft", id: `${id}-about` }, property.description ?? "");
+        const state = element("span", { className: "state" });
+        const reset = element("button", { type: "button", className: "plain", hidden: true, onclick: () => tell(null), "aria-label": `${words}: back to the default` }, "default");
+        const choices = path === "machine.profile" ? machines.map(({ name }) => name) : property.enum;
+        const box = element("div", { className: "field" });
+        let input, slider = null;
+        if (property.type === "array") {
+            const one = (value) => element("label", { className: "check" }, element("input", { type: "checkbox", value, onchange: () => tell(JSON.stringify(ticked())) }), value);
+            input = element("div", { className: "choices", role: "group", "aria-label": words }, ...property.items.enum.map(one));
+            const ticked = () => [...input.querySelectorAll("input:checked")].map(({ value }) => value);
+        } else if (choices) {
+            input = element("select", { id, onchange: () => tell(JSON.stringify(input.value)) }, ...choices.map((name) => element("option", {}, name)));
+        } else if (property.type === "boolean") {
+            input = element("input", { id, type: "checkbox", onchange: () => tell(String(input.checked)) });
+        } else {
+            const isNumber = ["integer", "number"].includes(property.type);
+            const written = () => (input.value.trim() === "" ? tell(null) : tell(isNumber ? input.value.trim() : JSON.stringify(input.value)));
+            input = element("input", { id, autocomplete: "off", spellcheck: false, onchange: written, placeholder: property.examples ? `e.g. ${property.examples[0]}` : "" });
+            if (isNumber || property.pattern) {
+                slider = element("input", { type: "range", tabIndex: 0, "aria-label": `${words}, slider` });
+                slider.oninput = () => {
+                    const { unit } = slider.dataset;
+                    input.value = plain(Number(slider.value)) + (unit ? ` ${unit}` : "");
+                    slider.setAttribute("aria-valuetext", input.value);
+                    written();
+                };
+                slider.onchange = () => this.#slide(path);
+            }
+        }
+        input.setAttribute("aria-describedby", about.id);
+        const label = element("label", {}, words);
+        if (input.id) label.htmlFor = id;
+        box.append(element("div", {}, label, " ", state, reset), input);
+        if (slider) about.prepend(slider);
+        box.append(about);
+        this.#fields.set(path, { box, input, slider, state, reset, property });
+        return box;
+    }
+
+    /** Sets the ends of a slider for the value in its field. */
+    #slide(path) {
+        const { input, slider, property } = this.#fields.get(path);
+        const isNumber = ["integer", "number"].includes(property.type);
+        const found = isNumber ? input.value.trim() !== "" && { number: Number(input.value), unit: "" } : quantity(input.value);
+        slider.hidden = !found || !Number.isFinite(found.number);
+        if (slider.hidden) return;
+        const ends = around(found.number);
+        if (property.type === "integer") Object.assign(ends, { min: property.minimum ?? 0, max: Math.min(property.maximum ?? 64, Math.max(12, 2 * found.number)), step: 1 });
+        else if (property.maximum !== undefined) ends.max = Math.min(ends.max, property.maximum);
+        Object.assign(slider, ends);
+        slider.dataset.unit = found.unit;
+        slider.value = found.number;
+        slider.setAttribute("aria-valuetext", input.value);
+    }
+
+    /** Shows what the spec says: settings [{ section, key, value, given }]. A field in use is left alone. */
+    show(settings) {
+        for (const { section, key, value, given } of settings) {
+            const path = section ? `${section}.${key}` : key;
+            const field = this.#fields.get(path);
+            if (!field) continue;
+            const { box, input, slider, state, reset, property } = field;
+            const isInUse = [input, slider].includes(document.activeElement);
+            if (property.type === "array") {
+                const listed = (value ?? "").split(", ");
+                for (const one of input.querySelectorAll("input")) one.checked = listed.includes(one.value);
+            } else if (property.type === "boolean") {
+                input.checked = value === "true";
+            } else if (!isInUse || document.activeElement === slider) {
+                if (input.tagName === "SELECT" && ![...input.options].some((option) => option.value === value)) input.append(element("option", {}, value ?? ""));
+                input.value = value ?? "";
+            }
+            if (slider && !isInUse) this.#slide(path);
+            const isRequired = ["name", "star.points", "star.inner_radius", "star.tube_width", "star.tip_angle"].includes(path);
+            state.textContent = given ? "" : value === null ? "not set" : "default";
+            reset.textContent = property.default === undefined ? "remove" : "default";
+            reset.hidden = !given || isRequired;
+            box.classList.toggle("default", !given);
+        }
+    }
+
+    /** Marks the fields that faults are about. */
+    mark(faults) {
+        const keys = new Set(faults.filter(({ warning }) => !warning).map(({ key }) => key));
+        for (const [path, { input }] of this.#fields) {
+            if (keys.has(path)) input.setAttribute("aria-invalid", "true");
+            else input.removeAttribute("aria-invalid");
+        }
+    }
+}

@@ -1,0 +1,88 @@
+// The program as the page sees it: questions in, promises out. It runs in a worker, so the page never waits. A question of a lane replaces
+// the one before it in that lane; long work is stopped by ending its worker. A worker that breaks is replaced.
+
+/** How long a question that is not long may keep the next one waiting, ms. */
+const PATIENCE = 300;
+
+/** What is told to those whose question was replaced or stopped. */
+export class Dropped extends Error {}
+
+export class Program {
+    #module;
+    #newWorker;
+    #worker = null;
+    #spare = null;
+    #running = null;
+    #waiting = [];
+    #number = 0;
+
+    /** `module`: the compiled program; `newWorker` makes a worker. */
+    constructor(module, newWorker) {
+        this.#module = module;
+        this.#newWorker = newWorker;
+        this.#worker = this.#made();
+        this.#spare = this.#made();
+    }
+
+    /** Asks. `lane` names what a later question replaces; `isLong`: a question that follows in any lane stops it. */
+    ask(question, { files = [], lane = question.ask, isLong = false } = {}) {
+        return new Promise((resolve, reject) => {
+            this.#waiting = this.#waiting.filter((other) => other.lane !== lane || other.reject(new Dropped()));
+            this.#waiting.push({ number: ++this.#number, question, files, lane, isLong, resolve, reject });
+            const { isLong: isStopped, since } = this.#running ?? {};
+            if (isStopped || performance.now() - since > PATIENCE) this.stop();
+            else this.#next();
+        });
+    }
+
+    /** Ends what is running. */
+    stop() {
+        const stopped = this.#running;
+        if (!stopped) return;
+        this.#replace();
+        stopped.reject(new Dropped());
+        this.#next();
+    }
+
+    get isBusy() {
+        return this.#running !== null;
+    }
+
+    #made() {
+        const worker = this.#newWorker();
+        worker.onmessage = ({ data }) => worker === this.#worker && this.#heard(data);
+        worker.onerror = (event) => {
+            event.preventDefault();
+            if (worker === this.#worker) this.#heard({ number: this.#running?.number, broken: event.message ?? "the worker broke" });
+        };
+        worker.postMessage({ module: this.#module });
+        return worker;
+    }
+
+    #replace() {
+        this.#running = null;
+        this.#worker.terminate();
+        this.#worker = this.#spare;
+        this.#spare = this.#made();
+    }
+
+    #next() {
+        if (this.#running || this.#waiting.length === 0) return;
+        this.#running = { ...this.#waiting.shift(), since: performance.now() };
+        const { number, question, files } = this.#running;
+        this.#worker.postMessage({ number, question, files });
+    }
+
+    #heard({ number, answer, broken }) {
+        const running = this.#running;
+        if (!running || running.number !== number) return;
+        if (broken === undefined) {
+            this.#running = null;
+            running.resolve(answer);
+        } else {
+            this.#replace();
+            running.reject(new Error(broken));
+        }
+        this.#next();
+    }
+}

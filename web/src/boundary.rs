@@ -1,0 +1,73 @@
+//! What JavaScript calls: four functions and one more for panics. All of it is safe code; only that they are exported under their names
+//! is called unsafe, since two libraries might export the same name. This library is linked with no other.
+#![allow(unsafe_code, reason = "the attribute that exports a name; there is no unsafe block")]
+
+use std::cell::RefCell;
+use std::panic;
+use std::sync::Once;
+
+use crate::commands::answer;
+use crate::message::Message;
+
+/// What passes between the page and the instance.
+#[derive(Default)]
+struct Mailbox {
+    question: Vec<u8>,
+    answer: Vec<u8>,
+    panic: Vec<u8>,
+}
+
+thread_local! {
+    // The instance has one thread.
+    static MAILBOX: RefCell<Mailbox> = RefCell::default();
+}
+
+static HEARS_PANICS: Once = Once::new();
+
+/// Makes room for a question of `length` bytes, and says where to write it.
+#[unsafe(no_mangle)]
+pub extern "C" fn question(length: usize) -> *const u8 {
+    MAILBOX.with_borrow_mut(|mailbox| {
+        mailbox.question = vec![0; length];
+        mailbox.question.as_ptr()
+    })
+}
+
+/// Answers the question; says how many bytes the answer has.
+#[unsafe(no_mangle)]
+pub extern "C" fn ask() -> usize {
+    HEARS_PANICS.call_once(|| panic::set_hook(Box::new(|info| keep(&info.to_string()))));
+    let question = MAILBOX.with_borrow_mut(|mailbox| std::mem::take(&mut mailbox.question));
+    let answer = answer(Message::from_bytes(question)).into_bytes();
+    MAILBOX.with_borrow_mut(|mailbox| {
+        mailbox.answer = answer;
+        mailbox.answer.len()
+    })
+}
+
+/// Where the answer stands, until the next question.
+#[unsafe(no_mangle)]
+pub extern "C" fn answered() -> *const u8 {
+    MAILBOX.with_borrow(|mailbox| mailbox.answer.as_ptr())
+}
+
+/// Length of what the panic said that ended this instance, bytes.
+#[unsafe(no_mangle)]
+pub extern "C" fn panic_length() -> usize {
+    MAILBOX.with_borrow(|mailbox| mailbox.panic.len())
+}
+
+/// Where that stands.
+#[unsafe(no_mangle)]
+pub extern "C" fn panicked() -> *const u8 {
+    MAILBOX.with_borrow(|mailbox| mailbox.panic.as_ptr())
+}
+
+/// Keeps what a panic says, unless it happens while the mailbox is in use.
+fn keep(text: &str) {
+    MAILBOX.with(|mailbox| {
+        if let Ok(mut mailbox) = mailbox.try_borrow_mut() {
+            mailbox.panic = text.as_bytes().to_vec();
+        }
+    });
+}

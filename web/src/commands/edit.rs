@@ -1,0 +1,29 @@
+//! `edit`: a new value in a person's text, whatever its layout.
+
+use serde_json::{Value, json};
+use stargrip_cam::spec::{edit as text_edit, key};
+
+use crate::commands::faults::listed;
+use crate::commands::spec::source;
+use crate::commands::text;
+
+/// The spec with `value`, TOML of its own, at `key`. The result is not judged here: a slider may pass a value that is refused.
+///
+/// # Errors
+/// If there is no such key.
+pub(super) fn edit(question: &Value) -> Result<Value, String> {
+    let source = match source(question) {
+        Ok(source) => source,
+        Err(faults) => return Ok(json!({ "faults": faults })),
+    };
+    let name = text(question, "key").unwrap_or_default();
+    let key = key::named(name).map_err(|_| format!("no key is called {name:?}"))?;
+    let edited = match text(question, "value") {
+        Some(value) => text_edit::with_values(&source, &[(key, value.to_owned())]),
+        None => text_edit::with_changes(&source, &[(key, None)]),
+    };
+    Ok(match edited {
+        Ok(spec) => json!({ "spec": spec }),
+        Err(faults) => json!({ "faults": listed(&faults) }),
+    })
+}

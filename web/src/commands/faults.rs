@@ -1,0 +1,45 @@
+//! Faults for the page: those of `--json`, with warnings, and with the place for an editor.
+
+use serde_json::{Value, json};
+use stargrip_cam::answer::refused::{at_keys, fault_json, finding_json};
+use stargrip_cam::design::{Refusals, Warning};
+use stargrip_cam::spec::{Fault, Faults, Severity};
+use stargrip_cam::verify::Finding;
+
+use crate::commands::spec::Given;
+
+/// All of `faults`: what `--json` says of each, whether it is a warning, its column, and where it begins and ends in the text.
+///
+/// Columns (from 1) and places are counted as JavaScript counts: in units of UTF-16.
+pub(super) fn listed(faults: &Faults) -> Vec<Value> {
+    let text = &faults.source().text;
+    let units = |end: usize| text[..end].encode_utf16().count();
+    let one = |fault: &Fault| {
+        let mut value = fault_json(faults, fault);
+        let line = text[..fault.span.start].rfind('\n').map_or(0, |end| end + 1);
+        value["warning"] = json!(fault.level == Severity::Warning);
+        value["column"] = json!(1 + units(fault.span.start) - units(line));
+        value["place"] = json!([units(fault.span.start), units(fault.span.end)]);
+        value
+    };
+    faults.list().iter().map(one).collect()
+}
+
+/// What a design is refused for.
+pub(super) fn of_design(given: &Given, refusals: Refusals) -> Vec<Value> {
+    listed(&at_keys(&given.source, &given.reading.raw, refusals))
+}
+
+/// What a person should know about a design.
+pub(super) fn of_warnings(given: &Given, warnings: &[Warning]) -> Vec<Value> {
+    let fault = |warning: &Warning| {
+        Fault::warning(warning.code, given.reading.raw.span_of(warning.key), warning.found.clone())
+            .label(warning.remedy.clone())
+    };
+    listed(&Faults::new(&given.source, warnings.iter().map(fault).collect()))
+}
+
+/// What is wrong with files that were just made: faults of this program.
+pub(super) fn of_findings(findings: &[Finding]) -> Vec<Value> {
+    findings.iter().map(finding_json).collect()
+}

@@ -1,0 +1,53 @@
+//! The questions of the page, by the word in `ask`, and their answers. Each is answered from itself alone; nothing is kept.
+//!
+//! | ask | takes | answers |
+//! |---|---|---|
+//! | `start` | | the schema, the starter, the machine profiles, the kinds of file |
+//! | `build` | `spec`, `machine`, `only`, `with`, `anyway`, `prove` | faults, settings, the overview, the proof, files |
+//! | `verify` | files | what `verify --json` prints |
+//! | `new` | `name`, `object`, `mass` and what else `new` takes | a spec and its verdict, or why there is none |
+//! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |
+//! | `predict` | `spec`, `machine`, `model` | the prediction, in words and as JSON |
+//! | `explain` | `code` | what the code means |
+//!
+//! `faults` are errors and warnings with their places; `wrong` says what is wrong with the question itself.
+
+mod build;
+mod edit;
+mod faults;
+mod object;
+mod spec;
+mod start;
+
+use serde_json::{Value, json};
+
+use crate::message::Message;
+
+/// Answers a question that was read, or says why it was not.
+pub fn answer(question: Result<Message, String>) -> Message {
+    match question.and_then(answered) {
+        Ok(answer) => answer,
+        Err(wrong) => Message::of(json!({ "wrong": wrong })),
+    }
+}
+
+fn answered(question: Message) -> Result<Message, String> {
+    let Message { json: question, files } = question;
+    let asked = text(&question, "ask").ok_or("the question does not say what is asked")?;
+    let answer = match asked {
+        "start" => start::start(),
+        "explain" => start::explain(&question),
+        "build" => return Ok(build::build(&question)),
+        "verify" => build::verify(files),
+        "predict" => build::predict(&question),
+        "new" => object::new(&question)?,
+        "edit" => edit::edit(&question)?,
+        _ => return Err(format!("nothing answers {asked:?}")),
+    };
+    Ok(Message::of(answer))
+}
+
+/// The text `name` of a question.
+fn text<'q>(question: &'q Value, name: &str) -> Option<&'q str> {
+    question[name].as_str()
+}

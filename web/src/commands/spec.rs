@@ -1,0 +1,68 @@
+//! A spec with its machine, from the texts of a question.
+
+use serde_json::Value;
+use stargrip_cam::spec;
+use stargrip_cam::spec::{Fault, FaultCode, Faults, Machine, Reading, Source, key};
+
+use crate::commands::faults::listed;
+use crate::commands::text;
+
+/// How faults name the spec: as it is called in the ZIP.
+const NAME: &str = "spec.toml";
+
+/// A spec with the machine it names, both read and valid.
+pub(super) struct Given {
+    /// The spec's text.
+    pub(super) source: Source,
+    /// What it says.
+    pub(super) reading: Reading,
+    /// What it is made on.
+    pub(super) machine: Machine,
+    /// The profile's text.
+    pub(super) machine_text: String,
+}
+
+/// The text `spec` of a question.
+pub(super) fn source(question: &Value) -> Result<Source, Vec<Value>> {
+    let text = text(question, "spec").unwrap_or_default();
+    Source::from_bytes(NAME, text.as_bytes()).map_err(|faults| listed(&faults))
+}
+
+impl Given {
+    /// The spec of a question. A profile that is not built in is its `machine`: a page opens no files.
+    ///
+    /// # Errors
+    /// All that is wrong with either.
+    pub(super) fn of(question: &Value) -> Result<Self, Vec<Value>> {
+        let source = source(question)?;
+        let reading = spec::read(&source).map_err(|faults| listed(&faults))?;
+        let name = &reading.spec.machine.profile;
+        let own = || text(question, "machine");
+        let Some(profile) = spec::builtin_machine(name).or_else(own).map(str::to_owned) else {
+            return Err(listed(&Faults::new(&source, vec![unknown(&reading)])));
+        };
+        let profile = Source::from_bytes("machine.toml", profile.as_bytes());
+        let machine = profile.and_then(|profile| Ok((spec::read_machine(&profile)?, profile)));
+        let (machine, profile) = machine.map_err(|faults| listed(&faults))?;
+        Ok(Self { source, reading, machine, machine_text: profile.text })
+    }
+}
+
+/// A profile that is not built in, and was not given.
+fn unknown(reading: &Reading) -> Fault {
+    let name = &reading.spec.machine.profile;
+    let known: Vec<&str> = spec::builtin_machines().collect();
+    let place = reading.raw.span_of(key::machine::PROFILE);
+    let fault = Fault::error(
+        FaultCode::UnknownMachine,
+        place,
+        "no built-in machine profile has this name, and a page opens no files",
+    )
+    .label(format!("a built-in profile: {}", known.join(", ")));
+    match spec::usual_profile(name) {
+        Some((controller, profile)) => {
+            fault.help(format!("it usually has {controller}: write profile = \"{profile}\""))
+        }
+        None => fault.help("drop the profile's file on the page together with the spec"),
+    }
+}

@@ -1,0 +1,32 @@
+//! What a page needs before a person does anything: `start`; and the meaning of a code: `explain`.
+
+use serde_json::{Value, json};
+use stargrip_cam::answer::codes::{CodeMeaning, meanings, word_of};
+use stargrip_cam::artifact::Kind;
+use stargrip_cam::spec;
+use stargrip_cam::spec::Machine;
+
+use crate::commands::text;
+
+/// The schema, the starter, the machine profiles and the kinds of file.
+pub(super) fn start() -> Value {
+    let machines = spec::builtin_machines().filter_map(|name| {
+        let machine = Machine::builtin(name).ok()?;
+        Some(json!({ "name": name, "description": machine.description }))
+    });
+    let kinds = Kind::ALL.iter().map(|kind| json!({ "name": kind.name(), "extra": kind.is_extra() }));
+    let schema: Value = serde_json::from_str(&spec::schema()).unwrap_or_default();
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "schema": schema,
+        "starter": spec::starter("star").unwrap_or_default(),
+        "machines": machines.collect::<Vec<_>>(),
+        "kinds": kinds.collect::<Vec<_>>(),
+    })
+}
+
+/// What a code means and what to do about it; null if there is none.
+pub(super) fn explain(question: &Value) -> Value {
+    let word = word_of(text(question, "code").unwrap_or_default());
+    meanings().iter().find(|meaning| meaning.code == word).map_or(Value::Null, CodeMeaning::json)
+}
