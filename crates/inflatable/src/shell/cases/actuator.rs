@@ -106,7 +106,14 @@ pub fn actuator(
     }
     let coarsest = half.mesh(&Sizes::across(1.0, fineness.cells))?;
     let hold = |meshed: &Meshed, _: &mut Sheet| supports(&meshed.mesh);
-    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[], from_above: false };
+    let family = Family {
+        tube: case.tube,
+        coarsest,
+        cuts: fineness.cuts,
+        hold: &hold,
+        obstacles: &[],
+        from_above: false,
+    };
     let mut shape = Shape::default();
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
         let line = arm_line(&half, &meshed.mesh);

@@ -51,8 +51,17 @@ pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCe
     case.tube.check()?;
     let region = mesh::Cell { r: case.radius / case.tube.width, w: 1.0, arc: case.arc };
     let coarsest = region.mesh(&Sizes::across(1.0, fineness.cells))?;
-    let hold = |meshed: &Meshed, _: &mut Sheet| Supports::new(&meshed.mesh, vec![Plane::first(), Plane::second(case.arc)]);
-    let family = Family { tube: case.tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[], from_above: false };
+    let hold = |meshed: &Meshed, _: &mut Sheet| {
+        Supports::new(&meshed.mesh, vec![Plane::first(), Plane::second(case.arc)])
+    };
+    let family = Family {
+        tube: case.tube,
+        coarsest,
+        cuts: fineness.cuts,
+        hold: &hold,
+        obstacles: &[],
+        from_above: false,
+    };
     let ([lambda, stiffness], evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
         let turning = Turning {
             arc: case.arc,

@@ -194,8 +194,7 @@ fn whole(points: u32, tip_angle: f64, pressure: f64, cells: f64) -> [f64; 2] {
         Err(why) => panic!("{why:?}"),
     }
     let motions = rigid_motions(&solver.assembly.sheet, &state.points, &[0, 1, 2, 3, 4, 5]);
-    let of_whole =
-        solver.lowest_eigenvalue(&state, equilibrium.pressure, &motions).expect("an eigenvalue");
+    let of_whole = solver.lowest_eigenvalue(&state, equilibrium.pressure, &motions).expect("an eigenvalue");
     println!(
         "{points} points, {} kPa, {} unknowns: lowest eigenvalue {:.4} p/W, of half a sector {:.4} p/W",
         1e-3 * pressure,

@@ -119,8 +119,8 @@ impl Family<'_> {
         let mesh = &meshed.mesh;
         let mut sheet = Sheet::new(mesh, self.tube.scaled());
         let supports = (self.hold)(meshed, &mut sheet);
-        let mut solver = Solver::new(sheet, supports)
-            .ok_or(ShellFault::TooLarge { triangles: mesh.triangles.len() })?;
+        let mut solver =
+            Solver::new(sheet, supports).ok_or(ShellFault::TooLarge { triangles: mesh.triangles.len() })?;
         if !self.obstacles.is_empty() {
             solver.contact = Some(Contact::new(&solver.assembly, self.obstacles.to_vec()));
         }

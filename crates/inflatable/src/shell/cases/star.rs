@@ -137,7 +137,8 @@ pub fn star_by_sizes(
     let planes = [Plane::first(), Plane::second(sector.half_angle())];
     let obstacles = [Obstacle::Wall(planes[0]), Obstacle::Wall(planes[1]), Obstacle::Post { radius: 0.0 }];
     let hold = |meshed: &Meshed, _: &mut Sheet| Supports::new(&meshed.mesh, planes.to_vec());
-    let family = Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
+    let family =
+        Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
     let (mut worst, mut shape) = (Extremes::default(), Shape::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
         let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];

@@ -72,8 +72,8 @@ impl Membrane {
             return elastic;
         }
         let [plane, shear] = moduli(fabric);
-        let mut tangent =
-            [[plane, nu * plane, 0.0], [nu * plane, plane, 0.0], [0.0, 0.0, shear]].map(|row| row.map(|c| left * c));
+        let mut tangent = [[plane, nu * plane, 0.0], [nu * plane, plane, 0.0], [0.0, 0.0, shear]]
+            .map(|row| row.map(|c| left * c));
         let mut stress = elastic.stress.map(|s| left * s);
         if most > 0.0 {
             let (sine, cosine) = (0.5 * double.atan2(e11 - e22)).sin_cos();

@@ -58,7 +58,12 @@ impl Chamber {
         self.islands.iter().any(|island| island.encloses(p))
     }
 
-    /// Diameter of the largest circle that it holds, within 1 %.
+    /// Flat area of one sheet, with what lies on islands.
+    pub fn area(&self) -> f64 {
+        self.outline.area() - self.holes.iter().map(|hole| hole.area().abs()).sum::<f64>()
+    }
+
+    /// Diameter of the largest circle that it holds, within 0.1 %.
     pub fn widest(&self) -> f64 {
         self.walls().widest(self.outline.bounds(), |p| self.has_air(p))
     }
@@ -150,7 +155,8 @@ impl Chamber {
         let count = path.segments.len();
         let joints = (0..count).filter(move |at| path.closed || at + 1 < count);
         let corners = joints.filter_map(move |at| {
-            let (before, after) = (path.segments[at].tangent(1.0), path.segments[(at + 1) % count].tangent(0.0));
+            let (before, after) =
+                (path.segments[at].tangent(1.0), path.segments[(at + 1) % count].tangent(0.0));
             let turn = before.cross(after).atan2(before.dot(after));
             let corner = path.segments[at].end();
             // A step along the bisector, away from the corner, is in the air if the corner points into it.

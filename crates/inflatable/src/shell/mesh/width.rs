@@ -65,9 +65,10 @@ impl Walls {
             let Some(first) = first.filter(|_| looked_at < MOST_SQUARES) else { return 2.0 * best };
             let (_, center, half) = open.swap_remove(first);
             let quarter = half / 2.0;
-            next.extend([[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]].map(|[x, y]| {
-                (center + Vec2::new(x * quarter, y * quarter), quarter)
-            }));
+            next.extend(
+                [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]]
+                    .map(|[x, y]| (center + Vec2::new(x * quarter, y * quarter), quarter)),
+            );
         }
     }
 }

@@ -44,7 +44,8 @@ pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Cha
     }
     for (island, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 1) {
         let p = island.segments[0].point(0.5);
-        let around = found.iter_mut().find(|(outer, chamber)| outer + 1 == *depth && holds(&chamber.outline, p));
+        let around =
+            found.iter_mut().find(|(outer, chamber)| outer + 1 == *depth && holds(&chamber.outline, p));
         let Some((_, chamber)) = around else { continue };
         if cuts.iter().any(|cut| cut.start().is_some_and(|p| holds(island, p))) {
             let is_clockwise = island.area() < 0.0;

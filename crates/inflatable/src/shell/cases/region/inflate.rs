@@ -15,10 +15,22 @@ use crate::shell::cases::tube::Tube;
 use crate::shell::element::Fabric;
 use crate::shell::mesh::Meshed;
 
-impl Fineness {
-    /// For a first look at a [`region`]: some 15,000 unknowns on the finest mesh of a disc.
-    pub const COARSE: Self = Self { cells: 5.0, cuts: 2 };
+impl FlatRegion {
+    /// For a first look: some 800 unknowns on the coarsest mesh and 16 times as many on the finest, as far as that leaves one and a half edges
+    /// across the chamber.
+    pub fn quick(&self) -> Fineness {
+        let width = self.chamber.widest();
+        let squares = self.chamber.area() / (width * width);
+        let cells = (QUICK / (UNKNOWNS_OF_SQUARE * squares)).sqrt();
+        // Not a number of a chamber without width, which has no mesh anyway.
+        Fineness { cells: cells.max(1.5).min(MOST_QUICK), cuts: 2 }
+    }
 }
+
+/// Unknowns of a quick look's coarsest mesh, those of a square of the chamber's width with one edge across, and the most edges across.
+const QUICK: f64 = 800.0;
+const UNKNOWNS_OF_SQUARE: f64 = 12.7;
+const MOST_QUICK: f64 = 6.0;
 
 /// t/W and 1/eps of regions.
 const THINNEST: f64 = 1e-6;
@@ -41,7 +53,14 @@ pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<In
         sheet.compression = compression;
         supports::symmetric(meshed, &Sealed::new(&chamber, meshed), sheet)
     };
-    let family = Family { tube, coarsest, cuts: fineness.cuts, hold: &hold, obstacles: &[], from_above: Wrinkles::of(&tube) == Wrinkles::Averaged };
+    let family = Family {
+        tube,
+        coarsest,
+        cuts: fineness.cuts,
+        hold: &hold,
+        obstacles: &[],
+        from_above: Wrinkles::of(&tube) == Wrinkles::Averaged,
+    };
     let seams = Seams::new(&chamber, case.band / width);
     let mut pulls: Vec<Vec<Station>> = Vec::new();
     let mut last = (Measured::default(), Shape::default(), Surface::default());

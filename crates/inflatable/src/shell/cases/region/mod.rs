@@ -21,4 +21,3 @@ pub use answer::{InflatedRegion, Seam, SeamPull, Wrinkles};
 pub use chambers::{FlatRegion, chambers};
 pub use inflate::region;
 pub use surface::Surface;
-

@@ -34,7 +34,9 @@ impl<'a> Seams<'a> {
     /// curve each piece of the mesh is.
     pub(super) fn pulls(&self, meshed: &Meshed, curve_of: &[usize], forces: &[[f64; 3]]) -> Vec<Station> {
         let curves = self.chamber.curves().enumerate();
-        curves.flat_map(|(curve, path)| self.along(curve, path, &Profile::new(meshed, curve_of, curve, forces))).collect()
+        curves
+            .flat_map(|(curve, path)| self.along(curve, path, &Profile::new(meshed, curve_of, curve, forces)))
+            .collect()
     }
 
     fn along(&self, curve: usize, path: &Path, profile: &Profile) -> Vec<Station> {
@@ -93,7 +95,8 @@ impl Profile {
         let mut sum = [0.0; 3];
         for (_, edge) in edges {
             let length = mesh.length(edge);
-            let force: f64 = mesh.edges[edge].ends.iter().map(|end| -forces[*end][2] * length / lengths[end]).sum();
+            let force: f64 =
+                mesh.edges[edge].ends.iter().map(|end| -forces[*end][2] * length / lengths[end]).sum();
             sum = [sum[0] + length / chords, sum[1] + force, sum[2] + length * all / chords];
             sums.push(sum);
         }

@@ -11,10 +11,8 @@ use crate::shell::solver::{Solver, rigid_motions};
 /// The lowest eigenvalues of both kinds by p/W; not a number where the mesh is too large.
 pub(super) fn lowest(solver: &mut Solver, (state, pressure): (&State, f64), sealed: &Sealed) -> [f64; 2] {
     let sheet = &solver.assembly.sheet;
-    let (within, beyond) = (
-        rigid_motions(sheet, &state.points, &[0, 1, 5]),
-        rigid_motions(sheet, &state.points, &[2, 3, 4]),
-    );
+    let (within, beyond) =
+        (rigid_motions(sheet, &state.points, &[0, 1, 5]), rigid_motions(sheet, &state.points, &[2, 3, 4]));
     let other = Solver::new(sheet.clone(), antisymmetric(sealed));
     let symmetric = solver.lowest_eigenvalue(state, pressure, &within);
     let antisymmetric = other.and_then(|mut other| other.lowest_eigenvalue(state, pressure, &beyond));

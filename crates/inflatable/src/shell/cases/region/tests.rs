@@ -8,7 +8,7 @@ use crate::shell::assembly::Sheet;
 use crate::shell::cases::{Fineness, ShellFault, VActuator, Value, Watch, actuator};
 use crate::shell::element::Fabric;
 use crate::shell::mesh::{Chamber, MeshFault};
-use crate::shell::solver::{Solver, rigid_motions};
+use crate::shell::solver::{Continuation, Equilibrium, Solver, rigid_motions};
 use std::f64::consts::{PI, TAU};
 
 /// E = 128 MPa, nu = 0.39, of thickness `t`, m.
@@ -136,7 +136,8 @@ fn welds_and_islands_hold_both_sheets_together() {
     let two = inflated(&one(&[square.clone()], &[weld]), 0.3e-3, 5e3, 5.0);
     assert!((two.width - 0.02).abs() < 1e-4, "{}", two.width);
     assert!(two.height.value < 0.75 * open.height.value, "{:?} {:?}", two.height, open.height);
-    let of_weld = two.seams.iter().filter(|seam| matches!(seam.seam, Seam::Weld(0))).map(|seam| seam.pull.value);
+    let of_weld =
+        two.seams.iter().filter(|seam| matches!(seam.seam, Seam::Weld(0))).map(|seam| seam.pull.value);
     let largest = of_weld.fold(0.0, f64::max);
     assert!(largest > 1.2 * two.seams[0].pull.value, "{largest}");
     // An island: what lies on it stays in the plane.
@@ -148,38 +149,55 @@ fn welds_and_islands_hold_both_sheets_together() {
     assert!(island.seams.iter().any(|seam| seam.seam == Seam::Island(0) && seam.pull.value > 0.0));
 }
 
-/// Moving and turning both sheets as a whole costs nothing, though one sheet alone is held otherwise.
-#[test]
-fn what_leaves_the_plane_as_a_whole_costs_nothing() {
-    let chamber = one(&[rectangle(2.0, 1.0), circle(1.0, 0.5, 0.2)], &[]);
+/// Both kinds of supports on a mesh of `chamber` at the pressure `bendability`, as 1/eps: the solver of one sheet, its equilibrium, and
+/// where both sheets are one.
+fn at_rest(chamber: &Chamber, bendability: f64) -> (Solver, Equilibrium, Sealed) {
     let (meshed, _) = chamber.mesh(5.0).expect("a mesh");
-    let sealed = Sealed::new(&chamber, &meshed);
-    let mut sheet = Sheet::new(&meshed.mesh, Fabric { stretch: 1.0, bending: 1e-5, poisson: 0.3 });
+    let sealed = Sealed::new(chamber, &meshed);
+    let bending = 1e-5;
+    let mut sheet = Sheet::new(&meshed.mesh, Fabric { stretch: 1.0, bending, poisson: 0.3 });
     let supports = symmetric(&meshed, &sealed, &mut sheet);
     let mut solver = Solver::new(sheet, supports).expect("small");
-    let continuation =
-        crate::shell::solver::Continuation { first: 1e-5, last: 3e-3, scale: 1.0, floor: 2e-13 };
+    let last = bendability * bending;
+    let continuation = Continuation { first: bending, last, scale: 1.0, floor: 2e-13 };
     let equilibrium = continuation.run(&mut solver, |_| {}).expect("an equilibrium");
+    (solver, equilibrium, sealed)
+}
+
+/// Moving and turning both sheets as a whole costs nothing, though one sheet alone is held otherwise.
+#[test]
+fn what_moves_the_whole_costs_nothing() {
+    let chamber = one(&[rectangle(2.0, 1.0), circle(1.0, 0.5, 0.2)], &[]);
+    let (mut solver, equilibrium, sealed) = at_rest(&chamber, 10.0);
     let (state, pressure) = (&equilibrium.state, equilibrium.pressure);
     let mut other = Solver::new(solver.assembly.sheet.clone(), antisymmetric(&sealed)).expect("small");
     let with = other.lowest_eigenvalue(state, pressure, &[]).expect("a value") / pressure;
     assert!(with.abs() < 1e-4, "{with}");
     let motions = rigid_motions(&solver.assembly.sheet, &state.points, &[2, 3, 4]);
     let without = other.lowest_eigenvalue(state, pressure, &motions).expect("a value") / pressure;
-    assert!(without.abs() > 1e-3, "{without}");
+    assert!(without > 1e-2, "{without}");
     let [within, beyond] = stability::lowest(&mut solver, (state, pressure), &sealed);
-    assert!(within > 0.0 && (beyond - without).abs() < 1e-6, "{within} {beyond}");
+    assert!(within > 0.0 && (beyond - without).abs() < 1e-6, "{within} {beyond} {without}");
 }
 
-/// A flat ring would have to grow around and cannot: it leaves its plane.
+/// The rim of a pillow is compressed along itself: with more pressure it leaves the plane in folds.
 #[test]
-fn a_ring_leaves_its_plane() {
-    let loops = [circle(0.0, 0.0, 0.2), circle(0.0, 0.0, 0.18)];
-    let ring = chambers(&loops, &[], &[circle(0.0, 0.0, 0.1)]).expect("a ring").remove(0);
-    assert_eq!(ring.holes.len(), 1);
+fn a_compressed_rim_leaves_its_plane() {
+    let chamber = one(&[rectangle(2.0, 1.0), circle(1.0, 0.5, 0.2)], &[]);
+    let (mut solver, equilibrium, sealed) = at_rest(&chamber, 300.0);
+    let at = (&equilibrium.state, equilibrium.pressure);
+    let [within, beyond] = stability::lowest(&mut solver, at, &sealed);
+    assert!(within > 0.0 && beyond < 0.0, "{within} {beyond}");
+}
+
+/// The tube of a ring slides in the plane on both rims.
+#[test]
+fn a_ring_has_a_rim_within() {
+    let loops = [circle(0.0, 0.0, 0.08), circle(0.0, 0.0, 0.06)];
+    let ring = chambers(&loops, &[], &[circle(0.0, 0.0, 0.05)]).expect("a ring").remove(0);
     let found = inflated(&ring, 0.3e-3, 14e3, 1.5);
-    assert!(found.may_leave_its_plane(), "{:?}", found.antisymmetric_eigenvalue);
-    assert!(found.symmetric_eigenvalue.value > 0.0);
+    assert!(found.seams.iter().any(|seam| seam.seam == Seam::Hole(0) && seam.pull.value > 0.0));
+    assert!(found.extents[0].value < 0.99 * found.flat_extents[0], "{:?}", found.extents);
 }
 
 #[test]
