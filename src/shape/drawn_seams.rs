@@ -1,7 +1,7 @@
 //! Seams that are drawn as centre lines.
 
 use crate::shape::air::depth;
-use crate::shape::around::{Kind, Line, Lines, no_channel, opened};
+use crate::shape::around::{Kind, Layout, Line, no_channel, opened};
 use crate::shape::fault::ShapeCode;
 use crate::shape::loose::crossings;
 use crate::shape::mouth::{NoChannel, channel};
@@ -14,7 +14,7 @@ pub(super) fn drawn_seams(
     sketch: &Sketch,
     rules: &Rules,
     taken: &mut Vec<usize>,
-    lines: &mut Lines,
+    lines: &mut Layout,
     notes: &mut Notes,
 ) {
     if sketch.seams.is_empty() {

@@ -1,6 +1,6 @@
 //! A sketch as a sealed shape, or all its faults.
 
-use crate::shape::around::{Kind, Lines, around_air};
+use crate::shape::around::{Kind, Layout, around_air};
 use crate::shape::checks::{checked, sharp_corners};
 use crate::shape::drawn_seams::{drawn_seams, join_ends, lost_ports};
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
@@ -60,13 +60,13 @@ pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<Shape
     Ok(Sealing { shape, holes, repairs: notes.repairs, warnings: notes.warnings })
 }
 
-fn ports(lines: &Lines) -> Vec<Port> {
+fn ports(lines: &Layout) -> Vec<Port> {
     let mut mouths = lines.mouths.clone();
     mouths.sort_by_key(|mouth| mouth.port);
     mouths.iter().map(|mouth| Port { at: mouth.at, width: 2.0 * mouth.half }).collect()
 }
 
-fn seams(lines: &Lines, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
+fn seams(lines: &Layout, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
     let named = lines.lines.iter().zip(seam_names(&lines.lines));
     let seam = |(line, name): (&crate::shape::around::Line, String)| {
         let closed = line.path.closed;

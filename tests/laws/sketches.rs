@@ -357,7 +357,7 @@ proptest! {
         let mut seed = order;
         for segment in grown {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            let segment = Isometry::translation(Vec2::unit((seed >> 40) as f64) * gap).segment(&segment);
+            let segment = Isometry::translation(Vec2::unit(f64::from((seed >> 40) as u32)) * gap).segment(&segment);
             let segment = if seed >> 63 == 0 { segment.reversed() } else { segment };
             pieces.insert((seed >> 33) as usize % (pieces.len() + 1), ("", Path::open(vec![segment])));
         }
