@@ -53,7 +53,7 @@ pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<Shape
     sharp_corners(&lines, rules, &mut notes);
     let shape =
         SealedShape { seams: seams(&lines, rules, &mut notes), band: rules.band, cut, ports: ports(&lines) };
-    chambers_without_port(&shape, &mut notes);
+    unsound_chambers(&shape, &mut notes);
     if !notes.faults.is_empty() {
         return Err(notes.faults);
     }
@@ -86,9 +86,18 @@ fn seams(lines: &Layout, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
     named.map(seam).collect()
 }
 
-/// Faults of chambers that no port leads into.
-fn chambers_without_port(shape: &SealedShape, notes: &mut Notes) {
+/// Faults of leaks, and of chambers that no port leads into.
+fn unsound_chambers(shape: &SealedShape, notes: &mut Notes) {
     let topology = shape.topology();
+    // Curves that cross are found before: what is left comes from the channel of a port that meets another edge.
+    for leak in &topology.leaks {
+        let place = leak.place(shape).unwrap_or(Point::ORIGIN);
+        let text = (
+            "a seam crosses itself or another, or stays open".to_owned(),
+            "move the port to where its channel leads straight out".to_owned(),
+        );
+        notes.fault(ShapeCode::Leak, &[], place, text, [f64::NAN; 2]);
+    }
     let chambers = topology.chambers.iter().zip(&topology.insides);
     for (chamber, inside) in chambers.filter(|(chamber, _)| chamber.ports.is_empty()) {
         let names = [shape.seams[chamber.outside].name.clone()];
