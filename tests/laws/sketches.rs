@@ -366,8 +366,11 @@ proptest! {
         match (whole, joined) {
             (Ok(whole), Ok(joined)) => {
                 let (a, b) = (&whole.shape.seams[0].center_line, &joined.shape.seams[0].center_line);
-                prop_assert!(samples(b).iter().all(|at| a.distance(*at) < 0.2), "{:?}", joined.repairs);
-                prop_assert!((a.length() - b.length()).abs() < 0.5);
+                // Beside a corner a hundredth decides from which side the channel leads.
+                for (a, b) in [(a, b), (b, a)] {
+                    let off = samples(b).into_iter().filter(|p| p.distance(at) > 30.0 && a.distance(*p) > 0.2);
+                    prop_assert_eq!(off.count(), 0, "{:?}", joined.repairs);
+                }
             }
             (Err(a), Err(b)) => prop_assert!(a.iter().any(|f| b.iter().any(|g| g.code == f.code)), "{:?} {:?}", a, b),
             (a, b) => {
