@@ -1,5 +1,7 @@
 //! The order of sealing, and where closed seams start.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::shape::around::{Kind, Line};
 use inflatable::geom::{Path, Point, Segment};
 
@@ -69,7 +71,9 @@ fn well_started(path: &Path) -> Path {
 
 /// The names of seams: the drawn names where they can stand in a program, else what the seam is for. No two are alike.
 pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
-    let mut used: Vec<String> = Vec::new();
+    let mut used: BTreeSet<String> = BTreeSet::new();
+    let mut numbers: BTreeMap<String, usize> = BTreeMap::new();
+    let mut names = Vec::with_capacity(lines.len());
     let outers = lines.iter().filter(|line| line.kind == Kind::Outer).count();
     for line in lines {
         let (word, alone) = match line.kind {
@@ -83,15 +87,19 @@ pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
             _ => String::new(),
         };
         let base = if drawn.is_empty() { word.to_owned() } else { drawn.clone() };
-        let mut name = if drawn.is_empty() && !alone { format!("{base}-1") } else { base.clone() };
-        let mut number = 1;
-        while used.contains(&name) {
-            number += 1;
-            name = format!("{base}-{number}");
-        }
-        used.push(name);
+        // Numbers of a word go up, so that no name is tried twice.
+        let number = numbers.entry(base.clone()).or_insert(0);
+        let name = loop {
+            *number += 1;
+            let plain = *number == 1 && (alone || !drawn.is_empty());
+            let name = if plain { base.clone() } else { format!("{base}-{number}") };
+            if used.insert(name.clone()) {
+                break name;
+            }
+        };
+        names.push(name);
     }
-    used
+    names
 }
 
 /// The name with letters, digits, "-" and "_" only; empty if it has no letter.
@@ -100,4 +108,51 @@ fn safe(name: &str) -> String {
     let safe: String = name.chars().take(40).map(|c| if plain(c) { c } else { '-' }).collect();
     let safe = safe.trim_matches('-').to_owned();
     if safe.chars().any(|c| c.is_ascii_alphabetic()) { safe } else { String::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use inflatable::geom::Line as Chord;
+
+    fn line(kind: Kind, name: &str, x: f64, y: f64) -> Line {
+        let p = |dx: f64, dy: f64| Point::new(x + dx, y + dy);
+        let corners = [p(0.0, 0.0), p(9.0, 0.0), p(9.0, 4.0), p(0.0, 4.0), p(0.0, 0.0)];
+        let segments = corners.windows(2).map(|pair| Chord::new(pair[0], pair[1]).into()).collect();
+        let closed = matches!(kind, Kind::Outer | Kind::Island);
+        let path = if closed { Path::closed(segments) } else { Path::open(segments[..1].to_vec()) };
+        Line { path, names: vec![name.to_owned()], kind, joined: [false, true] }
+    }
+
+    #[test]
+    fn inner_seams_come_first_and_the_nearest_next() {
+        let lines = vec![
+            line(Kind::Outer, "rim", 0.0, 0.0),
+            line(Kind::Island, "far", 200.0, 0.0),
+            line(Kind::Island, "near", 60.0, 0.0),
+            line(Kind::Wall, "wall", 40.0, 0.0),
+            line(Kind::Weld, "weld", 20.0, 0.0),
+        ];
+        let ordered = ordered(lines);
+        assert_eq!(seam_names(&ordered), ["weld", "wall", "near", "far", "rim"]);
+        // Closed ones start in the middle of their longest straight segment.
+        assert_eq!(ordered[2].path.start(), Some(Point::new(64.5, 0.0)));
+        let backwards = super::ordered(vec![line(Kind::Weld, "w", -9.0, 0.0)]);
+        assert_eq!(backwards[0].path.start(), Some(Point::new(0.0, 0.0)));
+        assert_eq!(backwards[0].joined, [true, false]);
+    }
+
+    #[test]
+    fn names_can_stand_in_a_program_and_differ() {
+        let named = |kind, name| line(kind, name, 0.0, 0.0);
+        let lines = [
+            named(Kind::Weld, "a b;c"),
+            named(Kind::Weld, "a b;c"),
+            named(Kind::Weld, "12"),
+            named(Kind::Island, ""),
+            named(Kind::Outer, "(x"),
+            named(Kind::Outer, ""),
+        ];
+        assert_eq!(seam_names(&lines), ["a-b-c", "a-b-c-2", "weld-1", "island-1", "x", "outer-1"]);
+    }
 }
