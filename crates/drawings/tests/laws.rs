@@ -198,11 +198,11 @@ fn circles_are_one_arc_and_quarter_beziers_one_arc_each() {
 #[test]
 fn cusps_loops_and_flat_curves_are_read() {
     let cases = [
-        [(0.0, 0.0), (60.0, 60.0), (0.0, 60.0), (60.0, 0.0)],  // a loop or a cusp
+        [(0.0, 0.0), (60.0, 60.0), (0.0, 60.0), (60.0, 0.0)], // a loop or a cusp
         [(0.0, 0.0), (40.0, 40.0), (0.0, 40.0), (40.0, 0.0)],
         [(10.0, 50.0), (90.0, 50.0), (-40.0, 50.0), (60.0, 50.0)], // there and back on a line
-        [(10.0, 10.0), (10.0, 10.0), (50.0, 90.0), (50.0, 90.0)], // handles on the ends
-        [(10.0, 10.0), (90.0, 10.0), (90.0, 10.0), (10.0, 10.0)], // ends meet
+        [(10.0, 10.0), (10.0, 10.0), (50.0, 90.0), (50.0, 90.0)],  // handles on the ends
+        [(10.0, 10.0), (90.0, 10.0), (90.0, 10.0), (10.0, 10.0)],  // ends meet
     ];
     for case in cases {
         let c = case.map(|(x, y)| Point::new(x, y));
