@@ -1,5 +1,11 @@
 //! Laws that hold for any drawing: accuracy of arcs, exactness of lines and circles, bounds on hostile input.
 
+#![expect(
+    clippy::cast_precision_loss,
+    clippy::needless_for_each,
+    reason = "knots are few, and written in a row"
+)]
+
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 
@@ -14,11 +20,13 @@ fn svg(body: &str) -> String {
 }
 
 fn paths(drawing: &Drawing) -> Vec<&Path> {
-    let path = |figure| match figure {
-        &Figure::Path(ref path) => Some(path),
-        &Figure::Point(_) => None,
-    };
-    drawing.elements.iter().filter_map(|element| path(&element.figure)).collect()
+    let mut found = Vec::new();
+    for element in &drawing.elements {
+        if let Figure::Path(path) = &element.figure {
+            found.push(path);
+        }
+    }
+    found
 }
 
 fn only(text: &str, tolerance: f64) -> Path {
