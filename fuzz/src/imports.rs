@@ -38,8 +38,10 @@ fn whole(drawing: &Drawing) {
                 segments += path.segments.len();
                 assert!(path.length().is_finite() && path.length() > 0.0, "{element:?}");
                 assert!(path.segments.iter().all(|segment| segment.length() > 0.0), "{element:?}");
-                assert!(path.largest_gap() <= 1e-6, "{} in {element:?}", path.largest_gap());
                 let bounds = path.bounds();
+                // Arcs that are as flat as they are long lose digits of their ends: beyond 10 m the tolerance is the bound.
+                let gap = if bounds.width().max(bounds.height()) < 1e4 { 1e-6 } else { 0.01 };
+                assert!(path.largest_gap() <= gap, "{} in {element:?}", path.largest_gap());
                 assert!(bounds.width() <= 5e6 && bounds.height() <= 5e6, "{element:?}");
             }
         }
