@@ -127,7 +127,12 @@ fn measured(
         out.note(Weight::Information, Place::default(), text);
         (Affine::scale(PIXEL, PIXEL), size.map(|mm| mm / PIXEL))
     };
-    out.set_unit(map.x.length());
+    let unit_mm = map.x.length();
+    if !(1e-9..=1e6).contains(&unit_mm) {
+        let text = format!("One unit of the viewBox is {unit_mm} mm; 1e-9 mm to 1e6 mm are allowed.");
+        return Err((text, "Correct width, height and viewBox.".into()));
+    }
+    out.set_unit(unit_mm);
     Ok((flipped(size[1]).after(&map), Viewport(view)))
 }
 

@@ -354,7 +354,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     /// Id, layers and line of an element.
     fn place(&self, node: Node<'a, 'd>, context: &Context<'a>) -> Place {
         let line = self.source.line(node);
-        let own = match node.attribute("id") {
+        let own = match node.attribute("id").filter(|id| !id.is_empty()) {
             Some(id) => id.to_owned(),
             None => format!("{} at line {line}", node.tag_name().name()),
         };
@@ -381,5 +381,5 @@ fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
     };
     let label =
         node.attributes().find(|attribute| label(attribute.name(), attribute.namespace())).map(|a| a.value());
-    label.into_iter().chain(node.attribute("id"))
+    label.into_iter().chain(node.attribute("id")).filter(|name| !name.is_empty())
 }
