@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 use stargrip_cam::answer::object::{FORCES, FRICTIONS, MASSES, NoGripper, PRESSURES, Request, base, sheet};
 use stargrip_cam::answer::quantity::{SIZE, number, quantity};
-use stargrip_cam::forecast::sizing::{FRICTION, Nearest};
+use stargrip_cam::forecast::sizing::{FRICTION, NearestRequirements};
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Allowed, Machine, ObjectShape};
 use stargrip_cam::units::{Length, Quantity};
@@ -88,7 +88,7 @@ fn taken<Q: Quantity>(question: &Value, name: &str, allowed: Allowed, wrong: &mu
 }
 
 /// The fields of a request near `request` that can be met.
-fn near(nearest: &Nearest, request: &Request) -> Value {
+fn near(nearest: &NearestRequirements, request: &Request) -> Value {
     let had = &nearest.requirements;
     let is_assumed = request.friction.is_none() && had.friction == FRICTION;
     let sheet = had.room.sheet.map(|side| format!("{}x{}", side.0, side.0));

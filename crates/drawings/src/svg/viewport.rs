@@ -27,7 +27,7 @@ impl Viewport {
         };
         let length = Length::from_str(value.trim()).map_err(|_| fault())?;
         let [w, h] = self.0;
-        let whole = [w, h, ((w * w + h * h) / 2.0).sqrt()][axis];
+        let whole = [w, h, w.hypot(h) / std::f64::consts::SQRT_2][axis];
         match (length.unit, millimetres(length)) {
             (LengthUnit::None, _) => Ok(length.number),
             (LengthUnit::Percent, _) => Ok(length.number / 100.0 * whole),
@@ -127,7 +127,12 @@ fn measured(
         out.note(Weight::Information, Place::default(), text);
         (Affine::scale(PIXEL, PIXEL), size.map(|mm| mm / PIXEL))
     };
-    out.set_unit(map.x.length());
+    let unit_mm = map.x.length();
+    if !(1e-9..=1e6).contains(&unit_mm) {
+        let text = format!("One unit of the viewBox is {unit_mm} mm; 1e-9 mm to 1e6 mm are allowed.");
+        return Err((text, "Correct width, height and viewBox.".into()));
+    }
+    out.set_unit(unit_mm);
     Ok((flipped(size[1]).after(&map), Viewport(view)))
 }
 
