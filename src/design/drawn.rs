@@ -26,7 +26,7 @@ pub struct DrawnPiece {
     pub shape: SealedShape,
     /// The edges of the air as drawn.
     pub edges: Vec<Path>,
-    /// Regions that hold the air, to the middle of the bands around them.
+    /// Outlines of the regions that hold the air, for pictures.
     pub tube: Vec<Path>,
     /// The piece's own edges.
     pub part: DrawnCut,
@@ -75,9 +75,8 @@ impl DrawnPiece {
         let warnings = warned.iter().map(said::warning).collect();
         let part = cut(&shape, &holes)?;
         let tool = part.for_tool(spec.cut.kerf.0)?;
-        let boundaries = shape.seams.iter().filter(|seam| seam.role == Role::Boundary);
-        let tube = boundaries.map(|seam| seam.center_line.clone()).collect();
-        let edges = sketch.air.into_iter().map(|drawn| drawn.path).collect();
+        let edges: Vec<Path> = sketch.air.into_iter().map(|drawn| drawn.path).collect();
+        let tube = regions(&shape, &edges);
         let bounds = footprint(&shape, &tool.outside, machine.process.ramp.0);
         let number = usize::try_from(spec.sheet.copies).unwrap_or(1);
         let boxes: Vec<Bounds> = vec![bounds; number];
@@ -109,6 +108,15 @@ impl DrawnCut {
             self.inside.iter().map(|path| moved(path, -0.5 * kerf, "a hole")).collect::<Result<_, _>>()?;
         Ok(Self { outside: moved(&self.outside, 0.5 * kerf, "the outline")?, inside, kerf })
     }
+}
+
+/// What is filled to show the air: the drawn edges where each is closed, else the middle of the bands.
+fn regions(shape: &SealedShape, edges: &[Path]) -> Vec<Path> {
+    if !edges.is_empty() && edges.iter().all(|edge| edge.closed) {
+        return edges.to_vec();
+    }
+    let boundaries = shape.seams.iter().filter(|seam| seam.role == Role::Boundary);
+    boundaries.map(|seam| seam.center_line.clone()).collect()
 }
 
 /// The rules by which a sketch becomes a shape.
