@@ -69,19 +69,14 @@ impl Sheet {
         }
     }
 
-    /// The value of a property for an element by the rules.
-    fn value(&self, node: Node<'_, '_>, name: &str) -> Option<&Value> {
+    /// The declarations whose selectors match an element.
+    fn matching<'s>(&'s self, node: Node<'_, '_>) -> Vec<&'s BTreeMap<String, Value>> {
+        let mut found = Vec::new();
         if self.rules.is_empty() {
-            return None;
+            return found;
         }
         let tag = node.tag_name().name();
-        let mut best: Option<&Value> = None;
-        let mut look = |selector: &str| {
-            let found = self.rules.get(selector).and_then(|values| values.get(name));
-            if found.is_some_and(|found| best.is_none_or(|best| best.rank < found.rank)) {
-                best = found;
-            }
-        };
+        let mut look = |selector: &str| found.extend(self.rules.get(selector));
         look("*");
         look(tag);
         for class in node.attribute("class").unwrap_or_default().split_ascii_whitespace() {
@@ -92,7 +87,7 @@ impl Sheet {
             look(&format!("#{id}"));
             look(&format!("{tag}#{id}"));
         }
-        best
+        found
     }
 }
 
@@ -142,19 +137,23 @@ fn declarations(text: &str) -> impl Iterator<Item = (&str, &str)> {
     text.split(';').filter_map(|part| part.split_once(':')).map(|(name, value)| (name.trim(), value.trim()))
 }
 
-/// Where an element's properties are looked up.
-#[derive(Clone, Copy)]
+/// The declarations that apply to an element.
 pub(super) struct Cascade<'s, 'a, 'd> {
-    pub(super) sheet: &'s Sheet,
-    pub(super) node: Node<'a, 'd>,
+    node: Node<'a, 'd>,
+    inline: Vec<(&'a str, &'a str)>,
+    rules: Vec<&'s BTreeMap<String, Value>>,
 }
 
-impl<'s, 'a: 's> Cascade<'s, 'a, '_> {
+impl<'s, 'a: 's, 'd> Cascade<'s, 'a, 'd> {
+    pub(super) fn new(sheet: &'s Sheet, node: Node<'a, 'd>) -> Self {
+        let inline = declarations(node.attribute("style").unwrap_or_default()).collect();
+        Self { node, inline, rules: sheet.matching(node) }
+    }
+
     /// A property from `style` or a style sheet.
     pub(super) fn styled(&self, name: &str) -> Option<&'s str> {
-        let inline = self.node.attribute("style").unwrap_or_default();
-        let inline = declarations(inline).filter(|row| row.0 == name).last().map(|row| row.1);
-        let rule = self.sheet.value(self.node, name);
+        let inline = self.inline.iter().rfind(|row| row.0 == name).map(|row| row.1);
+        let rule = self.rules.iter().filter_map(|rule| rule.get(name)).max_by_key(|value| value.rank);
         match (inline, rule) {
             (Some(inline), rule)
                 if inline.ends_with("!important") || rule.is_none_or(|rule| !rule.rank.0) =>
@@ -195,7 +194,7 @@ impl Style {
         Self { stroke: Paint::None, fill: Paint::Colour([0; 3]), colour: [0; 3], visible: true };
 
     /// The style of an element in an element of this style.
-    pub(super) fn inherited(&self, cascade: Cascade<'_, '_, '_>) -> Self {
+    pub(super) fn inherited(&self, cascade: &Cascade<'_, '_, '_>) -> Self {
         let colour = cascade.value("color").and_then(colour).unwrap_or(self.colour);
         let paint = |name: &str, parent: Paint| match cascade.value(name) {
             None | Some("inherit") => parent,
@@ -241,7 +240,9 @@ mod tests {
         let document = roxmltree::Document::parse(text).expect("xml");
         let found = |sheet: &Sheet| -> Vec<String> {
             let nodes = document.root_element().children();
-            nodes.map(|node| Cascade { sheet, node }.value("stroke").expect("a stroke").to_owned()).collect()
+            nodes
+                .map(|node| Cascade::new(sheet, node).value("stroke").expect("a stroke").to_owned())
+                .collect()
         };
         assert_eq!(found(&sheet), ["black"; 3]);
         assert!(sheet.rules.remove("*").is_some());

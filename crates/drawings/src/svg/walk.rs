@@ -74,7 +74,7 @@ pub(super) struct Walk<'s, 'a, 'd, 'c, 'o> {
     out: &'c mut Collector<'o>,
 }
 
-impl<'s, 'a, 'd, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
+impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     pub(super) fn new(document: &'a Document<'d>, source: &'s Source, out: &'c mut Collector<'o>) -> Self {
         let mut ids = BTreeMap::new();
         for node in document.root().descendants() {
@@ -287,7 +287,7 @@ impl<'s, 'a, 'd, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     /// The context inside an element: its transform and style; `None` with a fault recorded.
     fn entered(&mut self, node: Node<'a, 'd>, context: Context<'a>) -> Option<Context<'a>> {
         let cascade = self.cascade(node);
-        let style = context.style.inherited(cascade);
+        let style = context.style.inherited(&cascade);
         let is_frame = matches!(node.tag_name().name(), "svg" | "symbol");
         let changed = GEOMETRY
             .iter()
@@ -348,7 +348,7 @@ impl<'s, 'a, 'd, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     fn cascade(&self, node: Node<'a, 'd>) -> Cascade<'s, 'a, 'd> {
-        Cascade { sheet: &self.source.sheet, node }
+        Cascade::new(&self.source.sheet, node)
     }
 
     /// Id, layers and line of an element.
