@@ -87,22 +87,27 @@ impl Joints {
 
 /// Pairs of free ends with a port between them: of one seam if there are, else the nearest pair.
 fn mouths(shape: &SealedShape, free: &[(usize, usize, Point)]) -> Vec<MouthEnds> {
+    let index = BoxIndex::new(free.iter().map(|(_, _, end)| Bounds::of_points([*end])));
+    let middles = free.windows(2).map(|pair| Bounds::of_points([pair[0].2.midpoint(pair[1].2)]));
+    // Both ends of a seam stand side by side.
+    let own = BoxIndex::new(middles.collect::<Vec<_>>().into_iter());
     let mut used = vec![false; free.len()];
     let mut mouths = Vec::new();
     for (number, Port { at, width }) in shape.ports.iter().enumerate() {
         let reach = width + shape.band;
-        let mut best: Option<(bool, f64, usize, usize)> = None;
-        for (i, (seam, _, a)) in free.iter().enumerate() {
-            for (j, (other, _, b)) in free.iter().enumerate().skip(i + 1) {
-                let far = a.midpoint(*b).distance(*at);
-                let key = (seam != other, far);
-                let better = best.is_none_or(|(parted, least, ..)| (key.0, key.1) < (parted, least));
-                if !used[i] && !used[j] && far <= reach && better {
-                    best = Some((key.0, far, i, j));
-                }
-            }
-        }
-        if let Some((_, _, i, j)) = best {
+        let zone = Bounds::of_points([*at]).grown(reach);
+        let same = own.overlapping(&zone).into_iter().map(|i| (i, i + 1));
+        let same: Vec<_> = same.filter(|(i, j)| free[*i].0 == free[*j].0).collect();
+        let near = index.overlapping(&zone.grown(reach));
+        let pairs = near.iter().flat_map(|i| near.iter().map(move |j| (*i, *j))).filter(|(i, j)| i < j);
+        let far = |(i, j): (usize, usize)| free[i].2.midpoint(free[j].2).distance(*at);
+        let parted = |(i, j): (usize, usize)| free[i].0 != free[j].0;
+        let best = same
+            .into_iter()
+            .chain(pairs)
+            .filter(|(i, j)| !used[*i] && !used[*j] && far((*i, *j)) <= reach)
+            .min_by(|a, b| parted(*a).cmp(&parted(*b)).then(far(*a).total_cmp(&far(*b))));
+        if let Some((i, j)) = best {
             (used[i], used[j]) = (true, true);
             let ends = [free[i], free[j]];
             mouths.push(MouthEnds {

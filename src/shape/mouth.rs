@@ -78,10 +78,10 @@ pub(super) fn channel(
     let (across, half, total) = (out.perp(), width / 2.0, path.length());
     let side = |s: f64| (path.point_at(s.rem_euclid(total)).unwrap_or(middle) - middle).dot(across);
     // Travelling with the air on the left, the way out is on the right: the edge goes on to the left of it.
-    let ahead =
-        first_across(path, s, middle, across, half).ok_or(NoChannel::Narrow(extent(path, s, side)))?;
+    let ahead = first_across(path, s, middle, across, half)
+        .ok_or_else(|| NoChannel::Narrow(extent(path, s, side)))?;
     let back = first_across(&path.reversed(), total - s, middle, -across, half)
-        .ok_or(NoChannel::Narrow(extent(path, s, side)))?;
+        .ok_or_else(|| NoChannel::Narrow(extent(path, s, side)))?;
     let length = length(middle, out);
     let far = |lateral: f64, along: f64| middle + across * lateral + out * along;
     let (from, to) = (ahead, total - back);

@@ -1,5 +1,7 @@
 //! The order of sealing, and where closed seams start.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use crate::shape::around::{Kind, Line};
 use inflatable::geom::{Path, Point, Segment};
 
@@ -69,7 +71,9 @@ fn well_started(path: &Path) -> Path {
 
 /// The names of seams: the drawn names where they can stand in a program, else what the seam is for. No two are alike.
 pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
-    let mut used: Vec<String> = Vec::new();
+    let mut used: BTreeSet<String> = BTreeSet::new();
+    let mut numbers: BTreeMap<String, usize> = BTreeMap::new();
+    let mut names = Vec::with_capacity(lines.len());
     let outers = lines.iter().filter(|line| line.kind == Kind::Outer).count();
     for line in lines {
         let (word, alone) = match line.kind {
@@ -83,15 +87,19 @@ pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
             _ => String::new(),
         };
         let base = if drawn.is_empty() { word.to_owned() } else { drawn.clone() };
-        let mut name = if drawn.is_empty() && !alone { format!("{base}-1") } else { base.clone() };
-        let mut number = 1;
-        while used.contains(&name) {
-            number += 1;
-            name = format!("{base}-{number}");
-        }
-        used.push(name);
+        // Numbers of a word go up, so that no name is tried twice.
+        let number = numbers.entry(base.clone()).or_insert(0);
+        let name = loop {
+            *number += 1;
+            let plain = *number == 1 && (alone || !drawn.is_empty());
+            let name = if plain { base.clone() } else { format!("{base}-{number}") };
+            if used.insert(name.clone()) {
+                break name;
+            }
+        };
+        names.push(name);
     }
-    used
+    names
 }
 
 /// The name with letters, digits, "-" and "_" only; empty if it has no letter.
