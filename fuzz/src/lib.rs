@@ -9,6 +9,7 @@ mod builds;
 mod directory;
 mod edits;
 mod figures;
+mod imports;
 mod programs;
 mod readers;
 mod shown;
@@ -18,7 +19,7 @@ mod texts;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All targets: `fuzz_targets/` has a file for each.
-pub const TARGETS: [Target; 11] = [
+pub const TARGETS: [Target; 13] = [
     ("spec", texts::spec),
     ("machine", texts::machine),
     ("table", texts::table),
@@ -26,6 +27,8 @@ pub const TARGETS: [Target; 11] = [
     ("resume", programs::resume),
     ("svg", readers::svg),
     ("dxf", readers::dxf),
+    ("import-svg", imports::svg),
+    ("import-dxf", imports::dxf),
     ("pdf", readers::pdf),
     ("stl", readers::stl),
     ("manifest", figures::manifest),

@@ -95,7 +95,7 @@ impl std::fmt::Display for Place {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match (&self.element, self.line) {
             (Some(id), Some(line)) if !id.ends_with(&format!("at line {line}")) => {
-                write!(f, "{id} (line {line})")?
+                write!(f, "{id} (line {line})")?;
             }
             (Some(id), _) => write!(f, "{id}")?,
             (None, Some(line)) => write!(f, "line {line}")?,

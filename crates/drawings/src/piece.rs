@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 use inflatable::geom::{Arc, Line, Point, Segment, Vec2};
 
 use crate::affine::Affine;
-use crate::biarc::{Curve, fit};
+use crate::biarc::{Curve, SHORT, fit};
 
 /// Relative difference of the two radii, and cosine between them, up to which an ellipse is a circle. Transforms of a
 /// file have 5 to 17 digits; at 1e-9 and a radius of 1 m the error is 1 nm.
@@ -75,7 +75,7 @@ impl Piece {
     pub(crate) fn append(&self, tolerance: f64, limit: usize, out: &mut Vec<Segment>) -> bool {
         match self {
             Self::Line(a, b) => {
-                if a != b {
+                if a.distance(*b) > SHORT {
                     out.push(Line::new(*a, *b).into());
                 }
                 out.len() <= limit
@@ -105,7 +105,7 @@ fn worse(a: f64, b: f64) -> f64 {
 fn circular(center: Point, u: Vec2, v: Vec2, start: f64, sweep: f64) -> Option<Arc> {
     let (a, b) = (u.length(), v.length());
     let round = (a - b).abs() <= ROUND * a && u.dot(v).abs() <= ROUND * a * b;
-    if !round || a == 0.0 || sweep == 0.0 {
+    if !round || a * sweep.abs() <= SHORT {
         return None;
     }
     let turn = if u.cross(v) > 0.0 { 1.0 } else { -1.0 };

@@ -1,5 +1,7 @@
 //! Files as drawing programs write them, shortened.
 
+#![expect(clippy::format_push_string, clippy::needless_for_each, reason = "short texts are put together")]
+
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use drawings::{Drawing, Element, Figure, Options, Unit, Weight, read_dxf, read_svg};
@@ -78,7 +80,7 @@ fn inkscape_layers_labels_clones_and_hidden_layers() {
 
 #[test]
 fn illustrator_entities_classes_switch_and_its_pixels() {
-    let text = r##"<?xml version="1.0" encoding="utf-8"?>
+    let text = r#"<?xml version="1.0" encoding="utf-8"?>
 <!-- Generator: Adobe Illustrator 24.0.1, SVG Export Plug-In . SVG Version: 6.00 Build 0)  -->
 <!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd" [
 	<!ENTITY ns_extend "http://ns.adobe.com/Extensibility/1.0/">
@@ -98,7 +100,7 @@ fn illustrator_entities_classes_switch_and_its_pixels() {
 		<g class="st1"><circle cx="1" cy="1" r="1"/></g>
 	</g>
 </switch>
-</svg>"##;
+</svg>"#;
     let faults = read_svg(text.as_bytes(), &Options::new(0.01)).expect_err("px of Illustrator");
     assert!(faults.len() == 1 && faults[0].remedy.contains("pt"), "{faults:?}");
     let options = Options { unit: Some(Unit::Point), ..Options::new(0.01) };

@@ -1,5 +1,11 @@
 //! Laws that hold for any drawing: accuracy of arcs, exactness of lines and circles, bounds on hostile input.
 
+#![expect(
+    clippy::cast_precision_loss,
+    clippy::needless_for_each,
+    reason = "knots are few, and written in a row"
+)]
+
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::fmt::Write;
 
@@ -14,11 +20,13 @@ fn svg(body: &str) -> String {
 }
 
 fn paths(drawing: &Drawing) -> Vec<&Path> {
-    let path = |figure| match figure {
-        &Figure::Path(ref path) => Some(path),
-        &Figure::Point(_) => None,
-    };
-    drawing.elements.iter().filter_map(|element| path(&element.figure)).collect()
+    let mut found = Vec::new();
+    for element in &drawing.elements {
+        if let Figure::Path(path) = &element.figure {
+            found.push(path);
+        }
+    }
+    found
 }
 
 fn only(text: &str, tolerance: f64) -> Path {
@@ -180,8 +188,8 @@ fn smooth_curves_have_no_kinks_and_few_arcs() {
     assert!(wave.segments.len() <= 56, "{}", wave.segments.len());
     let ellipse = only(&svg("<ellipse cx='60' cy='50' rx='50' ry='20'/>"), 0.01);
     assert!(largest_kink(&ellipse) < 1e-9, "{}", largest_kink(&ellipse));
-    assert!(ellipse.segments.len() <= 40, "{}", ellipse.segments.len());
-    assert!((ellipse.length() - 231.045).abs() < 0.1, "{}", ellipse.length());
+    assert!(ellipse.segments.len() <= 56, "{}", ellipse.segments.len());
+    assert!((ellipse.length() - 230.131).abs() < 0.1, "{}", ellipse.length());
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! What is refused, noted or bounded, and where it is said to be.
 
+#![expect(clippy::format_collect, reason = "short texts are put together")]
+
 use std::fmt::Write;
 
 use drawings::{

@@ -10,13 +10,14 @@ pub(super) struct Group<'a> {
 }
 
 /// All groups up to the end of the file; group `i` is on the lines `2 i + 1` and `2 i + 2`.
-pub(super) fn groups(text: &str, most: usize) -> Result<Vec<Group<'_>>, Fault> {
+pub(super) fn groups(text: &str, most: usize) -> Result<Vec<Group<'_>>, Vec<Fault>> {
     let mut lines = text.lines();
     let mut groups = Vec::new();
     while let Some(first) = lines.next() {
         let line = 2 * groups.len() + 1;
-        let fault =
-            |text: String, remedy: &str| Fault { place: Place::line(line), text, remedy: remedy.into() };
+        let fault = |text: String, remedy: &str| {
+            vec![Fault { place: Place::line(line), text, remedy: remedy.into() }]
+        };
         let Ok(code) = first.trim().parse::<i32>() else {
             if first.trim().is_empty() && lines.all(|rest| rest.trim().is_empty()) {
                 break;
@@ -45,7 +46,7 @@ pub(super) fn groups(text: &str, most: usize) -> Result<Vec<Group<'_>>, Fault> {
     let line = 2 * groups.len();
     let text = "The file has no end mark (0, EOF); it may be cut off.".into();
     let remedy = "Export it again, or add the lines 0 and EOF if it is complete.".into();
-    Err(Fault { place: Place::line(line), text, remedy })
+    Err(vec![Fault { place: Place::line(line), text, remedy }])
 }
 
 /// An entity or a table entry: a type (code 0) and the groups up to the next.

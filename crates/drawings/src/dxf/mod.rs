@@ -21,10 +21,9 @@ use crate::{Drawing, Fault, Options, Place, Unit, Weight};
 /// All faults of the file, each with its place: what is no DXF, numbers that are none, missing values, unknown units, and
 /// limits that are exceeded.
 pub fn read_dxf(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
-    crate::admit::admit(bytes, crate::Format::Dxf, options).map_err(|fault| vec![fault])?;
+    crate::admit::admit(bytes, crate::Format::Dxf, options)?;
     let text = decoded(bytes);
-    let groups =
-        group::groups(&text, options.limits.visits.saturating_mul(16)).map_err(|fault| vec![fault])?;
+    let groups = group::groups(&text, options.limits.visits.saturating_mul(16))?;
     let sections = tables::sections(&groups);
     let mut collector = Collector::new(options);
     if matches!(text, Cow::Owned(_)) {

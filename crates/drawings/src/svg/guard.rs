@@ -13,10 +13,10 @@ const NAMESPACES: usize = 4096;
 const EXPANDED: usize = 4 << 20;
 
 /// Refuses text that would cost the parser more than linear time or memory.
-pub(super) fn admit(text: &str) -> Result<(), Fault> {
+pub(super) fn admit(text: &str) -> Result<(), Vec<Fault>> {
     let fault = |at: usize, found: String| {
-        let line = 1 + text.as_bytes()[..at].iter().filter(|&&byte| byte == b'\n').count();
-        Fault { place: Place::line(line), text: found, remedy: "Save the drawing as plain SVG.".into() }
+        let line = text[..at].matches('\n').count() + 1;
+        vec![Fault { place: Place::line(line), text: found, remedy: "Save the drawing as plain SVG.".into() }]
     };
     if let Some(at) = crowded(text.as_bytes()) {
         let found = format!("An element has more than {ATTRIBUTES} attributes.");

@@ -24,9 +24,9 @@ const SVG: &str = "http://www.w3.org/2000/svg";
 /// All faults of the file, each with its place: what is no XML or no SVG, a page without physical size, faulty path data, numbers,
 /// transforms and lengths, references that lead to themselves, and limits that are exceeded.
 pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> {
-    crate::admit::admit(bytes, crate::Format::Svg, options).map_err(|fault| vec![fault])?;
-    let text = utf8(bytes).map_err(|fault| vec![fault])?;
-    let document = parsed(text, options).map_err(|fault| vec![fault])?;
+    crate::admit::admit(bytes, crate::Format::Svg, options)?;
+    let text = utf8(bytes)?;
+    let document = parsed(text, options)?;
     let mut out = Collector::new(options);
     let root = document.root_element();
     if !is_svg(root) || root.tag_name().name() != "svg" {
@@ -60,11 +60,11 @@ fn line_starts(text: &str) -> Vec<usize> {
     std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect()
 }
 
-fn utf8(bytes: &[u8]) -> Result<&str, Fault> {
+fn utf8(bytes: &[u8]) -> Result<&str, Vec<Fault>> {
     std::str::from_utf8(bytes).map_err(|error| {
-        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|&&byte| byte == b'\n').count();
+        let line = bytes[..error.valid_up_to()].split(|&byte| byte == b'\n').count();
         let text = "The text is not UTF-8.".into();
-        Fault { place: Place::line(line), text, remedy: "Save the file as UTF-8.".into() }
+        vec![Fault { place: Place::line(line), text, remedy: "Save the file as UTF-8.".into() }]
     })
 }
 
@@ -77,7 +77,7 @@ fn head(text: &str) -> &str {
     &text[..end]
 }
 
-fn parsed<'t>(text: &'t str, options: &Options) -> Result<Document<'t>, Fault> {
+fn parsed<'t>(text: &'t str, options: &Options) -> Result<Document<'t>, Vec<Fault>> {
     guard::admit(text)?;
     // Texts between elements are nodes too.
     let nodes_limit = u32::try_from(options.limits.visits.saturating_mul(4)).unwrap_or(u32::MAX);
@@ -88,7 +88,7 @@ fn parsed<'t>(text: &'t str, options: &Options) -> Result<Document<'t>, Fault> {
             roxmltree::Error::NodesLimitReached => format!("The file has more than {nodes_limit} nodes."),
             error => format!("The file is not well-formed XML: {error}."),
         };
-        Fault { place: Place::line(line), text, remedy: "Save the drawing as plain SVG again.".into() }
+        vec![Fault { place: Place::line(line), text, remedy: "Save the drawing as plain SVG again.".into() }]
     })
 }
 

@@ -72,10 +72,10 @@ impl Pen {
             }
             PathSegment::LineTo { abs, x, y } => self.line(place(abs, x, y)),
             PathSegment::HorizontalLineTo { abs, x } => {
-                self.line(Point::new(if abs { x } else { at.x + x }, at.y))
+                self.line(Point::new(if abs { x } else { at.x + x }, at.y));
             }
             PathSegment::VerticalLineTo { abs, y } => {
-                self.line(Point::new(at.x, if abs { y } else { at.y + y }))
+                self.line(Point::new(at.x, if abs { y } else { at.y + y }));
             }
             PathSegment::CurveTo { abs, x1, y1, x2, y2, x, y } => {
                 self.curve(place(abs, x1, y1), place(abs, x2, y2), place(abs, x, y));
