@@ -90,15 +90,8 @@ pub(super) fn air(
         let (place, [left, right]) = beside(&edge.path, slack);
         let (left, right) = (depth.at(left), depth.at(right));
         if left.min(right) > 1 {
-            faults.push(ShapeFault {
-                code: ShapeCode::NestedIsland,
-                place,
-                found: f64::NAN,
-                allowed: f64::NAN,
-                what: format!("{} lies inside an island, where no air can get", quoted(&own)),
-                remedy: "remove it, or put it on a layer of cuts or holes".to_owned(),
-                names: own,
-            });
+            let what = format!("{} lies inside an island, where no air can get", quoted(&own));
+            faults.push(misplaced(ShapeCode::NestedIsland, own, place, what));
             continue;
         }
         match (left % 2 == 1, right % 2 == 1, edge.nodes) {
@@ -114,15 +107,10 @@ pub(super) fn air(
                 air.walls.push(Wall { path, sources, on_boundary: [false; 2] });
                 wall_nodes.push(nodes);
             }
-            (false, false, _) => faults.push(ShapeFault {
-                code: ShapeCode::WallOutside,
-                place,
-                found: f64::NAN,
-                allowed: f64::NAN,
-                what: format!("{} has no air on either side", quoted(&own)),
-                remedy: "remove it, or put it on another layer".to_owned(),
-                names: own,
-            }),
+            (false, false, _) => {
+                let what = format!("{} has no air on either side", quoted(&own));
+                faults.push(misplaced(ShapeCode::WallOutside, own, place, what));
+            }
         }
     }
     chain(network, &joined, &mut air);
@@ -134,6 +122,11 @@ pub(super) fn air(
         wall.on_boundary = nodes.map_or([false; 2], |nodes| nodes.map(|node| on_boundary[node]));
     }
     air
+}
+
+fn misplaced(code: ShapeCode, names: Vec<String>, place: Point, what: String) -> ShapeFault {
+    let remedy = "remove it, or put it on another layer".to_owned();
+    ShapeFault { code, names, place, found: f64::NAN, allowed: f64::NAN, what, remedy }
 }
 
 /// The connected part of each edge that meets a node, by the number of its first edge.

@@ -38,7 +38,7 @@ pub(super) enum Kind {
 
 /// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it), and mouths.
 #[derive(Default)]
-pub(super) struct Lines {
+pub(super) struct Layout {
     pub lines: Vec<Line>,
     pub closed: Vec<Path>,
     pub edges: Vec<(Path, f64)>,
@@ -46,7 +46,12 @@ pub(super) struct Lines {
 }
 
 /// The centre lines of the bands around the drawn air. Nothing where the drawing has faults.
-pub(super) fn around_air(sketch: &Sketch, rules: &Rules, taken: &mut Vec<usize>, notes: &mut Notes) -> Lines {
+pub(super) fn around_air(
+    sketch: &Sketch,
+    rules: &Rules,
+    taken: &mut Vec<usize>,
+    notes: &mut Notes,
+) -> Layout {
     let names: Vec<String> = sketch.air.iter().map(|drawn| drawn.name.clone()).collect();
     let (mut pieces, mut edges) = notes.mended(&sketch.air, rules.join);
     let mut mouths = caps(sketch, rules, &edges, &mut pieces);
@@ -58,7 +63,7 @@ pub(super) fn around_air(sketch: &Sketch, rules: &Rules, taken: &mut Vec<usize>,
     loose_ends(&edges, &names, rules.join, notes);
     crossings(&edges, &names, rules.join, notes);
     if notes.faults.len() > before {
-        return Lines::default();
+        return Layout::default();
     }
     let drawn = sketch.air.iter().enumerate();
     let rings: Vec<(usize, &Path)> =
@@ -69,7 +74,7 @@ pub(super) fn around_air(sketch: &Sketch, rules: &Rules, taken: &mut Vec<usize>,
     necks(&air, rules, &names, notes);
     let offset = offsets(&air, rules, &names, notes);
     if notes.faults.len() > before {
-        return Lines::default();
+        return Layout::default();
     }
     let (boundaries, walls) = one_band_a_wall(offset, &names, rules, notes);
     // Distances outwards add up: the cut may follow the centre lines where edges were united.
@@ -94,7 +99,7 @@ pub(super) fn around_air(sketch: &Sketch, rules: &Rules, taken: &mut Vec<usize>,
     for Wall { path, sources, .. } in drawn.chain(walls) {
         lines.push(Line { path, names: named(&sources, &names), kind: Kind::Wall, joined: [true; 2] });
     }
-    Lines { lines, closed, edges, mouths }
+    Layout { lines, closed, edges, mouths }
 }
 
 /// Closes the edge over each port that lies between two free ends.

@@ -9,6 +9,7 @@ use crate::shape::clean::Piece;
 use crate::shape::faces::{walk_path, walks};
 use crate::shape::join::{Network, network};
 use crate::shape::joints::{Joints, Meetings};
+use crate::shape::leak::Leak;
 use crate::shape::{Role, SealedShape, Seam};
 use inflatable::geom::{Enclosures, Line, Path, Point};
 
@@ -28,23 +29,6 @@ pub struct Chamber {
     pub ports: Vec<usize>,
 }
 
-/// A way for air that is no port. Seams and ports are counted from 0 in the shape.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Leak {
-    /// A gap between two neighbouring segments of a seam, mm.
-    Gap(usize, f64),
-    /// A seam meets itself at these places.
-    CrossesItself(usize, Vec<Point>),
-    /// Two seams meet at these places.
-    Cross([usize; 2], Vec<Point>),
-    /// A boundary is open: its ends, of which the first lies at no port and on no other band.
-    Open(usize, [Point; 2]),
-    /// No open seam ends at a port: it is sealed.
-    SealedPort(usize),
-    /// The bands leave a port narrower than its hose needs: width, mm.
-    NarrowPort(usize, f64),
-}
-
 /// The chambers of a shape, and its leaks. The chambers are right only where there are no leaks.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Topology {
@@ -54,23 +38,6 @@ pub struct Topology {
     pub insides: Vec<Point>,
     /// The leaks, seam by seam, then port by port.
     pub leaks: Vec<Leak>,
-}
-
-impl Leak {
-    /// Where it is.
-    pub fn place(&self, shape: &SealedShape) -> Option<Point> {
-        match self {
-            Self::Gap(seam, gap) => {
-                let path = &shape.seams.get(*seam)?.center_line;
-                let next = path.segments.iter().cycle().skip(1);
-                let mut pairs = path.segments.iter().zip(next);
-                pairs.find(|(a, b)| a.end().distance(b.start()) >= *gap).map(|(a, _)| a.end())
-            }
-            Self::CrossesItself(_, places) | Self::Cross(_, places) => places.first().copied(),
-            Self::Open(_, [end, _]) => Some(*end),
-            Self::SealedPort(port) | Self::NarrowPort(port, _) => shape.ports.get(*port).map(|port| port.at),
-        }
-    }
 }
 
 impl SealedShape {
@@ -209,7 +176,7 @@ impl Chambers {
         }
         let chamber = |(number, face): (usize, &Face)| {
             let around = ring_around.around(face.inside);
-            if around.len() % 2 == 0 {
+            if around.len().is_multiple_of(2) {
                 return None;
             }
             let outside = around.iter().copied().max_by_key(|ring| depth[*ring]).and_then(first)?;
@@ -288,5 +255,47 @@ mod tests {
         let mut gap = circle(0.0, 50.0);
         gap.segments[0] = Arc::new(Point::ORIGIN, 50.0, 0.0, TAU - 0.01).into();
         assert!(matches!(leaks(vec![gap], vec![])[..], [Leak::Gap(0, size)] if (size - 0.5).abs() < 1e-3));
+    }
+
+    fn straight(a: (f64, f64), b: (f64, f64)) -> Path {
+        Path::open(vec![Line::new(Point::new(a.0, a.1), Point::new(b.0, b.1)).into()])
+    }
+
+    /// Walls end on other bands, half a band off their centre lines too; welds end in the air.
+    #[test]
+    fn walls_part_chambers_and_welds_do_not() {
+        let rim = || vec![circle(0.0, 50.0), circle(0.0, 10.0)];
+        let with = |walls: &[Path]| shape([rim(), walls.to_vec()].concat(), vec![]).topology();
+        let left = straight((-49.2, 0.0), (-10.0, 0.0));
+        let right = straight((10.5, 0.0), (50.0, 0.0));
+        let one = with(std::slice::from_ref(&left));
+        assert_eq!((one.leaks.len(), one.chambers.len()), (0, 1));
+        assert_eq!(one.chambers[0].islands, [1]);
+        let two = with(&[left, right]);
+        assert_eq!((two.leaks.len(), two.chambers.len()), (0, 2));
+        assert!(two.insides[0].y * two.insides[1].y < 0.0, "{:?}", two.insides);
+        let loose = with(&[straight((-50.0, 0.0), (-20.0, 0.0))]);
+        assert!(
+            matches!(loose.leaks[..], [Leak::Open(2, [end, _])] if end == Point::new(-20.0, 0.0)),
+            "{loose:?}"
+        );
+        let mut weld = shape([rim(), vec![straight((-50.0, 0.0), (-20.0, 0.0))]].concat(), vec![]);
+        weld.seams[2].role = Role::Weld;
+        assert_eq!((weld.topology().leaks.len(), weld.topology().chambers.len()), (0, 1));
+    }
+
+    /// Two ports cut a rim into two seams: one chamber still.
+    #[test]
+    fn two_ports_open_one_ring() {
+        let half = |from: f64| {
+            let gap = (5.0_f64 / 50.0).asin();
+            Path::open(vec![Arc::new(Point::ORIGIN, 50.0, from + gap, TAU / 2.0 - 2.0 * gap).into()])
+        };
+        let both = shape(vec![half(0.0), half(TAU / 2.0)], vec![port(50.0, 6.0), port(-50.0, 6.0)]);
+        let found = both.topology();
+        assert_eq!(found.leaks, []);
+        assert_eq!(found.chambers, [Chamber { outside: 0, islands: vec![], ports: vec![0, 1] }]);
+        let open = shape(vec![half(0.0), half(TAU / 2.0)], vec![port(50.0, 6.0)]).topology();
+        assert!(open.leaks.iter().all(|leak| matches!(leak, Leak::Open(..))) && open.leaks.len() == 2);
     }
 }

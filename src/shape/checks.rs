@@ -1,6 +1,6 @@
 //! What bands and tubes must have, with numbers and places.
 
-use crate::shape::around::{Line, Lines};
+use crate::shape::around::{Layout, Line};
 use crate::shape::bottleneck::{Bottleneck, Curve, bottlenecks};
 use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
 use crate::shape::notes::Notes;
@@ -11,7 +11,7 @@ use inflatable::geom::{BoxIndex, Enclosures, Path, Point, Segment, intersections
 const ALIKE: f64 = 1e-6;
 
 /// Faults where bands overlap or a tube is too narrow, and warnings of narrow passages.
-pub(super) fn checked(lines: &Lines, rules: &Rules, notes: &mut Notes) {
+pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut Notes) {
     crossing_bands(&lines.lines, rules.band, notes);
     let curves: Vec<Curve<'_>> =
         lines.lines.iter().map(|line| Curve { path: &line.path, joined: line.joined }).collect();
@@ -64,7 +64,7 @@ pub(super) fn checked(lines: &Lines, rules: &Rules, notes: &mut Notes) {
 }
 
 /// Whether a narrow place is the channel of a port, which is as wide as its hose needs.
-fn is_mouth(lines: &Lines, neck: &Bottleneck, tube: f64) -> bool {
+fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
     lines.mouths.iter().any(|mouth| {
         let from = neck.middle() - mouth.at;
         let (along, across) = (from.dot(mouth.out), from.dot(mouth.out.perp()));
@@ -113,7 +113,7 @@ fn crossing_bands(lines: &[Line], band: f64, notes: &mut Notes) {
 }
 
 /// Warnings of hinges sharper than the iron is round, where fabric stays unsealed.
-pub(super) fn sharp_corners(lines: &Lines, rules: &Rules, notes: &mut Notes) {
+pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut Notes) {
     let half = rules.band / 2.0;
     for Line { path, names, .. } in &lines.lines {
         for (place, turn) in right_turns(path) {

@@ -1,7 +1,7 @@
 //! Seams that are drawn as centre lines.
 
 use crate::shape::air::depth;
-use crate::shape::around::{Kind, Line, Lines, no_channel, opened};
+use crate::shape::around::{Kind, Layout, Line, no_channel, opened};
 use crate::shape::fault::ShapeCode;
 use crate::shape::loose::crossings;
 use crate::shape::mouth::{NoChannel, channel};
@@ -14,7 +14,7 @@ pub(super) fn drawn_seams(
     sketch: &Sketch,
     rules: &Rules,
     taken: &mut Vec<usize>,
-    lines: &mut Lines,
+    lines: &mut Layout,
     notes: &mut Notes,
 ) {
     if sketch.seams.is_empty() {
@@ -42,11 +42,37 @@ pub(super) fn drawn_seams(
     let around = Enclosures::new(all.iter().copied());
     let outer: Vec<bool> = closed.iter().map(|(path, _)| depth(&around, path).is_multiple_of(2)).collect();
     let (half, length) = (rules.band / 2.0, rules.band / 2.0 + rules.allowance);
-    let mut edges: Vec<(Path, Vec<String>, bool)> = Vec::new();
+    let mut edges: Vec<Rim> = Vec::new();
     for ((path, names), outer) in closed.into_iter().zip(outer) {
         let path = if (path.area() > 0.0) == outer { path } else { path.reversed() };
         edges.push((path, names, outer));
     }
+    open_rims(sketch, rules, taken, &mut edges, lines, notes);
+    for (path, names, outer) in edges {
+        let kind = if outer { Kind::Outer } else { Kind::Island };
+        lines.closed.push(path.clone());
+        for path in opened(path.clone(), &lines.mouths, rules, half) {
+            lines.lines.push(Line { path, names: names.clone(), kind, joined: [false; 2] });
+        }
+        if outer {
+            lines.edges.push((path, length));
+        }
+    }
+}
+
+/// A drawn closed seam, its names, and whether it is an outer edge.
+type Rim = (Path, Vec<String>, bool);
+
+/// Channels through the outer edges for the ports that are not taken.
+fn open_rims(
+    sketch: &Sketch,
+    rules: &Rules,
+    taken: &mut Vec<usize>,
+    edges: &mut [Rim],
+    lines: &mut Layout,
+    notes: &mut Notes,
+) {
+    let (half, length) = (rules.band / 2.0, rules.band / 2.0 + rules.allowance);
     let mut mouths = Vec::new();
     for (number, port) in sketch.ports.iter().enumerate().filter(|(number, _)| !taken.contains(number)) {
         let place = port.place.middle();
@@ -65,16 +91,6 @@ pub(super) fn drawn_seams(
     }
     taken.extend(mouths.iter().map(|(number, _)| *number));
     lines.mouths.extend(mouths.into_iter().map(|(_, mouth)| mouth));
-    for (path, names, outer) in edges {
-        let kind = if outer { Kind::Outer } else { Kind::Island };
-        lines.closed.push(path.clone());
-        for path in opened(path.clone(), &lines.mouths, rules, half) {
-            lines.lines.push(Line { path, names: names.clone(), kind, joined: [false; 2] });
-        }
-        if outer {
-            lines.edges.push((path, length));
-        }
-    }
 }
 
 /// Notes which ends of welds lie on another band, within half a band of its centre line: those with two are walls.

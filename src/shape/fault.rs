@@ -52,6 +52,8 @@ pub enum ShapeCode {
     Outlines,
     /// A cut or a hole in a band, or in the air.
     CutInBand,
+    /// A way for air that is no port.
+    Leak,
     /// Nothing is drawn.
     Empty,
 }
@@ -99,6 +101,7 @@ impl ShapeCode {
             Self::ShortSeam => "short-seam",
             Self::Outlines => "wrong-outlines",
             Self::CutInBand => "cut-in-band",
+            Self::Leak => "shape-leaks",
             Self::Empty => "nothing-drawn",
         }
     }

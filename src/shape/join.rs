@@ -80,7 +80,7 @@ pub(super) fn network(pieces: &[Piece], join: f64) -> Network {
         cuts[number].sort_by(|a, b| a.0.total_cmp(&b.0));
         parts.extend(split(piece, own, &cuts[number], &nodes, join));
     }
-    Network { edges: chained(parts, nodes.len()), nodes, closed_gaps }
+    Network { edges: chained(&parts, nodes.len()), nodes, closed_gaps }
 }
 
 /// Ends that lie together, by number.
@@ -229,7 +229,8 @@ fn split(
     // A crumb between two ends that were joined.
     edges.retain(|edge| {
         let same = edge.nodes.is_some_and(|[a, b]| a == b);
-        !edge.path.segments.is_empty() && !(same && edge.path.length() <= 2.0 * join)
+        let is_crumb = same && edge.path.length() <= 2.0 * join;
+        !edge.path.segments.is_empty() && !is_crumb
     });
     for edge in &mut edges {
         let Some([a, b]) = edge.nodes else { continue };
@@ -263,7 +264,7 @@ fn with_end(segment: &Segment, end: Point) -> Segment {
 }
 
 /// The edges, run together where just two of them meet.
-fn chained(parts: Vec<Edge>, nodes: usize) -> Vec<Edge> {
+fn chained(parts: &[Edge], nodes: usize) -> Vec<Edge> {
     let mut ends: Vec<Vec<(usize, usize)>> = vec![Vec::new(); nodes];
     for (number, part) in parts.iter().enumerate() {
         for (which, node) in part.nodes.iter().flatten().enumerate() {
@@ -282,7 +283,7 @@ fn chained(parts: Vec<Edge>, nodes: usize) -> Vec<Edge> {
     let closed = (0..parts.len()).map(|number| (number, 0));
     for (number, which) in open.chain(closed) {
         if !used[number] {
-            edges.push(run(&parts, &ends, &mut used, (number, which)));
+            edges.push(run(parts, &ends, &mut used, (number, which)));
         }
     }
     edges

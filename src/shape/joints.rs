@@ -1,6 +1,7 @@
 //! Where seams meet: ends at ports, ends on other bands, and crossings.
 
-use crate::shape::{Leak, Port, Role, SealedShape};
+use crate::shape::leak::Leak;
+use crate::shape::{Port, Role, SealedShape};
 use inflatable::geom::{Bounds, BoxIndex, Point, Segment, intersections};
 
 /// Slack of the reach of a band, mm.

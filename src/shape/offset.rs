@@ -64,11 +64,12 @@ pub(super) fn merged(path: &Path) -> Path {
             None => segments.push(*segment),
         }
     }
-    if path.closed && segments.len() > 2 {
-        if let Some(both) = joined(&segments[segments.len() - 1], &segments[0]) {
-            let _ = segments.pop();
-            segments[0] = both;
-        }
+    if path.closed
+        && segments.len() > 2
+        && let Some(both) = joined(&segments[segments.len() - 1], &segments[0])
+    {
+        let _ = segments.pop();
+        segments[0] = both;
     }
     Path { segments, closed: path.closed }
 }

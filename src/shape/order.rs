@@ -109,3 +109,50 @@ fn safe(name: &str) -> String {
     let safe = safe.trim_matches('-').to_owned();
     if safe.chars().any(|c| c.is_ascii_alphabetic()) { safe } else { String::new() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use inflatable::geom::Line as Chord;
+
+    fn line(kind: Kind, name: &str, x: f64, y: f64) -> Line {
+        let p = |dx: f64, dy: f64| Point::new(x + dx, y + dy);
+        let corners = [p(0.0, 0.0), p(9.0, 0.0), p(9.0, 4.0), p(0.0, 4.0), p(0.0, 0.0)];
+        let segments = corners.windows(2).map(|pair| Chord::new(pair[0], pair[1]).into()).collect();
+        let closed = matches!(kind, Kind::Outer | Kind::Island);
+        let path = if closed { Path::closed(segments) } else { Path::open(segments[..1].to_vec()) };
+        Line { path, names: vec![name.to_owned()], kind, joined: [false, true] }
+    }
+
+    #[test]
+    fn inner_seams_come_first_and_the_nearest_next() {
+        let lines = vec![
+            line(Kind::Outer, "rim", 0.0, 0.0),
+            line(Kind::Island, "far", 200.0, 0.0),
+            line(Kind::Island, "near", 60.0, 0.0),
+            line(Kind::Wall, "wall", 40.0, 0.0),
+            line(Kind::Weld, "weld", 20.0, 0.0),
+        ];
+        let ordered = ordered(lines);
+        assert_eq!(seam_names(&ordered), ["weld", "wall", "near", "far", "rim"]);
+        // Closed ones start in the middle of their longest straight segment.
+        assert_eq!(ordered[2].path.start(), Some(Point::new(64.5, 0.0)));
+        let backwards = super::ordered(vec![line(Kind::Weld, "w", -9.0, 0.0)]);
+        assert_eq!(backwards[0].path.start(), Some(Point::new(0.0, 0.0)));
+        assert_eq!(backwards[0].joined, [true, false]);
+    }
+
+    #[test]
+    fn names_can_stand_in_a_program_and_differ() {
+        let named = |kind, name| line(kind, name, 0.0, 0.0);
+        let lines = [
+            named(Kind::Weld, "a b;c"),
+            named(Kind::Weld, "a b;c"),
+            named(Kind::Weld, "12"),
+            named(Kind::Island, ""),
+            named(Kind::Outer, "(x"),
+            named(Kind::Outer, ""),
+        ];
+        assert_eq!(seam_names(&lines), ["a-b-c", "a-b-c-2", "weld-1", "island-1", "x", "outer-1"]);
+    }
+}

@@ -1,7 +1,7 @@
 //! The cut around a sealed shape, and what is cut inside it.
 
 use crate::shape::air::{beside, depth};
-use crate::shape::around::{Line, Lines};
+use crate::shape::around::{Layout, Line};
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::loose::{crossings, loose_ends};
 use crate::shape::mouth::Mouth;
@@ -14,7 +14,7 @@ use inflatable::geom::{BoxIndex, Enclosures, Line as Chord, Path, Point, Segment
 pub(super) fn outline(
     sketch: &Sketch,
     rules: &Rules,
-    lines: &Lines,
+    lines: &Layout,
     notes: &mut Notes,
 ) -> (Option<Path>, Vec<Path>) {
     let mut inner = closed(&sketch.holes, rules, notes);
@@ -83,7 +83,7 @@ fn touching(
     outlines: &[(Path, Vec<String>)],
     inner: &[(Path, Vec<String>)],
     rules: &Rules,
-    lines: &Lines,
+    lines: &Layout,
     notes: &mut Notes,
 ) {
     let half = rules.band / 2.0;
@@ -136,7 +136,7 @@ fn touching(
 }
 
 /// Faults of seams outside of the outline, but for what runs out of a mouth.
-fn outside(outlines: &[(Path, Vec<String>)], lines: &Lines, notes: &mut Notes) {
+fn outside(outlines: &[(Path, Vec<String>)], lines: &Layout, notes: &mut Notes) {
     if outlines.is_empty() {
         return;
     }

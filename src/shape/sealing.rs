@@ -1,6 +1,6 @@
 //! A sketch as a sealed shape, or all its faults.
 
-use crate::shape::around::{Kind, Lines, around_air};
+use crate::shape::around::{Kind, Layout, around_air};
 use crate::shape::checks::{checked, sharp_corners};
 use crate::shape::drawn_seams::{drawn_seams, join_ends, lost_ports};
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
@@ -53,20 +53,20 @@ pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<Shape
     sharp_corners(&lines, rules, &mut notes);
     let shape =
         SealedShape { seams: seams(&lines, rules, &mut notes), band: rules.band, cut, ports: ports(&lines) };
-    chambers_without_port(&shape, &mut notes);
+    unsound_chambers(&shape, &mut notes);
     if !notes.faults.is_empty() {
         return Err(notes.faults);
     }
     Ok(Sealing { shape, holes, repairs: notes.repairs, warnings: notes.warnings })
 }
 
-fn ports(lines: &Lines) -> Vec<Port> {
+fn ports(lines: &Layout) -> Vec<Port> {
     let mut mouths = lines.mouths.clone();
     mouths.sort_by_key(|mouth| mouth.port);
     mouths.iter().map(|mouth| Port { at: mouth.at, width: 2.0 * mouth.half }).collect()
 }
 
-fn seams(lines: &Lines, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
+fn seams(lines: &Layout, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
     let named = lines.lines.iter().zip(seam_names(&lines.lines));
     let seam = |(line, name): (&crate::shape::around::Line, String)| {
         let closed = line.path.closed;
@@ -86,9 +86,18 @@ fn seams(lines: &Lines, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
     named.map(seam).collect()
 }
 
-/// Faults of chambers that no port leads into.
-fn chambers_without_port(shape: &SealedShape, notes: &mut Notes) {
+/// Faults of leaks, and of chambers that no port leads into.
+fn unsound_chambers(shape: &SealedShape, notes: &mut Notes) {
     let topology = shape.topology();
+    // Curves that cross are found before: what is left comes from the channel of a port that meets another edge.
+    for leak in &topology.leaks {
+        let place = leak.place(shape).unwrap_or(Point::ORIGIN);
+        let text = (
+            "a seam crosses itself or another, or stays open".to_owned(),
+            "move the port to where its channel leads straight out".to_owned(),
+        );
+        notes.fault(ShapeCode::Leak, &[], place, text, [f64::NAN; 2]);
+    }
     let chambers = topology.chambers.iter().zip(&topology.insides);
     for (chamber, inside) in chambers.filter(|(chamber, _)| chamber.ports.is_empty()) {
         let names = [shape.seams[chamber.outside].name.clone()];

@@ -357,7 +357,7 @@ proptest! {
         let mut seed = order;
         for segment in grown {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            let segment = Isometry::translation(Vec2::unit((seed >> 40) as f64) * gap).segment(&segment);
+            let segment = Isometry::translation(Vec2::unit(f64::from((seed >> 40) as u32)) * gap).segment(&segment);
             let segment = if seed >> 63 == 0 { segment.reversed() } else { segment };
             pieces.insert((seed >> 33) as usize % (pieces.len() + 1), ("", Path::open(vec![segment])));
         }
@@ -366,8 +366,11 @@ proptest! {
         match (whole, joined) {
             (Ok(whole), Ok(joined)) => {
                 let (a, b) = (&whole.shape.seams[0].center_line, &joined.shape.seams[0].center_line);
-                prop_assert!(samples(b).iter().all(|at| a.distance(*at) < 0.2), "{:?}", joined.repairs);
-                prop_assert!((a.length() - b.length()).abs() < 0.5);
+                // Beside a corner a hundredth decides from which side the channel leads.
+                for (a, b) in [(a, b), (b, a)] {
+                    let off = samples(b).into_iter().filter(|p| p.distance(at) > 30.0 && a.distance(*p) > 0.2);
+                    prop_assert_eq!(off.count(), 0, "{:?}", joined.repairs);
+                }
             }
             (Err(a), Err(b)) => prop_assert!(a.iter().any(|f| b.iter().any(|g| g.code == f.code)), "{:?} {:?}", a, b),
             (a, b) => {
@@ -386,4 +389,51 @@ fn scaled(segment: &Segment, center: Point, scale: f64) -> Segment {
         Segment::Line(line) => Line::new(at(line.start), at(line.end)).into(),
         Segment::Arc(arc) => Arc { center: at(arc.center), radius: arc.radius * scale, ..*arc }.into(),
     }
+}
+
+/// Polylines and arcs on a coarse grid: doubled, crossing, touching, folded.
+fn scribble() -> impl Strategy<Value = Vec<Path>> {
+    let at = (0_i8..7, 0_i8..7).prop_map(|(x, y)| p(f64::from(x) * 10.0, f64::from(y) * 10.0));
+    let path =
+        (proptest::collection::vec((at, prop_oneof![3 => Just(0.0), 1 => -1.0..1.0]), 1..7), any::<bool>());
+    let path = path.prop_map(|(corners, closed)| {
+        let next = corners.iter().skip(1).chain(corners.iter().take(usize::from(closed)));
+        let segments = corners.iter().zip(next).map(|((a, bulge), (b, _))| {
+            Arc::from_bulge(*a, *b, *bulge).map_or_else(|| Line::new(*a, *b).into(), Segment::Arc)
+        });
+        Path { segments: segments.collect(), closed }
+    });
+    proptest::collection::vec(path, 0..4)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+    #[test]
+    fn whatever_is_drawn_is_sealed_or_refused(air in scribble(), seams in scribble(), cuts in scribble(), mouth in (0.0..60.0, 0.0..60.0)) {
+        let curves = |paths: Vec<Path>| paths.into_iter().map(|path| drawn("x", path)).collect();
+        let cuts = if cuts.len() > 2 { curves(cuts) } else { Vec::new() };
+        let all = Sketch { air: curves(air), seams: curves(seams), cuts, ports: vec![port(mouth.0, mouth.1)], holes: vec![] };
+        for sketch in [Sketch { seams: vec![], ..all.clone() }, Sketch { air: vec![], ..all.clone() }, all] {
+            match sealed_shape(&sketch, &RULES) {
+                Ok(sealing) => {
+                    let topology = sealing.shape.topology();
+                    prop_assert_eq!(&topology.leaks, &[]);
+                    prop_assert!(topology.chambers.iter().all(|chamber| !chamber.ports.is_empty()));
+                }
+                Err(faults) => prop_assert!(!faults.is_empty()),
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_number_or_far_away_is_refused() {
+    for x in [f64::NAN, f64::INFINITY, 1e9] {
+        let faults = refused(&sketch(vec![("far", rectangle(0.0, 0.0, x, 10.0))], vec![port(0.0, 5.0)]));
+        assert!(
+            faults.iter().any(|fault| fault.code == ShapeCode::NotFinite && fault.names == ["far"]),
+            "{faults:?}"
+        );
+    }
+    assert!(refused(&Sketch::default()).iter().any(|fault| fault.code == ShapeCode::Empty));
 }
