@@ -52,7 +52,7 @@ fn pictured(args: &Args, loaded: &Loaded, failure: &Failure) -> Result<(), Failu
         .iter()
         .map(|fault| FaultMark {
             at: fault.drawn.as_ref().and_then(|drawn| drawn.at).map(|[x, y]| Point::new(x, y)),
-            text: format!("{}; {}", fault.message, fault.label),
+            text: format!("{}: {}", fault.message, fault.label),
         })
         .collect();
     replace(path, &emit::faults(&spec.name, &figures(spec), &marks))?;

@@ -188,16 +188,28 @@ pub(super) fn with_drawing(
         }
         _ => (named, None),
     };
-    let mut bytes = Vec::new();
-    let read = File::open(&file).and_then(|opened| opened.take(DRAWING_LIMIT + 1).read_to_end(&mut bytes));
-    let wrong = match read {
-        Ok(length) if length as u64 > DRAWING_LIMIT => format!("{} is larger than 64 MiB", shown(&file)),
-        Ok(_) => return Ok((reading.with_drawing(&bytes), note)),
-        Err(error) => format!("cannot read {}: {error}", shown(&file)),
+    let wrong = match drawing_bytes(&file) {
+        Ok(bytes) => return Ok((reading.with_drawing(&bytes), note)),
+        Err(wrong) => wrong,
     };
     let place = reading.raw.span_of(key::drawing::FILE);
     let fault = Fault::error(RefusalCode::DrawingUnread, place, wrong).label("a path relative to the spec");
     Err(Faults::new(source, vec![fault]).into())
+}
+
+/// What the drawing `file` holds, or why it cannot be read.
+fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
+    let mut bytes = Vec::new();
+    match File::open(file).and_then(|opened| opened.take(DRAWING_LIMIT + 1).read_to_end(&mut bytes)) {
+        Ok(_) if bytes.len() as u64 > DRAWING_LIMIT => Err(format!("{} is larger than 64 MiB", shown(file))),
+        Ok(_) => Ok(bytes),
+        Err(error) => Err(format!("cannot read {}: {error}", shown(file))),
+    }
+}
+
+/// What the drawing `file` holds.
+pub(super) fn read_drawing(file: &Path) -> Result<Vec<u8>, Failure> {
+    drawing_bytes(file).map_err(Failure::Message)
 }
 
 /// The machine profile that the spec at `path` names: a built-in one, or a file relative to the spec; and what is to be noted of

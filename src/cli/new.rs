@@ -1,16 +1,19 @@
 //! `stargrip-cam new`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use serde_json::json;
+use serde_json::{Value, json};
 
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
+use crate::cli::load::read_drawing;
 use crate::cli::new_object::{NewGripper, ObjectArgs, chosen};
 use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{defaults, progress, schema};
+use crate::design::{LayerProposal, Refusals, propose_layers};
 use crate::spec;
+use crate::spec::LayerRole;
 
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
@@ -18,6 +21,9 @@ pub(super) struct Args {
     /// What to call the design; the file is called like it.
     #[arg(default_value = "star")]
     name: String,
+    /// Your own drawing, SVG or DXF: a spec that names all of its layers.
+    #[arg(long, value_name = "FILE", conflicts_with = "object")]
+    drawing: Option<PathBuf>,
     #[command(flatten)]
     object: ObjectArgs,
     #[command(flatten)]
@@ -26,6 +32,9 @@ pub(super) struct Args {
 
 /// Writes a starter spec into the current directory; never over a file that is there.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
+    if let Some(drawing) = &args.drawing {
+        return by_drawing(args, drawing);
+    }
     let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
     let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
     let found = progress::during(args.verbosity, "searching for a gripper", |_| chosen(name, &args.object))?;
@@ -44,6 +53,41 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let said = found.map_or_else(String::new, |made| format!("{name}: {}", made.in_words()));
     let wrote = format!("wrote {path}, and beside it {} for editors", spec::SCHEMA_FILE);
     args.verbosity.report(&format!("{said}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
+}
+
+/// Writes the spec of a drawing, with a proposal for the role of every layer.
+fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
+    let stem = drawing.file_stem().unwrap_or_default().to_string_lossy();
+    let own = args.name.strip_suffix(".toml").unwrap_or(&args.name);
+    let name = if own == "star" { stem.as_ref() } else { own };
+    let file = drawing.to_string_lossy();
+    let bytes = read_drawing(drawing)?;
+    let refused = |refusals: Refusals| Failure::Message(format!("{}: {refusals}", shown(drawing)));
+    let LayerProposal { layers, has_unit } = propose_layers(&file, &bytes).map_err(refused)?;
+    let text = spec::drawing_starter(name, &file, &layers, has_unit);
+    let text = text.map_err(|fault| Failure::Message(fault.to_string()))?;
+    let path = PathBuf::from(format!("{}.toml", file_stem(name)));
+    write_new(&path, &text)?;
+    let schema = schema::write_beside(&path)?;
+    let word =
+        |role: &LayerRole| LayerRole::ALL.iter().find(|(_, own)| own == role).map_or("", |(word, _)| word);
+    let rows: Vec<Value> = layers
+        .iter()
+        .map(|(layer, role, reason)| json!({ "layer": layer, "role": word(role), "reason": reason }))
+        .collect();
+    let json = json!({ "wrote": path, "schema": schema, "layers": rows });
+    let lines: String = layers
+        .iter()
+        .map(|(layer, role, reason)| format!("  {layer:?}: {} ({reason})\n", word(role)))
+        .collect();
+    let path = shown(&path);
+    let said = format!(
+        "{} layers, each with a proposed role:\n{lines}wrote {path}, and beside it {} for editors\n\
+         next: look at the roles in it, then `stargrip-cam check {path}`\n",
+        layers.len(),
+        spec::SCHEMA_FILE
+    );
+    args.verbosity.report(&said, &json)
 }
 
 /// The name as a file name anywhere: ASCII letters, digits, dashes, and points between them.

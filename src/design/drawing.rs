@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-use crate::design::{Circle, Design, FlatPiece, Plate, Product, Side, StarAssembly, label, lettering};
+use crate::design::{Circle, Design, Edge, FlatPiece, Plate, Product, Side, StarAssembly, label, lettering};
 use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point};
 
 /// Exact geometry on a page.
@@ -26,15 +26,6 @@ pub enum Origin {
     LowerLeft,
     /// On the star's axis; the page's lower left corner lies at this point.
     Axis(Point),
-}
-
-/// Which lines a drawing of a part has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Edge {
-    /// The part's own edges: for what is printed.
-    Part,
-    /// The middle of the tool that cuts them, half a kerf beside.
-    Tool,
 }
 
 /// What a shape is for. Names are part of every file.

@@ -6,18 +6,15 @@
 mod roles;
 mod said;
 
-use crate::design::flat::footprint;
 use crate::design::offset::offset;
-use crate::design::placement::{SheetLayout, place};
+use crate::design::placement::{SheetLayout, footprint, place};
 use crate::design::star_seam::MOUTH_OVERRUN;
 use crate::design::{PlacedPart, Refusal, RefusalCode, Refusals, Warning};
 use crate::shape::{Role, Rules, SealedShape, Sealing, Sketch, sealed_shape};
-use crate::spec::{DrawingSpec, Machine, Spec, key};
+use crate::spec::{DrawingSpec, LayerRole, Machine, Spec, key};
 use crate::units::Readable;
 use drawings::{Drawing, Figure, Options, Unit};
 use inflatable::geom::{Bounds, Path};
-
-pub use roles::proposed;
 
 /// A passage narrower than this is warned of, mm: the least that makers report to inflate well.
 const LEAST_PASSAGE: f64 = 15.0;
@@ -29,7 +26,7 @@ pub struct DrawnPiece {
     pub shape: SealedShape,
     /// The edges of the air as drawn.
     pub edges: Vec<Path>,
-    /// Regions that hold the air, to the middle of the bands around them.
+    /// Outlines of the regions that hold the air, for pictures.
     pub tube: Vec<Path>,
     /// The piece's own edges.
     pub part: DrawnCut,
@@ -78,9 +75,8 @@ impl DrawnPiece {
         let warnings = warned.iter().map(said::warning).collect();
         let part = cut(&shape, &holes)?;
         let tool = part.for_tool(spec.cut.kerf.0)?;
-        let boundaries = shape.seams.iter().filter(|seam| seam.role == Role::Boundary);
-        let tube = boundaries.map(|seam| seam.center_line.clone()).collect();
-        let edges = sketch.air.into_iter().map(|drawn| drawn.path).collect();
+        let edges: Vec<Path> = sketch.air.into_iter().map(|drawn| drawn.path).collect();
+        let tube = regions(&shape, &edges);
         let bounds = footprint(&shape, &tool.outside, machine.process.ramp.0);
         let number = usize::try_from(spec.sheet.copies).unwrap_or(1);
         let boxes: Vec<Bounds> = vec![bounds; number];
@@ -114,6 +110,15 @@ impl DrawnCut {
     }
 }
 
+/// What is filled to show the air: the drawn edges where each is closed, else the middle of the bands.
+fn regions(shape: &SealedShape, edges: &[Path]) -> Vec<Path> {
+    if !edges.is_empty() && edges.iter().all(|edge| edge.closed) {
+        return edges.to_vec();
+    }
+    let boundaries = shape.seams.iter().filter(|seam| seam.role == Role::Boundary);
+    boundaries.map(|seam| seam.center_line.clone()).collect()
+}
+
 /// The rules by which a sketch becomes a shape.
 fn rules(spec: &Spec, drawing: &DrawingSpec) -> Rules {
     let hose = spec.inlet.as_ref().map_or(0.0, |inlet| inlet.tube_diameter.0);
@@ -140,6 +145,29 @@ fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Drawing, Refusals> {
     let options = Options { unit, ..Options::new(0.5 * spec.accuracy.path.0) };
     drawings::read(&drawing.file, &content.0, &options)
         .map_err(|faults| faults.iter().map(said::unreadable).collect())
+}
+
+/// Layers of a file with roles that suit them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayerProposal {
+    /// Every layer with a role and the reason for it, in the order of the file.
+    pub layers: Vec<(String, LayerRole, String)>,
+    /// Whether the file states the unit of its numbers; else mm were taken.
+    pub has_unit: bool,
+}
+
+/// The layers of the drawing `bytes`, a file called `name`, with roles that suit them.
+///
+/// # Errors
+/// Every reason for which it cannot be read.
+pub fn propose_layers(name: &str, bytes: &[u8]) -> Result<LayerProposal, Refusals> {
+    let options = |unit| Options { unit, ..Options::new(0.001) };
+    let own = drawings::read(name, bytes, &options(None));
+    let has_unit = own.is_ok();
+    let read = own
+        .or_else(|faults| drawings::read(name, bytes, &options(Some(Unit::Millimetre))).map_err(|_| faults));
+    let read = read.map_err(|faults| faults.iter().map(said::unreadable).collect::<Refusals>())?;
+    Ok(LayerProposal { layers: roles::proposed(&read), has_unit })
 }
 
 /// The figures of the drawing of `spec`, as far as the file can be read; none of a spec without one.

@@ -1,10 +1,9 @@
 //! What every product's piece has, flat: seams, tube, cut and fabric.
 
-use crate::design::part::SHEETS;
-use crate::design::{Circle, DrawnPiece, Edge, StarDesign};
+use crate::design::{Circle, DrawnPiece, Edge, SHEETS, StarDesign};
 use crate::shape::SealedShape;
 use crate::spec::Fabric;
-use inflatable::geom::{Bounds, Path, Point};
+use inflatable::geom::{Path, Point};
 
 /// One piece in its own frame, whatever it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -104,14 +103,4 @@ impl<'a> FlatPiece<'a> {
             Self::Drawn(piece) => piece.label_width(),
         }
     }
-}
-
-/// The box that a piece needs on its sheet: the tool's way around it, and the bands with ramps of length `ramp`.
-pub(super) fn footprint(shape: &SealedShape, around: &Path, ramp: f64) -> Bounds {
-    shape
-        .seams
-        .iter()
-        .map(|seam| seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp)).bounds())
-        .map(|bounds| bounds.grown(shape.band / 2.0))
-        .fold(around.bounds(), Bounds::union)
 }

@@ -1,6 +1,6 @@
 //! One distinct star with everything that is drawn of it, in the star's own frame.
 
-use crate::design::flat::footprint;
+use crate::design::placement::footprint;
 use crate::design::star_seam::star_seam;
 use crate::design::{Channel, CutLines, MaskPlate, Outline, Pieces, Refusal, Refusals, Side, Star};
 use crate::shape::{Port, SealedShape};

@@ -3,9 +3,10 @@
 use std::f64::consts::FRAC_PI_2;
 
 use crate::design::{Refusal, RefusalCode};
+use crate::shape::SealedShape;
 use crate::spec::{KeyPath, Machine, Sheet, key};
 use crate::units::{Least, Length, Most, Readable};
-use inflatable::geom::{Bounds, Isometry, Point};
+use inflatable::geom::{Bounds, Isometry, Path, Point};
 
 /// One sheet: its frame has the origin at the lower left.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,6 +164,16 @@ impl<'a> Rows<'a> {
         self.done.push(SheetLayout { index: self.done.len() + 1, width, height });
         (self.next, self.used, self.row_height, self.in_row) = (Point::ORIGIN, Point::ORIGIN, 0.0, 0);
     }
+}
+
+/// The box that a piece needs on its sheet: the tool's way around it, and the bands with ramps of length `ramp`.
+pub(super) fn footprint(shape: &SealedShape, around: &Path, ramp: f64) -> Bounds {
+    shape
+        .seams
+        .iter()
+        .map(|seam| seam.run().then(seam.lead_in(ramp)).then(seam.lead_out(ramp)).bounds())
+        .map(|bounds| bounds.grown(shape.band / 2.0))
+        .fold(around.bounds(), Bounds::union)
 }
 
 /// What an extent of the sheet leaves between its margins; without an extent there is no end to it.

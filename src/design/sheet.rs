@@ -1,10 +1,10 @@
 //! Sheets: the whole design, its pieces placed side by side on fabric.
 
-use crate::design::placement::{Placement, SheetLayout};
-use crate::design::{DrawnPiece, FlatPiece, Refusals, StarAssembly, Warning};
-use crate::shape::{PieceName, PlacedPiece};
+use crate::design::placement::SheetLayout;
+use crate::design::{DrawnPiece, FlatPiece, PlacedPart, Refusals, StarAssembly, Warning};
+use crate::shape::PlacedPiece;
 use crate::spec::{Machine, Spec};
-use inflatable::geom::{Isometry, Point};
+use inflatable::geom::Point;
 
 /// Everything that is made, exactly.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,36 +24,6 @@ pub enum Product {
     Stars(Box<StarAssembly>),
     /// Pieces that are all alike, by a person's own drawing.
     Drawing(Box<DrawnPiece>),
-}
-
-/// One piece on its sheet.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlacedPart {
-    /// The kind of piece: "star".
-    pub kind: &'static str,
-    /// Number of the piece; of the stars of a stack 1 = bottom.
-    pub index: usize,
-    /// Which of the distinct pieces it is, from 0.
-    pub distinct: usize,
-    /// Number of its sheet, from 1.
-    pub sheet: usize,
-    /// From the piece's frame to the sheet's.
-    pub placement: Isometry,
-}
-
-impl PlacedPart {
-    /// Its name: star 2.
-    pub fn name(&self) -> PieceName {
-        PieceName::numbered(self.kind, self.index)
-    }
-
-    /// Pieces of one `kind`, numbered from 1, of which each is one of the distinct ones and has its place.
-    pub(super) fn all(kind: &'static str, which: &[usize], places: Vec<Placement>) -> Vec<Self> {
-        let placed = which.iter().zip(places).zip(1..);
-        placed
-            .map(|((&distinct, (sheet, placement)), index)| Self { kind, index, distinct, sheet, placement })
-            .collect()
-    }
 }
 
 impl Design {

@@ -57,13 +57,14 @@ impl PieceName {
 }
 
 impl SeamName {
-    /// The name as words of a structured comment: "star=1 loop=outer", "piece=disc", "piece=2 seam=weld-1".
+    /// The name as words of a structured comment: "star=1 loop=outer", "piece=disc", "piece=2".
     pub fn facts(&self) -> String {
         match &self.piece {
             PieceName::Numbered { kind: kind @ "star", number } => {
                 format!("{kind}={number} loop={}", self.seam)
             }
-            PieceName::Numbered { kind, number } => format!("{kind}={number} seam={}", self.seam),
+            // An element's id may be longer than a line of a program has room for.
+            PieceName::Numbered { kind, number } => format!("{kind}={number}"),
             PieceName::Named(piece) if self.seam.is_empty() => format!("piece={piece}"),
             PieceName::Named(piece) => format!("piece={piece} seam={}", self.seam),
         }

@@ -3,7 +3,6 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::digest::sha256;
 use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
@@ -89,10 +88,10 @@ impl LayerRole {
     ];
 }
 
-/// The hash of the bytes: they may be many.
+/// The number of the bytes: they may be many.
 impl fmt::Debug for DrawingContent {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", sha256(&self.0))
+        write!(f, "{} bytes", self.0.len())
     }
 }
 
@@ -117,11 +116,12 @@ impl DrawingSpec {
 }
 
 /// Sections that describe stars, and what a drawing has instead.
-const OF_STARS: [(&str, &str); 4] = [
+const OF_STARS: [(&str, &str); 5] = [
     ("star", "the drawing is the shape"),
     ("stack", "drawn pieces are not stacked; `copies` in [sheet] makes several"),
     ("frame", "only stacked stars have a frame"),
     ("mask", "only stars are coated"),
+    ("load", "no model predicts a drawn shape"),
 ];
 
 /// The drawing; `None` if the section is not written.
@@ -136,6 +136,15 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
                 .help(format!("delete [{section}], or [drawing]"));
             reader.faults.push(fault);
         }
+    }
+    let inlet = reader.raw.root().get("inlet").and_then(RawValue::as_table);
+    let others = inlet.into_iter().flat_map(|table| &table.0).filter(|entry| entry.key != "tube_diameter");
+    for entry in others {
+        let message = format!("{} in [inlet] beside [drawing]", quoted(&entry.key));
+        let fault = Fault::error(FaultCode::Conflict, entry.key_span.clone(), message)
+            .label("the drawing shows where its ports are")
+            .help("delete it; only `tube_diameter` counts here");
+        reader.faults.push(fault);
     }
     drawing
 }

@@ -66,7 +66,7 @@ pub use raw::RawSpec;
 pub use reading::{Reading, SMALLEST_HOLE, TOXIC, read};
 pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
-pub use starter::{quoted, starter};
+pub use starter::{drawing_starter, quoted, starter};
 pub(crate) use unknown::nearest;
 pub use values::{Setting, settings};
 pub use vocabulary::{Command, Vocabulary};

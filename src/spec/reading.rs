@@ -15,7 +15,7 @@ use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
 use crate::spec::shape::Shape;
 use crate::spec::source::Source;
-use crate::spec::{Code, DrawingContent, FaultCode, drawing, foreign, stars};
+use crate::spec::{Code, DrawingContent, FaultCode, KeyPath, drawing, foreign, key, stars};
 use crate::units::{Length, Percent, Pressure, Speed, Temperature};
 
 /// A spec that was read, and what can still be said about its text.
@@ -119,7 +119,7 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
     let drawing = drawing::read(reader);
     let (stars, inlet) = stars::read(reader, drawing.is_some());
     let cut = read_cut(&mut reader.section("cut"));
-    Spec {
+    let spec = Spec {
         name,
         fabric,
         stars,
@@ -134,6 +134,25 @@ pub(super) fn read_spec(reader: &mut Reader<'_>) -> Spec {
         load: read_load(&mut reader.section("load")),
         accuracy: read_accuracy(&mut reader.section("accuracy")),
         build: read_build(&mut reader.section("build")),
+    };
+    check_product(reader, &spec);
+    spec
+}
+
+/// Values that only one of the products can have.
+fn check_product(reader: &mut Reader<'_>, spec: &Spec) {
+    let mut conflict = |key: KeyPath, message: String, label: &str| {
+        let fault = Fault::error(FaultCode::Conflict, reader.raw.span_of(key), message).label(label);
+        reader.faults.push(fault);
+    };
+    if spec.drawing.is_none() && spec.sheet.copies > 1 {
+        let message = format!("`copies` is {} without a [drawing]", spec.sheet.copies);
+        conflict(key::sheet::COPIES, message, "stars are counted by `count` in [stack]");
+    }
+    let of_stars = [Extra::Report, Extra::SceneGlb, Extra::FramePdf, Extra::FrameStl];
+    for extra in spec.build.with.iter().filter(|extra| spec.drawing.is_some() && of_stars.contains(extra)) {
+        let message = format!("`with` names {:?} beside [drawing]", extra.name());
+        conflict(key::build::WITH, message, "only a gripper of stars has one");
     }
 }
 

@@ -1,5 +1,6 @@
 //! The starter: a commented spec for a person to begin with.
 
+use crate::spec::LayerRole;
 use crate::spec::name::{NameFault, check_name};
 
 /// The starter, with a placeholder for the name.
@@ -7,12 +8,45 @@ pub(super) const TEMPLATE: &str = include_str!("../../templates/spec.toml");
 /// The placeholder, a whole TOML string so that nothing else in the text can match it.
 const PLACEHOLDER: &str = "\"NAME\"";
 
+/// The starter of a drawing.
+const DRAWING: &str = include_str!("../../templates/drawing.toml");
+
 /// A valid spec called `name`, commented, with every key and its default: the paper's star.
 ///
 /// # Errors
 /// If `name` cannot be a spec's name.
 pub fn starter(name: &str) -> Result<String, NameFault> {
     Ok(TEMPLATE.replacen(PLACEHOLDER, &quoted(name)?, 1))
+}
+
+/// A spec called `name` of the drawing `file`, whose `layers` have these roles for these reasons; with a unit where the file has none.
+///
+/// # Errors
+/// If `name` cannot be a spec's name.
+pub fn drawing_starter(
+    name: &str,
+    file: &str,
+    layers: &[(String, LayerRole, String)],
+    has_unit: bool,
+) -> Result<String, NameFault> {
+    let text = |words: &str| format!("\"{}\"", words.replace('\\', "\\\\").replace('"', "\\\""));
+    let mut roles = String::new();
+    for (word, role) in LayerRole::ALL {
+        let own: Vec<&(String, LayerRole, String)> = layers.iter().filter(|layer| layer.1 == role).collect();
+        for (layer, _, reason) in &own {
+            roles += &format!("# {}: {reason}\n", text(layer));
+        }
+        if !own.is_empty() {
+            let names: Vec<String> = own.iter().map(|(layer, ..)| text(layer)).collect();
+            roles += &format!("{word} = [{}]\n", names.join(", "));
+        }
+    }
+    let units = if has_unit { "# units = \"mm\"" } else { "units = \"mm\"" };
+    Ok(DRAWING
+        .replacen(PLACEHOLDER, &quoted(name)?, 1)
+        .replacen("\"FILE\"", &text(file), 1)
+        .replacen("UNITS", units, 1)
+        .replacen("ROLES\n", &roles, 1))
 }
 
 /// `name` as TOML writes it.

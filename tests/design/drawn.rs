@@ -7,8 +7,9 @@ use std::path::Path as File;
 
 use stargrip_cam::artifact::Asked;
 use stargrip_cam::design::{Design, StarDesign};
-use stargrip_cam::geom::{Path, Point, Segment};
+use stargrip_cam::geom::{Isometry, Path, Point, Segment, Vec2};
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files};
+use stargrip_cam::shape::Seam;
 use stargrip_cam::spec::{self, Source, Spec};
 use stargrip_cam::verify::OutputFiles;
 
@@ -128,7 +129,9 @@ fn shipped_stars_come_back_through_svg_and_dxf() {
                 let back = drawn(&of_drawing(&spec, file), text.as_bytes())
                     .unwrap_or_else(|refusals| panic!("{name}: {refusals}"));
                 assert_eq!(back.proof().findings, [], "{name}");
-                same_seams(part, &back, &name, spec.seal.speed.0);
+                // The page's lower left is the origin of an SVG.
+                let shift = if file == "edges.svg" { 1000.0 } else { 0.0 };
+                same_seams(part, &back, Vec2::new(shift, shift), (&name, spec.seal.speed.0));
             }
         }
     }
@@ -136,13 +139,13 @@ fn shipped_stars_come_back_through_svg_and_dxf() {
 }
 
 /// Every seam of `part` is one of `back`, as long, and takes as long.
-fn same_seams(part: &StarDesign, back: &Built, name: &str, speed: f64) {
+fn same_seams(part: &StarDesign, back: &Built, shift: Vec2, (name, speed): (&str, f64)) {
     let shape = back.forecast.design.part(&back.forecast.design.placed()[0]).shape();
     assert_eq!(shape.seams.len(), part.shape.seams.len(), "{name}");
     for seam in &part.shape.seams {
-        let near = |other: &&stargrip_cam::shape::Seam| {
-            furthest(&seam.center_line, &other.center_line) < 1e-6
-                && furthest(&other.center_line, &seam.center_line) < 1e-6
+        let own = Isometry::translation(shift).path(&seam.center_line);
+        let near = |other: &&Seam| {
+            furthest(&own, &other.center_line) < 1e-6 && furthest(&other.center_line, &own) < 1e-6
         };
         let other = shape.seams.iter().find(near);
         let other = other.unwrap_or_else(|| panic!("{name}: no seam like {}", seam.name));
@@ -191,7 +194,7 @@ fn shipped_drawings_are_proven_from_their_directory() {
         let moved = String::from_utf8(copy.1.clone()).expect("text").replacen("20", "21", 3);
         assert_ne!(copy.1, moved.as_bytes());
         copy.1 = moved.into_bytes();
-        assert!(prove(&other).len() > 1, "{}", path.display());
+        assert!(!prove(&other).is_empty(), "{}", path.display());
     }
     assert!(number >= 3, "{number}");
 }

@@ -58,7 +58,7 @@ fn page(head: &str, schema: &str, template: &str) -> String {
             None => (format!("[{name}]"), section),
         };
         out += &table(&heading, about, object, &|_, key| order(name, key), &mut units);
-        for (key, list) in properties(section).filter(|(_, value)| is_section(value)) {
+        for (key, list) in properties(section).filter(|(_, value)| value["items"]["type"] == "object") {
             let about = list["items"]["description"].as_str().unwrap_or_default();
             let inner = format!("{name}.{key}");
             out += &table(
@@ -115,7 +115,7 @@ fn table(
     units: &mut BTreeMap<String, String>,
 ) -> String {
     let mut keys: Vec<(&String, &Value)> =
-        properties(object).filter(|(_, value)| !is_section(value)).collect();
+        properties(object).filter(|(key, value)| !is_section(value) || *key == "layers").collect();
     keys.sort_by_key(|(key, _)| order("", key));
     let mut out = format!("\n## {heading}\n\n");
     if !about.is_empty() {

@@ -162,7 +162,7 @@ fn middle(element: &Element) -> Point {
 }
 
 /// The layers of `drawing`, each with the role that its name and figures suggest, and the reason.
-pub fn proposed(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
+pub(super) fn proposed(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
     let all = layers(drawing);
     let is_closed = |figure: &Figure| matches!(figure, Figure::Path(path) if path.closed);
     let mut out: Vec<(String, LayerRole, String)> = Vec::new();

@@ -67,5 +67,6 @@ fn of(code: ShapeCode) -> (KeyPath, RefusalCode) {
         ShapeCode::Outlines => (LAYERS, RefusalCode::WrongOutlines),
         ShapeCode::CutInBand => (key::seal::ALLOWANCE, RefusalCode::CutInBand),
         ShapeCode::Empty => (LAYERS, RefusalCode::NothingDrawn),
+        ShapeCode::Leak => (FILE, RefusalCode::WrongOpening),
     }
 }

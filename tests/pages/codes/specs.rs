@@ -142,6 +142,16 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
     for (_, old, new) in LOADS {
         of_spec(&format!("{STAR}{}", changed(LOAD, old, new)), None, &mut all);
     }
+    for (_, layers, body) in DRAWINGS {
+        let text =
+            format!("schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\n{layers}\n");
+        let svg = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"-20 -20 200 200\">{body}</svg>"
+        );
+        of_drawing(&text, svg.as_bytes(), &mut all);
+    }
+    of_drawing(DRAWING, b"solid x", &mut all);
+    of_spec(DRAWING, None, &mut all);
     for (_, profile, old, new, rest) in PROFILES {
         let own = spec::builtin_machine(profile).expect("built in").replacen(old, new, 1);
         of_spec(&format!("{STAR}[machine]\nprofile = \"own.toml\"\n{rest}"), Some(&own), &mut all);
@@ -159,8 +169,97 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
     all
 }
 
+/// Drawings that are wrong in one way: roles, and what stands in the file.
+const DRAWINGS: [(&str, &str, &str); 14] = [
+    ("layer-without-role", "port = [\"p\"]", ROOM),
+    ("unknown-layer", "air = [\"a\", \"b\"]\nport = [\"p\"]", ROOM),
+    ("chamber-without-port", "air = [\"a\"]\nignore = [\"p\"]", ROOM),
+    ("nothing-drawn", "ignore = [\"a\", \"p\"]", ROOM),
+    (
+        "port-off-edge",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g>\
+        <g id=\"p\"><path id=\"q\" d=\"M 28 30 H 32\"/></g>",
+    ),
+    (
+        "curve-dangling-end",
+        "air = [\"a\"]\nignore = [\"p\"]",
+        "<g id=\"a\"><path id=\"e\" d=\"M 0 0 H 50 V 50\"/></g><g id=\"p\"><path d=\"M 1 1 H 2\"/></g>",
+    ),
+    (
+        "curve-gap",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><path id=\"e\" d=\"M 0 0 H 50 V 50 H 0 V 0.4\"/></g>\
+        <g id=\"p\"><path d=\"M 25 -3 V 3\"/></g>",
+    ),
+    (
+        "curves-cross",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/>\
+        <rect id=\"s\" x=\"30\" y=\"30\" width=\"60\" height=\"60\"/></g><g id=\"p\"><path d=\"M -3 30 H 3\"/></g>",
+    ),
+    (
+        "narrow-passage",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"12\" rx=\"2\"/></g>\
+        <g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>",
+    ),
+    (
+        "narrow-tube",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"90\" height=\"3\"/></g>\
+        <g id=\"p\"><path d=\"M 45 -3 V 3\"/></g>",
+    ),
+    (
+        "nested-island",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"90\" height=\"90\"/>\
+        <rect id=\"s\" x=\"25\" y=\"25\" width=\"40\" height=\"40\"/><rect id=\"t\" x=\"40\" y=\"40\" width=\"9\" height=\"9\"/></g>\
+        <g id=\"p\"><path d=\"M 45 -3 V 3\"/></g>",
+    ),
+    (
+        "wrong-outlines",
+        "air = [\"a\"]\nport = [\"p\"]\ncut = [\"c\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g>\
+        <g id=\"p\"><path d=\"M 30 -3 V 3\"/></g><g id=\"c\"><path id=\"k\" d=\"M 100 0 H 120 V 20 Z M 140 0 H 160 V 20 Z\"/></g>",
+    ),
+    (
+        "cut-in-band",
+        "air = [\"a\"]\nport = [\"p\"]\nhole = [\"h\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g>\
+        <g id=\"p\"><path d=\"M 30 -3 V 3\"/></g><g id=\"h\"><circle id=\"k\" cx=\"61\" cy=\"30\" r=\"2\"/></g>",
+    ),
+    (
+        "lost-geometry",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/>\
+        <text id=\"t\" x=\"9\" y=\"9\">air</text></g><g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>",
+    ),
+];
+
+/// A chamber with its port.
+const ROOM: &str =
+    "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/></g><g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>";
+
 fn generic() -> &'static str {
     spec::builtin_machine("generic").expect("built in")
+}
+
+/// A spec of a drawing.
+const DRAWING: &str = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"] }\n";
+
+/// Everything that is printed about a spec of a drawing.
+fn of_drawing(text: &str, bytes: &[u8], [_, refusals, _]: &mut [Vec<Message>; 3]) {
+    let reading = spec::read(&Source::new("spec.toml", text)).expect("a spec").with_drawing(bytes);
+    let machine = Machine::builtin("generic").expect("built in");
+    match Forecast::of(reading.spec, machine) {
+        Ok(forecast) => {
+            let warnings = forecast.design.warnings.iter();
+            refusals
+                .extend(warnings.map(|one| (one.code.to_string(), format!("{}; {}", one.found, one.remedy))));
+        }
+        Err(found) => refusals.extend(of_refusals(&found)),
+    }
 }
 
 /// Everything that is printed about a spec on a profile, in its three lists.

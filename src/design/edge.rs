@@ -1,0 +1,10 @@
+//! Edges: a part's own, or those of the tool that cuts it.
+
+/// Which lines a drawing of a part has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edge {
+    /// The part's own edges: for what is printed.
+    Part,
+    /// The middle of the tool that cuts them, half a kerf beside.
+    Tool,
+}
