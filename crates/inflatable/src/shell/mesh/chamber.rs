@@ -85,7 +85,7 @@ impl Chamber {
     /// # Errors
     /// If curves cross, leave the outline, or ask for too many triangles.
     pub fn mesh(&self, cells: f64) -> Result<(Meshed, Vec<usize>), MeshFault> {
-        if !(cells >= 1.0 && cells <= 200.0) {
+        if !(1.0..=200.0).contains(&cells) {
             return Err(MeshFault::Dimension { name: "edges a width", found: cells, allowed: "1 to 200" });
         }
         let (region, curve_of) = self.region()?;

@@ -22,8 +22,7 @@ impl FlatRegion {
         let width = self.chamber.widest();
         let squares = self.chamber.area() / (width * width);
         let cells = (QUICK / (UNKNOWNS_OF_SQUARE * squares)).sqrt();
-        // Not a number of a chamber without width, which has no mesh anyway.
-        Fineness { cells: cells.max(1.5).min(MOST_QUICK), cuts: 2 }
+        Fineness { cells: cells.clamp(1.5, MOST_QUICK), cuts: 2 }
     }
 }
 

@@ -25,7 +25,9 @@ impl Sealed {
             edge.ends.into_iter().for_each(|end| points[end] = true);
         }
         for corners in mesh.triangles.iter().filter(|corners| chamber.is_welded(middle(corners))) {
-            corners.iter().for_each(|corner| points[*corner] = true);
+            for corner in corners {
+                points[*corner] = true;
+            }
         }
         let is_weld = |edge: &usize| meshed.piece_of[*edge].is_some() && mesh.edges[*edge].border.is_none();
         Self { points, welds: (0..mesh.edges.len()).filter(is_weld).collect() }
@@ -51,7 +53,7 @@ pub(super) fn symmetric(meshed: &Meshed, sealed: &Sealed, sheet: &mut Sheet) -> 
     let other = far(one);
     let apart = place(other) - place(one);
     // The far point may come nearer along the axis that lies most along the line between both.
-    let across = if apart.x.abs() > apart.y.abs() { 1 } else { 0 };
+    let across = usize::from(apart.x.abs() > apart.y.abs());
     for (point, axis) in [(one, 0), (one, 1), (other, across)] {
         supports.fix(point, axis);
     }

@@ -130,10 +130,10 @@ fn a_v_actuator_as_a_region_is_the_v_actuator() {
 #[test]
 fn welds_and_islands_hold_both_sheets_together() {
     let square = rectangle(0.04, 0.04);
-    let open = inflated(&one(&[square.clone()], &[]), 0.3e-3, 5e3, 3.0);
+    let open = inflated(&one(std::slice::from_ref(&square), &[]), 0.3e-3, 5e3, 3.0);
     // A weld from rim to rim makes two tubes of it.
     let weld = line([0.02, 0.0], [0.02, 0.04]);
-    let two = inflated(&one(&[square.clone()], &[weld]), 0.3e-3, 5e3, 5.0);
+    let two = inflated(&one(std::slice::from_ref(&square), &[weld]), 0.3e-3, 5e3, 5.0);
     assert!((two.width - 0.02).abs() < 1e-4, "{}", two.width);
     assert!(two.height.value < 0.75 * open.height.value, "{:?} {:?}", two.height, open.height);
     let of_weld =
@@ -205,7 +205,7 @@ fn loops_are_chambers_islands_and_welds_whichever_way_they_run() {
     let (outer, island, inner) = (circle(0.0, 0.0, 1.0), circle(0.0, 0.0, 0.7), circle(0.0, 0.0, 0.3));
     let weld = line([0.75, 0.0], [0.95, 0.0]);
     let loops = [inner, island.reversed(), outer.reversed()];
-    let found = chambers(&loops, &[weld.clone()], &[]).expect("chambers");
+    let found = chambers(&loops, std::slice::from_ref(&weld), &[]).expect("chambers");
     assert_eq!(found.len(), 2);
     assert!(found.iter().all(|chamber| chamber.outline.area() > 0.0));
     assert_eq!((found[0].islands.len(), found[0].welds.len()), (0, 0));
