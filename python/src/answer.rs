@@ -10,7 +10,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyCFunction, PyDict, PyTuple, PyType};
 use stargrip_cam::cli::embedded::Given;
 use stargrip_cam::forecast::actuator::ActuatorPrediction as Actuated;
-use stargrip_cam::forecast::keys::{ACTUATOR, Key, Kind, PREDICTION};
+use stargrip_cam::forecast::keys::{ACTUATOR, Key, KeyKind, PREDICTION};
 use stargrip_cam::forecast::prediction as said;
 use stargrip_cam::forecast::report;
 use stargrip_cam::shell::cases::Shape;
@@ -100,14 +100,14 @@ pub(crate) fn add_properties<T: Keyed>(py: Python<'_>) -> PyResult<()> {
 /// The type of a key's value, as a stub spells it.
 fn spelled(key: &Key) -> String {
     let kind = match key.kind {
-        Kind::Text => "str",
-        Kind::Number => "float",
-        Kind::Pair => "tuple[float, float]",
-        Kind::Hinges => "dict[str, float | None]",
-        Kind::Object => "dict[str, Any]",
-        Kind::List => "list[dict[str, Any]]",
-        Kind::Rows => "list[tuple[float | None, ...]]",
-        Kind::Variant => return "Any".to_owned(),
+        KeyKind::Text => "str",
+        KeyKind::Number => "float",
+        KeyKind::Pair => "tuple[float, float]",
+        KeyKind::Hinges => "dict[str, float | None]",
+        KeyKind::Object => "dict[str, Any]",
+        KeyKind::List => "list[dict[str, Any]]",
+        KeyKind::Rows => "list[tuple[float | None, ...]]",
+        KeyKind::Variant => return "Any".to_owned(),
     };
     if key.always { kind.to_owned() } else { format!("{kind} | None") }
 }

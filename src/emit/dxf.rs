@@ -20,7 +20,7 @@ const BULGE: u32 = 9;
 /// The drawing as a DXF document.
 pub fn dxf(drawing: &Drawing, path: Length, colours: Colours) -> String {
     let mut writer =
-        Writer { decimals: Decimals::for_tolerance(path), handle: FIRST_HANDLE, out: String::new() };
+        DxfWriter { decimals: Decimals::for_tolerance(path), handle: FIRST_HANDLE, out: String::new() };
     for (layer, _) in &drawing.layers {
         writer.layer(*layer, ink(*layer, colours).dxf);
     }
@@ -64,13 +64,13 @@ fn fill(values: &[(&str, &str)]) -> String {
     out
 }
 
-struct Writer {
+struct DxfWriter {
     decimals: Decimals,
     handle: u32,
     out: String,
 }
 
-impl Writer {
+impl DxfWriter {
     /// A group code, right in three columns, and its value.
     fn tag(&mut self, code: &str, value: &str) {
         self.out.push_str(code);

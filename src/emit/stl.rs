@@ -39,7 +39,7 @@ pub fn stl(name: &str, drawing: &Drawing, thickness: f64, depth: f64) -> Vec<u8>
         }
     }
     let tops = tops(&triangles, &changes, thickness, depth);
-    let mut writer = Writer { out: head(name), count: 0 };
+    let mut writer = StlWriter { out: head(name), count: 0 };
     for face in triangles.inner_faces() {
         let Some(top) = tops[face.fix().index()] else { continue };
         let [a, b, c] = face.positions().map(|p| [p.x, p.y]);
@@ -128,12 +128,12 @@ fn corners(path: &Path) -> Vec<[f64; 2]> {
     out
 }
 
-struct Writer {
+struct StlWriter {
     out: Vec<u8>,
     count: u32,
 }
 
-impl Writer {
+impl StlWriter {
     /// Two triangles below the edge from `a` to `b`, whose left side is solid, between two heights.
     fn wall(&mut self, a: [f64; 2], b: [f64; 2], [bottom, top]: [f64; 2]) {
         let ([ax, ay], [bx, by]) = (a, b);

@@ -1,10 +1,10 @@
 //! Every key of an answer with its type and its meaning, for those who read answers elsewhere: Python's attributes are made of it.
 
-use Kind::{Hinges, List, Number, Object, Pair, Rows, Text, Variant};
+use KeyKind::{Hinges, List, Number, Object, Pair, Rows, Text, Variant};
 
 /// What a key's value is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum KeyKind {
     /// A word or a sentence.
     Text,
     /// A number.
@@ -29,18 +29,18 @@ pub struct Key {
     /// Its name, with the unit.
     pub name: &'static str,
     /// What it holds.
-    pub kind: Kind,
+    pub kind: KeyKind,
     /// Whether every answer has it. Otherwise it may be null or absent.
     pub always: bool,
     /// Its meaning, in sentences.
     pub about: &'static str,
 }
 
-const fn always(name: &'static str, kind: Kind, about: &'static str) -> Key {
+const fn always(name: &'static str, kind: KeyKind, about: &'static str) -> Key {
     Key { name, kind, always: true, about }
 }
 
-const fn maybe(name: &'static str, kind: Kind, about: &'static str) -> Key {
+const fn maybe(name: &'static str, kind: KeyKind, about: &'static str) -> Key {
     Key { name, kind, always: false, about }
 }
 

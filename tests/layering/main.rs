@@ -3,6 +3,7 @@
 //! Imports are written `use crate::room::{A, B};`, a line a module, so the rooms a file knows can be read from its lines.
 
 mod circles;
+mod names;
 mod portable;
 
 use std::fs;

@@ -1,49 +1,113 @@
-//! One name, one type: a type name that is defined in two places has two meanings, and a reader has to find out which.
+//! One name, one type: a name that two types have makes a reader look which of them is meant.
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// File by file, the types that are defined under each name; tests do not count.
-pub(crate) type Definitions = BTreeMap<String, Vec<String>>;
+/// Names that several types may have, and why.
+const REPEATED: [(&str, &str); 32] = [
+    // The standard library's.
+    ("IntoIter", "an associated type of the standard library"),
+    ("Item", "an associated type of the standard library"),
+    ("Output", "an associated type of the standard library; and one file of a build"),
+    // One a module, by custom.
+    ("Args", "the arguments of each command, always written `build::Args`"),
+    ("Command", "the program's commands, as clap has them; and what a controller is told"),
+    // The verifier shares no code with what it judges.
+    (
+        "Block",
+        "the word for a line of G-code, for a part of a page, for equal columns of a study, for dense parts of a matrix",
+    ),
+    ("Dialect", "how programs are written, and how they are read"),
+    ("Drawing", "what is drawn, and what is read back"),
+    ("DwellUnit", "as a profile says it, and as it is read back"),
+    ("Line", "a line of a program, and a straight segment"),
+    ("Machine", "the machine of a profile, and the reader's model of it"),
+    ("Program", "what is planned, and what is read back"),
+    ("Facet", "a triangle of an STL file, and one of a sheet"),
+    // The physics has words of its own for what a spec describes in other units.
+    ("Actuator", "what is asked, and its shell"),
+    ("Fabric", "as a spec describes it, and in SI units"),
+    ("Sheet", "of the machine, and of the shell"),
+    ("Piece", "a sealed shape to cut, and a part of a mesh"),
+    ("Rest", "of a closed form, and of a shell"),
+    ("Progress", "on a terminal, and of a shell"),
+    ("Shape", "of an object, of a drawing, of an inflated sheet"),
+    ("Side", "of a band, of a tube, of a mesh's edge"),
+    ("Cell", "of a picture, of a tube between hinges, of its mesh"),
+    ("Field", "a key that varies, and values on a mesh"),
+    ("Edge", "of a drawing, and of a mesh"),
+    ("Mesh", "of a scene, and of a shell"),
+    ("Section", "of a spec, of its schema, and the model of a hinge"),
+    // Still to be told apart.
+    ("Code", "a trait of message codes, and a word of a controller"),
+    ("Motion", "how a machine moves, and how a pose does"),
+    ("Part", "of a contour, and of an assembly"),
+    ("Pose", "an inflated star, and its shape in a scene"),
+    ("Report", "of a leak check, and of a build"),
+    ("Surface", "a colour's, and a mesh's"),
+];
 
-/// Adds the types that `text` of `file` defines: structs, enums, traits, type aliases, associated types.
-pub(crate) fn define(found: &mut Definitions, file: &str, text: &str) {
-    for line in text.lines().map(str::trim_start).take_while(|line| !line.starts_with("mod tests")) {
-        let mut words = line.split([' ', '<', '(', '{', ';', ':', '=']).filter(|word| !word.is_empty());
-        let mut word = words.next();
-        if word == Some("pub") {
-            word = words.next();
-            // "pub(super)" and "pub(in crate::cli)" are split into words, too.
-            while word.is_some_and(|word| word.ends_with(')') || ["in", "crate"].contains(&word)) {
-                word = words.next();
-            }
-        }
-        if matches!(word, Some("struct" | "enum" | "trait" | "type"))
-            && let Some(name) = words.next().filter(|name| name.starts_with(char::is_uppercase))
-        {
-            found.entry(name.to_owned()).or_default().push(file.to_owned());
+type Definitions = BTreeMap<String, Vec<String>>;
+
+/// Adds the types that `text` of `file` defines: structs, enums, traits, aliases, associated types. Tests at its end do not count.
+fn define(found: &mut Definitions, file: &str, text: &str) {
+    for line in text.lines().map(str::trim_start).take_while(|line| !line.starts_with("mod tests {")) {
+        let line = match line.strip_prefix("pub(").and_then(|rest| rest.split_once(") ")) {
+            Some((_, rest)) => rest,
+            None => line.strip_prefix("pub ").unwrap_or(line),
+        };
+        let Some((word, rest)) = line.split_once(' ') else { continue };
+        let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+        if ["struct", "enum", "trait", "type"].contains(&word) && name.starts_with(char::is_uppercase) {
+            found.entry(name).or_default().push(file.to_owned());
         }
     }
 }
 
-/// The types of all files below `path`.
-pub(crate) fn defined(found: &mut Definitions, path: &Path) {
-    let mut entries: Vec<_> = fs::read_dir(path).expect("a directory").map(|e| e.expect("an entry").path()).collect();
-    entries.sort();
-    for path in entries {
+/// Whether a module is compiled for tests only, by the lines of its parent.
+fn is_test(path: &Path) -> bool {
+    let name = path.file_stem().expect("a name").to_string_lossy();
+    let beside = |parent: &str| fs::read_to_string(path.with_file_name(parent)).unwrap_or_default();
+    name == "tests" || beside("mod.rs").contains(&format!("#[cfg(test)]\nmod {name};"))
+}
+
+fn walk(found: &mut Definitions, path: &Path) {
+    for entry in fs::read_dir(path).expect("a directory") {
+        let path = entry.expect("an entry").path();
         if path.is_dir() {
-            defined(found, &path);
-        } else if path.extension().is_some_and(|ending| ending == "rs")
-            && path.file_name().is_some_and(|name| name != "tests.rs")
-        {
-            let text = fs::read_to_string(&path).expect("a source file");
-            define(found, &path.to_string_lossy(), &text);
+            walk(found, &path);
+        } else if path.extension().is_some_and(|ending| ending == "rs") && !is_test(&path) {
+            define(found, &path.to_string_lossy(), &fs::read_to_string(&path).expect("a source file"));
         }
     }
 }
 
-/// Names that more than one type has.
-pub(crate) fn doubled(found: Definitions) -> Definitions {
-    found.into_iter().filter(|(_, files)| files.len() > 1).collect()
+#[test]
+fn a_name_has_one_type() {
+    let mut found = Definitions::new();
+    super::SOURCES.iter().for_each(|source| walk(&mut found, &super::root().join(source)));
+    assert!(found.len() > 500, "only {} types were read", found.len());
+    found.retain(|_, files| files.len() > 1);
+    let mut faults: Vec<String> = found
+        .iter()
+        .filter(|(name, _)| !REPEATED.iter().any(|(repeated, _)| repeated == name))
+        .map(|(name, files)| format!("{name} is defined in {}: give one another name", files.join(", ")))
+        .collect();
+    let unneeded = REPEATED.iter().filter(|(name, _)| !found.contains_key(*name));
+    faults.extend(unneeded.map(|(name, _)| format!("{name} is defined once: take it out of REPEATED")));
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn a_second_type_of_a_name_is_seen() {
+    let mut found = Definitions::new();
+    define(
+        &mut found,
+        "a.rs",
+        "pub(in crate::cli) struct Job<'a> {\n    type Item = Job;\n}\nenum Job2 {}\n",
+    );
+    define(&mut found, "b.rs", "pub type Job = u32;\n// struct Item\nmod tests {\n    struct Item;\n}\n");
+    assert_eq!(found["Job"], ["a.rs", "b.rs"]);
+    assert_eq!((found["Item"].len(), found.len()), (1, 3));
 }

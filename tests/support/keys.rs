@@ -1,7 +1,7 @@
 //! Answers against the keys that are documented.
 
 use serde_json::Value;
-use stargrip_cam::forecast::keys::{Key, Kind};
+use stargrip_cam::forecast::keys::{Key, KeyKind};
 
 /// Every key of `answer` that `keys` does not have, with an entry to copy, and every key whose value is of another kind.
 pub fn misfits(answer: &Value, keys: &[Key]) -> Vec<String> {
@@ -20,23 +20,23 @@ pub fn misfits(answer: &Value, keys: &[Key]) -> Vec<String> {
     unknown.chain(wrong).collect()
 }
 
-fn is_of(kind: Kind, value: &Value) -> bool {
+fn is_of(kind: KeyKind, value: &Value) -> bool {
     let number = |value: &Value| value.is_number() || value.is_null();
     let rows = |row: fn(&Value) -> bool| value.as_array().is_some_and(|rows| rows.iter().all(row));
     match kind {
-        Kind::Text => value.is_string(),
-        Kind::Number => value.is_number(),
-        Kind::Pair => {
+        KeyKind::Text => value.is_string(),
+        KeyKind::Number => value.is_number(),
+        KeyKind::Pair => {
             value.as_array().is_some_and(|ends| ends.len() == 2 && ends.iter().all(Value::is_number))
         }
-        Kind::Hinges => value.as_object().is_some_and(|pair| {
+        KeyKind::Hinges => value.as_object().is_some_and(|pair| {
             pair.len() == 2 && ["tip", "corner"].iter().all(|at| pair.get(*at).is_some_and(number))
         }),
-        Kind::Object => value.is_object(),
-        Kind::List => rows(Value::is_object),
-        Kind::Rows => {
+        KeyKind::Object => value.is_object(),
+        KeyKind::List => rows(Value::is_object),
+        KeyKind::Rows => {
             rows(|row| row.as_array().is_some_and(|row| row.iter().all(|v| v.is_number() || v.is_null())))
         }
-        Kind::Variant => true,
+        KeyKind::Variant => true,
     }
 }

@@ -19,7 +19,7 @@ const OPERATORS: f64 = 1e-5;
 const EXACT: f64 = 0.51e-9;
 
 /// Reports the first comment of [`KEYS`] that differs from the design, is missing, or is one too many.
-pub(super) struct Comments<'a> {
+pub(super) struct CommentJudge<'a> {
     task: &'a ProgramTask<'a>,
     /// The comments of [`KEYS`] so far: as many as a program can have, and one more.
     found: Vec<Comment>,
@@ -27,7 +27,7 @@ pub(super) struct Comments<'a> {
     chopped: bool,
 }
 
-impl<'a> Comments<'a> {
+impl<'a> CommentJudge<'a> {
     pub(super) fn new(task: &'a ProgramTask<'a>) -> Self {
         // A comment that is longer than a line goes on in a second one.
         let most = 2 * expected_comments(task, true).len() + 1;
@@ -58,7 +58,7 @@ impl<'a> Comments<'a> {
     }
 }
 
-impl Judge for Comments<'_> {
+impl Judge for CommentJudge<'_> {
     fn see(&mut self, line: &Line<'_>) {
         for event in line.events {
             match event {

@@ -2,9 +2,9 @@
 
 use crate::shape::{LaidSeam, PieceName, Seam};
 use crate::spec::{Machine, Spec};
-use crate::verify::judge::height::Height;
+use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::rules::{IronRules, Phase};
-use crate::verify::judge::script::{Body, Script};
+use crate::verify::judge::script::{Body, ScriptJudge};
 use crate::verify::judge::seams::Seams;
 use crate::verify::judge::stroke::stroke_seconds;
 use crate::verify::judge::task::ProgramTask;
@@ -47,8 +47,8 @@ impl FeedCheckTask<'_> {
             area,
         };
         let mut path = Seams::new(&task, &rules, tolerance).traced();
-        let mut script = Script::with_pauses(machine, 2 * lines.len());
-        let (mut body, mut height) = (Body::new(None), Height::new(&machine.process.heights, area));
+        let mut script = ScriptJudge::with_pauses(machine, 2 * lines.len());
+        let (mut body, mut height) = (Body::new(None), HeightJudge::new(&machine.process.heights, area));
         let mut timed =
             Timed::new(&rules, area, lines.iter().map(|line| line.length() / spec.seal.speed.0).collect());
         let judges: &mut [&mut dyn Judge] = &mut [&mut script, &mut body, &mut height, &mut timed, &mut path];

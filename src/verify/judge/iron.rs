@@ -1,6 +1,6 @@
 //! The iron below travel height: hot, in motion, along the fabric and never deeper than contact.
 
-use crate::verify::judge::height::Height;
+use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::pace::Paced;
 use crate::verify::judge::rules::{IronRules, Phase};
 use crate::verify::judge::script::Body;
@@ -20,7 +20,7 @@ pub fn judge_iron<'a>(
     dialect: Dialect,
 ) -> Vec<Finding> {
     let mut body = Body::new(Some(rules.seal.temperature).filter(|_| hotend));
-    let mut height = Height::new(&rules.process.heights, *area);
+    let mut height = HeightJudge::new(&rules.process.heights, *area);
     let [mut travel, mut contact, mut pace, mut rest] = iron(rules);
     let judges: &mut [&mut dyn Judge] =
         &mut [&mut body, &mut height, &mut *travel, &mut *contact, &mut *pace, &mut *rest];
@@ -31,19 +31,19 @@ pub fn judge_iron<'a>(
 pub(in crate::verify) fn iron<'a>(rules: &'a IronRules<'a>) -> [Box<dyn Judge + 'a>; 4] {
     [
         Box::new(TravelFeed::new(rules.process.travel_speed.0)),
-        Box::new(Contact { rules, findings: Findings::default() }),
+        Box::new(IronJudge { rules, findings: Findings::default() }),
         Box::new(Paced::new(rules)),
         Box::new(IronRest { rules, here: None, waited: 0.0, findings: Findings::default() }),
     ]
 }
 
 /// Below travel height the iron is hot, feeds at seal speed, and moves along the fabric.
-struct Contact<'a> {
+struct IronJudge<'a> {
     rules: &'a IronRules<'a>,
     findings: Findings,
 }
 
-impl Contact<'_> {
+impl IronJudge<'_> {
     fn step(&mut self, step: &Move) {
         let (seal, contact) = (self.rules.seal, self.rules.process.heights.contact.0);
         let mut blame = |code: FindingCode, found: String, allowed: String| {
@@ -71,7 +71,7 @@ impl Contact<'_> {
     }
 }
 
-impl Judge for Contact<'_> {
+impl Judge for IronJudge<'_> {
     fn see(&mut self, line: &Line<'_>) {
         for event in line.events {
             if let Event::Move(step) = event

@@ -3,11 +3,11 @@
 use crate::spec::Heating;
 use crate::verify::finding::quote;
 use crate::verify::judge::clamp::Clamps;
-use crate::verify::judge::comments::Comments;
-use crate::verify::judge::height::Height;
+use crate::verify::judge::comments::CommentJudge;
+use crate::verify::judge::height::HeightJudge;
 use crate::verify::judge::iron::{Cold, iron};
 use crate::verify::judge::rules::IronRules;
-use crate::verify::judge::script::{Body, Script};
+use crate::verify::judge::script::{Body, ScriptJudge};
 use crate::verify::judge::seams::Seams;
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::judge::travel::TravelFeed;
@@ -53,10 +53,10 @@ impl ProgramTask<'_> {
         let allowed = area.grown(spec.accuracy.path.0);
         let reach = if hot { spec.seal.band.0 / 2.0 } else { 0.0 };
         let mut judges: Vec<Box<dyn Judge + 'b>> = vec![
-            Box::new(Script::new(machine, hot)),
+            Box::new(ScriptJudge::new(machine, hot)),
             Box::new(Body::new(hotend.then_some(spec.seal.temperature))),
             Box::new(FirstWords::default()),
-            Box::new(Height::new(&machine.process.heights, allowed)),
+            Box::new(HeightJudge::new(&machine.process.heights, allowed)),
             Box::new(Area { reach: area, allowed, findings: Findings::default() }),
             Box::new(Clamps::new(&machine.bench.keep_out, reach)),
         ];
@@ -66,7 +66,7 @@ impl ProgramTask<'_> {
             judges.push(Box::new(TravelFeed::new(machine.process.travel_speed.0)));
             judges.push(Box::new(Cold::new(rules)));
         }
-        judges.push(Box::new(Comments::new(self)));
+        judges.push(Box::new(CommentJudge::new(self)));
         judges
     }
 }

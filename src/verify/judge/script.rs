@@ -14,7 +14,7 @@ const SAME: f64 = 0.5;
 const PENDING: usize = 1000;
 
 /// Reports every line that the profile gives and that is not where it should be, and every one that it does not give.
-pub(in crate::verify) struct Script<'a> {
+pub(in crate::verify) struct ScriptJudge<'a> {
     machine: &'a Machine,
     /// How many pauses there may still be: one where the operator heats.
     pauses: usize,
@@ -25,7 +25,7 @@ pub(in crate::verify) struct Script<'a> {
     findings: Findings,
 }
 
-impl<'a> Script<'a> {
+impl<'a> ScriptJudge<'a> {
     /// The judge of a program that seals (`hot`) or traces.
     pub(in crate::verify) fn new(machine: &'a Machine, hot: bool) -> Self {
         Self::with_pauses(machine, usize::from(hot && machine.controller.heating == Heating::Operator))
@@ -48,7 +48,7 @@ impl<'a> Script<'a> {
     }
 }
 
-impl Judge for Script<'_> {
+impl Judge for ScriptJudge<'_> {
     fn see(&mut self, line: &Line<'_>) {
         if line.is_motion() {
             self.moved = true;

@@ -74,14 +74,14 @@ pub(in crate::verify) struct Sealed<'a> {
     tolerance: f64,
     /// The seams that are still to come.
     expected: std::slice::Iter<'a, LaidSeam>,
-    now: Option<Contact>,
+    now: Option<SeamContact>,
     /// The largest, mm.
     pub(in crate::verify) deviation: f64,
     findings: Findings,
 }
 
 /// One contact with the fabric.
-enum Contact {
+enum SeamContact {
     /// Of a seam: the way down, the run, the way up.
     Seam(Box<[SeamWalk; 3]>),
     /// Of none; the line in which it begins.
@@ -97,13 +97,13 @@ impl Sealed<'_> {
         }
         let expected = &mut self.expected;
         let now = self.now.get_or_insert_with(|| match expected.next() {
-            Some(seam) => Contact::Seam(Box::new(walks(seam))),
-            None => Contact::Extra(None),
+            Some(seam) => SeamContact::Seam(Box::new(walks(seam))),
+            None => SeamContact::Extra(None),
         });
         match now {
-            Contact::Extra(line) if phase == Phase::Contact => *line = line.or(Some(step.line)),
-            Contact::Extra(_) => {}
-            Contact::Seam(walks) => {
+            SeamContact::Extra(line) if phase == Phase::Contact => *line = line.or(Some(step.line)),
+            SeamContact::Extra(_) => {}
+            SeamContact::Seam(walks) => {
                 let [down, run, up] = &mut **walks;
                 match phase {
                     Phase::Contact => run.step(step),
@@ -117,13 +117,13 @@ impl Sealed<'_> {
     /// The end of a contact.
     fn lift(&mut self) {
         match self.now.take() {
-            Some(Contact::Seam(walks)) => {
+            Some(SeamContact::Seam(walks)) => {
                 let [down, run, up] = *walks;
                 for walk in [run, down, up] {
                     self.deviation = self.deviation.max(walk.end(self.tolerance, &mut self.findings));
                 }
             }
-            Some(Contact::Extra(line)) => {
+            Some(SeamContact::Extra(line)) => {
                 let found = "a contact that the design does not have";
                 self.findings.add(FindingCode::ExtraSeam, line, found, "only its seams");
             }
