@@ -21,7 +21,22 @@ function must(holds, what) {
     if (!holds) problems.push(what);
 }
 
-/** Every file of every shipped design is the command's, to the byte. */
+/** Files with predicted numbers. The libm of WebAssembly is another, so their last digits may differ; nothing that a machine runs has any. */
+const PREDICTED = ["prediction.json", "manifest.json"];
+const DIGITS = 12;
+
+/** Whether two files say the same: to the byte, predicted numbers to twelve digits. The manifest has the hash of the prediction. */
+function same(name, own, other) {
+    if (own.equals(other)) return true;
+    const plain = (bytes) => {
+        const said = JSON.parse(Buffer.from(bytes), (_, value) => (typeof value === "number" ? Number(value.toPrecision(DIGITS)) : value));
+        for (const file of said.files ?? []) if (file.path === "prediction.json") delete file.sha256, delete file.bytes;
+        return JSON.stringify(said);
+    };
+    return PREDICTED.includes(name) && plain(own) === plain(other);
+}
+
+/** Every file of every shipped design is the command's. */
 async function bytes(program) {
     for (const design of readdirSync("designs")) {
         const spec = join("designs", design), dir = join(out, basename(design, ".toml"));
@@ -32,7 +47,7 @@ async function bytes(program) {
         must(names.join() === readdirSync(dir).sort().join(), `${design}: other files: ${names}; ${JSON.stringify(faults)}`);
         for (const { name, bytes } of files) {
             const own = readFileSync(join(dir, name));
-            must(own.equals(bytes), `${design}: ${name} differs from the command's`);
+            must(same(name, own, bytes), `${design}: ${name} differs from the command's`);
         }
     }
 }
@@ -76,8 +91,10 @@ async function bottle(page, what) {
     await download.saveAs(file);
     rmSync(dir, { recursive: true, force: true });
     execFileSync("python3", ["-m", "zipfile", "-e", file, dir]);
-    const verified = spawnSync(tool, ["verify", join(dir, "bottle")], { encoding: "utf8" });
-    must(verified.status === 0, `${what}: verify says ${verified.stdout}${verified.stderr}`);
+    const verified = spawnSync(tool, ["verify", join(dir, "bottle"), "--json"], { encoding: "utf8" });
+    const { findings, proven } = JSON.parse(verified.stdout);
+    const others = findings.filter(({ file, code }) => !PREDICTED.includes(file) || code !== "differs");
+    must(others.length === 0 && proven.length > 15, `${what}: verify finds ${JSON.stringify(others)}`);
     await page.setInputFiles("#open", file);
     await page.waitForFunction(() => document.getElementById("note").textContent.startsWith("Proven, no findings"));
 }

@@ -108,7 +108,7 @@ function show({ faults = [], settings, overview, unfit, files: made, wrong }) {
     by("rows").replaceChildren(...rows.flatMap(([label, text]) => [element("dt", {}, label), element("dd", {}, text)]));
     by("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, text)));
     by("before").hidden = overview.before_you_seal.length === 0;
-    picture(made.find(({ name }) => name.startsWith("preview")));
+    picture(made.find(({ name }) => name.endsWith("preview.svg")));
 }
 
 function picture(file) {
