@@ -102,7 +102,7 @@ async function bottle(page, what) {
 /** A typo is told at its place and mended from its message; a slider changes the text and keeps its comments. */
 async function mended(page, what) {
     const spec = page.locator("#spec");
-    await spec.fill((await spec.inputValue()).replace("tube_width", "tube_wdith") + "\n# my own words\n");
+    await spec.fill((await spec.inputValue()).replace(/^tube_width/m, "tube_wdith") + "\n# my own words\n");
     await page.waitForSelector("#faults button:text('write tube_width')");
     must(await page.isDisabled("#zip"), `${what}: files of a refused spec can be had`);
     await page.click("#faults button:text('write tube_width')");
