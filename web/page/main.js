@@ -252,7 +252,7 @@ async function opened(list) {
     take(text(spec), profile);
     if (!named("manifest.json")) return say(`Opened ${spec.name}.`);
     say("Proving the files of the build ...");
-    const { findings, proven, unproven, written_by } = await program.ask({ ask: "verify" }, { files: all, isLong: true });
+    const { findings, proven, unproven, written_by } = await program.ask({ ask: "verify" }, { files: all, isKept: true });
     if (findings.length > 0) {
         const first = findings.slice(0, 3).map(({ file, line, code, found }) => `${file}${line ? `:${line}` : ""}: ${found} (${code})`);
         return say(`${findings.length} findings: ${first.join("; ")}`, true);
