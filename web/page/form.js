@@ -60,7 +60,7 @@ export class Form {
         const words = key.replaceAll("_", " ");
         const about = element("p", { className: "soft", id: `${id}-about` }, property.description ?? "");
         const state = element("span", { className: "state" });
-        const reset = element("button", { type: "button", className: "plain", hidden: true, onclick: () => tell(null), "aria-label": `${words}: back to the default` }, "default");
+        const reset = element("button", { type: "button", className: "plain", hidden: true, onclick: () => tell(null) }, "default");
         const choices = path === "machine.profile" ? machines.map(({ name }) => name) : property.enum;
         const box = element("div", { className: "field" });
         let input, slider = null;
@@ -134,6 +134,7 @@ export class Form {
             const isRequired = ["name", "star.points", "star.inner_radius", "star.tube_width", "star.tip_angle"].includes(path);
             state.textContent = given ? "" : value === null ? "not set" : "default";
             reset.textContent = property.default === undefined ? "remove" : "default";
+            reset.setAttribute("aria-label", `${reset.textContent} ${key.replaceAll("_", " ")}`);
             reset.hidden = !given || isRequired;
             box.classList.toggle("default", !given);
         }

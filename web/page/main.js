@@ -108,7 +108,7 @@ function show({ faults = [], settings, overview, unfit, files: made, wrong }) {
     by("rows").replaceChildren(...rows.flatMap(([label, text]) => [element("dt", {}, label), element("dd", {}, text)]));
     by("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, text)));
     by("before").hidden = overview.before_you_seal.length === 0;
-    picture(made.find(({ name }) => name.startsWith("preview")));
+    picture(made.find(({ name }) => name.endsWith("preview.svg")));
 }
 
 function picture(file) {
@@ -252,7 +252,7 @@ async function opened(list) {
     take(text(spec), profile);
     if (!named("manifest.json")) return say(`Opened ${spec.name}.`);
     say("Proving the files of the build ...");
-    const { findings, proven, unproven, written_by } = await program.ask({ ask: "verify" }, { files: all, isLong: true });
+    const { findings, proven, unproven, written_by } = await program.ask({ ask: "verify" }, { files: all, isKept: true });
     if (findings.length > 0) {
         const first = findings.slice(0, 3).map(({ file, line, code, found }) => `${file}${line ? `:${line}` : ""}: ${found} (${code})`);
         return say(`${findings.length} findings: ${first.join("; ")}`, true);

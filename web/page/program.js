@@ -24,13 +24,13 @@ export class Program {
         this.#spare = this.#made();
     }
 
-    /** Asks. `lane` names what a later question replaces; `isLong`: a question that follows in any lane stops it. */
-    ask(question, { files = [], lane = question.ask, isLong = false } = {}) {
+    /** Asks. `lane` names what a later question replaces; `isLong`: a question that follows in any lane stops it; `isKept`: none does. */
+    ask(question, { files = [], lane = question.ask, isLong = false, isKept = false } = {}) {
         return new Promise((resolve, reject) => {
             this.#waiting = this.#waiting.filter((other) => other.lane !== lane || other.reject(new Dropped()));
-            this.#waiting.push({ number: ++this.#number, question, files, lane, isLong, resolve, reject });
-            const { isLong: isStopped, since } = this.#running ?? {};
-            if (isStopped || performance.now() - since > PATIENCE) this.stop();
+            this.#waiting.push({ number: ++this.#number, question, files, lane, isLong, isKept, resolve, reject });
+            const { isLong: isStopped, isKept: stays, since } = this.#running ?? {};
+            if (!stays && (isStopped || performance.now() - since > PATIENCE)) this.stop();
             else this.#next();
         });
     }
