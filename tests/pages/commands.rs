@@ -48,7 +48,7 @@ const NOT_RUN: [(&str, &str); 30] = [
     ("docs/testing.md", "cargo test --test laws our_curves -- --nocapture"),
     ("docs/testing.md", "cargo install --locked cargo-mutants"),
     ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
-    ("docs/trade.md", "python3 crates/research/by_shell.py target/release/stargr"),
+    ("docs/trade.md", "python3 crates/research/by_shell.py target/release/stargrip-"),
 ];
 
 #[test]

@@ -203,7 +203,9 @@ mod tests {
             Shape::Truth => "true".to_owned(),
             Shape::Choice(words) => words[0].to_owned(),
             Shape::Or(shape, _) => example(shape),
-            Shape::Text | Shape::Texts | Shape::Choices(_) | Shape::Sections => "x".to_owned(),
+            Shape::Text | Shape::Texts | Shape::Lists(_) | Shape::Choices(_) | Shape::Sections => {
+                "x".to_owned()
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! The potential of one sheet, summed over the meridian, with its exact gradient and Hessian.
 
 use crate::mechanics::hinge::section::density::{Jet, Scales, Strains, density};
-use crate::mechanics::hinge::section::mesh::{MeridianMesh, GaussPoint};
+use crate::mechanics::hinge::section::mesh::{GaussPoint, MeridianMesh};
 use crate::numerics::SymmetricBand;
 
 /// Places of Q, Q' at an element's start and end among its eight unknowns; z, z' are two further on.
@@ -83,7 +83,14 @@ impl Potential {
     }
 
     /// Takes all derivatives at the shape `x`; for `exact` see [`density`].
-    pub(super) fn assemble(&mut self, scales: &Scales, mesh: &MeridianMesh, lambda: f64, x: &[f64], exact: bool) {
+    pub(super) fn assemble(
+        &mut self,
+        scales: &Scales,
+        mesh: &MeridianMesh,
+        lambda: f64,
+        x: &[f64],
+        exact: bool,
+    ) {
         (self.slope, self.curvature) = (0.0, 0.0);
         self.gradient.fill(0.0);
         self.mixed.fill(0.0);

@@ -54,7 +54,11 @@ impl Tabled {
     }
 }
 
-fn known(series: &RadiusSeries, [bendability, tau]: [f64; 2], r_star: f64) -> Result<TabledState, HingeFault> {
+fn known(
+    series: &RadiusSeries,
+    [bendability, tau]: [f64; 2],
+    r_star: f64,
+) -> Result<TabledState, HingeFault> {
     let entry = series.at(r_star)?;
     Ok(TabledState { r_star, entry, arms: arms(bendability, tau, r_star) })
 }
