@@ -43,7 +43,7 @@ portable:
 	packaging/portable $(TARGETS)
 
 # What is tested: the Python package has tests of its own (`make python`).
-TESTED = -p stargrip-cam -p inflatable -p research
+TESTED = -p stargrip-cam -p inflatable -p drawings -p research
 # Examples are compiled by the lints of `check`; a test that needs one has it as a module.
 test:
 	$(CARGO) test --locked --tests $(TESTED)

@@ -88,6 +88,9 @@ fn remedy(text: &str, otherwise: &str) -> String {
 }
 
 /// Reads "FROM..TO/COUNT", or one value: evenly spaced ones, at most `most`; `ends` reads the first part.
+///
+/// # Errors
+/// What is wrong with it, in words.
 pub fn evenly(
     text: &str,
     most: u32,

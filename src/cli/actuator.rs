@@ -1,8 +1,8 @@
 //! `stargrip-cam actuator`
 
+use crate::answer::quantity::{EXTRA, SIZE, evenly, number, quantity, range};
 use crate::cli::failure::{Failure, say};
 use crate::cli::predict::Model;
-use crate::cli::quantity::{EXTRA, SIZE, evenly, number, quantity, range};
 use crate::cli::shell::{ShellArgs, Shown, refused};
 use crate::cli::verbosity::Verbosity;
 use crate::forecast::actuator::{Actuator, actuate};

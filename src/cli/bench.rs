@@ -4,10 +4,10 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use crate::answer::quantity::{number, quantity, quantity_or_number};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
-use crate::cli::quantity::{number, quantity, quantity_or_number};
 use crate::coupon::DISC;
 use crate::forecast::case::sheet;
 use crate::forecast::stiffness::{BenchFault, DiscBench, VBench};
@@ -135,7 +135,8 @@ impl Coiling {
     /// As comments of a spec.
     pub(super) fn text(&self) -> String {
         let Self { measured, predicted, model } = self;
-        let off = 100.0 * (measured / predicted - 1.0);
+        // Adding 0 makes +0 of -0.
+        let off = (1e3 * (measured / predicted - 1.0)).round() / 10.0 + 0.0;
         format!(
             "# lambda measured: {measured:.3}\n# lambda predicted ({model}): {predicted:.3}; measured is {off:+.1} %\n"
         )

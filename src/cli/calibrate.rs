@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
+use crate::answer::quantity::{number, quantity};
 use crate::cli::bench::{BenchArgs, Coiling, Stiffnesses};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
-use crate::cli::quantity::{number, quantity};
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::Verbosity;
 use crate::coupon::{Calibration, PeelRow, calibrate, listing, read_rows, settings, steady};

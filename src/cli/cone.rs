@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use serde_json::{Value, json};
 
+use crate::answer::quantity::{SIZE, number, quantity};
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
-use crate::cli::quantity::{SIZE, number, quantity};
 use crate::cli::text_file::read_table;
 use crate::cli::verbosity::{Verbosity, pretty};
 use crate::coupon::cone::{Balance, Cone, Overlay, Predicted, ReducedPoint, csv, read_test, reduce};

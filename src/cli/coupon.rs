@@ -5,13 +5,13 @@ use std::path::PathBuf;
 
 use serde_json::json;
 
+use crate::answer::quantity::quantity;
 use crate::artifact::Kind;
 use crate::cli::details::hours;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
 use crate::cli::load::Loaded;
 use crate::cli::publish::publish_files;
-use crate::cli::quantity::quantity;
 use crate::cli::verbosity::Verbosity;
 use crate::coupon::{CouponGroup, StripGrid};
 use crate::pipeline::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};

@@ -180,13 +180,12 @@ pub(super) fn with_drawing(
     let named: PathBuf = path.parent().unwrap_or(Path::new("")).join(&drawing.file);
     let published = path.with_file_name(drawing.published_name());
     let is_published = path.with_file_name(MANIFEST).is_file() && published.is_file();
-    let (file, note) = match named.is_file() {
-        false if is_published => {
-            let note =
-                format!("note: there is no {}; {} is used, as published", shown(&named), shown(&published));
-            (published, Some(note))
-        }
-        _ => (named, None),
+    let (file, note) = if is_published && !named.is_file() {
+        let note =
+            format!("note: there is no {}; {} is used, as published", shown(&named), shown(&published));
+        (published, Some(note))
+    } else {
+        (named, None)
     };
     let wrong = match drawing_bytes(&file) {
         Ok(bytes) => return Ok((reading.with_drawing(&bytes), note)),

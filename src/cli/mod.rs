@@ -56,8 +56,6 @@ use std::process::ExitCode;
 
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use crate::answer::quantity;
-use crate::answer::verdict;
 use crate::cli::escape::shown;
 
 pub use publish::{PublishFault, Published, publish};

@@ -1,5 +1,6 @@
 //! `stargrip-cam new`
 
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
@@ -76,10 +77,10 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
         .map(|(layer, role, reason)| json!({ "layer": layer, "role": word(role), "reason": reason }))
         .collect();
     let json = json!({ "wrote": path, "schema": schema, "layers": rows });
-    let lines: String = layers
-        .iter()
-        .map(|(layer, role, reason)| format!("  {layer:?}: {} ({reason})\n", word(role)))
-        .collect();
+    let mut lines = String::new();
+    for (layer, role, reason) in &layers {
+        let _ = writeln!(lines, "  {layer:?}: {} ({reason})", word(role));
+    }
     let path = shown(&path);
     let said = format!(
         "{} layers, each with a proposed role:\n{lines}wrote {path}, and beside it {} for editors\n\

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 use std::sync::atomic::AtomicBool;
 
+use crate::answer::quantity::{EXTRA, SIZE, number, quantity_or_number, range};
 use crate::cli::candidates::{Best, Said};
 use crate::cli::failure::{Failure, say, tell};
 use crate::cli::load::Loaded;
 use crate::cli::progress;
-use crate::cli::quantity::{EXTRA, SIZE, number, quantity_or_number, range};
 use crate::cli::shell::watched_by;
 use crate::cli::verbosity::{Verbosity, pretty};
 use crate::design::{Design, room};

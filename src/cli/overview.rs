@@ -8,13 +8,13 @@ use std::path::Path;
 use jiff::Zoned;
 use serde_json::{Value, json};
 
+use crate::answer::verdict;
 use crate::artifact::Kind;
 use crate::cli::clock;
 use crate::cli::details::{hours, scope};
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say, tell_under};
 use crate::cli::terminal::{width, wrapped};
-use crate::cli::verdict;
 use crate::design::{DrawnPiece, FlatPiece};
 use crate::forecast::ranges::shown::rounded;
 use crate::pipeline::{Forecast, Precaution, Proven};

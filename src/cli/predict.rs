@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use crate::answer::quantity::{SIZE, evenly, range};
 use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
-use crate::cli::quantity::{SIZE, evenly, range};
 use crate::cli::shell::{ShellArgs, Shown};
 use crate::cli::verbosity::Verbosity;
 use crate::design::Design;

@@ -19,7 +19,7 @@ pub struct Refusal {
     /// What is allowed, and the remedy.
     pub remedy: String,
     /// Where in the drawing of the spec.
-    pub drawn: Option<DrawnPlace>,
+    pub drawn: Option<Box<DrawnPlace>>,
 }
 
 impl Refusal {
@@ -31,7 +31,7 @@ impl Refusal {
     /// The same refusal, found at a place of the drawing.
     #[must_use]
     pub fn drawn_at(self, drawn: DrawnPlace) -> Self {
-        Self { drawn: Some(drawn), ..self }
+        Self { drawn: Some(Box::new(drawn)), ..self }
     }
 
     /// The same refusal about star `index`, if it concerns one of the keys that stars can have of their own.

@@ -38,7 +38,7 @@ pub(super) struct Air {
 }
 
 /// A closed curve that counts.
-enum Curve {
+enum AirCurve {
     Alone,
     /// The outer edge of a connected part.
     Around(usize),
@@ -48,7 +48,7 @@ enum Curve {
 
 /// How many closed curves lie around a point.
 struct Depth {
-    curves: Vec<Curve>,
+    curves: Vec<AirCurve>,
     enclosures: Enclosures,
 }
 
@@ -58,10 +58,11 @@ impl Depth {
         let mut depth = 0;
         for number in &around {
             depth += match self.curves[*number] {
-                Curve::Alone => 1,
-                Curve::Within(_) => 0,
-                Curve::Around(part) => {
-                    let own = |n: &&usize| matches!(self.curves[**n], Curve::Within(other) if other == part);
+                AirCurve::Alone => 1,
+                AirCurve::Within(_) => 0,
+                AirCurve::Around(part) => {
+                    let own =
+                        |n: &&usize| matches!(self.curves[**n], AirCurve::Within(other) if other == part);
                     around.iter().filter(own).count().max(1)
                 }
             };
@@ -153,7 +154,7 @@ fn depths(network: &Network, drawn: &[(usize, &Path)], part: &[usize]) -> Depth 
     for (number, edge) in network.edges.iter().enumerate() {
         match edge.nodes {
             None => {
-                curves.push(Curve::Alone);
+                curves.push(AirCurve::Alone);
                 paths.push(edge.path.clone());
             }
             Some(nodes) => {
@@ -167,7 +168,7 @@ fn depths(network: &Network, drawn: &[(usize, &Path)], part: &[usize]) -> Depth 
         let at = of_source.partition_point(|(known, _)| known < source);
         if let Some((known, part)) = of_source.get(at).filter(|(known, _)| known == source) {
             let _ = known;
-            curves.push(Curve::Within(*part));
+            curves.push(AirCurve::Within(*part));
             paths.push((*path).clone());
         }
     }
@@ -175,7 +176,7 @@ fn depths(network: &Network, drawn: &[(usize, &Path)], part: &[usize]) -> Depth 
     for walk in walks(&edges) {
         let path = walk_path(&edges, &walk);
         if path.area() < 0.0 {
-            curves.push(Curve::Around(part[meeting[walk[0].0].0]));
+            curves.push(AirCurve::Around(part[meeting[walk[0].0].0]));
             paths.push(path);
         }
     }

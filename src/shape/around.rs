@@ -1,13 +1,13 @@
 //! From a sketch to a sealed shape: the drawing is mended, seams run half a band outside the air's edges, the cut outside of the bands.
 
 use crate::shape::air::{Air, Boundary, Wall, air};
-use crate::shape::bottleneck::{Curve, bottlenecks};
+use crate::shape::bottleneck::{GapCurve, bottlenecks};
 use crate::shape::clean::{NOTHING, Piece, without_doubles};
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::join::{Network, network};
 use crate::shape::loose::{crossings, loose_ends};
 use crate::shape::mouth::{Mouth, NoChannel, cap, channel};
-use crate::shape::notes::{Notes, named};
+use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
 use crate::shape::sketch::{Rules, Sketch};
 use inflatable::geom::{Path, Point, Vec2};
@@ -18,14 +18,14 @@ pub(super) struct Line {
     pub path: Path,
     /// The names of the drawn curves that it comes from.
     pub names: Vec<String>,
-    pub kind: Kind,
+    pub kind: LineUse,
     /// Whether its start and end lie on another band.
     pub joined: [bool; 2],
 }
 
 /// What a centre line is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Kind {
+pub(super) enum LineUse {
     /// An open weld that ends in the air.
     Weld,
     /// A wall between chambers.
@@ -50,7 +50,7 @@ pub(super) fn around_air(
     sketch: &Sketch,
     rules: &Rules,
     taken: &mut Vec<usize>,
-    notes: &mut Notes,
+    notes: &mut SealingNotes,
 ) -> Layout {
     let names: Vec<String> = sketch.air.iter().map(|drawn| drawn.name.clone()).collect();
     let (mut pieces, mut edges) = notes.mended(&sketch.air, rules.join);
@@ -85,7 +85,7 @@ pub(super) fn around_air(
     let (mut lines, mut closed) = (Vec::new(), Vec::new());
     for Boundary { path, sources, outer } in boundaries {
         closed.push(path.clone());
-        let kind = if outer { Kind::Outer } else { Kind::Island };
+        let kind = if outer { LineUse::Outer } else { LineUse::Island };
         let names = named(&sources, &names);
         lines.extend(opened(path, &mouths, rules, rules.band / 2.0).into_iter().map(|path| Line {
             path,
@@ -97,7 +97,7 @@ pub(super) fn around_air(
     let half = rules.band / 2.0;
     let drawn = air.walls.into_iter().map(|wall| lengthened(wall, half));
     for Wall { path, sources, .. } in drawn.chain(walls) {
-        lines.push(Line { path, names: named(&sources, &names), kind: Kind::Wall, joined: [true; 2] });
+        lines.push(Line { path, names: named(&sources, &names), kind: LineUse::Wall, joined: [true; 2] });
     }
     Layout { lines, closed, edges, mouths }
 }
@@ -138,7 +138,7 @@ fn open_edges(
     air: &mut Air,
     mouths: &mut Vec<Mouth>,
     taken: &mut Vec<usize>,
-    notes: &mut Notes,
+    notes: &mut SealingNotes,
 ) {
     let edges: Vec<Path> = air
         .boundaries
@@ -175,7 +175,7 @@ fn open_edges(
     }
 }
 
-pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rules, notes: &mut Notes) {
+pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rules, notes: &mut SealingNotes) {
     let names = [name.to_owned()];
     match why {
         NoChannel::Far(distance) => {
@@ -196,9 +196,9 @@ pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rule
 }
 
 /// Faults where fabric between two edges has no room for their bands.
-fn necks(air: &Air, rules: &Rules, names: &[String], notes: &mut Notes) {
-    let curves: Vec<Curve<'_>> =
-        air.boundaries.iter().map(|edge| Curve { path: &edge.path, joined: [false; 2] }).collect();
+fn necks(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes) {
+    let curves: Vec<GapCurve<'_>> =
+        air.boundaries.iter().map(|edge| GapCurve { path: &edge.path, joined: [false; 2] }).collect();
     let closed = inflatable::geom::Enclosures::new(air.boundaries.iter().map(|edge| &edge.path));
     let both = 2.0 * rules.band;
     for neck in bottlenecks(&curves, both - 1e-6) {
@@ -225,7 +225,7 @@ fn necks(air: &Air, rules: &Rules, names: &[String], notes: &mut Notes) {
 }
 
 /// The centre lines of the boundaries' bands.
-fn offsets(air: &Air, rules: &Rules, names: &[String], notes: &mut Notes) -> Vec<Boundary> {
+fn offsets(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes) -> Vec<Boundary> {
     let half = rules.band / 2.0;
     let mut lines = Vec::new();
     for Boundary { path, sources, outer } in &air.boundaries {
@@ -272,7 +272,7 @@ fn one_band_a_wall(
     offset: Vec<Boundary>,
     names: &[String],
     rules: &Rules,
-    notes: &mut Notes,
+    notes: &mut SealingNotes,
 ) -> (Vec<Boundary>, Vec<Wall>) {
     let pieces: Vec<Piece> = offset
         .iter()

@@ -36,7 +36,7 @@ impl Bottleneck {
 }
 
 /// A curve, and whether its start and end are joined to others, so that they are no ends.
-pub(super) struct Curve<'a> {
+pub(super) struct GapCurve<'a> {
     pub path: &'a Path,
     pub joined: [bool; 2],
 }
@@ -53,10 +53,10 @@ struct Part {
     tangent: Vec2,
     /// Sine of how far tangents in it and at its corners turn from `tangent`.
     turn: f64,
-    corners: Vec<Corner>,
+    corners: Vec<TurnPoint>,
 }
 
-struct Corner {
+struct TurnPoint {
     at: Point,
     arriving: Option<Vec2>,
     leaving: Option<Vec2>,
@@ -65,7 +65,7 @@ struct Corner {
 
 /// The bottlenecks of `curves` narrower than `limit` mm that no other curve passes through, the narrowest first; of those of the same
 /// curves near to each other only the narrowest.
-pub(super) fn bottlenecks(curves: &[Curve<'_>], limit: f64) -> Vec<Bottleneck> {
+pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Vec<Bottleneck> {
     let mut parts = Vec::new();
     let mut counts = Vec::new();
     for (number, curve) in curves.iter().enumerate() {
@@ -114,7 +114,7 @@ pub(super) fn bottlenecks(curves: &[Curve<'_>], limit: f64) -> Vec<Bottleneck> {
     kept
 }
 
-fn add_parts(parts: &mut Vec<Part>, curve: usize, Curve { path, joined }: &Curve<'_>) {
+fn add_parts(parts: &mut Vec<Part>, curve: usize, GapCurve { path, joined }: &GapCurve<'_>) {
     let mut pieces: Vec<Segment> = Vec::new();
     for segment in &path.segments {
         let count = match segment {
@@ -132,7 +132,7 @@ fn add_parts(parts: &mut Vec<Part>, curve: usize, Curve { path, joined }: &Curve
         let ends = [segment.start(), segment.end()];
         let mut corners = Vec::new();
         if before.is_some() || !joined[0] {
-            corners.push(Corner {
+            corners.push(TurnPoint {
                 at: ends[0],
                 arriving: before.map(|before| before.tangent(1.0)),
                 leaving: Some(segment.tangent(0.0)),
@@ -141,7 +141,7 @@ fn add_parts(parts: &mut Vec<Part>, curve: usize, Curve { path, joined }: &Curve
         }
         if at + 1 == count && !path.closed && !joined[1] {
             let arriving = Some(segment.tangent(1.0));
-            corners.push(Corner { at: ends[1], arriving, leaving: None, bends: [arc(segment), None] });
+            corners.push(TurnPoint { at: ends[1], arriving, leaving: None, bends: [arc(segment), None] });
         }
         let tangent = segment.tangent(0.5);
         let sides = corners.iter().flat_map(|corner| [corner.arriving, corner.leaving]);
@@ -185,7 +185,7 @@ fn pairs(a: &Part, b: &Part, see: &mut impl FnMut(Point, Point, bool)) {
     }
 }
 
-impl Corner {
+impl TurnPoint {
     /// Whether no neighbour of the corner is nearer to `q`.
     fn faces(&self, q: Point) -> bool {
         let way = (q - self.at).normalized();

@@ -53,8 +53,10 @@ impl SealedShape {
             }
             leaks.extend(meetings.leaks(i));
             if let (Role::Boundary, false, Some(ends)) = (seam.role, path.closed, ends(seam)) {
-                let open =
-                    [0, 1].map(|which| !joints.joined[i][which] && joints.mouth_at(i, which).is_none());
+                // Ends that only touch each other are sealed nowhere twice.
+                let touching = ends[0].distance(ends[1]) <= SLACK;
+                let open = [0, 1]
+                    .map(|which| touching || !joints.joined[i][which] && joints.mouth_at(i, which).is_none());
                 match open {
                     [true, _] => leaks.push(Leak::Open(i, ends)),
                     [false, true] => leaks.push(Leak::Open(i, [ends[1], ends[0]])),
@@ -241,6 +243,8 @@ mod tests {
     fn every_way_out_is_a_leak_with_its_place() {
         let leaks = |lines, ports| shape(lines, ports).topology().leaks;
         assert!(matches!(leaks(vec![opened(0.0, 50.0, 10.0)], vec![])[..], [Leak::Open(0, _)]));
+        let touching = Path::open(circle(0.0, 50.0).segments);
+        assert!(matches!(leaks(vec![touching], vec![])[..], [Leak::Open(0, _)]));
         assert_eq!(leaks(vec![circle(0.0, 50.0)], vec![port(50.0, 6.0)]), [Leak::SealedPort(0)]);
         let narrow = leaks(vec![opened(0.0, 50.0, 7.0)], vec![port(50.0, 6.0)]);
         let [Leak::NarrowPort(0, width)] = narrow[..] else { panic!("{narrow:?}") };

@@ -1,9 +1,9 @@
 //! What bands and tubes must have, with numbers and places.
 
 use crate::shape::around::{Layout, Line};
-use crate::shape::bottleneck::{Bottleneck, Curve, bottlenecks};
+use crate::shape::bottleneck::{Bottleneck, GapCurve, bottlenecks};
 use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
-use crate::shape::notes::Notes;
+use crate::shape::notes::SealingNotes;
 use crate::shape::sketch::Rules;
 use inflatable::geom::{BoxIndex, Enclosures, Path, Point, Segment, intersections};
 
@@ -11,10 +11,10 @@ use inflatable::geom::{BoxIndex, Enclosures, Path, Point, Segment, intersections
 const ALIKE: f64 = 1e-6;
 
 /// Faults where bands overlap or a tube is too narrow, and warnings of narrow passages.
-pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut Notes) {
+pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
     crossing_bands(&lines.lines, rules.band, notes);
-    let curves: Vec<Curve<'_>> =
-        lines.lines.iter().map(|line| Curve { path: &line.path, joined: line.joined }).collect();
+    let curves: Vec<GapCurve<'_>> =
+        lines.lines.iter().map(|line| GapCurve { path: &line.path, joined: line.joined }).collect();
     let limit = rules.band + rules.least_passage.max(2.0 * rules.band);
     let air = Enclosures::new(&lines.closed);
     for neck in bottlenecks(&curves, limit) {
@@ -76,7 +76,7 @@ fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
 }
 
 /// Faults where centre lines cross, but for where one ends on the other.
-fn crossing_bands(lines: &[Line], band: f64, notes: &mut Notes) {
+fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
     let segments: Vec<(usize, Segment)> = lines
         .iter()
         .enumerate()
@@ -113,7 +113,7 @@ fn crossing_bands(lines: &[Line], band: f64, notes: &mut Notes) {
 }
 
 /// Warnings of hinges sharper than the iron is round, where fabric stays unsealed.
-pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut Notes) {
+pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
     let half = rules.band / 2.0;
     for Line { path, names, .. } in &lines.lines {
         for (place, turn) in right_turns(path) {

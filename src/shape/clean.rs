@@ -1,7 +1,7 @@
 //! Drawn curves as **pieces**: unbroken, finite, without segments of no length, none along another.
 
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, quoted};
-use crate::shape::sketch::Drawn;
+use crate::shape::sketch::DrawnCurve;
 use inflatable::geom::{BoxIndex, Path, Point, Segment};
 
 /// Segments shorter than this, and gaps narrower than this, are rounding, mm.
@@ -19,9 +19,13 @@ pub(super) struct Piece {
 }
 
 /// The pieces of `drawn`, in its order.
-pub(super) fn pieces(drawn: &[Drawn], repairs: &mut Vec<Repair>, faults: &mut Vec<ShapeFault>) -> Vec<Piece> {
+pub(super) fn pieces(
+    drawn: &[DrawnCurve],
+    repairs: &mut Vec<Repair>,
+    faults: &mut Vec<ShapeFault>,
+) -> Vec<Piece> {
     let mut pieces = Vec::new();
-    for (source, Drawn { name, path }) in drawn.iter().enumerate() {
+    for (source, DrawnCurve { name, path }) in drawn.iter().enumerate() {
         let names = vec![name.clone()];
         let ends = path.segments.iter().flat_map(|segment| [segment.start(), segment.end()]);
         let mut ends = ends.chain(path.segments.iter().map(|segment| segment.point(0.5)));

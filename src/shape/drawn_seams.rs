@@ -1,11 +1,11 @@
 //! Seams that are drawn as centre lines.
 
 use crate::shape::air::depth;
-use crate::shape::around::{Kind, Layout, Line, no_channel, opened};
+use crate::shape::around::{Layout, Line, LineUse, no_channel, opened};
 use crate::shape::fault::ShapeCode;
 use crate::shape::loose::crossings;
 use crate::shape::mouth::{NoChannel, channel};
-use crate::shape::notes::{Notes, named};
+use crate::shape::notes::{SealingNotes, named};
 use crate::shape::sketch::{Rules, Sketch};
 use inflatable::geom::{Bounds, BoxIndex, Enclosures, Path, Point, Segment};
 
@@ -15,7 +15,7 @@ pub(super) fn drawn_seams(
     rules: &Rules,
     taken: &mut Vec<usize>,
     lines: &mut Layout,
-    notes: &mut Notes,
+    notes: &mut SealingNotes,
 ) {
     if sketch.seams.is_empty() {
         return;
@@ -32,7 +32,7 @@ pub(super) fn drawn_seams(
             lines.lines.push(Line {
                 path: edge.path.clone(),
                 names: own,
-                kind: Kind::Weld,
+                kind: LineUse::Weld,
                 joined: [false; 2],
             });
         }
@@ -49,7 +49,7 @@ pub(super) fn drawn_seams(
     }
     open_rims(sketch, rules, taken, &mut edges, lines, notes);
     for (path, names, outer) in edges {
-        let kind = if outer { Kind::Outer } else { Kind::Island };
+        let kind = if outer { LineUse::Outer } else { LineUse::Island };
         lines.closed.push(path.clone());
         for path in opened(path.clone(), &lines.mouths, rules, half) {
             lines.lines.push(Line { path, names: names.clone(), kind, joined: [false; 2] });
@@ -70,7 +70,7 @@ fn open_rims(
     taken: &mut Vec<usize>,
     edges: &mut [Rim],
     lines: &mut Layout,
-    notes: &mut Notes,
+    notes: &mut SealingNotes,
 ) {
     let (half, length) = (rules.band / 2.0, rules.band / 2.0 + rules.allowance);
     let mut mouths = Vec::new();
@@ -105,7 +105,7 @@ pub(super) fn join_ends(lines: &mut [Line], band: f64) {
     let index = BoxIndex::new(segments.iter().map(|(_, _, segment)| segment.bounds()));
     let reach = band / 2.0 + 1e-6;
     let counts: Vec<usize> = lines.iter().map(|line| line.path.segments.len()).collect();
-    for (number, line) in lines.iter_mut().enumerate().filter(|(_, line)| line.kind == Kind::Weld) {
+    for (number, line) in lines.iter_mut().enumerate().filter(|(_, line)| line.kind == LineUse::Weld) {
         let ends = [line.path.start(), line.path.end()].map(|end| end.unwrap_or(Point::ORIGIN));
         let on = |end: Point, own: usize| {
             let near = index.overlapping(&Bounds::of_points([end]).grown(reach));
@@ -116,13 +116,13 @@ pub(super) fn join_ends(lines: &mut [Line], band: f64) {
         };
         line.joined = [on(ends[0], 0), on(ends[1], counts[number].saturating_sub(1))];
         if line.joined == [true; 2] {
-            line.kind = Kind::Wall;
+            line.kind = LineUse::Wall;
         }
     }
 }
 
 /// Faults of ports that no edge took.
-pub(super) fn lost_ports(sketch: &Sketch, rules: &Rules, taken: &[usize], notes: &mut Notes) {
+pub(super) fn lost_ports(sketch: &Sketch, rules: &Rules, taken: &[usize], notes: &mut SealingNotes) {
     for (number, port) in sketch.ports.iter().enumerate() {
         let known = notes.faults.iter().any(|fault| {
             [ShapeCode::LostPort, ShapeCode::PortTooWide].contains(&fault.code)

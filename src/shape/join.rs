@@ -39,7 +39,7 @@ impl Network {
 }
 
 /// An end of an open piece.
-struct End {
+struct PieceEnd {
     piece: usize,
     last: bool,
     at: Point,
@@ -47,12 +47,12 @@ struct End {
 
 /// The pieces, joined where they come within `join` of each other: end to end, or an end to the side of another.
 pub(super) fn network(pieces: &[Piece], join: f64) -> Network {
-    let ends: Vec<End> = pieces
+    let ends: Vec<PieceEnd> = pieces
         .iter()
         .enumerate()
         .filter(|(_, piece)| !piece.path.closed)
         .flat_map(|(number, Piece { path, .. })| {
-            let end = |last, at: Option<Point>| at.map(|at| End { piece: number, last, at });
+            let end = |last, at: Option<Point>| at.map(|at| PieceEnd { piece: number, last, at });
             [end(false, path.start()), end(true, path.end())].into_iter().flatten()
         })
         .collect();
@@ -91,7 +91,7 @@ struct Groups {
 }
 
 impl Groups {
-    fn of(ends: &[End], join: f64) -> Self {
+    fn of(ends: &[PieceEnd], join: f64) -> Self {
         let index = BoxIndex::new(ends.iter().map(|end| Bounds::of_points([end.at])));
         let mut parent: Vec<usize> = (0..ends.len()).collect();
         for (i, end) in ends.iter().enumerate() {
@@ -118,7 +118,7 @@ impl Groups {
     }
 
     /// Where each group is: the middle of its first two ends.
-    fn places(&self, ends: &[End]) -> Vec<Point> {
+    fn places(&self, ends: &[PieceEnd]) -> Vec<Point> {
         let place = |group: &Vec<usize>| match group.as_slice() {
             [a, b, ..] if ends[*a].at.distance(ends[*b].at) > NOTHING => ends[*a].at.midpoint(ends[*b].at),
             _ => ends[group[0]].at,
@@ -126,7 +126,7 @@ impl Groups {
         self.members.iter().map(place).collect()
     }
 
-    fn gaps(&self, ends: &[End], nodes: &[Point], pieces: &[Piece]) -> Vec<(Vec<usize>, Point, f64)> {
+    fn gaps(&self, ends: &[PieceEnd], nodes: &[Point], pieces: &[Piece]) -> Vec<(Vec<usize>, Point, f64)> {
         let gap = |(group, node): (&Vec<usize>, &Point)| {
             let far = |i: &usize| ends[group[0]].at.distance(ends[*i].at);
             let gap = group.iter().map(far).fold(0.0, f64::max);
@@ -156,7 +156,7 @@ struct Side {
     from: usize,
 }
 
-fn sides(pieces: &[Piece], ends: &[End], groups: &Groups, join: f64) -> Vec<Side> {
+fn sides(pieces: &[Piece], ends: &[PieceEnd], groups: &Groups, join: f64) -> Vec<Side> {
     if ends.is_empty() {
         return Vec::new();
     }
@@ -172,7 +172,7 @@ fn sides(pieces: &[Piece], ends: &[End], groups: &Groups, join: f64) -> Vec<Side
     let index = BoxIndex::new(segments.iter().map(|(_, _, segment)| segment.bounds()));
     let mut sides: Vec<Side> = Vec::new();
     for (group, members) in groups.members.iter().enumerate() {
-        let End { piece: from, at: place, .. } = ends[members[0]];
+        let PieceEnd { piece: from, at: place, .. } = ends[members[0]];
         let mut best: Vec<Side> = Vec::new();
         for i in index.overlapping(&Bounds::of_points([place]).grown(join)) {
             let (piece, before, segment) = &segments[i];

@@ -2,14 +2,14 @@
 
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::join::Network;
-use crate::shape::notes::{Notes, named};
+use crate::shape::notes::{SealingNotes, named};
 use inflatable::geom::{Bounds, BoxIndex, Point, Segment, intersections};
 
 /// Ends farther apart than this are two ends, not a gap, mm.
 const WIDEST_GAP: f64 = 5.0;
 
 /// Faults where an edge ends in the open: a gap if another edge is near.
-pub(super) fn loose_ends(network: &Network, names: &[String], join: f64, notes: &mut Notes) {
+pub(super) fn loose_ends(network: &Network, names: &[String], join: f64, notes: &mut SealingNotes) {
     let free = network.free_ends();
     if free.is_empty() {
         return;
@@ -60,7 +60,7 @@ pub(super) fn loose_ends(network: &Network, names: &[String], join: f64, notes: 
 }
 
 /// Faults where edges cross, but for where they are joined.
-pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &mut Notes) {
+pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &mut SealingNotes) {
     let segments: Vec<(usize, usize, Segment)> = network
         .edges
         .iter()

@@ -38,4 +38,4 @@ pub use offset::{of_polyline, offset_right, polyline};
 pub use sealed::{Port, SealedShape};
 pub use sealing::{Sealing, sealed_shape};
 pub use seam::{Role, Seam};
-pub use sketch::{Drawn, DrawnPort, PortPlace, Rules, Sketch};
+pub use sketch::{DrawnCurve, DrawnPort, PortPlace, Rules, Sketch};

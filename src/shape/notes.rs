@@ -3,18 +3,18 @@
 use crate::shape::clean::{Doubled, Piece, pieces, without_doubles};
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning, quoted};
 use crate::shape::join::{Network, network};
-use crate::shape::sketch::Drawn;
+use crate::shape::sketch::DrawnCurve;
 use inflatable::geom::Point;
 
 /// Repairs, warnings and faults in the order in which they are found.
 #[derive(Default)]
-pub(super) struct Notes {
+pub(super) struct SealingNotes {
     pub repairs: Vec<Repair>,
     pub warnings: Vec<ShapeWarning>,
     pub faults: Vec<ShapeFault>,
 }
 
-impl Notes {
+impl SealingNotes {
     fn doubled(&mut self, doubled: &[Doubled], names: &[String]) {
         for (sources, place) in doubled {
             let names: Vec<String> = sources.iter().map(|source| names[*source].clone()).collect();
@@ -44,7 +44,7 @@ impl Notes {
     }
 
     /// The network of drawn curves, mended.
-    pub(super) fn mended(&mut self, drawn: &[Drawn], join: f64) -> (Vec<Piece>, Network) {
+    pub(super) fn mended(&mut self, drawn: &[DrawnCurve], join: f64) -> (Vec<Piece>, Network) {
         let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
         let pieces = pieces(drawn, &mut self.repairs, &mut self.faults);
         let (pieces, doubled) = without_doubles(pieces, join);

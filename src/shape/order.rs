@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::shape::around::{Kind, Line};
+use crate::shape::around::{Line, LineUse};
 use inflatable::geom::{Path, Point, Segment};
 
 /// The lines in the order of sealing: what lies inside first, the outer edges last, so that the iron seldom passes over finished bands;
@@ -15,9 +15,9 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     }
     let mut ordered = Vec::with_capacity(lines.len());
     let mut at = Point::ORIGIN;
-    for stage in [Kind::Weld, Kind::Island, Kind::Outer] {
+    for stage in [LineUse::Weld, LineUse::Island, LineUse::Outer] {
         // Walls go with the welds: both end in other bands or in the air.
-        let kind = |line: &Line| if line.kind == Kind::Wall { Kind::Weld } else { line.kind };
+        let kind = |line: &Line| if line.kind == LineUse::Wall { LineUse::Weld } else { line.kind };
         let (mut left, rest): (Vec<Line>, Vec<Line>) =
             lines.into_iter().partition(|line| kind(line) == stage);
         lines = rest;
@@ -74,13 +74,13 @@ pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
     let mut used: BTreeSet<String> = BTreeSet::new();
     let mut numbers: BTreeMap<String, usize> = BTreeMap::new();
     let mut names = Vec::with_capacity(lines.len());
-    let outers = lines.iter().filter(|line| line.kind == Kind::Outer).count();
+    let outers = lines.iter().filter(|line| line.kind == LineUse::Outer).count();
     for line in lines {
         let (word, alone) = match line.kind {
-            Kind::Outer => ("outer", outers == 1),
-            Kind::Island => ("island", false),
-            Kind::Wall => ("wall", false),
-            Kind::Weld => ("weld", false),
+            LineUse::Outer => ("outer", outers == 1),
+            LineUse::Island => ("island", false),
+            LineUse::Wall => ("wall", false),
+            LineUse::Weld => ("weld", false),
         };
         let drawn = match line.names.as_slice() {
             [name] => safe(name),
@@ -115,11 +115,11 @@ mod tests {
     use super::*;
     use inflatable::geom::Line as Chord;
 
-    fn line(kind: Kind, name: &str, x: f64, y: f64) -> Line {
+    fn line(kind: LineUse, name: &str, x: f64, y: f64) -> Line {
         let p = |dx: f64, dy: f64| Point::new(x + dx, y + dy);
         let corners = [p(0.0, 0.0), p(9.0, 0.0), p(9.0, 4.0), p(0.0, 4.0), p(0.0, 0.0)];
         let segments = corners.windows(2).map(|pair| Chord::new(pair[0], pair[1]).into()).collect();
-        let closed = matches!(kind, Kind::Outer | Kind::Island);
+        let closed = matches!(kind, LineUse::Outer | LineUse::Island);
         let path = if closed { Path::closed(segments) } else { Path::open(segments[..1].to_vec()) };
         Line { path, names: vec![name.to_owned()], kind, joined: [false, true] }
     }
@@ -127,17 +127,17 @@ mod tests {
     #[test]
     fn inner_seams_come_first_and_the_nearest_next() {
         let lines = vec![
-            line(Kind::Outer, "rim", 0.0, 0.0),
-            line(Kind::Island, "far", 200.0, 0.0),
-            line(Kind::Island, "near", 60.0, 0.0),
-            line(Kind::Wall, "wall", 40.0, 0.0),
-            line(Kind::Weld, "weld", 20.0, 0.0),
+            line(LineUse::Outer, "rim", 0.0, 0.0),
+            line(LineUse::Island, "far", 200.0, 0.0),
+            line(LineUse::Island, "near", 60.0, 0.0),
+            line(LineUse::Wall, "wall", 40.0, 0.0),
+            line(LineUse::Weld, "weld", 20.0, 0.0),
         ];
         let ordered = ordered(lines);
         assert_eq!(seam_names(&ordered), ["weld", "wall", "near", "far", "rim"]);
         // Closed ones start in the middle of their longest straight segment.
         assert_eq!(ordered[2].path.start(), Some(Point::new(64.5, 0.0)));
-        let backwards = super::ordered(vec![line(Kind::Weld, "w", -9.0, 0.0)]);
+        let backwards = super::ordered(vec![line(LineUse::Weld, "w", -9.0, 0.0)]);
         assert_eq!(backwards[0].path.start(), Some(Point::new(0.0, 0.0)));
         assert_eq!(backwards[0].joined, [true, false]);
     }
@@ -146,12 +146,12 @@ mod tests {
     fn names_can_stand_in_a_program_and_differ() {
         let named = |kind, name| line(kind, name, 0.0, 0.0);
         let lines = [
-            named(Kind::Weld, "a b;c"),
-            named(Kind::Weld, "a b;c"),
-            named(Kind::Weld, "12"),
-            named(Kind::Island, ""),
-            named(Kind::Outer, "(x"),
-            named(Kind::Outer, ""),
+            named(LineUse::Weld, "a b;c"),
+            named(LineUse::Weld, "a b;c"),
+            named(LineUse::Weld, "12"),
+            named(LineUse::Island, ""),
+            named(LineUse::Outer, "(x"),
+            named(LineUse::Outer, ""),
         ];
         assert_eq!(seam_names(&lines), ["a-b-c", "a-b-c-2", "weld-1", "island-1", "x", "outer-1"]);
     }

@@ -5,9 +5,9 @@ use crate::shape::around::{Layout, Line};
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::loose::{crossings, loose_ends};
 use crate::shape::mouth::Mouth;
-use crate::shape::notes::{Notes, named};
+use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
-use crate::shape::sketch::{Drawn, Rules, Sketch};
+use crate::shape::sketch::{DrawnCurve, Rules, Sketch};
 use inflatable::geom::{BoxIndex, Enclosures, Line as Chord, Path, Point, Segment};
 
 /// The outline, and the closed paths that are cut inside it.
@@ -15,7 +15,7 @@ pub(super) fn outline(
     sketch: &Sketch,
     rules: &Rules,
     lines: &Layout,
-    notes: &mut Notes,
+    notes: &mut SealingNotes,
 ) -> (Option<Path>, Vec<Path>) {
     let mut inner = closed(&sketch.holes, rules, notes);
     let drawn = closed(&sketch.cuts, rules, notes);
@@ -56,7 +56,7 @@ pub(super) fn outline(
 }
 
 /// Drawn curves that must be closed, mended.
-fn closed(drawn: &[Drawn], rules: &Rules, notes: &mut Notes) -> Vec<(Path, Vec<String>)> {
+fn closed(drawn: &[DrawnCurve], rules: &Rules, notes: &mut SealingNotes) -> Vec<(Path, Vec<String>)> {
     let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
     let (_, network) = notes.mended(drawn, rules.join);
     loose_ends(&network, &names, rules.join, notes);
@@ -84,7 +84,7 @@ fn touching(
     inner: &[(Path, Vec<String>)],
     rules: &Rules,
     lines: &Layout,
-    notes: &mut Notes,
+    notes: &mut SealingNotes,
 ) {
     let half = rules.band / 2.0;
     let segments: Vec<Segment> =
@@ -136,7 +136,7 @@ fn touching(
 }
 
 /// Faults of seams outside of the outline, but for what runs out of a mouth.
-fn outside(outlines: &[(Path, Vec<String>)], lines: &Layout, notes: &mut Notes) {
+fn outside(outlines: &[(Path, Vec<String>)], lines: &Layout, notes: &mut SealingNotes) {
     if outlines.is_empty() {
         return;
     }

@@ -1,10 +1,10 @@
 //! A sketch as a sealed shape, or all its faults.
 
-use crate::shape::around::{Kind, Layout, around_air};
+use crate::shape::around::{Layout, LineUse, around_air};
 use crate::shape::checks::{checked, sharp_corners};
 use crate::shape::drawn_seams::{drawn_seams, join_ends, lost_ports};
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
-use crate::shape::notes::Notes;
+use crate::shape::notes::SealingNotes;
 use crate::shape::order::{ordered, seam_names};
 use crate::shape::outline::outline;
 use crate::shape::sketch::{Rules, Sketch};
@@ -29,7 +29,7 @@ pub struct Sealing {
 /// # Errors
 /// All faults that were found, each with its place. Faults of single curves hide those of bands.
 pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<ShapeFault>> {
-    let mut notes = Notes::default();
+    let mut notes = SealingNotes::default();
     let mut taken = Vec::new();
     let mut lines = around_air(sketch, rules, &mut taken, &mut notes);
     drawn_seams(sketch, rules, &mut taken, &mut lines, &mut notes);
@@ -66,7 +66,7 @@ fn ports(lines: &Layout) -> Vec<Port> {
     mouths.iter().map(|mouth| Port { at: mouth.at, width: 2.0 * mouth.half }).collect()
 }
 
-fn seams(lines: &Layout, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
+fn seams(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) -> Vec<Seam> {
     let named = lines.lines.iter().zip(seam_names(&lines.lines));
     let seam = |(line, name): (&crate::shape::around::Line, String)| {
         let closed = line.path.closed;
@@ -79,7 +79,7 @@ fn seams(lines: &Layout, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
             );
             notes.fault(ShapeCode::ShortSeam, &line.names, place, text, [length, least]);
         }
-        let role = if line.kind == Kind::Weld { Role::Weld } else { Role::Boundary };
+        let role = if line.kind == LineUse::Weld { Role::Weld } else { Role::Boundary };
         let overlap = if closed { rules.overlap } else { 0.0 };
         Seam { name, role, center_line: line.path.clone(), overlap }
     };
@@ -87,7 +87,7 @@ fn seams(lines: &Layout, rules: &Rules, notes: &mut Notes) -> Vec<Seam> {
 }
 
 /// Faults of leaks, and of chambers that no port leads into.
-fn unsound_chambers(shape: &SealedShape, notes: &mut Notes) {
+fn unsound_chambers(shape: &SealedShape, notes: &mut SealingNotes) {
     let topology = shape.topology();
     // Curves that cross are found before: what is left comes from the channel of a port that meets another edge.
     for leak in &topology.leaks {

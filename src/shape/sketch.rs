@@ -4,7 +4,7 @@ use inflatable::geom::{Path, Point};
 
 /// A drawn curve.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Drawn {
+pub struct DrawnCurve {
     /// Its name in the drawing: an element's id. May be empty.
     pub name: String,
     /// The curve.
@@ -33,15 +33,15 @@ pub struct DrawnPort {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sketch {
     /// Edges of the air side. An edge with air on both sides is the centre line of a wall.
-    pub air: Vec<Drawn>,
+    pub air: Vec<DrawnCurve>,
     /// Centre lines of bands: closed, or open.
-    pub seams: Vec<Drawn>,
+    pub seams: Vec<DrawnCurve>,
     /// Ports.
     pub ports: Vec<DrawnPort>,
     /// The cut: one outline, and cuts inside it. Without any the cut follows the edges.
-    pub cuts: Vec<Drawn>,
+    pub cuts: Vec<DrawnCurve>,
     /// Holes to be punched.
-    pub holes: Vec<Drawn>,
+    pub holes: Vec<DrawnCurve>,
 }
 
 /// The rules by which a sketch becomes a sealed shape. Lengths in mm.

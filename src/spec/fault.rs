@@ -41,7 +41,7 @@ pub struct Fault {
     /// What to do about it.
     pub help: Option<String>,
     /// Where in the drawing that the text names.
-    pub drawn: Option<DrawnPlace>,
+    pub drawn: Option<Box<DrawnPlace>>,
 }
 
 impl Fault {
@@ -69,7 +69,7 @@ impl Fault {
     }
 
     /// The same fault, found at a place of the drawing.
-    pub fn drawn_at(self, drawn: Option<DrawnPlace>) -> Self {
+    pub fn drawn_at(self, drawn: Option<Box<DrawnPlace>>) -> Self {
         Self { drawn, ..self }
     }
 

@@ -1,5 +1,7 @@
 //! The starter: a commented spec for a person to begin with.
 
+use std::fmt::Write;
+
 use crate::spec::LayerRole;
 use crate::spec::name::{NameFault, check_name};
 
@@ -34,11 +36,11 @@ pub fn drawing_starter(
     for (word, role) in LayerRole::ALL {
         let own: Vec<&(String, LayerRole, String)> = layers.iter().filter(|layer| layer.1 == role).collect();
         for (layer, _, reason) in &own {
-            roles += &format!("# {}: {reason}\n", text(layer));
+            let _ = writeln!(roles, "# {}: {reason}", text(layer));
         }
         if !own.is_empty() {
             let names: Vec<String> = own.iter().map(|(layer, ..)| text(layer)).collect();
-            roles += &format!("{word} = [{}]\n", names.join(", "));
+            let _ = writeln!(roles, "{word} = [{}]", names.join(", "));
         }
     }
     let units = if has_unit { "# units = \"mm\"" } else { "units = \"mm\"" };

@@ -5,7 +5,7 @@ use std::path::Path as File;
 
 use stargrip_cam::design::{Design, MOUTH_OVERRUN};
 use stargrip_cam::geom::{Path, Point};
-use stargrip_cam::shape::{Drawn, DrawnPort, PortPlace, Rules, ShapeCode, Sketch, sealed_shape};
+use stargrip_cam::shape::{DrawnCurve, DrawnPort, PortPlace, Rules, ShapeCode, Sketch, sealed_shape};
 
 use crate::support;
 
@@ -36,7 +36,7 @@ fn shipped_stars_come_back_from_their_edges() {
         let spec = support::read(&fs::read_to_string(&file).expect("a text"));
         let design = Design::new(&spec, &support::machine()).expect("a shipped design");
         for part in &design.assembly().expect("stars").distinct {
-            let drawn = |name: &str, path: &Path| Drawn { name: name.to_owned(), path: path.clone() };
+            let drawn = |name: &str, path: &Path| DrawnCurve { name: name.to_owned(), path: path.clone() };
             let air = vec![drawn("inner", &part.edges[0]), drawn("outer", &part.edges[1])];
             let port = |at| DrawnPort { name: "hose".to_owned(), place: PortPlace::At(at) };
             let ports = part.shape.ports.iter().map(|mouth| port(mouth.at)).collect();

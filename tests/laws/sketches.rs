@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 use stargrip_cam::geom::{Arc, Isometry, Line, Path, Point, Segment, Vec2};
 use stargrip_cam::shape::{
-    Drawn, DrawnPort, PortPlace, Role, Rules, Sealing, ShapeCode, ShapeFault, Sketch, sealed_shape,
+    DrawnCurve, DrawnPort, PortPlace, Role, Rules, Sealing, ShapeCode, ShapeFault, Sketch, sealed_shape,
 };
 
 use crate::shapes::blob;
@@ -42,8 +42,8 @@ fn circle(x: f64, y: f64, radius: f64) -> Path {
     Path::closed(vec![Arc::new(p(x, y), radius, 0.3, TAU).into()])
 }
 
-fn drawn(name: &str, path: Path) -> Drawn {
-    Drawn { name: name.to_owned(), path }
+fn drawn(name: &str, path: Path) -> DrawnCurve {
+    DrawnCurve { name: name.to_owned(), path }
 }
 
 fn port(x: f64, y: f64) -> DrawnPort {

@@ -18,7 +18,7 @@ use crate::said::{Said, matches};
 use crate::{home, renews};
 
 /// The blocks that are not run: page, beginning of the first line.
-const NOT_RUN: [(&str, &str); 30] = [
+const NOT_RUN: [(&str, &str); 31] = [
     ("README.md", "cargo install --locked --path .    # or `make install`: docs"),
     ("README.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/benchmarks.md", "valgrind --tool=callgrind target/release/stargrip-cam build"),
@@ -49,6 +49,7 @@ const NOT_RUN: [(&str, &str); 30] = [
     ("docs/testing.md", "cargo install --locked cargo-mutants"),
     ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
     ("docs/trade.md", "python3 crates/research/by_shell.py target/release/stargrip-"),
+    ("docs/web.md", "rustup target add wasm32-unknown-unknown"),
 ];
 
 #[test]

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::design::{Refusal, RefusalCode, Refusals};
-use crate::shape::{Drawn, DrawnPort, PortPlace, Sketch};
+use crate::shape::{DrawnCurve, DrawnPort, PortPlace, Sketch};
 use crate::spec::{DrawingSpec, DrawnPlace, LayerRole, key, nearest};
 use drawings::{Drawing, Element, Figure, Note, Weight};
 use inflatable::geom::{Path, Point};
@@ -17,12 +17,11 @@ pub(super) fn sketch(drawing: &Drawing, spec: &DrawingSpec) -> Sketch {
     for element in &drawing.elements {
         let name = element.id.clone();
         match (spec.role(&element.layers), &element.figure) {
-            (None | Some(LayerRole::Ignore), _) => {}
             (Some(LayerRole::Port), figure) => sketch.ports.push(DrawnPort { name, place: port(figure) }),
             // A point is no curve: `refusals` names it.
-            (_, Figure::Point(_)) => {}
+            (None | Some(LayerRole::Ignore), _) | (_, Figure::Point(_)) => {}
             (Some(role), Figure::Path(path)) => {
-                let drawn = Drawn { name, path: path.clone() };
+                let drawn = DrawnCurve { name, path: path.clone() };
                 match role {
                     LayerRole::Air => sketch.air.push(drawn),
                     LayerRole::Seam => sketch.seams.push(drawn),

@@ -40,8 +40,8 @@ pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
                 most
             };
             legend.say(inert(&rest[..end], LINE));
-            rest = rest[end..].trim_start().to_owned();
-            rest = if rest.is_empty() { rest } else { format!("     {rest}") };
+            let left = rest[end..].trim_start();
+            rest = if left.is_empty() { String::new() } else { format!("     {left}") };
         }
         let Some(at) = fault.at else { continue };
         // Faults at one place keep their numbers apart.

@@ -45,12 +45,13 @@ static SHAPES: LazyLock<Vec<(&'static str, &'static str, Shape)>> = LazyLock::ne
 
 impl Field {
     /// The field of the key `name`, "star.points"; `None` if a study cannot set it: there is no such key, or it is `schema`, the
-    /// list of single stars, or what a build makes.
+    /// list of single stars, what a build makes, or of a drawing: studies know stars.
     pub fn of(name: &str) -> Option<Self> {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
         let own = |(section, word, _): &&(&str, &str, Shape)| (*section, *word) == (key.section(), key.key());
         let (_, _, shape) = SHAPES.iter().find(own)?;
-        (key != key::root::SCHEMA && !matches!(shape, Shape::Sections | Shape::Choices(_)))
+        let is_of_drawing = key.section() == key::drawing::FILE.section();
+        (key != key::root::SCHEMA && !is_of_drawing && !matches!(shape, Shape::Sections | Shape::Choices(_)))
             .then(|| Self { key, shape: shape.clone() })
     }
 
@@ -223,8 +224,8 @@ mod tests {
         }
         assert_eq!(
             count,
-            key::ALL.len() - 3,
-            "all but `schema`, the list of single stars and what a build makes"
+            key::ALL.len() - 7,
+            "all but `schema`, the list of single stars, what a build makes and the drawing"
         );
     }
 

@@ -66,7 +66,9 @@ impl<const WIDTH: usize> SymmetricBand<WIDTH> {
             }
             // The diagonal of a factored column is kept as its inverse.
             let inverse = pivot.sqrt().recip();
-            own.iter_mut().for_each(|entry| *entry *= inverse);
+            for entry in own.iter_mut() {
+                *entry *= inverse;
+            }
             own[0] = inverse;
             for (a, column) in right.iter_mut().enumerate() {
                 let factor = own[a + 1];

@@ -31,7 +31,7 @@ pub use extremes::Extremes;
 pub use fault::{Input, ShellFault};
 pub use pressures::{Inflation, inflations};
 pub use refinement::{Evidence, Progress, Watch};
-pub use region::{FlatRegion, InflatedRegion, Seam, SeamPull, Surface, Wrinkles, chambers, region};
+pub use region::{FlatRegion, InflatedRegion, RegionSeam, SeamPull, Surface, Wrinkles, chambers, region};
 pub use shape::Shape;
 pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, Objects, star, star_by_sizes};
 pub use tube::Tube;

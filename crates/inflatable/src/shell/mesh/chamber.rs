@@ -2,12 +2,12 @@
 
 use crate::geom::{Bounds, Path, Point, Segment, Vec2, intersections};
 use crate::shell::mesh::sizing::Sizing;
-use crate::shell::mesh::width::Walls;
+use crate::shell::mesh::width::ChamberWalls;
 use crate::shell::mesh::{Border, MeshFault, Meshed, Piece, Region, delaunay, rim};
 
 /// One chamber between two sheets; lengths in any unit.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Chamber {
+pub struct FlatChamber {
     /// Where it is sealed all around: closed, counterclockwise.
     pub outline: Path,
     /// Rims around holes in the fabric: closed, clockwise. They slide in the plane as the outline does.
@@ -33,7 +33,7 @@ const TURN: f64 = 0.5;
 /// Samples of a wall at most.
 const MOST_SAMPLES: f64 = 1000.0;
 
-impl Chamber {
+impl FlatChamber {
     /// All its curves: outline, holes, islands, welds.
     pub fn curves(&self) -> impl Iterator<Item = &Path> {
         std::iter::once(&self.outline).chain(&self.holes).chain(&self.islands).chain(&self.welds)
@@ -44,8 +44,8 @@ impl Chamber {
         self.outline.encloses(p) && !self.holes.iter().any(|hole| hole.encloses(p))
     }
 
-    fn walls(&self) -> Walls {
-        Walls::new(self.curves().flat_map(|path| path.segments.iter().copied()))
+    fn walls(&self) -> ChamberWalls {
+        ChamberWalls::new(self.curves().flat_map(|path| path.segments.iter().copied()))
     }
 
     /// Whether `p` lies where there is air.
@@ -80,7 +80,7 @@ impl Chamber {
     }
 
     /// Its mesh with `cells` edges across the widest place, which is 1 wide. The numbers say of which curve, as
-    /// [`Chamber::curves`] counts, each piece is.
+    /// [`FlatChamber::curves`] counts, each piece is.
     ///
     /// # Errors
     /// If curves cross, leave the outline, or ask for too many triangles.

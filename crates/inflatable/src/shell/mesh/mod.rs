@@ -22,7 +22,7 @@ mod vtu;
 mod width;
 
 pub use cases::{Cell, HalfActuator, HalfSector};
-pub use chamber::Chamber;
+pub use chamber::FlatChamber;
 pub use fault::MeshFault;
 pub use grid::{Diagonal, rectangle};
 pub use region::{Meshed, Piece, Region};

@@ -3,7 +3,7 @@
 use crate::geom::{Bounds, Line, Point, Segment, Vec2, intersections};
 
 /// The walls of a chamber: its outline, islands and welds.
-pub(super) struct Walls {
+pub(super) struct ChamberWalls {
     segments: Vec<(Segment, Bounds)>,
 }
 
@@ -14,7 +14,7 @@ const ACCURACY: f64 = 1e-3;
 /// Squares that may be looked at: labyrinths have many places that are almost equally wide.
 const MOST_SQUARES: usize = 20_000;
 
-impl Walls {
+impl ChamberWalls {
     pub(super) fn new(segments: impl Iterator<Item = Segment>) -> Self {
         Self { segments: segments.map(|segment| (segment, segment.bounds())).collect() }
     }

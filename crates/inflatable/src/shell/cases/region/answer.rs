@@ -39,7 +39,7 @@ impl Wrinkles {
 
 /// A seam of a chamber.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Seam {
+pub enum RegionSeam {
     /// Its outline.
     Outline,
     /// The rim of one of its holes.
@@ -54,7 +54,7 @@ pub enum Seam {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeamPull {
     /// Which seam.
-    pub seam: Seam,
+    pub seam: RegionSeam,
     /// Where on the flat sheet, m.
     pub at: [f64; 2],
     /// Force that parts the sheets by length of flat seam, N/m, the mean over a band's width around it.
@@ -163,10 +163,10 @@ fn seam_pulls(case: &FlatRegion, pulls: &[Vec<Station>], [w, y]: [f64; 2]) -> Ve
     (last.iter().enumerate())
         .map(|(k, station)| SeamPull {
             seam: match station.curve {
-                0 => Seam::Outline,
-                hole if hole <= holes => Seam::Hole(hole - 1),
-                island if island <= islands => Seam::Island(island - holes - 1),
-                weld => Seam::Weld(weld - islands - 1),
+                0 => RegionSeam::Outline,
+                hole if hole <= holes => RegionSeam::Hole(hole - 1),
+                island if island <= islands => RegionSeam::Island(island - holes - 1),
+                weld => RegionSeam::Weld(weld - islands - 1),
             },
             at: station.at.map(|x| x * w),
             pull: Value::new([0, 1, 2].map(|mesh| on(mesh, k))).scaled(y),

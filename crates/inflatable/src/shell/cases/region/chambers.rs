@@ -2,13 +2,13 @@
 
 use crate::geom::{Path, Point};
 use crate::shell::element::Fabric;
-use crate::shell::mesh::{Chamber, MeshFault};
+use crate::shell::mesh::{FlatChamber, MeshFault};
 
 /// One flat chamber and its load, SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FlatRegion {
     /// Where it is sealed, m.
-    pub chamber: Chamber,
+    pub chamber: FlatChamber,
     /// Y, N/m, B, N m, and nu of one sheet.
     pub fabric: Fabric,
     /// Gauge pressure p, Pa.
@@ -23,7 +23,7 @@ pub struct FlatRegion {
 ///
 /// # Errors
 /// If a curve is empty or has a gap, or a weld lies in no chamber.
-pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Chamber>, MeshFault> {
+pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<FlatChamber>, MeshFault> {
     if let Some(bad) = loops.iter().chain(welds).chain(cuts).find(|path| !is_sound(path)) {
         return Err(MeshFault::Dimension {
             name: "the largest gap of a curve, m",
@@ -37,10 +37,10 @@ pub fn chambers(loops: &[Path], welds: &[Path], cuts: &[Path]) -> Result<Vec<Cha
         (0..loops.len()).filter(|other| *other != at && holds(&loops[*other], p)).count()
     };
     let depths: Vec<usize> = (0..loops.len()).map(depth).collect();
-    let mut found: Vec<(usize, Chamber)> = Vec::new();
+    let mut found: Vec<(usize, FlatChamber)> = Vec::new();
     for (outline, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 0) {
         let outline = if outline.area() < 0.0 { outline.reversed() } else { outline.clone() };
-        found.push((*depth, Chamber { outline, ..Chamber::default() }));
+        found.push((*depth, FlatChamber { outline, ..FlatChamber::default() }));
     }
     for (island, depth) in loops.iter().zip(&depths).filter(|(_, depth)| *depth % 2 == 1) {
         let p = island.segments[0].point(0.5);

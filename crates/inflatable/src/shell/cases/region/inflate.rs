@@ -7,8 +7,8 @@ use crate::shell::cases::refinement::{Family, Watch};
 use crate::shell::cases::region::answer::{InflatedRegion, Wrinkles, answer};
 use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
-use crate::shell::cases::region::seams::{Seams, Station};
-use crate::shell::cases::region::supports::{self, Sealed};
+use crate::shell::cases::region::seams::{PullPlaces, Station};
+use crate::shell::cases::region::supports::{self, SealedNodes};
 use crate::shell::cases::region::surface::Surface;
 use crate::shell::cases::shape::Shape;
 use crate::shell::cases::tube::Tube;
@@ -50,7 +50,7 @@ pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<In
     let compression = Wrinkles::of(&tube).compression(&tube);
     let hold = |meshed: &Meshed, sheet: &mut Sheet| {
         sheet.compression = compression;
-        supports::symmetric(meshed, &Sealed::new(&chamber, meshed), sheet)
+        supports::symmetric(meshed, &SealedNodes::new(&chamber, meshed), sheet)
     };
     let family = Family {
         tube,
@@ -60,11 +60,11 @@ pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<In
         obstacles: &[],
         from_above: Wrinkles::of(&tube) == Wrinkles::Averaged,
     };
-    let seams = Seams::new(&chamber, case.band / width);
+    let seams = PullPlaces::new(&chamber, case.band / width);
     let mut pulls: Vec<Vec<Station>> = Vec::new();
     let mut last = (Measured::default(), Shape::default(), Surface::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
-        let sealed = Sealed::new(&chamber, meshed);
+        let sealed = SealedNodes::new(&chamber, meshed);
         let state: State = measure::aligned(&solver.assembly.sheet, &equilibrium.state);
         let measured = measure::measure(solver, meshed, (&state, equilibrium.pressure), &sealed);
         let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);

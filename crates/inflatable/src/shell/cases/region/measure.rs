@@ -2,7 +2,7 @@
 
 use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::region::stability;
-use crate::shell::cases::region::supports::Sealed;
+use crate::shell::cases::region::supports::SealedNodes;
 use crate::shell::mesh::Meshed;
 use crate::shell::solver::Solver;
 
@@ -23,7 +23,7 @@ pub(super) fn measure(
     solver: &mut Solver,
     meshed: &Meshed,
     (state, pressure): (&State, f64),
-    sealed: &Sealed,
+    sealed: &SealedNodes,
 ) -> Measured {
     let mesh = &meshed.mesh;
     let volume = 2.0 * solver.assembly.energy(state).volume;

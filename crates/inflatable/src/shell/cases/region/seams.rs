@@ -1,12 +1,12 @@
 //! The pull on each seam: force across the plane of the sheets by length, where they part.
 
 use crate::geom::{Path, Segment};
-use crate::shell::mesh::{Chamber, Meshed};
+use crate::shell::mesh::{FlatChamber, Meshed};
 
 /// A place on a seam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Station {
-    /// The curve, as [`Chamber::curves`] counts.
+    /// The curve, as [`FlatChamber::curves`] counts.
     pub(super) curve: usize,
     /// Where, flat.
     pub(super) at: [f64; 2],
@@ -15,8 +15,8 @@ pub(super) struct Station {
 }
 
 /// The seams of a chamber, and where the pull on them is asked for.
-pub(super) struct Seams<'a> {
-    chamber: &'a Chamber,
+pub(super) struct PullPlaces<'a> {
+    chamber: &'a FlatChamber,
     band: f64,
 }
 
@@ -25,8 +25,8 @@ const MOST_STATIONS: f64 = 400.0;
 /// Least length over which a pull is the mean, by W: shorter ones mean nothing on the meshes that there are.
 const SHORTEST_BAND: f64 = 0.02;
 
-impl<'a> Seams<'a> {
-    pub(super) fn new(chamber: &'a Chamber, band: f64) -> Self {
+impl<'a> PullPlaces<'a> {
+    pub(super) fn new(chamber: &'a FlatChamber, band: f64) -> Self {
         Self { chamber, band: if band > SHORTEST_BAND { band.min(1.0) } else { SHORTEST_BAND } }
     }
 
@@ -35,11 +35,13 @@ impl<'a> Seams<'a> {
     pub(super) fn pulls(&self, meshed: &Meshed, curve_of: &[usize], forces: &[[f64; 3]]) -> Vec<Station> {
         let curves = self.chamber.curves().enumerate();
         curves
-            .flat_map(|(curve, path)| self.along(curve, path, &Profile::new(meshed, curve_of, curve, forces)))
+            .flat_map(|(curve, path)| {
+                self.along(curve, path, &ForceAlongCurve::new(meshed, curve_of, curve, forces))
+            })
             .collect()
     }
 
-    fn along(&self, curve: usize, path: &Path, profile: &Profile) -> Vec<Station> {
+    fn along(&self, curve: usize, path: &Path, profile: &ForceAlongCurve) -> Vec<Station> {
         let length = path.length();
         let count = (2.0 * length / self.band).ceil().clamp(1.0, MOST_STATIONS);
         let mut stations = Vec::new();
@@ -57,12 +59,12 @@ impl<'a> Seams<'a> {
 }
 
 /// The force along one curve of a mesh, summed up from its start; lengths and places by the curve's length.
-struct Profile {
+struct ForceAlongCurve {
     /// Where each edge ends, and the sums of force and of length there; from 0.
     sums: Vec<[f64; 3]>,
 }
 
-impl Profile {
+impl ForceAlongCurve {
     fn new(meshed: &Meshed, curve_of: &[usize], curve: usize, forces: &[[f64; 3]]) -> Self {
         let mesh = &meshed.mesh;
         let mut starts = vec![0.0; meshed.pieces.len() + 1];

@@ -5,11 +5,15 @@
 //! lowest eigenvalue of the whole is the lower of two of the same sheet with two kinds of supports.
 
 use crate::shell::assembly::State;
-use crate::shell::cases::region::supports::{Sealed, antisymmetric};
+use crate::shell::cases::region::supports::{SealedNodes, antisymmetric};
 use crate::shell::solver::{Solver, rigid_motions};
 
 /// The lowest eigenvalues of both kinds by p/W; not a number where the mesh is too large.
-pub(super) fn lowest(solver: &mut Solver, (state, pressure): (&State, f64), sealed: &Sealed) -> [f64; 2] {
+pub(super) fn lowest(
+    solver: &mut Solver,
+    (state, pressure): (&State, f64),
+    sealed: &SealedNodes,
+) -> [f64; 2] {
     let sheet = &solver.assembly.sheet;
     let (within, beyond) =
         (rigid_motions(sheet, &state.points, &[0, 1, 5]), rigid_motions(sheet, &state.points, &[2, 3, 4]));

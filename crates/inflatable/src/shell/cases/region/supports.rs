@@ -2,19 +2,19 @@
 
 use crate::geom::Point;
 use crate::shell::assembly::{Sheet, Supports};
-use crate::shell::mesh::{Border, Chamber, Meshed};
+use crate::shell::mesh::{Border, FlatChamber, Meshed};
 
 /// Where both sheets are one.
-pub(super) struct Sealed {
+pub(super) struct SealedNodes {
     /// Points at z = 0.
     pub(super) points: Vec<bool>,
     /// Edges of islands, and on welds.
     pub(super) welds: Vec<usize>,
 }
 
-impl Sealed {
+impl SealedNodes {
     /// Of a mesh of `chamber`.
-    pub(super) fn new(chamber: &Chamber, meshed: &Meshed) -> Self {
+    pub(super) fn new(chamber: &FlatChamber, meshed: &Meshed) -> Self {
         let mesh = &meshed.mesh;
         let middle = |corners: &[usize; 3]| {
             let [a, b, c] = corners.map(|corner| mesh.points[corner]);
@@ -35,7 +35,7 @@ impl Sealed {
 }
 
 /// Holds what is sealed at z = 0 and the whole from sliding and turning there; `sheet` turns freely along welds.
-pub(super) fn symmetric(meshed: &Meshed, sealed: &Sealed, sheet: &mut Sheet) -> Supports {
+pub(super) fn symmetric(meshed: &Meshed, sealed: &SealedNodes, sheet: &mut Sheet) -> Supports {
     let mesh = &meshed.mesh;
     sealed.welds.iter().for_each(|edge| sheet.release(*edge));
     let mut supports = Supports::none(mesh.points.len());
@@ -61,7 +61,7 @@ pub(super) fn symmetric(meshed: &Meshed, sealed: &Sealed, sheet: &mut Sheet) -> 
 }
 
 /// Lets what is sealed move up and down only: what remains of symmetric sheets where they move to the same side.
-pub(super) fn antisymmetric(sealed: &Sealed) -> Supports {
+pub(super) fn antisymmetric(sealed: &SealedNodes) -> Supports {
     let mut supports = Supports::none(sealed.points.len());
     for (point, _) in sealed.points.iter().enumerate().filter(|(_, is_sealed)| **is_sealed) {
         supports.fix(point, 0);

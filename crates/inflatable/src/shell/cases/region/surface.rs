@@ -1,6 +1,6 @@
 //! Both sheets as one closed surface.
 
-use crate::shell::cases::region::supports::Sealed;
+use crate::shell::cases::region::supports::SealedNodes;
 use crate::shell::cases::shape::Shape;
 
 /// The inflated surface to be looked at.
@@ -16,7 +16,7 @@ pub struct Surface {
 
 impl Surface {
     /// `upper` and its image.
-    pub(super) fn new(upper: &Shape, sealed: &Sealed) -> Self {
+    pub(super) fn new(upper: &Shape, sealed: &SealedNodes) -> Self {
         let mut points = upper.points.clone();
         let image: Vec<usize> = (0..upper.points.len())
             .map(|point| {

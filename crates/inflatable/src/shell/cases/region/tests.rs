@@ -1,13 +1,13 @@
 //! Regions whose inflated shape is known, and what must hold for all.
 
 use super::stability;
-use super::supports::{Sealed, antisymmetric, symmetric};
+use super::supports::{SealedNodes, antisymmetric, symmetric};
 use super::*;
 use crate::geom::{Arc, Line, Path, Point};
 use crate::shell::assembly::Sheet;
 use crate::shell::cases::{Fineness, ShellFault, VActuator, Value, Watch, actuator};
 use crate::shell::element::Fabric;
-use crate::shell::mesh::{Chamber, MeshFault};
+use crate::shell::mesh::{FlatChamber, MeshFault};
 use crate::shell::solver::{Continuation, Equilibrium, Solver, rigid_motions};
 use std::f64::consts::{PI, TAU};
 
@@ -34,12 +34,12 @@ fn line(from: [f64; 2], to: [f64; 2]) -> Path {
     Path::open(vec![Line::new(Point::new(from[0], from[1]), Point::new(to[0], to[1])).into()])
 }
 
-fn inflated(chamber: &Chamber, t: f64, pressure: f64, cells: f64) -> InflatedRegion {
+fn inflated(chamber: &FlatChamber, t: f64, pressure: f64, cells: f64) -> InflatedRegion {
     let case = FlatRegion { chamber: chamber.clone(), fabric: fabric(t), pressure, band: 0.003 };
     region(&case, Fineness { cells, cuts: 2 }, &Watch::default()).expect("an equilibrium")
 }
 
-fn one(loops: &[Path], welds: &[Path]) -> Chamber {
+fn one(loops: &[Path], welds: &[Path]) -> FlatChamber {
     let mut found = chambers(loops, welds, &[]).expect("chambers");
     assert_eq!(found.len(), 1);
     found.remove(0)
@@ -137,7 +137,7 @@ fn welds_and_islands_hold_both_sheets_together() {
     assert!((two.width - 0.02).abs() < 1e-4, "{}", two.width);
     assert!(two.height.value < 0.75 * open.height.value, "{:?} {:?}", two.height, open.height);
     let of_weld =
-        two.seams.iter().filter(|seam| matches!(seam.seam, Seam::Weld(0))).map(|seam| seam.pull.value);
+        two.seams.iter().filter(|seam| matches!(seam.seam, RegionSeam::Weld(0))).map(|seam| seam.pull.value);
     let largest = of_weld.fold(0.0, f64::max);
     assert!(largest > 1.2 * two.seams[0].pull.value, "{largest}");
     // An island: what lies on it stays in the plane.
@@ -146,14 +146,14 @@ fn welds_and_islands_hold_both_sheets_together() {
     let on = |flat: &[f64; 2]| (flat[0] - 0.02).hypot(flat[1] - 0.02) < 0.004 * 1.0001;
     let points = island.shape.flat.iter().zip(&island.shape.points).filter(|(flat, _)| on(flat));
     assert!(points.clone().count() > 10 && points.into_iter().all(|(_, x)| x[2] == 0.0));
-    assert!(island.seams.iter().any(|seam| seam.seam == Seam::Island(0) && seam.pull.value > 0.0));
+    assert!(island.seams.iter().any(|seam| seam.seam == RegionSeam::Island(0) && seam.pull.value > 0.0));
 }
 
 /// Both kinds of supports on a mesh of `chamber` at the pressure `bendability`, as 1/eps: the solver of one sheet, its equilibrium, and
 /// where both sheets are one.
-fn at_rest(chamber: &Chamber, bendability: f64) -> (Solver, Equilibrium, Sealed) {
+fn at_rest(chamber: &FlatChamber, bendability: f64) -> (Solver, Equilibrium, SealedNodes) {
     let (meshed, _) = chamber.mesh(5.0).expect("a mesh");
-    let sealed = Sealed::new(chamber, &meshed);
+    let sealed = SealedNodes::new(chamber, &meshed);
     let bending = 1e-5;
     let mut sheet = Sheet::new(&meshed.mesh, Fabric { stretch: 1.0, bending, poisson: 0.3 });
     let supports = symmetric(&meshed, &sealed, &mut sheet);
@@ -196,7 +196,7 @@ fn a_ring_has_a_rim_within() {
     let loops = [circle(0.0, 0.0, 0.08), circle(0.0, 0.0, 0.06)];
     let ring = chambers(&loops, &[], &[circle(0.0, 0.0, 0.05)]).expect("a ring").remove(0);
     let found = inflated(&ring, 0.3e-3, 14e3, 1.5);
-    assert!(found.seams.iter().any(|seam| seam.seam == Seam::Hole(0) && seam.pull.value > 0.0));
+    assert!(found.seams.iter().any(|seam| seam.seam == RegionSeam::Hole(0) && seam.pull.value > 0.0));
     assert!(found.extents[0].value < 0.99 * found.flat_extents[0], "{:?}", found.extents);
 }
 
@@ -221,7 +221,7 @@ fn loops_are_chambers_islands_and_welds_whichever_way_they_run() {
 
 #[test]
 fn curves_that_cross_are_refused_in_words() {
-    let run = |chamber: Chamber| {
+    let run = |chamber: FlatChamber| {
         let case = FlatRegion { chamber, fabric: fabric(0.3e-3), pressure: 5e3, band: 0.003 };
         region(&case, Fineness { cells: 3.0, cuts: 2 }, &Watch::default())
     };
@@ -230,6 +230,6 @@ fn curves_that_cross_are_refused_in_words() {
     assert!(matches!(fault, ShellFault::Mesh(MeshFault::Outside { .. })), "{fault}");
     let eight = polygon(&[[0.0, 0.0], [0.04, 0.04], [0.04, 0.0], [0.0, 0.05]]);
     assert!(matches!(run(one(&[eight], &[])), Err(ShellFault::Mesh(_))));
-    let nan = Chamber { outline: circle(f64::NAN, 0.0, 1.0), ..Chamber::default() };
+    let nan = FlatChamber { outline: circle(f64::NAN, 0.0, 1.0), ..FlatChamber::default() };
     assert!(matches!(run(nan), Err(ShellFault::Range { .. })));
 }
