@@ -86,7 +86,9 @@ fn walk(found: &mut Definitions, path: &Path) {
 #[test]
 fn a_name_has_one_type() {
     let mut found = Definitions::new();
-    super::SOURCES.iter().for_each(|source| walk(&mut found, &super::root().join(source)));
+    for source in super::SOURCES {
+        walk(&mut found, &super::root().join(source));
+    }
     assert!(found.len() > 500, "only {} types were read", found.len());
     found.retain(|_, files| files.len() > 1);
     let mut faults: Vec<String> = found

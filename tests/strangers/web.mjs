@@ -53,7 +53,7 @@ async function bytes(program) {
 }
 
 /** A page on which every complaint of the browser is a problem. */
-async function opened(browser, what, viewport, url) {
+async function opened(browser, what, viewport, url, ready = "#zip:not([disabled])") {
     const context = await browser.newContext({ viewport, acceptDownloads: true, hasTouch: viewport.width < 500, offline: true });
     const page = await context.newPage();
     page.on("console", (message) => must(!["error", "warning"].includes(message.type()) || message.text().includes("GPU stall"), `${what}: console says ${message.text()}`));
@@ -61,7 +61,7 @@ async function opened(browser, what, viewport, url) {
     page.on("request", (request) => must(/^(file|blob|data):/.test(request.url()), `${what}: asks for ${request.url().slice(0, 80)}`));
     page.setDefaultTimeout(ORDINARY);
     await page.goto(url);
-    await page.waitForSelector("#zip:not([disabled])");
+    await page.waitForSelector(ready);
     return page;
 }
 
@@ -120,7 +120,7 @@ async function mended(page, what) {
 async function reopened(browser, page, what, viewport) {
     await page.click("#copy-link");
     await page.waitForFunction(() => location.hash.startsWith("#spec="));
-    const other = await opened(browser, `${what}, link`, viewport, page.url());
+    const other = await opened(browser, `${what}, link`, viewport, page.url(), "#preview:not([hidden])"); // nine points no longer hold the bottle
     must((await other.inputValue("#spec")) === (await page.inputValue("#spec")), `${what}: the link holds another spec`);
     await other.close();
 }

@@ -38,7 +38,7 @@ pub extern "C" fn question(length: usize) -> *const u8 {
 pub extern "C" fn ask() -> usize {
     HEARS_PANICS.call_once(|| panic::set_hook(Box::new(|info| keep(&info.to_string()))));
     let question = MAILBOX.with_borrow_mut(|mailbox| std::mem::take(&mut mailbox.question));
-    let answer = answer(Message::from_bytes(question)).into_bytes();
+    let answer = answer(Message::from_bytes(&question)).into_bytes();
     MAILBOX.with_borrow_mut(|mailbox| {
         mailbox.answer = answer;
         mailbox.answer.len()

@@ -24,7 +24,7 @@ impl Message {
     ///
     /// # Errors
     /// What is wrong with it: the page wrote it, so it is a fault of the page.
-    pub fn from_bytes(bytes: Vec<u8>) -> Result<Self, String> {
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
         let short = || "the question ends early".to_owned();
         let (head, rest) = bytes.split_first_chunk::<4>().ok_or_else(short)?;
         let length = usize::try_from(u32::from_le_bytes(*head)).map_err(|_| short())?;
@@ -70,18 +70,18 @@ mod tests {
 
     #[test]
     fn what_is_written_is_read() {
-        assert_eq!(Message::from_bytes(sample().into_bytes()), Ok(sample()));
+        assert_eq!(Message::from_bytes(&sample().into_bytes()), Ok(sample()));
         let plain = Message::of(json!({ "ask": "start" }));
-        assert_eq!(Message::from_bytes(plain.clone().into_bytes()), Ok(plain));
+        assert_eq!(Message::from_bytes(&plain.clone().into_bytes()), Ok(plain));
     }
 
     #[test]
     fn a_message_of_another_length_is_refused() {
         let bytes = sample().into_bytes();
         for end in 0..bytes.len() {
-            assert!(Message::from_bytes(bytes[..end].to_vec()).is_err(), "{end}");
+            assert!(Message::from_bytes(&bytes[..end]).is_err(), "{end}");
         }
-        assert!(Message::from_bytes([bytes, vec![0]].concat()).is_err());
-        assert!(Message::from_bytes(vec![255; 9]).is_err());
+        assert!(Message::from_bytes(&[bytes, vec![0]].concat()).is_err());
+        assert!(Message::from_bytes(&[255; 9]).is_err());
     }
 }
