@@ -50,7 +50,7 @@ impl Field {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
         let own = |(section, word, _): &&(&str, &str, Shape)| (*section, *word) == (key.section(), key.key());
         let (_, _, shape) = SHAPES.iter().find(own)?;
-        let is_of_drawing = key.section() == key::drawing::FILE.section();
+        let is_of_drawing = key.section() == key::drawing::FILE.section() || key == key::sheet::COPIES;
         (key != key::root::SCHEMA && !is_of_drawing && !matches!(shape, Shape::Sections | Shape::Choices(_)))
             .then(|| Self { key, shape: shape.clone() })
     }
@@ -224,7 +224,7 @@ mod tests {
         }
         assert_eq!(
             count,
-            key::ALL.len() - 7,
+            key::ALL.len() - 8,
             "all but `schema`, the list of single stars, what a build makes and the drawing"
         );
     }
