@@ -26,7 +26,7 @@
 //! let spec = spec::read(&source)?.spec;
 //! let machine = Machine::builtin("generic")?;
 //! let design = Design::new(&spec, &machine)?;
-//! let star = &design.distinct[0].star;
+//! let star = &design.assembly().expect("stars").distinct[0].star;
 //! assert!((star.l - 69.72).abs() < 0.005); // mm, as in the paper
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
