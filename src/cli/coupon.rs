@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use serde_json::json;
 
+use crate::answer::hours;
 use crate::answer::quantity::quantity;
 use crate::artifact::Kind;
-use crate::cli::details::hours;
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, tell};
 use crate::cli::load::Loaded;

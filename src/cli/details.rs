@@ -3,15 +3,13 @@
 use std::fmt::Write;
 
 use crate::airtight;
+use crate::answer::hours;
 use crate::artifact::Output;
 use crate::design::{COATING_ASSUMES, Design, FlatPiece, Plate, StarAssembly, StarDesign};
 use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};
 use crate::spec::Spec;
 use crate::units::Readable;
-
-pub(super) use crate::answer::hours;
-pub(super) use crate::answer::proof::scope;
 
 /// What a check found out.
 pub(super) fn checked(forecast: &Forecast) -> String {

@@ -14,7 +14,6 @@ use crate::cli::verbosity::Verbosity;
 use crate::cli::{defaults, progress, schema};
 use crate::design::{LayerProposal, Refusals, propose_layers};
 use crate::spec;
-use crate::spec::LayerRole;
 
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
@@ -70,16 +69,14 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let path = PathBuf::from(format!("{}.toml", file_stem(name)));
     write_new(&path, &text)?;
     let schema = schema::write_beside(&path)?;
-    let word =
-        |role: &LayerRole| LayerRole::ALL.iter().find(|(_, own)| own == role).map_or("", |(word, _)| word);
     let rows: Vec<Value> = layers
         .iter()
-        .map(|(layer, role, reason)| json!({ "layer": layer, "role": word(role), "reason": reason }))
+        .map(|(layer, role, reason)| json!({ "layer": layer, "role": role.word(), "reason": reason }))
         .collect();
     let json = json!({ "wrote": path, "schema": schema, "layers": rows });
     let mut lines = String::new();
     for (layer, role, reason) in &layers {
-        let _ = writeln!(lines, "  {layer:?}: {} ({reason})", word(role));
+        let _ = writeln!(lines, "  {layer:?}: {} ({reason})", role.word());
     }
     let path = shown(&path);
     let said = format!(

@@ -1,4 +1,4 @@
-//! The first screen of `check` and `build`: what it is, whether it does what is asked of it, what to see to before sealing, when
+//! The first screen of `check` and `build`: what it is, whether it meets its load, what to see to before sealing, when
 //! it would be done, and where to begin.
 
 use std::fmt::Write;
@@ -8,10 +8,10 @@ use std::path::Path;
 use jiff::Zoned;
 use serde_json::{Value, json};
 
-use crate::answer::verdict;
+use crate::answer::proof::scope;
+use crate::answer::{hours, sealing_time, verdict};
 use crate::artifact::Kind;
 use crate::cli::clock;
-use crate::cli::details::{hours, scope};
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say, tell_under};
 use crate::cli::terminal::{width, wrapped};
@@ -22,7 +22,6 @@ use crate::spec::StarSpec;
 use crate::units::{Angle, Length};
 
 pub(super) use crate::answer::overview_json as json;
-pub(super) use crate::answer::sealing_time;
 
 /// Columns of the labels.
 const LABEL: usize = 11;

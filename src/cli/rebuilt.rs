@@ -1,7 +1,6 @@
 //! One line for a build that replaces another: which values changed, and what that does to the gripper.
 
-use crate::cli::details::hours;
-use crate::cli::overview::sealing_time;
+use crate::answer::{hours, sealing_time};
 use crate::forecast::ranges::shown::rounded;
 use crate::forecast::verdict::Verdict;
 use crate::pipeline::{Forecast, Precaution};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
-use crate::cli::details::hours;
+use crate::answer::hours;
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::text_file::{read_text, write_new};

@@ -6,13 +6,13 @@ use std::fs;
 use std::io::{Read, stdout};
 use std::path::{Path, PathBuf};
 
-use crate::answer::proof::json;
+use crate::answer::proof::{json, scope};
 use crate::cli::escape::shown;
 use crate::cli::failure::{Failure, say};
 use crate::cli::feedcheck::manifest_of;
 use crate::cli::terminal::{fitted, width};
 use crate::cli::verbosity::Verbosity;
-use crate::cli::{details, findings, progress};
+use crate::cli::{findings, progress};
 use crate::manifest::MANIFEST;
 use crate::pipeline::{PublishedBuild, prove_feed_check};
 use crate::verify::{FileProof, Method, OutputFiles, Proof};
@@ -134,12 +134,12 @@ fn verdict(dir: &Path, proof: &Proof) -> String {
     match proof.findings.len() {
         0 if proof.written_by.is_some() => {
             let (equal, all) = (proof.equal(), proof.files.len());
-            let scope = details::scope(proof);
             parts.push(format!(
-                "no findings; {scope}; {equal} of {all} files equal those of this version to the byte"
+                "no findings; {}; {equal} of {all} files equal those of this version to the byte",
+                scope(proof)
             ));
         }
-        0 => parts.push(format!("proven, no findings; {}", details::scope(proof))),
+        0 => parts.push(format!("proven, no findings; {}", scope(proof))),
         n => parts.push(findings::counted(n)),
     }
     if !proof.unproven.is_empty() {

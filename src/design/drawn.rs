@@ -141,8 +141,7 @@ fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Drawing, Refusals> {
         let remedy = "it must lie beside the spec".to_owned();
         return Err(Refusal::new(key::drawing::FILE, RefusalCode::DrawingUnread, found, remedy).into());
     };
-    let unit = drawing.units.and_then(|unit| Unit::from_name(unit.word()));
-    let options = Options { unit, ..Options::new(0.5 * spec.accuracy.path.0) };
+    let options = Options { unit: drawing.units, ..Options::new(0.5 * spec.accuracy.path.0) };
     drawings::read(&drawing.file, &content.0, &options)
         .map_err(|faults| faults.iter().map(said::unreadable).collect())
 }

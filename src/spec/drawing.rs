@@ -11,6 +11,7 @@ use crate::spec::shape::Shape;
 use crate::spec::unknown::nearest;
 use crate::spec::value::{RawKind, RawValue};
 use crate::units::Length;
+use drawings::{Format, Unit};
 
 /// `[drawing]`
 #[derive(Clone, Debug, PartialEq)]
@@ -18,7 +19,7 @@ pub struct DrawingSpec {
     /// The file, relative to the spec.
     pub file: String,
     /// Unit of the file's numbers; `None`: the one that the file states.
-    pub units: Option<DrawingUnit>,
+    pub units: Option<Unit>,
     /// Ends of curves up to this far apart are joined.
     pub join: Length,
     /// Names of layers with their roles, in the order of the spec.
@@ -48,34 +49,6 @@ pub enum LayerRole {
     Ignore,
 }
 
-/// Declares [`DrawingUnit`] from one table.
-macro_rules! units {
-    ($($unit:ident $word:literal),+) => {
-        /// A unit in which a drawing may be.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        pub enum DrawingUnit {
-            $(#[doc = concat!("\"", $word, "\"")] $unit,)+
-        }
-
-        impl DrawingUnit {
-            /// All of them with the words that specs write.
-            pub const ALL: &'static [(&'static str, Self)] = &[$(($word, Self::$unit)),+];
-
-            /// Its word.
-            pub fn word(self) -> &'static str {
-                match self {
-                    $(Self::$unit => $word,)+
-                }
-            }
-        }
-    };
-}
-
-units! {
-    Micrometre "um", Millimetre "mm", Centimetre "cm", Decimetre "dm", Metre "m", Mil "mil", Inch "in", Foot "ft", Yard "yd",
-    Point "pt", Pixel "px"
-}
-
 impl LayerRole {
     /// All of them with the words that specs write.
     pub const ALL: [(&'static str, Self); 6] = [
@@ -86,6 +59,11 @@ impl LayerRole {
         ("hole", Self::Hole),
         ("ignore", Self::Ignore),
     ];
+
+    /// Its word.
+    pub fn word(self) -> &'static str {
+        Self::ALL.iter().find(|(_, own)| *own == self).map_or("", |(word, _)| word)
+    }
 }
 
 /// The number of the bytes: they may be many.
@@ -98,7 +76,7 @@ impl fmt::Debug for DrawingContent {
 impl DrawingSpec {
     /// Whether the file is a DXF; else it is an SVG.
     pub fn is_dxf(&self) -> bool {
-        self.file.rsplit_once('.').is_some_and(|(_, ending)| ending.eq_ignore_ascii_case("dxf"))
+        Format::of_name(&self.file) == Some(Format::Dxf)
     }
 
     /// What the published copy is called.
@@ -155,10 +133,7 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
         &[("file", "\"outline.svg\""), ("layers", "{ air = [\"chamber\"], port = [\"inlet\"] }")],
     );
     let file = s.text("file").map(|(file, span)| {
-        let known = file
-            .rsplit_once('.')
-            .is_some_and(|(_, ending)| ["svg", "dxf"].iter().any(|known| ending.eq_ignore_ascii_case(known)));
-        if !known {
+        if Format::of_name(file).is_none() {
             let fault = Fault::error(FaultCode::OutOfRange, span, format!("`file` is {}", quoted(file)))
                 .label("must end in .svg or .dxf")
                 .help("export the drawing as SVG or as ASCII DXF");
@@ -166,7 +141,7 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
         }
         file.to_owned()
     });
-    let units = s.choice("units", DrawingUnit::ALL);
+    let units = s.choice("units", &Unit::named());
     let join = s.quantity("join", Allowed::closed(0.0, 10.0)).unwrap_or(Length(0.02));
     let layers = read_layers(s);
     s.is_written().then(|| DrawingSpec { file: file.unwrap_or_default(), units, join, layers, content: None })
@@ -210,9 +185,8 @@ fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
                 continue;
             };
             if let Some((_, other)) = layers.iter().find(|(known, _)| known == name) {
-                let word =
-                    LayerRole::ALL.iter().find(|(_, known)| known == other).map_or("", |(word, _)| word);
-                let message = format!("layer {} has two roles, {word} and {}", quoted(name), entry.key);
+                let message =
+                    format!("layer {} has two roles, {} and {}", quoted(name), other.word(), entry.key);
                 let fault = Fault::error(FaultCode::Conflict, item.span.clone(), message);
                 s.report(fault.label("a layer has one role").help("delete it from one of the lists"));
                 continue;

@@ -47,7 +47,7 @@ pub use builtin::UnknownMachine;
 pub(crate) use code::codes;
 pub use code::{Code, FaultCode};
 pub use defaults::with_defaults;
-pub use drawing::{DrawingContent, DrawingSpec, DrawingUnit, LayerRole};
+pub use drawing::{DrawingContent, DrawingSpec, LayerRole};
 pub use fault::{DrawnPlace, Fault, Severity};
 pub use faults::Faults;
 pub use key::KeyPath;

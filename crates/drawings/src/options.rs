@@ -80,6 +80,11 @@ impl Unit {
         Self::TABLE.iter().find(|row| row.1 == name).map(|row| row.0)
     }
 
+    /// All units with their names.
+    pub fn named() -> [(&'static str, Self); 11] {
+        Self::TABLE.map(|(unit, name, _)| (name, unit))
+    }
+
     /// The names that [`Unit::from_name`] takes.
     pub fn names() -> impl Iterator<Item = &'static str> {
         Self::TABLE.iter().map(|row| row.1)
