@@ -10,7 +10,7 @@ const PAGE: &str = include_str!("../../docs/codes.md");
 pub struct CodeMeaning {
     /// The heading above it.
     pub about: &'static str,
-    /// The code, as it stands in a message: no-arm.
+    /// The code, as in a message: no-arm.
     pub code: &'static str,
     /// What it means, and what to do.
     pub meaning: &'static str,

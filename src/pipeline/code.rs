@@ -24,7 +24,7 @@ codes! {
     /// Why a command fails where neither a spec nor a design is refused.
     CommandCode {
         Failed "failed" "The command cannot do this; the message says why.",
-        Infeasible "infeasible" "No gripper that was found does what is asked; the message names a request near it that can be met.",
+        Infeasible "infeasible" "No gripper meets the request; the message names a request near it that can be met.",
         NotPublished "not-published" "The files could not be put in place; nothing was replaced.",
     }
 }

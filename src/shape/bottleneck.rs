@@ -97,7 +97,7 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Vec<Bottleneck
     }
     found.sort_by(|a, b| {
         let (p, q) = (a.points[0], b.points[0]);
-        // Of equal widths those inside segments first: they stand in the middle of what is narrow.
+        // Of equal widths those inside segments first: they are in the middle of the narrow part.
         let width = (a.width / ALIKE).round().total_cmp(&(b.width / ALIKE).round());
         let place = || p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
         width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)

@@ -69,7 +69,7 @@ fn well_started(path: &Path) -> Path {
     best.map_or_else(|| path.clone(), |(_, _, s)| path.starting_at(s))
 }
 
-/// The names of seams: the drawn names where they can stand in a program, else what the seam is for. No two are alike.
+/// The names of seams: the drawn names where a program can hold them, else what the seam is for. No two are alike.
 pub(super) fn seam_names(lines: &[Line]) -> Vec<String> {
     let mut used: BTreeSet<String> = BTreeSet::new();
     let mut numbers: BTreeMap<String, usize> = BTreeMap::new();

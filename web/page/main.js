@@ -274,7 +274,7 @@ function listen() {
     by("copy-link").addEventListener("click", () => safely(async () => {
         const link = location.href.split("#")[0] + (await fragmentOf(editor.text));
         history.replaceState(null, "", link);
-        await navigator.clipboard?.writeText(link).then(() => say("The link is copied; it holds the whole spec."), () => say("The link stands in the address bar; it holds the whole spec."));
+        await navigator.clipboard?.writeText(link).then(() => say("The link is copied; it holds the whole spec."), () => say("The link is in the address bar; it holds the whole spec."));
     }));
     by("forget").addEventListener("click", () => {
         try {

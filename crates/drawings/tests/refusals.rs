@@ -1,4 +1,4 @@
-//! What is refused, noted or bounded, and where it is said to be.
+//! What is refused, noted or bounded, and at which place.
 
 #![expect(clippy::format_collect, reason = "short texts are put together")]
 

@@ -78,7 +78,7 @@ impl Preview<'_> {
         Some(Picture { title: self.spec.name.clone(), window, top: layout.height, groups })
     }
 
-    /// The sheet with its pieces, and what is said of them there.
+    /// The sheet with its pieces and their notes.
     fn sheet_groups(&self, layout: &SheetLayout, view: &Bounds, style: Style) -> Vec<Group> {
         let pieces: Vec<&PlacedPart> = self.design.on_sheet(layout.index).collect();
         // Labels stay on the sheet; around it there are sizes and axes.

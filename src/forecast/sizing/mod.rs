@@ -111,7 +111,7 @@ enum Shortfall {
     Star(Option<Box<Evaluation>>),
 }
 
-/// The grippers that meet `requirements`, the best first, or what stands in the way.
+/// The grippers that meet `requirements`, the best first, or why there is none.
 fn feasible(
     requirements: &Requirements,
     base: &Candidate,
