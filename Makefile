@@ -8,7 +8,7 @@ NO_PYTHON = PYO3_NO_PYTHON=1 PYO3_BUILD_EXTENSION_MODULE=1
 # The program for CI. With the features that the Python package asks of shared dependencies, so that the wheel compiles none of them again.
 RELEASE = $(CARGO) build --release --locked -p stargrip-cam -p stargrip-cam-python --bin stargrip-cam
 
-.PHONY: demo install dist portable web wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
+.PHONY: demo install dist portable web site wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
 
 # Build the paper's star and say what was written, and where.
 demo:
@@ -31,6 +31,10 @@ web:
 	@test -d "$$(rustc --print sysroot)/lib/rustlib/$(WASM)" || { echo "a target is missing: run \`rustup target add $(WASM)\`" >&2; exit 1; }
 	$(CARGO) build --locked --profile page -p stargrip-cam-web --target $(WASM)
 	web/make-page target/$(WASM)/page/stargrip_cam_web.wasm target/web
+
+# Book and page as one static site in target/site.
+site: docs web
+	web/make-site target/book target/web target/site
 
 # The Python package (docs/python.md): the wheel in target/wheels; and that wheel in a virtual environment below target/, tested.
 wheel:

@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use stargrip_cam::artifact::Asked;
-use stargrip_cam::design::{Design, Drawing, Edge};
+use stargrip_cam::design::{CutEdge, Design, Drawing};
 use stargrip_cam::pipeline::Sources;
 use stargrip_cam::spec::{Machine, Source, Spec};
 use stargrip_cam::{emit, pipeline, plan, spec};
@@ -53,7 +53,7 @@ fn planned_and_emitted(bencher: divan::Bencher, machine: &Machine, stars: usize)
             .sum::<usize>();
         for sheet in &design.sheets {
             for drawing in
-                [Drawing::seals(&design, sheet.index), Drawing::outlines(&design, sheet.index, Edge::Tool)]
+                [Drawing::seals(&design, sheet.index), Drawing::outlines(&design, sheet.index, CutEdge::Tool)]
             {
                 let drawing = drawing.expect("a sheet");
                 bytes += emit::svg("bench", &drawing, spec.accuracy.path, spec.cut.colours).len();

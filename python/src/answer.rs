@@ -10,16 +10,19 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyCFunction, PyDict, PyTuple, PyType};
 use stargrip_cam::cli::embedded::Given;
 use stargrip_cam::forecast::actuator::ActuatorPrediction as Actuated;
+use stargrip_cam::forecast::drawn::prediction::DrawnPrediction;
+use stargrip_cam::forecast::drawn::text::text;
 use stargrip_cam::forecast::keys::{ACTUATOR, Key, KeyKind, PREDICTION};
 use stargrip_cam::forecast::prediction as said;
 use stargrip_cam::forecast::report;
-use stargrip_cam::shell::cases::Shape;
+use stargrip_cam::shell::cases::InflatedShape;
 
 use crate::mesh::Mesh;
 
 /// An answer: the crate's own structure, or what a pickle has kept of one.
 pub(crate) enum Answer {
     Star(Arc<Given>, Box<said::Prediction>),
+    Drawn(Arc<Given>, Box<DrawnPrediction>),
     Actuator(Box<Actuated>),
     Restored { fields: Py<PyDict>, page: String, shown: String },
 }
@@ -29,6 +32,7 @@ impl Answer {
     fn dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let made = match self {
             Self::Star(_, star) => pythonize::pythonize(py, star)?,
+            Self::Drawn(_, drawn) => pythonize::pythonize(py, drawn)?,
             Self::Actuator(actuated) => pythonize::pythonize(py, actuated)?,
             Self::Restored { fields, .. } => py.import("copy")?.call_method1("deepcopy", (fields,))?,
         };
@@ -39,6 +43,7 @@ impl Answer {
     fn page(&self) -> String {
         match self {
             Self::Star(given, star) => report::text(&given.reading.spec, star),
+            Self::Drawn(given, drawn) => text(&given.reading.spec, drawn),
             Self::Actuator(actuated) => actuated.to_text(),
             Self::Restored { page, .. } => page.clone(),
         }
@@ -49,6 +54,7 @@ impl Answer {
         let star = |given: &Given, model| format!("<Prediction {:?} by {model}>", given.reading.spec.name);
         match self {
             Self::Star(given, answer) => star(given, answer.first.model),
+            Self::Drawn(given, answer) => star(given, answer.model),
             Self::Actuator(answer) => format!("<ActuatorPrediction by {}>", answer.model),
             Self::Restored { shown, .. } => shown.clone(),
         }
@@ -63,7 +69,7 @@ pub(crate) struct Said {
 }
 
 impl Said {
-    fn new(py: Python<'_>, answer: Answer, shape: Option<Shape>) -> PyResult<Self> {
+    fn new(py: Python<'_>, answer: Answer, shape: Option<InflatedShape>) -> PyResult<Self> {
         let mesh = shape.map(|shape| Py::new(py, Mesh(shape))).transpose()?;
         Ok(Self { answer, fields: PyOnceLock::new(), mesh })
     }
@@ -187,7 +193,7 @@ pub(crate) struct Prediction(Said);
 
 impl Prediction {
     /// Of an answer by hinges or by the shell, which has a shape.
-    pub(crate) fn new(py: Python<'_>, answer: Answer, shape: Option<Shape>) -> PyResult<Self> {
+    pub(crate) fn new(py: Python<'_>, answer: Answer, shape: Option<InflatedShape>) -> PyResult<Self> {
         Said::new(py, answer, shape).map(Self)
     }
 
@@ -205,7 +211,7 @@ answer!(Prediction, PREDICTION);
 pub(crate) struct ActuatorPrediction(Said);
 
 impl ActuatorPrediction {
-    pub(crate) fn new(py: Python<'_>, answer: Actuated, shape: Option<Shape>) -> PyResult<Self> {
+    pub(crate) fn new(py: Python<'_>, answer: Actuated, shape: Option<InflatedShape>) -> PyResult<Self> {
         Said::new(py, Answer::Actuator(Box::new(answer)), shape).map(Self)
     }
 }

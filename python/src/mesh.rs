@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 use pyo3::types::{PyTuple, PyType};
-use stargrip_cam::shell::cases::Shape;
+use stargrip_cam::shell::cases::InflatedShape;
 
 use crate::arrays::{floats, integers, rows};
 use crate::faults::{plain, usage};
@@ -10,7 +10,7 @@ use crate::faults::{plain, usage};
 /// The sheet that a shell has modelled, at rest under pressure, on its finest mesh: N nodes, M triangles. Of a star it is one of the
 /// two sheets of half a sector beside corner 1, of a V-actuator one of half: the rest of the tube is its mirror images.
 #[pyclass(frozen, module = "stargrip_cam")]
-pub(crate) struct Mesh(pub(crate) Shape);
+pub(crate) struct Mesh(pub(crate) InflatedShape);
 
 #[pymethods]
 impl Mesh {
@@ -85,11 +85,11 @@ impl Mesh {
         if !(same && known && points.len() == flat.len()) {
             return Err(usage(class.py(), "the lists of a mesh do not fit together"));
         }
-        Ok(Self(Shape { points, flat, triangles, tension, stretch, curvature }))
+        Ok(Self(InflatedShape { points, flat, triangles, tension, stretch, curvature }))
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
-        let Shape { points, flat, triangles, tension, stretch, curvature } = &slf.get().0;
+        let InflatedShape { points, flat, triangles, tension, stretch, curvature } = &slf.get().0;
         let kept = ((points, flat), triangles, [tension, stretch, curvature]);
         Ok((slf.get_type().getattr("_restored")?, kept.into_pyobject(slf.py())?))
     }

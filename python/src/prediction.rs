@@ -6,12 +6,13 @@ use pyo3::prelude::*;
 use stargrip_cam::cli::embedded;
 use stargrip_cam::cli::embedded::{Given, StarQuestion};
 use stargrip_cam::design::{self, Refusals};
+use stargrip_cam::forecast::drawn;
 use stargrip_cam::forecast::predict as ask;
 use stargrip_cam::forecast::predict::PredictFault;
 use stargrip_cam::forecast::shell::Detail;
 use stargrip_cam::forecast::shell::star::{self, ShellRefusal};
-use stargrip_cam::shell::cases::{Shape, Watch};
-use stargrip_cam::spec::{ModelChoice, Spec as Read};
+use stargrip_cam::shell::cases::{InflatedShape, Watch};
+use stargrip_cam::spec::{ModelChoice, Spec as Read, key};
 use stargrip_cam::units::Length;
 
 use crate::answer::{Answer, Prediction};
@@ -31,7 +32,8 @@ enum Refused {
 ///
 /// model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
 /// radii: also the force on round objects of these radii, "20 mm..40 mm/5".
-/// fineness: of the shell's meshes: "coarse", "medium" (default) or "fine".
+/// fineness: of the shell's meshes: "coarse" (default for drawings), "medium" (default for stars) or "fine".
+/// The answer about a drawing has keys of its own, `chambers` among them: read it by to_dict().
 /// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 ///
 /// Raises DesignError if there is no such gripper, PredictionError if the model has no answer, UsageError for wrong arguments.
@@ -49,7 +51,13 @@ pub(crate) fn predict(
     let asked = question(model.as_deref(), radii.as_deref(), fineness.as_deref())
         .map_err(|failure| of_failure(py, &failure))?;
     let model = asked.model.unwrap_or(given.reading.spec.accuracy.model);
-    let answered = if model == ModelChoice::Shell {
+    let answered = if given.reading.spec.drawing.is_some() {
+        // A drawing has more of everything than a star.
+        let asked =
+            StarQuestion { detail: if fineness.is_none() { Detail::Coarse } else { asked.detail }, ..asked };
+        let given = Arc::clone(&given);
+        wait(py, progress, move |line| by_drawing(&given, &asked, line))?
+    } else if model == ModelChoice::Shell {
         let given = Arc::clone(&given);
         wait(py, progress, move |line| by_shell(&given, &asked, line))?
     } else {
@@ -97,7 +105,7 @@ fn asked_spec(given: &Given, asked: &StarQuestion) -> Read {
     spec
 }
 
-fn by_others(given: &Arc<Given>, asked: &StarQuestion) -> Result<(Answer, Option<Shape>), Refused> {
+fn by_others(given: &Arc<Given>, asked: &StarQuestion) -> Result<(Answer, Option<InflatedShape>), Refused> {
     let spec = asked_spec(given, asked);
     let design = design::Design::new(&spec, &given.machine).map_err(Refused::Design)?;
     let mut prediction = ask::predict(&spec, &design).map_err(Refused::Fault)?;
@@ -108,11 +116,32 @@ fn by_others(given: &Arc<Given>, asked: &StarQuestion) -> Result<(Answer, Option
     Ok((Answer::Star(Arc::clone(given), Box::new(prediction)), None))
 }
 
+fn by_drawing(
+    given: &Arc<Given>,
+    asked: &StarQuestion,
+    line: &Line,
+) -> Result<(Answer, Option<InflatedShape>), Refused> {
+    let spec = asked_spec(given, asked);
+    let design = design::Design::new(&spec, &given.machine).map_err(Refused::Design)?;
+    let Some(piece) = design.drawn().filter(|_| asked.radii.is_empty()) else {
+        let what = "no model knows what a drawn shape does to an object: leave out radii".to_owned();
+        return Err(Refused::Fault(PredictFault { star: None, key: key::drawing::FILE, what }));
+    };
+    let tell = |part: f64, what: &str| line.tell(part, what);
+    let watch = Watch { progress: Some(&tell), cancel: Arc::clone(&line.cancel) };
+    let found = drawn::inflate(&spec, piece, asked.detail, &watch).map_err(|refusal| match refusal {
+        ShellRefusal::Cancelled => Refused::Cancelled,
+        ShellRefusal::Fault(fault) => Refused::Fault(fault),
+    })?;
+    let shape = InflatedShape::joined(&found.shapes);
+    Ok((Answer::Drawn(Arc::clone(given), Box::new(found.prediction)), Some(shape)))
+}
+
 fn by_shell(
     given: &Arc<Given>,
     asked: &StarQuestion,
     line: &Line,
-) -> Result<(Answer, Option<Shape>), Refused> {
+) -> Result<(Answer, Option<InflatedShape>), Refused> {
     let spec = asked_spec(given, asked);
     let design = design::Design::new(&spec, &given.machine).map_err(Refused::Design)?;
     let tell = |part: f64, what: &str| line.tell(part, what);

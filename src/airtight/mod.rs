@@ -19,7 +19,7 @@ pub use topology::{Passage, passage};
 
 /// What is to be said about the seals of a design.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Report {
+pub struct SealReport {
     /// Every distinct piece: the first that is like it, its passages, its loads.
     pub pieces: Vec<PieceReport>,
     /// Ways for air that are open, each with the key that is best changed.
@@ -45,9 +45,9 @@ pub fn leaks(spec: &Spec, machine: &Machine, design: &Design) -> Refusals {
 }
 
 /// The report on `design`.
-pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> Report {
+pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> SealReport {
     let passages = passages(spec, machine, design);
-    let mut report = Report { leaks: open_ways(&passages, design), ..Report::default() };
+    let mut report = SealReport { leaks: open_ways(&passages, design), ..SealReport::default() };
     for (placed, passage) in passages {
         let name = placed.name();
         let of_piece = |text: &String| format!("{name}: {text}");
@@ -87,7 +87,7 @@ fn open_ways(passages: &[(&PlacedPart, Passage)], design: &Design) -> Refusals {
     of_pieces.chain(between).collect()
 }
 
-impl fmt::Display for Report {
+impl fmt::Display for SealReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "seal:")?;
         for piece in &self.pieces {

@@ -37,6 +37,9 @@ pub fn overview_json(forecast: &Forecast, list: &[Precaution]) -> Value {
         "sheets_mm": sheets,
         "work_area_mm": area,
         "machine": forecast.machine.name,
-        "prediction": forecast.prediction,
+        "prediction": match &forecast.drawn {
+            Some(drawn) => json!(drawn.prediction),
+            None => json!(forecast.prediction),
+        },
     })
 }

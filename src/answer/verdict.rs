@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use crate::forecast::drawn::prediction::{MeshedPlace, MeshedValue};
 use crate::forecast::prediction::StarPrediction;
 use crate::forecast::ranges::scaled;
 use crate::forecast::ranges::shown::{known, rounded, with};
@@ -11,6 +12,9 @@ use crate::units::Length;
 
 /// The verdict in one sentence.
 pub fn in_words(forecast: &Forecast) -> String {
+    if forecast.design.drawn().is_some() {
+        return "no verdict: no model knows what a drawn shape does to an object".to_owned();
+    }
     let Some((load, prediction)) = forecast.spec.load.as_ref().zip(forecast.prediction.as_ref()) else {
         return "no verdict: add a [load] section that describes the object".to_owned();
     };
@@ -52,6 +56,31 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
             None => format!("{} kPa, range unknown", rounded(burst)),
         };
         rows.push(("bursts", format!("at {at}; {} times its pressure", rounded(burst / pressure.0))));
+    }
+    rows
+}
+
+/// What a drawn piece does, each under its label; nothing without a load.
+pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
+    let Some(drawn) = &forecast.drawn else { return Vec::new() };
+    let prediction = &drawn.prediction;
+    let across = |extents: [MeshedValue; 2], height: MeshedPlace| {
+        let [x, y, z] = [extents[0].value, extents[1].value, height.value].map(rounded);
+        format!("to {x} x {y} x {z} mm")
+    };
+    let sizes: Vec<String> =
+        prediction.chambers.iter().filter_map(|one| Some(across(one.extents_mm?, one.height_mm?))).collect();
+    if sizes.is_empty() {
+        return vec![("predicts", format!("nothing yet: {}", prediction.evidence.choice))];
+    }
+    let pressure = forecast.spec.load.as_ref().and_then(|load| load.pressure);
+    let at = pressure.map_or_else(String::new, |pressure| format!(" at {pressure}"));
+    let mut rows = vec![("inflates", format!("{}{at}", sizes.join("; ")))];
+    if let Some((burst, range)) = prediction.burst_pressure_kPa.zip(prediction.burst_range_kPa) {
+        let times = prediction
+            .burst_margin
+            .map_or_else(String::new, |margin| format!("; {} times its pressure", rounded(margin)));
+        rows.push(("bursts", format!("at {}{times}", with(burst, range, "kPa"))));
     }
     rows
 }

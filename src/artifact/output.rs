@@ -2,7 +2,7 @@
 
 use crate::artifact::asked::Asked;
 use crate::artifact::kind::{Format, Kind, Subject};
-use crate::design::{Design, Drawing, Edge, MaskPlate, Paper, PlacedPart, StarAssembly};
+use crate::design::{CutEdge, Design, Drawing, MaskPlate, Paper, PlacedPart, StarAssembly};
 use crate::spec::{Dialect, DrawingSpec, ProgramScope, Spec};
 
 /// The ending of programs for LinuxCNC.
@@ -88,6 +88,7 @@ impl Output {
         match self.kind.subject() {
             Subject::Outline => format!("OUTLINE SHEET {}", number(self.sheet)),
             Subject::Frame => format!("FRAME PLATE {}", number(self.plate)),
+            Subject::Mask if self.copy.is_some() => format!("SEPARATOR PIECE {}", number(self.copy)),
             _ => MaskPlate::caption(number(self.star), self.mirrored),
         }
     }
@@ -113,10 +114,10 @@ impl Output {
     }
 
     /// Printed parts come out as they are drawn; what is cut loses the kerf.
-    fn edge(&self) -> Edge {
+    fn edge(&self) -> CutEdge {
         match self.kind.format() {
-            Format::Stl | Format::Pdf => Edge::Part,
-            _ => Edge::Tool,
+            Format::Stl | Format::Pdf => CutEdge::Part,
+            _ => CutEdge::Tool,
         }
     }
 
@@ -132,6 +133,7 @@ impl Output {
                 self.mirrored,
                 self.piece.map_or(0, |piece| piece - 1),
             ),
+            Subject::Mask if self.copy.is_some() => Drawing::separator(design.drawn()?, self.edge()),
             Subject::Mask => Drawing::mask(design.assembly()?, self.star?, self.mirrored, self.edge()),
             Subject::Pieces => Drawing::pieces(design.assembly()?, self.star?, self.mirrored),
             Subject::Frame => {
@@ -195,14 +197,23 @@ pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, asked: &Asked) ->
     if let Some(assembly) = design.assembly() {
         of_assembly(spec, (design, assembly), asked, &mut out);
     }
-    if spec.load.is_some() && design.assembly().is_some() {
+    separators(design, asked, &mut out);
+    if spec.load.is_some() {
         out.push(Output::of(Kind::Prediction));
     }
-    if design.assembly().is_some() {
-        out.extend([Kind::SceneGlb, Kind::Report].map(Output::of));
-    }
+    out.extend([Kind::SceneGlb, Kind::Report].map(Output::of));
     out.retain(|output| asked.takes(output.kind));
     out
+}
+
+/// The separator of a drawn piece: all copies are alike.
+fn separators(design: &Design, asked: &Asked, out: &mut Vec<Output>) {
+    let Some(first) = design.firsts().next() else { return };
+    if design.drawn().is_some_and(|piece| piece.separator.is_some()) {
+        let of_mask = |kind| Output { copy: Some(first.index), ..Output::of(kind) };
+        out.extend([Kind::MaskSvg, Kind::MaskDxf].map(of_mask));
+        out.extend(papers(of_mask(Kind::MaskPdf), design, asked));
+    }
 }
 
 /// The kind of the drawing's copy.

@@ -211,7 +211,7 @@ impl Stiffnesses {
 
 /// Three significant digits, without an exponent.
 fn digits(value: f64) -> String {
-    let before = value.abs().log10().floor();
+    let before = libm::log10(value.abs()).floor();
     let decimals = if before.is_finite() { (2.0 - before).clamp(0.0, 12.0) } else { 0.0 };
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to 12")]
     let decimals = decimals as usize;

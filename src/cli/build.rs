@@ -164,6 +164,7 @@ fn made(
     loaded.fit(&forecast, args.anyway)?;
     let notes = forecast.precautions(&shown(spec));
     let proven = loaded.proven(forecast, &asked)?;
+    args.kinds.tell_missing(&proven.built().manifest.files);
     // What became of files that were there is told however quiet one is.
     tell(&publish(&target, &proven)?.to_string());
     let (source, machine) = (loaded.source.clone(), loaded.sources().machine.to_owned());

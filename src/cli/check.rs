@@ -71,6 +71,7 @@ fn one(args: &Args, spec: &Path) -> Result<Option<Value>, Failure> {
     let list = forecast.precautions(&shown(spec));
     let asked = args.kinds.asked().of_spec(&forecast.spec);
     let proven = loaded.proven(forecast, &asked)?;
+    args.kinds.tell_missing(&proven.built().manifest.files);
     let forecast = &proven.built().forecast;
     if verbosity.json {
         let mut said = overview::json(forecast, &list);

@@ -5,7 +5,8 @@ use std::fmt::Write;
 use crate::airtight;
 use crate::answer::hours;
 use crate::artifact::Output;
-use crate::design::{COATING_ASSUMES, Design, FlatPiece, Plate, StarAssembly, StarDesign};
+use crate::design::{COATING_ASSUMES, Design, DrawnPiece, FlatPiece, Plate, StarAssembly, StarDesign};
+use crate::forecast::drawn::text::text as drawn_text;
 use crate::forecast::report;
 use crate::pipeline::{Forecast, Proven};
 use crate::spec::Spec;
@@ -15,7 +16,7 @@ use crate::units::Readable;
 pub(super) fn checked(forecast: &Forecast) -> String {
     let seal = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
     // What it warns of has been said above, as has what the prediction warns of.
-    let seal = airtight::Report { weaknesses: Vec::new(), ..seal };
+    let seal = airtight::SealReport { weaknesses: Vec::new(), ..seal };
     format!("\n{}{}{}", design(forecast), predicted(forecast), seal)
 }
 
@@ -51,10 +52,19 @@ fn design(forecast: &Forecast) -> String {
             writeln!(out, "sheet {}: {} x {} mm", sheet.index, Readable(sheet.width), Readable(sheet.height));
     }
     out += &design.assembly().map_or_else(String::new, |assembly| materials(spec, assembly));
+    out += &design.drawn().map_or_else(String::new, paper);
     let time: f64 = programs.iter().map(|program| program.time).sum();
     let length: f64 = programs.iter().flat_map(|program| &program.seams).map(|seam| seam.length).sum();
     let _ = writeln!(out, "in total {length:.1} mm of seam, {} at {}", hours(time), spec.seal.speed);
     out
+}
+
+/// The separator of each copy.
+fn paper(piece: &DrawnPiece) -> String {
+    let Some(separator) = &piece.separator else { return String::new() };
+    let (count, area) = (separator.part.pieces.len(), separator.part.area() / 100.0);
+    let pieces = if count == 1 { "one piece".to_owned() } else { format!("{count} pieces") };
+    format!("separator: {pieces} of paper, {area:.0} cm2, for each copy\n")
 }
 
 /// A star's geometry, and what the iron does to its corners.
@@ -182,6 +192,12 @@ fn pages(output: &Output, design: &Design) -> Option<String> {
 
 /// What the gripper will do, where that was asked for.
 fn predicted(forecast: &Forecast) -> String {
+    if let Some(drawn) = &forecast.drawn {
+        let mut prediction = drawn.prediction.clone();
+        prediction.evidence.warnings.clear();
+        let text = drawn_text(&forecast.spec, &prediction);
+        return format!("predicted:\n{}", text.split_once('\n').map_or("", |(_, body)| body));
+    }
     let Some(mut prediction) = forecast.prediction.clone() else { return String::new() };
     prediction.stars.iter_mut().for_each(|star| star.evidence.warnings.clear());
     let text = report::text(&forecast.spec, &prediction);

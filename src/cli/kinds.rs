@@ -3,6 +3,8 @@
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use crate::artifact::{Asked, Kind};
+use crate::cli::failure::tell;
+use crate::manifest::ManifestFile;
 
 /// Which kinds of files are made.
 #[derive(clap::Args, Clone, Debug)]
@@ -19,6 +21,16 @@ impl Kinds {
     /// The same for the rooms that make and read files.
     pub(super) fn asked(&self) -> Asked {
         Asked { only: self.only.clone(), with: self.with.clone() }
+    }
+
+    /// Tells which of the named kinds have no file among those that were made.
+    pub(super) fn tell_missing(&self, made: &[ManifestFile]) {
+        let named = self.only.iter().chain(&self.with);
+        let missing = named.filter(|kind| made.iter().all(|file| file.kind != **kind));
+        let names: Vec<&str> = missing.map(|kind| kind.name()).collect();
+        if !names.is_empty() {
+            tell(&format!("note: this design has no {}", names.join(", ")));
+        }
     }
 
     /// Whether no kind is named.

@@ -37,6 +37,7 @@ pub(super) fn head(forecast: &Forecast) -> Vec<OverviewRow> {
         rows.push(("", verdict::in_words(forecast)));
         rows.extend(verdict::rows(forecast));
     }
+    rows.extend(verdict::of_drawing(forecast));
     rows
 }
 

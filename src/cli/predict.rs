@@ -7,7 +7,8 @@ use crate::cli::failure::{Failure, say};
 use crate::cli::load::Loaded;
 use crate::cli::shell::{ShellArgs, Shown};
 use crate::cli::verbosity::Verbosity;
-use crate::design::Design;
+use crate::design::{Design, DrawnPiece};
+use crate::forecast::drawn;
 use crate::forecast::predict::{PredictFault, add_curve, predict};
 use crate::forecast::report;
 use crate::forecast::shell::Detail;
@@ -16,6 +17,7 @@ use crate::forecast::shell::star::ShellRefusal;
 use crate::pipeline::no_prediction;
 use crate::spec::{ModelChoice, Spec};
 use crate::units::Length;
+use inflatable::shell::cases::InflatedShape;
 
 /// Most radii of one curve: each is opened to in steps.
 const MOST_RADII: u32 = 7;
@@ -93,6 +95,9 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         spec.accuracy.model = model.choice();
     }
     let design = Design::new(&spec, &loaded.machine).map_err(|refusals| loaded.refused(refusals))?;
+    if let Some(piece) = design.drawn() {
+        return run_drawn(args, &loaded, &spec, piece);
+    }
     if spec.accuracy.model == ModelChoice::Shell {
         return run_shell(args, &loaded, &spec, &design);
     }
@@ -122,6 +127,26 @@ fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Resu
         let vtu = args.shell.wants_vtu().then(|| shape.vtu()).transpose();
         let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;
         Ok(Shown { json: prediction.to_json(), text: report::text(spec, &prediction), vtu })
+    })
+}
+
+/// The same of a drawn piece, which the shell alone knows.
+fn run_drawn(args: &Args, loaded: &Loaded, spec: &Spec, piece: &DrawnPiece) -> Result<(), Failure> {
+    if args.radii.is_some() {
+        let text = "--radii is for stars: no model knows what a drawn shape does to an object";
+        return Err(Failure::Usage(text.to_owned()));
+    }
+    let question = format!("predict {spec:?} {:?} {:?} {:?}", piece.air, piece.inner, piece.part.inside);
+    args.shell.show(&question, args.verbosity, |watch| {
+        let found = drawn::inflate(spec, piece, args.shell.drawn_detail(), watch);
+        let found = found.map_err(|refusal| match refusal {
+            ShellRefusal::Cancelled => Failure::Interrupted,
+            ShellRefusal::Fault(fault) => loaded.refused(no_prediction(&fault).into()),
+        })?;
+        let vtu = args.shell.wants_vtu().then(|| InflatedShape::joined(&found.shapes).vtu()).transpose();
+        let vtu = vtu.map_err(|fault| Failure::Message(fault.to_string()))?;
+        let text = drawn::text::text(spec, &found.prediction);
+        Ok(Shown { json: found.prediction.to_json(), text, vtu })
     })
 }
 

@@ -14,9 +14,9 @@ use inflatable::shell::cases::{ShellFault, Watch};
 /// Arguments that only the shell heeds.
 #[derive(clap::Args, Debug)]
 pub(super) struct ShellArgs {
-    /// Of the shell: how fine its meshes are. Errors of the mesh are said beside every number.
-    #[arg(long, value_name = "HOW", default_value = "medium")]
-    fineness: FinenessWord,
+    /// Of the shell: how fine its meshes are; medium for stars, coarse for drawings. Errors of the mesh are said beside every number.
+    #[arg(long, value_name = "HOW")]
+    fineness: Option<FinenessWord>,
     /// Of the shell: write the inflated sheet as a VTU file, which ParaView reads.
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
@@ -36,6 +36,16 @@ enum FinenessWord {
     Fine,
 }
 
+impl FinenessWord {
+    fn detail(self) -> Detail {
+        match self {
+            Self::Coarse => Detail::Coarse,
+            Self::Medium => Detail::Medium,
+            Self::Fine => Detail::Fine,
+        }
+    }
+}
+
 /// An answer, ready to be shown.
 pub(super) struct Shown {
     /// For programs.
@@ -49,11 +59,12 @@ pub(super) struct Shown {
 impl ShellArgs {
     /// How fine meshes shall be.
     pub(super) fn detail(&self) -> Detail {
-        match self.fineness {
-            FinenessWord::Coarse => Detail::Coarse,
-            FinenessWord::Medium => Detail::Medium,
-            FinenessWord::Fine => Detail::Fine,
-        }
+        self.fineness.map_or(Detail::Medium, FinenessWord::detail)
+    }
+
+    /// The same for drawings, which have more of everything.
+    pub(super) fn drawn_detail(&self) -> Detail {
+        self.fineness.map_or(Detail::Coarse, FinenessWord::detail)
     }
 
     /// Whether the sheet is asked for.

@@ -55,9 +55,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     match args.verbosity {
         Verbosity { json: true, .. } => say(&json(&proof))?,
         Verbosity { quiet: true, .. } if right && accepted => {}
-        Verbosity { quiet: true, .. } if right => {
-            say(&fitted(&verdict(&args.dir, &proof), width(&stdout())))?;
-        }
+        Verbosity { quiet: true, .. } => say(&fitted(&faults(&args.dir, &proof), width(&stdout())))?,
         _ => say(&fitted(&text(&args.dir, &proof), width(&stdout())))?,
     }
     match (right, accepted) {
@@ -82,7 +80,7 @@ fn feed_check(path: &Path) -> Result<Proof, Failure> {
     Ok(prove_feed_check(&name, &read(path, FILE_LIMIT)?, &manifest))
 }
 
-/// Refuses a directory in which nobody published, if others in it say that they were: it is the one above.
+/// Refuses a directory in which nobody published; names builds in it, since it may be the one above them.
 pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     if SOURCES[..3].iter().any(|name| dir.join(name).exists()) {
         return Ok(());
@@ -91,7 +89,11 @@ pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     let inside = entries.filter_map(Result::ok).map(|entry| entry.path());
     let mut builds: Vec<String> = inside.filter(|path| path.join(MANIFEST).is_file()).map(shown).collect();
     if builds.is_empty() {
-        return Ok(());
+        let wanted = "name the directory that `build` or `coupon` published";
+        return Err(Failure::Message(format!(
+            "{} is no build: no spec.toml, machine.toml or {MANIFEST} is in it; {wanted}",
+            shown(dir)
+        )));
     }
     builds.sort();
     let number = builds.len();
@@ -119,10 +121,14 @@ fn text(dir: &Path, proof: &Proof) -> String {
         let near = deviation.map_or(String::new(), |mm| format!("within {mm:.6} mm, "));
         let _ = writeln!(text, "{:28} {near}{how}", shown(path));
     }
-    for line in findings::lines(&proof.findings) {
-        let _ = writeln!(text, "{line}");
-    }
-    text + &verdict(dir, proof)
+    text + &faults(dir, proof)
+}
+
+/// The findings and the last line.
+fn faults(dir: &Path, proof: &Proof) -> String {
+    let mut text: String = findings::lines(&proof.findings).into_iter().map(|line| line + "\n").collect();
+    text.push_str(&verdict(dir, proof));
+    text
 }
 
 /// The last line: whether the directory is proven, and what that means for one of another version.

@@ -64,7 +64,7 @@ impl fmt::Display for ConeFault {
                 write!(f, "half the cone's angle is {found} deg; it must be above 0 and below 90 deg")
             }
             Self::Friction(half_angle, found) => {
-                let most = Readable(1.0 / half_angle.tan());
+                let most = Readable(1.0 / libm::tan(half_angle));
                 let found = Readable(found);
                 write!(
                     f,
@@ -86,7 +86,7 @@ impl Cone {
         if !(half_angle > 0.0 && half_angle < std::f64::consts::FRAC_PI_2) {
             return Err(ConeFault::HalfAngle(half_angle));
         }
-        if friction >= 0.0 && friction * half_angle.tan() < 1.0 {
+        if friction >= 0.0 && friction * libm::tan(half_angle) < 1.0 {
             Ok(Self { half_angle, friction })
         } else {
             Err(ConeFault::Friction(half_angle, friction))
@@ -95,7 +95,7 @@ impl Cone {
 
     /// Radial force per vertical load, F_s / P.
     pub fn ratio(&self, balance: Balance) -> f64 {
-        let (tan, mu) = (self.half_angle.tan(), self.friction);
+        let (tan, mu) = (libm::tan(self.half_angle), self.friction);
         let cone = (1.0 - mu * tan) / (mu + tan);
         match balance {
             Balance::Derived => cone - mu,
@@ -105,7 +105,7 @@ impl Cone {
 
     /// Radius (m) at which the corners touch the cone after a travel of `travel` (m) from first contact at `first` (m).
     pub fn radius(&self, first: f64, travel: f64) -> f64 {
-        first + travel * self.half_angle.tan()
+        first + travel * libm::tan(self.half_angle)
     }
 }
 

@@ -44,7 +44,7 @@ pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Re
     let (half, flap) = (seal.band.0 / 2.0, seal.band.0 + seal.allowance.0);
     outside_the_flap(hose, flap)?;
     // Between the arms there is less room for a flap: it may take half of an arm.
-    let notch = 2.0 * star.tube_width.0 * (star.tip_angle.rad() / 2.0).tan() + star.tip_radius.0;
+    let notch = 2.0 * star.tube_width.0 * libm::tan(star.tip_angle.rad() / 2.0) + star.tip_radius.0;
     let arm = Arm { star, half_mouth, mouth: hose.length.0 };
     let seam = arm.vee(half, half, MOUTH_OVERRUN);
     let cut = Channel::mouth_cut(arm.vee(flap, flap.min(notch.max(seal.band.0)), 0.0));
@@ -91,7 +91,7 @@ impl Arm<'_> {
         let (w, r, half) = (self.star.tube_width.0, self.star.tip_radius.0, self.star.tip_angle.rad() / 2.0);
         let arm = 4.0 * w + delta;
         let end = 4.0 * w + self.mouth + beyond;
-        let (sin, cos) = half.sin_cos();
+        let (sin, cos) = libm::sincos(half);
         // In the frame of an arm: away from the hinge, and outwards.
         let at = |side: f64, along: f64, out: f64| {
             Point::ORIGIN + Vec2::new(-cos, side * sin) * along + Vec2::new(sin, side * cos) * out
@@ -99,7 +99,7 @@ impl Arm<'_> {
         let (outer, inner) = (r + w + delta, r - between);
         let (middle, h) = (r + w / 2.0, self.half_mouth + delta);
         // A sharp inner hinge is a vertex that eats into the arms.
-        let eaten = (-inner).max(0.0) / half.tan();
+        let eaten = (-inner).max(0.0) / libm::tan(half);
         let mut segments = Vec::new();
         // Where the channel's flap is as wide as the arm's, the end has no shoulder.
         let (low, high) = ((middle - h).max(inner), (middle + h).min(outer));

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::emit;
-use crate::emit::Cell;
+use crate::emit::GridCell;
 use crate::spec::{Machine, Spec};
 use crate::units::{Length, Speed, Temperature};
 use inflatable::geom::{Bounds, Line, Path, Point, Vec2};
@@ -107,7 +107,7 @@ impl TestStrip {
 
 /// All strips on one page, each with its setting and the specimen that is cut out of it.
 pub fn overview(spec: &Spec, grid: &StripGrid, strips: &[TestStrip]) -> String {
-    let cells: Vec<Cell> = strips
+    let cells: Vec<GridCell> = strips
         .iter()
         .map(|strip| {
             let min = strip.start + Vec2::new(WASTE, -spec.seal.band.0);
@@ -118,7 +118,7 @@ pub fn overview(spec: &Spec, grid: &StripGrid, strips: &[TestStrip]) -> String {
                 format!("Z {}", strip.height),
                 program_name(grid, strip.temperature, strip.speed, strip.height),
             ];
-            Cell { number: strip.number, seam: strip.seam(), specimen, words }
+            GridCell { number: strip.number, seam: strip.seam(), specimen, words }
         })
         .collect();
     emit::cells(&format!("seal strips: {}", spec.name), &cells, spec.seal.band.0)

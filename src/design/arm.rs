@@ -9,7 +9,7 @@ use crate::spec::StarSpec;
 /// `(rho_0 + W + R_e) sin(pi/n) = l sin(phi_i0/2) + (W + R_i + R_e) cos(phi_i0/2)`: Andrade-Silva and
 /// Marthelot, supplement, Eq. for l, which is the case R_i = R_e = 0.
 pub fn arm_length(spec: &StarSpec, n: u32) -> f64 {
-    let (sin, cos) = (spec.tip_angle.rad() / 2.0).sin_cos();
+    let (sin, cos) = libm::sincos(spec.tip_angle.rad() / 2.0);
     let (w, r_i, r_e) = (spec.tube_width.0, spec.tip_radius.0, spec.corner_radius.0);
-    ((spec.inner_radius.0 + w + r_e) * (PI / f64::from(n)).sin() - (w + r_i + r_e) * cos) / sin
+    ((spec.inner_radius.0 + w + r_e) * libm::sin(PI / f64::from(n)) - (w + r_i + r_e) * cos) / sin
 }

@@ -115,8 +115,8 @@ impl Star {
         };
         let grown = (least_radius - concave.radius).max(0.0);
         concave.radius += grown;
-        concave.center += away * grown / (phi / 2.0).sin();
-        let arm = self.l - grown / (phi / 2.0).tan();
+        concave.center += away * grown / libm::sin(phi / 2.0);
+        let arm = self.l - grown / libm::tan(phi / 2.0);
         // An arm of rounding error's length is no arm: the smallest real ones are 1e6 times longer.
         if arm > 1e-9 * self.l {
             return Some(Trimmed::Arms { corner, tip, arm });
@@ -155,8 +155,8 @@ impl Star {
             Side::Hole => (self.d_p, corner_radius, -1.0),
             Side::Outside => (self.d_t, tip_radius, 1.0),
         };
-        let square = r * r - (d * a.sin()).powi(2);
-        let t = d * a.cos() + sign * square.sqrt();
+        let square = r * r - (d * libm::sin(a)).powi(2);
+        let t = d * libm::cos(a) + sign * square.sqrt();
         // NaN where the circle does not reach the ray.
         if t.is_nan() || t <= 0.0 {
             return None;
@@ -198,7 +198,7 @@ impl Trimmed {
         // An arc around a point at the distance c that turns by 2 h: r^2 h + c r sin h if it bulges outwards.
         let swept = |hinge: &ContourHinge, sign: f64| {
             let ContourHinge { center, radius, half } = *hinge;
-            sign * radius * radius * half + center * radius * half.sin()
+            sign * radius * radius * half + center * radius * libm::sin(half)
         };
         match self {
             Self::Tips(tip) => swept(tip, 1.0),
@@ -206,12 +206,12 @@ impl Trimmed {
             Self::Arms { corner, tip, .. } => {
                 // From the corner's end to the tip's start; the other arm is its mirror image.
                 let from = Point::new(
-                    corner.center - corner.radius * corner.half.cos(),
-                    corner.radius * corner.half.sin(),
+                    corner.center - corner.radius * libm::cos(corner.half),
+                    corner.radius * libm::sin(corner.half),
                 );
                 let (along, across) =
-                    (tip.center + tip.radius * tip.half.cos(), -tip.radius * tip.half.sin());
-                let (sin, cos) = star.half_sector().sin_cos();
+                    (tip.center + tip.radius * libm::cos(tip.half), -tip.radius * libm::sin(tip.half));
+                let (sin, cos) = libm::sincos(star.half_sector());
                 let to = Point::new(along * cos - across * sin, along * sin + across * cos);
                 swept(tip, 1.0) + swept(corner, -1.0) + from.x * to.y - from.y * to.x
             }

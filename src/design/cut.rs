@@ -38,11 +38,8 @@ impl CutLines {
                 format!("kerf must be at most {} mm", Most((hole.diameter - SMALLEST_HOLE).max(0.0))),
             ));
         }
-        let moved = |path: &Path, share: f64, what| {
-            offset(path, share * kerf).ok_or_else(|| too_wide(kerf, path, share, what))
-        };
-        let inside = |path: &Path, what| moved(path, -0.5, what);
-        let around = |path: &Path, what| moved(path, 0.5, what);
+        let inside = |path: &Path, what| tool_inside(path, kerf, what);
+        let around = |path: &Path, what| tool_around(path, kerf, what);
         // All windows are the first one, turned; without a kerf they stay as they are, to the bit.
         let windows = match mask.windows.first() {
             Some(first) if kerf > 0.0 => {
@@ -60,6 +57,22 @@ impl CutLines {
             windows,
         })
     }
+}
+
+/// The line of a tool with this kerf that cuts `path` out of a part.
+///
+/// # Errors
+/// If the cut is wider than that.
+pub(super) fn tool_inside(path: &Path, kerf: f64, what: &str) -> Result<Path, Refusal> {
+    offset(path, -0.5 * kerf).ok_or_else(|| too_wide(kerf, path, -0.5, what))
+}
+
+/// The line of a tool with this kerf that cuts around `path`.
+///
+/// # Errors
+/// If there is none.
+pub(super) fn tool_around(path: &Path, kerf: f64, what: &str) -> Result<Path, Refusal> {
+    offset(path, 0.5 * kerf).ok_or_else(|| too_wide(kerf, path, 0.5, what))
 }
 
 /// The refusal of a kerf that leaves nothing of `path`, which `share` of it moves outwards, with the widest that does.

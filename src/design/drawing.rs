@@ -3,7 +3,9 @@
 use std::borrow::Cow;
 use std::f64::consts::TAU;
 
-use crate::design::{Circle, Design, Edge, FlatPiece, Plate, Product, Side, StarAssembly, label, lettering};
+use crate::design::{
+    Circle, CutEdge, Design, DrawnPiece, FlatPiece, Plate, Product, Side, StarAssembly, label, lettering,
+};
 use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point};
 
 /// Exact geometry on a page.
@@ -24,7 +26,7 @@ pub struct Drawing {
 pub enum Origin {
     /// At the page's lower left corner.
     LowerLeft,
-    /// On the star's axis; the page's lower left corner lies at this point.
+    /// On the star's axis, or where a drawing has it; the page's lower left corner lies at this point.
     Axis(Point),
 }
 
@@ -169,15 +171,16 @@ impl Drawing {
     }
 
     /// The outlines of all pieces on sheet `sheet`, holes first, so that no part moves before its holes are made.
-    pub fn outlines(design: &Design, sheet: usize, edge: Edge) -> Option<Self> {
+    pub fn outlines(design: &Design, sheet: usize, edge: CutEdge) -> Option<Self> {
         let (mut labels, mut holes, mut inside, mut outside) =
             (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         for placed in design.on_sheet(sheet) {
             let part = design.part(placed);
             let place = |path: &Path| Shape::Path(placed.placement.path(path));
-            if let FlatPiece::Star(star) = part {
-                labels.extend(Shape::figure(label::on_outline(star, placed)));
-            }
+            labels.extend(Shape::figure(match part {
+                FlatPiece::Star(star) => label::on_outline(star, placed),
+                FlatPiece::Drawn(piece) => label::on_piece(piece, placed),
+            }));
             let cut = part.cut(edge);
             holes.extend(registration(cut.holes, &placed.placement, cut.kerf));
             inside.extend(cut.inside.iter().map(place));
@@ -193,14 +196,14 @@ impl Drawing {
     }
 
     /// The mask of the distinct star to which star number `star` belongs, turned over for its other face if `mirrored`.
-    pub fn mask(design: &StarAssembly, star: usize, mirrored: bool, edge: Edge) -> Option<Self> {
+    pub fn mask(design: &StarAssembly, star: usize, mirrored: bool, edge: CutEdge) -> Option<Self> {
         let part = design.part(design.stars.iter().find(|placed| placed.index == star)?);
         let mask = &part.mask;
         let motion = if mirrored { Isometry::mirror() } else { Isometry::IDENTITY };
         let place = |path: &Path| Shape::Path(motion.path(path));
         let (plate, windows, kerf) = match edge {
-            Edge::Part => (&mask.plate, &mask.windows, 0.0),
-            Edge::Tool => (&part.cut.plate, &part.cut.windows, part.cut.kerf),
+            CutEdge::Part => (&mask.plate, &mask.windows, 0.0),
+            CutEdge::Tool => (&part.cut.plate, &part.cut.windows, part.cut.kerf),
         };
         let labels = Shape::figure(label::on_mask(part, mask, star, mirrored));
         Some(Self::around_axis(vec![
@@ -211,10 +214,21 @@ impl Drawing {
         ]))
     }
 
+    /// The separator of a drawn piece, in the drawing's own frame; `None` if the spec asks for none.
+    pub fn separator(piece: &DrawnPiece, edge: CutEdge) -> Option<Self> {
+        let separator = piece.separator.as_ref()?;
+        let paths = if edge == CutEdge::Tool { &separator.tool } else { &separator.part };
+        let shapes = |paths: &[Path]| paths.iter().cloned().map(Shape::Path).collect();
+        Some(Self::around_axis(vec![
+            (Layer::MaskWindow, shapes(&paths.windows)),
+            (Layer::MaskPlate, shapes(&paths.pieces)),
+        ]))
+    }
+
     /// A distinct plate of the frame.
-    pub fn plate(design: &StarAssembly, plate: &Plate, edge: Edge) -> Self {
+    pub fn plate(design: &StarAssembly, plate: &Plate, edge: CutEdge) -> Self {
         let frame = &design.frame;
-        let half_kerf = if edge == Edge::Tool { frame.kerf / 2.0 } else { 0.0 };
+        let half_kerf = if edge == CutEdge::Tool { frame.kerf / 2.0 } else { 0.0 };
         let hole = |center: Point, radius: f64| Shape::Circle { center, radius };
         let posts = frame.posts.iter().map(|post| hole(*post, frame.post_diameter / 2.0 - half_kerf));
         Self::around_axis(vec![

@@ -3,16 +3,26 @@
 //! The file's **elements** get **roles** by their layers; what has a role becomes a **sketch**, and that a sealed shape. Every
 //! element without a role, every role without an element, and every fault of the shape is a refusal with names and a place.
 
+mod clearance;
+mod cut;
+mod inner;
+mod label;
+mod marks;
 mod roles;
 mod said;
 
-use crate::design::offset::offset;
+use std::sync::Arc;
+
+pub use cut::{DrawnCut, DrawnSeparator};
+pub use label::DrawnLabels;
+
+use crate::design::drawn::clearance::Clearance;
+use crate::design::drawn::inner::within_air;
 use crate::design::placement::{SheetLayout, footprint, place};
 use crate::design::star_seam::MOUTH_OVERRUN;
-use crate::design::{PlacedPart, Refusal, RefusalCode, Refusals, Warning};
+use crate::design::{Circle, PlacedPart, Refusal, RefusalCode, Refusals, Warning};
 use crate::shape::{Role, Rules, SealedShape, Sealing, Sketch, sealed_shape};
-use crate::spec::{DrawingSpec, LayerRole, Machine, Spec, key};
-use crate::units::Readable;
+use crate::spec::{DrawingSpec, LayerRole, Machine, MaskKind, Spec, key};
 use drawings::{Drawing, Figure, Options, Unit};
 use inflatable::geom::{Bounds, Path};
 
@@ -28,27 +38,26 @@ pub struct DrawnPiece {
     pub edges: Vec<Path>,
     /// Outlines of the regions that hold the air, for pictures.
     pub tube: Vec<Path>,
+    /// Where the air ends, closed, without the channels of ports: what inflates.
+    pub air: Vec<Path>,
+    /// Walls and welds by their centre lines, as far as they lie in the air.
+    pub inner: Vec<Path>,
     /// The piece's own edges.
     pub part: DrawnCut,
     /// The lines that a tool follows to cut it.
     pub tool: DrawnCut,
+    /// The registration holes: three, so placed that the piece fits in one position only; or none.
+    pub registration: Vec<Circle>,
+    /// What stands on it, to be written and not cut.
+    pub labels: DrawnLabels,
+    /// The paper that keeps the air from welding, if the spec asks for it.
+    pub separator: Option<DrawnSeparator>,
     /// Width of the narrowest passage, mm; `None` where none is narrower than 15 mm.
     pub passage: Option<f64>,
     /// What was resolved or mended as the drawing was read, a sentence each.
     pub notes: Vec<String>,
     /// Its copies where they lie.
     pub copies: Vec<PlacedPart>,
-}
-
-/// Where a drawn piece is cut, closed and counterclockwise.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DrawnCut {
-    /// Around the piece.
-    pub outside: Path,
-    /// Out of the piece.
-    pub inside: Vec<Path>,
-    /// Width of the cut, mm.
-    pub kerf: f64,
 }
 
 impl DrawnPiece {
@@ -67,14 +76,25 @@ impl DrawnPiece {
         let (sketch, mut notes) = sketch(spec, drawing)?;
         let rules = rules(spec, drawing);
         let sealing = sealed_shape(&sketch, &rules);
-        let Sealing { shape, holes, repairs, warnings: warned } =
+        let Sealing { shape, air, inner, holes, repairs, warnings: warned } =
             sealing.map_err(|faults| faults.iter().map(said::refusal).collect::<Refusals>())?;
+        let inner = inner.iter().flat_map(|path| within_air(path, air.closed(), drawing.join.0)).collect();
         notes.extend(repairs.iter().map(said::repair));
         let narrow = warned.iter().filter(|warning| said::is_passage(warning)).map(|warning| warning.found);
         let passage = narrow.reduce(f64::min);
-        let warnings = warned.iter().map(said::warning).collect();
-        let part = cut(&shape, &holes)?;
-        let tool = part.for_tool(spec.cut.kerf.0)?;
+        let mut warnings: Vec<Warning> = warned.iter().map(said::warning).collect();
+        let part = DrawnCut::new(&shape, &holes)?;
+        let diameter = spec.sheet.hole_diameter.0;
+        let allowance = rules.allowance;
+        let room = Clearance::new(&shape, &air, &part);
+        let registration = marks::registration(&shape, &part, &room, allowance, diameter);
+        if registration.is_empty() && diameter > 0.0 {
+            warnings.push(marks::no_room(diameter));
+        }
+        let tool = part.for_tool(spec.cut.kerf.0, &registration)?;
+        let labels = label::labels(&shape, &room, &registration, allowance);
+        let is_separated = spec.mask.kind == MaskKind::Separator;
+        let separator = is_separated.then(|| DrawnSeparator::new(spec, &shape, &air, &part)).transpose()?;
         let edges: Vec<Path> = sketch.air.into_iter().map(|drawn| drawn.path).collect();
         let tube = regions(&shape, &edges);
         let bounds = footprint(&shape, &tool.outside, machine.process.ramp.0);
@@ -82,31 +102,28 @@ impl DrawnPiece {
         let boxes: Vec<Bounds> = vec![bounds; number];
         let (places, sheets) = place(&boxes, &spec.sheet, machine)?;
         let copies = PlacedPart::all(Self::KIND, &vec![0; number], places);
-        Ok((Self { shape, edges, tube, part, tool, passage, notes, copies }, sheets, warnings))
+        let air = air.closed().to_vec();
+        let piece = Self {
+            shape,
+            edges,
+            tube,
+            air,
+            inner,
+            part,
+            tool,
+            registration,
+            labels,
+            separator,
+            passage,
+            notes,
+            copies,
+        };
+        Ok((piece, sheets, warnings))
     }
 
     /// Width of the tube by which labels are sized, mm.
     pub fn label_width(&self) -> f64 {
         self.passage.unwrap_or(LEAST_PASSAGE)
-    }
-}
-
-impl DrawnCut {
-    /// The lines of a tool whose cut is `kerf` wide.
-    fn for_tool(&self, kerf: f64) -> Result<Self, Refusal> {
-        let moved = |path: &Path, by: f64, what: &str| {
-            offset(path, by).ok_or_else(|| {
-                Refusal::new(
-                    key::cut::KERF,
-                    RefusalCode::WideKerf,
-                    format!("a cut of {} mm leaves nothing of {what}", Readable(kerf)),
-                    "make kerf smaller".to_owned(),
-                )
-            })
-        };
-        let inside =
-            self.inside.iter().map(|path| moved(path, -0.5 * kerf, "a hole")).collect::<Result<_, _>>()?;
-        Ok(Self { outside: moved(&self.outside, 0.5 * kerf, "the outline")?, inside, kerf })
     }
 }
 
@@ -135,15 +152,14 @@ fn rules(spec: &Spec, drawing: &DrawingSpec) -> Rules {
 }
 
 /// The drawing of `spec` as it was read.
-fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Drawing, Refusals> {
+fn read(spec: &Spec, drawing: &DrawingSpec) -> Result<Arc<Drawing>, Refusals> {
     let Some(content) = &drawing.content else {
         let found = format!("the drawing {:?} was not read", drawing.file);
         let remedy = "it must lie beside the spec".to_owned();
         return Err(Refusal::new(key::drawing::FILE, RefusalCode::DrawingUnread, found, remedy).into());
     };
     let options = Options { unit: drawing.units, ..Options::new(0.5 * spec.accuracy.path.0) };
-    drawings::read(&drawing.file, &content.0, &options)
-        .map_err(|faults| faults.iter().map(said::unreadable).collect())
+    content.read(&drawing.file, &options).map_err(|faults| faults.iter().map(said::unreadable).collect())
 }
 
 /// Layers of a file with roles that suit them.
@@ -172,9 +188,9 @@ pub fn propose_layers(name: &str, bytes: &[u8]) -> Result<LayerProposal, Refusal
 /// The figures of the drawing of `spec`, as far as the file can be read; none of a spec without one.
 pub fn figures(spec: &Spec) -> Vec<Path> {
     let read = spec.drawing.as_ref().and_then(|drawing| read(spec, drawing).ok());
-    let elements = read.into_iter().flat_map(|read| read.elements);
-    let paths = elements.filter_map(|element| match element.figure {
-        Figure::Path(path) => Some(path),
+    let elements = read.iter().flat_map(|read| &read.elements);
+    let paths = elements.filter_map(|element| match &element.figure {
+        Figure::Path(path) => Some(path.clone()),
         Figure::Point(_) => None,
     });
     paths.collect()
@@ -185,16 +201,4 @@ fn sketch(spec: &Spec, drawing: &DrawingSpec) -> Result<(Sketch, Vec<String>), R
     let read = read(spec, drawing)?;
     roles::refusals(&read, drawing).or(())?;
     Ok((roles::sketch(&read, drawing), read.notes.iter().map(ToString::to_string).collect()))
-}
-
-/// Where the piece is cut: the outline of `shape`, and `holes` inside it.
-fn cut(shape: &SealedShape, holes: &[Path]) -> Result<DrawnCut, Refusal> {
-    let Some(outside) = &shape.cut else {
-        let found = "the drawn shape has no outline".to_owned();
-        let remedy = "draw a closed curve on a layer of `cut`".to_owned();
-        return Err(Refusal::new(key::drawing::LAYERS, RefusalCode::WrongOutlines, found, remedy));
-    };
-    let around = |path: &Path| if path.area() < 0.0 { path.reversed() } else { path.clone() };
-    let inside = holes.iter().map(around).collect();
-    Ok(DrawnCut { outside: around(outside), inside, kerf: 0.0 })
 }

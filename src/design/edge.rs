@@ -2,7 +2,7 @@
 
 /// Which lines a drawing of a part has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Edge {
+pub enum CutEdge {
     /// The part's own edges: for what is printed.
     Part,
     /// The middle of the tool that cuts them, half a kerf beside.

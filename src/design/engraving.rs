@@ -68,8 +68,9 @@ fn rows(count: usize) -> impl Iterator<Item = f64> {
 /// Radius of the smallest disc around the middle of the text that holds it, by the height of a capital.
 fn reach(lines: &[String]) -> f64 {
     let pen = 0.08;
-    let corner =
-        |(line, row): (&String, f64)| (0.5 * lettering::width(line, 1.0) + pen).hypot(row.abs() + 0.5 + pen);
+    let corner = |(line, row): (&String, f64)| {
+        libm::hypot(0.5 * lettering::width(line, 1.0) + pen, row.abs() + 0.5 + pen)
+    };
     lines.iter().zip(rows(lines.len())).map(corner).fold(0.0, f64::max)
 }
 

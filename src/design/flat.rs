@@ -1,6 +1,6 @@
 //! What every product's piece has, flat: seams, tube, cut and fabric.
 
-use crate::design::{Circle, DrawnPiece, Edge, SHEETS, StarDesign};
+use crate::design::{Circle, CutEdge, DrawnPiece, SHEETS, StarDesign};
 use crate::shape::SealedShape;
 use crate::spec::Fabric;
 use inflatable::geom::{Path, Point};
@@ -53,19 +53,21 @@ impl<'a> FlatPiece<'a> {
     }
 
     /// Where it is cut.
-    pub fn cut(self, edge: Edge) -> PieceCut<'a> {
+    pub fn cut(self, edge: CutEdge) -> PieceCut<'a> {
         let (outside, inside, holes, kerf) = match (self, edge) {
-            (Self::Star(star), Edge::Part) => {
+            (Self::Star(star), CutEdge::Part) => {
                 let outline = &star.outline;
                 (&outline.outside, std::slice::from_ref(&outline.hole), &outline.registration[..], 0.0)
             }
-            (Self::Star(star), Edge::Tool) => {
+            (Self::Star(star), CutEdge::Tool) => {
                 let cut = &star.cut;
                 (&cut.outside, std::slice::from_ref(&cut.hole), &star.outline.registration[..], cut.kerf)
             }
-            (Self::Drawn(piece), Edge::Part) => (&piece.part.outside, &piece.part.inside[..], &[][..], 0.0),
-            (Self::Drawn(piece), Edge::Tool) => {
-                (&piece.tool.outside, &piece.tool.inside[..], &[][..], piece.tool.kerf)
+            (Self::Drawn(piece), CutEdge::Part) => {
+                (&piece.part.outside, &piece.part.inside[..], &piece.registration[..], 0.0)
+            }
+            (Self::Drawn(piece), CutEdge::Tool) => {
+                (&piece.tool.outside, &piece.tool.inside[..], &piece.registration[..], piece.tool.kerf)
             }
         };
         PieceCut { outside, inside, holes, kerf }

@@ -117,7 +117,7 @@ impl Frame {
 /// Section 1 of the star's geometry with W -> 2 W / pi and phi_i = 0; a star that holds an object is less shut.
 pub fn shut_reach(star: &Star) -> f64 {
     let (alpha, w) = (star.half_sector(), round_tube(star.w));
-    (w + star.r_i + star.r_e) / alpha.tan() + star.l + star.r_i + w
+    (w + star.r_i + star.r_e) / libm::tan(alpha) + star.l + star.r_i + w
 }
 
 /// The strip along which a hose leaves a star.

@@ -119,7 +119,7 @@ impl Channel {
         };
         // Strictly inside: the rest of the arc must be longer than rounding.
         if junction.psi >= half - 1e-9 {
-            return Err(self.too_wide(star.w, delta, rim * half.sin()));
+            return Err(self.too_wide(star.w, delta, rim * libm::sin(half)));
         }
         let end = self.mouth - star.d_t;
         if junction.x >= end {
@@ -140,7 +140,7 @@ impl Channel {
         let radius = (self.fillet - delta).max(least_radius);
         let sin = (y + radius) / (rim + radius);
         (sin < 1.0).then(|| Junction {
-            psi: sin.asin(),
+            psi: libm::asin(sin),
             x: (rim + radius) * (1.0 - sin * sin).sqrt(),
             y,
             radius,

@@ -108,7 +108,7 @@ impl JointCut {
     fn line(&self, chord: &Chord, play: f64) -> Path {
         let radius = self.radius + play;
         let neck = (radius.powi(2) - (self.radius / 2.0).powi(2)).sqrt();
-        let half = PI - (self.radius / 2.0 / radius).acos();
+        let half = PI - libm::acos(self.radius / 2.0 / radius);
         let mut segments: Vec<Segment> = Vec::new();
         let mut here = Point::new(self.at, chord.low.0);
         for y in &self.knobs {

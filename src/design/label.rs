@@ -4,7 +4,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::design::{MaskPlate, PlacedPart, StarDesign, lettering};
+use crate::design::{DrawnPiece, MaskPlate, PlacedPart, StarDesign, lettering};
 use inflatable::geom::{Isometry, Line, Path, Point, Vec2};
 
 /// Height of a capital, mm: what a laser or a pen still writes well, and as high as a label needs to be.
@@ -35,6 +35,15 @@ pub(super) fn on_outline(part: &StarDesign, placed: &PlacedPart) -> Vec<Path> {
     let behind = lettering::width(&text, line.height) / 2.0;
     let direction = line.middle(part) + turn - behind / (rim + strip / 2.0);
     out.extend(arrow(center + Vec2::unit(direction) * (rim + strip / 2.0), 0.8 * line.height));
+    out
+}
+
+/// The labels of a drawn piece where it is placed, in the sheet's frame: the warp runs along X.
+pub(super) fn on_piece(piece: &DrawnPiece, placed: &PlacedPart) -> Vec<Path> {
+    let mut out: Vec<Path> = piece.labels.strokes.iter().map(|path| placed.placement.path(path)).collect();
+    if let Some((middle, half)) = piece.labels.warp {
+        out.extend(arrow(placed.placement.point(middle), half));
+    }
     out
 }
 
@@ -81,7 +90,7 @@ fn free(part: &StarDesign, tip: u32, edge: f64) -> Option<Stretch> {
     }
     let star = &part.star;
     let alpha = star.half_sector();
-    let meet = FRAC_PI_2 + alpha - (star.d_t * alpha.sin() / edge).min(1.0).acos();
+    let meet = FRAC_PI_2 + alpha - libm::acos((star.d_t * libm::sin(alpha) / edge).min(1.0));
     let half = ((PI - star.phi_i) / 2.0).min(meet);
     let center = star.tip_center(tip);
     let mut holes: Vec<(f64, f64)> = part
@@ -93,7 +102,7 @@ fn free(part: &StarDesign, tip: u32, edge: f64) -> Option<Stretch> {
             let v = hole.center - center;
             let turn = Isometry::rotation(-star.tip_ray(tip)).point(Point::ORIGIN + v).angle();
             // The hole, as much beside it, and the ear around it.
-            (turn, (2.5 * hole.diameter / v.length()).min(1.0).asin())
+            (turn, libm::asin((2.5 * hole.diameter / v.length()).min(1.0)))
         })
         .filter(|(turn, wide)| turn.abs() < half + wide)
         .collect();
@@ -111,7 +120,7 @@ fn free(part: &StarDesign, tip: u32, edge: f64) -> Option<Stretch> {
 }
 
 /// A double arrow along X.
-fn arrow(middle: Point, half: f64) -> Vec<Path> {
+pub(super) fn arrow(middle: Point, half: f64) -> Vec<Path> {
     let at = |x: f64, y: f64| middle + Vec2::new(x, y) * half;
     let head = |x: f64| {
         let (tip, back) = (at(x, 0.0), 0.6 * x);

@@ -114,7 +114,7 @@ pub(super) fn around(text: &str, center: Point, radius: f64, middle: f64, height
 }
 
 /// Appends the strokes of `c`.
-fn glyph(c: char, place: GlyphPlace, out: &mut Vec<Path>) {
+pub(super) fn glyph(c: char, place: GlyphPlace, out: &mut Vec<Path>) {
     let (right, up) = (place.along * (place.height / CAPITAL), place.along.perp() * (place.height / CAPITAL));
     let at = |[x, y]: [u8; 2]| place.origin + right * f64::from(x) + up * f64::from(y);
     for stroke in strokes(c) {

@@ -44,8 +44,8 @@ impl Site {
     /// The root of an ear of radius `ear` on the arc of radius `rim`: law of cosines.
     fn root(&self, ear: f64, rim: f64) -> Root {
         let c = self.radius;
-        let beta = ((rim * rim + c * c - ear * ear) / (2.0 * rim * c)).clamp(-1.0, 1.0).acos();
-        Root { beta, foot: Vec2::new(rim * beta.cos() - c, rim * beta.sin()).angle() }
+        let beta = libm::acos(((rim * rim + c * c - ear * ear) / (2.0 * rim * c)).clamp(-1.0, 1.0));
+        Root { beta, foot: Vec2::new(rim * libm::cos(beta) - c, rim * libm::sin(beta)).angle() }
     }
 
     /// Area that the site's ear, if it has one, adds to what the arc of radius `rim` encloses.
@@ -53,7 +53,7 @@ impl Site {
         let Some(ear) = self.ear else { return 0.0 };
         let Root { beta, foot } = self.root(ear, rim);
         // The ear's sector and the kite between the two centres, without the arc's own sector.
-        ear * ear * foot + self.radius * rim * beta.sin() - rim * rim * beta
+        ear * ear * foot + self.radius * rim * libm::sin(beta) - rim * rim * beta
     }
 }
 
@@ -81,7 +81,7 @@ pub(super) fn sites(
     };
     let tip = |k: u32| (k - 1) % star.n + 1;
     let (beside, across) = (tip(first + 1), tip(first + 1 + star.n / 2));
-    let reach = (ear.unwrap_or(2.0 * r) / radius).min(1.0).asin();
+    let reach = libm::asin((ear.unwrap_or(2.0 * r) / radius).min(1.0));
     let turn = TURN.min(half - 1.1 * reach);
     if turn * radius < 2.0 * ear.unwrap_or(2.0 * r) {
         return Err(Refusal::new(

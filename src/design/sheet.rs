@@ -48,6 +48,14 @@ impl Design {
         }
     }
 
+    /// The piece by a drawing; `None` for another product.
+    pub fn drawn(&self) -> Option<&DrawnPiece> {
+        match &self.product {
+            Product::Stars(_) => None,
+            Product::Drawing(piece) => Some(piece),
+        }
+    }
+
     /// Every piece where it lies, by its number.
     pub fn placed(&self) -> &[PlacedPart] {
         match &self.product {

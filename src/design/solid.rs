@@ -5,7 +5,7 @@
 
 use crate::design::engraving::{Spot, engraved};
 use crate::design::joint::WALL;
-use crate::design::{Drawing, Edge, Layer, Piece, Plate, Shape, StarAssembly, StarDesign, lettering};
+use crate::design::{CutEdge, Drawing, Layer, Piece, Plate, Shape, StarAssembly, StarDesign, lettering};
 use inflatable::geom::{Isometry, Path, Point, Vec2};
 
 /// Height of the numbers in the picture of all pieces, mm.
@@ -51,7 +51,7 @@ impl Drawing {
         let up = Vec2::new(0.0, 1.0);
         let mut marks = engraved(&texts, &spot(Point::new(0.0, middle), up));
         marks.extend(engraved(&[vec!["-".to_owned()]], &spot(Point::new(middle, 0.0), up)));
-        let mut plain = Self::plate(design, plate, Edge::Part).layers;
+        let mut plain = Self::plate(design, plate, CutEdge::Part).layers;
         plain.retain(|(layer, _)| *layer != Layer::Label);
         plain.insert(0, (Layer::Label, marks.into_iter().map(Shape::Path).collect()));
         Self::around_axis(plain)
@@ -71,7 +71,7 @@ impl Drawing {
             let shift = Vec2::new(lettering::width(&text, NUMBER), NUMBER) * 0.5;
             numbers.extend(lettering::lettered(&text, middle - shift, NUMBER));
         }
-        let mut layers = Self::mask(design, star, mirrored, Edge::Part)?.layers;
+        let mut layers = Self::mask(design, star, mirrored, CutEdge::Part)?.layers;
         layers.retain(|(layer, _)| *layer != Layer::Label);
         layers.insert(0, (Layer::Label, Shape::figure(numbers).into_iter().collect()));
         let joints = part.pieces.joints.iter().map(|joint| Shape::Path(motion.path(joint)));

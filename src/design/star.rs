@@ -75,10 +75,10 @@ impl Star {
         if l <= 0.0 {
             return Err(no_arm(spec, l));
         }
-        let (sin, cos) = (phi_i / 2.0).sin_cos();
+        let (sin, cos) = libm::sincos(phi_i / 2.0);
         let (w, r_i, r_e) = (spec.tube_width.0, spec.tip_radius.0, spec.corner_radius.0);
         let d_p = spec.inner_radius.0 + w + r_e;
-        let d_t = d_p * (PI / f64::from(n)).cos() - (w + r_i + r_e) * sin + l * cos;
+        let d_t = d_p * libm::cos(PI / f64::from(n)) - (w + r_i + r_e) * sin + l * cos;
         let star = Self { n, rho_0: spec.inner_radius.0, w, phi_i, phi_e, r_i, r_e, l, d_t, d_p };
         if star.tip_reach() > LARGEST {
             return Err(too_large(spec, &star));

@@ -72,7 +72,7 @@ pub(super) fn no_arm(spec: &StarSpec, l: f64) -> Refusal {
 /// [`arm_length`] at 0; they are rounded to hundredths towards the side that works.
 fn single_changes(spec: &StarSpec) -> Vec<(KeyPath, String)> {
     let n = f64::from(spec.points);
-    let (sin, cos) = ((PI / n).sin(), (spec.tip_angle.rad() / 2.0).cos());
+    let (sin, cos) = (libm::sin(PI / n), libm::cos(spec.tip_angle.rad() / 2.0));
     let (rho, w) = (spec.inner_radius.0, spec.tube_width.0);
     let (r_i, r_e) = (spec.tip_radius.0, spec.corner_radius.0);
     let below = |limit: f64| {
@@ -89,7 +89,7 @@ fn single_changes(spec: &StarSpec) -> Vec<(KeyPath, String)> {
     let width = below(((rho + r_e) * sin - (r_i + r_e) * cos) / (cos - sin));
     let radius = above((w + r_i + r_e) * cos / sin - w - r_e, "mm");
     let wide = (rho + w + r_e) * sin / (w + r_i + r_e);
-    let angle = (wide > sin && wide < 1.0).then(|| above((2.0 * wide.acos()).to_degrees(), "deg"));
+    let angle = (wide > sin && wide < 1.0).then(|| above((2.0 * libm::acos(wide)).to_degrees(), "deg"));
     let tip = below((rho + w + r_e) * sin / cos - w - r_e).filter(|_| r_i > 0.0);
     let corner = below(((rho + w) * sin - (w + r_i) * cos) / (cos - sin)).filter(|_| r_e > 0.0);
     let changes = [

@@ -78,8 +78,8 @@ fn band_eats_arm(star: &Star, side: Side, seal: &Seal) -> Refusal {
         Side::Hole => (star.r_i, star.phi_i, "tips", "tip_radius"),
         Side::Outside => (star.r_e, star.phi_e, "reentrant corners", "corner_radius"),
     };
-    let eaten = (seal.band.0 / 2.0 - radius) / (phi / 2.0).tan();
-    let widest = 2.0 * (radius + star.l * (phi / 2.0).tan());
+    let eaten = (seal.band.0 / 2.0 - radius) / libm::tan(phi / 2.0);
+    let widest = 2.0 * (radius + star.l * libm::tan(phi / 2.0));
     Refusal::new(
         key::seal::BAND,
         RefusalCode::BandEatsArm,

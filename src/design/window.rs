@@ -74,13 +74,13 @@ impl<'a> Zone<'a> {
         let star = self.star;
         let (alpha, h, grip) = (star.half_sector(), self.half(), star.r_e + star.w);
         let flap = grip + self.delta_h + self.creep;
-        let bridge = BRIDGE.min((star.d_p - flap) * alpha.sin());
-        let room = star.d_p * alpha.sin() - bridge / 2.0;
+        let bridge = BRIDGE.min((star.d_p - flap) * libm::sin(alpha));
+        let room = star.d_p * libm::sin(alpha) - bridge / 2.0;
         let hinge = Self::hinge(star);
-        let most = if room < flap * (h + alpha).sin() {
-            grip * ((room / flap).asin() - alpha)
+        let most = if room < flap * libm::sin(h + alpha) {
+            grip * (libm::asin(room / flap) - alpha)
         } else {
-            let x = (room - flap * (h + alpha).sin()) / (star.phi_i / 2.0).sin();
+            let x = (room - flap * libm::sin(h + alpha)) / libm::sin(star.phi_i / 2.0);
             hinge + x.min(star.l)
         };
         Reach { hinge, most }
@@ -106,7 +106,7 @@ impl<'a> Zone<'a> {
         let mut side: Vec<Segment> = Vec::new();
         let outside_end = self.at(cut.angles[0], round.max(0.0), 0.0);
         if !cut.meets && round <= 0.0 {
-            let vertex = Point::new(self.star.d_p - round / self.half().cos(), 0.0);
+            let vertex = Point::new(self.star.d_p - round / libm::cos(self.half()), 0.0);
             push(&mut side, vertex, cut.inner);
         } else if !cut.meets {
             push(&mut side, outside_end, cut.inner);
@@ -130,7 +130,7 @@ impl<'a> Zone<'a> {
 
     /// The point at radius `rho` in direction `a` from P, moved by `c` along the arm.
     fn at(&self, a: f64, rho: f64, c: f64) -> Point {
-        let (sin, cos) = a.sin_cos();
+        let (sin, cos) = libm::sincos(a);
         Point::new(self.star.d_p, 0.0) + Vec2::new(-cos, sin) * rho + Vec2::new(sin, cos) * c
     }
 
@@ -145,11 +145,11 @@ impl<'a> Zone<'a> {
                 return Some((radius, h));
             }
             let square = radius * radius - c * c;
-            (square >= 0.0).then(|| (square.sqrt(), a + (c / radius).asin()))
+            (square >= 0.0).then(|| (square.sqrt(), a + libm::asin(c / radius)))
         };
         let (top, hole_angle) = on_circle(hole)?;
         // Where it crosses the corner's ray.
-        let axis = -c / a.tan();
+        let axis = -c / libm::tan(a);
         let round = self.star.r_e - self.delta_o;
         let outside = if round > 0.0 { on_circle(round) } else { straight.then_some((round, h)) };
         let outside = outside.filter(|(rho, _)| *rho > axis);

@@ -113,7 +113,7 @@ fn draw(content: &mut Content, path: &Path) {
 /// An arc as curves; the last one ends at `end` if that is given.
 fn curves(content: &mut Content, arc: &Arc, end: Option<Point>) {
     let count = (arc.sweep.abs() / FRAC_PI_6 - 1e-9).ceil().max(1.0);
-    let handle = 4.0 / 3.0 * (arc.sweep / count / 4.0).tan() * arc.radius;
+    let handle = 4.0 / 3.0 * libm::tan(arc.sweep / count / 4.0) * arc.radius;
     let mut done = 0.0;
     while done < count {
         let (from, to) = (done / count, (done + 1.0) / count);

@@ -137,7 +137,7 @@ impl StlWriter {
     /// Two triangles below the edge from `a` to `b`, whose left side is solid, between two heights.
     fn wall(&mut self, a: [f64; 2], b: [f64; 2], [bottom, top]: [f64; 2]) {
         let ([ax, ay], [bx, by]) = (a, b);
-        let length = (bx - ax).hypot(by - ay);
+        let length = libm::hypot(bx - ax, by - ay);
         let normal = [(by - ay) / length, (ax - bx) / length, 0.0];
         self.facet([(a, top), (a, bottom), (b, bottom)], normal);
         self.facet([(a, top), (b, bottom), (b, top)], normal);

@@ -38,7 +38,7 @@ impl HingeModel for TableRing<'_> {
                 tension: entry.tension,
                 angle: entry.angle,
                 width: entry.width,
-                rim_force: 2.0 * entry.tension * entry.angle.cos(),
+                rim_force: 2.0 * entry.tension * libm::cos(entry.angle),
             }),
             effort: HingeEffort { residual: 0.0, iterations: 0, error: RingTable::ERROR },
         })

@@ -140,7 +140,7 @@ pub const PREDICTION: &[Key] = &[
     maybe(
         "force_curve",
         Rows,
-        "Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were asked for.",
+        "Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were asked for; null where the star does not hold such an object.",
     ),
     maybe(
         "bendability",
@@ -240,4 +240,36 @@ pub const ACTUATOR: &[Key] = &[
         "For each of these numbers the interval that holds a computed shell's value in at least 95 % of cases. Some may be unknown.",
     ),
     always("evidence", Object, "Residuals, iterations, error estimates and `warnings`."),
+];
+
+/// The keys of `predict --json` about a drawing.
+pub const DRAWN: &[Key] = &[
+    always("model", Text, "Model that answered: shell, or none, which knows what is flat only."),
+    maybe("pressure_kPa", Number, "Gauge pressure, kPa."),
+    maybe("mass_g", Number, "Mass of the fabric of one piece, both sheets, g. Needs `areal_density`."),
+    maybe(
+        "volume_mm3",
+        Object,
+        "Volume of all chambers of a piece, mm^3: `value` and `mesh_error`. By the shell only.",
+    ),
+    maybe(
+        "burst_pressure_kPa",
+        Number,
+        "Least pressure at which a chamber's seal peels, kPa. Needs `seal_strength` and the shell.",
+    ),
+    maybe("burst_range_kPa", Pair, "Its range: mesh errors, and how the pull may grow with the pressure."),
+    maybe("burst_margin", Number, "Burst pressure over the pressure. Needs both."),
+    maybe(
+        "leaves_plane",
+        Variant,
+        "Whether a chamber may leave the plane of the drawing. By the shell only.",
+    ),
+    always(
+        "chambers",
+        List,
+        "Of each chamber: size and area when flat, `bendability` and `stretch`; by the shell `extents_mm`, `height_mm`, `volume_mm3`, \
+         `seal_pull_N_per_mm`, `largest_stretch`, `largest_tension_N_per_mm` and `plane_eigenvalue`, each with its mesh error, and `seams`: \
+         the largest pull on each, with rows of x, y, pull and mesh error along it.",
+    ),
+    always("evidence", Object, "Why this model answered, and `warnings`."),
 ];

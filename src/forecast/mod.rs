@@ -15,6 +15,7 @@
 //! | [`mod@pose`] | the shape of the inflated star, for every picture |
 //! | [`mod@charts`] | the same by pressure, object and number of points, for pictures |
 //! | [`actuator`] | a single hinge between two arms: angle, stiffness and moment |
+//! | [`drawn`] | a drawn piece, by the shell on its own regions |
 //! | [`shell`] | the same by the shell, which is asked by name only |
 //! | [`candidate`], [`mod@study`], [`optimize`] | the same answer for one design among millions |
 //! | [`stiffness`] | from bench tests to what a spec says of its fabric |
@@ -26,6 +27,7 @@ pub mod actuator;
 pub mod candidate;
 pub mod case;
 pub mod charts;
+pub mod drawn;
 pub mod keys;
 mod load_check;
 pub mod model_selection;

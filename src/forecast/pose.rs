@@ -89,9 +89,9 @@ pub fn at_angle(flat: &Star, moves: &Mechanism, phi: f64) -> Star {
     let (r_i, r_e) = (coiled(flat.r_i, flat.phi_i, phi), coiled(flat.r_e, flat.phi_e, phi_e));
     let rho_0 = moves.radius(phi).value * 1e3;
     let d_p = rho_0 + w + r_e;
-    let (sin, cos) = (0.5 * phi).sin_cos();
+    let (sin, cos) = libm::sincos(0.5 * phi);
     // From the tip's ray to where the arm begins. A corner's rim lies further out than its coil says, and the arm is as long as before.
-    let (across, out) = flat.half_sector().sin_cos();
+    let (across, out) = libm::sincos(flat.half_sector());
     let away = d_p * across - (w + r_i + r_e) * cos;
     let along = (flat.l.powi(2) - away.powi(2)).max(0.0).sqrt();
     let d_t = d_p * out - (w + r_i + r_e) * sin + along;

@@ -79,7 +79,9 @@ pub fn predict(spec: &Spec, design: &Design) -> Result<Prediction, PredictFault>
 
 /// The stars of `design`: no model covers another product.
 pub(super) fn stars_of(design: &Design) -> Result<&StarAssembly, PredictFault> {
-    let what = "no model predicts a drawn shape; a spec with a [star] section is predicted".to_owned();
+    let what =
+        "a drawn shape is no star, and no model but the shell knows it: `stargrip-cam predict` asks it"
+            .to_owned();
     design.assembly().ok_or(PredictFault { star: None, key: key::drawing::FILE, what })
 }
 
@@ -102,11 +104,7 @@ pub fn add_curve(
         let stars = predict(&at, design)?.stars;
         for (curve, star) in curves.iter_mut().zip(&stars) {
             let [low, high] = star.ranges.object_force_N.map_or([None; 2], |range| range.map(Some));
-            let held =
-                star.graspable_radius_mm.is_some_and(|[least, most]| (least..=most).contains(&radius.0));
-            if held || star.object_force_N.is_some() {
-                curve.push(ForceAt(radius.0, star.object_force_N, low, high));
-            }
+            curve.push(ForceAt(radius.0, star.object_force_N, low, high));
         }
     }
     for (star, curve) in prediction.stars.iter_mut().zip(curves) {

@@ -171,7 +171,7 @@ pub struct StarPrediction {
     pub object_gap_mm: Option<f64>,
     /// Radial force on the object; needs pressure and object_diameter.
     pub object_force_N: Option<f64>,
-    /// Radius, mm, and radial force, N, of a round object, with its range; where radii were asked for and the star holds them.
+    /// Radius, mm, and radial force, N, of a round object, with its range, for the radii that were asked for; no force where the star does not hold them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub force_curve: Option<Vec<ForceAt>>,
     /// Bendability 1/eps; needs a pressure.

@@ -79,7 +79,7 @@ pub fn modelled(case: &Case) -> Option<Interval> {
             .and_then(|model| Outcome::of(&Case { pressure: Some(pressure), ..*case }, &model));
         outcome.is_ok_and(|(_, outcome)| outcome.known)
     };
-    let tried = |k: u32| ALL[0] * (ALL[1] / ALL[0]).powf(f64::from(k) / f64::from(TRIED - 1));
+    let tried = |k: u32| ALL[0] * libm::pow(ALL[1] / ALL[0], f64::from(k) / f64::from(TRIED - 1));
     let known: Vec<u32> = (0..TRIED).filter(|k| is_known(tried(*k))).collect();
     let (first, last) = (*known.first()?, *known.last()?);
     // From a pressure that is known towards its neighbour that is not.
@@ -96,7 +96,7 @@ pub fn modelled(case: &Case) -> Option<Interval> {
     let low = end(first, first.checked_sub(1));
     let high = end(last, Some(last + 1).filter(|k| *k < TRIED));
     let three = |x: f64, round: fn(f64) -> f64| {
-        let digit = 10_f64.powf(x.log10().floor() - 2.0);
+        let digit = libm::pow(10_f64, libm::log10(x).floor() - 2.0);
         round(x / digit) * digit
     };
     Some([three(low, f64::ceil), three(high, f64::floor)])

@@ -127,7 +127,9 @@ fn star_text(out: &mut String, star: &StarPrediction) {
     }
     for ForceAt(radius, force, low, high) in star.force_curve.iter().flatten() {
         let range = low.zip(*high).map(|(low, high)| [low, high]);
+        let is_held = star.graspable_radius_mm.is_none_or(|[least, most]| (least..=most).contains(radius));
         let said = match (*force, range) {
+            (None, _) if !is_held => "not held".to_owned(),
             (Some(force), Some(range)) => shown::with(force, range, "N"),
             (Some(force), None) => unknown(force, "N"),
             (None, _) => "unknown".to_owned(),

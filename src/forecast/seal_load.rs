@@ -73,8 +73,8 @@ pub fn factor(ring: &dyn HingeModel, r_star: f64) -> Option<f64> {
 /// of seam as long as the band is wide. `k` is [`factor`] there.
 pub fn pull(case: &Case, k: f64, (hinge, radius): (LoadedHinge, f64), pressure: f64) -> f64 {
     let width = case.mechanism.width;
-    let band = (case.band / radius).max(NARROWEST).powf(-BAND);
-    let bending = (case.sheet.bendability(pressure, width) / 1e3).powf(-BENDABILITY);
+    let band = libm::pow((case.band / radius).max(NARROWEST), -BAND);
+    let bending = libm::pow(case.sheet.bendability(pressure, width) / 1e3, -BENDABILITY);
     pressure * width * (FRAC_1_PI + (k - FRAC_1_PI).max(0.0) * hinge.excess() * band * bending)
 }
 
@@ -84,7 +84,7 @@ fn range(case: &Case, radius: f64, pressure: f64) -> Option<Interval> {
     let width = case.mechanism.width;
     let bendability = case.sheet.bendability(pressure, width);
     let wider = widening([(radius / width, R_STAR), (bendability, errors::BENDABILITY)])?;
-    Some(RANGE.map(|part| part.powf(wider)))
+    Some(RANGE.map(|part| libm::pow(part, wider)))
 }
 
 /// Whether a seal bursts.
@@ -157,10 +157,10 @@ fn bursting(case: &Case, k: f64, hinge: (LoadedHinge, f64), peel: f64) -> f64 {
     let bent = pull(case, k, hinge, 1.0) - tube;
     let mut pressure = peel / tube;
     for _ in 0..6 {
-        let bent = bent * pressure.powf(1.0 - BENDABILITY);
+        let bent = bent * libm::pow(pressure, 1.0 - BENDABILITY);
         let both = tube * pressure + bent;
         let slope = (tube * pressure + (1.0 - BENDABILITY) * bent) / both;
-        pressure *= (peel / both).powf(slope.recip());
+        pressure *= libm::pow(peel / both, slope.recip());
     }
     pressure
 }
@@ -325,6 +325,41 @@ impl fmt::Display for SealLoad {
         Ok(())
     }
 }
+
+/// What a drawn seal is asked: SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawnSeal {
+    /// Gauge pressure of the shell, Pa.
+    pub pressure: f64,
+    /// Peel strength, N per m.
+    pub peel: Option<f64>,
+}
+
+impl DrawnSeal {
+    /// The pressure (Pa) at which a seam peels on which the shell at [`DrawnSeal::pressure`] pulls with `pull`, N per m, give or take `error`;
+    /// with its range. `None` without a peel strength, or where nothing pulls.
+    ///
+    /// The value goes in proportion. The range holds what a pull does that grows with p^(1 - [`BENDABILITY`]) only, as at the hinges of
+    /// stars, and the mesh error.
+    pub fn burst(&self, pull: f64, error: f64) -> Option<(f64, Interval)> {
+        let peel = self.peel?;
+        let bound = |pull: f64| {
+            let ratio = peel / pull;
+            [ratio, libm::pow(ratio, (1.0 - BENDABILITY).recip())]
+        };
+        let least = (pull - error).max(LEAST_PULL * pull);
+        if least.is_nan() || least <= 0.0 {
+            return None;
+        }
+        let ends = [bound(pull + error), bound(least)].concat();
+        let low = ends.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = ends.iter().copied().fold(0.0, f64::max);
+        Some((self.pressure * peel / pull, [low, high].map(|times| self.pressure * times)))
+    }
+}
+
+/// The least part of a pull that a mesh error leaves of it.
+const LEAST_PULL: f64 = 0.1;
 
 #[cfg(test)]
 mod tests;

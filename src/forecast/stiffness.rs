@@ -122,21 +122,22 @@ impl VBench {
         let of_tau = |tau: f64| stretch * (w * tau).powi(2);
         let most = of_tau(most_tau).min(pressure * w.powi(3) / arms::LEAST_BENDABILITY);
         let least =
-            of_tau(least_tau * (-arms::SLACK).exp()).max(pressure * w.powi(3) / arms::MOST_BENDABILITY);
+            of_tau(least_tau * libm::exp(-arms::SLACK)).max(pressure * w.powi(3) / arms::MOST_BENDABILITY);
         // What is on the table's edge is left to what is clearly inside.
         let (least, most) = (1.001 * least, 0.999 * most);
         if least.is_nan() || least >= most || pressure * w / stretch > STRETCH[1] {
             return Err(BenchFault::Beyond);
         }
-        let excess = |log_b: f64| self.predicted(log_b.exp(), stretch, poisson).map(|angle| angle - inflated);
-        let place = |k: u32| most.ln() + f64::from(k) / f64::from(PLACES) * (least / most).ln();
+        let excess =
+            |log_b: f64| self.predicted(libm::exp(log_b), stretch, poisson).map(|angle| angle - inflated);
+        let place = |k: u32| libm::log(most) + f64::from(k) / f64::from(PLACES) * libm::log(least / most);
         let mut before = excess(place(0))?;
         let mut range = [before, before];
         for k in 1..=PLACES {
             let now = excess(place(k))?;
             if before * now <= 0.0 {
                 let root = bracketed_root(place(k - 1), place(k), TOLERANCE, excess)?;
-                return Ok(root.exp());
+                return Ok(libm::exp(root));
             }
             range = [range[0].min(now), range[1].max(now)];
             before = now;
@@ -154,16 +155,16 @@ impl DiscBench {
     pub fn stretch_stiffness(&self, bending: f64, poisson: f64) -> Result<f64, BenchFault> {
         let (w, part) = (self.flat / 2.0, self.inflated / self.flat);
         let excess = |log_stretch: f64| -> Result<f64, BenchFault> {
-            let stretch = self.pressure * w / log_stretch.exp();
+            let stretch = self.pressure * w / libm::exp(log_stretch);
             Ok(self.part(bending, stretch, poisson)? - part)
         };
-        let [least, most] = STRETCH.map(f64::ln);
+        let [least, most] = STRETCH.map(libm::log);
         let [narrow, wide] = [excess(least)?, excess(most)?];
         if narrow > 0.0 || wide < 0.0 {
             return Err(BenchFault::Disc(part, [part + narrow, part + wide]));
         }
         let root = bracketed_root(least, most, TOLERANCE, excess)?;
-        Ok(self.pressure * w / root.exp())
+        Ok(self.pressure * w / libm::exp(root))
     }
 
     /// Inflated over flat width.

@@ -48,11 +48,14 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Machine => sources.machine.to_owned(),
         Subject::Drawing => {
             let content = forecast.spec.drawing.as_ref()?.content.as_ref()?;
-            return Some(content.0.to_vec());
+            return Some(content.bytes().to_vec());
         }
-        Subject::Prediction => forecast.prediction.as_ref()?.to_json(),
+        Subject::Prediction => match &forecast.drawn {
+            Some(drawn) => drawn.prediction.to_json(),
+            None => forecast.prediction.as_ref()?.to_json(),
+        },
         Subject::Scene => {
-            return emit::scene(&forecast.spec, &forecast.design, &inflated(forecast));
+            return scene(forecast);
         }
         Subject::Preview => return preview(forecast, output),
         Subject::Report => report(forecast, sources)?,
@@ -65,6 +68,18 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         }
     };
     Some(text.into_bytes())
+}
+
+/// All of it in three dimensions.
+fn scene(forecast: &Forecast) -> Option<Vec<u8>> {
+    let Forecast { spec, design, drawn, .. } = forecast;
+    match design.drawn() {
+        Some(piece) => {
+            let surfaces = drawn.as_ref().map_or(&[][..], |drawn| &drawn.surfaces);
+            emit::drawn_scene(spec, design, piece, surfaces)
+        }
+        None => emit::scene(spec, design, &inflated(forecast)),
+    }
 }
 
 /// The stars inflated, bottom to top; none where it is not known how far they close.
@@ -85,10 +100,9 @@ fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
 
 /// All that is known of the gripper, on one page.
 fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
-    let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
-    let assembly = design.assembly()?;
+    let Forecast { spec, machine, design, programs, prediction, drawn, .. } = forecast;
     let charts = charts(spec, design);
-    let scene = emit::scene(spec, design, &inflated(forecast))?;
+    let scene = scene(forecast)?;
     let bill = Manifest::new(spec, design, programs);
     let precautions = forecast.precautions(SPEC);
     let watch: Vec<(&str, &str)> =
@@ -98,9 +112,9 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
         spec,
         machine,
         design,
-        assembly,
         programs,
         prediction: prediction.as_ref(),
+        drawn: drawn.as_ref().map(|drawn| &drawn.prediction),
         charts: &charts,
         watch: &watch,
         bill: &bill,

@@ -17,7 +17,8 @@ impl Forecast {
     /// Why the gripper is unfit, star by star; empty if it is fit, if nothing is asked, or if that is not certain.
     pub fn unfit(&self) -> Refusals {
         let stars = self.prediction.as_ref().map_or(&[][..], |prediction| &prediction.stars);
-        refusals(&self.spec, stars).into_iter().collect()
+        let drawn = self.drawn.as_ref().and_then(|drawn| drawn.prediction.bursts());
+        refusals(&self.spec, stars).into_iter().chain(drawn).collect()
     }
 
     /// That it may not hold the object, with the reasons; `None` if it does, or certainly does not.

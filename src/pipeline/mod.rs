@@ -21,6 +21,7 @@ mod proven;
 use crate::airtight;
 use crate::artifact::{Artifact, Asked};
 use crate::design::{Design, Refusal, RefusalCode, Refusals};
+use crate::forecast::drawn::{InflatedDrawing, of_spec};
 use crate::forecast::predict::{PredictFault, predict};
 use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
@@ -73,8 +74,10 @@ pub struct Forecast {
     pub programs: Vec<Program>,
     /// The trace programs.
     pub traces: Vec<Program>,
-    /// What it will do; `None` if the spec has no load.
+    /// What its stars will do; `None` if the spec has no load.
     pub prediction: Option<Prediction>,
+    /// What a drawn piece will do; `None` if the spec has no load.
+    pub drawn: Option<InflatedDrawing>,
 }
 
 /// A gripper with its files, in memory. Nobody has read them back yet.
@@ -133,8 +136,11 @@ impl Planned {
         let asked = self.design.assembly().filter(|_| self.spec.load.is_some());
         let prediction = asked.map(|_| predict(&self.spec, &self.design)).transpose();
         let prediction = prediction.map_err(|fault| no_prediction(&fault))?;
+        let drawn = self.design.drawn().filter(|_| self.spec.load.is_some());
+        let drawn = drawn.map(|piece| of_spec(&self.spec, piece)).transpose();
+        let drawn = drawn.map_err(|fault| no_prediction(&fault))?;
         let Self { spec, machine, design, programs, traces } = self;
-        Ok(Forecast { spec, machine, design, programs, traces, prediction })
+        Ok(Forecast { spec, machine, design, programs, traces, prediction, drawn })
     }
 }
 

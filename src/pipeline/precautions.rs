@@ -48,6 +48,7 @@ impl Forecast {
         list.extend(weak_seal(self, is_fit));
         list.extend(strength(self));
         list.extend(predicted(self, is_fit));
+        list.extend(of_drawing(self));
         if is_unknown(&self.machine) && !matches!(pace(self), Some(Pace::Chopped(_))) {
             list.extend(fast(self, spec));
             list.push(generic(self, spec));
@@ -143,6 +144,19 @@ fn predicted(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     list
 }
 
+/// What the prediction of a drawn piece warns of.
+fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
+    let Some(drawn) = &forecast.drawn else { return Vec::new() };
+    let leaving = drawn.prediction.leaving();
+    let unfit = drawn.prediction.bursts().is_some();
+    let warnings =
+        drawn.prediction.evidence.warnings.iter().filter(|text| !(unfit && text.contains("burst pressure")));
+    let code = |text: &String| {
+        if leaving.as_ref() == Some(text) { PrecautionCode::LeavesPlane } else { PrecautionCode::Prediction }
+    };
+    warnings.map(|text| Precaution::new(code(text), text.clone())).collect()
+}
+
 /// Whether it is known what the seal holds.
 fn strength(forecast: &Forecast) -> Option<Precaution> {
     let _ = forecast.spec.load.as_ref()?.pressure?;
@@ -151,7 +165,9 @@ fn strength(forecast: &Forecast) -> Option<Precaution> {
     }
     let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
     let loads = report.pieces.iter().flat_map(|star| &star.loads).filter_map(|load| load.load);
-    let most = loads.map(|load| load.0).reduce(f64::max)?;
+    let drawn = forecast.drawn.iter().flat_map(|drawn| &drawn.prediction.chambers);
+    let drawn = drawn.filter_map(|chamber| chamber.seal_pull_N_per_mm).map(|pull| pull.value);
+    let most = loads.map(|load| load.0).chain(drawn).reduce(f64::max)?;
     let text = format!(
         "the burst pressure is unknown: the seal must withstand {} N/mm; measure yours (`coupon`) and set `seal_strength` in [fabric]",
         rounded(most)

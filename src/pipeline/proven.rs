@@ -244,10 +244,10 @@ fn other_profile(forecast: &Forecast, files: &OutputFiles<'_>) -> Option<Finding
 }
 
 fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
-    let Forecast { spec, machine, design, programs, prediction, .. } = forecast;
-    let prediction = prediction.as_ref();
+    let Forecast { spec, machine, design, programs, prediction, drawn, .. } = forecast;
+    let (prediction, drawn) = (prediction.as_ref(), drawn.as_ref().map(|drawn| &drawn.prediction));
     let manifest = &Manifest::new(spec, design, programs).with_prediction(prediction);
-    let expected = Expected { design, spec, machine, prediction, manifest };
+    let expected = Expected { design, spec, machine, prediction, drawn, manifest };
     verify::prove(&expected, files)
 }
 

@@ -37,7 +37,7 @@ fn moves(spec: &Spec, machine: &Machine, design: &Design) -> f64 {
             let pieces = f64::from(cuts.count(segment));
             let strokes = match pace {
                 Pace::Steady => 1.0,
-                Pace::Chopped(chop) => chop.strokes((segment.length() / pieces).hypot(rise / pieces)),
+                Pace::Chopped(chop) => chop.strokes(libm::hypot(segment.length() / pieces, rise / pieces)),
             };
             pieces * strokes
         };

@@ -31,7 +31,7 @@ fn lowest_on(
     let mut worst = along(0.0)?.max(along(1.0)?);
     if let Segment::Arc(arc) = piece {
         let [x, y, _] = motion.steps_per_mm.unwrap_or([1.0; 3]);
-        let even = x.atan2(y);
+        let even = libm::atan2(x, y);
         let quarter = FRAC_PI_2 * arc.sweep.signum();
         for direction in [even, -even, 2.0 * FRAC_PI_2 - even, even - 2.0 * FRAC_PI_2] {
             if let Some(t) = arc.fraction_of(direction - quarter, 0.0) {
@@ -112,7 +112,7 @@ fn runs(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
 fn slow_ramps(spec: &Spec, machine: &Machine, lowest: f64) -> Refusal {
     let (speed, process, motion) = (spec.seal.speed.0, &machine.process, &machine.motion);
     let rise = process.heights.travel.0 - process.heights.contact.0;
-    let steepness = process.ramp.0.hypot(rise) / rise;
+    let steepness = libm::hypot(process.ramp.0, rise) / rise;
     let [_, _, z] = motion.steps_per_mm.unwrap_or_default();
     let needed = motion.steps_needed(speed).map_or(z, |(along, _)| along * steepness);
     Refusal::new(

@@ -85,7 +85,7 @@ impl Pacer {
     /// Hands the strokes of `piece` to `each`, in order; `heights` are those of its two ends where they differ.
     pub fn strokes(&mut self, piece: &Segment, heights: Option<(f64, f64)>, mut each: impl FnMut(Stroke)) {
         let rise = heights.map_or(0.0, |(from, to)| to - from);
-        let length = piece.length().hypot(rise);
+        let length = libm::hypot(piece.length(), rise);
         let Pace::Chopped(chop) = self.pace else {
             let seconds = length / self.speed;
             let height = heights.map(|(_, to)| to);

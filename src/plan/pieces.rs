@@ -72,7 +72,7 @@ impl Cuts {
         let count = count.max(whole(arc.sweep.abs() / FRAC_PI_2));
         let Some([fine, coarse]) = self.sagitta else { return count };
         let within = |sagitta: f64| {
-            let angle = (1.0 - sagitta / arc.radius).max(-1.0).acos();
+            let angle = libm::acos((1.0 - sagitta / arc.radius).max(-1.0));
             if sagitta < arc.radius { count.max(whole(arc.sweep.abs() / (2.0 * angle))) } else { count }
         };
         let (length, plain) = (arc.length(), within(fine));

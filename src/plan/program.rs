@@ -100,7 +100,7 @@ impl Ramp {
     /// Length of the way in space, mm.
     pub fn length(&self) -> f64 {
         let flat: f64 = self.pieces.iter().map(Segment::length).sum();
-        flat.hypot(self.to - self.from)
+        libm::hypot(flat, self.to - self.from)
     }
 
     /// The pieces, each with the heights at its two ends.

@@ -40,7 +40,7 @@ fn least_move(ramp: &Ramp, pace: Pace) -> f64 {
         let flat = piece.length();
         match pace {
             Pace::Steady => flat,
-            Pace::Chopped(chop) => flat / chop.strokes(flat.hypot(to - from)),
+            Pace::Chopped(chop) => flat / chop.strokes(libm::hypot(flat, to - from)),
         }
     };
     ramp.with_heights().map(of_piece).fold(f64::INFINITY, f64::min)

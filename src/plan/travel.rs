@@ -13,16 +13,15 @@ use crate::spec::{Dialect, Machine};
 /// Klipper: printer.cfg, `square_corner_velocity`, 5 by default; RepRapFirmware: M566 Z, 10 mm/s by default (Configuration.h,
 /// DefaultZInstantDv). The junction deviations of GRBL and Marlin leave less than 0.6 mm/s at 10 mm/s^2, and what a faster
 /// machine gains is less than 0.03 s: they are not counted.
-const HABITS: [(Dialect, bool, bool, f64); 8] = [
-    (Dialect::Generic, true, false, 0.0),
-    (Dialect::LinuxCnc, false, false, 0.0),
-    (Dialect::Grbl, false, false, 0.0),
-    (Dialect::GrblHal, false, false, 0.0),
-    (Dialect::FluidNc, false, false, 0.0),
-    (Dialect::Marlin, true, true, 0.0),
-    (Dialect::Klipper, true, true, 5.0),
-    (Dialect::RepRapFirmware, true, false, 10.0),
-];
+fn habits(dialect: Dialect) -> (bool, bool, f64) {
+    match dialect {
+        Dialect::Generic => (true, false, 0.0),
+        Dialect::LinuxCnc | Dialect::Grbl | Dialect::GrblHal | Dialect::FluidNc => (false, false, 0.0),
+        Dialect::Marlin => (true, true, 0.0),
+        Dialect::Klipper => (true, true, 5.0),
+        Dialect::RepRapFirmware => (true, false, 10.0),
+    }
+}
 
 /// One travel: where it can go how fast.
 #[derive(Clone, Copy, Debug)]
@@ -46,9 +45,7 @@ impl Travel {
         if length <= 0.0 {
             return None;
         }
-        let dialect = machine.controller.dialect;
-        let (_, whole_speed, whole_ramp, bend) =
-            HABITS.iter().find(|(known, ..)| *known == dialect).copied().unwrap_or(HABITS[0]);
+        let (whole_speed, whole_ramp, bend) = habits(machine.controller.dialect);
         let share = way.iter().fold(0.0_f64, |most, d| most.max(d.abs())) / length;
         let along = |limit: f64, whole: bool| if whole { limit } else { limit / share };
         Some(Self {

@@ -16,7 +16,7 @@ use crate::spec::{Motion, StepRate};
 pub(super) fn rounded_up(motion: &Motion, speed: f64) -> Option<f64> {
     let ([x, y, _], true) = (motion.steps_per_mm?, motion.has_whole_rates()) else { return None };
     let StepRate::AtLeast(least) = motion.step_rate else { return None };
-    let rate = speed * x * y / x.hypot(y);
+    let rate = speed * x * y / libm::hypot(x, y);
     let whole = rate.ceil().max(least);
     Some((whole / rate - 1.0).max(1.0 / whole))
 }

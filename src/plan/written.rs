@@ -14,7 +14,7 @@ pub fn is_straight(piece: &Segment, path: Length) -> bool {
     let within = STRAIGHT * path.0;
     // `1 - cos x <= x^2 / 2` tells most without a cosine.
     let at_most = arc.radius * arc.sweep * arc.sweep / 8.0;
-    at_most <= within || arc.radius * (1.0 - (arc.sweep / 2.0).cos()) <= within
+    at_most <= within || arc.radius * (1.0 - libm::cos(arc.sweep / 2.0)) <= within
 }
 
 /// How a file states moves.
@@ -48,11 +48,11 @@ impl Written {
         let flat = match piece {
             // The radius is exact, and a piece turns by half a circle at most.
             Segment::Arc(arc) if arcs && !is_straight(piece, path) => {
-                2.0 * arc.radius * (0.5 * chord / arc.radius).min(1.0).asin()
+                2.0 * arc.radius * libm::asin((0.5 * chord / arc.radius).min(1.0))
             }
             _ => chord,
         };
-        Self { from: [from.x, from.y, low], to: [to.x, to.y, high], length: flat.hypot(high - low) }
+        Self { from: [from.x, from.y, low], to: [to.x, to.y, high], length: libm::hypot(flat, high - low) }
     }
 }
 

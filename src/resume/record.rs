@@ -207,7 +207,7 @@ impl Header {
         }
         let stepper = self.stepper()?;
         let least = stepper.map_or(0.0, |Stepper { steps_per_mm: [x, y, _], least_steps, .. }| {
-            least_steps * (1.0 / x).hypot(1.0 / y)
+            least_steps * libm::hypot(1.0 / x, 1.0 / y)
         });
         Ok(Pace::Chopped(Chop {
             least,

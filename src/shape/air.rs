@@ -5,7 +5,7 @@
 
 use crate::shape::faces::{walk_path, walks};
 use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
-use crate::shape::join::{Edge, Network, root};
+use crate::shape::join::{Network, NetworkEdge, root};
 use inflatable::geom::{Enclosures, Path, Point, Segment};
 
 /// A closed edge of the air.
@@ -202,7 +202,7 @@ pub(super) fn depth(around: &Enclosures, path: &Path) -> usize {
 /// Boundaries of several edges, the air on the left.
 fn chain(network: &Network, joined: &[(usize, bool)], air: &mut Air) {
     let ends = |(number, forward): (usize, bool)| {
-        let Edge { nodes, .. } = &network.edges[number];
+        let NetworkEdge { nodes, .. } = &network.edges[number];
         nodes.map_or([0, 0], |[a, b]| if forward { [a, b] } else { [b, a] })
     };
     let mut leaving: Vec<Vec<usize>> = vec![Vec::new(); network.nodes.len()];

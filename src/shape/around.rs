@@ -1,5 +1,6 @@
 //! From a sketch to a sealed shape: the drawing is mended, seams run half a band outside the air's edges, the cut outside of the bands.
 
+use crate::shape::AirSide;
 use crate::shape::air::{Air, Boundary, Wall, air};
 use crate::shape::bottleneck::{GapCurve, bottlenecks};
 use crate::shape::clean::{NOTHING, Piece, without_doubles};
@@ -10,7 +11,7 @@ use crate::shape::mouth::{Mouth, NoChannel, cap, channel};
 use crate::shape::notes::{SealingNotes, named};
 use crate::shape::offset::offset_right;
 use crate::shape::sketch::{Rules, Sketch};
-use inflatable::geom::{Path, Point, Vec2};
+use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// A band's centre line before it is a seam.
 #[derive(Clone, Debug)]
@@ -36,13 +37,15 @@ pub(super) enum LineUse {
     Outer,
 }
 
-/// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it), and mouths.
+/// Centre lines, the closed ones before ports open them, the closed edges that the cut follows (with their distance from it), mouths, and
+/// what the lines enclose.
 #[derive(Default)]
 pub(super) struct Layout {
     pub lines: Vec<Line>,
     pub closed: Vec<Path>,
     pub edges: Vec<(Path, f64)>,
     pub mouths: Vec<Mouth>,
+    pub air: AirSide,
 }
 
 /// The centre lines of the bands around the drawn air. Nothing where the drawing has faults.
@@ -70,6 +73,7 @@ pub(super) fn around_air(
         drawn.filter(|(_, drawn)| drawn.path.closed).map(|(i, drawn)| (i, &drawn.path)).collect();
     let mut air = air(&edges, &rings, &names, rules.join, &mut notes.faults);
     let length = rules.band + rules.allowance;
+    let of_air = air.boundaries.iter().map(|boundary| boundary.path.clone()).collect();
     open_edges(sketch, rules, length, &mut air, &mut mouths, taken, notes);
     necks(&air, rules, &names, notes);
     let offset = offsets(&air, rules, &names, notes);
@@ -95,11 +99,17 @@ pub(super) fn around_air(
         }));
     }
     let half = rules.band / 2.0;
-    let drawn = air.walls.into_iter().map(|wall| lengthened(wall, half));
-    for Wall { path, sources, .. } in drawn.chain(walls) {
+    let drawn: Vec<Wall> = air.walls.into_iter().map(|wall| lengthened(wall, half)).collect();
+    let side = AirSide {
+        edges: air.boundaries.into_iter().map(|boundary| boundary.path).collect(),
+        closed: of_air,
+        seams: drawn.iter().map(|wall| wall.path.clone()).collect(),
+        ..AirSide::default()
+    };
+    for Wall { path, sources, .. } in drawn.into_iter().chain(walls) {
         lines.push(Line { path, names: named(&sources, &names), kind: LineUse::Wall, joined: [true; 2] });
     }
-    Layout { lines, closed, edges, mouths }
+    Layout { lines, closed, edges, mouths, air: side }
 }
 
 /// Closes the edge over each port that lies between two free ends.
@@ -114,8 +124,8 @@ fn caps(sketch: &Sketch, rules: &Rules, edges: &Network, pieces: &mut Vec<Piece>
     let mut mouths = Vec::new();
     for (port, drawn) in sketch.ports.iter().enumerate() {
         let place = drawn.place.middle();
-        free.sort_by(|a, b| a.0.distance(place).total_cmp(&b.0.distance(place)));
-        let [a, b, ..] = free.as_slice() else { break };
+        let Some([first, second]) = nearest_two(free.iter().map(|end| end.0.distance(place))) else { break };
+        let [a, b] = [&free[first], &free[second]];
         let gap = a.0.distance(b.0);
         // Wider than the hose the mouth leaks, narrower it has no room: both are found by the port's width.
         let near =
@@ -124,10 +134,24 @@ fn caps(sketch: &Sketch, rules: &Rules, edges: &Network, pieces: &mut Vec<Piece>
             let (path, mouth) = cap(port, [a.0, b.0], [a.1, b.1], rules.overrun + 1.0);
             pieces.push(Piece { path, source: a.2 });
             mouths.push(mouth);
-            let _ = free.drain(..2);
+            let _ = free.remove(first.max(second));
+            let _ = free.remove(first.min(second));
         }
     }
     mouths
+}
+
+/// The numbers of the two least distances, the least first; `None` of fewer than two.
+fn nearest_two(distances: impl Iterator<Item = f64>) -> Option<[usize; 2]> {
+    let mut least = [(f64::INFINITY, usize::MAX); 2];
+    for (number, far) in distances.enumerate() {
+        if far < least[0].0 {
+            least = [(far, number), least[0]];
+        } else if far < least[1].0 {
+            least[1] = (far, number);
+        }
+    }
+    (least[1].1 != usize::MAX).then_some(least.map(|(_, number)| number))
 }
 
 /// Channels through the edges for the ports that are not taken.
@@ -140,23 +164,22 @@ fn open_edges(
     taken: &mut Vec<usize>,
     notes: &mut SealingNotes,
 ) {
-    let edges: Vec<Path> = air
-        .boundaries
-        .iter()
-        .filter(|boundary| boundary.outer)
-        .map(|boundary| boundary.path.clone())
-        .collect();
+    let outer = air.boundaries.iter_mut().filter(|boundary| boundary.outer);
+    let mut outer: Vec<(Bounds, &mut Boundary)> =
+        outer.map(|boundary| (boundary.path.bounds(), boundary)).collect();
+    let edges: Vec<Path> = outer.iter().map(|(_, boundary)| boundary.path.clone()).collect();
     for (number, port) in sketch.ports.iter().enumerate() {
         let place = port.place.middle();
         if taken.contains(&number) {
             continue;
         }
-        let outer = air.boundaries.iter_mut().filter(|boundary| boundary.outer);
-        let nearest = outer.min_by(|a, b| a.path.distance(place).total_cmp(&b.path.distance(place)));
-        let Some(boundary) = nearest else { continue };
+        let paths = outer.iter().map(|(around, boundary)| (&boundary.path, *around));
+        let Some(nearest) = nearest_path(paths, place) else { continue };
+        let (around, boundary) = &mut outer[nearest];
         let leads = |_: Point, _: Vec2| length;
         match channel(&boundary.path, number, &port.place, rules.port_width, leads, rules.overrun + 1.0) {
             Ok((path, mouth)) => {
+                *around = path.bounds();
                 boundary.path = path;
                 mouths.push(mouth);
                 taken.push(number);
@@ -173,6 +196,21 @@ fn open_edges(
             }
         }
     }
+}
+
+/// The number of the first path that is nearest to `p`; each comes with its box.
+pub(super) fn nearest_path<'a>(paths: impl Iterator<Item = (&'a Path, Bounds)>, p: Point) -> Option<usize> {
+    let mut best: Option<(f64, usize)> = None;
+    for (number, (path, around)) in paths.enumerate() {
+        if best.is_some_and(|(least, _)| around.distance(p) > least) {
+            continue;
+        }
+        let far = path.distance(p);
+        if best.is_none_or(|(least, _)| far < least) {
+            best = Some((far, number));
+        }
+    }
+    best.map(|(_, number)| number)
 }
 
 pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rules, notes: &mut SealingNotes) {
@@ -319,10 +357,14 @@ fn lengthened(wall: Wall, by: f64) -> Wall {
 
 /// The closed centre line `path` without what lies past the mouths that it has, `half` mm outside the air's edges.
 pub(super) fn opened(path: Path, mouths: &[Mouth], rules: &Rules, half: f64) -> Vec<Path> {
+    let around = path.bounds().grown(1e-6);
     let mut parts = vec![path];
     for mouth in mouths {
         let across = mouth.half + half;
         let sides = [across, -across].map(|side| mouth.point(rules.overrun, side));
+        if !sides.iter().all(|side| around.contains(*side)) {
+            continue;
+        }
         let on = |path: &Path| sides.iter().all(|side| path.distance(*side) < 1e-6);
         let Some(at) = parts.iter().position(on) else { continue };
         let part = parts.swap_remove(at);

@@ -3,6 +3,8 @@
 //! A pair of points p, q is a bottleneck if no neighbour of p on its curve is nearer to q, and no neighbour of q nearer to p: the line
 //! between them is normal to both curves, or within the cone of normals of a corner or an end.
 
+use std::collections::BTreeMap;
+
 use inflatable::geom::{Arc, BoxIndex, Line, Path, Point, Segment, Vec2, intersections};
 
 /// Directions closer to a right angle than this are right, rad.
@@ -42,7 +44,7 @@ pub(super) struct GapCurve<'a> {
 }
 
 /// A quarter turn at most, or a line, with its beginning (and the end of an open curve) as corners.
-struct Part {
+struct CurvePart {
     curve: usize,
     /// Number of the part in its curve.
     at: usize,
@@ -103,18 +105,20 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Vec<Bottleneck
         width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)
     });
     let mut kept: Vec<Bottleneck> = Vec::new();
+    let mut of_curves: BTreeMap<[usize; 2], Vec<Point>> = BTreeMap::new();
     for bottleneck in found {
-        let known = |other: &Bottleneck| {
-            other.curves == bottleneck.curves && other.middle().distance(bottleneck.middle()) <= APART
-        };
-        if !kept.iter().any(known) && is_clear(&parts, &index, &bottleneck) {
+        let middle = bottleneck.middle();
+        let known = of_curves.entry(bottleneck.curves).or_default();
+        let is_far = known.iter().all(|other| other.distance(middle) > APART);
+        if is_far && is_clear(&parts, &index, &bottleneck) {
+            known.push(middle);
             kept.push(bottleneck);
         }
     }
     kept
 }
 
-fn add_parts(parts: &mut Vec<Part>, curve: usize, GapCurve { path, joined }: &GapCurve<'_>) {
+fn add_parts(parts: &mut Vec<CurvePart>, curve: usize, GapCurve { path, joined }: &GapCurve<'_>) {
     let mut pieces: Vec<Segment> = Vec::new();
     for segment in &path.segments {
         let count = match segment {
@@ -150,19 +154,19 @@ fn add_parts(parts: &mut Vec<Part>, curve: usize, GapCurve { path, joined }: &Ga
         let at_end = corners.iter().any(|corner| corner.arriving.is_none() || corner.leaving.is_none());
         let turn = if at_end || cosine <= 0.0 { 1.0 } else { (1.0 - cosine * cosine).max(0.0).sqrt() };
         let (middle, half) = (segment.point(0.5), segment.length() / 2.0);
-        parts.push(Part { curve, at, segment: *segment, ends, middle, half, tangent, turn, corners });
+        parts.push(CurvePart { curve, at, segment: *segment, ends, middle, half, tangent, turn, corners });
     }
 }
 
 /// Whether a line shorter than `limit` that is normal to both can exist: never wrongly no.
-fn may_face(a: &Part, b: &Part, limit: f64) -> bool {
+fn may_face(a: &CurvePart, b: &CurvePart, limit: f64) -> bool {
     let way = b.middle - a.middle;
     let (length, reach) = (way.length(), a.half + b.half);
-    let off = |part: &Part| way.dot(part.tangent).abs() <= (length + reach) * part.turn + reach + ONE;
+    let off = |part: &CurvePart| way.dot(part.tangent).abs() <= (length + reach) * part.turn + reach + ONE;
     length <= limit + reach && off(a) && off(b)
 }
 
-fn pairs(a: &Part, b: &Part, see: &mut impl FnMut(Point, Point, bool)) {
+fn pairs(a: &CurvePart, b: &CurvePart, see: &mut impl FnMut(Point, Point, bool)) {
     inner_pairs(&a.segment, &b.segment, &mut |p, q| see(p, q, false));
     for corner in &a.corners {
         foot(&b.segment, corner.at, &mut |q| {
@@ -288,7 +292,7 @@ fn arc_arc(a: &Arc, b: &Arc, see: &mut impl FnMut(Point, Point)) {
 }
 
 /// Whether no curve passes between the points of a bottleneck.
-fn is_clear(parts: &[Part], index: &BoxIndex, bottleneck: &Bottleneck) -> bool {
+fn is_clear(parts: &[CurvePart], index: &BoxIndex, bottleneck: &Bottleneck) -> bool {
     let [p, q] = bottleneck.points;
     let line = Segment::Line(Line::new(p.lerp(q, 1e-6), q.lerp(p, 1e-6)));
     let mut clear = true;

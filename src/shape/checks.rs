@@ -1,5 +1,7 @@
 //! What bands and tubes must have, with numbers and places.
 
+use std::collections::BTreeMap;
+
 use crate::shape::around::{Layout, Line};
 use crate::shape::bottleneck::{Bottleneck, GapCurve, bottlenecks};
 use crate::shape::fault::{ShapeCode, ShapeFault, quoted};
@@ -83,7 +85,7 @@ fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
         .flat_map(|(number, line)| line.path.segments.iter().map(move |segment| (number, *segment)))
         .collect();
     let index = BoxIndex::new(segments.iter().map(|(_, segment)| segment.bounds()));
-    let mut told: Vec<([usize; 2], Point)> = Vec::new();
+    let mut told: BTreeMap<[usize; 2], Point> = BTreeMap::new();
     for (i, (a, s)) in segments.iter().enumerate() {
         for j in index.overlapping(&s.bounds()).into_iter().filter(|j| *j < i) {
             let (b, t) = &segments[j];
@@ -93,12 +95,12 @@ fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
                     joined && end.is_some_and(|end| end.distance(p) <= band / 2.0 + ALIKE)
                 })
             };
-            if a == b || told.iter().any(|(known, _)| *known == [*b, *a]) {
+            if a == b || told.contains_key(&[*b, *a]) {
                 continue;
             }
             for p in intersections(s, t) {
                 if !is_end(&lines[*a], p) && !is_end(&lines[*b], p) {
-                    told.push(([*b, *a], p));
+                    let _ = told.insert([*b, *a], p);
                     break;
                 }
             }
@@ -116,9 +118,11 @@ fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
 pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
     let half = rules.band / 2.0;
     for Line { path, names, .. } in &lines.lines {
-        for (place, turn) in right_turns(path) {
+        // The corners of a port are its own, not the drawing's.
+        let drawn = |place: &Point| lines.mouths.iter().all(|mouth| !mouth.has_corner(*place, half));
+        for (place, turn) in right_turns(path).into_iter().filter(|(place, _)| drawn(place)) {
             // From the drawn vertex to the round that the iron leaves.
-            let cusp = half * (1.0 / (turn / 2.0).cos() - 1.0);
+            let cusp = half * (1.0 / libm::cos(turn / 2.0) - 1.0);
             if cusp > 0.05 * rules.band {
                 notes.warnings.push(ShapeFault {
                     code: ShapeCode::SharpCorner,
@@ -143,7 +147,7 @@ fn right_turns(path: &Path) -> Vec<(Point, f64)> {
     let last = if path.closed { count } else { count.saturating_sub(1) };
     let turn = |i: usize| {
         let (a, b) = (segments[i].tangent(1.0), segments[(i + 1) % count].tangent(0.0));
-        (segments[i].end(), -a.cross(b).atan2(a.dot(b)))
+        (segments[i].end(), -libm::atan2(a.cross(b), a.dot(b)))
     };
     (0..last).map(turn).filter(|(_, turn)| *turn > 1e-6).collect()
 }

@@ -2,10 +2,12 @@
 
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, quoted};
 use crate::shape::sketch::DrawnCurve;
-use inflatable::geom::{BoxIndex, Path, Point, Segment};
+use inflatable::geom::{Arc, BoxIndex, Line, Path, Point, Segment};
 
 /// Segments shorter than this, and gaps narrower than this, are rounding, mm.
 pub(super) const NOTHING: f64 = 1e-9;
+/// Segments shorter than this come from the rounding of a file's numbers: none of its own could be said in an output, mm.
+const CRUMB: f64 = 1e-5;
 /// Coordinates beyond this are an error of a drawing, mm.
 const FAR: f64 = 1e6;
 
@@ -41,16 +43,59 @@ pub(super) fn pieces(
             });
             continue;
         }
-        let solid: Vec<Segment> =
-            path.segments.iter().filter(|segment| segment.length() > NOTHING).copied().collect();
+        let solid = path.segments.iter().filter(|segment| segment.length() > NOTHING);
+        let solid = Path { segments: solid.copied().collect(), closed: path.closed };
         if let Some(first) = path.segments.iter().find(|segment| segment.length() <= NOTHING) {
-            let count = path.segments.len() - solid.len();
+            let count = path.segments.len() - solid.segments.len();
             let what = format!("{count} segments of no length in {} dropped", quoted(&names));
             repairs.push(Repair { place: first.start(), what, names });
         }
-        pieces.extend(unbroken(Path { segments: solid, closed: path.closed }, source));
+        pieces.extend(unbroken(without_crumbs(solid), source));
     }
     pieces
+}
+
+/// The path without crumbs: the segment after one begins where the one before it ends.
+fn without_crumbs(path: Path) -> Path {
+    if path.segments.iter().all(|segment| segment.length() > CRUMB) {
+        return path;
+    }
+    let mut kept: Vec<Segment> = Vec::with_capacity(path.segments.len());
+    for segment in &path.segments {
+        let Some(at) = kept.last().map(Segment::end) else {
+            kept.push(*segment);
+            continue;
+        };
+        // From the last end that was kept, so that many crumbs are a way.
+        if segment.length() > CRUMB || segment.end().distance(at) > CRUMB {
+            let near = segment.start().distance(at) <= CRUMB;
+            kept.push(if near { with_end(&segment.reversed(), at).reversed() } else { *segment });
+        }
+    }
+    // The first, and the last of what is closed, may be crumbs still.
+    let first = kept.len() > 1 && kept[0].length() <= CRUMB;
+    if first {
+        let crumb = kept.remove(0);
+        kept[0] = with_end(&kept[0].reversed(), crumb.start()).reversed();
+    }
+    let start = kept.first().map(Segment::start);
+    if let (true, Some(start), Some(last)) = (path.closed, start, kept.last_mut())
+        && last.end().distance(start) <= CRUMB
+    {
+        *last = with_end(last, start);
+    }
+    Path { segments: kept, closed: path.closed }
+}
+
+/// The segment with another end; an arc keeps the turn between its ends.
+pub(super) fn with_end(segment: &Segment, end: Point) -> Segment {
+    if segment.end().distance(end) < 1e-11 {
+        return *segment;
+    }
+    match segment {
+        Segment::Line(line) => Line::new(line.start, end).into(),
+        Segment::Arc(arc) => Arc::from_bulge(arc.start(), end, arc.bulge()).map_or(*segment, Segment::Arc),
+    }
 }
 
 /// A path cut where a segment does not begin where the one before ends.
@@ -77,7 +122,7 @@ fn unbroken(path: Path, source: usize) -> Vec<Piece> {
 }
 
 /// A quarter turn at most, or a line.
-struct Part {
+struct QuarterPart {
     segment: Segment,
     piece: usize,
     at: usize,
@@ -90,7 +135,7 @@ pub(super) type Doubled = ([usize; 2], Point);
 
 /// The pieces without what runs within `join` of an earlier piece, or of an earlier part of its own.
 pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec<Doubled>) {
-    let parts: Vec<Part> = pieces
+    let parts: Vec<QuarterPart> = pieces
         .iter()
         .enumerate()
         .flat_map(|(piece, Piece { path, .. })| {
@@ -129,7 +174,7 @@ pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec
     (kept.collect(), doubled)
 }
 
-fn quarters(segment: &Segment, piece: usize, at: usize) -> impl Iterator<Item = Part> + use<> {
+fn quarters(segment: &Segment, piece: usize, at: usize) -> impl Iterator<Item = QuarterPart> + use<> {
     let count = match segment {
         Segment::Line(_) => 1,
         Segment::Arc(arc) => (1..8).find(|n| arc.sweep.abs() <= f64::from(*n) * 1.6).unwrap_or(8),
@@ -137,7 +182,7 @@ fn quarters(segment: &Segment, piece: usize, at: usize) -> impl Iterator<Item = 
     let segment = *segment;
     (0..count).map(move |i| {
         let (from, to) = (f64::from(i) / f64::from(count), f64::from(i + 1) / f64::from(count));
-        Part { segment: segment.part(from, to), piece, at, from, to }
+        QuarterPart { segment: segment.part(from, to), piece, at, from, to }
     })
 }
 

@@ -1,11 +1,12 @@
 //! Seams that are drawn as centre lines.
 
 use crate::shape::air::depth;
-use crate::shape::around::{Layout, Line, LineUse, no_channel, opened};
+use crate::shape::around::{Layout, Line, LineUse, nearest_path, no_channel, opened};
 use crate::shape::fault::ShapeCode;
 use crate::shape::loose::crossings;
 use crate::shape::mouth::{NoChannel, channel};
 use crate::shape::notes::{SealingNotes, named};
+use crate::shape::offset::offset_right;
 use crate::shape::sketch::{Rules, Sketch};
 use inflatable::geom::{Bounds, BoxIndex, Enclosures, Path, Point, Segment};
 
@@ -29,6 +30,7 @@ pub(super) fn drawn_seams(
         if edge.nodes.is_none() {
             closed.push((edge.path.clone(), own));
         } else {
+            lines.air.seams.push(edge.path.clone());
             lines.lines.push(Line {
                 path: edge.path.clone(),
                 names: own,
@@ -45,12 +47,15 @@ pub(super) fn drawn_seams(
     let mut edges: Vec<Rim> = Vec::new();
     for ((path, names), outer) in closed.into_iter().zip(outer) {
         let path = if (path.area() > 0.0) == outer { path } else { path.reversed() };
+        // The air is on the left, and begins where the band ends.
+        lines.air.closed.extend(offset_right(&path, -half));
         edges.push((path, names, outer));
     }
     open_rims(sketch, rules, taken, &mut edges, lines, notes);
     for (path, names, outer) in edges {
         let kind = if outer { LineUse::Outer } else { LineUse::Island };
         lines.closed.push(path.clone());
+        lines.air.edges.extend(offset_right(&path, -half));
         for path in opened(path.clone(), &lines.mouths, rules, half) {
             lines.lines.push(Line { path, names: names.clone(), kind, joined: [false; 2] });
         }
@@ -73,15 +78,19 @@ fn open_rims(
     notes: &mut SealingNotes,
 ) {
     let (half, length) = (rules.band / 2.0, rules.band / 2.0 + rules.allowance);
+    let outer = edges.iter().enumerate().filter(|(_, (_, _, outer))| *outer);
+    let mut outer: Vec<(usize, Bounds)> = outer.map(|(at, (path, ..))| (at, path.bounds())).collect();
     let mut mouths = Vec::new();
     for (number, port) in sketch.ports.iter().enumerate().filter(|(number, _)| !taken.contains(number)) {
         let place = port.place.middle();
-        let outer = edges.iter_mut().filter(|(_, _, outer)| *outer);
-        let nearest = outer.min_by(|a, b| a.0.distance(place).total_cmp(&b.0.distance(place)));
-        let Some((path, ..)) = nearest else { continue };
+        let rims = outer.iter().map(|(at, around)| (&edges[*at].0, *around));
+        let Some(nearest) = nearest_path(rims, place) else { continue };
+        let (at, around) = &mut outer[nearest];
+        let path = &mut edges[*at].0;
         let width = rules.port_width + rules.band;
         match channel(path, number, &port.place, width, |_, _| length, rules.overrun + 1.0) {
             Ok((opened, mut mouth)) => {
+                *around = opened.bounds();
                 *path = opened;
                 mouth.half -= half;
                 mouths.push((number, mouth));

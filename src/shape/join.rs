@@ -1,12 +1,12 @@
 //! Pieces joined end to end: a **network** of edges between nodes. A node is where more than two edges meet, or where one ends
 //! in the open; an edge that meets no node is closed.
 
-use crate::shape::clean::{NOTHING, Piece};
-use inflatable::geom::{Arc, Bounds, BoxIndex, Path, Point, Segment};
+use crate::shape::clean::{NOTHING, Piece, with_end};
+use inflatable::geom::{Bounds, BoxIndex, Path, Point, Segment};
 
 /// A run of curves from node to node.
 #[derive(Clone, Debug)]
-pub(super) struct Edge {
+pub(super) struct NetworkEdge {
     /// The run.
     pub path: Path,
     /// The nodes at its ends; `None` for a closed one without a node.
@@ -19,7 +19,7 @@ pub(super) struct Edge {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Network {
     pub nodes: Vec<Point>,
-    pub edges: Vec<Edge>,
+    pub edges: Vec<NetworkEdge>,
     /// Ends that were joined over a gap: the curves, the place, the gap in mm.
     pub closed_gaps: Vec<(Vec<usize>, Point, f64)>,
 }
@@ -61,7 +61,7 @@ pub(super) fn network(pieces: &[Piece], join: f64) -> Network {
     let mut closed_gaps = groups.gaps(&ends, &nodes, pieces);
     let sides = sides(pieces, &ends, &groups, join);
     let mut cuts: Vec<Vec<(f64, usize)>> = vec![Vec::new(); pieces.len()];
-    for Side { group, piece, s, at, gap, from } in sides {
+    for TouchSide { group, piece, s, at, gap, from } in sides {
         if gap > NOTHING {
             closed_gaps.push((vec![pieces[from].source, pieces[piece].source], at, gap));
         }
@@ -147,7 +147,7 @@ pub(super) fn root(parent: &mut [usize], mut i: usize) -> usize {
 }
 
 /// A group of ends that lies at the side of a piece.
-struct Side {
+struct TouchSide {
     group: usize,
     piece: usize,
     s: f64,
@@ -156,7 +156,7 @@ struct Side {
     from: usize,
 }
 
-fn sides(pieces: &[Piece], ends: &[PieceEnd], groups: &Groups, join: f64) -> Vec<Side> {
+fn sides(pieces: &[Piece], ends: &[PieceEnd], groups: &Groups, join: f64) -> Vec<TouchSide> {
     if ends.is_empty() {
         return Vec::new();
     }
@@ -170,10 +170,10 @@ fn sides(pieces: &[Piece], ends: &[PieceEnd], groups: &Groups, join: f64) -> Vec
     }
     let lengths: Vec<f64> = pieces.iter().map(|piece| piece.path.length()).collect();
     let index = BoxIndex::new(segments.iter().map(|(_, _, segment)| segment.bounds()));
-    let mut sides: Vec<Side> = Vec::new();
+    let mut sides: Vec<TouchSide> = Vec::new();
     for (group, members) in groups.members.iter().enumerate() {
         let PieceEnd { piece: from, at: place, .. } = ends[members[0]];
-        let mut best: Vec<Side> = Vec::new();
+        let mut best: Vec<TouchSide> = Vec::new();
         for i in index.overlapping(&Bounds::of_points([place]).grown(join)) {
             let (piece, before, segment) = &segments[i];
             let t = segment.nearest_fraction(place);
@@ -191,8 +191,8 @@ fn sides(pieces: &[Piece], ends: &[PieceEnd], groups: &Groups, join: f64) -> Vec
             }
             match best.iter_mut().find(|side| side.piece == *piece) {
                 Some(side) if side.gap <= gap => {}
-                Some(side) => *side = Side { group, piece: *piece, s, at, gap, from },
-                None => best.push(Side { group, piece: *piece, s, at, gap, from }),
+                Some(side) => *side = TouchSide { group, piece: *piece, s, at, gap, from },
+                None => best.push(TouchSide { group, piece: *piece, s, at, gap, from }),
             }
         }
         sides.extend(best);
@@ -207,12 +207,13 @@ fn split(
     cuts: &[(f64, usize)],
     nodes: &[Point],
     join: f64,
-) -> Vec<Edge> {
+) -> Vec<NetworkEdge> {
     let sources = vec![piece.source];
     let length = piece.path.length();
-    let edge = |path: Path, nodes: [usize; 2]| Edge { path, nodes: Some(nodes), sources: sources.clone() };
-    let mut edges: Vec<Edge> = match (own, cuts) {
-        (None, []) => return vec![Edge { path: piece.path.clone(), nodes: None, sources }],
+    let edge =
+        |path: Path, nodes: [usize; 2]| NetworkEdge { path, nodes: Some(nodes), sources: sources.clone() };
+    let mut edges: Vec<NetworkEdge> = match (own, cuts) {
+        (None, []) => return vec![NetworkEdge { path: piece.path.clone(), nodes: None, sources }],
         (None, [first, ..]) => {
             let ahead = cuts.iter().skip(1).copied().chain([(first.0 + length, first.1)]);
             let pairs = cuts.iter().copied().zip(ahead);
@@ -252,19 +253,8 @@ fn move_end(path: &mut Path, to: Point) {
     }
 }
 
-/// The segment with another end; an arc keeps the turn between its ends.
-fn with_end(segment: &Segment, end: Point) -> Segment {
-    if segment.end().distance(end) < 1e-11 {
-        return *segment;
-    }
-    match segment {
-        Segment::Line(line) => inflatable::geom::Line::new(line.start, end).into(),
-        Segment::Arc(arc) => Arc::from_bulge(arc.start(), end, arc.bulge()).map_or(*segment, Segment::Arc),
-    }
-}
-
 /// The edges, run together where just two of them meet.
-fn chained(parts: &[Edge], nodes: usize) -> Vec<Edge> {
+fn chained(parts: &[NetworkEdge], nodes: usize) -> Vec<NetworkEdge> {
     let mut ends: Vec<Vec<(usize, usize)>> = vec![Vec::new(); nodes];
     for (number, part) in parts.iter().enumerate() {
         for (which, node) in part.nodes.iter().flatten().enumerate() {
@@ -290,7 +280,12 @@ fn chained(parts: &[Edge], nodes: usize) -> Vec<Edge> {
 }
 
 /// The run that begins at end `which` of part `number`.
-fn run(parts: &[Edge], ends: &[Vec<(usize, usize)>], used: &mut [bool], begin: (usize, usize)) -> Edge {
+fn run(
+    parts: &[NetworkEdge],
+    ends: &[Vec<(usize, usize)>],
+    used: &mut [bool],
+    begin: (usize, usize),
+) -> NetworkEdge {
     let (mut number, mut which) = begin;
     let Some(first) = parts[number].nodes.map(|nodes| nodes[which]) else {
         used[number] = true;
@@ -313,7 +308,7 @@ fn run(parts: &[Edge], ends: &[Vec<(usize, usize)>], used: &mut [bool], begin: (
                 sources.dedup();
                 let closed = last == first && ends[last].len() == 2;
                 let nodes = (!closed).then_some([first, last]);
-                return Edge { path: Path { segments, closed }, nodes, sources };
+                return NetworkEdge { path: Path { segments, closed }, nodes, sources };
             }
         }
     }

@@ -19,7 +19,10 @@ pub(super) struct MouthEnds {
 pub(super) struct Joints {
     /// Whether the start and the end of each seam lie on another band, within half a band of its centre line.
     pub joined: Vec<[bool; 2]>,
+    /// In the order of their ports.
     pub mouths: Vec<MouthEnds>,
+    /// The port at the start and at the end of each seam.
+    ports: Vec<[Option<usize>; 2]>,
 }
 
 /// Every segment of a shape: its seam, its number there, and the path before it, mm.
@@ -66,12 +69,18 @@ impl Joints {
             .into_iter()
             .filter(|(seam, which, _)| shape.seams[*seam].role == Role::Boundary && !joined[*seam][*which]);
         let mouths = mouths(shape, &free.collect::<Vec<_>>());
-        Self { joined, mouths }
+        let mut ports = vec![[None; 2]; shape.seams.len()];
+        for mouth in &mouths {
+            for (seam, which) in mouth.seams {
+                ports[seam][which] = Some(mouth.port);
+            }
+        }
+        Self { joined, mouths, ports }
     }
 
     /// The port at an end of a seam.
     pub(super) fn mouth_at(&self, seam: usize, which: usize) -> Option<usize> {
-        self.mouths.iter().find(|mouth| mouth.seams.contains(&(seam, which))).map(|mouth| mouth.port)
+        self.ports[seam][which]
     }
 
     /// Whether a seam ends on other bands only.
@@ -81,7 +90,7 @@ impl Joints {
 
     /// The width between the bands at a port, mm.
     pub(super) fn width(&self, shape: &SealedShape, port: usize) -> Option<f64> {
-        let mouth = self.mouths.iter().find(|mouth| mouth.port == port)?;
+        let mouth = &self.mouths[self.mouths.binary_search_by_key(&port, |mouth| mouth.port).ok()?];
         Some(mouth.ends[0].distance(mouth.ends[1]) - shape.band)
     }
 }

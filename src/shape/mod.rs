@@ -27,6 +27,7 @@ mod outline;
 mod sealed;
 mod sealing;
 mod seam;
+mod separator;
 mod sketch;
 
 pub use chambers::{Chamber, Topology};
@@ -38,4 +39,5 @@ pub use offset::{of_polyline, offset_right, polyline};
 pub use sealed::{Port, SealedShape};
 pub use sealing::{Sealing, sealed_shape};
 pub use seam::{Role, Seam};
+pub use separator::{AirSide, Separator};
 pub use sketch::{DrawnCurve, DrawnPort, PortPlace, Rules, Sketch};

@@ -5,7 +5,7 @@ use crate::shape::sketch::PortPlace;
 use inflatable::geom::{Line, Path, Point, Segment, Vec2, intersections};
 
 /// The mouth of a port.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Mouth {
     /// The number of the port.
     pub port: usize,
@@ -17,9 +17,19 @@ pub(super) struct Mouth {
     pub half: f64,
     /// How far the closed edge runs past the mouth, mm.
     pub beyond: f64,
+    /// How far behind the mouth the channel begins at most, mm.
+    pub depth: f64,
 }
 
 impl Mouth {
+    /// Whether the corner `p` of a centre line `half` mm outside the air is one where the channel itself begins or ends.
+    pub(super) fn has_corner(&self, p: Point, half: f64) -> bool {
+        let from = p - self.at;
+        let (along, across) = (from.dot(self.out), from.dot(self.out.perp()));
+        (across.abs() - self.half - half).abs() < 1e-6
+            && (-self.depth..=self.beyond + half + 1e-6).contains(&along)
+    }
+
     /// The point `along` the way out and `across` it to the left, from the middle of the mouth.
     pub(super) fn point(&self, along: f64, across: f64) -> Point {
         self.at + self.out * along + self.out.perp() * across
@@ -50,7 +60,7 @@ pub(super) fn cap(port: usize, ends: [Point; 2], leading: [Vec2; 2], beyond: f64
         out = -out;
     }
     let at = ends[0].midpoint(ends[1]);
-    let mouth = Mouth { port, at, out, half: ends[0].distance(ends[1]) / 2.0, beyond };
+    let mouth = Mouth { port, at, out, half: ends[0].distance(ends[1]) / 2.0, beyond, depth: 1.0 };
     let far = ends.map(|end| end + out * beyond);
     let corners = [ends[0], far[0], far[1], ends[1]];
     (Path::open(corners.windows(2).map(|pair| Line::new(pair[0], pair[1]).into()).collect()), mouth)
@@ -94,7 +104,7 @@ pub(super) fn channel(
     let corners = [end, far(-half, length + beyond), far(half, length + beyond), start];
     let lines = corners.windows(2).map(|pair| Segment::Line(Line::new(pair[0], pair[1])));
     let opened = Path::closed(rest.segments.iter().copied().chain(lines).collect());
-    Ok((opened, Mouth { port, at: far(0.0, length), out, half, beyond }))
+    Ok((opened, Mouth { port, at: far(0.0, length), out, half, beyond, depth: length + width }))
 }
 
 /// Where the port is on the path: the arc length, the point, and the way out.

@@ -18,11 +18,13 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     for stage in [LineUse::Weld, LineUse::Island, LineUse::Outer] {
         // Walls go with the welds: both end in other bands or in the air.
         let kind = |line: &Line| if line.kind == LineUse::Wall { LineUse::Weld } else { line.kind };
-        let (mut left, rest): (Vec<Line>, Vec<Line>) =
-            lines.into_iter().partition(|line| kind(line) == stage);
+        let (own, rest): (Vec<Line>, Vec<Line>) = lines.into_iter().partition(|line| kind(line) == stage);
         lines = rest;
-        while let Some((next, backwards)) = nearest(&left, at) {
-            let mut line = left.remove(next);
+        let mut ends: Vec<Ends> = own.iter().enumerate().map(Ends::of).collect();
+        let mut left: Vec<Option<Line>> = own.into_iter().map(Some).collect();
+        while let Some((next, backwards)) = nearest(&ends, at) {
+            let Ends { number, .. } = ends.remove(next);
+            let Some(mut line) = left[number].take() else { break };
             if backwards {
                 line.path = line.path.reversed();
                 line.joined.reverse();
@@ -34,19 +36,31 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     ordered
 }
 
-/// The line that begins nearest to `at`, and whether its end does.
-fn nearest(lines: &[Line], at: Point) -> Option<(usize, bool)> {
+/// Where a line begins, and where it ends if it may be sealed from there.
+struct Ends {
+    number: usize,
+    ends: [Option<Point>; 2],
+}
+
+impl Ends {
+    fn of((number, line): (usize, &Line)) -> Self {
+        let end = if line.path.closed { None } else { line.path.end() };
+        Self { number, ends: [line.path.start(), end] }
+    }
+}
+
+/// The place in `lines` of the one that begins nearest to `at`, and whether its end does.
+fn nearest(lines: &[Ends], at: Point) -> Option<(usize, bool)> {
     let mut best: Option<(f64, usize, bool)> = None;
-    for (number, line) in lines.iter().enumerate() {
-        let ends = [(line.path.start(), false), (line.path.end(), true)];
-        for (end, backwards) in ends.into_iter().filter(|(_, backwards)| !(*backwards && line.path.closed)) {
+    for (place, line) in lines.iter().enumerate() {
+        for (end, backwards) in line.ends.iter().zip([false, true]) {
             let far = end.map_or(f64::INFINITY, |end| end.distance(at));
             if best.is_none_or(|(least, ..)| far < least) {
-                best = Some((far, number, backwards));
+                best = Some((far, place, backwards));
             }
         }
     }
-    best.map(|(_, number, backwards)| (number, backwards))
+    best.map(|(_, place, backwards)| (place, backwards))
 }
 
 /// A closed path from the middle of its longest straight segment, or of its longest arc if it has no straight one.

@@ -1,6 +1,6 @@
 //! A sketch as a sealed shape, or all its faults.
 
-use crate::shape::around::{Layout, LineUse, around_air};
+use crate::shape::around::{Layout, Line, LineUse, around_air};
 use crate::shape::checks::{checked, sharp_corners};
 use crate::shape::drawn_seams::{drawn_seams, join_ends, lost_ports};
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning};
@@ -8,7 +8,7 @@ use crate::shape::notes::SealingNotes;
 use crate::shape::order::{ordered, seam_names};
 use crate::shape::outline::outline;
 use crate::shape::sketch::{Rules, Sketch};
-use crate::shape::{Port, Role, SealedShape, Seam};
+use crate::shape::{AirSide, Port, Role, SealedShape, Seam};
 use inflatable::geom::{Path, Point};
 
 /// A sketch that can be sealed.
@@ -16,6 +16,10 @@ use inflatable::geom::{Path, Point};
 pub struct Sealing {
     /// The shape.
     pub shape: SealedShape,
+    /// The air that the seams enclose.
+    pub air: AirSide,
+    /// Bands within the air: walls and welds, by their centre lines as they are sealed.
+    pub inner: Vec<Path>,
     /// Closed paths that are cut inside the outline: holes, and drawn cuts inside it.
     pub holes: Vec<Path>,
     /// What was mended in the drawing.
@@ -51,13 +55,16 @@ pub fn sealed_shape(sketch: &Sketch, rules: &Rules) -> Result<Sealing, Vec<Shape
     lines.lines = ordered(lines.lines);
     checked(&lines, rules, &mut notes);
     sharp_corners(&lines, rules, &mut notes);
+    let is_inner = |line: &&Line| matches!(line.kind, LineUse::Weld | LineUse::Wall);
+    let inner = lines.lines.iter().filter(is_inner).map(|line| line.path.clone()).collect();
     let shape =
         SealedShape { seams: seams(&lines, rules, &mut notes), band: rules.band, cut, ports: ports(&lines) };
     unsound_chambers(&shape, &mut notes);
     if !notes.faults.is_empty() {
         return Err(notes.faults);
     }
-    Ok(Sealing { shape, holes, repairs: notes.repairs, warnings: notes.warnings })
+    let air = AirSide { mouths: lines.mouths, ..lines.air };
+    Ok(Sealing { shape, air, inner, holes, repairs: notes.repairs, warnings: notes.warnings })
 }
 
 fn ports(lines: &Layout) -> Vec<Port> {

@@ -3,6 +3,7 @@
 //! They are written into the new spec and are read by nothing else: a spec means the same everywhere.
 
 use crate::spec::faults::Faults;
+use crate::spec::foreign::Document;
 use crate::spec::raw::RawSpec;
 use crate::spec::reading::{read_choice, read_fabric, read_sheet, read_with};
 use crate::spec::source::Source;
@@ -16,7 +17,7 @@ const SECTIONS: [&str; 3] = ["fabric", "sheet", "machine"];
 /// # Errors
 /// All faults of `config`, by the rules of a spec.
 pub fn with_defaults(spec: &str, config: &Source) -> Result<String, Faults> {
-    let ((), _, raw) = read_with(config, |reader| {
+    let ((), _, raw) = read_with(config, Document::Defaults, |reader| {
         let _ = reader.root();
         let _ = read_fabric(&mut reader.section("fabric"));
         let _ = read_sheet(&mut reader.section("sheet"));

@@ -1,17 +1,17 @@
 //! `[drawing]`: a person's own drawing, and the roles of its layers.
 
 use std::fmt;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::section::{Reader, Section};
-use crate::spec::shape::Shape;
+use crate::spec::shape::ValueShape;
 use crate::spec::unknown::nearest;
 use crate::spec::value::{RawKind, RawValue};
 use crate::units::Length;
-use drawings::{Format, Unit};
+use drawings::{Drawing, Format, Options, Unit};
 
 /// `[drawing]`
 #[derive(Clone, Debug, PartialEq)]
@@ -29,8 +29,44 @@ pub struct DrawingSpec {
 }
 
 /// The bytes of a drawing.
-#[derive(Clone, PartialEq, Eq)]
-pub struct DrawingContent(pub Arc<[u8]>);
+#[derive(Clone)]
+pub struct DrawingContent {
+    bytes: Arc<[u8]>,
+    /// What they hold, once it was asked for, and how it was.
+    read: Arc<OnceLock<(Options, ReadDrawing)>>,
+}
+
+/// A drawing that was read, or every reason for which it cannot be.
+type ReadDrawing = Result<Arc<Drawing>, Vec<drawings::Fault>>;
+
+impl DrawingContent {
+    /// The content of a file.
+    pub fn new(bytes: &[u8]) -> Self {
+        Self { bytes: bytes.into(), read: Arc::default() }
+    }
+
+    /// The bytes of the file.
+    pub fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
+    /// The drawing in these bytes of a file called `name`. It is read once for the first `options`.
+    ///
+    /// # Errors
+    /// Every reason for which it cannot be read.
+    pub fn read(&self, name: &str, options: &Options) -> ReadDrawing {
+        let anew = || drawings::read(name, &self.bytes, options).map(Arc::new);
+        let (known, read) = self.read.get_or_init(|| (*options, anew()));
+        if known == options { read.clone() } else { anew() }
+    }
+}
+
+/// Contents are equal if their bytes are.
+impl PartialEq for DrawingContent {
+    fn eq(&self, other: &Self) -> bool {
+        self.bytes == other.bytes
+    }
+}
 
 /// The role of a layer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -69,7 +105,7 @@ impl LayerRole {
 /// The number of the bytes: they may be many.
 impl fmt::Debug for DrawingContent {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} bytes", self.0.len())
+        write!(f, "{} bytes", self.bytes.len())
     }
 }
 
@@ -94,12 +130,10 @@ impl DrawingSpec {
 }
 
 /// Sections that describe stars, and what a drawing has instead.
-const OF_STARS: [(&str, &str); 5] = [
+const OF_STARS: [(&str, &str); 3] = [
     ("star", "the drawing is the shape"),
     ("stack", "drawn pieces are not stacked; `copies` in [sheet] makes several"),
     ("frame", "only stacked stars have a frame"),
-    ("mask", "only stars are coated"),
-    ("load", "no model predicts a drawn shape"),
 ];
 
 /// The drawing; `None` if the section is not written.
@@ -115,16 +149,43 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
             reader.faults.push(fault);
         }
     }
-    let inlet = reader.raw.root().get("inlet").and_then(RawValue::as_table);
-    let others = inlet.into_iter().flat_map(|table| &table.0).filter(|entry| entry.key != "tube_diameter");
-    for entry in others {
-        let message = format!("{} in [inlet] beside [drawing]", quoted(&entry.key));
-        let fault = Fault::error(FaultCode::Conflict, entry.key_span.clone(), message)
-            .label("the drawing shows where its ports are")
-            .help("delete it; only `tube_diameter` counts here");
-        reader.faults.push(fault);
-    }
+    let inlet = ("the drawing shows where its ports are", "delete it; only `tube_diameter` counts here");
+    only_keys(reader, "inlet", &["tube_diameter"], inlet);
+    let load =
+        ("no model knows what a drawn shape does to an object", "delete it; only `pressure` counts here");
+    only_keys(reader, "load", &["pressure"], load);
+    separator(reader);
     drawing
+}
+
+/// A fault for each key of `section` that is not one of `known`, with a label and a remedy.
+fn only_keys(reader: &mut Reader<'_>, section: &str, known: &[&str], (label, help): (&str, &str)) {
+    let table = reader.raw.root().get(section).and_then(RawValue::as_table);
+    for entry in table.into_iter().flat_map(|table| &table.0).filter(|own| !known.contains(&own.key.as_str()))
+    {
+        let message = format!("{} in [{section}] beside [drawing]", quoted(&entry.key));
+        let fault = Fault::error(FaultCode::Conflict, entry.key_span.clone(), message);
+        reader.faults.push(fault.label(label).help(help));
+    }
+}
+
+/// The mask of a drawn shape is a separator.
+fn separator(reader: &mut Reader<'_>) {
+    let Some(mask) = reader.raw.root().get("mask") else { return };
+    let kind = mask.as_table().and_then(|table| table.0.iter().find(|entry| entry.key == "kind"));
+    if kind.is_none_or(|entry| matches!(&entry.value.kind, RawKind::Text(word) if word == "coating")) {
+        let fault = Fault::error(
+            FaultCode::Conflict,
+            mask.span.clone(),
+            "a coating mask beside [drawing]".to_owned(),
+        )
+        .label("only stars are coated")
+        .help("write kind = \"separator\" for paper between the sheets of a heat press, or delete [mask]");
+        reader.faults.push(fault);
+        return;
+    }
+    let reason = ("a separator is as large as the air", "delete it; only `kind` and `creep` count here");
+    only_keys(reader, "mask", &["kind", "creep"], reason);
 }
 
 fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
@@ -150,7 +211,8 @@ fn read_section(s: &mut Section<'_, '_>) -> Option<DrawingSpec> {
 /// The table of roles.
 fn read_layers(s: &mut Section<'_, '_>) -> Vec<(String, LayerRole)> {
     let mut layers: Vec<(String, LayerRole)> = Vec::new();
-    let Some(value) = s.take("layers", Shape::Lists(LayerRole::ALL.map(|(word, _)| word).to_vec())) else {
+    let Some(value) = s.take("layers", ValueShape::Lists(LayerRole::ALL.map(|(word, _)| word).to_vec()))
+    else {
         return layers;
     };
     let wrong = |value: &RawValue, message: String, label: String| {

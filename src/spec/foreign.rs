@@ -1,7 +1,51 @@
-//! Files of other kinds that are given as a spec: named once, instead of a syntax error for each of their lines.
+//! Files of other kinds, also other TOML files of this program: named once, instead of a fault for each of their lines.
 
 use crate::spec::FaultCode;
 use crate::spec::fault::Fault;
+use crate::spec::value::RawTable;
+
+/// The TOML files that this program reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Document {
+    Spec,
+    Profile,
+    Study,
+    /// A person's own values for new specs.
+    Defaults,
+}
+
+impl Document {
+    /// What a person calls it, keys of the first level that no other kind has, and what is done with such a file.
+    const fn words(self) -> (&'static str, &'static [&'static str], &'static str) {
+        match self {
+            Self::Spec => {
+                ("a spec", &["star", "drawing", "stack", "seal"], "name it as the spec of a command")
+            }
+            Self::Profile => (
+                "a machine profile",
+                &["dialect", "work_area", "heights", "motion"],
+                "name it as `profile` in the [machine] section of a spec",
+            ),
+            Self::Study => ("a study", &["vary", "rows", "draw"], "name it after `stargrip-cam study run`"),
+            Self::Defaults => ("a file of defaults", &[], ""),
+        }
+    }
+
+    /// One fault if `root` is plainly another kind of file than this one.
+    pub(super) fn mistaken(self, root: &RawTable) -> Option<Fault> {
+        let is = |document: Self| document.words().1.iter().any(|key| root.get(key).is_some());
+        let others = [Self::Spec, Self::Profile, Self::Study].into_iter().filter(|other| *other != self);
+        let other =
+            others.into_iter().find(|other| is(*other)).filter(|_| self != Self::Defaults && !is(self))?;
+        let ((own, ..), (name, _, use_of_it)) = (self.words(), other.words());
+        let fault = Fault::error(FaultCode::NotASpec, 0..0, format!("this is {name}, not {own}"));
+        Some(
+            fault
+                .label("its sections are those of such a file")
+                .help(format!("{use_of_it}; here {own} is read")),
+        )
+    }
+}
 
 /// One fault about the whole `text`, which has syntax errors, if it is plainly a file of another kind.
 pub(super) fn fault(text: &str) -> Option<Fault> {
@@ -31,9 +75,17 @@ fn kind(text: &str) -> Option<&'static str> {
         Some("a DXF drawing")
     } else if text.lines().find(|line| !is_comment(line)).is_some_and(is_gcode) {
         Some("G-code")
+    } else if text.lines().next().is_some_and(is_heading) {
+        Some("a table of values")
     } else {
         None
     }
+}
+
+/// Whether the line has columns, as the first of a CSV has, and gives no key a value.
+fn is_heading(line: &str) -> bool {
+    let has_columns = [',', ';', '\t'].iter().any(|between| line.contains(*between));
+    has_columns && !line.contains(['=', '[', '#', '"'])
 }
 
 /// Whether the line says nothing to a controller.
@@ -54,6 +106,31 @@ fn is_gcode(line: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spec::{Faults, Source};
+
+    #[test]
+    fn another_toml_file_of_the_program_is_named_once() {
+        let profile = crate::spec::builtin_machine("grbl").expect("shipped");
+        let study = "schema = 1\nspec = \"a.toml\"\n[vary]\n\"star.points\" = [3, 4]\n";
+        let star = crate::spec::starter("star").expect("a name");
+        let read = |text: &str| crate::spec::read(&Source::new("a.toml", text)).map(|_| ());
+        let as_profile = |text: &str| crate::spec::read_machine(&Source::new("a.toml", text)).map(|_| ());
+        let as_study = |text: &str| crate::spec::study::read_study(&Source::new("a.toml", text)).map(|_| ());
+        for (read, text, says) in [
+            (&read as &dyn Fn(&str) -> Result<(), Faults>, profile, "a machine profile, not a spec"),
+            (&read, study, "a study, not a spec"),
+            (&as_profile, &star, "a spec, not a machine profile"),
+            (&as_profile, study, "a study, not a machine profile"),
+            (&as_study, &star, "a spec, not a study"),
+            (&as_study, profile, "a machine profile, not a study"),
+        ] {
+            let faults = read(text).expect_err(says);
+            let codes: Vec<&str> = faults.list().iter().map(|fault| fault.code).collect();
+            assert_eq!(codes, ["not-a-spec"], "{says}");
+            assert!(faults.to_string().contains(says), "{faults}");
+        }
+        assert!(read(&star).is_ok() && as_profile(profile).is_ok());
+    }
 
     #[test]
     fn a_file_of_another_kind_is_known_by_its_beginning() {
@@ -64,6 +141,7 @@ mod tests {
             ("<svg/>", Some("XML, such as an SVG drawing")),
             ("%PDF-1.7\n%\n", Some("a PDF")),
             ("  0\nSECTION\n", Some("a DXF drawing")),
+            ("name,radius,width\n1,2,3\n", Some("a table of values")),
             ("g1 = 5", None),
             ("[star]\npoints = five", None),
             ("# G1 X5\nname = \"x", None),

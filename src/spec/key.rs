@@ -95,7 +95,7 @@ keys! {
         HOLE_ALLOWANCE "hole_allowance",
     }
     mask "mask" {
-        EXTENT "extent", CREEP "creep", BORDER "border", MIRROR "mirror", THICKNESS "thickness",
+        KIND "kind", EXTENT "extent", CREEP "creep", BORDER "border", MIRROR "mirror", THICKNESS "thickness",
         BED "bed",
     }
     frame "frame" {

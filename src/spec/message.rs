@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::value::{RawNumber, RawValue};
-use crate::units::{Quantity, QuantityFault, Readable, Temperature};
+use crate::units::{Pressure, Quantity, QuantityFault, Readable, Temperature};
 
 /// A number that its range does not hold; the range is left to be named.
 pub(super) fn out_of_range(key: &str, number: &RawNumber, value: &RawValue) -> Fault {
@@ -44,6 +44,12 @@ fn is_decimal_comma(rest: &str) -> bool {
         .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()) && !rest.contains(','))
 }
 
+/// The unit in which a person most likely means `key`: of an elastic modulus the unit that fabrics have it in, else the base unit.
+pub(super) fn usual_unit<Q: Quantity>(key: &str) -> &'static str {
+    let is_modulus = Q::KIND == Pressure::KIND && key.ends_with("modulus");
+    if is_modulus { "MPa" } else { Q::UNITS[0].0 }
+}
+
 /// A text that should be a quantity and is none.
 pub(super) fn malformed<Q: Quantity>(
     key: &str,
@@ -51,7 +57,7 @@ pub(super) fn malformed<Q: Quantity>(
     reason: &QuantityFault,
     span: Range<usize>,
 ) -> Fault {
-    let (kind, units, base) = (Q::KIND, Q::unit_list(), Q::UNITS[0].0);
+    let (kind, units, base) = (Q::KIND, Q::unit_list(), usual_unit::<Q>(key));
     let message = format!("`{key}` is {}", quoted(text));
     match reason {
         QuantityFault::UnknownUnit(rest) if is_decimal_comma(rest) => {

@@ -19,6 +19,9 @@ pub(super) struct Missing {
     pub(super) keys: Vec<(&'static str, &'static str)>,
 }
 
+/// The other product.
+const DRAWING: &str = "or, for a drawing of your own:\n[drawing]\nfile = \"outline.svg\"\nlayers = { air = [\"chamber\"], port = [\"inlet\"] }";
+
 impl Missing {
     /// The same without the keys that are only misspelt: an unknown key of the section, or an unknown
     /// section, that is near, or a diameter; `None` if nothing is left.
@@ -50,6 +53,10 @@ impl Missing {
         let (message, help) = match (section, is_written) {
             ("", _) => (format!("the file does not say {list}"), lines.join("\n")),
             (name, true) => (format!("{} does not say {list}", header(name)), lines.join("\n")),
+            ("star", false) => (
+                format!("there is neither [star] nor [drawing]; a [star] must say {list}"),
+                format!("[star]\n{}\n{DRAWING}", lines.join("\n")),
+            ),
             (name, false) => (
                 format!("there is no [{name}], which must say {list}"),
                 format!("[{name}]\n{}", lines.join("\n")),

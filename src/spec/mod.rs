@@ -8,6 +8,7 @@
 //! The way of a text: [`Source`] (bytes that are UTF-8), [`RawSpec`] (TOML), a reader that takes each key with
 //! its kind and range, [`Reading`] (the spec and its warnings) or [`Faults`]. A machine profile goes the same way.
 
+mod accuracy;
 mod allowed;
 mod builtin;
 mod bytes;
@@ -42,6 +43,7 @@ mod value;
 mod values;
 mod vocabulary;
 
+pub use accuracy::{Accuracy, Detail, ModelChoice};
 pub use allowed::Allowed;
 pub use builtin::UnknownMachine;
 pub(crate) use code::codes;
@@ -56,8 +58,8 @@ pub use machine::{
     Process, Script,
 };
 pub use model::{
-    Accuracy, Bed, BuildSpec, Colours, CutSpec, Detail, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load,
-    MachineChoice, Mask, ModelChoice, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec, StarSpec,
+    Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Inlet, Load, MachineChoice, Mask,
+    MaskKind, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec, StarSpec,
 };
 pub use motion::{Motion, StepRate};
 pub use name::{NAME_LENGTH, NameFault, check_name, misleads};

@@ -1,9 +1,9 @@
 //! The spec itself: one struct a section, every field complete and in range.
 
+use crate::spec::accuracy::Accuracy;
 use crate::spec::{DrawingSpec, KeyPath, key};
 use crate::units::{
-    Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Percent, Pressure, Speed,
-    Temperature,
+    Angle, ArealDensity, BendingStiffness, Force, Length, LineForce, Mass, Pressure, Speed, Temperature,
 };
 
 /// A complete and valid specification of a gripper, or of a piece by a drawing.
@@ -173,12 +173,14 @@ pub struct Seal {
     pub hole_allowance: Length,
 }
 
-/// The coating masks.
+/// The masks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mask {
+    /// The purpose of the masks.
+    pub kind: MaskKind,
     /// How far the coated zone reaches along both arms from a corner's apex; `None`: the star's own W.
     pub extent: Option<Length>,
-    /// The windows shrink by this.
+    /// The windows, or the separator, shrink by this.
     pub creep: Length,
     /// Plate beyond the outline.
     pub border: Length,
@@ -188,6 +190,15 @@ pub struct Mask {
     pub thickness: Length,
     /// What the 3-D printer can print on; `None`: masks are printed whole.
     pub bed: Option<Bed>,
+}
+
+/// The purpose of a mask.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MaskKind {
+    /// A plate with windows, through which the corners of a star are coated.
+    Coating,
+    /// Paper between the sheets of a drawn shape in a heat press, where they must not weld.
+    Separator,
 }
 
 /// The bed of a 3-D printer.
@@ -341,62 +352,4 @@ impl ObjectShape {
             Self::Ball => "ball",
         }
     }
-}
-
-/// How exact outputs and predictions must be.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Accuracy {
-    /// Largest deviation of an output from the exact geometry.
-    pub path: Length,
-    /// Which model predicts.
-    pub model: ModelChoice,
-    /// The error of the prediction that `auto` may accept.
-    pub response: Percent,
-}
-
-/// A level of fidelity of the mechanics.
-#[non_exhaustive]
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ModelChoice {
-    /// Published constants.
-    Fit,
-    /// Exact membrane limit.
-    Ring,
-    /// Penalised boundary-value problem.
-    Bvp,
-    /// Bending, stretch and hoop compression at the pressure.
-    Section,
-    /// The whole sheet in triangles, with arms and contact.
-    Shell,
-    /// The cheapest that is accurate enough.
-    Auto,
-}
-
-impl ModelChoice {
-    /// All of them, with the words that specs and studies write.
-    pub const ALL: [(&str, Self); 6] = [
-        ("fit", Self::Fit),
-        ("ring", Self::Ring),
-        ("bvp", Self::Bvp),
-        ("section", Self::Section),
-        ("shell", Self::Shell),
-        ("auto", Self::Auto),
-    ];
-}
-
-/// How fine the meshes of a shell are, in words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Detail {
-    /// For a first look: some 10,000 unknowns on the finest mesh of a V-actuator with arms of 4 W.
-    Coarse,
-    /// For most ends: 67,000.
-    Medium,
-    /// Where mesh errors matter: 150,000.
-    Fine,
-}
-
-impl Detail {
-    /// All of them, with the words that studies write.
-    pub const ALL: [(&str, Self); 3] =
-        [("coarse", Self::Coarse), ("medium", Self::Medium), ("fine", Self::Fine)];
 }

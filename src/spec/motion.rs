@@ -132,7 +132,7 @@ impl Motion {
     /// The shortest straight move that the controller makes in every direction of the XY plane, mm; 0 where it makes any.
     pub fn least_move(&self) -> f64 {
         let [x, y, _] = self.steps_per_mm.unwrap_or([f64::INFINITY; 3]);
-        self.min_move_steps * (1.0 / x).hypot(1.0 / y)
+        self.min_move_steps * libm::hypot(1.0 / x, 1.0 / y)
     }
 
     /// The feed of chopped moves, mm/s, of a seal at `speed`, mm/s: `chop_feed`, or 1.2 times the lowest that the worst

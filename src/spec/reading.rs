@@ -3,19 +3,21 @@
 //! Reading goes on after a fault with a stand-in for the faulty value; a stand-in never leaves this
 //! room, because the faults then refuse the spec.
 
+use crate::spec::accuracy::{Accuracy, ModelChoice};
 use crate::spec::allowed::{Allowed, EXTRA, SIZE};
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
+use crate::spec::foreign::{self, Document};
 use crate::spec::model::{
-    Accuracy, Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Load, MachineChoice,
-    Mask, ModelChoice, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec,
+    Bed, BuildSpec, Colours, CutSpec, Extra, Fabric, FeedFloor, FrameSpec, Load, MachineChoice, Mask,
+    MaskKind, ObjectShape, ObjectSize, ProgramScope, Seal, Sheet, Spec,
 };
 use crate::spec::name::{check_name, misleads};
 use crate::spec::raw::RawSpec;
 use crate::spec::section::{Reader, Section};
-use crate::spec::shape::Shape;
+use crate::spec::shape::ValueShape;
 use crate::spec::source::Source;
-use crate::spec::{Code, DrawingContent, FaultCode, KeyPath, drawing, foreign, key, stars};
+use crate::spec::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, stars};
 use crate::units::{Length, Percent, Pressure, Speed, Temperature};
 
 /// A spec that was read, and what can still be said about its text.
@@ -34,7 +36,7 @@ impl Reading {
     #[must_use]
     pub fn with_drawing(mut self, bytes: &[u8]) -> Self {
         if let Some(drawing) = &mut self.spec.drawing {
-            drawing.content = Some(DrawingContent(bytes.into()));
+            drawing.content = Some(DrawingContent::new(bytes));
         }
         self
     }
@@ -53,17 +55,21 @@ impl Reading {
 /// # Errors
 /// All faults of the text at once, warnings among them, if at least one refuses it.
 pub fn read(source: &Source) -> Result<Reading, Faults> {
-    let (spec, warnings, raw) = read_with(source, read_spec)?;
+    let (spec, warnings, raw) = read_with(source, Document::Spec, read_spec)?;
     Ok(Reading { spec, warnings, raw })
 }
 
-/// Parses `source`, lets `body` take what it wants, and judges the faults of both.
+/// Parses `source`, which should be a `document`, lets `body` take what it wants, and judges the faults of both.
 pub(super) fn read_with<T>(
     source: &Source,
+    document: Document,
     body: impl FnOnce(&mut Reader<'_>) -> T,
 ) -> Result<(T, Faults, RawSpec), Faults> {
     let (raw, mut faults) = RawSpec::parse(&source.text);
     if let Some(fault) = foreign::fault(&source.text).filter(|_| !faults.is_empty()) {
+        return Err(Faults::new(source, vec![fault]));
+    }
+    if let Some(fault) = document.mistaken(raw.root()) {
         return Err(Faults::new(source, vec![fault]));
     }
     let mut reader = Reader::new(&raw);
@@ -90,7 +96,7 @@ fn beyond_syntax(others: Vec<Fault>, syntax: &[Fault], text: &str) -> Vec<Fault>
 /// Reports a `schema` that is not `version`, the only one that is known.
 pub(super) fn read_schema(root: &mut Section<'_, '_>, version: u32) {
     let found = root.count("schema", 0, u32::MAX);
-    root.narrow("schema", Shape::Count(version, version));
+    root.narrow("schema", ValueShape::Count(version, version));
     if let Some(found) = found.filter(|found| *found != version) {
         let fault = Fault::error(FaultCode::Schema, root.place_of("schema"), format!("`schema` is {found}"))
             .label(format!("must be {version}, the only version this program knows"));
@@ -149,6 +155,10 @@ fn check_product(reader: &mut Reader<'_>, spec: &Spec) {
         let message = format!("`copies` is {} without a [drawing]", spec.sheet.copies);
         conflict(key::sheet::COPIES, message, "stars are counted by `count` in [stack]");
     }
+    if spec.drawing.is_none() && spec.mask.kind == MaskKind::Separator {
+        let message = "`kind` is \"separator\" without a [drawing]".to_owned();
+        conflict(key::mask::KIND, message, "stars are coated: \"coating\"");
+    }
     let of_stars = [Extra::Report, Extra::SceneGlb, Extra::FramePdf, Extra::FrameStl];
     for extra in spec.build.with.iter().filter(|extra| spec.drawing.is_some() && of_stars.contains(extra)) {
         let message = format!("`with` names {:?} beside [drawing]", extra.name());
@@ -205,7 +215,9 @@ fn check_ptfe(s: &mut Section<'_, '_>, temperature: Temperature) {
 }
 
 fn read_mask(s: &mut Section<'_, '_>) -> Mask {
+    let kinds = [("coating", MaskKind::Coating), ("separator", MaskKind::Separator)];
     Mask {
+        kind: s.choice("kind", &kinds).unwrap_or(MaskKind::Coating),
         extent: s.quantity("extent", SIZE),
         creep: length(s, "creep", EXTRA, 0.0),
         border: length(s, "border", EXTRA, 10.0),

@@ -1,7 +1,9 @@
 //! The JSON Schemas of a spec and of a machine profile, for editors: completion, hints, and slips underlined while one types.
 //!
 //! Each truth keeps its home: which keys there are, and what each takes, is what the reader says when it takes them
-//! ([`Shape`]); what they mean, their defaults and examples are what the starter shows, and the profile `generic`.
+//! ([`ValueShape`]); what they mean, their defaults and examples are what the starter shows, and the profile `generic`.
+
+mod notes;
 
 use std::collections::BTreeMap;
 
@@ -11,8 +13,9 @@ use crate::spec::builtin_machine;
 use crate::spec::profile::read_profile;
 use crate::spec::raw::RawSpec;
 use crate::spec::reading::read_spec;
+use crate::spec::schema::notes::{Note, Notes};
 use crate::spec::section::Reader;
-use crate::spec::shape::{Shape, capital};
+use crate::spec::shape::{ValueShape, capital};
 use crate::spec::starter::TEMPLATE;
 
 /// The file's name beside a spec: what the first line of the starter names.
@@ -29,7 +32,7 @@ const CLAMPS: &str = "keep_out";
 const INSTEAD: &str = r#"
 [load]
 object_radius = "30 mm"  # half of object_diameter, which it replaces; set one of the two
-# A shape by your own drawing, in place of [star], [stack], [mask] and [frame].
+# A shape by your own drawing, in place of [star], [stack] and [frame].
 [drawing]
 file = "outline.svg"  # SVG or ASCII DXF, beside this file
 units = "mm"  # of the file's numbers, if it does not state them
@@ -126,8 +129,8 @@ fn profile_notes() -> Notes {
 }
 
 /// What `reader` took, by section.
-fn sections_of(reader: &Reader<'_>, notes: &Notes) -> BTreeMap<&'static str, Section> {
-    let mut sections: BTreeMap<&str, Section> = BTreeMap::new();
+fn sections_of(reader: &Reader<'_>, notes: &Notes) -> BTreeMap<&'static str, SectionSchema> {
+    let mut sections: BTreeMap<&str, SectionSchema> = BTreeMap::new();
     for (section, key, shape) in reader.shapes() {
         let _ = sections.entry(section).or_default().keys.insert(key, property(section, key, shape, notes));
     }
@@ -139,7 +142,7 @@ fn sections_of(reader: &Reader<'_>, notes: &Notes) -> BTreeMap<&'static str, Sec
 
 /// `sections` as one object with a title and a description, the keys before the first section outside of them.
 fn text_of(
-    mut sections: BTreeMap<&'static str, Section>,
+    mut sections: BTreeMap<&'static str, SectionSchema>,
     notes: &Notes,
     (title, about): (&str, &str),
 ) -> String {
@@ -161,12 +164,12 @@ fn text_of(
 
 /// A section on its way to an object.
 #[derive(Default)]
-struct Section {
+struct SectionSchema {
     keys: BTreeMap<&'static str, Value>,
     required: Vec<&'static str>,
 }
 
-impl Section {
+impl SectionSchema {
     fn object(self, description: &str) -> Value {
         let keys: Map<String, Value> =
             self.keys.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
@@ -181,7 +184,7 @@ impl Section {
     }
 }
 
-fn property(section: &str, key: &str, shape: &Shape, notes: &Notes) -> Value {
+fn property(section: &str, key: &str, shape: &ValueShape, notes: &Notes) -> Value {
     let (mut value, told) = shape.schema();
     // What a single star has different means what it means in the section where all stars have it.
     let homes: &[(&str, &str)] = match (section, key) {
@@ -211,66 +214,6 @@ fn property(section: &str, key: &str, shape: &Shape, notes: &Notes) -> Value {
 
 fn sentence(text: &str) -> String {
     if text.is_empty() { String::new() } else { capital(text) + "." }
-}
-
-/// What the starter says of a key.
-struct Note {
-    meaning: String,
-    value: Value,
-    is_default: bool,
-}
-
-/// What the starter says.
-struct Notes {
-    keys: BTreeMap<(String, String), Note>,
-    sections: BTreeMap<String, String>,
-}
-
-impl Notes {
-    /// Reads `text`: sections below the words about them, keys before or below theirs.
-    fn of(text: &str) -> Self {
-        let mut notes = Self { keys: BTreeMap::new(), sections: BTreeMap::new() };
-        let (mut section, mut above) = (String::new(), Vec::new());
-        for line in text.lines() {
-            let (is_default, bare) = match line.strip_prefix("## ") {
-                Some(bare) => (false, bare),
-                None => (line.starts_with("# "), line.trim_start_matches("# ")),
-            };
-            let (code, words) = bare.split_once('#').map_or((bare, ""), |(code, words)| (code, words.trim()));
-            // What is indented is an example inside of a sentence.
-            let code = if bare.starts_with(' ') { "" } else { code };
-            if let Some(name) = code.trim().strip_prefix('[').map(|name| name.trim_matches(['[', ']'])) {
-                name.clone_into(&mut section);
-                above.push(words);
-                let about = above.join(" ").trim().to_owned();
-                let _ = notes.sections.insert(section.clone(), about);
-            } else if let Some((key, value)) =
-                code.split_once(" = ").and_then(|(key, value)| Some((key, json_of(value)?)))
-            {
-                let meaning = if words.is_empty() { above.join(" ") } else { words.to_owned() };
-                let note = Note { meaning: meaning.trim_end_matches('.').to_owned(), value, is_default };
-                let _ = notes.keys.entry((section.clone(), key.to_owned())).or_insert(note);
-            } else if line.starts_with("# ") {
-                above.push(bare);
-                continue;
-            }
-            above.clear();
-        }
-        notes
-    }
-
-    fn of_key(&self, (section, key): (&str, &str)) -> Option<&Note> {
-        self.keys.get(&(section.to_owned(), key.to_owned()))
-    }
-
-    fn of_section(&self, name: &str) -> &str {
-        self.sections.get(name).map_or("", String::as_str)
-    }
-}
-
-/// A value of TOML that JSON writes in the same way; `None` for anything else, such as the words of a sentence.
-fn json_of(value: &str) -> Option<Value> {
-    serde_json::from_str(value.trim()).ok()
 }
 
 #[cfg(test)]

@@ -10,10 +10,10 @@ use std::ops::Range;
 use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
 use crate::spec::fault::{Fault, quoted};
-use crate::spec::message::{article, header, malformed, out_of_range};
+use crate::spec::message::{article, header, malformed, out_of_range, usual_unit};
 use crate::spec::missing::Missing;
 use crate::spec::raw::RawSpec;
-use crate::spec::shape::Shape;
+use crate::spec::shape::ValueShape;
 use crate::spec::unknown::{self, Known};
 use crate::spec::value::{RawKind, RawTable, RawValue};
 use crate::units::{Length, Percent, Quantity, QuantityFault};
@@ -26,7 +26,7 @@ pub(super) struct Reader<'r> {
     pub(super) faults: Vec<Fault>,
     known: Vec<Known<'r>>,
     missing: Vec<Missing>,
-    shapes: Vec<(&'static str, &'static str, Shape)>,
+    shapes: Vec<(&'static str, &'static str, ValueShape)>,
     required: Vec<(&'static str, &'static str)>,
 }
 
@@ -106,7 +106,7 @@ impl<'r> Reader<'r> {
     }
 
     /// What each key takes that was asked for so far, by section and key; what a later one of the same key says, holds.
-    pub(super) fn shapes(&self) -> impl Iterator<Item = (&'static str, &'static str, &Shape)> {
+    pub(super) fn shapes(&self) -> impl Iterator<Item = (&'static str, &'static str, &ValueShape)> {
         self.shapes.iter().map(|(section, key, shape)| (*section, *key, shape))
     }
 
@@ -179,7 +179,7 @@ impl<'r> Section<'_, 'r> {
     }
 
     /// Says that `key` takes less than it was taken as.
-    pub(super) fn narrow(&mut self, key: &'static str, shape: Shape) {
+    pub(super) fn narrow(&mut self, key: &'static str, shape: ValueShape) {
         self.reader.shapes.push((self.name, key, shape));
     }
 
@@ -189,14 +189,14 @@ impl<'r> Section<'_, 'r> {
         let found =
             self.reader.shapes.iter_mut().rfind(|(section, other, _)| (*section, *other) == (name, key));
         match found {
-            Some((_, _, Shape::Or(_, words))) => words.push(word),
-            Some((_, _, shape)) => *shape = Shape::Or(Box::new(shape.clone()), vec![word]),
+            Some((_, _, ValueShape::Or(_, words))) => words.push(word),
+            Some((_, _, shape)) => *shape = ValueShape::Or(Box::new(shape.clone()), vec![word]),
             None => {}
         }
     }
 
     /// The value of `key`, which takes what `shape` says; it becomes a known key.
-    pub(super) fn take(&mut self, key: &'static str, shape: Shape) -> Option<&'r RawValue> {
+    pub(super) fn take(&mut self, key: &'static str, shape: ValueShape) -> Option<&'r RawValue> {
         self.reader.shapes.push((self.name, key, shape));
         if let Some(known) = self.reader.known.iter_mut().rfind(|known| known.section == self.name) {
             known.keys.push(key);
@@ -206,7 +206,7 @@ impl<'r> Section<'_, 'r> {
 
     /// A quantity in its base unit within `allowed`; `None` if it is absent or faulty.
     pub(super) fn quantity<Q: Quantity>(&mut self, key: &'static str, allowed: Allowed) -> Option<Q> {
-        let value = self.take(key, Shape::quantity::<Q>(allowed))?;
+        let value = self.take(key, ValueShape::quantity::<Q>(allowed))?;
         let fault = match &value.kind {
             RawKind::Text(text) => match Q::parse(text) {
                 Ok(found) if allowed.holds(found.base()) => return Some(found),
@@ -234,7 +234,7 @@ impl<'r> Section<'_, 'r> {
                     format!("`{key}` is the bare number {number}"),
                 )
                 .label(format!("{} needs a unit: {}", article(Q::KIND), Q::unit_list()))
-                .help(format!("write for instance: {key} = \"{example} {}\"", Q::UNITS[0].0))
+                .help(format!("write for instance: {key} = \"{example} {}\"", usual_unit::<Q>(key)))
             }
             _ => {
                 let label =
@@ -249,7 +249,7 @@ impl<'r> Section<'_, 'r> {
     /// Two lengths within `allowed` with an x between, the unit after each or after both: "220 mm x 220 mm"; `None` if
     /// it is absent or faulty.
     pub(super) fn area(&mut self, key: &'static str, allowed: Allowed) -> Option<[Length; 2]> {
-        let (text, span) = self.word(key, Shape::Area(allowed))?;
+        let (text, span) = self.word(key, ValueShape::Area(allowed))?;
         let told = |message: String| {
             let label = "must be two lengths with an x between: \"220 mm x 220 mm\"";
             Fault::error(FaultCode::WrongType, span.clone(), message).label(label)
@@ -284,7 +284,7 @@ impl<'r> Section<'_, 'r> {
 
     /// A plain number within `allowed`; `None` if it is absent or faulty.
     pub(super) fn number(&mut self, key: &'static str, allowed: Allowed) -> Option<f64> {
-        let value = self.take(key, Shape::Number(allowed))?;
+        let value = self.take(key, ValueShape::Number(allowed))?;
         let RawKind::Number(number) = &value.kind else {
             let fault = self.wrong_type(key, value, "must be a plain number, without quotes and unit");
             let meant = plain(value).filter(|number| allowed.holds(*number));
@@ -303,7 +303,7 @@ impl<'r> Section<'_, 'r> {
 
     /// A whole number from `low` to `high`; `None` if it is absent or faulty.
     pub(super) fn count(&mut self, key: &'static str, low: u32, high: u32) -> Option<u32> {
-        let value = self.take(key, Shape::Count(low, high))?;
+        let value = self.take(key, ValueShape::Count(low, high))?;
         let number = match &value.kind {
             RawKind::Number(number) if number.is_integer => number,
             _ => return self.refuse_type(key, value, "must be a whole number, without quotes and unit"),
@@ -318,7 +318,7 @@ impl<'r> Section<'_, 'r> {
 
     /// `true` or `false`; `None` if it is absent or faulty.
     pub(super) fn truth(&mut self, key: &'static str) -> Option<bool> {
-        let value = self.take(key, Shape::Truth)?;
+        let value = self.take(key, ValueShape::Truth)?;
         match value.kind {
             RawKind::Truth(found) => Some(found),
             _ => self.refuse_type(key, value, "must be true or false, without quotes"),

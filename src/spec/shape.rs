@@ -11,7 +11,7 @@ const NUMBER: &str = r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?";
 
 /// What a key takes.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Shape {
+pub(super) enum ValueShape {
     /// A number and a unit in quotes.
     Quantity {
         /// "length".
@@ -34,7 +34,7 @@ pub(super) enum Shape {
     /// A list of texts.
     Texts,
     /// The same, or one of these words instead.
-    Or(Box<Shape>, Vec<&'static str>),
+    Or(Box<ValueShape>, Vec<&'static str>),
     /// One of these words.
     Choice(Vec<&'static str>),
     /// A list of some of these words.
@@ -45,7 +45,7 @@ pub(super) enum Shape {
     Lists(Vec<&'static str>),
 }
 
-impl Shape {
+impl ValueShape {
     /// The shape of a quantity.
     pub(super) fn quantity<Q: Quantity>(allowed: Allowed) -> Self {
         Self::Quantity { kind: Q::KIND, units: Q::UNITS.iter().map(|(name, _)| *name).collect(), allowed }

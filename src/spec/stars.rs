@@ -4,7 +4,7 @@ use crate::spec::allowed::{Allowed, EXTRA, SIZE};
 use crate::spec::fault::Fault;
 use crate::spec::model::{Inlet, StarSpec};
 use crate::spec::section::{Reader, Section};
-use crate::spec::shape::Shape;
+use crate::spec::shape::ValueShape;
 use crate::spec::{FaultCode, key};
 use crate::units::{Angle, Length};
 
@@ -97,7 +97,7 @@ fn read_inlet(s: &mut Section<'_, '_>) -> (Option<Inlet>, Option<u32>) {
 
 /// Makes `star` a key of `[stack]`: a list of sections.
 fn read_list(stack: &mut Section<'_, '_>) {
-    if let Some(value) = stack.take("star", Shape::Sections)
+    if let Some(value) = stack.take("star", ValueShape::Sections)
         && value.as_list().is_none()
     {
         let fault =

@@ -16,6 +16,10 @@ pub(super) struct Known<'r> {
     pub(super) table: Option<&'r RawTable>,
 }
 
+/// Words that people write for a key.
+const MEANT: [(&str, &str); 3] =
+    [("weight", "mass"), ("payload", "mass"), ("elastic_modulus", "young_modulus")];
+
 /// Longest word compared with the known ones, in bytes; the comparison's cost grows with its square.
 const COMPARED: usize = 40;
 
@@ -114,6 +118,9 @@ fn key_hint(word: &str, here: &Known<'_>, known: &[Known<'_>]) -> String {
         name => format!("in {}", header(name)),
     };
     let elsewhere = || known.iter().filter(|one| one.section != here.section);
+    if let Some((_, key)) = MEANT.iter().find(|(other, key)| *other == word && here.keys.contains(key)) {
+        return format!("did you mean `{key}`?");
+    }
     if let Some(there) = elsewhere().find(|one| one.keys.contains(&word)) {
         return format!("`{word}` belongs {}", home(there));
     }
@@ -148,6 +155,9 @@ mod tests {
     fn a_word_before_a_key_is_no_other_key() {
         let text = "schema = 1\nname = \"x\"\n[load]\nobject_mass = \"1 kg\"\n";
         let faults = crate::spec::read(&crate::spec::Source::new("a", text)).expect_err("no such key");
+        assert!(faults.to_string().contains("did you mean `mass`?"), "{faults}");
+        let text = text.replace("object_mass", "weight");
+        let faults = crate::spec::read(&crate::spec::Source::new("a", &text)).expect_err("no such key");
         assert!(faults.to_string().contains("did you mean `mass`?"), "{faults}");
     }
 

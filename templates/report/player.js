@@ -82,9 +82,9 @@ function sheetGroup(sheet) {
     const place = `translate(${star.x_mm} ${-star.y_mm}) rotate(${-star.turn_deg})`;
     const put = (layer, ...shapes) => layers[layer].append(draw("g", { transform: place }, ...shapes));
     const closed = (steps) => pathOf(corners(steps), true);
-    put("fabric", draw("path", { class: "flap", d: closed(part.outside) + closed(part.hole), "fill-rule": "evenodd" }));
+    put("fabric", draw("path", { class: "flap", d: closed(part.outside) + (part.insides || [part.hole]).map(closed).join(""), "fill-rule": "evenodd" }));
     put("fabric", ...part.holes.map(([x, y, d]) => draw("circle", { class: "punch", cx: x / 100, cy: -y / 100, r: d / 200 })));
-    put("tube", draw("path", { class: "air", d: closed(part.tube[0]) + closed(part.tube[1]), "fill-rule": "evenodd" }));
+    put("tube", draw("path", { class: "air", d: part.tube.map(closed).join(""), "fill-rule": "evenodd" }));
     layers.labels.append(draw("text", { class: "star-name", x: star.x_mm, y: -star.y_mm, "font-size": sheet.width_mm / 40 }, String(star.star)));
   }
   const moves = job.moves.filter((move) => move.sheet === sheet.sheet);
@@ -107,7 +107,7 @@ function sealed(move, d, layers, size) {
   const seam = seamOf(move);
   const band = data.parts[data.sheets.flatMap((sheet) => sheet.stars).find((star) => star.star === seam.star).part].band_mm;
   const done = draw("path", { class: "done", d, pathLength: 1, "stroke-width": band, "stroke-dasharray": "0 1" });
-  const says = `Seam ${seam.order}: ${seam.loop} loop of star ${seam.star}, ${figure(seam.length_mm, "mm", 4)}, ${hours(seam.time_s)}`;
+  const says = `Seam ${seam.order}: ${seamName(seam)}, ${figure(seam.length_mm, "mm", 4)}, ${hours(seam.time_s)}`;
   const feel = draw("path", { class: "feel", d, "stroke-width": Math.max(3 * band, size / 2), tabindex: 0, role: "button", "aria-label": says });
   const show = () => showSeam(move);
   for (const event of ["pointerenter", "focus"]) feel.addEventListener(event, show);
@@ -133,9 +133,9 @@ function showSeam(move) {
   for (const [other, { feel }] of job.drawn) feel.classList.toggle("on", other === move);
   document.querySelectorAll("#seams tbody tr").forEach((row, i) => row.classList.toggle("on", i + 1 === seam.order));
   at("seam-says").replaceChildren(
-    make("b", {}, `Seam ${seam.order}: ${seam.loop} loop of star ${seam.star}`),
+    make("b", {}, `Seam ${seam.order}: ${seamName(seam)}`),
     make("span", {}, `${figure(seam.length_mm, "mm", 4)} in ${hours(seam.time_s)} at ${data.seal.speed}, of it ${figure(seam.overlap_mm, "mm")} twice`),
-    make("span", {}, `Load on the seal: ${loadSays(seam.load)}`),
+    KIND === "star" ? make("span", {}, `Load on the seal: ${loadSays(seam.load)}`) : "",
   );
 }
 
@@ -196,7 +196,7 @@ function goTo(time) {
   at("job-clock").textContent = says;
   const program = data.programs[move.program];
   const seam = move.points ? seamOf(move) : null;
-  const where = seam ? ` Seam ${seam.order}, ${seam.loop} loop of star ${seam.star}, ${Math.round(share * 100)} %.` : "";
+  const where = seam ? ` Seam ${seam.order}, ${seamName(seam)}, ${Math.round(share * 100)} %.` : "";
   const whole = data.programs.length > 1 ? `Program ${move.program + 1} of ${data.programs.length} (${stars(program.stars)}). ` : "";
   at("job-now").textContent = `${whole}${DOING[move.what]}${where}`;
 }
@@ -387,7 +387,9 @@ function seamTable() {
       goTo(seam.start);
       show();
     });
-    return [go, String(seam.star), seam.loop, figure(seam.length_mm, "mm", 4), figure(seam.overlap_mm, "mm"), hours(seam.time_s), data.seal.speed, loadSays(seam.load)];
+    const row = [go, String(seam.star), seam.loop, figure(seam.length_mm, "mm", 4), figure(seam.overlap_mm, "mm"), hours(seam.time_s), data.seal.speed];
+    return KIND === "star" ? [...row, loadSays(seam.load)] : row;
   });
-  table("seams", ["Order", "Star", "Loop", "Length", "Twice", "Time", "Speed", "Load on the seal"], rows);
+  const head = ["Order", "Piece", "Seam", "Length", "Twice", "Time", "Speed"];
+  table("seams", KIND === "star" ? ["Order", "Star", "Loop", ...head.slice(3), "Load on the seal"] : head, rows);
 }

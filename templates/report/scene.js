@@ -33,9 +33,9 @@ void main() {
   seen = vec4(shown * color.a, color.a);
 }`;
 
-const GROUPS = [["stack", "Stack"], ["object", "Object"], ["sheets", "Sheets"], ["masks", "Masks"]];
+const GROUPS = [["stack", "Stack"], ["pieces", "Piece"], ["object", "Object"], ["sheets", "Sheets"], ["masks", "Masks"]];
 const HOME = { yaw: 0.6, pitch: 0.55, near: 1 };
-const solid = { ...HOME, inflated: 0, groups: new Set(["stack", "object"]), parts: [], drawn: 0 };
+const solid = { ...HOME, inflated: 0, groups: new Set(["stack", "object", "pieces"]), parts: [], drawn: 0 };
 
 function program(gl) {
   const made = gl.createProgram();

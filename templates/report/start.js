@@ -2,11 +2,13 @@
 
 "use strict";
 
+showKind();
 showHead();
 showVerdict();
-showStars();
+if (KIND === "star") showStars();
+else showChambers();
 showJob();
-showPlots();
+if (KIND === "star") showPlots();
 showBill();
 showChecks();
 showSettings();

@@ -8,6 +8,10 @@ function showBill() {
   const row = (what, count, size, note) => rows.push([what, String(count), size, note]);
   data.parts.forEach((part, i) => {
     const alike = data.sheets.flatMap((sheet) => sheet.stars).filter((other) => other.part === i).map((other) => other.star);
+    if (KIND === "drawing") {
+      row(`Fabric of ${stars(alike)}`, alike.length, `${figure(bill.fabric_mm2 / 100 / alike.length, "cm²")} each`, bill.mass_g === undefined ? "two sheets" : `${figure(bill.mass_g / alike.length, "g")} each, two sheets`);
+      return;
+    }
     const own = bill.stars.find((other) => other.index === alike[0]);
     const mass = own.mass_g === undefined ? "" : `${figure(own.mass_g, "g")} each, `;
     row(`Fabric of ${stars(alike)}`, alike.length, `${figure(own.fabric_mm2 / 100, "cm²")} each`, `${mass}two sheets, hole ${figure(own.clear_radius_mm, "mm")} in radius stays free`);
@@ -15,7 +19,7 @@ function showBill() {
   for (const sheet of data.sheets) row(`Sheet ${sheet.sheet}`, 2, `${figure(sheet.width_mm, "mm", 4)} × ${figure(sheet.height_mm, "mm", 4)}`, "coated sides face each other");
   for (const plates of bill.plates) row(`Plates ${listed(plates.plates.map(String))}`, plates.plates.length, `radius ${figure(plates.radius_mm, "mm", 4)}, ${figure(plates.thickness_mm, "mm")} thick`, `opening ${figure(plates.opening_mm, "mm")} in radius; middle ${listed(plates.heights_mm.map((height) => number(height, 4)))} mm high`);
   for (const posts of bill.posts) row("Posts", posts.count, `${figure(posts.length_mm, "mm", 4)} long`, `diameter ${figure(data.post_diameter_mm, "mm")}`);
-  if (hose) row("Hose", bill.stars.length, `outer diameter ${figure(hose.diameter_mm, "mm")}`, `one for each inlet, which is ${figure(hose.length_mm, "mm")} long`);
+  if (hose && KIND === "star") row("Hose", bill.stars.length, `outer diameter ${figure(hose.diameter_mm, "mm")}`, `one for each inlet, which is ${figure(hose.length_mm, "mm")} long`);
   for (const mask of bill.masks) {
     const pieces = mask.pieces && mask.pieces.length > 1 ? `, printed in ${mask.pieces.length} pieces` : "";
     row(`Mask for ${stars(mask.stars)}`, 1, `${figure(mask.area_mm2 / 100, "cm²")}`, `${figure(mask.volume_mm3 / 1000, "cm³")} if printed${pieces}; coating ${span(mask.coating_um, "µm")} thick`);
@@ -51,9 +55,11 @@ function showEvidence() {
   const rows = [
     ["Lengths, areas, seams", "exact geometry", "lines and arcs of the design; every file was read back and compared with it"],
     ["Times", "the programs, step by step", "lengths over speeds, travels with their acceleration; heating and pauses not counted"],
-    ["Thickness of the coating", "an estimate", data.bill.masks.length > 0 ? data.bill.masks[0].coating_assumes : ""],
   ];
-  if (prediction) {
+  if (KIND === "star") rows.push(["Thickness of the coating", "an estimate", data.bill.masks.length > 0 ? data.bill.masks[0].coating_assumes : ""]);
+  if (KIND === "drawing") {
+    rows.push(...drawingEvidence());
+  } else if (prediction) {
     const { evidence } = prediction;
     const model = KNOWN[prediction.model] || "a model of the hinge";
     const sure = (quantity, unit, other, scale = 1) => {
@@ -72,7 +78,8 @@ function showEvidence() {
   } else {
     rows.push(["Predictions", "none", "the spec has no [load]"]);
   }
-  at("evidence-lead").textContent = prediction
+  if (KIND === "drawing") at("evidence-lead").textContent = "Geometry and times are exact. Numbers of the shell stand with their mesh error; no drawn piece was measured for them.";
+  else at("evidence-lead").textContent = prediction
     ? "Ranges come from computed shells, in which 95 of 100 simulated grippers lay. No gripper was measured for them; where none is given, nothing was compared."
     : "Geometry and times are exact; nothing is predicted without [load].";
   table("sources", ["Figure", "Comes from", "How good it is"], rows.map((row) => row.map(prose)));
@@ -84,8 +91,9 @@ function sayings() {
   const speed = Number.parseFloat(seal.speed);
   const plates = bill.plates.map((plate) => `${listed(plate.plates.map(String))} with the opening of ${figure(plate.opening_mm, "mm")} at ${listed(plate.heights_mm.map((height) => number(height, 4)))} mm`);
   const coating = bill.masks.map((mask) => span(mask.coating_um, "µm"));
-  const turns = data.stack.turns_deg.map((turn, i) => `${number(turn)}°${data.stack.turns_deg.length > 1 ? ` (star ${i + 1})` : ""}`);
-  const same = new Set(data.stack.turns_deg).size === 1;
+  const angles = data.stack ? data.stack.turns_deg : [];
+  const turns = angles.map((turn, i) => `${number(turn)}°${angles.length > 1 ? ` (star ${i + 1})` : ""}`);
+  const same = new Set(angles).size === 1;
   const closes = prediction ? span(rangeOf(prediction, "final_radius_mm"), "mm") || (prediction.final_radius_mm === null ? null : figure(prediction.final_radius_mm, "mm")) : null;
   const flap = data.settings.find((setting) => setting.section === "seal" && setting.key === "hole_allowance");
   return {

@@ -5,9 +5,10 @@
 function showHead() {
   const { bill, parts, load } = data;
   const points = [...new Set(parts.map((part) => part.points))];
+  const pieces = data.sheets.flatMap((sheet) => sheet.stars).length;
   at("name").textContent = data.name;
   const words = [
-    `${several(bill.stars.length, "star")} of ${listed(points)} points`,
+    KIND === "star" ? `${several(pieces, "star")} of ${listed(points)} points` : `${several(pieces, "piece")} by a drawing`,
     load && load.pressure_kPa ? `at ${figure(load.pressure_kPa, "kPa")}` : null,
     `${figure(totalSeam() / 1000, "m")} of seam in ${hours(totalTime())}`,
     `sealed at ${data.seal.temperature} and ${data.seal.speed}`,
@@ -18,7 +19,8 @@ function showHead() {
 }
 
 function totalSeam() {
-  return data.bill.stars.reduce((sum, star) => sum + star.seam_mm, 0);
+  if (KIND === "star") return data.bill.stars.reduce((sum, star) => sum + star.seam_mm, 0);
+  return data.bill.pieces.flatMap((piece) => piece.seams).reduce((sum, seam) => sum + seam.length_mm, 0);
 }
 
 function totalTime() {
@@ -28,6 +30,7 @@ function totalTime() {
 /** What becomes of the object: how sure, in one sentence, and why. */
 function verdict() {
   const { prediction, load } = data;
+  if (KIND === "drawing") return drawingVerdict();
   if (!prediction) {
     return ["plain", "Nothing is predicted", "The spec has no [load]: write a pressure, and the diameter of an object, and this page says whether it is held."];
   }
@@ -68,7 +71,7 @@ function simulated(range, unit) {
 /** Name, value, range or a note below it, for each key figure. */
 function keyFigures() {
   const { prediction, bill, load } = data;
-  const out = [];
+  const out = KIND === "drawing" ? drawingFigures() : [];
   const predicted = (name, quantity, unit, scale = 1, note = null) => {
     const value = prediction ? prediction[quantity] : null;
     const range = rangeOf(prediction, quantity);
@@ -88,8 +91,8 @@ function keyFigures() {
     out.push(["Pressure", figure(load.pressure_kPa, "kPa"), "above that outside"]);
     predicted("Bursts at", "burst_pressure_kPa", "kPa", 1, prediction.burst_pressure_kPa === null ? "peel a coupon, write its seal_strength" : null);
   }
-  out.push(["Fabric", figure(bill.fabric_mm2 / 100, "cm²"), "both sheets of all stars"]);
-  out.push(["Mass of the fabric", figure(bill.mass_g === undefined ? null : bill.mass_g, "g"), bill.mass_g === undefined ? "needs an areal_density" : "all stars"]);
+  out.push(["Fabric", figure(bill.fabric_mm2 / 100, "cm²"), `both sheets of all ${PIECE}s`]);
+  out.push(["Mass of the fabric", figure(bill.mass_g === undefined ? null : bill.mass_g, "g"), bill.mass_g === undefined ? "needs an areal_density" : `all ${PIECE}s`]);
   out.push(["Seam", figure(totalSeam() / 1000, "m"), several(data.programs.length, "program")]);
   out.push(["Sealing takes", hours(totalTime()), "heating and pauses not counted"]);
   return out;

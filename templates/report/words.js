@@ -4,6 +4,11 @@
 
 const data = JSON.parse(document.getElementById("data").textContent);
 const UNKNOWN = "unknown";
+// A manifest leaves out what a product does not have.
+for (const key of ["stars", "plates", "posts", "masks"]) data.bill[key] = data.bill[key] || [];
+/** What is made: a page about a drawing has a block of its own. */
+const KIND = data.drawing ? "drawing" : "star";
+const PIECE = data.drawing ? "piece" : "star";
 
 /** The element with this id. */
 function at(id) {
@@ -72,8 +77,8 @@ function listed(words) {
 function stars(numbers) {
   const [first] = numbers;
   const last = numbers[numbers.length - 1];
-  if (numbers.length === 1) return `star ${first}`;
-  return last - first + 1 === numbers.length ? `stars ${first} to ${last}` : `stars ${listed(numbers)}`;
+  if (numbers.length === 1) return `${PIECE} ${first}`;
+  return last - first + 1 === numbers.length ? `${PIECE}s ${first} to ${last}` : `${PIECE}s ${listed(numbers)}`;
 }
 
 /** The range of a quantity in the prediction, of one of its hinges if it has two; `null` where there is none. */
@@ -89,6 +94,17 @@ function objectOf(which) {
   const placed = data.sheets.flatMap((sheet) => sheet.stars).find((other) => other.part === which);
   const own = data.prediction && placed ? data.prediction.stars[placed.star - 1].object_radius_mm : undefined;
   return (own === undefined || own === null ? data.load.object_radius_mm : own) || null;
+}
+
+/** What a seam is called, with its piece. */
+function seamName(seam) {
+  return KIND === "star" ? `${seam.loop} loop of star ${seam.star}` : `${seam.loop || "seam"} of piece ${seam.star}`;
+}
+
+/** Hides what pages about another product have. */
+function showKind() {
+  for (const element of document.querySelectorAll("[data-only]")) element.hidden = element.dataset.only !== KIND;
+  if (KIND === "drawing") document.querySelector(".kind").textContent = "Report";
 }
 
 /** A sentence of the program: what stands in backticks is shown as code. */

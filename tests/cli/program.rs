@@ -181,6 +181,10 @@ fn only_some_kinds() {
         ["machine.toml", "manifest.json", "sheet-1-preview.svg", "sheet-1-seal.dxf", "spec.toml"]
     );
     assert_code(&run(dir.path(), &["verify", "out/star"]), 0);
+    // A whole mask has no pieces.
+    let without = run(dir.path(), &["build", "star.toml", "-q", "--only", "seal-dxf,pieces-svg"]);
+    assert_code(&without, 0);
+    assert_eq!(stderr(&without), "note: this design has no pieces-svg\n");
 }
 
 #[test]

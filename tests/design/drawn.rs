@@ -7,7 +7,7 @@ use std::path::Path as File;
 
 use stargrip_cam::artifact::Asked;
 use stargrip_cam::design::{Design, StarDesign};
-use stargrip_cam::geom::{Isometry, Path, Point, Segment, Vec2};
+use stargrip_cam::geom::{Enclosures, Isometry, Path, Point, Segment, Vec2};
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files};
 use stargrip_cam::shape::Seam;
 use stargrip_cam::spec::{self, Source, Spec};
@@ -197,6 +197,39 @@ fn shipped_drawings_are_proven_from_their_directory() {
         assert!(!prove(&other).is_empty(), "{}", path.display());
     }
     assert!(number >= 3, "{number}");
+}
+
+/// Holes and labels keep off the air, the bands and the cuts, and the holes fit in one position only.
+#[test]
+fn holes_and_labels_lie_on_the_flap() {
+    let folder = File::new(env!("CARGO_MANIFEST_DIR")).join("designs/drawings");
+    for (name, file) in [("bending-finger", "svg"), ("hand-rest", "svg"), ("pillow", "dxf")] {
+        let text = fs::read_to_string(folder.join(format!("{name}.toml"))).expect("a design");
+        let bytes = fs::read(folder.join(format!("{name}.{file}"))).expect("a drawing");
+        let made = drawn(&text, &bytes).unwrap_or_else(|refusals| panic!("{name}: {refusals}"));
+        assert_eq!(made.forecast.design.warnings, [], "{name}");
+        let piece = made.forecast.design.drawn().expect("a piece");
+        let (band, air) = (piece.shape.band, Enclosures::new(&piece.edges));
+        let clear = |p: Point, from_band: f64, from_cut: f64| {
+            let seams = piece.shape.seams.iter().map(|seam| seam.center_line.distance(p) - 0.5 * band);
+            let cuts = piece.part.inside.iter().chain([&piece.part.outside]).map(|path| path.distance(p));
+            assert!(seams.fold(f64::INFINITY, f64::min) > from_band - 1e-5, "{name}: {p:?} near a band");
+            assert!(cuts.fold(f64::INFINITY, f64::min) > from_cut - 1e-5, "{name}: {p:?} near a cut");
+            assert!(air.around(p).len().is_multiple_of(2), "{name}: {p:?} on the air");
+        };
+        let [a, b, c] = piece.registration.as_slice() else { panic!("{name}: three holes") };
+        for hole in [a, b, c] {
+            clear(hole.center, band + 1.5, 3.0);
+        }
+        let sides = [a.center.distance(b.center), b.center.distance(c.center), c.center.distance(a.center)];
+        for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+            assert!((sides[i] - sides[j]).abs() >= 6.0, "{name}: {sides:?}");
+        }
+        assert!(piece.labels.warp.is_some(), "{name}");
+        for line in piece.labels.strokes.iter().flat_map(|stroke| &stroke.segments) {
+            clear(line.point(0.5), 0.3, 0.3);
+        }
+    }
 }
 
 /// Every fault at once, each with its elements and its place.

@@ -236,3 +236,30 @@ proptest! {
         prop_assert_eq!(report.title, name);
     }
 }
+
+/// A drawing's page has its chambers and, where the shell was asked, the inflated surface; without it the page says so.
+#[test]
+fn a_drawing_has_a_report_and_a_scene_of_its_own() {
+    let pillow = include_str!("../../designs/drawings/pillow.toml");
+    for model in ["shell", "auto"] {
+        let text = format!("{pillow}\n[load]\npressure = \"10 kPa\"\n[accuracy]\nmodel = \"{model}\"\n");
+        let drawing = include_bytes!("../../designs/drawings/pillow.dxf");
+        let reading =
+            stargrip_cam::spec::read(&stargrip_cam::spec::Source::new("x", text.as_str())).expect("a spec");
+        let sources = Sources { spec: &text, machine: support::generic() };
+        let asked = Asked { only: vec![Kind::Prediction], with: vec![Kind::Report, Kind::SceneGlb] };
+        let made = pipeline::build(&reading.with_drawing(drawing).spec, &support::machine(), sources, &asked);
+        let made = made.unwrap_or_else(|refusals| panic!("{refusals}"));
+        assert_eq!(made.proof().findings, []);
+        assert_eq!(read_html(&page(&made)).map(|report| report.title), Ok("pillow".to_owned()));
+        let block = block(&page(&made));
+        let said = &block["drawing"]["prediction"];
+        let (_, file) = made.files().find(|(name, _)| *name == "prediction.json").expect("a prediction");
+        assert_eq!(*said, serde_json::from_slice::<Value>(&file).expect("JSON"));
+        assert!(block["parts"][0]["tube"].is_array() && block["stack"].is_null());
+        let (_, scene) = made.files().find(|(name, _)| *name == "scene.glb").expect("a scene");
+        let inflates = String::from_utf8_lossy(&scene).contains("\"inflate\"");
+        assert_eq!(inflates, model == "shell");
+        assert_eq!(said["volume_mm3"].is_null(), model != "shell");
+    }
+}

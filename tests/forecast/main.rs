@@ -1,6 +1,7 @@
 //! What a forecast says, held against closed forms, laws of scale, and figures worked out beside it.
 
 mod choice;
+mod drawn;
 mod optimize;
 mod outcome;
 mod page;

@@ -7,6 +7,7 @@ mod limits;
 mod lyon;
 mod mutants;
 mod seams;
+mod separators;
 mod shapes;
 mod sketched_stars;
 mod sketches;

@@ -9,9 +9,10 @@ use stargrip_cam::shape::{
     DrawnCurve, DrawnPort, PortPlace, Role, Rules, Sealing, ShapeCode, ShapeFault, Sketch, sealed_shape,
 };
 
+use crate::separators::spares_the_bands;
 use crate::shapes::blob;
 
-const RULES: Rules = Rules {
+pub(crate) const RULES: Rules = Rules {
     band: 2.0,
     allowance: 8.0,
     join: 0.02,
@@ -21,11 +22,11 @@ const RULES: Rules = Rules {
     least_passage: 15.0,
 };
 
-fn p(x: f64, y: f64) -> Point {
+pub(crate) fn p(x: f64, y: f64) -> Point {
     Point::new(x, y)
 }
 
-fn open(points: &[Point]) -> Path {
+pub(crate) fn open(points: &[Point]) -> Path {
     Path::open(points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect())
 }
 
@@ -34,23 +35,23 @@ fn polygon(points: &[Point]) -> Path {
     Path { closed: true, ..open(&ends) }
 }
 
-fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Path {
+pub(crate) fn rectangle(x: f64, y: f64, width: f64, height: f64) -> Path {
     polygon(&[p(x, y), p(x + width, y), p(x + width, y + height), p(x, y + height)])
 }
 
-fn circle(x: f64, y: f64, radius: f64) -> Path {
+pub(crate) fn circle(x: f64, y: f64, radius: f64) -> Path {
     Path::closed(vec![Arc::new(p(x, y), radius, 0.3, TAU).into()])
 }
 
-fn drawn(name: &str, path: Path) -> DrawnCurve {
+pub(crate) fn drawn(name: &str, path: Path) -> DrawnCurve {
     DrawnCurve { name: name.to_owned(), path }
 }
 
-fn port(x: f64, y: f64) -> DrawnPort {
+pub(crate) fn port(x: f64, y: f64) -> DrawnPort {
     DrawnPort { name: "port".to_owned(), place: PortPlace::At(p(x, y)) }
 }
 
-fn sketch(air: Vec<(&str, Path)>, ports: Vec<DrawnPort>) -> Sketch {
+pub(crate) fn sketch(air: Vec<(&str, Path)>, ports: Vec<DrawnPort>) -> Sketch {
     let air = air.into_iter().map(|(name, path)| drawn(name, path)).collect();
     Sketch { air, ports, ..Sketch::default() }
 }
@@ -71,7 +72,7 @@ fn refused(sketch: &Sketch) -> Vec<ShapeFault> {
 }
 
 /// Places along a path, the ends of segments among them.
-fn samples(path: &Path) -> Vec<Point> {
+pub(crate) fn samples(path: &Path) -> Vec<Point> {
     path.segments
         .iter()
         .flat_map(|s| (0..=8).map(|i| s.point(f64::from(i) / 8.0)).collect::<Vec<_>>())
@@ -383,7 +384,7 @@ proptest! {
 }
 
 /// The segment as seen from `center`, `scale` times as large.
-fn scaled(segment: &Segment, center: Point, scale: f64) -> Segment {
+pub(crate) fn scaled(segment: &Segment, center: Point, scale: f64) -> Segment {
     let at = |p: Point| center + (p - center) * scale;
     match segment {
         Segment::Line(line) => Line::new(at(line.start), at(line.end)).into(),
@@ -419,6 +420,8 @@ proptest! {
                     let topology = sealing.shape.topology();
                     prop_assert_eq!(&topology.leaks, &[]);
                     prop_assert!(topology.chambers.iter().all(|chamber| !chamber.ports.is_empty()));
+                    spares_the_bands(&sealing, 0.0)?;
+                    spares_the_bands(&sealing, 0.7)?;
                 }
                 Err(faults) => prop_assert!(!faults.is_empty()),
             }

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 /// Names that several types may have, and why.
-const REPEATED: [(&str, &str); 32] = [
+const REPEATED: &[(&str, &str)] = &[
     // The standard library's.
     ("IntoIter", "an associated type of the standard library"),
     ("Item", "an associated type of the standard library"),
@@ -24,28 +24,13 @@ const REPEATED: [(&str, &str); 32] = [
     ("Line", "a line of a program, and a straight segment"),
     ("Machine", "the machine of a profile, and the reader's model of it"),
     ("Program", "what is planned, and what is read back"),
-    ("Facet", "a triangle of an STL file, and one of a sheet"),
     // The physics has words of its own for what a spec describes in other units.
     ("Actuator", "what is asked, and its shell"),
     ("Fabric", "as a spec describes it, and in SI units"),
     ("Sheet", "of the machine, and of the shell"),
     ("Piece", "a sealed shape to cut, and a part of a mesh"),
-    ("Rest", "of a closed form, and of a shell"),
-    ("Progress", "on a terminal, and of a shell"),
-    ("Shape", "of an object, of a drawing, of an inflated sheet"),
-    ("Side", "of a band, of a tube, of a mesh's edge"),
-    ("Cell", "of a picture, of a tube between hinges, of its mesh"),
-    ("Field", "a key that varies, and values on a mesh"),
-    ("Edge", "of a drawing, and of a mesh"),
     ("Mesh", "of a scene, and of a shell"),
     ("Section", "of a spec, of its schema, and the model of a hinge"),
-    // Still to be told apart.
-    ("Code", "a trait of message codes, and a word of a controller"),
-    ("Motion", "how a machine moves, and how a pose does"),
-    ("Part", "of a contour, and of an assembly"),
-    ("Pose", "an inflated star, and its shape in a scene"),
-    ("Report", "of a leak check, and of a build"),
-    ("Surface", "a colour's, and a mesh's"),
 ];
 
 type Definitions = BTreeMap<String, Vec<String>>;

@@ -15,7 +15,7 @@ fn with_path(path: &str) -> String {
 /// exact ends have, which on GRBL takes 33 ms.
 #[test]
 fn coarse_files_are_proven_on_every_chopping_profile() {
-    for name in ["grbl", "fluidnc", "marlin", "grblhal"] {
+    for name in crate::WITH_FLOOR {
         for path in ["0.01 mm", "0.1 mm", "1 mm"] {
             let build = built(&with_path(path), profile(name));
             assert_eq!(read_back(&build.output_files()).findings, [], "{name} {path}");

@@ -21,7 +21,7 @@ fn proven(spec: &Spec, machine: &Machine, grid: &StripGrid) -> Vec<Coupon> {
 #[test]
 fn every_coupon_is_sound_in_every_dialect() {
     for name in PROFILES {
-        let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+        let chop = crate::has_floor(name);
         let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
         let (spec, machine) = (spec(&spec_text(rest)), machine(profile(name)));
         let grid = StripGrid {

@@ -208,7 +208,7 @@ fn what_is_unknown_is_not_chopped() {
 #[test]
 fn chopped_programs_keep_their_time_and_say_what_they_need() {
     let steady = built(&spec_text(""), profile("generic"));
-    for name in ["grbl", "grblhal", "fluidnc", "marlin"] {
+    for name in crate::WITH_FLOOR {
         let chopped = built(&spec_text(CHOP), profile(name));
         let (a, b) = (&steady.manifest.stars[0], &chopped.manifest.stars[0]);
         assert_eq!((a.seam_mm, a.time_s), (b.seam_mm, b.time_s));
@@ -268,7 +268,7 @@ fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
     use stargrip_cam::verify::gcode::{Dialect, Event, Interpreter, MoveKind};
     use stargrip_cam::verify::stroke_seconds;
     for name in PROFILES {
-        let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+        let chop = crate::has_floor(name);
         let spec = crate::spec(&spec_text(if chop { CHOP } else { "" }));
         let machine = crate::machine(profile(name));
         let code = stargrip_cam::emit::feed_check(

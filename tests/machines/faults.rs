@@ -11,7 +11,7 @@ const FILE: &str = "star-1-seal.gcode";
 const HEAT: &str = "; heat: temperature_C=200";
 
 fn build(name: &str) -> Built {
-    let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+    let chop = crate::has_floor(name);
     let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
     built(&spec_text(rest), profile(name))
 }
@@ -190,7 +190,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn a_fault_anywhere_is_found(profile in 0..8_usize, kind in 0..13_usize, at in 0.0..1.0_f64) {
+    fn a_fault_anywhere_is_found(profile in 0..PROFILES.len(), kind in 0..13_usize, at in 0.0..1.0_f64) {
         let build = build(PROFILES[profile]);
         if let Some(bad) = seeded(kind, at, &text(&build, FILE)) {
             let findings = findings_with(&build, FILE, &bad.text);
@@ -199,7 +199,7 @@ proptest! {
     }
 
     #[test]
-    fn a_file_cut_at_any_byte_is_found(profile in 0..8_usize, at in 0.0..1.0_f64) {
+    fn a_file_cut_at_any_byte_is_found(profile in 0..PROFILES.len(), at in 0.0..1.0_f64) {
         let build = build(PROFILES[profile]);
         let good = text(&build, FILE);
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "small")]
@@ -209,10 +209,10 @@ proptest! {
     }
 
     #[test]
-    fn a_name_never_becomes_a_command(profile in 0..8_usize, name in "[ -~\u{e9}\u{661f}]{1,80}|.{0,20}[);(!~?%$;] ?(M104 S300|G0 Z-9|PAUSE|M2).{0,10}") {
+    fn a_name_never_becomes_a_command(profile in 0..PROFILES.len(), name in "[ -~\u{e9}\u{661f}]{1,80}|.{0,20}[);(!~?%$;] ?(M104 S300|G0 Z-9|PAUSE|M2).{0,10}") {
         let escaped = name.replace('\\', "\\\\").replace('"', "\\\"");
-        let (machine, chop) = (crate::profile(PROFILES[profile]), ["grbl", "grblhal", "fluidnc", "marlin"]);
-        let rest = if chop.contains(&PROFILES[profile]) { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
+        let (machine, chop) = (crate::profile(PROFILES[profile]), crate::has_floor(PROFILES[profile]));
+        let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
         let plain = spec_text(rest);
         let named = plain.replace("name = \"small\"", &format!("name = \"{escaped}\""));
         prop_assume!(stargrip_cam::spec::check_name(&name).is_ok());

@@ -7,6 +7,7 @@ mod clock;
 mod coupons;
 mod dangerous_lines;
 mod dialects;
+mod drawings;
 mod faults;
 mod job_size;
 mod lowest_feed;
@@ -22,12 +23,25 @@ use stargrip_cam::artifact::Asked;
 use stargrip_cam::design::Refusals;
 use stargrip_cam::pipeline::read_back;
 use stargrip_cam::pipeline::{Built, Sources, build};
-use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, read, read_machine};
+use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, builtin_machines, read, read_machine};
 use stargrip_cam::verify::{Finding, OutputFiles};
 
 /// Every profile that comes with the program.
 const PROFILES: [&str; 8] =
     ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
+
+/// Those of controllers with a lowest step rate, so that programs for them may have to be chopped.
+const WITH_FLOOR: [&str; 4] = ["grbl", "grblhal", "fluidnc", "marlin"];
+
+/// Whether the controller of profile `name` has a lowest step rate.
+fn has_floor(name: &str) -> bool {
+    WITH_FLOOR.contains(&name)
+}
+
+#[test]
+fn every_profile_is_tried() {
+    assert!(builtin_machines().eq(PROFILES), "PROFILES are not those that come with the program");
+}
 
 /// A spec of a small star, with more of it in `rest`.
 fn spec_text(rest: &str) -> String {

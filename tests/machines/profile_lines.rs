@@ -40,11 +40,7 @@ fn counted(lines: &[String]) -> String {
 }
 
 fn chop(name: &str) -> &'static str {
-    if ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name) {
-        "[machine]\nfeed_floor = \"chop\"\n"
-    } else {
-        ""
-    }
+    if crate::has_floor(name) { "[machine]\nfeed_floor = \"chop\"\n" } else { "" }
 }
 
 /// The findings after `change` of the lines of `file`.

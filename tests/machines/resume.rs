@@ -13,7 +13,7 @@ use crate::{PROFILES, built, machine, profile, spec_text, text};
 const FILE: &str = "star-1-seal.gcode";
 
 fn job(name: &str) -> String {
-    let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+    let chop = crate::has_floor(name);
     let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
     text(&built(&spec_text(rest), profile(name)), FILE)
 }

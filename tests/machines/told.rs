@@ -6,7 +6,7 @@ const FILE: &str = "star-1-seal.gcode";
 
 /// What is found by reading after `change` of the lines of a sealing program: codes and lines, but for those of the last line.
 fn found(name: &str, change: impl Fn(&mut Vec<String>)) -> Vec<(&'static str, Option<usize>)> {
-    let chop = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+    let chop = crate::has_floor(name);
     let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
     let build = built(&spec_text(rest), profile(name));
     let mut lines: Vec<String> = text(&build, FILE).lines().map(str::to_owned).collect();

@@ -3,6 +3,8 @@
 /** The sections in the order in which they matter; those that the schema has besides follow. */
 const ORDER = ["", "star", "stack", "load", "fabric", "machine", "inlet", "seal", "sheet", "mask", "frame", "cut", "build"];
 const OPEN = ["star", "load"];
+/** What is asked of stars only, and of drawings only. */
+const OF_STARS = ["star", "stack", "load", "mask", "frame"], OF_DRAWINGS = ["drawing"];
 const QUANTITY = /^\s*([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(\S.*?)\s*$/;
 
 /** An element with properties and children. */
@@ -35,6 +37,7 @@ const plain = (number) => String(Number(number.toPrecision(6)));
 
 export class Form {
     #fields = new Map();
+    #sections = new Map();
     #change;
 
     /** Fields of `schema` in `root`; `machines` are the profiles; `change(key, value)` is told what shall stand in the text: TOML, or null. */
@@ -50,7 +53,11 @@ export class Form {
             keys.sort(([a], [b]) => required.includes(b) - required.includes(a));
             const fields = keys.map(([key, property]) => this.#field(name, key, property, machines));
             if (name === "") root.append(...fields);
-            else root.append(element("details", { open: OPEN.includes(name) }, element("summary", {}, `${name} `, element("small", {}, sections[name].description ?? "")), ...fields));
+            else {
+                const section = element("details", { open: OPEN.includes(name) }, element("summary", {}, `${name} `, element("small", {}, sections[name].description ?? "")), ...fields);
+                this.#sections.set(name, section);
+                root.append(section);
+            }
         }
     }
 
@@ -113,8 +120,9 @@ export class Form {
         slider.setAttribute("aria-valuetext", input.value);
     }
 
-    /** Shows what the spec says: settings [{ section, key, value, given }]. A field in use is left alone. */
-    show(settings) {
+    /** Shows what the spec says: settings [{ section, key, value, given }], for a star or for a drawing. A field in use is left alone. */
+    show(settings, isDrawn) {
+        for (const [name, section] of this.#sections) section.hidden = (isDrawn ? OF_STARS : OF_DRAWINGS).includes(name);
         for (const { section, key, value, given } of settings) {
             const path = section ? `${section}.${key}` : key;
             const field = this.#fields.get(path);

@@ -2,17 +2,18 @@
 import { Program, Dropped } from "./program.js";
 import { Form, element } from "./form.js";
 import { Editor } from "./editor.js";
-import { zipped, unzipped, drained } from "./zip.js";
+import { zipped } from "./zip.js";
 import { fragmentOf, textOf } from "./link.js";
+import { keep, kept, forget } from "./kept.js";
+import { sorted } from "./opening.js";
 
-const KEPT = "stargrip-cam.spec";
 /** Wait after the last change before all files are made, ms. */
 const PAUSE = 150;
 
 const by = (id) => document.getElementById(id);
 const designs = JSON.parse(by("designs-data").textContent);
-/** The machine profile of a dropped build, for a spec that names a file. */
-let machine;
+/** The machine profile and the drawing that were dropped, for a spec that names files. */
+let machine, drawing;
 let program, form, editor, timer;
 /** Files of the last proven build. */
 let files = [];
@@ -34,25 +35,31 @@ async function safely(work) {
     }
 }
 
-/** The compiled program: from the page itself, or from the file beside it. */
+/** The compiled program: from the page itself, or from the file beside it. It is compiled while it comes. */
 async function compiled() {
+    const streamed = (body) => WebAssembly.compileStreaming(new Response(body, { headers: { "Content-Type": "application/wasm" } }));
     const own = by("program-data");
-    if (!own) return WebAssembly.compile(await (await fetch("stargrip-cam.wasm")).arrayBuffer());
-    const packed = Uint8Array.from(atob(own.textContent), (letter) => letter.charCodeAt(0));
+    if (!own) {
+        const beside = await fetch("stargrip-cam.wasm");
+        if (!beside.ok) throw new Error(`the program could not be loaded (${beside.status}); load the page again`);
+        navigator.serviceWorker?.register("offline.js").catch(() => {}); // without it the page wants its network
+        return streamed(beside.body);
+    }
+    const packed = Uint8Array.fromBase64?.(own.textContent) ?? Uint8Array.from(atob(own.textContent), (letter) => letter.charCodeAt(0));
     own.remove();
-    return WebAssembly.compile(await drained(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")), 1 << 26));
+    return streamed(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
-/** A quick look at the text as it stands, then all of its files. */
+/** A quick look at the text as it stands, for which it waits, then all of its files. */
 function refresh() {
     const spec = editor.text;
-    keep(spec);
+    keep({ text: spec, machine, drawing });
     clearTimeout(timer);
     by("result").classList.add("old");
     withdraw();
     const began = performance.now();
-    safely(async () => {
-        const answer = await program.ask({ ask: "build", spec, machine, only: ["preview-svg"], prove: false }, { lane: "look" });
+    return safely(async () => {
+        const answer = await program.ask({ ask: "build", spec, machine, only: ["preview-svg"], prove: false }, { files: drawings(), lane: "look" });
         if (editor.text !== spec) return;
         show(answer);
         document.documentElement.dataset.look = Math.round(performance.now() - began);
@@ -65,17 +72,17 @@ function build(spec) {
     const began = performance.now();
     by("proof").textContent = "Making and proving the files ...";
     safely(async () => {
-        const answer = await program.ask({ ask: "build", spec, machine, anyway: by("anyway").checked }, { lane: "files", isLong: true });
+        const answer = await program.ask({ ask: "build", spec, machine, anyway: by("anyway").checked }, { files: drawings(), lane: "files", isLong: true });
         if (editor.text !== spec) return;
         offer(answer);
         document.documentElement.dataset.built = Math.round(performance.now() - began);
-        if (by("report-box").open) report(spec);
+        if (by("report-box").open && !isDrawn()) report(spec);
     });
 }
 
 function report(spec) {
     safely(async () => {
-        const answer = await program.ask({ ask: "build", spec, machine, only: ["report"], prove: false }, { lane: "report", isLong: true });
+        const answer = await program.ask({ ask: "build", spec, machine, only: ["report"], prove: false }, { files: drawings(), lane: "report", isLong: true });
         const page = answer.files.find(({ name }) => name.endsWith(".html"));
         if (page && editor.text === spec) by("report").srcdoc = new TextDecoder().decode(page.bytes);
     });
@@ -87,13 +94,15 @@ function show({ faults = [], settings, overview, unfit, files: made, wrong }) {
     editor.show(faults);
     form.mark(faults);
     if (settings) {
-        form.show(settings);
         const profile = settings.find(({ section, key }) => section === "machine" && key === "profile");
+        form.show(settings, isDrawn());
         by("machine").value = profile?.value ?? "";
+        by("report-box").hidden = isDrawn(); // of drawings there is none
     }
     by("anyway-box").hidden = !unfit;
     const verdict = by("verdict");
     if (!overview) {
+        by("files").replaceChildren();
         verdict.className = "bad";
         verdict.textContent = "Refused: the faults stand under the spec.";
         return;
@@ -115,7 +124,10 @@ function picture(file) {
     if (!file) return;
     const image = by("preview"), old = image.src;
     image.src = URL.createObjectURL(new Blob([file.bytes], { type: "image/svg+xml" }));
-    image.onload = () => old && URL.revokeObjectURL(old);
+    image.onload = () => {
+        performance.mark("preview");
+        if (old) URL.revokeObjectURL(old);
+    };
     image.alt = "Sheet with seams, cut and inlet, as it will be sealed";
     image.hidden = false;
     by("preview-note").textContent = "Sheet 1 as it will be sealed and cut, seen from the side that the iron touches.";
@@ -125,7 +137,7 @@ function picture(file) {
 function withdraw() {
     files = [];
     by("zip").disabled = true;
-    by("files").replaceChildren();
+    by("files").inert = true;
     by("proof").textContent = "";
 }
 
@@ -133,6 +145,7 @@ function withdraw() {
 function offer({ faults, files: made, kinds, proven, unfit, name }) {
     editor.show(faults);
     if (!proven) {
+        by("files").replaceChildren();
         by("proof").textContent = unfit && !by("anyway").checked ? "Nothing is handed out: it does not do what its own [load] asks." : "Nothing can be handed out.";
         return;
     }
@@ -143,6 +156,7 @@ function offer({ faults, files: made, kinds, proven, unfit, name }) {
     const size = (bytes) => (bytes.length < 1000 ? `${bytes.length} B` : `${(bytes.length / 1000).toPrecision(3)} kB`);
     const entry = (file) => element("li", {}, element("button", { type: "button", className: "plain", title: kinds[file.name] ?? "", onclick: () => save(file.name, new Blob([file.bytes])) }, file.name, element("small", {}, size(file.bytes))));
     by("files").replaceChildren(...made.map(entry));
+    by("files").inert = false;
 }
 
 /** A name as a file name anywhere. */
@@ -154,24 +168,15 @@ function save(name, blob) {
     setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }
 
-/** The last text, for the next visit; a browser may refuse to keep it. */
-function keep(text) {
-    try {
-        localStorage.setItem(KEPT, text);
-    } catch { /* then it is not kept */ }
-}
+/** Whether the spec is of a drawing; else it is of stars. */
+const isDrawn = () => /^\s*\[drawing\]/m.test(editor.text);
 
-function kept() {
-    try {
-        return localStorage.getItem(KEPT);
-    } catch {
-        return null;
-    }
-}
+/** The dropped drawing as files of a question. */
+const drawings = () => (drawing ? [drawing] : []);
 
-/** Another spec. */
-function take(text, profile) {
-    machine = profile;
+/** Another spec, with the profile and the drawing that came with it. */
+function take(text, own = {}) {
+    ({ machine, drawing } = own);
     by("anyway").checked = false;
     editor.text = text;
     refresh();
@@ -239,20 +244,14 @@ function told({ fields, reasons, nearest, in_words, wrong }) {
     return list;
 }
 
-/** A dropped or opened file: a spec, with its machine profile or without, or the files of a build, which are proven. */
+/** Dropped or opened files: a spec, with its profile and its drawing; a drawing alone; or the files of a build, which are proven. */
 async function opened(list) {
-    let all = await Promise.all(Array.from(list, async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
-    const archive = all.find(({ name }) => name.toLowerCase().endsWith(".zip"));
-    if (archive) all = await unzipped(archive.bytes);
-    const text = (file) => file && new TextDecoder("utf-8", { fatal: true }).decode(file.bytes);
-    const named = (name) => all.find((file) => file.name === name);
-    const profile = text(named("machine.toml"));
-    const spec = named("spec.toml") ?? all.find(({ name }) => name.endsWith(".toml") && name !== "machine.toml");
-    if (!spec) throw new Error("there is no spec in it; a spec is a TOML file");
-    take(text(spec), profile);
-    if (!named("manifest.json")) return say(`Opened ${spec.name}.`);
+    const found = await sorted(list);
+    if (found.spec === undefined) return drawn(found.drawing);
+    take(found.spec, found);
+    if (!found.build) return say(`Opened ${found.name}.`);
     say("Proving the files of the build ...");
-    const { findings, proven, unproven, written_by } = await program.ask({ ask: "verify" }, { files: all, isKept: true });
+    const { findings, proven, unproven, written_by } = await program.ask({ ask: "verify" }, { files: found.build, isKept: true });
     if (findings.length > 0) {
         const first = findings.slice(0, 3).map(({ file, line, code, found }) => `${file}${line ? `:${line}` : ""}: ${found} (${code})`);
         return say(`${findings.length} findings: ${first.join("; ")}`, true);
@@ -261,11 +260,23 @@ async function opened(list) {
     return say(`Proven, no findings: ${proven.length} files${other}.`);
 }
 
-/** The spec of the link, or the one kept, or a shipped one. */
+/** A drawing alone: that of the spec as it stands, if this one names it; else a spec is proposed. */
+async function drawn(drawing) {
+    if (isDrawn() && editor.text.includes(JSON.stringify(drawing.name))) {
+        take(editor.text, { machine, drawing });
+        return say(`The drawing is now ${drawing.name} as dropped.`);
+    }
+    const { spec, layers, reasons } = await program.ask({ ask: "drawing" }, { files: [drawing] });
+    if (reasons) return say(`${drawing.name} cannot be read: ${reasons.slice(0, 3).join("; ")}`, true);
+    take(spec, { drawing });
+    return say(`A spec of ${drawing.name}: ${layers.length} layers, each with a proposed role. Look at the roles in it.`);
+}
+
+/** The spec of the link, or what is kept, or a shipped spec. */
 async function first() {
     const linked = await safely(() => textOf(location.hash));
     if (linked === undefined) say("The link is damaged: it holds no spec.", true);
-    return linked ?? kept() ?? designs["paper-gripper"] ?? Object.values(designs)[0];
+    return linked ? { text: linked } : kept() ?? { text: designs["paper-gripper"] ?? Object.values(designs)[0] };
 }
 
 function listen() {
@@ -274,12 +285,12 @@ function listen() {
     by("copy-link").addEventListener("click", () => safely(async () => {
         const link = location.href.split("#")[0] + (await fragmentOf(editor.text));
         history.replaceState(null, "", link);
-        await navigator.clipboard?.writeText(link).then(() => say("The link is copied; it holds the whole spec."), () => say("The link is in the address bar; it holds the whole spec."));
+        const holds = drawing ? "it holds the spec, but not the drawing: send that along" : "it holds the whole spec";
+        const isCopied = await (navigator.clipboard?.writeText(link) ?? Promise.reject(new Error())).then(() => true, () => false);
+        say(`The link is ${isCopied ? "copied" : "in the address bar"}; ${holds}.`);
     }));
     by("forget").addEventListener("click", () => {
-        try {
-            localStorage.removeItem(KEPT);
-        } catch { /* nothing was kept */ }
+        forget();
         history.replaceState(null, "", location.href.split("#")[0]);
         say("What this browser kept of your spec is gone. The text here stays until you leave.");
     });
@@ -305,9 +316,10 @@ function listen() {
 async function start() {
     const worker = URL.createObjectURL(new Blob([by("worker-code").textContent], { type: "text/javascript" }));
     editor = new Editor(refresh);
-    const [module, text] = await Promise.all([compiled(), first()]);
+    const [module, begun] = await Promise.all([compiled(), first()]);
     program = new Program(module, () => new Worker(worker));
-    editor.text = text;
+    ({ machine, drawing } = begun);
+    editor.text = begun.text;
     const { schema, machines, version } = await program.ask({ ask: "start" });
     const options = () => machines.map(({ name, description }) => element("option", { value: name }, `${name}: ${description}`));
     by("machine").append(...options());
@@ -317,7 +329,8 @@ async function start() {
     by("version").textContent = `Version ${version}.`;
     form = new Form(by("form"), schema, machines, change);
     listen();
-    refresh();
+    if (by("note").className !== "bad") say("");
+    await refresh();
 }
 
-safely(start);
+safely(start).then(() => document.querySelector("main").classList.remove("starting"));

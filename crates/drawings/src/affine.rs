@@ -61,7 +61,7 @@ pub(crate) fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
         90.0 => (1.0, 0.0),
         180.0 => (0.0, -1.0),
         270.0 => (-1.0, 0.0),
-        angle => angle.to_radians().sin_cos(),
+        angle => libm::sincos(angle.to_radians()),
     }
 }
 

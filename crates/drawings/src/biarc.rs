@@ -56,7 +56,7 @@ pub(crate) fn fit(curve: &impl Curve, tolerance: f64, limit: usize, out: &mut Ve
             at = end;
         }
         // Error is proportional to the cube of the step; the bounds keep one odd measurement from ruling.
-        let factor = if error.is_finite() { 0.9 * (allowed / error.max(1e-300)).cbrt() } else { 0.5 };
+        let factor = if error.is_finite() { 0.9 * libm::cbrt(allowed / error.max(1e-300)) } else { 0.5 };
         let bounds = if accepted { (0.8, 4.0) } else { (0.2, 0.8) };
         let factor = if accepted && error.is_infinite() { 2.0 } else { factor.clamp(bounds.0, bounds.1) };
         step = (step * factor).max(SHORTEST);
@@ -185,7 +185,7 @@ fn same_circle(a: &Arc, b: &Arc) -> bool {
 fn arc_from(start: Point, end: Point, tangent: Vec2, straight: f64) -> Option<Arc> {
     let chord = end - start;
     let (across, along) = (tangent.cross(chord), tangent.dot(chord));
-    let half = across.atan2(along);
+    let half = libm::atan2(across, along);
     // Of a longer chord the arc may be flatter still: its ends err by 2e-16 of a radius of chord^2 / (8 sagitta), which is
     // kept below 1e-6 mm as far as the tolerance allows.
     let straight = straight.max((2.5e-11 * chord.dot(chord)).min(300.0 * straight));

@@ -8,6 +8,8 @@ use crate::{Drawing, Element, Fault, Figure, Note, Options, Place, Weight};
 
 /// Largest absolute coordinate, mm: a kilometre. Beyond it arcs of a drawing in `f64` would lose the nanometre.
 pub(crate) const FARTHEST: f64 = 1e6;
+/// The text of the note on a curve without length.
+pub const NO_LENGTH: &str = "It has no length; it is read as a point.";
 /// Distance up to which two ends are the same point, mm: rounding of sums of coordinates, not a gap of the drawing.
 const SAME: f64 = 1e-9;
 /// Most notes and faults that are kept; their number is bounded by the file otherwise.
@@ -139,7 +141,7 @@ impl<'o> Collector<'o> {
         self.segments += segments.len();
         let (Some(first), Some(last)) = (segments.first(), segments.last()) else {
             place.at = Some(map.point(chain.start));
-            self.note(Weight::Information, place.clone(), "It has no length; it is read as a point.");
+            self.note(Weight::Information, place.clone(), NO_LENGTH);
             self.point(place, map, chain.start);
             return Ok(());
         };

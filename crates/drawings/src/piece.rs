@@ -116,7 +116,7 @@ fn circular(center: Point, u: Vec2, v: Vec2, start: f64, sweep: f64) -> Option<A
 
 /// Parameters from `start` over `sweep`, cut at the ends of the principal axes, where curvature is extreme.
 fn quarters(u: Vec2, v: Vec2, start: f64, sweep: f64) -> Vec<f64> {
-    let axis = 0.5 * (2.0 * u.dot(v)).atan2(u.dot(u) - v.dot(v));
+    let axis = 0.5 * libm::atan2(2.0 * u.dot(v), u.dot(u) - v.dot(v));
     let (low, high) = (start.min(start + sweep), start.max(start + sweep));
     let mut cuts = vec![low];
     let mut next = axis + ((low - axis) / FRAC_PI_2).floor() * FRAC_PI_2;
@@ -145,13 +145,13 @@ struct EllipsePart {
 
 impl Curve for EllipsePart {
     fn point(&self, t: f64) -> Point {
-        let (sin, cos) = (self.start + (self.end - self.start) * t).sin_cos();
+        let (sin, cos) = libm::sincos(self.start + (self.end - self.start) * t);
         self.center + self.u * cos + self.v * sin
     }
 
     fn derivative(&self, t: f64) -> Vec2 {
         let span = self.end - self.start;
-        let (sin, cos) = (self.start + span * t).sin_cos();
+        let (sin, cos) = libm::sincos(self.start + span * t);
         (self.v * cos - self.u * sin) * span
     }
 }

@@ -21,6 +21,6 @@ impl fmt::Display for Readable {
 /// Decimals that give a number other than 0 six significant digits, if it has fractions so far up.
 pub fn decimals(x: f64) -> usize {
     #[expect(clippy::cast_possible_truncation, reason = "the exponent of an f64 is below 400")]
-    let exponent = x.abs().log10().floor() as i32;
+    let exponent = libm::log10(x.abs()).floor() as i32;
     usize::try_from(5 - exponent).unwrap_or(0)
 }

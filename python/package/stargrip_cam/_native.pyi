@@ -475,7 +475,8 @@ def predict(
 
     model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
     radii: also the force on round objects of these radii, "20 mm..40 mm/5".
-    fineness: of the shell's meshes: "coarse", "medium" (default) or "fine".
+    fineness: of the shell's meshes: "coarse" (default for drawings), "medium" (default for stars) or "fine".
+    The answer about a drawing has keys of its own, `chambers` among them: read it by to_dict().
     progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 
     Raises DesignError if there is no such gripper, PredictionError if the model has no answer, UsageError for wrong arguments.
@@ -490,7 +491,7 @@ def build(
 ) -> Build:
     """Builds the files of `spec` in memory and proves every one.
 
-    only: the only kinds of file to make, a list: `["seal-gcode"]`. Default: all but preview-png, scene-glb and report.
+    only: the only kinds of file to make, a list: `["seal-gcode"]`. Default: all but outline-pdf, frame-pdf, frame-stl, preview-png, scene-glb and report.
     with_: kinds to make in addition: `["report"]`.
     anyway: True builds a gripper that bursts, does not hold its own object, presses too hard on it, or lies outside every model.
     progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.

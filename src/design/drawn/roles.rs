@@ -1,11 +1,11 @@
 //! Roles: which element of a drawing is what, by its layers.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::design::{Refusal, RefusalCode, Refusals};
 use crate::shape::{DrawnCurve, DrawnPort, PortPlace, Sketch};
 use crate::spec::{DrawingSpec, DrawnPlace, LayerRole, key, nearest};
-use drawings::{Drawing, Element, Figure, Note, Weight};
+use drawings::{Drawing, Element, Figure, NO_LENGTH, Note, Weight};
 use inflatable::geom::{Path, Point};
 
 /// Names of elements that a message lists; the others are counted.
@@ -52,8 +52,16 @@ pub(super) fn refusals(drawing: &Drawing, spec: &DrawingSpec) -> Refusals {
     refusals.extend(unknown(drawing, spec));
     refusals.extend(drawing.notes.iter().filter_map(|note| lost(note, spec)));
     let points = drawing.elements.iter().filter(|element| matches!(element.figure, Figure::Point(_)));
+    // Programs write lines without length where a path closes: those are lost without loss.
+    let nothing: BTreeSet<&str> = drawing
+        .notes
+        .iter()
+        .filter(|note| note.text == NO_LENGTH)
+        .filter_map(|note| note.place.element.as_deref())
+        .collect();
     let is_curve = |element: &&Element| {
         !matches!(spec.role(&element.layers), None | Some(LayerRole::Port | LayerRole::Ignore))
+            && !nothing.contains(element.id.as_str())
     };
     refusals.extend(points.filter(is_curve).map(|element| {
         let found = format!("{} is a point, and its layer is one of curves", element.id);

@@ -42,23 +42,18 @@ enum ProgressWords {
     PercentAndMinutes,
 }
 
-/// Every dialect: whether dwells are told early, whether travels need a feed, its display, its host.
-const SPELLINGS: [(Dialect, bool, bool, ProgressWords, Host); 8] = [
-    (Dialect::Generic, false, true, ProgressWords::None, Host::None),
-    (Dialect::LinuxCnc, false, false, ProgressWords::None, Host::None),
-    (Dialect::Grbl, true, false, ProgressWords::None, Host::None),
-    (Dialect::GrblHal, true, false, ProgressWords::None, Host::None),
-    (Dialect::FluidNc, false, false, ProgressWords::None, Host::None),
-    (Dialect::Marlin, false, true, ProgressWords::PercentAndMinutes, Host::None),
-    (Dialect::Klipper, false, true, ProgressWords::Percent, Host::Moonraker),
-    (Dialect::RepRapFirmware, false, true, ProgressWords::PercentAndMinutes, Host::Duet),
-];
-
 impl Spelling {
     /// The spelling of `dialect`.
     pub(super) fn of(dialect: Dialect) -> Self {
-        let row = SPELLINGS.iter().find(|(known, ..)| *known == dialect);
-        let (_, dwell_early, travel_at_feed, progress, host) = row.copied().unwrap_or(SPELLINGS[0]);
+        // Whether dwells are told early, whether travels need a feed, its display, its host.
+        let (dwell_early, travel_at_feed, progress, host) = match dialect {
+            Dialect::Generic => (false, true, ProgressWords::None, Host::None),
+            Dialect::LinuxCnc | Dialect::FluidNc => (false, false, ProgressWords::None, Host::None),
+            Dialect::Grbl | Dialect::GrblHal => (true, false, ProgressWords::None, Host::None),
+            Dialect::Marlin => (false, true, ProgressWords::PercentAndMinutes, Host::None),
+            Dialect::Klipper => (false, true, ProgressWords::Percent, Host::Moonraker),
+            Dialect::RepRapFirmware => (false, true, ProgressWords::PercentAndMinutes, Host::Duet),
+        };
         Self { dwell_early, travel_at_feed, progress, host }
     }
 
@@ -113,13 +108,6 @@ pub(super) fn heat(temperature: Temperature) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn every_dialect_has_its_row() {
-        for (_, dialect) in Dialect::NAMES {
-            assert_eq!(SPELLINGS.iter().filter(|(known, ..)| *known == dialect).count(), 1, "{dialect:?}");
-        }
-    }
 
     #[test]
     fn a_dwell_is_what_the_controller_makes_of_it() {

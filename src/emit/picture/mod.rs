@@ -82,8 +82,13 @@ const FALL: f64 = 0.24;
 impl Text {
     /// A text whose box has its middle at `center`.
     pub(super) fn centered(center: Point, size: f64, ink: Colour, content: impl Into<String>) -> Self {
-        let at = center - Vec2::new(0.0, 0.5 * (RISE - FALL) * size);
-        Self { at, size, anchor: Anchor::Middle, ink, content: content.into() }
+        let text = Self { at: center, size, anchor: Anchor::Middle, ink, content: content.into() };
+        text.centered_at(center)
+    }
+
+    /// The same, with the middle of its box at `center`.
+    pub(super) fn centered_at(self, center: Point) -> Self {
+        Self { at: center - Vec2::new(0.0, 0.5 * (RISE - FALL) * self.size), anchor: Anchor::Middle, ..self }
     }
 
     /// Where its first letter begins.

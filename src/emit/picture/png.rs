@@ -97,7 +97,7 @@ impl Canvas<'_> {
     fn arc(&self, arc: &Arc, out: &mut PathBuilder) {
         let whole = Segment::Arc(*arc);
         let pieces = (arc.sweep.abs() / FRAC_PI_4).ceil().max(1.0);
-        let reach = 4.0 / 3.0 * (arc.sweep.abs() / pieces / 4.0).tan() * arc.radius;
+        let reach = 4.0 / 3.0 * libm::tan(arc.sweep.abs() / pieces / 4.0) * arc.radius;
         for k in 0..count(pieces) {
             let (from, to) = (f64::from(k) / pieces, f64::from(k + 1) / pieces);
             let [a, b, end] = [

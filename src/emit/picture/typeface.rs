@@ -3,6 +3,8 @@
 //! A PNG is drawn with it. An SVG asks for it and falls back to others; all sans-serif faces in wide use are as wide or
 //! narrower, so its widths tell what room a text needs at most.
 
+use std::sync::OnceLock;
+
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 const FONT: &[u8] = include_bytes!("../../../templates/font/DejaVuSans-ASCII.ttf");
@@ -22,7 +24,13 @@ fn advance(face: &Face<'_>, glyph: Option<GlyphId>) -> f64 {
 
 /// How wide `text` is, by the type's size.
 pub(super) fn width(text: &str) -> f64 {
-    face().map_or(0.0, |face| text.chars().map(|c| advance(&face, face.glyph_index(c))).sum())
+    // Places for labels are looked for by the thousand.
+    static ADVANCES: OnceLock<[f64; 128]> = OnceLock::new();
+    let advances = ADVANCES.get_or_init(|| {
+        let letters = std::array::from_fn(|i| char::from(u8::try_from(i).unwrap_or(0)));
+        face().map_or([0.0; 128], |face| letters.map(|c| advance(&face, face.glyph_index(c))))
+    });
+    text.chars().map(|c| advances.get(c as usize).copied().unwrap_or(UNKNOWN)).sum()
 }
 
 /// Where an outline goes: in units of the type's size, Y up, from the beginning of the base line.

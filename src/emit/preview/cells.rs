@@ -6,7 +6,7 @@ use crate::emit::text::inert;
 use inflatable::geom::{Bounds, Path, Point, Vec2};
 
 /// One strip.
-pub struct Cell {
+pub struct GridCell {
     /// What stands on it.
     pub number: usize,
     /// The centre line of its seam.
@@ -18,7 +18,7 @@ pub struct Cell {
 }
 
 /// All cells on one page at 1:1, as an SVG; `band` is the width of the seams, mm.
-pub fn cells(title: &str, cells: &[Cell], band: f64) -> String {
+pub fn cells(title: &str, cells: &[GridCell], band: f64) -> String {
     let all = cells.iter().map(|cell| cell.specimen.union(cell.seam.bounds()));
     let all = all.fold(Bounds::EMPTY, Bounds::union);
     let style = Style::new(all.width().max(all.height()));
@@ -54,7 +54,7 @@ pub fn cells(title: &str, cells: &[Cell], band: f64) -> String {
 }
 
 /// The size of type at which the words of `cell` fit on its specimen.
-fn fitting(cell: &Cell, style: Style) -> f64 {
+fn fitting(cell: &GridCell, style: Style) -> f64 {
     let width = |line: &String| Text::centered(Point::ORIGIN, 1.0, LABEL, line.clone()).width();
     let widest = cell.words.iter().map(width).fold(1.0, f64::max);
     style.unit.min(cell.specimen.width() / (widest + 1.6))

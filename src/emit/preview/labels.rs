@@ -138,7 +138,8 @@ fn beside(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
     let Callout { at, along, words, ring, .. } = *callout;
     let ink = if ring { START } else { LABEL };
     for size in SIZES.map(|share| share * callout.size) {
-        let half = 0.5 * Text::centered(at, size, ink, words).width();
+        let mut text = Text::centered(at, size, ink, words);
+        let half = 0.5 * text.width();
         let radius = (half + 0.25 * size).max(0.75 * size);
         for reach in REACHES {
             for way in 0..WAYS {
@@ -146,7 +147,7 @@ fn beside(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
                 let turn = f64::from(way.div_ceil(2)) * if way % 2 == 0 { 1.0 } else { -1.0 };
                 let out = Vec2::unit(along.angle() + turn * TAU / f64::from(WAYS));
                 let middle = at + out * (reach * size + if ring { 0.0 } else { half * out.x.abs() });
-                let text = Text::centered(middle, size, ink, words);
+                text = text.centered_at(middle);
                 let taken = if ring { Bounds::of_points([middle]).grown(radius) } else { text.bounds() };
                 if !places.is_free(&taken) {
                     continue;

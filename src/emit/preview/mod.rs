@@ -26,7 +26,7 @@ use crate::emit::preview::style::{PAGE, Style, rectangle};
 use crate::emit::preview::travel::travel_group;
 use inflatable::geom::{Bounds, Point, Vec2};
 
-pub use cells::{Cell, cells};
+pub use cells::{GridCell, cells};
 pub use faults::{FaultMark, faults};
 pub use subject::Preview;
 

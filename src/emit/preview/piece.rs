@@ -1,6 +1,6 @@
 //! One piece as it lies on its sheet: fabric, tube, bands, edges, holes.
 
-use crate::design::{Edge, FlatPiece, PlacedPart};
+use crate::design::{CutEdge, FlatPiece, PlacedPart};
 use crate::emit::picture::{Group, Pen};
 use crate::emit::preview::place::Places;
 use crate::emit::preview::style::{BAND, CUT, FABRIC, LABEL, PAGE, Style, TUBE, circle};
@@ -10,7 +10,7 @@ use inflatable::geom::Path;
 pub(super) fn piece_group(part: FlatPiece<'_>, placed: &PlacedPart, style: Style) -> Group {
     let place = |path: &Path| placed.placement.path(path);
     let mut group = Group::new(format!("{}-{}", placed.kind, placed.index));
-    let (shape, lines) = (part.shape(), part.cut(Edge::Part));
+    let (shape, lines) = (part.shape(), part.cut(CutEdge::Part));
     let cut: Vec<Path> = std::iter::once(lines.outside).chain(lines.inside).map(place).collect();
     group.area(cut.clone(), FABRIC);
     // The outermost edge first, what lies inside it after.
@@ -42,7 +42,7 @@ pub(super) fn piece_group(part: FlatPiece<'_>, placed: &PlacedPart, style: Style
 /// Labels keep off everything of the piece that is thinner than they are.
 pub(super) fn keep_off_piece(places: &mut Places, part: FlatPiece<'_>, placed: &PlacedPart, ramp: f64) {
     let place = |path: &Path| placed.placement.path(path);
-    let (shape, cut) = (part.shape(), part.cut(Edge::Part));
+    let (shape, cut) = (part.shape(), part.cut(CutEdge::Part));
     for edge in std::iter::once(cut.outside).chain(cut.inside) {
         places.keep_off(&place(edge), 0.0);
     }

@@ -1,7 +1,7 @@
 //! Where labels go: the first place that they cover nothing from.
 
 use crate::emit::picture::Text;
-use inflatable::geom::{Bounds, Line, Path, Point, Segment, segment_distance};
+use inflatable::geom::{Bounds, GrowingIndex, Line, Path, Point, Segment, segment_distance};
 
 /// What labels keep off, and what they have taken.
 pub(super) struct Places {
@@ -9,21 +9,30 @@ pub(super) struct Places {
     window: Bounds,
     /// Blank left around each, mm.
     blank: f64,
-    /// Lines with their boxes and half their widths.
-    lines: Vec<(Segment, Bounds, f64)>,
-    boxes: Vec<Bounds>,
+    /// Lines and half their widths.
+    lines: Vec<(Segment, f64)>,
+    around_lines: GrowingIndex,
+    boxes: GrowingIndex,
 }
 
 impl Places {
     pub(super) fn new(window: Bounds, blank: f64) -> Self {
-        Self { window, blank, lines: Vec::new(), boxes: Vec::new() }
+        Self {
+            window,
+            blank,
+            lines: Vec::new(),
+            around_lines: GrowingIndex::default(),
+            boxes: GrowingIndex::default(),
+        }
     }
 
     /// Labels keep off a line along `path` that is `width` wide.
     pub(super) fn keep_off(&mut self, path: &Path, width: f64) {
         let half = width / 2.0;
-        let line = |segment: &Segment| (*segment, segment.bounds().grown(half), half);
-        self.lines.extend(path.segments.iter().map(line));
+        for segment in &path.segments {
+            self.lines.push((*segment, half));
+            self.around_lines.push(segment.bounds().grown(half));
+        }
     }
 
     /// Labels keep off a box.
@@ -36,17 +45,19 @@ impl Places {
         let room = bounds.grown(self.blank);
         self.window.contains(bounds.min)
             && self.window.contains(bounds.max)
-            && !self.boxes.iter().any(|other| room.overlaps(other))
-            && !self
-                .lines
-                .iter()
-                .any(|(segment, around, half)| around.overlaps(&room) && distance(&room, segment) <= *half)
+            && !self.boxes.any(&room, |_| true)
+            && !self.around_lines.any(&room, |number| {
+                let (segment, half) = &self.lines[number];
+                distance(&room, segment) <= *half
+            })
     }
 
     /// Whether a line along `path` covers no label.
     pub(super) fn is_clear(&self, path: &Path) -> bool {
-        let crosses = |bounds: &Bounds| path.segments.iter().any(|segment| distance(bounds, segment) == 0.0);
-        !self.boxes.iter().any(crosses)
+        let crosses = |segment: &Segment| {
+            self.boxes.any(&segment.bounds(), |number| distance(self.boxes.get(number), segment) == 0.0)
+        };
+        !path.segments.iter().any(crosses)
     }
 
     /// The first of `texts` that covers nothing; its place is taken then.

@@ -129,7 +129,7 @@ impl<'a> StackView<'a> {
         for ray in rays {
             let turned =
                 (alike.motion.point(Point::polar(1.0, ray)) - alike.motion.point(Point::ORIGIN)).angle();
-            let radius = self.reach + 1.5 * style.unit + half * turned.cos().abs();
+            let radius = self.reach + 1.5 * style.unit + half * libm::cos(turned).abs();
             let (from, to) = (star.tip_reach(), self.reach + 0.6 * style.unit);
             let ends = [from, to].map(|radius| alike.motion.point(Point::polar(radius, ray)));
             let leader = straight(ends[0], ends[1]);

@@ -2,11 +2,12 @@
 
 use serde_json::{Value, json};
 
-use crate::design::StarDesign;
+use crate::design::{Design, StarDesign};
 use crate::emit::report::job::{parts, programs, sheets, thousandths};
 use crate::emit::report::subject::Report;
 use crate::forecast::case::Case;
 use crate::forecast::charts::Charts;
+use crate::forecast::drawn::HOW;
 use crate::forecast::pose::Pose;
 use crate::forecast::seal_load::{SealLoad, seal_loads};
 use crate::spec::{Heating, Machine, Source, settings};
@@ -16,7 +17,8 @@ const DIGITS: i32 = 6;
 
 /// All figures of a report.
 pub(super) fn data(report: &Report<'_>) -> Value {
-    let Report { spec, design, assembly, bill, prediction, .. } = report;
+    let Report { spec, design, bill, prediction, .. } = report;
+    let assembly = design.assembly();
     let mut bill = serde_json::to_value(bill).unwrap_or_default();
     // Which files there are, the manifest itself says; this page is one of them.
     if let Some(bill) = bill.as_object_mut() {
@@ -33,7 +35,7 @@ pub(super) fn data(report: &Report<'_>) -> Value {
             "largest_force_N": load.largest_force.map(|force| force.0),
         })
     });
-    json!({
+    let mut data = json!({
         "name": spec.name,
         "bill": bill,
         "prediction": prediction,
@@ -44,22 +46,32 @@ pub(super) fn data(report: &Report<'_>) -> Value {
             "temperature": spec.seal.temperature.to_string(), "speed": spec.seal.speed.to_string(),
             "band_mm": spec.seal.band.0, "overlap_mm": spec.seal.overlap.0,
         },
-        "stack": {
+        "stack": assembly.map(|assembly| json!({
             "height_mm": thousandths(assembly.stack.height),
             "stars_mm": assembly.stack.stars.iter().copied().map(thousandths).collect::<Vec<_>>(),
             "turns_deg": assembly.stack.turns.iter().map(|turn| thousandths(turn.to_degrees())).collect::<Vec<_>>(),
-        },
-        "post_diameter_mm": assembly.frame.post_diameter,
+        })),
+        "post_diameter_mm": assembly.map(|assembly| assembly.frame.post_diameter),
         "hose": spec.inlet.as_ref().map(|inlet| json!({ "diameter_mm": inlet.tube_diameter.0, "length_mm": inlet.length.0 })),
         "watch": report.watch.iter().map(|(code, text)| json!({ "code": code, "text": text })).collect::<Vec<_>>(),
         "notes": design.warnings.iter().map(|warning| format!("{}; {}", warning.found, warning.remedy)).collect::<Vec<_>>(),
         "parts": parts(report),
         "loads": loads(report),
-        "flat": assembly.firsts().map(|placed| short(&json!(Pose::of(&assembly.part(placed).star)))).collect::<Vec<_>>(),
+        "flat": stars(design).iter().map(|part| short(&json!(Pose::of(&part.star)))).collect::<Vec<_>>(),
         "sheets": sheets(report),
         "programs": programs(report),
         "charts": report.charts.iter().map(chart).collect::<Vec<_>>(),
-    })
+    });
+    // Only a drawing's page has these.
+    if design.drawn().is_some() {
+        data["drawing"] = json!({ "prediction": report.drawn, "how": HOW });
+    }
+    data
+}
+
+/// The distinct stars.
+fn stars(design: &Design) -> &[StarDesign] {
+    design.assembly().map_or(&[], |assembly| &assembly.distinct)
 }
 
 fn machine(machine: &Machine) -> Value {
@@ -93,7 +105,7 @@ fn loads(report: &Report<'_>) -> Vec<Value> {
         };
         Some(short(&json!(seal_loads(&case, part).iter().map(load).collect::<Vec<_>>())))
     };
-    report.assembly.distinct.iter().filter_map(of_star).collect()
+    stars(report.design).iter().filter_map(of_star).collect()
 }
 
 fn chart(charts: &Charts) -> Value {
@@ -121,7 +133,7 @@ fn significant(x: f64) -> f64 {
         return 0.0;
     }
     #[expect(clippy::cast_possible_truncation, reason = "a logarithm of a finite number")]
-    let size = x.abs().log10().floor() as i32;
+    let size = libm::log10(x.abs()).floor() as i32;
     let scale = 10_f64.powi(DIGITS - 1 - size);
     (x * scale).round() / scale
 }

@@ -2,16 +2,35 @@
 
 use serde_json::{Value, json};
 
-use crate::design::{Circle, PlacedPart, SheetLayout, StarDesign};
+use crate::design::{Circle, DrawnPiece, PlacedPart, Product, SheetLayout, StarDesign};
 use crate::emit::report::polyline::{hundredths, polyline};
 use crate::emit::report::subject::Report;
 use crate::plan::{Program, Ramp, Step, height_of};
 use inflatable::geom::{Path, Point, Segment};
 
-/// The distinct stars, each in a frame of its own.
+/// The distinct pieces, each in a frame of its own.
 pub(super) fn parts(report: &Report<'_>) -> Vec<Value> {
-    let placed = report.assembly.firsts();
-    placed.map(|placed| part(placed, report.assembly.part(placed))).collect()
+    match &report.design.product {
+        Product::Stars(assembly) => {
+            assembly.firsts().map(|placed| part(placed, assembly.part(placed))).collect()
+        }
+        Product::Drawing(piece) => {
+            piece.copies.iter().take(1).map(|placed| drawn_part(placed, piece)).collect()
+        }
+    }
+}
+
+fn drawn_part(placed: &PlacedPart, piece: &DrawnPiece) -> Value {
+    json!({
+        "star": placed.index,
+        "band_mm": piece.shape.band,
+        "outside": polyline(&piece.part.outside),
+        "insides": piece.part.inside.iter().map(polyline).collect::<Vec<_>>(),
+        "tube": piece.air.iter().map(polyline).collect::<Vec<_>>(),
+        "bands": piece.shape.seams.iter().map(|seam| polyline(&seam.center_line)).collect::<Vec<_>>(),
+        "closed": piece.shape.seams.iter().map(|seam| seam.center_line.closed).collect::<Vec<_>>(),
+        "holes": [],
+    })
 }
 
 fn part(placed: &PlacedPart, part: &StarDesign) -> Value {

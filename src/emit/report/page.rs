@@ -21,9 +21,10 @@ const STYLES: [&str; 2] = [
 ];
 
 /// The scripts, in the order in which they run: each uses only those before it.
-const SCRIPTS: [&str; 10] = [
+const SCRIPTS: [&str; 11] = [
     include_str!("../../../templates/report/words.js"),
     include_str!("../../../templates/report/drawing.js"),
+    include_str!("../../../templates/report/drawing_page.js"),
     include_str!("../../../templates/report/verdict.js"),
     include_str!("../../../templates/report/player.js"),
     include_str!("../../../templates/report/star.js"),

@@ -1,7 +1,8 @@
 //! What a report is made of.
 
-use crate::design::{Design, StarAssembly};
+use crate::design::Design;
 use crate::forecast::charts::Charts;
+use crate::forecast::drawn::prediction::DrawnPrediction;
 use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
 use crate::plan::Program;
@@ -18,12 +19,12 @@ pub struct Report<'a> {
     pub machine: &'a Machine,
     /// The exact geometry.
     pub design: &'a Design,
-    /// The stars, their stack and their frame.
-    pub assembly: &'a StarAssembly,
     /// The sealing programs.
     pub programs: &'a [Program],
-    /// What it will do; `None` for a spec without a load.
+    /// What its stars will do; `None` for a spec without a load.
     pub prediction: Option<&'a Prediction>,
+    /// What a drawn piece will do; `None` for a spec without a load.
+    pub drawn: Option<&'a DrawnPrediction>,
     /// The same by pressure, object and number of points.
     pub charts: &'a [Charts],
     /// What to see to before sealing, the most pressing first: a code, and a sentence with commands in backticks.

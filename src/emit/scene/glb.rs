@@ -180,7 +180,7 @@ fn node(node: &Node) -> Value {
     }
     if node.turn != 0.0 {
         let round = |x: f64| Decimals::exactly(DECIMALS[1]).round(x);
-        let (sin, cos) = (node.turn / 2.0).sin_cos();
+        let (sin, cos) = libm::sincos(node.turn / 2.0);
         value["rotation"] = json!([0.0, round(sin), 0.0, round(cos)]);
     }
     value

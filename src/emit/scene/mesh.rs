@@ -122,7 +122,7 @@ impl Mesh {
 
 /// Into how many chords a circle of this radius, mm, is divided: fours, so that it is as wide as it should be along both axes.
 pub(super) fn quarters(radius: f64) -> u32 {
-    let step = 8.0 * (1.0 - (CHORD / radius.max(CHORD)).min(1.0)).acos();
+    let step = 8.0 * libm::acos(1.0 - (CHORD / radius.max(CHORD)).min(1.0));
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

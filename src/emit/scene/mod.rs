@@ -3,20 +3,23 @@
 //! The stack stands on the origin, with plates, posts and stars; where the spec has a pressure the stars inflate. Sheets lie beside it
 //! on one side, masks on the other. It is for the eye: meshes are those of [`mesh`], and nothing is cut, sealed or printed from them.
 
+mod drawn;
 mod glb;
 mod mesh;
 mod pose;
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::design::{Design, Drawing, Edge, Layer, Side, Star, StarAssembly, StarDesign};
+use crate::design::{CutEdge, Design, Drawing, Layer, Side, Star, StarAssembly, StarDesign};
 use crate::emit::palette;
 use crate::emit::scene::glb::{Glb, Node};
 use crate::emit::scene::mesh::{Mesh, quarters};
-use crate::emit::scene::pose::{Motion, Pose, tube};
+use crate::emit::scene::pose::{PoseMotion, ScenePose, tube};
 use crate::spec::{Load, ObjectShape, Spec};
 use inflatable::geom::{Arc, Bounds, Line, Path, Point};
 use serde_json::{Value, json};
+
+pub use drawn::drawn_scene;
 
 /// How far ribbons hover over the fabric that they lie on, mm, so that they are seen.
 const ABOVE: f64 = 0.3;
@@ -27,7 +30,7 @@ const GAP: f64 = 60.0;
 
 /// The surfaces of a scene, in the order of [`palette::SURFACES`].
 #[derive(Clone, Copy)]
-enum Surface {
+enum SceneSurface {
     Fabric,
     Tube,
     InnerBand,
@@ -47,18 +50,27 @@ pub fn scene(spec: &Spec, design: &Design, inflated: &[Star]) -> Option<Vec<u8>>
     let stack = stack(&mut glb, assembly, inflated)?;
     let object: Vec<Node> =
         spec.load.as_ref().and_then(|load| object(&mut glb, assembly, load)).into_iter().collect();
-    let sheets = sheets(&mut glb, design, assembly)?;
+    let bands = [
+        (SceneSurface::InnerBand as usize, Layer::SealInner),
+        (SceneSurface::OuterBand as usize, Layer::SealOuter),
+    ];
+    let surfaces = SheetSurfaces {
+        fabric: SceneSurface::Fabric as usize,
+        cut: SceneSurface::Cut as usize,
+        bands: &bands,
+    };
+    let sheets = sheets(&mut glb, design, (reach(assembly), band_of(assembly)), &surfaces)?;
     let masks = masks(&mut glb, spec, assembly)?;
     let groups =
         [("stack", stack.len()), ("object", object.len()), ("sheets", sheets.len()), ("masks", masks.len())];
     // That of the object comes last: validators remark on a material that nothing has.
-    let used = if object.is_empty() { Surface::Object as usize } else { palette::SURFACES.len() };
+    let used = if object.is_empty() { SceneSurface::Object as usize } else { palette::SURFACES.len() };
     let materials: Vec<Value> = palette::SURFACES[..used].iter().map(material).collect();
     let nodes: Vec<Node> = [stack, object, sheets, masks].concat();
     Some(glb.finish(&spec.name, &nodes, &groups, &materials))
 }
 
-fn material(surface: &palette::Surface) -> Value {
+fn material(surface: &palette::SurfaceColour) -> Value {
     let color = palette::linear(surface);
     json!({
         "name": surface.name,
@@ -80,7 +92,7 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<
         let mut paths = vec![circle(Point::ORIGIN, frame.radius), circle(Point::ORIGIN, plate.opening)];
         paths.extend(frame.posts.iter().map(|post| circle(*post, frame.post_diameter / 2.0)));
         let solid = Mesh::extruded(&paths, [-half, half])?;
-        let mesh = glb.mesh("plate", &[(Surface::Plate as usize, solid)]);
+        let mesh = glb.mesh("plate", &[(SceneSurface::Plate as usize, solid)]);
         for number in &plate.numbers {
             stand(format!("plate {number}"), mesh, [0.0, 0.0, *stack.plates.get(number - 1)?], 0.0);
         }
@@ -88,7 +100,7 @@ fn stack(glb: &mut Glb, design: &StarAssembly, inflated: &[Star]) -> Option<Vec<
     if !frame.posts.is_empty() {
         let solid =
             Mesh::extruded(&[circle(Point::ORIGIN, frame.post_diameter / 2.0)], [0.0, frame.post_length])?;
-        let mesh = glb.mesh("post", &[(Surface::Post as usize, solid)]);
+        let mesh = glb.mesh("post", &[(SceneSurface::Post as usize, solid)]);
         for (post, number) in frame.posts.iter().zip(1..) {
             stand(format!("post {number}"), mesh, [post.x, post.y, 0.0], 0.0);
         }
@@ -123,13 +135,13 @@ fn object(glb: &mut Glb, design: &StarAssembly, load: &Load) -> Option<Node> {
             let steps = quarters(radius.max(half)) / 2;
             let point = |k: u32| {
                 // The poles lie on the axis, whatever rounding says.
-                let (sin, cos) = (PI * f64::from(k) / f64::from(steps)).sin_cos();
+                let (sin, cos) = libm::sincos(PI * f64::from(k) / f64::from(steps));
                 [if k == 0 || k == steps { 0.0 } else { radius * sin }, -half * cos]
             };
             (0..=steps).map(point).collect()
         }
     };
-    let mesh = glb.mesh("surface of the object", &[(Surface::Object as usize, Mesh::turned(&curve))]);
+    let mesh = glb.mesh("surface of the object", &[(SceneSurface::Object as usize, Mesh::turned(&curve))]);
     let stars = &design.stack.stars;
     let middle = f64::midpoint(*stars.first()?, *stars.last()?);
     Some(Node { name: "object".to_owned(), mesh, at: [0.0, 0.0, middle], turn: 0.0 })
@@ -137,10 +149,10 @@ fn object(glb: &mut Glb, design: &StarAssembly, load: &Load) -> Option<Node> {
 
 /// A star of the stack: tube, flaps, bands, and where they go if it inflates.
 fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<&Star>, name: &str) -> Option<usize> {
-    let flat = Pose::flat(&part.star);
-    let full = inflated.map(|to| Pose::inflated(part.star.w, to));
+    let flat = ScenePose::flat(&part.star);
+    let full = inflated.map(|to| ScenePose::inflated(part.star.w, to));
     let carried = |mesh: Mesh| match full {
-        Some(to) => mesh.inflating(|p| Motion { from: flat, to }.carried(p)),
+        Some(to) => mesh.inflating(|p| PoseMotion { from: flat, to }.carried(p)),
         None => mesh,
     };
     let edge = |side: Side| part.star.contour(side, 0.0, 0.0).map(|contour| contour.path());
@@ -151,20 +163,32 @@ fn star(glb: &mut Glb, part: &StarDesign, inflated: Option<&Star>, name: &str) -
     let band =
         |seam: &crate::shape::Seam| Mesh::ribbon(&seam.center_line, part.shape.band, ABOVE).map(carried);
     let parts = [
-        (Surface::Tube as usize, tube(flat, full)),
-        (Surface::Fabric as usize, carried(Mesh::fill(&paths, 0.0)?)),
-        (Surface::InnerBand as usize, band(inner)?),
-        (Surface::OuterBand as usize, band(outer)?),
+        (SceneSurface::Tube as usize, tube(flat, full)),
+        (SceneSurface::Fabric as usize, carried(Mesh::fill(&paths, 0.0)?)),
+        (SceneSurface::InnerBand as usize, band(inner)?),
+        (SceneSurface::OuterBand as usize, band(outer)?),
     ];
     Some(glb.mesh(name, &parts))
 }
 
-/// The sheets as they lie on the machine: holes, cut lines and bands.
-fn sheets(glb: &mut Glb, design: &Design, assembly: &StarAssembly) -> Option<Vec<Node>> {
-    let mut left = reach(assembly) + GAP;
+/// The materials of sheets, and of bands by their layers.
+struct SheetSurfaces<'a> {
+    fabric: usize,
+    cut: usize,
+    bands: &'a [(usize, Layer)],
+}
+
+/// The sheets as they lie on the machine beside what reaches so far from the origin: holes, cut lines, and bands of this width.
+fn sheets(
+    glb: &mut Glb,
+    design: &Design,
+    (reach, band): (f64, f64),
+    surfaces: &SheetSurfaces<'_>,
+) -> Option<Vec<Node>> {
+    let mut left = reach + GAP;
     let mut nodes = Vec::new();
     for layout in &design.sheets {
-        let cuts = Drawing::outlines(design, layout.index, Edge::Part)?;
+        let cuts = Drawing::outlines(design, layout.index, CutEdge::Part)?;
         let seals = Drawing::seals(design, layout.index)?;
         let on = |drawing: &Drawing, layer: Layer| -> Vec<Path> {
             let shapes = drawing.layers.iter().filter(|(l, _)| *l == layer).flat_map(|(_, shapes)| shapes);
@@ -178,12 +202,11 @@ fn sheets(glb: &mut Glb, design: &Design, assembly: &StarAssembly) -> Option<Vec
                 Some(all)
             })
         };
-        let parts = [
-            (Surface::Fabric as usize, Mesh::fill(&paths, 0.0)?),
-            (Surface::InnerBand as usize, ribbons(&on(&seals, Layer::SealInner), band_of(assembly))?),
-            (Surface::OuterBand as usize, ribbons(&on(&seals, Layer::SealOuter), band_of(assembly))?),
-            (Surface::Cut as usize, ribbons(&on(&cuts, Layer::CutOutside), CUT)?),
-        ];
+        let mut parts = vec![(surfaces.fabric, Mesh::fill(&paths, 0.0)?)];
+        for (material, layer) in surfaces.bands {
+            parts.push((*material, ribbons(&on(&seals, *layer), band)?));
+        }
+        parts.push((surfaces.cut, ribbons(&on(&cuts, Layer::CutOutside), CUT)?));
         let mesh = glb.mesh("sheet", &parts);
         let at = [left, -layout.height / 2.0, 0.0];
         nodes.push(Node { name: format!("sheet {}", layout.index), mesh, at, turn: 0.0 });
@@ -198,14 +221,14 @@ fn masks(glb: &mut Glb, spec: &Spec, design: &StarAssembly) -> Option<Vec<Node>>
     let mut nodes = Vec::new();
     for first in design.firsts() {
         for mirrored in [false, true].into_iter().take(1 + usize::from(spec.mask.mirror)) {
-            let drawing = Drawing::mask(design, first.index, mirrored, Edge::Part)?;
+            let drawing = Drawing::mask(design, first.index, mirrored, CutEdge::Part)?;
             let on =
                 |layer: Layer| drawing.layers.iter().filter(move |(l, _)| *l == layer).flat_map(|(_, s)| s);
             let shapes = on(Layer::MaskPlate).chain(on(Layer::MaskWindow)).chain(on(Layer::Registration));
             let paths: Vec<Path> = shapes.flat_map(|shape| shape.paths().into_owned()).collect();
             let Bounds { min, max } = paths.first()?.bounds();
             let solid = Mesh::extruded(&paths, [0.0, spec.mask.thickness.0])?;
-            let mesh = glb.mesh("mask", &[(Surface::Mask as usize, solid)]);
+            let mesh = glb.mesh("mask", &[(SceneSurface::Mask as usize, solid)]);
             let name = format!("mask {}{}", first.index, if mirrored { " mirrored" } else { "" });
             nodes.push(Node { name, mesh, at: [right - max.x, 0.0, 0.0], turn: 0.0 });
             right -= max.x - min.x + GAP;

@@ -17,7 +17,7 @@ const ALONG: u32 = 10;
 
 /// A star in one of its states. Lengths in mm, angles in rad; in the star's frame, seen from corner 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Pose {
+pub(super) struct ScenePose {
     points: u32,
     /// Centre of corner 1, on +X.
     corner: Point,
@@ -45,7 +45,7 @@ enum PosedHinge {
     Tip,
 }
 
-impl Pose {
+impl ScenePose {
     /// The star as it is cut.
     pub(super) fn flat(star: &Star) -> Self {
         Self::new(star, 0.0)
@@ -162,9 +162,9 @@ impl Pose {
                 // Once around a circle; flat, the way across goes with the length of the fabric.
                 let turn = PI * f64::from(j) / f64::from(ACROSS);
                 let flat = 1.0 - (f64::from(j) / f64::from(ACROSS) - 1.0).abs();
-                let share = if self.rise > 0.0 { (1.0 - turn.cos()) / 2.0 } else { flat };
+                let share = if self.rise > 0.0 { (1.0 - libm::cos(turn)) / 2.0 } else { flat };
                 let p = edge + outwards * (share * self.width);
-                [p.x, p.y, self.rise * turn.sin()]
+                [p.x, p.y, self.rise * libm::sin(turn)]
             })
         };
         self.columns().into_iter().flat_map(around).collect()
@@ -195,12 +195,12 @@ enum Out {
 
 /// From one pose to another.
 #[derive(Clone, Copy)]
-pub(super) struct Motion {
-    pub(super) from: Pose,
-    pub(super) to: Pose,
+pub(super) struct PoseMotion {
+    pub(super) from: ScenePose,
+    pub(super) to: ScenePose,
 }
 
-impl Motion {
+impl PoseMotion {
     /// Where the point of the fabric at `[x, y, z]` goes; a channel goes along with its tip.
     pub(super) fn carried(&self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let p = Point::new(x, y);
@@ -216,7 +216,7 @@ impl Motion {
 }
 
 /// The tube of a star, in `pose` and, if it moves, also where it goes.
-pub(super) fn tube(pose: Pose, inflated: Option<Pose>) -> Mesh {
+pub(super) fn tube(pose: ScenePose, inflated: Option<ScenePose>) -> Mesh {
     let (columns, ring) = (index(pose.columns().len()), 2 * ACROSS);
     let corner = |i: u32, j: u32| (i % columns) * ring + j % ring;
     let quads = (0..columns).flat_map(|i| (0..ring).map(move |j| (i, j)));
@@ -232,7 +232,7 @@ pub(super) fn tube(pose: Pose, inflated: Option<Pose>) -> Mesh {
 }
 
 fn rotated(p: Point, by: f64) -> Point {
-    let (sin, cos) = by.sin_cos();
+    let (sin, cos) = libm::sincos(by);
     Point::new(p.x * cos - p.y * sin, p.x * sin + p.y * cos)
 }
 
@@ -255,15 +255,15 @@ mod tests {
     }
 
     /// The star with round tubes and its tips at this angle.
-    fn closed(star: &Star, phi: f64) -> Pose {
-        Pose::inflated(star.w, &at_angle(star, &mechanism(star), phi))
+    fn closed(star: &Star, phi: f64) -> ScenePose {
+        ScenePose::inflated(star.w, &at_angle(star, &mechanism(star), phi))
     }
 
     #[test]
     fn a_motion_to_where_it_is_moves_nothing() {
         for star in stars() {
-            let flat = Pose::flat(&star);
-            let still = Motion { from: flat, to: flat };
+            let flat = ScenePose::flat(&star);
+            let still = PoseMotion { from: flat, to: flat };
             for side in [Side::Hole, Side::Outside] {
                 for delta in [0.0, 1.0, 5.0] {
                     let path = star.contour(side, delta, 0.0).expect("a contour").path();
@@ -283,7 +283,7 @@ mod tests {
         for star in stars() {
             for phi in [0.0, 0.2, 0.4] {
                 let to = closed(&star, phi);
-                let motion = Motion { from: Pose::flat(&star), to };
+                let motion = PoseMotion { from: ScenePose::flat(&star), to };
                 for (side, beyond) in [(Side::Outside, 0.0), (Side::Hole, -to.width)] {
                     let path = star.contour(side, 0.0, 0.0).expect("a contour").path();
                     for i in 0..200 {

@@ -116,7 +116,7 @@ pub struct SearchEffort {
 }
 
 impl SearchEffort {
-    /// For several searches of which none may take long: of the problems of `examples/optimum.rs` a grid beats one in a hundred, by 1 %.
+    /// For several searches of which none may take long: of the problems of `crates/research/examples/optimum.rs` a grid beats one in a hundred, by 1 %.
     pub const QUICK: Self = Self { scanned: 1024, followed: 4, polls: 80, failures: 1 };
 }
 

@@ -55,7 +55,7 @@ impl Ranges {
         let about =
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
-        let unit = star.width / (PI / f64::from(star.points)).sin();
+        let unit = star.width / libm::sin(PI / f64::from(star.points));
         // Arms that touch press on each other, and what that does to the stiffness no hinge knows.
         let free = rest.equilibrium > star.correction.contact_angle;
         let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
@@ -65,8 +65,8 @@ impl Ranges {
             wider,
             radius: Some(radius),
             angle: (angle[0] > star.correction.contact_angle).then_some(angle),
-            hinge: Some(errors::HINGE.map(|part| part.powf(wider))),
-            stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * part.powf(wider))),
+            hinge: Some(errors::HINGE.map(|part| libm::pow(part, wider))),
+            stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * libm::pow(part, wider))),
         }
     }
 
@@ -96,21 +96,22 @@ impl Ranges {
         }
         // What opens further than was tried is known less and less: without a jump, on which a search would lose its way.
         let further = (opened / errors::OPENING - 1.0) / (errors::NOT_FAR - 1.0);
-        let [low, high] = errors::FORCE.map(|part| part.powf(self.wider * (1.0 + further.clamp(0.0, 1.0))));
+        let [low, high] =
+            errors::FORCE.map(|part| libm::pow(part, self.wider * (1.0 + further.clamp(0.0, 1.0))));
         // Where a star begins to touch is as uncertain as its radius. What one errs by is taken not to depend on the other, so that
         // both together are as far off as the root of their squares; so taken, ranges hold (docs/ranges.md).
         let grasp = Grasp::new(star, rest.stiffness, pressure);
         let [least, force, most] = [far, rest.radius, near].map(|from| grasp.force(rho, from));
         Some([
-            (force - (force - least).hypot(force * (1.0 - low))).max(0.0),
-            force + (most - force).hypot(force * (high - 1.0)),
+            (force - libm::hypot(force - least, force * (1.0 - low))).max(0.0),
+            force + libm::hypot(most - force, force * (high - 1.0)),
         ])
     }
 }
 
 /// The unit of the error of a tip's angle with arms of `arm` widths: short arms end before they are straight.
 pub fn angle_unit(arm: f64) -> f64 {
-    arm.powf(if arm < 1.0 { -errors::SHORT_ARM } else { -1.0 })
+    libm::pow(arm, if arm < 1.0 { -errors::SHORT_ARM } else { -1.0 })
 }
 
 /// Whether stars like `case` were computed as shells, and by how much its ranges are wider; `None` if nothing is known of it.
@@ -128,7 +129,7 @@ fn domain(case: &Case, model: &dyn HingeModel) -> Option<(Domain, f64)> {
 /// tried any more; `None` too far out.
 pub(super) fn widening(numbers: impl IntoIterator<Item = (f64, Interval)>) -> Option<f64> {
     let factor = numbers.into_iter().map(|(x, tried)| factor_outside(x, tried)).fold(1.0, f64::max);
-    let far = if factor > EXACT { factor.ln() / errors::NOT_FAR.ln() } else { 0.0 };
+    let far = if factor > EXACT { libm::log(factor) / libm::log(errors::NOT_FAR) } else { 0.0 };
     (factor <= errors::NOT_FAR).then_some(1.0 + (errors::BEYOND - 1.0) * far)
 }
 

@@ -44,14 +44,14 @@ pub fn rounded(value: f64) -> String {
         return Readable(value).to_string();
     }
     #[expect(clippy::cast_possible_truncation, reason = "the exponent of an f64 is below 400")]
-    let exponent = value.abs().log10().floor() as i32;
+    let exponent = libm::log10(value.abs()).floor() as i32;
     let scale = 10_f64.powi((2 - exponent).clamp(-300, 300));
     Readable((value * scale).round() / scale).to_string()
 }
 
 /// The power of ten of the first digit of `x`.
 fn decade(x: f64) -> f64 {
-    if x > 0.0 && x.is_finite() { 10_f64.powf(x.log10().floor()) } else { 1e-3 }
+    if x > 0.0 && x.is_finite() { libm::pow(10_f64, libm::log10(x).floor()) } else { 1e-3 }
 }
 
 /// The decade that divides a range of this width into five to fifty parts.

@@ -4,7 +4,7 @@ use crate::forecast::actuator::{
     Actuator, ActuatorEvidence, ActuatorMeshErrors, ActuatorPrediction, ActuatorRanges, short_arms,
 };
 use crate::forecast::shell::{Detail, SHELL, fabric};
-use inflatable::shell::cases::{Shape, ShellFault, Tube, VActuator, Value, Watch, actuator};
+use inflatable::shell::cases::{InflatedShape, ShellFault, Tube, VActuator, Value, Watch, actuator};
 
 /// What `asked` does as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
 ///
@@ -15,7 +15,7 @@ pub fn actuate(
     angles: &[f64],
     detail: Detail,
     watch: &Watch<'_>,
-) -> Result<(ActuatorPrediction, Shape), ShellFault> {
+) -> Result<(ActuatorPrediction, InflatedShape), ShellFault> {
     let Actuator { width, radius, arm, angle, pressure, sheet } = *asked;
     let case =
         VActuator { tube: Tube { width, fabric: fabric(&sheet), pressure }, radius, arm_length: arm, angle };

@@ -13,7 +13,7 @@ use crate::forecast::star_answer::{bare, mm};
 use crate::spec::{Spec, key};
 use crate::units::Readable;
 use inflatable::mechanics::strength::payload;
-use inflatable::shell::cases::{FlatStar, InflatedStar, Shape, Value, Watch};
+use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, Value, Watch};
 
 pub use crate::forecast::shell::request::{ShellRefusal, flat};
 
@@ -30,7 +30,7 @@ pub fn predict(
     radii: &[f64],
     detail: Detail,
     watch: &Watch<'_>,
-) -> Result<(Prediction, Shape), ShellRefusal> {
+) -> Result<(Prediction, InflatedShape), ShellRefusal> {
     let design = stars_of(design).map_err(ShellRefusal::Fault)?;
     let meetings = design.meetings(spec);
     let meeting = |placed: &PlacedPart| meetings.as_ref().and_then(|all| all.get(placed.index - 1)).copied();

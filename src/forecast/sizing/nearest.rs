@@ -122,7 +122,7 @@ fn heaviest(requirements: &Requirements, base: &Candidate, ring: &RingTable) -> 
 
 /// A mass rounded down to three digits and whole milligrams; `None` if nothing is left.
 pub(super) fn three_digits(mass: f64) -> Option<Mass> {
-    let digit = 10_f64.powf(mass.log10().floor() - 2.0);
+    let digit = libm::pow(10_f64, libm::log10(mass).floor() - 2.0);
     let mass = ((mass / digit).floor() * digit * 1e6).round() / 1e6;
     (mass > 0.0).then_some(Mass(mass))
 }

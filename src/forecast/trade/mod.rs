@@ -198,8 +198,8 @@ pub fn csv(rows: &[TradeRow]) -> String {
 pub fn plot(rows: &[TradeRow]) -> String {
     let (width, height, left, top) = (640.0, 400.0, 70.0, 30.0);
     // Decades shown: 10 ns to 1 s, 1e-16 to 1.
-    let x = |time: f64| left + (time.max(1e-9).log10() + 8.0) / 8.0 * width;
-    let y = |error: f64| top - error.clamp(1e-16, 1.0).log10() / 16.0 * height;
+    let x = |time: f64| left + (libm::log10(time.max(1e-9)) + 8.0) / 8.0 * width;
+    let y = |error: f64| top - libm::log10(error.clamp(1e-16, 1.0)) / 16.0 * height;
     let colours = ["#1b6ca8", "#c0392b", "#27865c", "#8e44ad", "#b7791f"];
     let mut out = String::from(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 860 480\" width=\"860\" height=\"480\" \

@@ -15,11 +15,11 @@ const COLOURS: [&str; 8] =
     ["#b7791f", "#1b6ca8", "#8e44ad", "#c0392b", "#e67e22", "#7fb3a0", "#27865c", "#0b3d2e"];
 
 fn x(panel: usize, time: f64) -> f64 {
-    LEFT[panel] + (time.clamp(1e-7, 1e2).log10() + 7.0) / DECADES[0] * WIDTH
+    LEFT[panel] + (libm::log10(time.clamp(1e-7, 1e2)) + 7.0) / DECADES[0] * WIDTH
 }
 
 fn y(error: f64) -> f64 {
-    TOP + (1.0 - error.clamp(1e-3, 1e1).log10()) / DECADES[1] * HEIGHT
+    TOP + (1.0 - libm::log10(error.clamp(1e-3, 1e1))) / DECADES[1] * HEIGHT
 }
 
 /// The rows as a plot: the root of the mean square over the stars against time, a circle a pressure.

@@ -2,7 +2,7 @@
 
 use crate::spec::allowed::Allowed;
 use crate::spec::section::Section;
-use crate::spec::shape::Shape;
+use crate::spec::shape::ValueShape;
 use crate::units::Quantity;
 
 /// What stands for a value that nobody knows.
@@ -10,7 +10,7 @@ const UNKNOWN: &str = "unknown";
 
 /// Whether `key` says the word, which stands for a number that there is not.
 pub(super) fn says(s: &mut Section<'_, '_>, key: &'static str, word: &str) -> bool {
-    s.take(key, Shape::Text).and_then(|value| value.as_text()) == Some(word)
+    s.take(key, ValueShape::Text).and_then(|value| value.as_text()) == Some(word)
 }
 
 /// A plain number, or `None` for "unknown" and for nothing at all.

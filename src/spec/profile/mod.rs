@@ -16,6 +16,7 @@ mod script;
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
+use crate::spec::foreign::Document;
 use crate::spec::machine::{Controller, Machine};
 use crate::spec::name::misleads;
 use crate::spec::profile::bench::read_bench;
@@ -38,7 +39,7 @@ const DESCRIPTION_LENGTH: usize = 200;
 /// # Errors
 /// All faults of the text at once, if at least one refuses it.
 pub fn read_machine(source: &Source) -> Result<Machine, Faults> {
-    read_with(source, read_profile).map(|(machine, _, _)| machine)
+    read_with(source, Document::Profile, read_profile).map(|(machine, _, _)| machine)
 }
 
 /// Takes a profile's keys out of what `reader` was given.

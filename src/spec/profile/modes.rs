@@ -2,7 +2,7 @@
 
 use crate::spec::machine::{Controller, Dialect};
 use crate::spec::section::Section;
-use crate::spec::{Fault, FaultCode};
+use crate::spec::{Fault, FaultCode, Vocabulary};
 
 /// A mode: the word that sets it, what it is, and whether only arcs need it.
 type Mode = (&'static str, &'static str, bool);
@@ -28,7 +28,7 @@ fn modes(dialect: Dialect) -> &'static [Mode] {
 
 /// Whether programs may hold arcs: `arcs` as written, and false where the dialect draws none; who asks for them there is refused.
 pub(super) fn check_arcs(root: &mut Section<'_, '_>, dialect: Dialect, arcs: Option<bool>) -> bool {
-    let draws = !matches!(dialect, Dialect::Marlin | Dialect::Klipper);
+    let draws = Vocabulary::of(dialect).draws_arcs();
     if draws || arcs != Some(true) {
         return arcs.unwrap_or(draws);
     }

@@ -5,20 +5,20 @@ use std::ops::Range;
 use crate::spec::FaultCode;
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::section::Section;
-use crate::spec::shape::Shape;
+use crate::spec::shape::ValueShape;
 use crate::spec::unknown;
 
 impl<'r> Section<'_, 'r> {
     /// A text in quotes and its place; `None` if it is absent or something else.
     pub(in crate::spec) fn text(&mut self, key: &'static str) -> Option<(&'r str, Range<usize>)> {
-        self.word(key, Shape::Text)
+        self.word(key, ValueShape::Text)
     }
 
     /// A text of some shape.
     pub(in crate::spec) fn word(
         &mut self,
         key: &'static str,
-        shape: Shape,
+        shape: ValueShape,
     ) -> Option<(&'r str, Range<usize>)> {
         let value = self.take(key, shape)?;
         match value.as_text() {
@@ -29,11 +29,11 @@ impl<'r> Section<'_, 'r> {
 
     /// A list of texts, each with its place; `None` if it is absent or something else.
     pub(in crate::spec) fn texts(&mut self, key: &'static str) -> Option<Vec<(&'r str, Range<usize>)>> {
-        self.listed(key, Shape::Texts)
+        self.listed(key, ValueShape::Texts)
     }
 
     /// A list of texts of some shape.
-    fn listed(&mut self, key: &'static str, shape: Shape) -> Option<Vec<(&'r str, Range<usize>)>> {
+    fn listed(&mut self, key: &'static str, shape: ValueShape) -> Option<Vec<(&'r str, Range<usize>)>> {
         let value = self.take(key, shape)?;
         let label = "must be a list of texts: [\"...\", \"...\"]";
         let Some(list) = value.as_list() else { return self.refuse_type(key, value, label) };
@@ -51,7 +51,7 @@ impl<'r> Section<'_, 'r> {
         key: &'static str,
         choices: &[(&'static str, T)],
     ) -> Option<T> {
-        let shape = Shape::Choice(choices.iter().map(|(name, _)| *name).collect());
+        let shape = ValueShape::Choice(choices.iter().map(|(name, _)| *name).collect());
         let (word, span) = self.word(key, shape)?;
         self.chosen(key, (word, span), choices)
     }
@@ -62,7 +62,7 @@ impl<'r> Section<'_, 'r> {
         key: &'static str,
         choices: &[(&'static str, T)],
     ) -> Option<Vec<T>> {
-        let shape = Shape::Choices(choices.iter().map(|(name, _)| *name).collect());
+        let shape = ValueShape::Choices(choices.iter().map(|(name, _)| *name).collect());
         let mut all = Vec::new();
         for word in self.listed(key, shape)? {
             let found = self.chosen(key, word, choices)?;

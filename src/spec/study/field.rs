@@ -9,7 +9,7 @@ use crate::spec::key::{self, KeyPath};
 use crate::spec::raw::RawSpec;
 use crate::spec::reading::read_spec;
 use crate::spec::section::{Reader, Section};
-use crate::spec::shape::Shape;
+use crate::spec::shape::ValueShape;
 use crate::spec::unknown::nearest;
 use crate::spec::value::{RawKind, RawNumber, RawValue};
 use crate::units::{
@@ -21,7 +21,7 @@ use crate::units::{
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
     key: KeyPath,
-    shape: Shape,
+    shape: ValueShape,
 }
 
 /// A value of a field.
@@ -36,7 +36,7 @@ pub enum KeyValue {
 }
 
 /// What every key takes, as the reader says when it takes it.
-static SHAPES: LazyLock<Vec<(&'static str, &'static str, Shape)>> = LazyLock::new(|| {
+static SHAPES: LazyLock<Vec<(&'static str, &'static str, ValueShape)>> = LazyLock::new(|| {
     let (raw, _) = RawSpec::parse("[stack]\ncount = 64\n");
     let mut reader = Reader::new(&raw);
     let _ = read_spec(&mut reader);
@@ -48,11 +48,15 @@ impl Field {
     /// list of single stars, what a build makes, or of a drawing: studies know stars.
     pub fn of(name: &str) -> Option<Self> {
         let key = *key::ALL.iter().find(|key| key.to_string() == name)?;
-        let own = |(section, word, _): &&(&str, &str, Shape)| (*section, *word) == (key.section(), key.key());
+        let own =
+            |(section, word, _): &&(&str, &str, ValueShape)| (*section, *word) == (key.section(), key.key());
         let (_, _, shape) = SHAPES.iter().find(own)?;
-        let is_of_drawing = key.section() == key::drawing::FILE.section() || key == key::sheet::COPIES;
-        (key != key::root::SCHEMA && !is_of_drawing && !matches!(shape, Shape::Sections | Shape::Choices(_)))
-            .then(|| Self { key, shape: shape.clone() })
+        let others = [key::sheet::COPIES, key::mask::KIND];
+        let is_of_drawing = key.section() == key::drawing::FILE.section() || others.contains(&key);
+        (key != key::root::SCHEMA
+            && !is_of_drawing
+            && !matches!(shape, ValueShape::Sections | ValueShape::Choices(_)))
+        .then(|| Self { key, shape: shape.clone() })
     }
 
     /// The key nearest to `name`, if one is near.
@@ -78,19 +82,19 @@ impl Field {
     /// The unit of its numbers; `None` if they have none.
     pub fn unit(&self) -> Option<&'static str> {
         match &self.shape {
-            Shape::Quantity { units, .. } => units.first().copied(),
+            ValueShape::Quantity { units, .. } => units.first().copied(),
             _ => None,
         }
     }
 
     /// Whether its values are numbers, so that there are some between two of them.
     pub fn is_number(&self) -> bool {
-        matches!(self.shape, Shape::Quantity { .. } | Shape::Number(_) | Shape::Count(..))
+        matches!(self.shape, ValueShape::Quantity { .. } | ValueShape::Number(_) | ValueShape::Count(..))
     }
 
     /// Whether its values are whole numbers.
     pub fn is_whole(&self) -> bool {
-        matches!(self.shape, Shape::Count(..))
+        matches!(self.shape, ValueShape::Count(..))
     }
 
     /// The value that `text` says on a command line: "3", "40 mm", "true".
@@ -101,8 +105,8 @@ impl Field {
         let text = text.trim();
         let word = || RawKind::Text(text.to_owned());
         let kind = match &self.shape {
-            Shape::Number(_) | Shape::Count(..) => number(text).map_or_else(word, RawKind::Number),
-            Shape::Truth => text.parse().map_or_else(|_| word(), RawKind::Truth),
+            ValueShape::Number(_) | ValueShape::Count(..) => number(text).map_or_else(word, RawKind::Number),
+            ValueShape::Truth => text.parse().map_or_else(|_| word(), RawKind::Truth),
             _ => word(),
         };
         let said = |fault: Fault| {
@@ -144,24 +148,24 @@ fn number(text: &str) -> Option<RawNumber> {
     Some(RawNumber { text: text.to_owned(), value, is_integer: whole.is_some(), whole })
 }
 
-fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &Shape) -> Option<KeyValue> {
+fn taken(section: &mut Section<'_, '_>, key: &'static str, shape: &ValueShape) -> Option<KeyValue> {
     match shape {
-        Shape::Quantity { kind, allowed, .. } => quantity(section, key, kind, *allowed),
-        Shape::Number(allowed) => section.number(key, *allowed),
-        Shape::Count(low, high) => section.count(key, *low, *high).map(f64::from),
-        Shape::Truth => return section.truth(key).map(KeyValue::Truth),
-        Shape::Text => return section.text(key).map(|(text, _)| KeyValue::Word(text.to_owned())),
-        Shape::Choice(words) => {
+        ValueShape::Quantity { kind, allowed, .. } => quantity(section, key, kind, *allowed),
+        ValueShape::Number(allowed) => section.number(key, *allowed),
+        ValueShape::Count(low, high) => section.count(key, *low, *high).map(f64::from),
+        ValueShape::Truth => return section.truth(key).map(KeyValue::Truth),
+        ValueShape::Text => return section.text(key).map(|(text, _)| KeyValue::Word(text.to_owned())),
+        ValueShape::Choice(words) => {
             let choices: Vec<(&'static str, &'static str)> =
                 words.iter().map(|word| (*word, *word)).collect();
             return section.choice(key, &choices).map(|word| KeyValue::Word(word.to_owned()));
         }
-        Shape::Area(allowed) => {
+        ValueShape::Area(allowed) => {
             let sides = section.area(key, *allowed);
             return sides.map(|[width, depth]| KeyValue::Word(format!("{width} x {depth}")));
         }
-        Shape::Or(shape, _) => return taken(section, key, shape),
-        Shape::Sections | Shape::Lists(_) | Shape::Texts | Shape::Choices(_) => None,
+        ValueShape::Or(shape, _) => return taken(section, key, shape),
+        ValueShape::Sections | ValueShape::Lists(_) | ValueShape::Texts | ValueShape::Choices(_) => None,
     }
     .map(KeyValue::Number)
 }
@@ -195,18 +199,20 @@ mod tests {
     use super::*;
 
     /// A value that every shape takes.
-    fn example(shape: &Shape) -> String {
+    fn example(shape: &ValueShape) -> String {
         match shape {
-            Shape::Quantity { units, .. } => format!("0.5 {}", units[0]),
-            Shape::Area(_) => "220 mm x 210 mm".to_owned(),
-            Shape::Number(_) => "0.25".to_owned(),
-            Shape::Count(low, _) => low.to_string(),
-            Shape::Truth => "true".to_owned(),
-            Shape::Choice(words) => words[0].to_owned(),
-            Shape::Or(shape, _) => example(shape),
-            Shape::Text | Shape::Texts | Shape::Lists(_) | Shape::Choices(_) | Shape::Sections => {
-                "x".to_owned()
-            }
+            ValueShape::Quantity { units, .. } => format!("0.5 {}", units[0]),
+            ValueShape::Area(_) => "220 mm x 210 mm".to_owned(),
+            ValueShape::Number(_) => "0.25".to_owned(),
+            ValueShape::Count(low, _) => low.to_string(),
+            ValueShape::Truth => "true".to_owned(),
+            ValueShape::Choice(words) => words[0].to_owned(),
+            ValueShape::Or(shape, _) => example(shape),
+            ValueShape::Text
+            | ValueShape::Texts
+            | ValueShape::Lists(_)
+            | ValueShape::Choices(_)
+            | ValueShape::Sections => "x".to_owned(),
         }
     }
 

@@ -2,13 +2,14 @@
 
 use std::ops::Range;
 
+use crate::spec::accuracy::{Detail, ModelChoice};
 use crate::spec::fault::{Fault, quoted};
 use crate::spec::faults::Faults;
+use crate::spec::foreign::Document;
 use crate::spec::key;
-use crate::spec::model::{Detail, ModelChoice};
 use crate::spec::reading::{read_schema, read_with};
 use crate::spec::section::{Reader, Section};
-use crate::spec::shape::Shape;
+use crate::spec::shape::ValueShape;
 use crate::spec::source::Source;
 use crate::spec::study::axis::{Axis, Block, MOST_VALUES, between, counted_out};
 use crate::spec::study::draw::Draw;
@@ -54,7 +55,7 @@ const MOST_DRAWN: u32 = 1_000_000_000;
 /// # Errors
 /// All faults of the text at once.
 pub fn read_study(source: &Source) -> Result<StudyFile, Faults> {
-    read_with(source, |reader| read_file(reader, source)).map(|(file, _, _)| file)
+    read_with(source, Document::Study, |reader| read_file(reader, source)).map(|(file, _, _)| file)
 }
 
 fn read_file(reader: &mut Reader<'_>, source: &Source) -> StudyFile {
@@ -214,7 +215,7 @@ fn read_draw(reader: &mut Reader<'_>, seen: &mut SeenKeys) -> Option<Block> {
     let count = section.count("count", 1, MOST_DRAWN);
     let seed = section.count("seed", 0, u32::MAX).unwrap_or(1);
     let method = section.choice("method", &[("latin", true), ("random", false)]).unwrap_or(true);
-    let between_ends = section.take("between", Shape::Sections)?;
+    let between_ends = section.take("between", ValueShape::Sections)?;
     let Some(table) = between_ends.as_table() else {
         let fault = Fault::error(FaultCode::WrongType, between_ends.span.clone(), "`between` is no section");
         reader.faults.push(fault.label("must be a section, [draw.between], of keys with \"FROM..TO\""));

@@ -11,10 +11,10 @@ pub use command::Command;
 use command::Command as C;
 
 /// Letter, ten times the number, and what the code does.
-type Code = (u8, u16, C);
+type CodeRow = (u8, u16, C);
 
 /// Codes that all controllers share.
-const COMMON: [Code; 5] = [
+const COMMON: [CodeRow; 5] = [
     (b'G', 0, C::Rapid),
     (b'G', 10, C::Line),
     (b'G', 40, C::Dwell),
@@ -23,7 +23,7 @@ const COMMON: [Code; 5] = [
 ];
 
 /// Arcs, planes, units and feed modes.
-const GEOMETRY: [Code; 7] = [
+const GEOMETRY: [CodeRow; 7] = [
     (b'G', 20, C::ArcCw),
     (b'G', 30, C::ArcCcw),
     (b'G', 170, C::PlaneXy),
@@ -34,7 +34,7 @@ const GEOMETRY: [Code; 7] = [
 ];
 
 /// Other codes of the RS274/NGC family.
-const RS274: [Code; 6] = [
+const RS274: [CodeRow; 6] = [
     (b'G', 610, C::ExactPath),
     (b'G', 901, C::CentersAbsolute),
     (b'G', 911, C::CentersRelative),
@@ -44,24 +44,24 @@ const RS274: [Code; 6] = [
 ];
 
 /// Codes that printers share.
-const PRINTER: [Code; 3] =
+const PRINTER: [CodeRow; 3] =
     [(b'M', 730, C::Progress), (b'M', 1040, C::HeatOnly), (b'M', 1090, C::HeatAndWait)];
 
 /// Marlin's own: motors off at the end.
-const MARLIN: [Code; 3] = [(b'M', 0, C::Pause), (b'M', 840, C::End), (b'M', 2050, C::Setting)];
+const MARLIN: [CodeRow; 3] = [(b'M', 0, C::Pause), (b'M', 840, C::End), (b'M', 2050, C::Setting)];
 
 /// Klipper's own; G20 is an error there.
-const KLIPPER: [Code; 2] = [(b'G', 210, C::Millimetres), (b'M', 840, C::End)];
+const KLIPPER: [CodeRow; 2] = [(b'G', 210, C::Millimetres), (b'M', 840, C::End)];
 
 /// RepRapFirmware's own; M0 ends the job, M226 waits.
-const REPRAPFIRMWARE: [Code; 4] =
+const REPRAPFIRMWARE: [CodeRow; 4] =
     [(b'M', 0, C::End), (b'M', 2030, C::Setting), (b'M', 2260, C::Pause), (b'T', 0, C::Setting)];
 
 /// The words that a controller understands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Vocabulary {
     /// The codes that it shares with others, and its own.
-    codes: &'static [&'static [Code]],
+    codes: &'static [&'static [CodeRow]],
     /// Commands of `codes` that it does not know.
     except: &'static [Command],
     /// Whether it draws arcs; without, no arc is read.
@@ -143,6 +143,11 @@ impl Vocabulary {
         if controller.arcs { family } else { family.without_arcs() }
     }
 
+    /// Whether it draws arcs, without options that only some of the family have.
+    pub const fn draws_arcs(self) -> bool {
+        self.draws_arcs
+    }
+
     /// The same words without those for arcs.
     pub const fn without_arcs(self) -> Self {
         Self { draws_arcs: false, ..self }
@@ -150,7 +155,7 @@ impl Vocabulary {
 
     /// Every code that the controller knows: letter, number, what it does; in this order.
     pub fn codes(self) -> impl Iterator<Item = (char, f64, Command)> {
-        let mut known: Vec<Code> =
+        let mut known: Vec<CodeRow> =
             self.codes.concat().into_iter().filter(|(.., command)| self.reads(*command)).collect();
         known.sort_unstable_by_key(|(letter, tenths, _)| (*letter, *tenths));
         known
@@ -161,7 +166,7 @@ impl Vocabulary {
     /// What the code `letter` `number` does, if the controller knows it.
     pub fn command(self, letter: u8, number: f64) -> Option<Command> {
         let is_whole = (number * 10.0).fract().abs() < 1e-9;
-        let is = |(l, tenths, _): &&Code| {
+        let is = |(l, tenths, _): &&CodeRow| {
             *l == letter && f64::from(*tenths) == (number * 10.0).round() && is_whole
         };
         let mut known = self.codes.iter().flat_map(|codes| codes.iter());

@@ -1,6 +1,7 @@
 //! What the files of a build are compared with.
 
 use crate::design::Design;
+use crate::forecast::drawn::prediction::DrawnPrediction;
 use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
 use crate::spec::{Machine, Spec};
@@ -16,6 +17,8 @@ pub struct Expected<'a> {
     pub machine: &'a Machine,
     /// What it will do; `None` for a spec without a load.
     pub prediction: Option<&'a Prediction>,
+    /// What a drawn piece will do; `None` for a spec without a load.
+    pub drawn: Option<&'a DrawnPrediction>,
     /// The figures that the manifest should give; its list of files does not matter.
     pub manifest: &'a Manifest,
 }

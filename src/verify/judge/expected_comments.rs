@@ -105,7 +105,7 @@ fn seams(task: &ProgramTask<'_>, out: &mut Vec<String>) {
     let rise = heights.travel.0 - heights.contact.0;
     let words = |(i, seam): (usize, &LaidSeam)| {
         let length = seam.run.length();
-        let ramps = seam.lead_in.length().hypot(rise) + seam.lead_out.length().hypot(rise);
+        let ramps = libm::hypot(seam.lead_in.length(), rise) + libm::hypot(seam.lead_out.length(), rise);
         let time = (length + ramps) / spec.seal.speed.0;
         format!("seam: seam={i} {} length_mm={length} time_s={time}", seam.name.facts())
     };

@@ -47,7 +47,7 @@ impl StrokeRun {
         match (motion.tick, motion.step_rate, motion.steps_per_mm) {
             (Some(tick), StepRate::AtLeast(rate), Some(scale)) => {
                 let mm: [f64; 3] = std::array::from_fn(|i| self.moved[i] / scale[i]);
-                let length = mm[0].hypot(mm[1]).hypot(mm[2]);
+                let length = libm::hypot(libm::hypot(mm[0], mm[1]), mm[2]);
                 let steps = self.moved.into_iter().fold(0.0, f64::max);
                 if steps < 1.0 {
                     return wait;
@@ -68,14 +68,14 @@ impl StrokeRun {
 
 /// Time that the controller takes for one straight stroke from rest to rest, s, at `speed` mm/s; positions in mm.
 pub fn stroke_seconds(motion: &Motion, from: [f64; 3], to: [f64; 3], speed: f64) -> f64 {
-    let length = (0..3).map(|i| to[i] - from[i]).fold(0.0, f64::hypot);
+    let length = (0..3).map(|i| to[i] - from[i]).fold(0.0, libm::hypot);
     StrokeRun::default().and(motion, from, to, length).seconds(motion, speed)
 }
 
 /// The shortest way in the plane that has the steps of a move in every direction, mm.
 pub(super) fn shortest_move(motion: &Motion) -> f64 {
     let per_step = |scale: f64| 1.0 / scale;
-    motion.steps_per_mm.map_or(0.0, |[x, y, _]| motion.min_move_steps * per_step(x).hypot(per_step(y)))
+    motion.steps_per_mm.map_or(0.0, |[x, y, _]| motion.min_move_steps * libm::hypot(per_step(x), per_step(y)))
 }
 
 /// Time as Marlin makes it (repository MarlinFirmware/Marlin, planner.cpp and stepper.cpp): every step has a rate of its

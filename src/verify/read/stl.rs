@@ -1,7 +1,7 @@
 //! Reads binary STL: a head, a count, and triangles in single precision.
 
 /// Three corners (x, y, z), mm, counterclockwise from outside.
-pub type Facet = [[f32; 3]; 3];
+pub type StlFacet = [[f32; 3]; 3];
 
 /// What a solid says beside its corners.
 #[derive(Debug, PartialEq)]
@@ -20,12 +20,12 @@ const HEAD: usize = 84;
 const FACET: usize = 50;
 
 /// The facets of a binary STL; `None` if the length is not the one that the count says, or a number is not finite.
-pub fn read_stl(bytes: &[u8]) -> Option<Vec<Facet>> {
+pub fn read_stl(bytes: &[u8]) -> Option<Vec<StlFacet>> {
     read_solid(bytes).map(|(facets, _)| facets)
 }
 
 /// The same, with what stands beside the corners.
-pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<Facet>, SolidNotes)> {
+pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<StlFacet>, SolidNotes)> {
     let count = usize::try_from(u32::from_le_bytes(bytes.get(80..HEAD)?.try_into().ok()?)).ok()?;
     if bytes.len() != HEAD.checked_add(FACET.checked_mul(count)?)? {
         return None;
@@ -38,7 +38,7 @@ pub(in crate::verify) fn read_solid(bytes: &[u8]) -> Option<(Vec<Facet>, SolidNo
     };
     let facet = |raw: &[u8]| Some([corner(raw, 12)?, corner(raw, 24)?, corner(raw, 36)?]);
     let raw = || bytes[HEAD..].chunks_exact(FACET);
-    let facets: Option<Vec<Facet>> = raw().map(facet).collect();
+    let facets: Option<Vec<StlFacet>> = raw().map(facet).collect();
     let normals: Option<Vec<[f32; 3]>> = raw().map(|raw| corner(raw, 0)).collect();
     let plain = raw().all(|raw| raw[48..] == [0, 0]);
     Some((facets?, SolidNotes { normals: normals?, head: bytes[..80].to_vec(), plain }))

@@ -202,7 +202,7 @@ fn arc(from: Point, to: Point, radius: f64, large: bool, sweep: bool) -> Drawn {
     let apothem = ((r - half) * (r + half)).sqrt();
     let left = if large == sweep { -apothem } else { apothem };
     let center = from.midpoint(to) + chord.perp() * (left / (2.0 * half));
-    let angle = 2.0 * half.atan2(apothem);
+    let angle = 2.0 * libm::atan2(half, apothem);
     let turn = if large { std::f64::consts::TAU - angle } else { angle };
     let turn = if sweep { turn } else { -turn };
     Drawn::Arc(Arc::new(center, r, (from - center).angle(), turn))

@@ -55,7 +55,7 @@ const ELEMENTS: [&str; 39] = [
 ];
 
 /// Attributes that they may have, beside `aria-...`; none of them runs or fetches anything, `href` is looked into.
-const ATTRIBUTES: [&str; 25] = [
+const ATTRIBUTES: [&str; 26] = [
     "lang",
     "charset",
     "http-equiv",
@@ -77,6 +77,7 @@ const ATTRIBUTES: [&str; 25] = [
     "width",
     "height",
     "data-say",
+    "data-only",
     "data-when",
     "checked",
     "disabled",

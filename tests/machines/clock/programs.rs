@@ -13,14 +13,8 @@ use super::marlin::Version;
 /// A program with its name.
 pub(crate) type Named = (String, String);
 
-/// Every dialect with a profile.
-pub(crate) const DIALECTS: [&str; 8] =
-    ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
-
-/// Whether the controller has a lowest step rate, so that its programs may have to be chopped.
-pub(crate) fn has_floor(dialect: &str) -> bool {
-    ["grbl", "grblhal", "fluidnc", "marlin"].contains(&dialect)
-}
+/// Every dialect with a profile, and whether its controller has a lowest step rate.
+pub(crate) use crate::{PROFILES as DIALECTS, has_floor};
 
 /// The built-in profile, on a machine with these motors.
 pub(crate) fn machine(dialect: &str, motors: Motors) -> Machine {

@@ -45,7 +45,7 @@ const fn of(base: Base, edit: Edit) -> Edit {
     Edit { base, ..edit }
 }
 
-const EDITS: [Edit; 60] = [
+const EDITS: &[Edit] = &[
     edit("after-end", SEAL, "M2\n", "M2\nG0 Z30 F1200\n"),
     edit("backwards", SEAL, MOVE, "G1 X256.9069 Y220.6945\nG1 X253.9406 Y217.0314\n"),
     of(Base::Arcs, edit("bad-arc", "star-1-seal.ngc", " I", " I1")),
@@ -156,7 +156,7 @@ pub(crate) fn messages() -> Vec<Message> {
     let bases = [Base::Plain, Base::Hotend, Base::Arcs, Base::Chopped, Base::Predicted];
     let builds: Vec<(Base, Built)> = bases.into_iter().map(|base| (base, built(base))).collect();
     let mut all = Vec::new();
-    for Edit { code, base, file, old, new } in EDITS {
+    for &Edit { code, base, file, old, new } in EDITS {
         let (_, build) = builds.iter().find(|(known, _)| *known == base).expect("built");
         all.extend(found(code, build.output_files(), |files| {
             if let Some((_, bytes)) = files.iter_mut().find(|(name, _)| name == file) {

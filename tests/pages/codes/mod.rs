@@ -13,27 +13,22 @@ use stargrip_cam::verify::FindingCode;
 use specs::Message;
 
 /// Codes for which no wrong input is known, or none that is short: the program has them all the same.
-const WITHOUT: [&str; 32] = [
+const WITHOUT: &[&str] = &[
     "edit",
     "open-quote",
     "own-value",
     "unknown-machine",
     "bands-meet",
-    "bands-overlap",
     "curve-not-finite",
     "narrow-mouth",
-    "narrow-passage",
     "no-plate",
     "no-prediction",
-    "no-room-for-band",
-    "port-too-wide",
     "seam-crosses-itself",
     "seam-gap",
     "seams-cross",
-    "short-seam",
     "stars-overlap",
-    "wall-outside",
     "wrong-opening",
+    "leaves-plane",
     "prediction",
     "failed",
     "infeasible",

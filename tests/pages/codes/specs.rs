@@ -15,7 +15,7 @@ const STAR: &str = "schema = 1\nname = \"x\"\n[star]\npoints = 5\ninner_radius =
 const LOAD: &str = "[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.3\n";
 
 /// Of a code what is added to the star, or replaces a part of it.
-const EDITS: [(&str, &str, &str); 22] = [
+const EDITS: &[(&str, &str, &str)] = &[
     ("conflict", "", "[inlet]\nnone = true\ntip = 1\n"),
     ("duplicate-index", "", "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\n[[stack.star]]\nindex = 2\n"),
     ("missing-key", "points = 5\n", ""),
@@ -45,7 +45,7 @@ const EDITS: [(&str, &str, &str); 22] = [
 ];
 
 /// The same for designs, of which each adds to the star.
-const DESIGNS: [(&str, &str); 24] = [
+const DESIGNS: &[(&str, &str)] = &[
     ("arms-fall-through", "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\ninner_radius = \"160 mm\"\n"),
     ("band-eats-arm", "[seal]\nband = \"45 mm\"\n"),
     ("chopped-seal", "[machine]\nprofile = \"grbl\"\nfeed_floor = \"chop\"\n"),
@@ -76,7 +76,7 @@ const DESIGNS: [(&str, &str); 24] = [
 ];
 
 /// The same with [`LOAD`], a part of which is replaced, or to which is added.
-const LOADS: [(&str, &str, &str); 13] = [
+const LOADS: &[(&str, &str, &str)] = &[
     (
         "object-too-short",
         "[load]",
@@ -97,7 +97,7 @@ const LOADS: [(&str, &str, &str); 13] = [
 ];
 
 /// Lines of a test on the cone.
-const TABLES: [(&str, &str); 8] = [
+const TABLES: &[(&str, &str)] = &[
     ("cell", "travel_mm,load_N\n0,0\n1,x\n"),
     ("cell-count", "travel_mm,load_N\n0,0\n1\n"),
     ("decimal-comma", "travel_mm,load_N\n0,\"0,5\"\n"),
@@ -113,7 +113,7 @@ const BYTES: [&[u8]; 4] =
     [b"G21\nG90\nG0 Z30\n", b"\xff\xfe\x00", b"schema = 1\rname = \"x\"\r", &[b'#'; (1 << 20) + 1]];
 
 /// Of a code a built-in profile, a part of it that is replaced, and what is added to the star.
-const PROFILES: [(&str, &str, &str, &str, &str); 4] = [
+const PROFILES: &[(&str, &str, &str, &str, &str)] = &[
     (
         "clamp-in-the-way",
         "generic",
@@ -133,16 +133,16 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
         "" => format!("{text}{new}"),
         _ => text.replacen(old, new, 1),
     };
-    for (_, old, new) in EDITS {
+    for &(_, old, new) in EDITS {
         of_spec(&changed(STAR, old, new), None, &mut all);
     }
-    for (_, rest) in DESIGNS {
+    for &(_, rest) in DESIGNS {
         of_spec(&format!("{STAR}{rest}"), None, &mut all);
     }
-    for (_, old, new) in LOADS {
+    for &(_, old, new) in LOADS {
         of_spec(&format!("{STAR}{}", changed(LOAD, old, new)), None, &mut all);
     }
-    for (_, layers, body) in DRAWINGS {
+    for &(_, layers, body) in DRAWINGS {
         let text =
             format!("schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\n{layers}\n");
         let svg = format!(
@@ -152,12 +152,12 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
     }
     of_drawing(DRAWING, b"solid x", &mut all);
     of_spec(DRAWING, None, &mut all);
-    for (_, profile, old, new, rest) in PROFILES {
+    for &(_, profile, old, new, rest) in PROFILES {
         let own = spec::builtin_machine(profile).expect("built in").replacen(old, new, 1);
         of_spec(&format!("{STAR}[machine]\nprofile = \"own.toml\"\n{rest}"), Some(&own), &mut all);
     }
     let [faults, ..] = &mut all;
-    for (_, text) in TABLES {
+    for &(_, text) in TABLES {
         faults.extend(read_test(&Source::new("cone.csv", text)).err().iter().flat_map(of_faults));
     }
     for bytes in BYTES {
@@ -170,7 +170,7 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
 }
 
 /// Drawings that are wrong in one way: roles, and what stands in the file.
-const DRAWINGS: [(&str, &str, &str); 14] = [
+const DRAWINGS: &[(&str, &str, &str)] = &[
     ("layer-without-role", "port = [\"p\"]", ROOM),
     ("unknown-layer", "air = [\"a\", \"b\"]\nport = [\"p\"]", ROOM),
     ("chamber-without-port", "air = [\"a\"]\nignore = [\"p\"]", ROOM),
@@ -201,8 +201,42 @@ const DRAWINGS: [(&str, &str, &str); 14] = [
     (
         "narrow-passage",
         "air = [\"a\"]\nport = [\"p\"]",
-        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"12\" rx=\"2\"/></g>\
+        "<g id=\"a\"><rect id=\"r\" width=\"90\" height=\"60\"/><circle id=\"s\" cx=\"16\" cy=\"30\" r=\"8\"/></g>\
+        <g id=\"p\"><path d=\"M 60 -3 V 3\"/></g>",
+    ),
+    (
+        "bands-overlap",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"40\" height=\"40\"/><rect id=\"s\" x=\"43\" width=\"40\" height=\"40\"/></g>\
+        <g id=\"p\"><path d=\"M 20 -3 V 3 M 63 -3 V 3\"/></g>",
+    ),
+    (
+        "no-room-for-band",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/><circle id=\"s\" cx=\"30\" cy=\"30\" r=\"0.8\"/></g>\
         <g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>",
+    ),
+    (
+        "port-too-wide",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"5\" height=\"60\"/></g><g id=\"p\"><path d=\"M 2.5 -3 V 3\"/></g>",
+    ),
+    (
+        "sharp-corner",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><path id=\"r\" d=\"M 0 0 H 80 V 40 H 40 V 80 H 0 Z\"/></g><g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>",
+    ),
+    (
+        "short-seam",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"60\" height=\"60\"/><circle id=\"s\" cx=\"30\" cy=\"30\" r=\"2.5\"/></g>\
+        <g id=\"p\"><path d=\"M 30 -3 V 3\"/></g>",
+    ),
+    (
+        "wall-outside",
+        "air = [\"a\"]\nport = [\"p\"]",
+        "<g id=\"a\"><rect id=\"r\" width=\"40\" height=\"40\"/><rect id=\"s\" x=\"60\" width=\"40\" height=\"40\"/>\
+        <path id=\"t\" d=\"M 40 20 H 60\"/></g><g id=\"p\"><path d=\"M 20 -3 V 3 M 80 -3 V 3\"/></g>",
     ),
     (
         "narrow-tube",

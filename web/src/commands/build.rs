@@ -18,8 +18,8 @@ use crate::message::Message;
 
 /// Makes the files that are asked for. They are proven unless `prove` is false, which is for a quick look: then there is no manifest.
 /// What the spec's own load refuses is shown, but not handed out, unless it is wanted `anyway`.
-pub(super) fn build(question: &Value) -> Message {
-    let given = match Given::of(question) {
+pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
+    let given = match Given::of(question, files) {
         Ok(given) => given,
         Err(faults) => return Message::of(json!({ "faults": faults })),
     };
@@ -95,8 +95,8 @@ pub(super) fn verify(files: Vec<(String, Vec<u8>)>) -> Value {
 }
 
 /// Predicts with the spec's model, or the one that `model` names.
-pub(super) fn predict(question: &Value) -> Value {
-    let given = match Given::of(question) {
+pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)]) -> Value {
+    let given = match Given::of(question, files) {
         Ok(given) => given,
         Err(faults) => return json!({ "faults": faults }),
     };

@@ -3,16 +3,18 @@
 //! | ask | takes | answers |
 //! |---|---|---|
 //! | `start` | | the schema, the starter, the machine profiles, the kinds of file |
-//! | `build` | `spec`, `machine`, `only`, `with`, `anyway`, `prove` | faults, settings, the overview, the proof, files |
+//! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove` | faults, settings, the overview, the proof, files |
 //! | `verify` | files | what `verify --json` prints |
+//! | `drawing` | a drawing | a spec that names its layers, or why it cannot be read |
 //! | `new` | `name`, `object`, `mass` and what else `new` takes | a spec and its verdict, or why there is none |
 //! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |
-//! | `predict` | `spec`, `machine`, `model` | the prediction, in words and as JSON |
+//! | `predict` | `spec`, `machine`, the drawing, `model` | the prediction, in words and as JSON |
 //! | `explain` | `code` | what the code means |
 //!
 //! `faults` are errors and warnings with their places; `wrong` says what is wrong with the question itself.
 
 mod build;
+mod drawing;
 mod edit;
 mod faults;
 mod object;
@@ -37,9 +39,10 @@ fn answered(question: Message) -> Result<Message, String> {
     let answer = match asked {
         "start" => start::start(),
         "explain" => start::explain(&question),
-        "build" => return Ok(build::build(&question)),
+        "build" => return Ok(build::build(&question, &files)),
         "verify" => build::verify(files),
-        "predict" => build::predict(&question),
+        "predict" => build::predict(&question, &files),
+        "drawing" => drawing::drawing(&files)?,
         "new" => object::new(&question)?,
         "edit" => edit::edit(&question)?,
         _ => return Err(format!("nothing answers {asked:?}")),

@@ -1,6 +1,7 @@
 //! A spec with its machine, from the texts of a question.
 
 use serde_json::Value;
+use stargrip_cam::design::RefusalCode;
 use stargrip_cam::spec;
 use stargrip_cam::spec::{Fault, FaultCode, Faults, Machine, Reading, Source, key};
 
@@ -29,13 +30,15 @@ pub(super) fn source(question: &Value) -> Result<Source, Vec<Value>> {
 }
 
 impl Given {
-    /// The spec of a question. A profile that is not built in is its `machine`: a page opens no files.
+    /// The spec of a question, with its drawing if that is one of the `files`. A profile that is not built in is its `machine`: a page opens
+    /// no files.
     ///
     /// # Errors
     /// All that is wrong with either.
-    pub(super) fn of(question: &Value) -> Result<Self, Vec<Value>> {
+    pub(super) fn of(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Self, Vec<Value>> {
         let source = source(question)?;
-        let reading = spec::read(&source).map_err(|faults| listed(&faults))?;
+        let reading = spec::read(&source).and_then(|reading| with_drawing(&source, reading, files));
+        let reading = reading.map_err(|faults| listed(&faults))?;
         let name = &reading.spec.machine.profile;
         let own = || text(question, "machine");
         let Some(profile) = spec::builtin_machine(name).or_else(own).map(str::to_owned) else {
@@ -46,6 +49,25 @@ impl Given {
         let (machine, profile) = machine.map_err(|faults| listed(&faults))?;
         Ok(Self { source, reading, machine, machine_text: profile.text })
     }
+}
+
+/// The reading with its drawing, under the name of the spec or that of a published directory.
+fn with_drawing(source: &Source, reading: Reading, files: &[(String, Vec<u8>)]) -> Result<Reading, Faults> {
+    let Some(drawing) = &reading.spec.drawing else { return Ok(reading) };
+    let own = drawing.file.rsplit(['/', '\\']).next().unwrap_or_default();
+    let mut named = files.iter().filter(|(name, _)| name == own || name == drawing.published_name());
+    if let Some((_, bytes)) = named.next() {
+        return Ok(reading.with_drawing(bytes));
+    }
+    let place = reading.raw.span_of(key::drawing::FILE);
+    let fault = Fault::error(
+        RefusalCode::DrawingUnread,
+        place,
+        format!("the page does not have the drawing {own:?}"),
+    )
+    .label("a drawing that was dropped on the page")
+    .help("drop the drawing's file on the page");
+    Err(Faults::new(source, vec![fault]))
 }
 
 /// A profile that is not built in, and was not given.

@@ -119,7 +119,7 @@ fn elliptical(
     let q = Vec2::new(p.y, -p.x) * away; // centre in that frame, from the middle of the chord
     let (first, last) = (p + -q, -p + -q);
     let start = first.angle();
-    let turn = first.cross(last).atan2(first.dot(last));
+    let turn = libm::atan2(first.cross(last), first.dot(last));
     let sweep = match (positive, turn > 0.0) {
         (true, false) => turn + std::f64::consts::TAU,
         (false, true) => turn - std::f64::consts::TAU,

@@ -27,7 +27,7 @@ impl Viewport {
         };
         let length = Length::from_str(value.trim()).map_err(|_| fault())?;
         let [w, h] = self.0;
-        let whole = [w, h, w.hypot(h) / std::f64::consts::SQRT_2][axis];
+        let whole = [w, h, libm::hypot(w, h) / std::f64::consts::SQRT_2][axis];
         match (length.unit, millimetres(length)) {
             (LengthUnit::None, _) => Ok(length.number),
             (LengthUnit::Percent, _) => Ok(length.number / 100.0 * whole),

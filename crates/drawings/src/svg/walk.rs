@@ -340,8 +340,12 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
                 Token::Translate { tx, ty } => Affine::translate(tx, ty),
                 Token::Scale { sx, sy } => Affine::scale(sx, sy),
                 Token::Rotate { angle } => Affine::rotate(angle),
-                Token::SkewX { angle } => Affine::new([1.0, 0.0, angle.to_radians().tan(), 1.0, 0.0, 0.0]),
-                Token::SkewY { angle } => Affine::new([1.0, angle.to_radians().tan(), 0.0, 1.0, 0.0, 0.0]),
+                Token::SkewX { angle } => {
+                    Affine::new([1.0, 0.0, libm::tan(angle.to_radians()), 1.0, 0.0, 0.0])
+                }
+                Token::SkewY { angle } => {
+                    Affine::new([1.0, libm::tan(angle.to_radians()), 0.0, 1.0, 0.0, 0.0])
+                }
             });
         }
         Some(map)

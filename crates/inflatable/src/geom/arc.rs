@@ -103,7 +103,7 @@ impl Arc {
         if bulge == 0.0 || c == 0.0 {
             return None;
         }
-        let sweep = 4.0 * bulge.atan();
+        let sweep = 4.0 * libm::atan(bulge);
         let radius = c * (1.0 + bulge * bulge) / (4.0 * bulge.abs());
         // Signed distance from the chord's middle to the centre, positive to the left of the chord.
         let apothem = c * (1.0 - bulge * bulge) / (4.0 * bulge);
@@ -113,7 +113,7 @@ impl Arc {
 
     /// tan(sweep / 4), the measure of an arc between two known points that DXF calls bulge.
     pub fn bulge(&self) -> f64 {
-        (self.sweep / 4.0).tan()
+        libm::tan(self.sweep / 4.0)
     }
 
     /// The points at which its circle is extreme in X or Y, as far as they lie on the arc.

@@ -47,11 +47,6 @@ impl Bounds {
         Self { min: self.min - v, max: self.max + v }
     }
 
-    /// The box moved by `v`.
-    pub fn translated(self, v: Vec2) -> Self {
-        Self { min: self.min + v, max: self.max + v }
-    }
-
     /// Extent along X.
     pub fn width(&self) -> f64 {
         self.max.x - self.min.x

@@ -26,11 +26,6 @@ impl Grid {
         self.0
     }
 
-    /// The distance between neighbours.
-    pub fn quantum(self) -> f64 {
-        1.0 / self.scale()
-    }
-
     fn scale(self) -> f64 {
         // Looked up: this is asked more often than anything else.
         const SCALES: [f64; 10] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9];

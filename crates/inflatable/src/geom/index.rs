@@ -2,10 +2,10 @@
 
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 
-use crate::geom::Bounds;
+use crate::geom::{Bounds, Point};
 
 /// Boxes in a packed R-tree: a query costs the logarithm of their number and what it finds.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct BoxIndex(Option<StaticAABB2DIndex<f64>>);
 
 impl BoxIndex {
@@ -31,5 +31,125 @@ impl BoxIndex {
         self.visit(zone, |number| found.push(number));
         found.sort_unstable();
         found
+    }
+
+    /// Whether `is` says so of the number of any box that shares a point with `zone`. It is asked no further then.
+    pub fn any(&self, zone: &Bounds, mut is: impl FnMut(usize) -> bool) -> bool {
+        let mut see = |number| if is(number) { Err(()) } else { Ok(()) };
+        let Bounds { min, max } = zone;
+        self.0.as_ref().is_some_and(|tree| tree.visit_query(min.x, min.y, max.x, max.y, &mut see).is_err())
+    }
+
+    /// The least `distance` of what lies in the boxes from `p`; infinite if there is none. Nothing is nearer than its box.
+    pub fn least(&self, p: Point, mut distance: impl FnMut(usize) -> f64) -> f64 {
+        let mut least = f64::INFINITY;
+        // What the square of a distance is rounded by.
+        let slack = 1.0 + 1e-12;
+        let mut see = |number, square: f64| {
+            if square > least * least * slack {
+                return Err(());
+            }
+            least = distance(number).min(least);
+            Ok(())
+        };
+        if let Some(tree) = &self.0 {
+            let _ = tree.visit_neighbors(p.x, p.y, &mut see);
+        }
+        least
+    }
+}
+
+/// Boxes that become more: those of a [`BoxIndex`], and a short list of the latest.
+#[derive(Debug, Default)]
+pub struct GrowingIndex {
+    boxes: Vec<Bounds>,
+    index: BoxIndex,
+    indexed: usize,
+}
+
+impl GrowingIndex {
+    /// Box number `number`.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    pub fn get(&self, number: usize) -> &Bounds {
+        &self.boxes[number]
+    }
+
+    /// The number of boxes.
+    pub fn len(&self) -> usize {
+        self.boxes.len()
+    }
+
+    /// Whether there is no box.
+    pub fn is_empty(&self) -> bool {
+        self.boxes.is_empty()
+    }
+
+    /// One more box.
+    pub fn push(&mut self, bounds: Bounds) {
+        self.boxes.push(bounds);
+        if self.boxes.len() > 16 + self.indexed + self.indexed / 32 {
+            self.indexed = self.boxes.len();
+            self.index = BoxIndex::new(self.boxes.iter().copied());
+        }
+    }
+
+    /// Only the first `count` boxes.
+    pub fn truncate(&mut self, count: usize) {
+        self.boxes.truncate(count);
+        if count < self.indexed {
+            (self.index, self.indexed) = (BoxIndex::new(self.boxes.iter().copied()), self.boxes.len());
+        }
+    }
+
+    /// Whether `is` says so of the number of any box that shares a point with `zone`.
+    pub fn any(&self, zone: &Bounds, mut is: impl FnMut(usize) -> bool) -> bool {
+        let latest = self.boxes.iter().enumerate().skip(self.indexed);
+        latest.filter(|(_, bounds)| zone.overlaps(bounds)).any(|(number, _)| is(number))
+            || self.index.any(zone, is)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Boxes of 1 mm along a diagonal.
+    fn at(i: u32) -> Bounds {
+        let corner = Point::new(3.0 * f64::from(i), 2.0 * f64::from(i));
+        Bounds { min: corner, max: Point::new(corner.x + 1.0, corner.y + 1.0) }
+    }
+
+    #[test]
+    fn the_nearest_box_is_found_as_by_looking_at_all() {
+        let boxes: Vec<Bounds> = (0..100).map(at).collect();
+        let index = BoxIndex::new(boxes.iter().copied());
+        for p in
+            [Point::new(-5.0, 1.0), Point::new(77.0, 41.0), Point::new(150.0, 90.0), Point::new(900.0, 0.0)]
+        {
+            let all = boxes.iter().map(|bounds| bounds.distance(p)).fold(f64::INFINITY, f64::min);
+            let mut asked = 0;
+            let least = index.least(p, |number| {
+                asked += 1;
+                boxes[number].distance(p)
+            });
+            assert!(least == all && asked < 30, "{least} is not {all}, by {asked}");
+        }
+        assert_eq!(BoxIndex::default().least(Point::ORIGIN, |_| 0.0), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_growing_index_knows_what_is_in_it() {
+        let mut index = GrowingIndex::default();
+        for i in 0..300 {
+            assert!(!index.any(&at(i), |_| true), "{i}");
+            index.push(at(i));
+            assert!((0..=i).all(|known| index.any(&at(known), |number| number == known as usize)), "{i}");
+        }
+        index.truncate(40);
+        assert!(index.any(&at(39), |_| true) && !index.any(&at(40), |_| true) && index.len() == 40);
+        index.push(at(70));
+        assert!(index.any(&at(70), |number| number == 40) && !index.any(&at(0), |_| false));
     }
 }

@@ -51,7 +51,7 @@ impl Point {
 
     /// Direction of the ray from the origin through this point, in (-pi, pi].
     pub fn angle(self) -> f64 {
-        self.y.atan2(self.x)
+        libm::atan2(self.y, self.x)
     }
 }
 
@@ -63,7 +63,7 @@ impl Vec2 {
 
     /// The unit vector at `angle` (rad, counterclockwise from +X).
     pub fn unit(angle: f64) -> Self {
-        let (y, x) = angle.sin_cos();
+        let (y, x) = libm::sincos(angle);
         Self { x, y }
     }
 
@@ -89,7 +89,7 @@ impl Vec2 {
 
     /// Direction in (-pi, pi]; 0 for the null vector.
     pub fn angle(self) -> f64 {
-        self.y.atan2(self.x)
+        libm::atan2(self.y, self.x)
     }
 
     /// The vector of length 1 in the same direction; the null vector stays null.

@@ -17,7 +17,7 @@ impl Path {
                 let chord = (segment.start() - origin).cross(segment.end() - origin);
                 let cap = match segment {
                     Segment::Line(_) => 0.0,
-                    Segment::Arc(arc) => arc.radius * arc.radius * (arc.sweep - arc.sweep.sin()),
+                    Segment::Arc(arc) => arc.radius * arc.radius * (arc.sweep - libm::sin(arc.sweep)),
                 };
                 0.5 * (chord + cap)
             })
@@ -50,7 +50,7 @@ fn turn_around(segment: &Segment, p: Point) -> f64 {
         .map(|i| {
             let part = segment.part(f64::from(i) / f64::from(pieces), f64::from(i + 1) / f64::from(pieces));
             let (a, b) = (part.start() - p, part.end() - p);
-            let chord = a.cross(b).atan2(a.dot(b));
+            let chord = libm::atan2(a.cross(b), a.dot(b));
             let Segment::Arc(arc) = part else { return chord };
             // A point between chord and arc sees the chord pass on the wrong side: one turn is missing.
             let in_circle = p.distance(arc.center) < arc.radius;

@@ -38,7 +38,7 @@ impl Isometry {
         if self.rotation == 0.0 {
             return Point::new(p.x, y) + self.shift;
         }
-        let (s, c) = self.rotation.sin_cos();
+        let (s, c) = libm::sincos(self.rotation);
         Point::new(c * p.x - s * y, s * p.x + c * y) + self.shift
     }
 

@@ -11,7 +11,7 @@ pub struct Chebyshev {
 impl Chebyshev {
     /// The `count` interpolation points, within (0, 1), falling.
     pub fn points(count: usize) -> Vec<f64> {
-        (0..count).map(|i| 0.5 + 0.5 * Self::angle(i, count).cos()).collect()
+        (0..count).map(|i| 0.5 + 0.5 * libm::cos(Self::angle(i, count))).collect()
     }
 
     /// The interpolant of `values` taken at [`Chebyshev::points`].
@@ -19,7 +19,7 @@ impl Chebyshev {
         let count = values.len();
         #[expect(clippy::cast_precision_loss, reason = "series have a few dozen terms")]
         let coefficient = |k: usize| {
-            let sum: f64 = (0..count).map(|i| values[i] * (k as f64 * Self::angle(i, count)).cos()).sum();
+            let sum: f64 = (0..count).map(|i| values[i] * libm::cos(k as f64 * Self::angle(i, count))).sum();
             sum * if k == 0 { 1.0 } else { 2.0 } / count as f64
         };
         Self { coefficients: (0..count).map(coefficient).collect() }

@@ -50,7 +50,7 @@ impl<const N: usize> Dual<N> {
     /// Sine and cosine.
     #[inline]
     pub fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = self.value.sin_cos();
+        let (sin, cos) = libm::sincos(self.value);
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
@@ -59,7 +59,7 @@ impl<const N: usize> Dual<N> {
     pub fn atan2(self, x: Self) -> Self {
         let square = self.value * self.value + x.value * x.value;
         let slope = std::array::from_fn(|i| (x.value * self.slope[i] - self.value * x.slope[i]) / square);
-        Self { value: self.value.atan2(x.value), slope }
+        Self { value: libm::atan2(self.value, x.value), slope }
     }
 
     /// `1 / self`.

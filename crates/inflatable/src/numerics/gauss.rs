@@ -10,7 +10,7 @@ pub fn gauss_legendre<const N: usize>() -> [(f64, f64); N] {
     let count = N as f64;
     for (i, node) in rule.iter_mut().enumerate() {
         #[expect(clippy::cast_precision_loss, reason = "rules have a few dozen points")]
-        let guess = (std::f64::consts::PI * (i as f64 + 0.75) / (count + 0.5)).cos();
+        let guess = libm::cos(std::f64::consts::PI * (i as f64 + 0.75) / (count + 0.5));
         // Newton on the Legendre polynomial; the guess is within O(N^-3), so five steps are at rounding.
         let mut x = guess;
         for _ in 0..5 {

@@ -9,7 +9,7 @@ use crate::artifact::Output;
 use crate::design::{Design, StarDesign};
 use crate::verify::judge::files::solid::{CHORD, foot};
 use crate::verify::judge::path::measure::Prepared;
-use crate::verify::{Facet, Finding, FindingCode};
+use crate::verify::{Finding, FindingCode, StlFacet};
 use inflatable::geom::{Isometry, Line, Point};
 
 /// Largest gap between two pieces, mm: what lets them go together.
@@ -23,14 +23,14 @@ const SHARE: f64 = 1e-3;
 const MANY: usize = 5_000;
 
 /// A piece by its number, the name of its file, and its facets.
-type PieceRead = (usize, String, Vec<Facet>);
+type PieceRead = (usize, String, Vec<StlFacet>);
 
 /// The masks of which pieces were read: by star and face.
 #[derive(Default)]
 pub(in crate::verify) struct Assemblies(BTreeMap<(usize, bool), Vec<PieceRead>>);
 
 /// What of one piece matters here, in the star's frame.
-struct Part<'a> {
+struct MeshPart<'a> {
     file: &'a str,
     edges: Vec<Line>,
     area: f64,
@@ -38,7 +38,7 @@ struct Part<'a> {
 
 impl Assemblies {
     /// Remembers the facets of a file that is a piece of a mask.
-    pub(in crate::verify) fn add(&mut self, output: &Output, facets: Vec<Facet>) {
+    pub(in crate::verify) fn add(&mut self, output: &Output, facets: Vec<StlFacet>) {
         if let (Some(star), Some(piece)) = (output.star, output.piece) {
             self.0.entry((star, output.mirrored)).or_default().push((piece, output.name(), facets));
         }
@@ -51,9 +51,9 @@ impl Assemblies {
         for ((star, mirrored), pieces) in &self.0 {
             let Some(placed) = design.stars.iter().find(|placed| placed.index == *star) else { continue };
             let part = design.part(placed);
-            let parts: Vec<Part<'_>> = pieces
+            let parts: Vec<MeshPart<'_>> = pieces
                 .iter()
-                .filter_map(|(piece, file, facets)| Part::new(part, *piece, *mirrored, file, facets))
+                .filter_map(|(piece, file, facets)| MeshPart::new(part, *piece, *mirrored, file, facets))
                 .collect();
             findings.extend(put_together(part, &parts));
         }
@@ -61,8 +61,14 @@ impl Assemblies {
     }
 }
 
-impl<'a> Part<'a> {
-    fn new(star: &StarDesign, piece: usize, mirrored: bool, file: &'a str, facets: &[Facet]) -> Option<Self> {
+impl<'a> MeshPart<'a> {
+    fn new(
+        star: &StarDesign,
+        piece: usize,
+        mirrored: bool,
+        file: &'a str,
+        facets: &[StlFacet],
+    ) -> Option<Self> {
         let there = star.pieces.list.get(piece.checked_sub(1)?)?.motion(mirrored);
         // A mirror image that is turned is its own way back.
         let back = if mirrored { there } else { Isometry::rotation(-there.rotation) };
@@ -78,7 +84,7 @@ impl<'a> Part<'a> {
     }
 }
 
-fn put_together(star: &StarDesign, parts: &[Part<'_>]) -> Vec<Finding> {
+fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
     let mut findings = Vec::new();
     let mask = &star.mask;
     let curves = std::iter::once(&mask.plate).chain(&mask.windows).flat_map(|path| &path.segments);

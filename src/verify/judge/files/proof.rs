@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use crate::artifact::{Asked, Format, Output, Subject, outputs};
 use crate::design::engraved_depth;
+use crate::forecast::drawn::prediction::DrawnPrediction;
 use crate::manifest::{MANIFEST, Manifest, ManifestFile, sha256};
 use crate::verify::judge::expected::Expected;
 use crate::verify::judge::files::assembly::Assemblies;
@@ -144,18 +145,35 @@ fn file(
         return (Method::Reading, None);
     };
     match (output.kind.subject(), output.kind.format()) {
-        (Subject::Spec | Subject::Machine | Subject::Preview | Subject::Report, _) => (Method::Hash, None),
+        (
+            Subject::Spec
+            | Subject::Machine
+            | Subject::Drawing
+            | Subject::Preview
+            | Subject::Scene
+            | Subject::Report,
+            _,
+        ) => (Method::Hash, None),
         (Subject::Prediction, _) => {
             prediction(expected, text, findings);
             (Method::Reading, None)
         }
-        (subject, Format::Gcode) => {
+        (subject @ (Subject::Seal | Subject::Trace), Format::Gcode) => {
             let parts = (expected.spec, expected.machine, expected.design);
             let (hot, sheet) = (subject == Subject::Seal, output.sheet.unwrap_or(0));
             let task = ProgramTask::of_pieces(parts, hot, sheet, output.star.or(output.copy));
             (Method::Reading, task.map(|task| task.check(text, findings)))
         }
-        (subject, format) => {
+        // Every subject is named: a new one must say how it is proven.
+        (
+            subject @ (Subject::Seal
+            | Subject::Trace
+            | Subject::Outline
+            | Subject::Mask
+            | Subject::Pieces
+            | Subject::Frame),
+            format,
+        ) => {
             let Some(exact) = output.drawing(expected.design) else { return (Method::Hash, None) };
             let tolerance = expected.spec.accuracy.path.0;
             let title = output.title(&expected.spec.name);
@@ -181,13 +199,14 @@ fn on_paper(expected: &Expected<'_>, output: &Output, bytes: &[u8], findings: &m
 
 /// The prediction made anew, against the one that was written.
 fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
-    let Some(right) = expected.prediction else {
+    let drawn = expected.drawn.map(DrawnPrediction::to_json);
+    let Some(right) = drawn.or_else(|| Some(expected.prediction?.to_json())) else {
         findings.add(FindingCode::Prediction, None, "a prediction", "none: this spec has no prediction");
         return;
     };
     // The same program gives the same bytes; another build of it may differ in the last digits.
     let numbers = |text: &str| serde_json::from_str::<serde_json::Value>(text).ok();
-    let same = match (numbers(text), numbers(&right.to_json())) {
+    let same = match (numbers(text), numbers(&right)) {
         (Some(found), Some(allowed)) => alike(&found, &allowed),
         _ => false,
     };

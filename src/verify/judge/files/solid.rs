@@ -9,7 +9,7 @@ use crate::verify::judge::files::drawings::paths_of;
 use crate::verify::judge::files::layers::in_file;
 use crate::verify::judge::path::measure::Prepared;
 use crate::verify::read::stl::{SolidNotes, read_solid};
-use crate::verify::{Facet, FindingCode, Findings};
+use crate::verify::{FindingCode, Findings, StlFacet};
 use inflatable::geom::{Path, Point};
 
 /// How far a chord may leave its arc, mm, with what single precision takes away.
@@ -49,7 +49,7 @@ pub(in crate::verify) fn check(
     bytes: &[u8],
     solid: &Solid<'_>,
     findings: &mut Findings,
-) -> (Vec<Facet>, f64) {
+) -> (Vec<StlFacet>, f64) {
     let Some((facets, beside)) = read_solid(bytes) else {
         let found = format!("{} bytes that are no binary STL", bytes.len());
         let allowed = "a head of 84 bytes and 50 a facet, all numbers finite";
@@ -101,14 +101,14 @@ fn named(beside: &SolidNotes, solid: &Solid<'_>, findings: &mut Findings) {
 }
 
 /// Six times the signed volume of the tetrahedron over the origin.
-fn sixfold(facet: &Facet) -> f64 {
+fn sixfold(facet: &StlFacet) -> f64 {
     let [a, b, c] = facet.map(|v| v.map(f64::from));
     a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
         + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
 /// Every facet says the direction that its corners say.
-fn normals(facets: &[Facet], normals: &[[f32; 3]], thickness: f64, findings: &mut Findings) {
+fn normals(facets: &[StlFacet], normals: &[[f32; 3]], thickness: f64, findings: &mut Findings) {
     let wrong = facets.iter().zip(normals).filter(|(facet, normal)| {
         let (right, slack) = normal_of(facet, thickness);
         let off = (0..3).map(|k| (f64::from(normal[k]) - right[k]).abs());
@@ -122,7 +122,7 @@ fn normals(facets: &[Facet], normals: &[[f32; 3]], thickness: f64, findings: &mu
 }
 
 /// The normal of a facet, and how far it may be off.
-fn normal_of(facet: &Facet, thickness: f64) -> ([f64; 3], f64) {
+fn normal_of(facet: &StlFacet, thickness: f64) -> ([f64; 3], f64) {
     let [a, b, c] = facet.map(|corner| corner.map(f64::from));
     if a[2] == b[2] && b[2] == c[2] {
         // A face may have triangles with corners in line.
@@ -131,20 +131,20 @@ fn normal_of(facet: &Facet, thickness: f64) -> ([f64; 3], f64) {
     let side = |to: [f64; 3]| [to[0] - a[0], to[1] - a[1], to[2] - a[2]];
     let (u, v) = (side(b), side(c));
     let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
-    let length = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
+    let length = |v: [f64; 3]| libm::hypot(libm::hypot(v[0], v[1]), v[2]);
     // The corners are rounded; a short side is turned further by that.
     let slack = NORMAL + (1e-4 + 4.0 * single(&[*facet])) * length(u).max(length(v)) / length(cross);
     (cross.map(|x| x / length(cross)), slack)
 }
 
 /// What single precision makes of the largest coordinate, mm.
-fn single(facets: &[Facet]) -> f64 {
+fn single(facets: &[StlFacet]) -> f64 {
     let largest = facets.iter().flatten().flatten().fold(0.0_f32, |most, x| most.max(x.abs()));
     f64::from(largest) * f64::from(f32::EPSILON)
 }
 
 /// The corners of every facet by numbers, which are given in the order in which corners first come.
-fn numbered(facets: &[Facet]) -> Vec<[u32; 3]> {
+fn numbered(facets: &[StlFacet]) -> Vec<[u32; 3]> {
     let mut known: HashMap<(u64, u32), u32> = HashMap::with_capacity(facets.len());
     let mut number = |corner: [f32; 3]| {
         let [x, y, z] = corner.map(bits);
@@ -223,7 +223,7 @@ impl Search<'_> {
 }
 
 /// The lower edge of the wall that a facet is part of, if it is and has one: from, to, height.
-pub(in crate::verify) fn foot(facet: &Facet) -> Option<[[f64; 3]; 2]> {
+pub(in crate::verify) fn foot(facet: &StlFacet) -> Option<[[f64; 3]; 2]> {
     let corners = facet.map(|v| v.map(f64::from));
     let pairs = [(0, 1, 2), (1, 2, 0), (2, 0, 1)].map(|(a, b, c)| (corners[a], corners[b], corners[c]));
     pairs.into_iter().find(|(a, b, c)| a[2] == b[2] && c[2] > a[2]).map(|(a, b, _)| [a, b])
@@ -231,7 +231,7 @@ pub(in crate::verify) fn foot(facet: &Facet) -> Option<[[f64; 3]; 2]> {
 
 /// The walls stand on the exact paths, all along them, from their bottom to the thickness.
 fn edges(
-    facets: &[Facet],
+    facets: &[StlFacet],
     corners: &[[u32; 3]],
     walls: &[Walls; 2],
     thickness: f64,
@@ -264,7 +264,7 @@ fn edges(
         // A wall has corners on two heights; its lower edge is a chord of the paths.
         if let Some([a, b]) = foot(facet) {
             let which = usize::from(a[2] > thickness / 2.0);
-            lengths[which] += (b[0] - a[0]).hypot(b[1] - a[1]);
+            lengths[which] += libm::hypot(b[0] - a[0], b[1] - a[1]);
             largest = largest.max(near[which].distance(0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])));
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::verify::judge::path::measure::{Farthest, Prepared, furthest};
 use crate::verify::read::drawing::JOIN;
-use inflatable::geom::{Path, Point};
+use inflatable::geom::{Bounds, BoxIndex, Path, Point};
 
 /// So few targets are measured all at once.
 const FEW: usize = 6;
@@ -44,8 +44,7 @@ impl Deviation {
 
 /// Compares the paths of a file with the exact ones.
 ///
-/// The distances are exact to rounding for lines and arcs (extremes are computed, not sampled). Cost: the
-/// product of both numbers of segments for a first selection, then about linear.
+/// The distances are exact to rounding for lines and arcs (extremes are computed, not sampled).
 pub fn deviation(file: &[Path], exact: &[Path]) -> Deviation {
     let (from_file, from_exact) = (targets(file), targets(exact));
     let there = directed(&from_file, &from_exact);
@@ -70,11 +69,21 @@ fn targets(paths: &[Path]) -> Vec<Prepared> {
 }
 
 fn directed(probes: &[Prepared], targets: &[Prepared]) -> Farthest {
-    let targets: Vec<&Prepared> = targets.iter().collect();
-    let mut scratch = Vec::new();
-    probes
-        .iter()
-        .fold(Farthest::NONE, |worst, probe| worst.max(by_pieces(probe, &targets, HALVINGS, &mut scratch)))
+    let index = BoxIndex::new(targets.iter().map(|target| target.bounds));
+    let (mut near, mut scratch) = (Vec::new(), Vec::new());
+    let mut worst = Farthest::NONE;
+    for probe in probes {
+        let zone = zone(probe, |p| index.least(p, |number| targets[number].distance(p)));
+        near.clear();
+        near.extend(index.overlapping(&zone).into_iter().map(|number| &targets[number]));
+        worst = worst.max(by_halves(probe, &near, targets.len(), HALVINGS, &mut scratch));
+    }
+    worst
+}
+
+/// What reaches the nearest target of any point of the probe: distance has a slope of at most 1.
+fn zone(probe: &Prepared, nearest: impl Fn(Point) -> f64) -> Bounds {
+    probe.bounds.grown(nearest(probe.start).max(nearest(probe.end)) + 0.5 * probe.length)
 }
 
 /// As [`furthest`], with the probe halved until few targets can be near a piece.
@@ -82,19 +91,27 @@ fn by_pieces(probe: &Prepared, targets: &[&Prepared], halvings: u32, scratch: &m
     if targets.len() <= FEW || halvings == 0 {
         return furthest(probe, targets, scratch);
     }
-    // The nearest target of any point of the piece is no farther than this, as distance has a slope of at most 1.
-    let nearest = |p: Point| targets.iter().map(|t| t.distance(p)).fold(f64::INFINITY, f64::min);
-    let reach = nearest(probe.start).max(nearest(probe.end)) + 0.5 * probe.length;
-    let zone = probe.bounds.grown(reach);
+    let zone = zone(probe, |p| targets.iter().map(|t| t.distance(p)).fold(f64::INFINITY, f64::min));
     let near: Vec<&Prepared> = targets.iter().copied().filter(|t| t.bounds.overlaps(&zone)).collect();
+    by_halves(probe, &near, targets.len(), halvings, scratch)
+}
+
+/// As [`by_pieces`], of the `near` ones among `all` targets.
+fn by_halves(
+    probe: &Prepared,
+    near: &[&Prepared],
+    all: usize,
+    halvings: u32,
+    scratch: &mut Vec<f64>,
+) -> Farthest {
     if near.len() <= FEW {
-        return furthest(probe, &near, scratch);
+        return furthest(probe, near, scratch);
     }
     // Where halving does not thin the targets out (many copies of one line), it is given up soon.
-    let rest = halvings.saturating_sub(if near.len() < targets.len() { 1 } else { 4 });
+    let rest = halvings.saturating_sub(if near.len() < all { 1 } else { 4 });
     let half = |a: f64, b: f64| Prepared::new(probe.segment.part(a, b));
-    let first = by_pieces(&half(0.0, 0.5), &near, rest, scratch);
-    first.max(by_pieces(&half(0.5, 1.0), &near, rest, scratch))
+    let first = by_pieces(&half(0.0, 0.5), near, rest, scratch);
+    first.max(by_pieces(&half(0.5, 1.0), near, rest, scratch))
 }
 
 fn is_closed(path: &Path) -> bool {

@@ -33,9 +33,10 @@ pub(super) fn arc(
     }
     let (u, v) = (from - center, to - center);
     let sign = if ccw { 1.0 } else { -1.0 };
-    let turn = sign * u.cross(v).atan2(u.dot(v));
+    let turn = sign * libm::atan2(u.cross(v), u.dot(v));
     let sweep = sign * if turn < FULL_CIRCLE { (turn + TAU).min(TAU) } else { turn };
-    let chordal = Arc::from_bulge(from, to, (sweep / 4.0).tan()).filter(|_| sweep.abs() <= LARGEST_CHORDAL);
+    let chordal =
+        Arc::from_bulge(from, to, libm::tan(sweep / 4.0)).filter(|_| sweep.abs() <= LARGEST_CHORDAL);
     Ok(chordal.unwrap_or_else(|| Arc::new(center, 0.5 * (r1 + r2), u.angle(), sweep)))
 }
 

@@ -58,7 +58,7 @@ pub struct Move {
 impl Move {
     /// Length of the way in space, mm (an arc with a change of height is a helix).
     pub fn length(&self) -> f64 {
-        self.path.map_or(0.0, |path| path.length()).hypot(self.to.z - self.from.z)
+        libm::hypot(self.path.map_or(0.0, |path| path.length()), self.to.z - self.from.z)
     }
 
     /// Time at the feed, s; `None` for a rapid that has none.

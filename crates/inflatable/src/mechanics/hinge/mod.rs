@@ -28,9 +28,6 @@ pub enum Level {
 }
 
 impl Level {
-    /// Every model.
-    pub const ALL: [Self; 4] = [Self::Fit, Self::Ring, Self::Bvp, Self::Section];
-
     /// The word for it in specs and reports.
     pub const fn name(self) -> &'static str {
         match self {

@@ -106,15 +106,15 @@ impl Correction {
     /// Of the star `star` with `ratios`, whose hinges, if they were endless, would be `width` W wide when inflated.
     pub fn new(star: &Mechanism, width: f64, ratios: Ratios) -> Self {
         let Ratios { thickness, stretch, bendability } = ratios;
-        let own = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * (arc / OWN_WIDTH).tanh();
+        let own = |arc: f64| FRAC_2_PI + (width - FRAC_2_PI) * libm::tanh(arc / OWN_WIDTH);
         let (tip, corner) = (own(star.tip().arc()), own(star.corner().arc()));
         let width = 0.5 * (tip + corner);
         let long = star.arm / star.width;
         // A coiled tip keeps the length of its inner arc, between parallel arms nearly as much as between touching ones.
         let hole = star.tip_radius * star.tip().arc() / PI + ROOM * star.width;
-        let sector = (0.5 * star.turn()).sin();
+        let sector = libm::sin(0.5 * star.turn());
         let [least, most] = BENDABILITY;
-        let bent = (bendability.clamp(least, most) / 1000.0).ln();
+        let bent = libm::log(bendability.clamp(least, most) / 1000.0);
         let counts = [1.0, star.corner().r_star, stretch, bent, sector, star.corner().arc()];
         let out: f64 = OUT.iter().zip(counts).map(|(each, count)| each * count).sum();
         let [curved, fades] = CURVED;
@@ -122,10 +122,12 @@ impl Correction {
         Self {
             width,
             rim_offset: (width - corner) * sector + out,
-            contact_angle: -2.0 * hole.atan2(star.arm),
-            hinge_nonlinearity: curved * (-fades * stretch).exp(),
+            contact_angle: -2.0 * libm::atan2(hole, star.arm),
+            hinge_nonlinearity: curved * libm::exp(-fades * stretch),
             arm_compliance: PI * PI * stretch * (long.max(SHORT_ARM) - TABLE_ARM),
-            stiffness_factor: (firm + by_arm * long + by_thickness * thickness + by_stretch * stretch).exp(),
+            stiffness_factor: libm::exp(
+                firm + by_arm * long + by_thickness * thickness + by_stretch * stretch,
+            ),
             corner_compliance: true,
         }
     }
@@ -150,7 +152,7 @@ impl Correction {
         if !self.corner_compliance {
             return 1.0;
         }
-        let own = LEVER * star.width / (0.5 * star.turn()).sin();
+        let own = LEVER * star.width / libm::sin(0.5 * star.turn());
         let slope = star.radius(phi).slope;
         self.stiffness_factor * slope * slope / (slope * slope + own * own)
     }

@@ -52,10 +52,10 @@ impl Grasp {
     fn secant(&self, opening: f64, rho: f64) -> f64 {
         let Self { arc, kappa, .. } = self;
         let [always, by_arc, by_kappa, locks] = RIM;
-        let rim = always + (by_arc + locks * opening.min(OPENED)) * arc + by_kappa * kappa.ln();
+        let rim = always + (by_arc + locks * opening.min(OPENED)) * arc + by_kappa * libm::log(*kappa);
         let [at_first, of_arc, of_object] = PATCH;
-        let patch = at_first + of_arc * arc + of_object * rho.ln();
-        1.0 / ((-rim).exp() + kappa * patch.exp())
+        let patch = at_first + of_arc * arc + of_object * libm::log(rho);
+        1.0 / (libm::exp(-rim) + kappa * libm::exp(patch))
     }
 }
 

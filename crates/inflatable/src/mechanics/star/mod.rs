@@ -99,8 +99,8 @@ impl Mechanism {
     /// For R = 0 this is the paper's rho(phi_i), with its derivative in place of the printed one, whose
     /// `cos(phi)/2` and `sin(phi)` should read `cos(phi/2)` and `sin(phi/2)`.
     pub fn radius(&self, phi: f64) -> Radius {
-        let (sin, cos) = (0.5 * phi).sin_cos();
-        let sector = (0.5 * self.turn()).sin();
+        let (sin, cos) = libm::sincos(0.5 * phi);
+        let sector = libm::sin(0.5 * self.turn());
         // r = R / lambda = R alpha_0 / (pi - phi) at both hinges, with derivatives r / (pi - phi), 2 r / (pi - phi)^2.
         let coiled = |radius: f64, hinge: Hinge, angle: f64| {
             let r = radius * hinge.arc() / (PI - angle);
@@ -130,7 +130,7 @@ impl Mechanism {
             last
         } else if self.tip_radius == 0.0 && self.corner_radius == 0.0 {
             // l cos(phi/2) = W' sin(phi/2).
-            2.0 * self.arm.atan2(self.inflated_width())
+            2.0 * libm::atan2(self.arm, self.inflated_width())
         } else {
             // The slope changes its sign between the two, so there is a root.
             bracketed_root(from, last, WIDEST_TOLERANCE, |phi| Ok::<_, RootFault>(slope(phi))).unwrap_or(from)
@@ -146,8 +146,8 @@ pub(in crate::mechanics) mod tests {
     /// The mechanism of a flat star of inner radius `rho_0`, whose arms are as long as its other dimensions make them.
     pub(in crate::mechanics) fn flat(rho_0: f64, of: Mechanism) -> Mechanism {
         let Mechanism { points, width, tip_angle, tip_radius, corner_radius, .. } = of;
-        let (sin, cos) = (0.5 * tip_angle).sin_cos();
-        let reach = (rho_0 + width + corner_radius) * (PI / f64::from(points)).sin();
+        let (sin, cos) = libm::sincos(0.5 * tip_angle);
+        let reach = (rho_0 + width + corner_radius) * libm::sin(PI / f64::from(points));
         Mechanism { arm: (reach - (width + tip_radius + corner_radius) * cos) / sin, ..of }
     }
 
@@ -190,7 +190,7 @@ pub(in crate::mechanics) mod tests {
     fn zero_width_is_the_papers_main_text() {
         let star = flat(0.05, Mechanism { width: 1e-9, ..paper(6) });
         let radius = star.radius(0.3).value;
-        let expected = star.arm * 0.15_f64.sin() / (PI / 6.0).sin();
+        let expected = star.arm * libm::sin(0.15_f64) / libm::sin(PI / 6.0);
         assert!((radius - expected).abs() < 1e-9);
     }
 

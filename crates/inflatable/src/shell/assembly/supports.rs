@@ -20,7 +20,7 @@ impl Plane {
 
     /// The plane through the origin that ends a sheet there, at the angle `angle` (rad) to the first.
     pub fn second(angle: f64) -> Self {
-        Self { point: [0.0, 0.0], normal: [-angle.sin(), angle.cos()] }
+        Self { point: [0.0, 0.0], normal: [-libm::sin(angle), libm::cos(angle)] }
     }
 
     /// The normal in space.

@@ -5,7 +5,7 @@ use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::bend::{Bend, angle_of};
 use crate::shell::cases::fault::{Input, ShellFault};
 use crate::shell::cases::refinement::{Evidence, Family, Watch};
-use crate::shell::cases::shape::Shape;
+use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::mesh::{Border, HalfActuator, Mesh, Meshed, Sizes, plane};
@@ -39,7 +39,7 @@ pub struct Actuator {
     /// Angles that were asked for, rad, and the applied moment dU/dphi that holds each, N m; positive opens.
     pub moments: Vec<(f64, Value)>,
     /// Its modelled sheet at rest.
-    pub shape: Shape,
+    pub shape: InflatedShape,
     /// How it was come by.
     pub evidence: Evidence,
 }
@@ -114,7 +114,7 @@ pub fn actuator(
         obstacles: &[],
         from_above: false,
     };
-    let mut shape = Shape::default();
+    let mut shape = InflatedShape::default();
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
         let line = arm_line(&half, &meshed.mesh);
         let mut numbers = [0.0; NUMBERS + MOST_ANGLES];
@@ -125,7 +125,7 @@ pub fn actuator(
         let moments = bend.moments(solver, &equilibrium.state, angles);
         let moments = moments.map_err(|why| case.tube.stopped(why, solver.triangles()))?;
         numbers[NUMBERS..][..moments.len()].copy_from_slice(&moments);
-        shape = Shape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
+        shape = InflatedShape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
         Ok(numbers)
     })?;
     let [angle, volume, stiffness] = [values[0], values[1], values[2]];
@@ -152,7 +152,7 @@ pub(super) fn supports(mesh: &Mesh) -> Supports {
 }
 
 pub(super) fn arm_line(half: &HalfActuator, mesh: &Mesh) -> ArmLine {
-    let (sine, cosine) = ((PI - half.phi_0) / 2.0).sin_cos();
+    let (sine, cosine) = libm::sincos((PI - half.phi_0) / 2.0);
     ArmLine::new(mesh, [-sine, cosine], [1.0, half.l - 1.0])
 }
 

@@ -20,7 +20,7 @@ const BRACE: f64 = 1000.0;
 pub(crate) fn angle_of(line: &ArmLine, state: &State) -> f64 {
     let [x, y] = line.direction(state);
     // Arms that cross have a negative angle.
-    2.0 * y.atan2(-x)
+    2.0 * libm::atan2(y, -x)
 }
 
 /// An arm that is held.
@@ -74,7 +74,7 @@ impl Bend<'_> {
 
     /// Holds `state`, an equilibrium at an angle near by, at the angle `phi`; the moment of the whole.
     pub(crate) fn hold(&self, solver: &mut Solver, state: &mut State, phi: f64) -> Result<f64, Stop> {
-        let (sine, cosine) = (PI - phi / 2.0).sin_cos();
+        let (sine, cosine) = libm::sincos(PI - phi / 2.0);
         let across = [-sine, cosine];
         let [x, y] = self.line.direction(state);
         solver.lever = Some(DisplacementControl {
@@ -88,6 +88,6 @@ impl Bend<'_> {
         }
         let _ = solver.rest(state, self.aim)?;
         let [x, y] = self.line.direction(state);
-        Ok(2.0 * solver.multiplier * x.hypot(y))
+        Ok(2.0 * solver.multiplier * libm::hypot(x, y))
     }
 }

@@ -49,7 +49,7 @@ const NOISE: f64 = 1e-4;
 /// If it is out of range or has no stable equilibrium: where it stopped, and why.
 pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCell, ShellFault> {
     case.tube.check()?;
-    let region = mesh::Cell { r: case.radius / case.tube.width, w: 1.0, arc: case.arc };
+    let region = mesh::HingeSector { r: case.radius / case.tube.width, w: 1.0, arc: case.arc };
     let coarsest = region.mesh(&Sizes::across(1.0, fineness.cells))?;
     let hold = |meshed: &Meshed, _: &mut Sheet| {
         Supports::new(&meshed.mesh, vec![Plane::first(), Plane::second(case.arc)])
@@ -87,7 +87,7 @@ impl Turning<'_> {
         let mut phase = 0.0_f64;
         for x in &mut state.points {
             phase += 12.9898; // no two neighbours alike
-            let noise = NOISE * x[2] * phase.sin();
+            let noise = NOISE * x[2] * libm::sin(phase);
             *x = [x[0] - noise * x[1], x[1] + noise * x[0], x[2]];
         }
         solver.assembly.hold(&mut state);
@@ -122,7 +122,7 @@ impl Turning<'_> {
     /// Turns an equilibrium from one lambda to another; dPi/da there.
     fn turn(&self, solver: &mut Solver, state: &mut State, [from, to]: [f64; 2]) -> Result<f64, Stop> {
         for x in &mut state.points {
-            let further = x[1].atan2(x[0]) * (to / from - 1.0);
+            let further = libm::atan2(x[1], x[0]) * (to / from - 1.0);
             *x = turned(*x, further);
         }
         solver.assembly.turn_plane(1, Plane::second(to * self.arc));
@@ -152,6 +152,6 @@ impl Turning<'_> {
 }
 
 fn turned(x: [f64; 3], by: f64) -> [f64; 3] {
-    let (sine, cosine) = by.sin_cos();
+    let (sine, cosine) = libm::sincos(by);
     [cosine * x[0] - sine * x[1], sine * x[0] + cosine * x[1], x[2]]
 }

@@ -60,7 +60,7 @@ pub(crate) fn extremes(sheet: &Sheet, mesh: &Mesh, state: &State) -> Extremes {
         for (i, edge) in mesh.triangle_edges[triangle].iter().enumerate() {
             if matches!(mesh.edges[*edge].border, Some(Border::Rim(_))) {
                 let [x, y] = flat.slopes[i];
-                let length = x.hypot(y);
+                let length = libm::hypot(x, y);
                 let pull = membrane.traction([-x / length, -y / length]);
                 if pull > worst.seal_tension {
                     (worst.seal_tension, worst.seal_at) = (pull, middle);
@@ -83,7 +83,7 @@ pub(crate) fn pull(mesh: &Mesh, forces: &[[f64; 3]], band: f64) -> (f64, [f64; 2
     }
     let away = |a: usize, b: usize| {
         let ([x, y], [u, v]) = (mesh.points[a], mesh.points[b]);
-        (x - u).hypot(y - v)
+        libm::hypot(x - u, y - v)
     };
     let mean = |middle: usize| {
         let near = rim.iter().filter(|(point, _)| away(middle, **point) <= band / 2.0);

@@ -38,7 +38,7 @@ impl Part {
     fn place(self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let turns = f64::from(self.index + u32::from(self.is_image()));
         let y = if self.is_image() { -y } else { y };
-        let (sine, cosine) = (turns * self.half_angle).sin_cos();
+        let (sine, cosine) = libm::sincos(turns * self.half_angle);
         [cosine * x - sine * y, sine * x + cosine * y, if self.lower { -z } else { z }]
     }
 

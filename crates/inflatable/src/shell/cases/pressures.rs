@@ -11,7 +11,7 @@ use crate::shell::cases::refinement::{self, Watch};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::mesh::{HalfActuator, Meshed, Sizes};
-use crate::shell::solver::{Continuation, Equilibrium, Rest, Solver, Stop};
+use crate::shell::solver::{Continuation, Equilibrium, NewtonResult, Solver, Stop};
 use std::sync::Arc;
 
 /// A V-actuator at one pressure.
@@ -138,7 +138,7 @@ impl Pressurised {
     /// From an equilibrium to `pressure` in equal ratios.
     fn by_parts(&mut self, from: &Equilibrium, pressure: f64, parts: u32) -> Result<Equilibrium, Stop> {
         let mut state = from.state.clone();
-        let ratio = (pressure / from.pressure).powf(f64::from(parts).recip());
+        let ratio = libm::pow(pressure / from.pressure, f64::from(parts).recip());
         let mut at = from.pressure;
         for _ in 1..parts {
             at *= ratio;
@@ -148,7 +148,7 @@ impl Pressurised {
         Ok(self.keep(pressure, state, rest))
     }
 
-    fn settle(&mut self, state: &mut State, pressure: f64) -> Result<Rest, Stop> {
+    fn settle(&mut self, state: &mut State, pressure: f64) -> Result<NewtonResult, Stop> {
         let mut found = Err(Stop::Iterations);
         for _ in 0..MOST_ROUNDS {
             found = self.solver.rest(state, self.continuation.aim(pressure));
@@ -159,7 +159,7 @@ impl Pressurised {
         found
     }
 
-    fn keep(&mut self, pressure: f64, state: State, rest: Rest) -> Equilibrium {
+    fn keep(&mut self, pressure: f64, state: State, rest: NewtonResult) -> Equilibrium {
         let equilibrium = Equilibrium { pressure, state, rest };
         self.last = Some(equilibrium.clone());
         equilibrium

@@ -6,18 +6,18 @@ use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::contact::{Contact, Obstacle};
 use crate::shell::mesh::{Mesh, Meshed};
-use crate::shell::solver::{Aim, Broken, Effort, Equilibrium, Rest, Solver, Stop};
+use crate::shell::solver::{Aim, Broken, Effort, Equilibrium, NewtonResult, Solver, Stop};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 /// Told the part that is done, 0 to 1, and what is being done.
-pub type Progress<'a> = &'a dyn Fn(f64, &str);
+pub type OnProgress<'a> = &'a dyn Fn(f64, &str);
 
 /// What looks on while a shell is computed, and may end it.
 #[derive(Clone, Default)]
 pub struct Watch<'a> {
     /// Told how far it is.
-    pub progress: Option<Progress<'a>>,
+    pub progress: Option<OnProgress<'a>>,
     /// Raised by another thread to end at the next Newton step.
     pub cancel: Arc<AtomicBool>,
 }
@@ -134,9 +134,12 @@ impl Family<'_> {
             return self.let_down(solver, flat);
         }
         let continuation = self.tube.continuation();
-        let all = (continuation.last / continuation.first).ln().max(1e-9);
+        let all = libm::log(continuation.last / continuation.first).max(1e-9);
         let told = |equilibrium: &Equilibrium| {
-            watch.tell(part(self.cuts) * (equilibrium.pressure / continuation.first).ln() / all, "from flat");
+            watch.tell(
+                part(self.cuts) * libm::log(equilibrium.pressure / continuation.first) / all,
+                "from flat",
+            );
         };
         continuation.run(solver, told).map_err(|broken| self.broken(broken, solver.triangles()))
     }
@@ -218,7 +221,7 @@ impl Family<'_> {
 }
 
 /// Newton's method for as many rounds as wrinkles need that come and go.
-fn rest_in_rounds(solver: &mut Solver, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
+fn rest_in_rounds(solver: &mut Solver, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
     let mut found = Err(Stop::Iterations);
     for _ in 0..MOST_ROUNDS {
         found = solver.rest(state, aim);

@@ -2,12 +2,12 @@
 
 use crate::shell::assembly::State;
 use crate::shell::cases::tube::Tube;
-use crate::shell::mesh::{Field, FieldFault, Mesh, vtu};
+use crate::shell::mesh::{FieldFault, Mesh, VtuField, vtu};
 use crate::shell::solver::Solver;
 
 /// The sheet that was modelled, on its finest mesh: the rest of the tube is its mirror images. SI units.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Shape {
+pub struct InflatedShape {
     /// Where the points are, m.
     pub points: Vec<[f64; 3]>,
     /// Where they were on the flat sheet, m.
@@ -22,7 +22,7 @@ pub struct Shape {
     pub curvature: Vec<[f64; 2]>,
 }
 
-impl Shape {
+impl InflatedShape {
     /// `state`, as `solver` knows it.
     pub(crate) fn new(tube: &Tube, solver: &mut Solver, mesh: &Mesh, state: &State) -> Self {
         let w = tube.width;
@@ -44,6 +44,22 @@ impl Shape {
         }
     }
 
+    /// Several sheets as one.
+    #[must_use]
+    pub fn joined(shapes: &[Self]) -> Self {
+        let mut all = Self::default();
+        for shape in shapes {
+            let before = all.points.len();
+            all.points.extend(&shape.points);
+            all.flat.extend(&shape.flat);
+            all.triangles.extend(shape.triangles.iter().map(|corners| corners.map(|corner| corner + before)));
+            all.tension.extend(&shape.tension);
+            all.stretch.extend(&shape.stretch);
+            all.curvature.extend(&shape.curvature);
+        }
+        all
+    }
+
     /// The text of a VTU file: lengths in mm, tensions in N/m, curvatures in 1/m.
     ///
     /// # Errors
@@ -61,14 +77,14 @@ impl Shape {
             ("curvature, 1/m", part(&self.curvature, 0)),
             ("other curvature, 1/m", part(&self.curvature, 1)),
         ];
-        let fields = fields.each_ref().map(|(name, values)| Field { name, components: 1, values });
-        vtu(&points, &self.triangles, &[Field { name: "flat, mm", components: 3, values: &flat }], &fields)
+        let fields = fields.each_ref().map(|(name, values)| VtuField { name, components: 1, values });
+        vtu(&points, &self.triangles, &[VtuField { name: "flat, mm", components: 3, values: &flat }], &fields)
     }
 }
 
 /// The eigenvalues of a shape operator, the larger in size first.
 fn curvatures([k11, k22, k12]: [f64; 3]) -> [f64; 2] {
-    let (mean, half) = (f64::midpoint(k11, k22), ((k11 - k22) / 2.0).hypot(k12));
+    let (mean, half) = (f64::midpoint(k11, k22), libm::hypot((k11 - k22) / 2.0, k12));
     if mean < 0.0 { [mean - half, mean + half] } else { [mean + half, mean - half] }
 }
 

@@ -6,7 +6,7 @@ use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::refinement::{Evidence, Family, Indented, Watch};
-use crate::shell::cases::shape::Shape;
+use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::contact::Obstacle;
@@ -53,7 +53,7 @@ pub struct InflatedStar {
     /// The hardest loaded places; on the finest mesh.
     pub extremes: Extremes,
     /// Its modelled sheet at rest.
-    pub shape: Shape,
+    pub shape: InflatedShape,
     /// How it was come by.
     pub evidence: Evidence,
 }
@@ -139,7 +139,7 @@ pub fn star_by_sizes(
     let hold = |meshed: &Meshed, _: &mut Sheet| Supports::new(&meshed.mesh, planes.to_vec());
     let family =
         Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
-    let (mut worst, mut shape) = (Extremes::default(), Shape::default());
+    let (mut worst, mut shape) = (Extremes::default(), InflatedShape::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, beside| {
         let mut numbers = [0.0; NUMBERS + MOST_OBJECTS];
         worst = extremes::extremes(&solver.assembly.sheet, &meshed.mesh, &equilibrium.state);
@@ -149,7 +149,7 @@ pub fn star_by_sizes(
         let whole = measure(&sector, solver, &meshed.mesh, equilibrium);
         numbers[..WHOLE].copy_from_slice(&whole);
         numbers[WHOLE..NUMBERS].copy_from_slice(&[worst.seal_tension, worst.stretch, worst.seal_pull]);
-        shape = Shape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
+        shape = InflatedShape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
         // The next mesh begins without the objects.
         let alone = solver.contact.clone();
         press(case, objects, solver, equilibrium, (beside, &mut numbers[NUMBERS..]))?;
@@ -204,13 +204,13 @@ fn measure(sector: &HalfSector, solver: &mut Solver, mesh: &Mesh, equilibrium: &
 /// Twice the angle between the tip's plane and the arm's line, which leaves out one W at each hinge, or a third of a short arm.
 fn tip_angle(sector: &HalfSector, mesh: &Mesh, state: &State) -> f64 {
     let half_corner = sector.phi_i / 2.0 + sector.half_angle();
-    let (sine, cosine) = half_corner.sin_cos();
+    let (sine, cosine) = libm::sincos(half_corner);
     let start = (sector.rho_0 + sector.w + sector.r_e) * cosine;
     let l = sector.l();
     let left_out = (l / 3.0).min(1.0);
     let [x, y] =
         ArmLine::new(mesh, [cosine, sine], [start + left_out, start + l - left_out]).direction(state);
-    2.0 * (y.atan2(x) - sector.half_angle())
+    2.0 * (libm::atan2(y, x) - sector.half_angle())
 }
 
 /// Opens the star by each object in turn, and writes the force of one sheet of half a sector on it. It begins from what the coarser mesh
@@ -224,7 +224,7 @@ fn press(
 ) -> Result<(), ShellFault> {
     let mut starts = std::mem::take(beside).into_iter();
     let mut state = equilibrium.state.clone();
-    let nearest = state.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
+    let nearest = state.points.iter().map(|x| libm::hypot(x[0], x[1])).fold(f64::INFINITY, f64::min);
     let origin = if matches!(objects, Objects::Openings(_)) { nearest } else { 0.0 };
     let mut radius = nearest;
     let aim = case.tube.continuation().aim(equilibrium.pressure);

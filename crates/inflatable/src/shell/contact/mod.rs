@@ -26,7 +26,7 @@ impl Obstacle {
         match self {
             Self::Wall(plane) => (plane.distance(x), times(-1.0, plane.upright())),
             Self::Post { radius } => {
-                let distance = x[0].hypot(x[1]);
+                let distance = libm::hypot(x[0], x[1]);
                 (distance - radius, [x[0] / distance, x[1] / distance, 0.0])
             }
         }
@@ -36,7 +36,7 @@ impl Obstacle {
     fn curvature(&self, x: Vector) -> f64 {
         match self {
             Self::Wall(_) => 0.0,
-            Self::Post { .. } => 1.0 / x[0].hypot(x[1]),
+            Self::Post { .. } => 1.0 / libm::hypot(x[0], x[1]),
         }
     }
 }

@@ -16,7 +16,7 @@ pub fn stiffness(fabric: Fabric, flat: &Flat) -> [[f64; 3]; 3] {
     let nu = fabric.poisson;
     let entry = |i: usize, j: usize| {
         let product = slopes[i][0] * slopes[j][0] + slopes[i][1] * slopes[j][1];
-        let lengths = slopes[i][0].hypot(slopes[i][1]) * slopes[j][0].hypot(slopes[j][1]);
+        let lengths = libm::hypot(slopes[i][0], slopes[i][1]) * libm::hypot(slopes[j][0], slopes[j][1]);
         let cosine = product / lengths;
         fabric.bending * flat.area * 4.0 * lengths * ((1.0 - nu) * cosine * cosine + nu)
     };
@@ -27,7 +27,7 @@ pub fn stiffness(fabric: Fabric, flat: &Flat) -> [[f64; 3]; 3] {
 pub fn curvature(flat: &Flat, alpha: [f64; 3]) -> [f64; 3] {
     let mut kappa = [0.0; 3];
     for (slope, alpha) in flat.slopes.iter().zip(alpha) {
-        let factor = 2.0 * alpha / slope[0].hypot(slope[1]);
+        let factor = 2.0 * alpha / libm::hypot(slope[0], slope[1]);
         kappa[0] += factor * slope[0] * slope[0];
         kappa[1] += factor * slope[1] * slope[1];
         kappa[2] += factor * slope[0] * slope[1];

@@ -90,7 +90,7 @@ impl Facet {
 /// the direction `edge` (any length), as it runs counterclockwise around the first.
 pub fn fold(left: Vector, right: Vector, edge: Vector) -> f64 {
     let sine = dot(edge, cross(right, left)) / dot(edge, edge).sqrt();
-    sine.atan2(dot(left, right))
+    libm::atan2(sine, dot(left, right))
 }
 
 /// beta of a triangle with the normal `normal` at an edge in an upright mirror plane whose normal `mirror` points out
@@ -98,5 +98,5 @@ pub fn fold(left: Vector, right: Vector, edge: Vector) -> f64 {
 pub fn mirror_fold(normal: Vector, edge: Vector, mirror: Vector) -> f64 {
     let inward = cross(normal, edge);
     let length = dot(edge, edge).sqrt();
-    dot(normal, mirror).atan2(-dot(inward, mirror) / length)
+    libm::atan2(dot(normal, mirror), -dot(inward, mirror) / length)
 }

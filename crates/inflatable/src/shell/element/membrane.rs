@@ -65,7 +65,7 @@ impl Membrane {
     pub fn wrinkled(fabric: Fabric, flat: &Flat, corners: [Vector; 3], left: f64) -> Self {
         let elastic = Self::new(fabric, flat, corners);
         let [e11, e22, double] = elastic.strain;
-        let (mean, half) = (f64::midpoint(e11, e22), ((e11 - e22) / 2.0).hypot(double / 2.0));
+        let (mean, half) = (f64::midpoint(e11, e22), libm::hypot((e11 - e22) / 2.0, double / 2.0));
         let (most, least) = (mean + half, mean - half);
         let nu = fabric.poisson;
         if least + nu * most >= 0.0 && most > 0.0 {
@@ -76,7 +76,7 @@ impl Membrane {
             .map(|row| row.map(|c| left * c));
         let mut stress = elastic.stress.map(|s| left * s);
         if most > 0.0 {
-            let (sine, cosine) = (0.5 * double.atan2(e11 - e22)).sin_cos();
+            let (sine, cosine) = libm::sincos(0.5 * libm::atan2(double, e11 - e22));
             // E_1 by E11, E22, 2 E12; and by how much its direction turns.
             let grows = [cosine * cosine, sine * sine, sine * cosine];
             let turns = [-sine * cosine, sine * cosine, 0.5 * (cosine * cosine - sine * sine)];
@@ -162,13 +162,13 @@ impl Membrane {
     /// stretches along them.
     pub fn principal(&self) -> [[f64; 2]; 2] {
         let [s11, s22, s12] = self.stress;
-        let turn = 0.5 * (2.0 * s12).atan2(s11 - s22);
-        let (sine, cosine) = turn.sin_cos();
+        let turn = 0.5 * libm::atan2(2.0 * s12, s11 - s22);
+        let (sine, cosine) = libm::sincos(turn);
         let stretch = |x: f64, y: f64| {
             let [e11, e22, e12] = self.strain;
             (1.0 + 2.0 * (x * x * e11 + y * y * e22 + x * y * e12)).max(0.0).sqrt()
         };
-        let (mean, half) = (f64::midpoint(s11, s22), ((s11 - s22) / 2.0).hypot(s12));
+        let (mean, half) = (f64::midpoint(s11, s22), libm::hypot((s11 - s22) / 2.0, s12));
         let stretches = [stretch(cosine, sine), stretch(-sine, cosine)];
         let tension =
             [(mean + half) * stretches[0] / stretches[1], (mean - half) * stretches[1] / stretches[0]];

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use crate::shell::mesh::strip::{Side, Strip};
+use crate::shell::mesh::strip::{Strip, StripSide};
 use crate::shell::mesh::{Border, MeshFault, Meshed, Sizes, plane, rim};
 use crate::shell::mesh::{delaunay, sizing};
 
 /// A hinge without arms: the sector of an annulus between two planes of symmetry, its centre at the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell {
+pub struct HingeSector {
     /// Inner radius R, at least 0; at 0 the inner rim is a point.
     pub r: f64,
     /// Width W.
@@ -48,7 +48,7 @@ pub struct HalfSector {
     pub r_e: f64,
 }
 
-impl Cell {
+impl HingeSector {
     /// Its mesh.
     ///
     /// # Errors
@@ -59,7 +59,7 @@ impl Cell {
         radius("the inner radius R", self.r, self.w)?;
         within("the arc", self.arc, PI)?;
         mesh(
-            Strip::new(self.r, self.w).turn(Side::Left, self.r, self.arc),
+            Strip::new(self.r, self.w).turn(StripSide::Left, self.r, self.arc),
             Border::Mirror(plane::SECOND),
             sizes,
         )
@@ -77,7 +77,7 @@ impl HalfActuator {
         radius("the inner radius R", self.r, self.w)?;
         arm(self.l, self.w)?;
         within("the angle phi_0", self.phi_0, PI)?;
-        let strip = Strip::new(self.r, self.w).turn(Side::Left, self.r, 0.5 * (PI - self.phi_0));
+        let strip = Strip::new(self.r, self.w).turn(StripSide::Left, self.r, 0.5 * (PI - self.phi_0));
         mesh(strip.straight(self.l), Border::Rim(rim::END), sizes)
     }
 }
@@ -86,9 +86,9 @@ impl HalfSector {
     /// Arm length l, of `(rho_0 + W + R_e) sin(pi/n) = l sin(phi_i0/2) + (W + R_i + R_e) cos(phi_i0/2)`: the paper's, with
     /// corner radii.
     pub fn l(&self) -> f64 {
-        let (sin, cos) = (0.5 * self.phi_i).sin_cos();
+        let (sin, cos) = libm::sincos(0.5 * self.phi_i);
         let outer = self.w + self.r_e;
-        ((self.rho_0 + outer) * self.half_angle().sin() - (outer + self.r_i) * cos) / sin
+        ((self.rho_0 + outer) * libm::sin(self.half_angle()) - (outer + self.r_i) * cos) / sin
     }
 
     /// Angle between its planes, pi / n.
@@ -113,9 +113,9 @@ impl HalfSector {
         arm(self.l(), self.w)?;
         let phi_e = self.phi_i + 2.0 * self.half_angle();
         let strip = Strip::new(self.rho_0, self.w)
-            .turn(Side::Right, self.r_e, 0.5 * (PI - phi_e))
+            .turn(StripSide::Right, self.r_e, 0.5 * (PI - phi_e))
             .straight(self.l())
-            .turn(Side::Left, self.r_i, 0.5 * (PI - self.phi_i));
+            .turn(StripSide::Left, self.r_i, 0.5 * (PI - self.phi_i));
         mesh(strip, Border::Mirror(plane::SECOND), sizes)
     }
 }

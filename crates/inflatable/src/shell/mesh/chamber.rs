@@ -28,8 +28,10 @@ const NARROWEST: f64 = 1.0 / 8.0;
 const AT_CORNERS: f64 = 1.0 / 8.0;
 /// Corners that turn by less, rad, are smooth.
 const SMOOTH: f64 = 0.35;
-/// Turn of an arc along one edge, rad.
+/// Turn of an arc along one edge, rad; on coarse meshes so many by their edges across the chamber, up to a sixth of a circle.
 const TURN: f64 = 0.5;
+const COARSE_TURN: f64 = 1.6;
+const MOST_TURN: f64 = std::f64::consts::FRAC_PI_3;
 /// Samples of a wall at most.
 const MOST_SAMPLES: f64 = 1000.0;
 
@@ -126,12 +128,13 @@ impl FlatChamber {
     /// Edges of length `most` within, shorter along walls, in narrow places and at corners that point inwards.
     fn sizing(&self, region: &Region, most: f64) -> Sizing {
         let walls = self.walls();
+        let turn = (COARSE_TURN * most).clamp(TURN, MOST_TURN);
         let mut discs = Vec::new();
         for piece in region.all() {
             let is_weld = piece.border == Border::Rim(rim::WELD);
             let curve = piece.curve;
             let length = curve.length();
-            let bow = if let Segment::Arc(arc) = curve { arc.radius * TURN } else { f64::INFINITY };
+            let bow = if let Segment::Arc(arc) = curve { arc.radius * turn } else { f64::INFINITY };
             let count = (length / (0.5 * most)).ceil().clamp(1.0, MOST_SAMPLES);
             let mut at = 0.5;
             while at < count {
@@ -157,7 +160,7 @@ impl FlatChamber {
         let corners = joints.filter_map(move |at| {
             let (before, after) =
                 (path.segments[at].tangent(1.0), path.segments[(at + 1) % count].tangent(0.0));
-            let turn = before.cross(after).atan2(before.dot(after));
+            let turn = libm::atan2(before.cross(after), before.dot(after));
             let corner = path.segments[at].end();
             // A step along the bisector, away from the corner, is in the air if the corner points into it.
             let ahead = Vec2::new(before.x - after.x, before.y - after.y).normalized();

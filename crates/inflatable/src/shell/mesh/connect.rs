@@ -4,7 +4,7 @@ use crate::shell::mesh::{Border, Edge, Mesh, MeshFault, signed_area};
 
 /// A side of a triangle: the ends of its edge (the smaller index first), whether the triangle lies to the right of it,
 /// the triangle, and the triangle's point opposite.
-type Side = ([usize; 2], bool, usize, usize);
+type BorderSide = ([usize; 2], bool, usize, usize);
 
 impl Mesh {
     /// The mesh of `triangles` over `points`. Its edges are sorted by their ends, so the triangles alone decide their order.
@@ -20,7 +20,7 @@ impl Mesh {
         name: impl Fn([usize; 2]) -> Option<Border>,
     ) -> Result<Self, MeshFault> {
         check_triangles(&points, &triangles)?;
-        let mut sides: Vec<Side> =
+        let mut sides: Vec<BorderSide> =
             triangles.iter().enumerate().flat_map(|(t, corners)| sides(t, corners)).collect();
         sides.sort_unstable();
         let mut edges: Vec<Edge> = Vec::with_capacity(sides.len() / 2 + 1);
@@ -84,7 +84,7 @@ fn check_triangles(points: &[[f64; 2]], triangles: &[[usize; 3]]) -> Result<(), 
     used.iter().position(|used| !used).map_or(Ok(()), |point| Err(MeshFault::Unused { point }))
 }
 
-fn sides(triangle: usize, corners: &[usize; 3]) -> [Side; 3] {
+fn sides(triangle: usize, corners: &[usize; 3]) -> [BorderSide; 3] {
     [0, 1, 2].map(|opposite| {
         let (from, to) = (corners[(opposite + 1) % 3], corners[(opposite + 2) % 3]);
         ([from.min(to), from.max(to)], from > to, triangle, opposite)

@@ -4,7 +4,7 @@ use crate::shell::mesh::{Border, Mesh, MeshFault};
 
 /// How the cells of a grid are cut into triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Diagonal {
+pub(crate) enum Diagonal {
     /// Along the diagonal that rises to the right.
     Rising,
     /// Along the diagonal that falls to the right.
@@ -20,7 +20,7 @@ pub enum Diagonal {
 ///
 /// # Errors
 /// If a side is not positive and finite, or has no cell.
-pub fn rectangle(
+pub(crate) fn rectangle(
     size: [f64; 2],
     cells: [usize; 2],
     diagonal: Diagonal,
@@ -46,7 +46,7 @@ pub fn rectangle(
         }
         triangles.extend(cut(cell, diagonal, (i + j) % 2 == 0, middle(i, j)));
     }
-    let (sin, cos) = turn.sin_cos();
+    let (sin, cos) = libm::sincos(turn);
     let place = |[u, v]: [f64; 2]| {
         let (x, y) = (u * size[0], v * size[1]);
         [cos * x - sin * y, sin * x + cos * y]

@@ -9,6 +9,7 @@ mod chamber;
 mod connect;
 mod delaunay;
 mod fault;
+#[cfg(test)]
 mod grid;
 mod order;
 mod region;
@@ -17,17 +18,19 @@ mod sizing;
 mod strip;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
 mod unfold;
 mod vtu;
 mod width;
 
-pub use cases::{Cell, HalfActuator, HalfSector};
+pub use cases::{HalfActuator, HalfSector, HingeSector};
 pub use chamber::FlatChamber;
 pub use fault::MeshFault;
-pub use grid::{Diagonal, rectangle};
+#[cfg(test)]
+pub(crate) use grid::{Diagonal, rectangle};
 pub use region::{Meshed, Piece, Region};
 pub use sizing::Sizes;
-pub use vtu::{Field, FieldFault, vtu};
+pub use vtu::{FieldFault, VtuField, vtu};
 
 /// Numbers of the rims, for [`Border::Rim`].
 pub mod rim {
@@ -130,10 +133,10 @@ fn angles(corners: [[f64; 2]; 3]) -> [f64; 3] {
     let twice = 2.0 * signed_area(corners).abs();
     [0, 1, 2].map(|i| {
         let [a, b, c] = [corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3]];
-        twice.atan2((b[0] - a[0]) * (c[0] - a[0]) + (b[1] - a[1]) * (c[1] - a[1]))
+        libm::atan2(twice, (b[0] - a[0]) * (c[0] - a[0]) + (b[1] - a[1]) * (c[1] - a[1]))
     })
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
+    libm::hypot(b[0] - a[0], b[1] - a[1])
 }

@@ -130,7 +130,7 @@ impl Dissection {
             let arm = |node: usize, k: usize| self.places[node][k] - mean[k];
             nodes.iter().map(|&node| arm(node, k) * arm(node, l)).sum::<f64>()
         };
-        let (sin, cos) = (0.5 * (2.0 * moment(0, 1)).atan2(moment(0, 0) - moment(1, 1))).sin_cos();
+        let (sin, cos) = libm::sincos(0.5 * libm::atan2(2.0 * moment(0, 1), moment(0, 0) - moment(1, 1)));
         [cos, sin]
     }
 }

@@ -35,11 +35,6 @@ impl Region {
     pub fn area(&self) -> f64 {
         Path::closed(self.pieces.iter().map(|piece| piece.curve).collect()).area()
     }
-
-    /// The exact length of the pieces of one border.
-    pub fn border_length(&self, border: Border) -> f64 {
-        self.pieces.iter().filter(|piece| piece.border == border).map(|piece| piece.curve.length()).sum()
-    }
 }
 
 /// A mesh whose edges on borders and welds know the curves they stand for.

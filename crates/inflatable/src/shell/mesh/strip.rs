@@ -21,7 +21,7 @@ pub(super) struct Strip {
 
 /// To which side a tube turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
+pub(super) enum StripSide {
     Left,
     Right,
 }
@@ -44,10 +44,10 @@ impl Strip {
     }
 
     /// Turns by `arc` (rad, positive) around a centre at the distance `radius` from the nearer rim.
-    pub(super) fn turn(mut self, side: Side, radius: f64, arc: f64) -> Self {
+    pub(super) fn turn(mut self, side: StripSide, radius: f64, arc: f64) -> Self {
         let (center, toward, sweep) = match side {
-            Side::Left => (self.left_end + self.across * radius, -self.across, arc),
-            Side::Right => (self.right_end - self.across * radius, self.across, -arc),
+            StripSide::Left => (self.left_end + self.across * radius, -self.across, arc),
+            StripSide::Right => (self.right_end - self.across * radius, self.across, -arc),
         };
         let outer = radius + self.width;
         let bow = |radius| Arc::new(center, radius, toward.angle(), sweep);
@@ -56,16 +56,16 @@ impl Strip {
         let near = (radius > 0.0).then(|| bow(radius));
         let (near_end, far_end) = (near.map_or(center, |arc| arc.end()), far.end());
         let (left, right) = match side {
-            Side::Left => (near, Some(far)),
-            Side::Right => (Some(far), near),
+            StripSide::Left => (near, Some(far)),
+            StripSide::Right => (Some(far), near),
         };
         (self.left_end, self.right_end) = match side {
-            Side::Left => (near_end, far_end),
-            Side::Right => (far_end, near_end),
+            StripSide::Left => (near_end, far_end),
+            StripSide::Right => (far_end, near_end),
         };
         self.left.extend(left.map(Segment::from));
         self.right.extend(right.map(Segment::from));
-        let (sin, cos) = sweep.sin_cos();
+        let (sin, cos) = libm::sincos(sweep);
         let Vec2 { x, y } = self.across;
         self.across = Vec2::new(cos * x - sin * y, sin * x + cos * y);
         self.hinges.push(HingePlace { center, radii: [radius, outer] });

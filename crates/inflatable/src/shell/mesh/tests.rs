@@ -7,7 +7,8 @@ use proptest::prelude::*;
 
 use crate::geom::{Isometry, Point};
 use crate::shell::mesh::{
-    Border, Cell, Edge, HalfActuator, HalfSector, Mesh, MeshFault, Meshed, Piece, Region, Sizes, plane, rim,
+    Border, Edge, HalfActuator, HalfSector, HingeSector, Mesh, MeshFault, Meshed, Piece, Region, Sizes,
+    plane, rim,
 };
 
 const PAPER: HalfSector = HalfSector { n: 5, rho_0: 50.0, w: 30.0, phi_i: PI / 6.0, r_i: 0.0, r_e: 0.0 };
@@ -99,7 +100,7 @@ proptest! {
 
     #[test]
     fn cells(r in radius(), w in 10.0..100.0_f64, arc in 10.0..160.0_f64, cells in 5.0..10.0_f64) {
-        let case = Cell { r: r * w, w, arc: arc.to_radians() };
+        let case = HingeSector { r: r * w, w, arc: arc.to_radians() };
         // Where the inner rim is a point, the two planes meet there, and the triangle between them is as narrow as half of the hinge.
         let thinnest = if r == 0.0 { 20.0_f64.min(0.5 * arc) } else { 20.0 };
         check(&made(case.mesh(&Sizes::across(w, cells)))?, thinnest)?;
@@ -184,9 +185,9 @@ fn what_cannot_be_meshed_is_refused() {
     assert_eq!(name(HalfSector { phi_i: 2.0, ..PAPER }.mesh(&sizes)), "the tips' angle phi_i0");
     assert_eq!(name(HalfSector { r_i: -1.0, ..PAPER }.mesh(&sizes)), "the tips' radius R_i");
     assert_eq!(name(PAPER.mesh(&Sizes { arm: f64::INFINITY, ..sizes })), "the size along arms");
-    assert_eq!(name(Cell { r: 0.0, w: 30.0, arc: 4.0 }.mesh(&sizes)), "the arc");
+    assert_eq!(name(HingeSector { r: 0.0, w: 30.0, arc: 4.0 }.mesh(&sizes)), "the arc");
     let fine = Sizes { hinge: 0.03, point: 0.03, arm: 0.03 };
-    let cell = Cell { r: 3000.0, w: 30.0, arc: 3.0 }.mesh(&fine);
+    let cell = HingeSector { r: 3000.0, w: 30.0, arc: 3.0 }.mesh(&fine);
     assert_eq!(cell, Err(MeshFault::TooMany { most: 30_000 }));
 }
 

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 
 /// A quantity on the points or on the triangles of a sheet.
 #[derive(Clone, Copy, Debug)]
-pub struct Field<'a> {
+pub struct VtuField<'a> {
     /// Its name, with its unit.
     pub name: &'a str,
     /// How many numbers it has at each place.
@@ -44,8 +44,8 @@ const TRIANGLE: u8 = 5;
 pub fn vtu(
     positions: &[[f64; 3]],
     triangles: &[[usize; 3]],
-    on_points: &[Field<'_>],
-    on_triangles: &[Field<'_>],
+    on_points: &[VtuField<'_>],
+    on_triangles: &[VtuField<'_>],
 ) -> Result<String, FieldFault> {
     let (points, cells) = (positions.len(), triangles.len());
     let mut out = String::from("<?xml version=\"1.0\"?>\n");
@@ -135,11 +135,11 @@ mod tests {
     #[test]
     fn a_field_needs_a_value_a_place() {
         let positions = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        let field = Field { name: "stretch", components: 1, values: &[1.0, 2.0] };
+        let field = VtuField { name: "stretch", components: 1, values: &[1.0, 2.0] };
         let found = vtu(&positions, &[[0, 1, 2]], &[], &[field]);
         assert_eq!(found, Err(FieldFault { name: "stretch".into(), found: 2, needed: 1 }));
-        let two = Field { components: 2, ..field };
-        let text = vtu(&positions, &[[0, 1, 2]], &[], &[Field { name: "a < \"b\" & c", ..two }]);
+        let two = VtuField { components: 2, ..field };
+        let text = vtu(&positions, &[[0, 1, 2]], &[], &[VtuField { name: "a < \"b\" & c", ..two }]);
         assert!(text.is_ok_and(|text| text.contains("Name=\"a &lt; &quot;b&quot; &amp; c\"")));
     }
 }

@@ -1,7 +1,7 @@
 //! From the flat sheet to a pressure, equilibrium by equilibrium.
 
 use crate::shell::assembly::State;
-use crate::shell::solver::newton::{Aim, Rest, Solver, Stop};
+use crate::shell::solver::newton::{Aim, NewtonResult, Solver, Stop};
 
 /// How the pressure is raised.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,7 +24,7 @@ pub struct Equilibrium {
     /// Its shape.
     pub state: State,
     /// Its energy, and what remains of its forces.
-    pub rest: Rest,
+    pub rest: NewtonResult,
 }
 
 /// Where a continuation ended too early.
@@ -122,7 +122,7 @@ impl Continuation {
                 }
             }
             let from = below.as_ref().map_or(first, |equilibrium| equilibrium.pressure);
-            next = from * 10_f64.powf(step);
+            next = from * libm::pow(10_f64, step);
             if next > self.last * 0.9999 {
                 next = self.last;
             }

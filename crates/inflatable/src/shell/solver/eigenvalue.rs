@@ -4,7 +4,7 @@ use crate::shell::assembly::{Sheet, State};
 use crate::shell::solver::newton::Solver;
 
 /// A field of vectors on the points.
-pub(crate) type Field = Vec<[f64; 3]>;
+pub(crate) type NodeField = Vec<[f64; 3]>;
 
 /// The first shift, by the pressure: little beside any eigenvalue that matters, and much beside rounding.
 const LEAST_SHIFT: f64 = 1e-4;
@@ -24,7 +24,7 @@ impl Solver {
         &mut self,
         state: &State,
         pressure: f64,
-        motions: &[Field],
+        motions: &[NodeField],
     ) -> Option<f64> {
         let _ = self.linearise(state, pressure);
         let masses = self.assembly.masses();
@@ -35,8 +35,10 @@ impl Solver {
         });
         let shift = shifts.find(|shift| self.factor.compute(self.assembly.hessian().2, *shift, &masses))?;
         let points = self.assembly.sheet.points.len();
-        let mut field: Field =
-            (0_u32..).take(points).map(|k| [0.7, 1.3, 2.1].map(|c| (c * f64::from(k) + c).sin())).collect();
+        let mut field: NodeField = (0_u32..)
+            .take(points)
+            .map(|k| [0.7, 1.3, 2.1].map(|c| libm::sin(c * f64::from(k) + c)))
+            .collect();
         let mut value = f64::INFINITY;
         for _ in 0..MOST_ITERATIONS {
             let sheet = &self.assembly.sheet;
@@ -72,7 +74,7 @@ fn product(sheet: &Sheet, a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
 }
 
 /// The motions `which` of a shape as a whole, orthonormal: 0 to 2 along the axes, 3 to 5 around them.
-pub(crate) fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]], which: &[usize]) -> Vec<Field> {
+pub(crate) fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]], which: &[usize]) -> Vec<NodeField> {
     let raw = |k: usize, [x, y, z]: [f64; 3]| match k {
         0 => [1.0, 0.0, 0.0],
         1 => [0.0, 1.0, 0.0],
@@ -81,9 +83,9 @@ pub(crate) fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]], which: &[usize])
         4 => [z, 0.0, -x],
         _ => [-y, x, 0.0],
     };
-    let mut motions: Vec<Field> = Vec::new();
+    let mut motions: Vec<NodeField> = Vec::new();
     for k in which {
-        let mut field: Field = points.iter().map(|x| raw(*k, *x)).collect();
+        let mut field: NodeField = points.iter().map(|x| raw(*k, *x)).collect();
         take_off(sheet, &motions, &mut field);
         let size = product(sheet, &field, &field).sqrt();
         field.iter_mut().flatten().for_each(|x| *x /= size);
@@ -92,7 +94,7 @@ pub(crate) fn rigid_motions(sheet: &Sheet, points: &[[f64; 3]], which: &[usize])
     motions
 }
 
-fn take_off(sheet: &Sheet, motions: &[Field], field: &mut Field) {
+fn take_off(sheet: &Sheet, motions: &[NodeField], field: &mut NodeField) {
     for motion in motions {
         let part = product(sheet, motion, field);
         for (x, r) in field.iter_mut().zip(motion) {

@@ -11,4 +11,4 @@ mod tests;
 pub use continuation::{Broken, Continuation, Equilibrium};
 pub use displacement_control::DisplacementControl;
 pub(crate) use eigenvalue::rigid_motions;
-pub use newton::{Aim, Effort, Rest, Solver, Stop};
+pub use newton::{Aim, Effort, NewtonResult, Solver, Stop};

@@ -47,7 +47,7 @@ pub struct Effort {
 
 /// An equilibrium.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rest {
+pub struct NewtonResult {
     /// The parts of its energy.
     pub energy: Energy,
     /// Norm of what remains of the forces.
@@ -136,7 +136,7 @@ impl Solver {
     ///
     /// # Errors
     /// Where it stopped, which `state` then is.
-    pub fn settle(&mut self, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
+    pub fn settle(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         let mut energy = self.linearise(state, aim.pressure);
         let most = if self.may_snap { MOST_TO_SNAP } else { MOST_ITERATIONS };
         for _ in 0..most {
@@ -146,7 +146,7 @@ impl Solver {
             let residual = self.residual();
             if residual <= aim.tolerance && self.shift == 0.0 {
                 let stable = self.compute(0.0);
-                return if stable { Ok(Rest { energy, residual }) } else { Err(Stop::Unstable) };
+                return if stable { Ok(NewtonResult { energy, residual }) } else { Err(Stop::Unstable) };
             }
             self.find_step(aim)?;
             match self.take_step(state, energy, aim) {
@@ -162,7 +162,7 @@ impl Solver {
     ///
     /// # Errors
     /// Where it stopped, which `state` then is.
-    pub fn rest(&mut self, state: &mut State, aim: Aim) -> Result<Rest, Stop> {
+    pub fn rest(&mut self, state: &mut State, aim: Aim) -> Result<NewtonResult, Stop> {
         let Some(contact) = &mut self.contact else { return self.settle(state, aim) };
         contact.stiffness = contact.floor.max(CONTACT * aim.pressure);
         let mut before = ContactError { penetration: f64::INFINITY, change: f64::INFINITY, largest: 0.0 };

@@ -134,13 +134,13 @@ impl HingeModel for Bvp {
 fn edges(end: &End) -> Edges {
     let PenalisedSection { lambda, beta, .. } = end.section;
     let values = &end.solution.profile.values;
-    let free = -(100.0 * lambda * beta).ln() / beta;
+    let free = -libm::log(100.0 * lambda * beta) / beta;
     let outside = values.iter().position(|y| y[U] < free).unwrap_or(0);
     let [tension, angle] = [TENSION, PHI].map(|k| values[outside][k]);
     Edges {
         tension,
         angle,
         width: (1.0 + values[values.len() - 1][U]) / lambda,
-        rim_force: 2.0 * tension * angle.cos(),
+        rim_force: 2.0 * tension * libm::cos(angle),
     }
 }

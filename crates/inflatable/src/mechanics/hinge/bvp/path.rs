@@ -35,11 +35,11 @@ pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Res
     let mut here = solve(&section, start, ROUGH, MOST_INTERVALS)?;
     let mut iterations = here.iterations;
     // One parameter t: from 0 to 1 the offset falls to 0, beyond beta grows like exp(t - 1).
-    let last = 1.0 + (beta / first).ln();
+    let last = 1.0 + libm::log(beta / first);
     let origin = section;
     let place = |t: f64| PenalisedSection {
         offset: gap * (1.0 - t).max(0.0),
-        beta: if t >= last { beta } else { first * (t - 1.0).max(0.0).exp() },
+        beta: if t >= last { beta } else { first * libm::exp((t - 1.0).max(0.0)) },
         ..origin
     };
     let (mut t, mut step) = (0.0, 0.25);
@@ -71,7 +71,7 @@ pub(super) fn follow(r_star: f64, lambda: f64, beta: f64, tolerance: f64) -> Res
 fn free_profile(r_star: f64, lambda: f64) -> Option<Profile<4>> {
     const STEPS: u32 = 48;
     let (phi_0, tension) = free_unknowns(r_star, lambda)?;
-    let slope = |y: [f64; 3]| [-(r_star / lambda + y[1]) / tension, y[0].cos(), y[0].sin()];
+    let slope = |y: [f64; 3]| [-(r_star / lambda + y[1]) / tension, libm::cos(y[0]), libm::sin(y[0])];
     let h = 1.0 / f64::from(STEPS);
     let mut y = [phi_0, 0.0, 0.0];
     let mut profile = Profile { mesh: Vec::new(), values: Vec::new() };

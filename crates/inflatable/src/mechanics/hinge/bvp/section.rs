@@ -42,13 +42,13 @@ impl PenalisedSection {
     /// Hoop tension h; infinite where it makes no sense.
     fn hoop(&self, u: f64) -> f64 {
         let exponent = self.beta * (u - self.offset);
-        if exponent > MOST_EXPONENT { f64::INFINITY } else { self.lambda * self.beta * exponent.exp() }
+        if exponent > MOST_EXPONENT { f64::INFINITY } else { self.lambda * self.beta * libm::exp(exponent) }
     }
 
     /// The right-hand side's derivative with respect to lambda.
     pub(super) fn by_lambda(&self, s: f64, y: &[f64; 4]) -> [f64; 4] {
         let [tension, phi, u, _] = *y;
-        let (sin, cos) = phi.sin_cos();
+        let (sin, cos) = libm::sincos(phi);
         let (hoop, axis) = (self.hoop(u), self.axis(s, u));
         [hoop / self.lambda * cos, (axis - hoop * sin) / (self.lambda * tension), cos, 0.0]
     }
@@ -56,13 +56,13 @@ impl PenalisedSection {
     /// Integrand of the penalised volume.
     pub(super) fn volume_density(&self, s: f64, y: &[f64; 4]) -> f64 {
         let [_, phi, u, z] = *y;
-        2.0 * (self.r_star + s + u) * z * phi.cos() - 2.0 * self.hoop(u) / self.beta
+        2.0 * (self.r_star + s + u) * z * libm::cos(phi) - 2.0 * self.hoop(u) / self.beta
     }
 
     /// Integrand of the volume itself.
     pub(super) fn plain_density(&self, s: f64, y: &[f64; 4]) -> f64 {
         let [_, phi, u, z] = *y;
-        2.0 * (self.r_star + s + u) * z * phi.cos()
+        2.0 * (self.r_star + s + u) * z * libm::cos(phi)
     }
 
     /// Integrand of the penalised volume's derivative by lambda (envelope theorem), with its own
@@ -73,7 +73,7 @@ impl PenalisedSection {
         let (u, z) = (along(2), along(3));
         let (_, cos) = along(1).sin_cos();
         let reach = (u + s) / lambda;
-        let penalty = (self.beta * (y[2] - self.offset)).exp();
+        let penalty = libm::exp(self.beta * (y[2] - self.offset));
         let penalty = u.chain(penalty, self.beta * penalty);
         (reach * z * cos - penalty - lambda * penalty * reach * self.beta) * 2.0
     }
@@ -82,7 +82,7 @@ impl PenalisedSection {
 impl Problem<4> for PenalisedSection {
     fn slope(&self, s: f64, y: &[f64; 4]) -> [f64; 4] {
         let [tension, phi, u, _] = *y;
-        let (sin, cos) = phi.sin_cos();
+        let (sin, cos) = libm::sincos(phi);
         let hoop = self.hoop(u);
         // Without tension there is no section: a Newton step that leads there is refused.
         let tension = if tension > 0.0 { tension } else { f64::NAN };
@@ -91,7 +91,7 @@ impl Problem<4> for PenalisedSection {
 
     fn jacobian(&self, s: f64, y: &[f64; 4]) -> [[f64; 4]; 4] {
         let [tension, phi, u, _] = *y;
-        let (sin, cos) = phi.sin_cos();
+        let (sin, cos) = libm::sincos(phi);
         let hoop = self.hoop(u);
         let turn = (self.axis(s, u) + hoop * sin) / tension;
         let steep = self.beta * hoop;

@@ -35,10 +35,10 @@ pub fn limit() -> RingLimit {
     // Newton on tan(x/2) - x: the root is simple, and 2.33 is within 2e-3 of it.
     let mut x0: f64 = 2.33;
     for _ in 0..6 {
-        let tan = (0.5 * x0).tan();
+        let tan = libm::tan(0.5 * x0);
         x0 -= (tan - x0) / (0.5 * (1.0 + tan * tan) - 1.0);
     }
-    let lambda = x0 / (1.0 - x0.cos());
+    let lambda = x0 / (1.0 - libm::cos(x0));
     let contact = x0 * FRAC_1_PI / lambda;
     RingLimit {
         lambda,

@@ -22,8 +22,8 @@ impl Chain {
         let step = 1.0 / angles.len() as f64;
         let (mut r, mut z) = (vec![0.0], vec![0.0]);
         for angle in angles {
-            r.push(r[r.len() - 1] + step * angle.cos());
-            z.push(z[z.len() - 1] + step * angle.sin());
+            r.push(r[r.len() - 1] + step * libm::cos(*angle));
+            z.push(z[z.len() - 1] + step * libm::sin(*angle));
         }
         (r, z)
     }
@@ -68,7 +68,7 @@ impl Chain {
         for k in (0..count).rev() {
             right += by_r[k + 1];
             up += by_z[k + 1];
-            gradient[k] = step * (up * angles[k].cos() - right * angles[k].sin());
+            gradient[k] = step * (up * libm::cos(angles[k]) - right * libm::sin(angles[k]));
         }
         (merit, gradient)
     }

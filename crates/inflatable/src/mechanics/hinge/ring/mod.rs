@@ -115,7 +115,7 @@ fn state(solved: &Solved) -> HingeState {
             tension: solved.unknowns[TENSION],
             angle: solved.unknowns[PHI_0],
             width: solved.section.width.value,
-            rim_force: 2.0 * tension * phi_0.cos(),
+            rim_force: 2.0 * tension * libm::cos(phi_0),
         }),
         effort: HingeEffort { residual: solved.residual, iterations: solved.iterations, error: ERROR },
     }

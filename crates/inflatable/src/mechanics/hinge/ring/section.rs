@@ -60,7 +60,7 @@ pub(super) fn free_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSectio
 pub(super) fn cone_section(r_star: f64, unknowns: [f64; 4]) -> Option<RingSection> {
     admissible(unknowns)?;
     let [phi_0, tension, cone, lambda] = Gradient::variables(unknowns);
-    if lambda.value <= 1.0 || phi_0.value <= -lambda.value.recip().acos() {
+    if lambda.value <= 1.0 || phi_0.value <= -libm::acos(lambda.value.recip()) {
         return None;
     }
     let axis = lambda.recip() * r_star;

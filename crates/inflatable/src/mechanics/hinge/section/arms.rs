@@ -53,7 +53,7 @@ impl ArmsByArc {
             sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
         }
         let [delta, give] = sum;
-        Arms { angle: delta * (arc / FRAC_PI_4).tanh(), give }
+        Arms { angle: delta * libm::tanh(arc / FRAC_PI_4), give }
     }
 }
 
@@ -62,7 +62,7 @@ pub fn bendabilities(tau: f64) -> [f64; PRESSURES] {
     let most = most_bendability(tau);
     #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
     std::array::from_fn(|k| {
-        LEAST_BENDABILITY * (most / LEAST_BENDABILITY).powf(k as f64 / (PRESSURES - 1) as f64)
+        LEAST_BENDABILITY * libm::pow(most / LEAST_BENDABILITY, k as f64 / (PRESSURES - 1) as f64)
     })
 }
 
@@ -77,9 +77,10 @@ pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
     if TABLE.len() != ARCS.len() * one_arc {
         return None;
     }
-    let along_tau = weights(&TAUS.map(f64::ln), tau.ln(), SLACK)?;
-    let along_r = weights(&R_STARS.map(|r| (r + SHARP).ln()), (r_star + SHARP).ln(), 0.0)?;
-    let up = (bendability / LEAST_BENDABILITY).ln() / (most_bendability(tau) / LEAST_BENDABILITY).ln();
+    let along_tau = weights(&TAUS.map(libm::log), libm::log(tau), SLACK)?;
+    let along_r = weights(&R_STARS.map(|r| libm::log(r + SHARP)), libm::log(r_star + SHARP), 0.0)?;
+    let up =
+        libm::log(bendability / LEAST_BENDABILITY) / libm::log(most_bendability(tau) / LEAST_BENDABILITY);
     #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
     let places: [f64; PRESSURES] = std::array::from_fn(|k| k as f64 / (PRESSURES - 1) as f64);
     let along_b = weights(&places, up, 0.0)?;

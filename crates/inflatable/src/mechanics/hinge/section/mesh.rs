@@ -156,9 +156,9 @@ fn nodes(count: usize) -> Vec<f64> {
 /// Nodes at equal steps of the number of elements, whose density is 1 and the layers' `share / (reach + distance)`.
 fn graded(count: usize) -> Vec<f64> {
     let number = |s: f64| {
-        s + INNER.share * (s / INNER.reach).ln_1p()
-            + OUTER.share * ((1.0 + OUTER.reach) / (1.0 - s + OUTER.reach)).ln()
-            + FOLD.share * (((s - 0.5) / FOLD.reach).atan() + (0.5 / FOLD.reach).atan())
+        s + INNER.share * libm::log1p(s / INNER.reach)
+            + OUTER.share * libm::log((1.0 + OUTER.reach) / (1.0 - s + OUTER.reach))
+            + FOLD.share * (libm::atan((s - 0.5) / FOLD.reach) + libm::atan(0.5 / FOLD.reach))
     };
     #[expect(clippy::cast_precision_loss, reason = "meshes have at most thousands of elements")]
     let part = |i: usize| number(1.0) * i as f64 / count as f64;

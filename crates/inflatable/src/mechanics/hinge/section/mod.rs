@@ -192,7 +192,7 @@ fn state(search: &ShapeSearch) -> HingeState {
         edges: Some(Edges {
             // Per radian of the inflated arc, of which there are lambda for each flat one.
             tension: potential.reaction / lambda,
-            angle: shape[3].atan2(shape[1]),
+            angle: libm::atan2(shape[3], shape[1]),
             width: shape[shape.len() - 4] - shape[0],
             // The rim is sheet like the rest, and carries nothing of its own.
             rim_force: 0.0,

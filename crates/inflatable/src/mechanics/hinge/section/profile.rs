@@ -51,7 +51,7 @@ impl Meridian {
                     place: point.place,
                     radius,
                     height,
-                    angle: strains.sin.atan2(strains.cos),
+                    angle: libm::atan2(strains.sin, strains.cos),
                     stretch: strains.e_s,
                     hoop_stretch: strains.e_th,
                     tension: strains.n_s,

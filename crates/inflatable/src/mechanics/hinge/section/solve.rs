@@ -301,11 +301,11 @@ fn arc(mesh: &MeridianMesh, lambda: f64, angle: f64) -> Vec<f64> {
     let mut shape = Vec::with_capacity(mesh.unknowns());
     let (mut q, mut z, mut before) = (mesh.r_star / lambda, 0.0, 0.0);
     for &s in &mesh.nodes {
-        let (sin, cos) = phi(0.5 * (s + before)).sin_cos();
+        let (sin, cos) = libm::sincos(phi(0.5 * (s + before)));
         q += (s - before) * cos;
         z += (s - before) * sin;
         before = s;
-        let (slope, along) = phi(s).sin_cos();
+        let (slope, along) = libm::sincos(phi(s));
         shape.extend([q, along, z, slope]);
     }
     // Back to z = 0 at the outer rim.

@@ -73,14 +73,14 @@ impl SectionEntry {
     pub fn slope(&self, lambda: f64) -> f64 {
         let away = lambda - self.lambda;
         let x = away / (self.lambda - 1.0);
-        -away * self.stiffness * self.secant(x).exp()
+        -away * self.stiffness * libm::exp(self.secant(x))
     }
 
     /// d2V_bar/dlambda2 at `lambda`, in the same range.
     pub fn curvature(&self, lambda: f64) -> f64 {
         let away = lambda - self.lambda;
         let x = away / (self.lambda - 1.0);
-        -self.stiffness * self.secant(x).exp() * (1.0 + x * self.secant_slope(x))
+        -self.stiffness * libm::exp(self.secant(x)) * (1.0 + x * self.secant_slope(x))
     }
 
     /// The derivative of the quartic by x.
@@ -204,9 +204,9 @@ impl RadiusSeries {
         }
         let [lambda, stiffness, opening, width, secants @ ..] = sum;
         Ok(SectionEntry {
-            lambda: 1.0 + lambda.exp(),
-            stiffness: stiffness.exp(),
-            opening: opening.exp(),
+            lambda: 1.0 + libm::exp(lambda),
+            stiffness: libm::exp(stiffness),
+            opening: libm::exp(opening),
             width,
             secants,
         })
@@ -251,14 +251,14 @@ fn polynomials(x: f64) -> [f64; 16] {
 
 /// Largest b of the series at `tau`: sqrt(2) beyond where p W / Y = 0.1 and b = 1e4 meet, less away from there.
 fn most_bendability(tau: f64) -> f64 {
-    std::f64::consts::SQRT_2 / f64::hypot(1e-4, 10.0 * tau * tau)
+    std::f64::consts::SQRT_2 / libm::hypot(1e-4, 10.0 * tau * tau)
 }
 
 /// b, tau, R* and nu at a place in the four dimensions, each 0 to 1: where the series are made.
 pub fn hinge_at([b, tau, r_star, poisson]: [f64; 4]) -> [f64; 4] {
-    let tau = TAU[0] * (TAU[1] / TAU[0]).powf(tau);
-    let bendability = 10.0 * (most_bendability(tau) / 10.0).powf(b);
-    let r_star = SHARPEST * ((MOST_R_STAR / SHARPEST).ln_1p() * r_star).exp_m1();
+    let tau = TAU[0] * libm::pow(TAU[1] / TAU[0], tau);
+    let bendability = 10.0 * libm::pow(most_bendability(tau) / 10.0, b);
+    let r_star = SHARPEST * libm::expm1(libm::log1p(MOST_R_STAR / SHARPEST) * r_star);
     [bendability, tau, r_star, 0.49 * poisson]
 }
 
@@ -267,12 +267,12 @@ fn place(bendability: f64, thickness: f64, poisson: f64) -> [f64; 3] {
     let tau = thickness / (12.0 * (1.0 - poisson * poisson)).sqrt();
     [
         poisson / 0.49,
-        (tau / TAU[0]).ln() / (TAU[1] / TAU[0]).ln(),
-        (bendability / 10.0).ln() / (most_bendability(tau) / 10.0).ln(),
+        libm::log(tau / TAU[0]) / libm::log(TAU[1] / TAU[0]),
+        libm::log(bendability / 10.0) / libm::log(most_bendability(tau) / 10.0),
     ]
 }
 
 /// Where a hinge is in R*, 0 to 1.
 fn place_of_radius(r_star: f64) -> f64 {
-    (r_star / SHARPEST).ln_1p() / (MOST_R_STAR / SHARPEST).ln_1p()
+    libm::log1p(r_star / SHARPEST) / libm::log1p(MOST_R_STAR / SHARPEST)
 }

@@ -167,7 +167,7 @@ fn volume_is_the_work_of_the_pressure() {
     assert!((-2.0 * slope / meridian.volume - 1.0).abs() < 1e-5, "{slope} {}", meridian.volume);
 }
 
-/// A few hundred of the ten thousand that `examples/section_random.rs` draws.
+/// A few hundred of the ten thousand that `crates/research/examples/section_random.rs` draws.
 #[test]
 fn no_hinge_in_range_fails() {
     let mut draw = draws(11);

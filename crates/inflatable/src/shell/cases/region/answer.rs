@@ -6,7 +6,7 @@ use crate::shell::cases::region::chambers::FlatRegion;
 use crate::shell::cases::region::measure::{Measured, NUMBERS};
 use crate::shell::cases::region::seams::Station;
 use crate::shell::cases::region::surface::Surface;
-use crate::shell::cases::shape::Shape;
+use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::{MOST_BENDABLE, Tube};
 use crate::shell::cases::value::Value;
 
@@ -100,7 +100,7 @@ pub struct InflatedRegion {
     /// The same where both sheets move to the same side. Below 0 the shape leaves its plane.
     pub antisymmetric_eigenvalue: Value,
     /// The upper sheet on its finest mesh.
-    pub shape: Shape,
+    pub shape: InflatedShape,
     /// Both sheets.
     pub surface: Surface,
     /// How it was come by.
@@ -122,7 +122,7 @@ pub(super) fn answer(
     tube: &Tube,
     (values, evidence): ([Value; NUMBERS], Evidence),
     pulls: &[Vec<Station>],
-    (measured, shape, surface): (Measured, Shape, Surface),
+    (measured, shape, surface): (Measured, InflatedShape, Surface),
 ) -> InflatedRegion {
     let (w, y) = (tube.width, tube.fabric.stretch);
     let seams = seam_pulls(case, pulls, [w, y]);

@@ -10,19 +10,33 @@ use crate::shell::cases::region::measure::{self, Measured, NUMBERS};
 use crate::shell::cases::region::seams::{PullPlaces, Station};
 use crate::shell::cases::region::supports::{self, SealedNodes};
 use crate::shell::cases::region::surface::Surface;
-use crate::shell::cases::shape::Shape;
+use crate::shell::cases::shape::InflatedShape;
 use crate::shell::cases::tube::Tube;
 use crate::shell::element::Fabric;
 use crate::shell::mesh::Meshed;
 
 impl FlatRegion {
-    /// For a first look: some 800 unknowns on the coarsest mesh and 16 times as many on the finest, as far as that leaves one and a half edges
-    /// across the chamber.
+    /// For a first look: some 800 unknowns on the coarsest mesh and 16 times as many on the finest, as far as that leaves one edge across the
+    /// chamber. Islands, corners and narrow places take more than the area says.
     pub fn quick(&self) -> Fineness {
         let width = self.chamber.widest();
         let squares = self.chamber.area() / (width * width);
-        let cells = (QUICK / (UNKNOWNS_OF_SQUARE * squares)).sqrt();
-        Fineness { cells: cells.clamp(1.5, MOST_QUICK), cuts: 2 }
+        let chamber = self.chamber.by(width);
+        let mut cells = (QUICK / (UNKNOWNS_OF_SQUARE * squares)).sqrt().clamp(LEAST_CELLS, MOST_QUICK);
+        let mut best = (f64::INFINITY, cells);
+        for _ in 0..LOOKS {
+            let Ok((meshed, _)) = chamber.mesh(cells) else { break };
+            #[expect(clippy::cast_precision_loss, reason = "far below 2^52")]
+            let unknowns = UNKNOWNS_OF_TRIANGLE * meshed.mesh.triangles.len() as f64;
+            if unknowns < best.0 {
+                best = (unknowns, cells);
+            }
+            if unknowns <= ENOUGH * QUICK || cells <= LEAST_CELLS {
+                break;
+            }
+            cells = (cells * (QUICK / unknowns).sqrt()).max(LEAST_CELLS);
+        }
+        Fineness { cells: best.1, cuts: 2 }
     }
 }
 
@@ -30,17 +44,44 @@ impl FlatRegion {
 const QUICK: f64 = 800.0;
 const UNKNOWNS_OF_SQUARE: f64 = 12.7;
 const MOST_QUICK: f64 = 6.0;
+/// Unknowns by triangles: three of each point, and one of each edge.
+const UNKNOWNS_OF_TRIANGLE: f64 = 3.0;
+/// How many times as many unknowns will do, and how often a mesh is looked at for that.
+const ENOUGH: f64 = 1.3;
+const LOOKS: u32 = 4;
 
 /// t/W and 1/eps of regions.
 const THINNEST: f64 = 1e-6;
 const MOST_BENDABLE_REGION: f64 = 1e10;
 
-/// Inflates one chamber from flat.
+/// Where it comes to no rest on the meshes that are asked for, it is tried on others with so many times their edges across: which wrinkles a
+/// mesh shows is chance.
+const OTHER_MESHES: [f64; 4] = [0.85, 1.2, 0.7, 1.45];
+const LEAST_CELLS: f64 = 1.0;
+
+/// Inflates one chamber from flat, on meshes of about the fineness that is asked for.
 ///
 /// # Errors
 /// If its curves cross or leave the outline, if it is out of range, or if it has no stable equilibrium that keeps z = 0 a plane of symmetry:
 /// where it stopped, and why.
 pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
+    let mut found = on_meshes(case, fineness, watch);
+    for times in OTHER_MESHES {
+        if !matches!(found, Err(ShellFault::Stopped { .. })) {
+            break;
+        }
+        let cells = (times * fineness.cells).max(LEAST_CELLS);
+        // The first reason is the one to tell.
+        found = match on_meshes(case, Fineness { cells, ..fineness }, watch) {
+            Err(ShellFault::Stopped { .. }) => found,
+            other => other,
+        };
+    }
+    found
+}
+
+/// Inflates it on these meshes.
+fn on_meshes(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<InflatedRegion, ShellFault> {
     let width = case.chamber.widest();
     let tube = Tube { width, fabric: case.fabric, pressure: case.pressure };
     tube.check_within(THINNEST, MOST_BENDABLE_REGION)?;
@@ -62,7 +103,7 @@ pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<In
     };
     let seams = PullPlaces::new(&chamber, case.band / width);
     let mut pulls: Vec<Vec<Station>> = Vec::new();
-    let mut last = (Measured::default(), Shape::default(), Surface::default());
+    let mut last = (Measured::default(), InflatedShape::default(), Surface::default());
     let (values, evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
         let sealed = SealedNodes::new(&chamber, meshed);
         let state: State = measure::aligned(&solver.assembly.sheet, &equilibrium.state);
@@ -72,7 +113,7 @@ pub fn region(case: &FlatRegion, fineness: Fineness, watch: &Watch) -> Result<In
         let mut numbers = measured.numbers;
         numbers[NUMBERS - 1] = stations.iter().map(|station| station.pull).fold(0.0, f64::max);
         pulls.push(stations);
-        let shape = Shape::new(&tube, solver, &meshed.mesh, &state);
+        let shape = InflatedShape::new(&tube, solver, &meshed.mesh, &state);
         let surface = Surface::new(&shape, &sealed);
         last = (measured, shape, surface);
         Ok(numbers)

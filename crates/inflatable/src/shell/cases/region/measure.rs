@@ -67,7 +67,7 @@ pub(super) fn aligned(sheet: &Sheet, state: &State) -> State {
         cosine += area * (x * u + y * v);
         sine += area * (x * v - y * u);
     }
-    let (sine, cosine) = sine.atan2(cosine).sin_cos();
+    let (sine, cosine) = libm::sincos(libm::atan2(sine, cosine));
     let place = |x: &[f64; 3]| {
         let [u, v] = [0, 1].map(|c| x[c] - from[c]);
         [cosine * u - sine * v + to[0], sine * u + cosine * v + to[1], x[2]]

@@ -1,13 +1,15 @@
 //! Both sheets as one closed surface.
 
 use crate::shell::cases::region::supports::SealedNodes;
-use crate::shell::cases::shape::Shape;
+use crate::shell::cases::shape::InflatedShape;
 
 /// The inflated surface to be looked at.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Surface {
     /// Where the points are, m; sealed ones are there once, those of the lower sheet come last.
     pub points: Vec<[f64; 3]>,
+    /// Where each was on the flat sheets, m.
+    pub flat: Vec<[f64; 2]>,
     /// The points of each triangle, counterclockwise from outside; those of the upper sheet, then those of the lower one in the same order.
     pub triangles: Vec<[usize; 3]>,
     /// The larger principal tension of each triangle, N/m.
@@ -16,8 +18,8 @@ pub struct Surface {
 
 impl Surface {
     /// `upper` and its image.
-    pub(super) fn new(upper: &Shape, sealed: &SealedNodes) -> Self {
-        let mut points = upper.points.clone();
+    pub(super) fn new(upper: &InflatedShape, sealed: &SealedNodes) -> Self {
+        let (mut points, mut flat) = (upper.points.clone(), upper.flat.clone());
         let image: Vec<usize> = (0..upper.points.len())
             .map(|point| {
                 if sealed.points[point] {
@@ -25,6 +27,7 @@ impl Surface {
                 }
                 let [x, y, z] = upper.points[point];
                 points.push([x, y, -z]);
+                flat.push(upper.flat[point]);
                 points.len() - 1
             })
             .collect();
@@ -32,6 +35,7 @@ impl Surface {
         let tension = upper.tension.iter().map(|[most, _]| *most);
         Self {
             points,
+            flat,
             triangles: upper.triangles.iter().copied().chain(lower).collect(),
             tension: tension.clone().chain(tension).collect(),
         }

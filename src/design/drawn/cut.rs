@@ -1,0 +1,108 @@
+//! Where a drawn piece is cut, and the paper that goes between its sheets.
+
+use crate::design::cut::{tool_around, tool_inside};
+use crate::design::{Circle, Refusal, RefusalCode};
+use crate::shape::{AirSide, SealedShape, Separator};
+use crate::spec::{SMALLEST_HOLE, Spec, key};
+use crate::units::{Most, Readable};
+use inflatable::geom::Path;
+
+/// Where a drawn piece is cut, closed and counterclockwise.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnCut {
+    /// Around the piece.
+    pub outside: Path,
+    /// Out of the piece.
+    pub inside: Vec<Path>,
+    /// Width of the cut, mm.
+    pub kerf: f64,
+}
+
+/// The separator of a drawn piece, in the drawing's frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnSeparator {
+    /// The paper's own edges.
+    pub part: Separator,
+    /// The lines that a tool follows to cut it.
+    pub tool: Separator,
+    /// Width of the cut, mm.
+    pub kerf: f64,
+}
+
+impl DrawnCut {
+    /// The cut along the outline of `shape`, and of `holes` inside it.
+    pub(super) fn new(shape: &SealedShape, holes: &[Path]) -> Result<Self, Refusal> {
+        let Some(outside) = &shape.cut else {
+            let found = "the drawn shape has no outline".to_owned();
+            let remedy = "draw a closed curve on a layer of `cut`".to_owned();
+            return Err(Refusal::new(key::drawing::LAYERS, RefusalCode::WrongOutlines, found, remedy));
+        };
+        let around = |path: &Path| if path.area() < 0.0 { path.reversed() } else { path.clone() };
+        let inside = holes.iter().map(around).collect();
+        Ok(Self { outside: around(outside), inside, kerf: 0.0 })
+    }
+
+    /// The lines of a tool whose cut is `kerf` wide, for a piece with these registration holes.
+    pub(super) fn for_tool(&self, kerf: f64, holes: &[Circle]) -> Result<Self, Refusal> {
+        if let Some(hole) = holes.iter().find(|hole| kerf > 0.0 && hole.diameter - kerf < SMALLEST_HOLE) {
+            return Err(Refusal::new(
+                key::cut::KERF,
+                RefusalCode::WideKerf,
+                format!(
+                    "a cut of {} mm leaves nothing of a registration hole of {} mm",
+                    Readable(kerf),
+                    Readable(hole.diameter)
+                ),
+                format!("kerf must be at most {} mm", Most((hole.diameter - SMALLEST_HOLE).max(0.0))),
+            ));
+        }
+        let inside = self.inside.iter().map(|path| tool_inside(path, kerf, "a hole"));
+        let inside = inside.collect::<Result<_, _>>()?;
+        Ok(Self { outside: tool_around(&self.outside, kerf, "the outline")?, inside, kerf })
+    }
+}
+
+impl DrawnSeparator {
+    /// The separator of `shape`, whose seams enclose `air`, cut as `spec` says.
+    pub(super) fn new(
+        spec: &Spec,
+        shape: &SealedShape,
+        air: &AirSide,
+        cut: &DrawnCut,
+    ) -> Result<Self, Refusal> {
+        let (creep, kerf) = (spec.mask.creep.0, spec.cut.kerf.0);
+        let chambers = shape.topology().chambers.len();
+        let made = |creep: f64| air.separator(&cut.outside, shape.band, creep, chambers);
+        let part = made(creep).ok_or_else(|| no_separator(creep, |creep| made(creep).is_some()))?;
+        let lines = |paths: &[Path], line: fn(&Path, f64, &str) -> Result<Path, Refusal>, what: &str| {
+            paths.iter().map(|path| line(path, kerf, what)).collect::<Result<Vec<_>, _>>()
+        };
+        let tool = Separator {
+            pieces: lines(&part.pieces, tool_around, "a separator")?,
+            windows: lines(&part.windows, tool_inside, "a window of a separator")?,
+        };
+        Ok(Self { part, tool, kerf })
+    }
+}
+
+/// The refusal of a creep that cuts the paper up, with the largest that does not; `is_made` says whether one is made.
+fn no_separator(creep: f64, is_made: impl Fn(f64) -> bool) -> Refusal {
+    let refusal =
+        |found: String, remedy: String| Refusal::new(key::mask::CREEP, RefusalCode::NoWindow, found, remedy);
+    if !is_made(0.0) {
+        let found = "the seams leave no paper in one piece for each chamber".to_owned();
+        let remedy =
+            "draw seams in the air farther from each other, or without sharp bends; or delete [mask]";
+        return refusal(found, remedy.to_owned());
+    }
+    let (mut fits, mut fails) = (0.0, creep);
+    while fails - fits > 1e-2 {
+        let middle = f64::midpoint(fits, fails);
+        let side = if is_made(middle) { &mut fits } else { &mut fails };
+        *side = middle;
+    }
+    refusal(
+        format!("a creep of {} mm closes a port or a passage of the separator", Readable(creep)),
+        format!("creep must be at most {} mm", Most((fits * 100.0_f64).floor() / 100.0)),
+    )
+}

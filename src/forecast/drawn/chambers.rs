@@ -1,0 +1,55 @@
+//! From a drawn piece to the chambers that the shell knows.
+
+use crate::design::DrawnPiece;
+use crate::forecast::case::sheet;
+use crate::forecast::shell::{Detail, fabric};
+use crate::spec::Spec;
+use inflatable::shell::cases::{Fineness, FlatRegion, chambers};
+use inflatable::shell::mesh::FlatChamber;
+
+/// A chamber of a drawn piece.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnChamber {
+    /// In mm, in the piece's own frame.
+    pub flat: FlatChamber,
+    /// In SI units, without a pressure.
+    pub region: FlatRegion,
+}
+
+impl DrawnChamber {
+    /// The meshes that `detail` means: those of a first look, and with two and four times as many edges across.
+    pub fn fineness(&self, detail: Detail) -> Fineness {
+        let quick = self.region.quick();
+        let times = match detail {
+            Detail::Coarse => 1.0,
+            Detail::Medium => 2.0,
+            Detail::Fine => 4.0,
+        };
+        Fineness { cells: times * quick.cells, ..quick }
+    }
+}
+
+/// The chambers of `piece` in the order of their outlines, walls and welds with the chamber they lie in.
+///
+/// # Errors
+/// In words, if its edges enclose nothing, or the fabric is none.
+pub fn drawn_chambers(spec: &Spec, piece: &DrawnPiece) -> Result<Vec<DrawnChamber>, String> {
+    let sheet = sheet(&spec.fabric).map_err(|fault| fault.to_string())?;
+    let found = chambers(&piece.air, &piece.inner, &piece.part.inside).map_err(|fault| fault.to_string())?;
+    if found.is_empty() {
+        return Err("the drawing's edges enclose no air".to_owned());
+    }
+    let chamber = |flat: FlatChamber| DrawnChamber {
+        region: FlatRegion {
+            chamber: flat.by(MM_IN_M),
+            fabric: fabric(&sheet),
+            pressure: 0.0,
+            band: spec.seal.band.metres(),
+        },
+        flat,
+    };
+    Ok(found.into_iter().map(chamber).collect())
+}
+
+/// mm in a metre.
+const MM_IN_M: f64 = 1e3;

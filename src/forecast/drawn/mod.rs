@@ -1,0 +1,190 @@
+//! What drawn chambers do under pressure: the shell on the flat regions themselves.
+//!
+//! [`chambers`] takes the regions from the piece, [`prediction`] is the answer, [`text`] says it to a person. No model of a hinge knows a
+//! drawn shape, so without the shell only what is flat is known.
+
+pub mod chambers;
+pub mod prediction;
+pub mod text;
+
+use crate::design::DrawnPiece;
+use crate::forecast::drawn::chambers::{DrawnChamber, drawn_chambers};
+use crate::forecast::drawn::prediction::{ChamberPrediction, DrawnEvidence, DrawnPrediction};
+use crate::forecast::predict::PredictFault;
+use crate::forecast::seal_load::DrawnSeal;
+use crate::forecast::shell::request::{ShellRefusal, fault};
+use crate::forecast::shell::{Detail, SHELL};
+use crate::forecast::star_answer::mm;
+use crate::spec::{ModelChoice, Spec, key};
+use crate::units::{LineForce, Pressure};
+use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Surface, Watch, region};
+
+/// The name of no model: only what is flat is known.
+pub const NONE: &str = "none";
+
+/// How the shell is asked for, in words of commands and specs.
+pub const HOW: &str =
+    "`predict` asks the shell; `model = \"shell\"` in [accuracy] has `check` and `build` ask it, too";
+
+/// A drawn piece under pressure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InflatedDrawing {
+    /// In figures.
+    pub prediction: DrawnPrediction,
+    /// Both sheets of each chamber on its finest mesh, in the order of the chambers; none without the shell.
+    pub surfaces: Vec<DrawnSurface>,
+    /// The upper sheets of the same, with stretch and tension.
+    pub shapes: Vec<InflatedShape>,
+}
+
+/// Both sheets of a chamber as triangles, in mm and in the frame of the drawing.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawnSurface {
+    /// Where each point lies on the flat sheets.
+    pub flat: Vec<[f64; 2]>,
+    /// Where it is under pressure.
+    pub points: Vec<[f64; 3]>,
+    /// The points of each triangle, counterclockwise from outside.
+    pub triangles: Vec<[usize; 3]>,
+}
+
+impl DrawnSurface {
+    fn new(surface: &Surface) -> Self {
+        Self {
+            flat: surface.flat.iter().map(|at| at.map(mm)).collect(),
+            points: surface.points.iter().map(|at| at.map(mm)).collect(),
+            triangles: surface.triangles.clone(),
+        }
+    }
+}
+
+/// What `check` and `build` say of `piece`, made from `spec`: the shell's answer on coarse meshes if the spec asks for the shell by name, else
+/// what is flat.
+///
+/// # Errors
+/// If the spec asks for a model of stars, or the shell refuses.
+pub fn of_spec(spec: &Spec, piece: &DrawnPiece) -> Result<InflatedDrawing, PredictFault> {
+    let asked = spec.accuracy.model == ModelChoice::Shell;
+    if asked && spec.load.as_ref().is_some_and(|load| load.pressure.is_some()) {
+        return inflate(spec, piece, Detail::Coarse, &Watch::default()).map_err(|refusal| match refusal {
+            ShellRefusal::Fault(fault) => fault,
+            // Nobody can.
+            ShellRefusal::Cancelled => stars_only("the shell was told to stop".to_owned()),
+        });
+    }
+    let found = drawn_chambers(spec, piece).map_err(refused)?;
+    flat(spec, piece, &found).map(|prediction| InflatedDrawing {
+        prediction,
+        surfaces: Vec::new(),
+        shapes: Vec::new(),
+    })
+}
+
+/// `piece`, made from `spec`, by the shell at the spec's pressure.
+///
+/// # Errors
+/// If no pressure is given, the spec asks for a model of stars, or the shell refuses a chamber or was told to stop.
+pub fn inflate(
+    spec: &Spec,
+    piece: &DrawnPiece,
+    detail: Detail,
+    watch: &Watch<'_>,
+) -> Result<InflatedDrawing, ShellRefusal> {
+    let found = drawn_chambers(spec, piece).map_err(|why| ShellRefusal::Fault(refused(why)))?;
+    let mut prediction = flat(spec, piece, &found).map_err(ShellRefusal::Fault)?;
+    let Some(pressure) = spec.load.as_ref().and_then(|load| load.pressure) else {
+        let what = "a shell is computed at its pressure, and none is given: write `pressure` in [load]";
+        return Err(fault(key::load::PRESSURE, what.to_owned()));
+    };
+    let peel = spec.fabric.seal_strength.map(LineForce::newtons_per_metre);
+    let seal = DrawnSeal { pressure: pressure.pascals(), peel };
+    let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
+    let count = found.len();
+    for (number, (chamber, answer)) in found.iter().zip(&mut prediction.chambers).enumerate() {
+        let case = FlatRegion { pressure: pressure.pascals(), ..chamber.region.clone() };
+        let within = |part: f64, what: &str| {
+            if let Some(progress) = watch.progress {
+                #[expect(clippy::cast_precision_loss, reason = "few chambers")]
+                progress((number as f64 + part) / count as f64, what);
+            }
+        };
+        let own = Watch { progress: Some(&within), cancel: watch.cancel.clone() };
+        let inflated =
+            region(&case, chamber.fineness(detail), &own).map_err(|why| not_inflated(&why, answer, count))?;
+        answer.fill(&inflated, &seal);
+        surfaces.push(DrawnSurface::new(&inflated.surface));
+        shapes.push(inflated.shape);
+    }
+    prediction.model = SHELL;
+    "only the shell knows drawn shapes".clone_into(&mut prediction.evidence.choice);
+    prediction.of_all(pressure);
+    Ok(InflatedDrawing { prediction, surfaces, shapes })
+}
+
+/// What is known without a model.
+fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<DrawnPrediction, PredictFault> {
+    let model = spec.accuracy.model;
+    if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {
+        let word = ModelChoice::ALL.iter().find(|(_, own)| *own == model).map_or("this", |(word, _)| word);
+        let what = format!(
+            "{word} is a model of a star's hinges, and no model but the shell knows drawn shapes: {HOW}"
+        );
+        return Err(stars_only(what));
+    }
+    let pressure = spec.load.as_ref().and_then(|load| load.pressure);
+    let choice = match pressure {
+        None => {
+            "what a drawn shape does depends on the pressure, and none is given: write `pressure` in [load]"
+                .to_owned()
+        }
+        Some(_) => format!("the shell was not asked, which takes seconds to minutes: {HOW}"),
+    };
+    let chambers =
+        (1..).zip(found).map(|(number, chamber)| ChamberPrediction::flat(number, chamber, pressure));
+    Ok(DrawnPrediction {
+        model: NONE,
+        pressure_kPa: pressure.map(|pressure: Pressure| pressure.0),
+        mass_g: crate::design::FlatPiece::Drawn(piece).mass(&spec.fabric),
+        chambers: chambers.collect(),
+        volume_mm3: None,
+        burst_pressure_kPa: None,
+        burst_range_kPa: None,
+        burst_margin: None,
+        leaves_plane: None,
+        evidence: DrawnEvidence { choice, warnings: Vec::new() },
+    })
+}
+
+fn stars_only(what: String) -> PredictFault {
+    PredictFault { star: None, key: key::accuracy::MODEL, what }
+}
+
+/// A drawing whose chambers are none for the shell.
+fn refused(what: String) -> PredictFault {
+    PredictFault { star: None, key: key::drawing::FILE, what }
+}
+
+/// Why the shell does not know a chamber, of `count`, and the key that is best changed.
+fn not_inflated(why: &ShellFault, chamber: &ChamberPrediction, count: usize) -> ShellRefusal {
+    let key = match why {
+        ShellFault::Cancelled => return ShellRefusal::Cancelled,
+        ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
+        ShellFault::Range { name: Input::Stretching | Input::Bending | Input::Slenderness, .. } => {
+            key::fabric::THICKNESS
+        }
+        ShellFault::Range { name: Input::Width | Input::Arms, .. }
+        | ShellFault::Mesh(_)
+        | ShellFault::TooLarge { .. }
+        | ShellFault::TooMany { .. } => key::drawing::FILE,
+        ShellFault::Range { name: Input::Bendability | Input::Stretch, .. } | ShellFault::Stopped { .. } => {
+            key::load::PRESSURE
+        }
+    };
+    let [x, y] = chamber.at_mm;
+    let of = if count == 1 {
+        String::new()
+    } else {
+        format!("chamber {}, around X {x:.1} Y {y:.1} mm: ", chamber.chamber)
+    };
+    fault(key, format!("{of}{why}"))
+}

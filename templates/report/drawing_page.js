@@ -1,0 +1,71 @@
+// A drawing's own figures: chambers under pressure, and the pull on their seams.
+
+"use strict";
+
+const drawn = data.drawing ? data.drawing.prediction : null;
+
+/** A number with its mesh error. */
+function meshed(value, unit, scale = 1) {
+  if (!value) return UNKNOWN;
+  return `${figure(scale * value.value, unit)} ± ${number(scale * value.mesh_error, 2)}`;
+}
+
+/** The same at a place of the drawing. */
+function meshedAt(value, unit) {
+  return value ? `${meshed(value, unit)} at X ${number(value.at_mm[0])} Y ${number(value.at_mm[1])}` : UNKNOWN;
+}
+
+function drawingVerdict() {
+  if (!drawn) return ["plain", "Nothing is predicted", "The spec has no [load]: write a `pressure` there, and the shell can say what the shape does."];
+  if (drawn.model === "none") return ["plain", "Not predicted yet", `${drawn.evidence.choice.charAt(0).toUpperCase()}${drawn.evidence.choice.slice(1)}.`];
+  const warnings = drawn.evidence.warnings.map((text) => `${text.charAt(0).toUpperCase()}${text.slice(1)}.`).join(" ");
+  const pressure = figure(drawn.pressure_kPa, "kPa");
+  const range = drawn.burst_range_kPa;
+  if (range && drawn.pressure_kPa > range[1]) return ["bad", "The seal bursts at this pressure", warnings];
+  if (range && drawn.pressure_kPa > range[0]) return ["fair", "The seal may burst", warnings];
+  if (warnings) return ["fair", `Inflated at ${pressure}`, warnings];
+  if (!range) return ["fair", `Inflated at ${pressure}`, "At which pressure the seal bursts is unknown until a coupon says what it bears."];
+  return ["good", `Holds ${pressure}`, "The seal holds all over the range of its burst pressure."];
+}
+
+function drawingFigures() {
+  if (!drawn) return [];
+  const out = [["Pressure", figure(drawn.pressure_kPa, "kPa"), "above that outside"]];
+  const volume = drawn.volume_mm3;
+  out.push(["Volume of a piece", figure(volume ? volume.value / 1000 : null, "cm³"), volume ? `mesh error ${number(volume.mesh_error / 1000, 2)} cm³` : "the shell was not asked"]);
+  const pulls = drawn.chambers.map((one) => one.seal_pull_N_per_mm).filter(Boolean);
+  const most = pulls.reduce((a, b) => (a && a.value >= b.value ? a : b), null);
+  out.push(["Largest pull on the seal", figure(most ? most.value : null, "N/mm"), most ? `mesh error ${number(most.mesh_error, 2)} N/mm` : "the shell was not asked"]);
+  out.push(["Bursts at", figure(drawn.burst_pressure_kPa, "kPa"), span(drawn.burst_range_kPa, "kPa") || "needs the shell and a seal_strength"]);
+  return out;
+}
+
+function showChambers() {
+  if (!drawn) {
+    at("chambers-lead").textContent = "The spec has no pressure.";
+    return;
+  }
+  const places = (seams) => seams.map((seam) => `${seam.seam}: ${meshedAt(seam.pull_N_per_mm, "N/mm")}`).join("; ");
+  const rows = drawn.chambers.map((one) => [
+    String(one.chamber),
+    `${number(one.flat_extents_mm[0])} × ${figure(one.flat_extents_mm[1], "mm")}, at most ${figure(one.width_mm, "mm")} wide`,
+    one.extents_mm ? `${meshed(one.extents_mm[0], "mm")} × ${meshed(one.extents_mm[1], "mm")}` : UNKNOWN,
+    meshedAt(one.height_mm, "mm"),
+    meshed(one.volume_mm3, "cm³", 0.001),
+    one.seams ? places(one.seams) : UNKNOWN,
+    one.leaves_plane === null ? UNKNOWN : one.leaves_plane ? "may leave it" : "stays in it",
+  ]);
+  at("chambers-lead").textContent = drawn.model === "none" ? `${drawn.evidence.choice}.` : "Each number with its mesh error; places in the frame of the drawing, mm.";
+  table("chambers", ["Chamber", "Flat", "Inflated", "Height", "Volume", "Largest pull on its seams", "Plane"], rows);
+}
+
+function drawingEvidence() {
+  if (!drawn) return [["Predictions", "none", "the spec has no [load]"]];
+  if (drawn.model === "none") return [["Predictions", "none", drawn.evidence.choice]];
+  const unknowns = drawn.chambers.map((one) => one.unknowns[one.unknowns.length - 1]);
+  return [
+    ["Size, height, volume", "the shell: the whole sheet in triangles", `mesh errors are shown; ${listed(unknowns.map(String))} unknowns on the finest mesh`],
+    ["Pull on the seal", "the same, as a mean over the width of the band", "without the flaps outside of the band"],
+    ["Bursting", "pull against `seal_strength`", drawn.burst_pressure_kPa === null ? "unknown: peel coupons (`stargrip-cam coupon`) and write their seal_strength" : "in proportion to the pressure, with a range"],
+  ];
+}

@@ -1,0 +1,122 @@
+//! Drawn pieces under pressure: shapes whose size is known, walls and islands, and what is refused.
+
+use stargrip_cam::design::{Design, DrawnPiece};
+use stargrip_cam::forecast::drawn::chambers::drawn_chambers;
+use stargrip_cam::forecast::drawn::prediction::ChamberPrediction;
+use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, of_spec};
+use stargrip_cam::forecast::keys::DRAWN;
+use stargrip_cam::forecast::shell::Detail;
+use stargrip_cam::forecast::shell::star::ShellRefusal;
+use stargrip_cam::shell::cases::Watch;
+use stargrip_cam::spec::{Machine, Source, Spec, read};
+
+use crate::support::keys;
+
+/// A disc of 100 mm of a film that stretches by some 1 %: 3 kPa, 0.1 mm.
+const DISC: &str = r#"<circle id="c" cx="80" cy="80" r="50"/>"#;
+/// Where its hose goes in.
+const HOSE: &str = r#"<g id="p"><line id="q" x1="25" y1="80" x2="35" y2="80"/></g>"#;
+
+fn spec(air: &str, more: &str) -> (Spec, DrawnPiece) {
+    let text = format!(
+        "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ air = [\"a\"], port = [\"p\"] }}\n\
+         [inlet]\ntube_diameter = \"3 mm\"\n[fabric]\nthickness = \"0.1 mm\"\nyoung_modulus = \"128 MPa\"\npoisson_ratio = 0.39\n{more}"
+    );
+    let svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"0 0 200 200\">\
+         <g id=\"a\">{air}</g>{HOSE}</svg>"
+    );
+    of_text(&text, svg.as_bytes())
+}
+
+fn of_text(text: &str, drawing: &[u8]) -> (Spec, DrawnPiece) {
+    let reading = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}"));
+    let spec = reading.with_drawing(drawing).spec;
+    let machine = Machine::builtin("generic").expect("built in");
+    let design = Design::new(&spec, &machine).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let piece = design.drawn().expect("a drawing").clone();
+    (spec, piece)
+}
+
+fn coarse(asked: &(Spec, DrawnPiece)) -> InflatedDrawing {
+    inflate(&asked.0, &asked.1, Detail::Coarse, &Watch::default()).unwrap_or_else(|why| panic!("{why:?}"))
+}
+
+fn only(found: &InflatedDrawing) -> &ChamberPrediction {
+    let [one] = &found.prediction.chambers[..] else { panic!("{:?}", found.prediction.chambers.len()) };
+    one
+}
+
+/// The balloon of two discs, as `cargo run --release -p inflatable --example region` has it, from a file; the same bytes twice.
+#[test]
+fn a_drawn_disc_is_a_balloon_each_time() {
+    let asked = spec(DISC, "seal_strength = \"2 N/mm\"\n[load]\npressure = \"3 kPa\"\n");
+    let found = coarse(&asked);
+    assert_eq!(
+        keys::misfits(&serde_json::to_value(&found.prediction).expect("plain"), DRAWN),
+        Vec::<String>::new()
+    );
+    let one = only(&found);
+    assert!((one.width_mm - 100.0).abs() < 0.1 && one.at_mm == [80.0, 120.0], "{one:?}");
+    let near = |value: f64, wanted: f64| (value / wanted - 1.0).abs() < 0.04;
+    for extent in one.extents_mm.expect("known") {
+        assert!(near(extent.value, 76.27), "{extent:?}");
+    }
+    assert!(near(one.height_mm.expect("known").value, 45.69), "{:?}", one.height_mm);
+    assert!(near(one.volume_mm3.expect("known").value, 152_300.0), "{:?}", one.volume_mm3);
+    assert_eq!(one.leaves_plane, Some(false));
+    // All of the rim bears the pressure on what is seen of the sheet from above: in the mean p D'^2 / 4 D.
+    let pull = one.seal_pull_N_per_mm.expect("known");
+    let mean = 3e-3 * 76.27_f64.powi(2) / 400.0;
+    assert!((0.95..1.25).contains(&(pull.value / mean)), "{pull:?} {mean}");
+    let [low, high] = found.prediction.burst_range_kPa.expect("a strength");
+    let burst = found.prediction.burst_pressure_kPa.expect("a strength");
+    assert!(low <= burst && burst <= high && (burst - 3.0 * 2.0 / pull.value).abs() < 0.01 * burst);
+    let again = coarse(&asked);
+    assert_eq!(found.prediction.to_json(), again.prediction.to_json());
+    assert_eq!(found.surfaces, again.surfaces);
+    let surface = &found.surfaces[0];
+    assert!(surface.flat.len() == surface.points.len() && !surface.triangles.is_empty());
+}
+
+/// A wall from rim to rim ends on the air's edge, and both its sides bear a share.
+#[test]
+fn walls_welds_and_islands_are_the_drawings() {
+    let text = include_str!("../../designs/drawings/hand-rest.toml");
+    let (spec, piece) = of_text(text, include_bytes!("../../designs/drawings/hand-rest.svg"));
+    let found = drawn_chambers(&spec, &piece).expect("chambers");
+    assert_eq!(found.len(), 1);
+    let flat = &found[0].flat;
+    assert_eq!((flat.islands.len(), flat.welds.len()), (0, 3));
+    assert!((flat.outline.bounds().width() - 220.0).abs() < 1e-6, "{:?}", flat.outline.bounds());
+    for weld in &flat.welds {
+        assert!(
+            flat.outline.distance(weld.start().expect("a start")) < 1e-6 || weld.length() < 33.0,
+            "{weld:?}"
+        );
+    }
+    let text = include_str!("../../designs/drawings/bending-finger.toml");
+    let (spec, piece) = of_text(text, include_bytes!("../../designs/drawings/bending-finger.svg"));
+    let found = drawn_chambers(&spec, &piece).expect("chambers");
+    assert_eq!((found.len(), found[0].flat.islands.len()), (1, 3));
+}
+
+#[test]
+fn what_is_missing_or_for_stars_is_said() {
+    let asked = spec(DISC, "");
+    let refusal = inflate(&asked.0, &asked.1, Detail::Coarse, &Watch::default()).expect_err("no pressure");
+    let ShellRefusal::Fault(fault) = refusal else { panic!("{refusal:?}") };
+    assert!(fault.to_string().starts_with("load.pressure: "), "{fault}");
+    // `check` and `build` ask the shell only where the spec names it.
+    let asked = spec(DISC, "[load]\npressure = \"3 kPa\"\n");
+    let flat = of_spec(&asked.0, &asked.1).expect("what is flat").prediction;
+    assert_eq!((flat.model, flat.volume_mm3), ("none", None));
+    assert!(flat.evidence.choice.contains("model = \"shell\""), "{}", flat.evidence.choice);
+    assert_eq!(keys::misfits(&serde_json::to_value(&flat).expect("plain"), DRAWN), Vec::<String>::new());
+    let asked = spec(DISC, "[load]\npressure = \"3 kPa\"\n[accuracy]\nmodel = \"ring\"\n");
+    let fault = of_spec(&asked.0, &asked.1).expect_err("a model of stars");
+    assert!(fault.to_string().contains("ring is a model of a star's hinges"), "{fault}");
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"] }\n[load]\nmass = \"1 kg\"\n";
+    let faults = read(&Source::new("x", text)).expect_err("an object").to_string();
+    assert!(faults.contains("\"mass\" in [load] beside [drawing]") || faults.contains("mass"), "{faults}");
+}

@@ -1,0 +1,122 @@
+//! Separators: the paper covers the air, spares every band, and reaches the cut's edge through each port.
+
+use std::f64::consts::PI;
+
+use proptest::prelude::*;
+
+use stargrip_cam::geom::{Enclosures, Path, Point, Segment};
+use stargrip_cam::shape::{DrawnPort, PortPlace, Sealing, Separator, Sketch, sealed_shape};
+
+use crate::shapes::blob;
+use crate::sketches::{RULES, circle, drawn, open, p, port, rectangle, samples, scaled, sketch};
+
+/// The separator of what was sealed.
+fn separator(sealing: &Sealing, creep: f64) -> Option<Separator> {
+    let chambers = sealing.shape.topology().chambers.len();
+    sealing.air.separator(sealing.shape.cut.as_ref()?, RULES.band, creep, chambers)
+}
+
+fn sealed(sketch: &Sketch) -> Sealing {
+    sealed_shape(sketch, &RULES).unwrap_or_else(|faults| panic!("{faults:#?}"))
+}
+
+/// No edge of the paper lies in a band, nor nearer to one than the creep.
+pub(crate) fn spares_the_bands(sealing: &Sealing, creep: f64) -> Result<(), TestCaseError> {
+    let Some(separator) = separator(sealing, creep) else { return Ok(()) };
+    let least = 0.5 * RULES.band + creep;
+    for path in separator.pieces.iter().chain(&separator.windows) {
+        prop_assert!(path.area() > 0.0 && path.largest_gap() < 1e-4);
+        for at in samples(path) {
+            let seams = sealing.shape.seams.iter().map(|seam| seam.center_line.distance(at));
+            let near = seams.fold(f64::INFINITY, f64::min);
+            prop_assert!(near > least - 1e-4, "{near} mm at {at:?}, {least} mm at least");
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn the_paper_covers_all_that_no_band_takes() {
+    let air = vec![("", rectangle(0.0, 0.0, 200.0, 100.0)), ("eye", circle(50.0, 50.0, 10.0))];
+    let mut both = sketch(air, vec![port(0.0, 50.0)]);
+    both.seams.push(drawn("spot", open(&[p(150.0, 30.0), p(150.0, 70.0)])));
+    both.seams.push(drawn("barrier", open(&[p(100.0, 0.0), p(100.0, 60.0)])));
+    let sealing = sealed(&both);
+    for c in [0.0, 0.5, 2.0] {
+        let found = separator(&sealing, c).expect("a separator");
+        assert_eq!((found.pieces.len(), found.windows.len()), (1, 2), "{c}");
+        let h = 1.0 + c;
+        let (spot, barrier) = (80.0 * h + PI * h * h, 2.0 * h * (60.0 - c) + 0.5 * PI * h * h);
+        let tongue = (6.0 - 2.0 * c) * (10.0 + c);
+        // Where the tongue begins the edge keeps its distance by an arc.
+        let round = 2.0 * (1.0 - 0.25 * PI) * c * c;
+        let right =
+            round + (200.0 - 2.0 * c) * (100.0 - 2.0 * c) + tongue - PI * (10.0 + c).powi(2) - spot - barrier;
+        assert!((found.area() - right).abs() < 0.01, "{c}: {} mm2, not {right}", found.area());
+        // The tongue ends on the cut.
+        assert!((found.pieces[0].bounds().min.x + 10.0).abs() < 1e-9);
+        spares_the_bands(&sealing, c).expect("clear");
+    }
+    // More than half of the hose's channel.
+    assert_eq!(separator(&sealing, 3.1), None);
+}
+
+#[test]
+fn every_chamber_has_its_own_piece() {
+    let ports = || vec![port(0.0, 20.0), port(100.0, 20.0)];
+    let wall = open(&[p(50.0, 0.0), p(50.0, 40.0)]);
+    for air in [
+        vec![("a", rectangle(0.0, 0.0, 100.0, 40.0)), ("w", wall)],
+        vec![("a", rectangle(0.0, 0.0, 49.0, 40.0)), ("b", rectangle(51.0, 0.0, 49.0, 40.0))],
+    ] {
+        let found = separator(&sealed(&sketch(air, ports())), 0.0).expect("a separator");
+        assert_eq!((found.pieces.len(), found.windows.len()), (2, 0));
+        for piece in &found.pieces {
+            assert!((piece.area() - 49.0 * 40.0 - 60.0).abs() < 0.01, "{}", piece.area());
+        }
+    }
+}
+
+/// A drawn cut is as far away as it likes: the tongue goes on to it.
+#[test]
+fn a_tongue_reaches_a_drawn_cut() {
+    let mut far = sketch(vec![("", rectangle(0.0, 0.0, 60.0, 60.0))], vec![port(60.0, 30.0)]);
+    far.cuts.push(drawn("cut", rectangle(-20.0, -20.0, 140.0, 100.0)));
+    let found = separator(&sealed(&far), 0.0).expect("a separator");
+    assert!((found.pieces[0].bounds().max.x - 120.0).abs() < 1e-9);
+    assert!((found.area() - 3600.0 - 6.0 * 60.0).abs() < 1e-3, "{}", found.area());
+    // The same from a drawn seam, whose air begins half a band inside: round where the tongue begins.
+    let mut seam = Sketch { seams: vec![drawn("s", rectangle(-1.0, -1.0, 62.0, 62.0))], ..far };
+    seam.air.clear();
+    let of_seam = separator(&sealed(&seam), 0.0).expect("a separator");
+    let round = 2.0 * (1.0 - 0.25 * PI);
+    assert!((of_seam.area() - found.area() - round).abs() < 1e-3, "{}", of_seam.area());
+}
+
+proptest! {
+    #[test]
+    fn a_separator_covers_the_air_and_no_band((blob, center) in blob(), scale in 4.0..8.0, creep in 0.0..1.5) {
+        let outline = Path::closed(blob.segments.iter().map(|s| scaled(s, center, scale)).collect::<Vec<Segment>>());
+        let island = circle(center.x, center.y, 4.0);
+        let mut both = sketch(vec![("a", outline.clone()), ("i", island.clone())], vec![]);
+        let at = outline.point_at(0.1 * outline.length()).unwrap();
+        both.ports = vec![DrawnPort { name: String::new(), place: PortPlace::At(at) }];
+        let Ok(sealing) = sealed_shape(&both, &RULES) else { return Ok(()) };
+        spares_the_bands(&sealing, creep)?;
+        let Some(found) = separator(&sealing, creep) else { return Ok(()) };
+        let inside = Enclosures::new([&outline, &island]);
+        let covered = Enclosures::new(found.pieces.iter().chain(&found.windows));
+        for i in 0..400 {
+            let (x, y) = (f64::from(i % 20) / 10.0 - 1.0, f64::from(i / 20) / 10.0 - 1.0);
+            let q = Point::new(center.x + 10.0 * scale * x, center.y + 10.0 * scale * y);
+            let edge = outline.distance(q).min(island.distance(q));
+            let is_air = inside.around(q).len() == 1;
+            let is_covered = covered.around(q).len() == 1;
+            if is_air && edge > creep + 1e-3 {
+                prop_assert!(is_covered, "{q:?} is air and welds");
+            } else if q.distance(at) > 40.0 {
+                prop_assert!(!is_covered || edge > creep - 1e-3 && is_air, "{q:?} is no air and does not weld");
+            }
+        }
+    }
+}
