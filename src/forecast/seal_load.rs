@@ -339,7 +339,7 @@ impl DrawnSeal {
     /// The pressure (Pa) at which a seam peels on which the shell at [`DrawnSeal::pressure`] pulls with `pull`, N per m, give or take `error`;
     /// with its range. `None` without a peel strength, or where nothing pulls.
     ///
-    /// The value goes in proportion. The range holds what a pull does that grows with p^(1 - [`BENDABILITY`]) only, as at the hinges of
+    /// The value goes in proportion. The range holds what a pull does that grows with p^(1 - `BENDABILITY`) only, as at the hinges of
     /// stars, and the mesh error.
     pub fn burst(&self, pull: f64, error: f64) -> Option<(f64, Interval)> {
         let peel = self.peel?;
