@@ -114,7 +114,8 @@ def test_files_that_are_not_there_are_pythons_own_errors(tmp_path: Path) -> None
         sg.Spec.from_toml(tmp_path / "none.toml")
     with pytest.raises(FileNotFoundError):
         sg.verify(tmp_path / "none")
-    assert not sg.verify(tmp_path), "a directory without a build"
+    with pytest.raises(sg.Error, match="is no build"):
+        sg.verify(tmp_path)
 
 
 def test_exceptions_travel_between_processes() -> None:
