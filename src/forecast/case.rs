@@ -6,6 +6,7 @@ use crate::units::{BendingStiffness, Length, LineForce, Pressure};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::star::{Correction, Mechanism};
 use inflatable::mechanics::strength::ElasticSheet;
+use inflatable::shell::element::Weave;
 use serde::Serialize;
 
 /// One value for the tips, one for the reentrant corners.
@@ -30,6 +31,8 @@ pub struct Case {
     pub band: f64,
     /// The fabric.
     pub sheet: ElasticSheet,
+    /// How it is woven, by the ray of the star's first corner: what the shell alone knows.
+    pub weave: Weave,
     /// Peel strength of the seal, N per m.
     pub peel: Option<f64>,
     /// Gauge pressure, Pa.
@@ -59,6 +62,7 @@ impl Case {
             realised: Hinges { tip, corner },
             band: seal.band.metres(),
             sheet: sheet(fabric)?,
+            weave: weave(fabric)?,
             peel: fabric.seal_strength.map(LineForce::newtons_per_metre),
             pressure: load.and_then(|load| load.pressure).map(Pressure::pascals),
             hole: Length(star.hole(seal)).metres(),
@@ -77,6 +81,7 @@ impl Case {
             realised: Hinges::default(),
             band: 0.0,
             sheet,
+            weave: Weave::ISOTROPIC,
             peel: None,
             pressure: Some(pressure),
             hole: inner_radius,
@@ -127,6 +132,17 @@ pub fn sheet(fabric: &Fabric) -> Result<ElasticSheet, StarFault> {
     let bending = bending.map_or(even.bending_modulus(), BendingStiffness::newton_metres);
     let stretch = stretch.map_or(even.stretching_modulus(), LineForce::newtons_per_metre);
     ElasticSheet::of_stiffnesses(bending, stretch, poisson)
+}
+
+/// How `fabric` is woven: isotropic where it has no shear modulus. Measured stiffnesses keep their part of an isotropic sheet's shear.
+///
+/// # Errors
+/// As of [`sheet`].
+pub fn weave(fabric: &Fabric) -> Result<Weave, StarFault> {
+    let Some(modulus) = fabric.shear_modulus else { return Ok(Weave::ISOTROPIC) };
+    let isotropic = sheet(fabric)?.stretching_modulus() / (2.0 * (1.0 + fabric.poisson_ratio));
+    let shear = modulus.pascals() * fabric.thickness.metres() / isotropic;
+    Ok(Weave { shear, warp: fabric.warp.rad() })
 }
 
 /// Which stiffnesses of `fabric` were measured, in words.

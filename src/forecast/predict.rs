@@ -205,6 +205,7 @@ impl PlacedCase<'_> {
                     .to_owned(),
             );
         }
+        warnings.extend(weave_left_out(case));
         let bare = bare(spec, part, case);
         StarPrediction {
             model: Level::Section.name(),
@@ -268,6 +269,17 @@ impl PlacedCase<'_> {
 /// That nothing is known of the star of `case`, and why.
 fn unlike(case: &Case) -> String {
     format!("{}: {}", errors::UNKNOWN_WORDS, outside(case))
+}
+
+/// That no model of a hinge knows the weave of `case`, if there is one.
+fn weave_left_out(case: &Case) -> Option<String> {
+    let part = case.weave.shear;
+    (!case.weave.is_isotropic()).then(|| {
+        format!(
+            "shear_modulus is left out: numbers and ranges are of isotropic fabric, the given one has {part:.2} of its shear modulus; \
+             `predict --model shell` takes it into account"
+        )
+    })
 }
 
 /// N per mm from N per m.

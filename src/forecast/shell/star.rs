@@ -13,9 +13,12 @@ use crate::forecast::star_answer::{bare, mm};
 use crate::spec::{Spec, key};
 use crate::units::Readable;
 use inflatable::mechanics::strength::payload;
-use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, Value, Watch};
+use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, StarPart, Value, Watch};
 
 pub use crate::forecast::shell::request::{ShellRefusal, flat};
+
+/// What a shell makes of a shear modulus.
+const IN_THE_MESH: &str = "shear_modulus and warp in every triangle";
 
 /// Points with which they were tried.
 const TRIED_POINTS: u32 = 8;
@@ -155,6 +158,7 @@ impl ShellAnswer<'_> {
                 choice: format!("{SHELL} was asked for"),
                 residual: found.evidence.residual,
                 iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
+                weave: spec.fabric.shear_modulus.map(|_| IN_THE_MESH),
                 unknowns: Some(found.evidence.unknowns.clone()),
                 mesh_errors: Some(MeshErrors {
                     final_radius_mm: measured.radius.error,
@@ -184,6 +188,18 @@ impl ShellAnswer<'_> {
         let said = [
             (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
             (measured.touches(), "the arms touch: the star is pressed shut".to_owned()),
+            (
+                flat.part() == StarPart::Whole,
+                format!(
+                    "the woven star does not close round: its corners lie {:.1} to {:.1} mm from the point in their middle, which is \
+                     {:.1} mm beside that of the tips; the final radius is their mean",
+                    measured.corners[0].value, measured.corners[1].value, measured.off_center.value
+                ),
+            ),
+            (
+                flat.part() == StarPart::Whole && measured.least_tip_angle.value < 0.0,
+                "two arms pass through each other: the shell of a whole star does not know that they touch".to_owned(),
+            ),
             (
                 too_wide,
                 format!("the object is wider than the cut hole, {} mm across: it does not enter", Readable(2.0 * mm(case.hole))),
