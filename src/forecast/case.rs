@@ -31,8 +31,6 @@ pub struct Case {
     pub band: f64,
     /// The fabric.
     pub sheet: ElasticSheet,
-    /// How it is woven, by the ray of the star's first corner: what the shell alone knows.
-    pub weave: Weave,
     /// Peel strength of the seal, N per m.
     pub peel: Option<f64>,
     /// Gauge pressure, Pa.
@@ -62,7 +60,6 @@ impl Case {
             realised: Hinges { tip, corner },
             band: seal.band.metres(),
             sheet: sheet(fabric)?,
-            weave: weave(fabric)?,
             peel: fabric.seal_strength.map(LineForce::newtons_per_metre),
             pressure: load.and_then(|load| load.pressure).map(Pressure::pascals),
             hole: Length(star.hole(seal)).metres(),
@@ -81,7 +78,6 @@ impl Case {
             realised: Hinges::default(),
             band: 0.0,
             sheet,
-            weave: Weave::ISOTROPIC,
             peel: None,
             pressure: Some(pressure),
             hole: inner_radius,

@@ -50,6 +50,8 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/testing.md", "cargo install --locked cargo-mutants"),
     ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
     ("docs/trade.md", "python3 crates/research/by_shell.py target/release/stargrip-"),
+    ("docs/weave.md", "stargrip-cam predict woven.toml --model shell --fineness coa"),
+    ("docs/weave.md", "cargo run --release -p inflatable --example weave -- half 5"),
     ("docs/web.md", "rustup target add wasm32-unknown-unknown"),
 ];
 

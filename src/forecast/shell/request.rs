@@ -7,6 +7,7 @@ use crate::spec::{KeyPath, key};
 use inflatable::shell::cases::{
     Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Objects, ShellFault, Tube, Value, Watch, star,
 };
+use inflatable::shell::element::Weave;
 
 /// Points with which shells of stars are computed.
 const MOST_POINTS: u32 = 16;
@@ -56,11 +57,11 @@ pub(in crate::forecast) struct Measurements {
     pub(in crate::forecast) extremes: Extremes,
 }
 
-/// The star of `case` as a shell is asked about it.
+/// The star of `case`, of fabric that is woven as `weave` says, as a shell is asked about it.
 ///
 /// # Errors
 /// If no pressure is given, or it has too many points.
-pub fn flat(case: &Case) -> Result<FlatStar, ShellRefusal> {
+pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
     let Some(pressure) = case.pressure else {
         let what = "a shell is computed at its pressure, and none is given: give one, or take ring";
         return Err(fault(key::load::PRESSURE, what.to_owned()));
@@ -71,7 +72,7 @@ pub fn flat(case: &Case) -> Result<FlatStar, ShellRefusal> {
         return Err(fault(key::star::POINTS, what));
     }
     Ok(FlatStar {
-        tube: Tube { width: case.mechanism.width, fabric: fabric(&case.sheet, case.weave), pressure },
+        tube: Tube { width: case.mechanism.width, fabric: fabric(&case.sheet, weave), pressure },
         points,
         inner_radius: case.inner_radius,
         tip_angle: case.mechanism.tip_angle,
@@ -86,12 +87,12 @@ pub fn flat(case: &Case) -> Result<FlatStar, ShellRefusal> {
 /// # Errors
 /// If the shell refuses, finds no equilibrium, or was told to stop.
 pub(in crate::forecast) fn ask(
-    case: &Case,
+    (case, weave): (&Case, Weave),
     radii: &[f64],
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<(FlatStar, InflatedStar, Measurements), ShellRefusal> {
-    let flat = flat(case)?;
+    let flat = flat(case, weave)?;
     let object = entered(case);
     let mut objects: Vec<f64> = radii.iter().copied().chain(object).collect();
     objects.sort_by(f64::total_cmp);

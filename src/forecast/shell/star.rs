@@ -2,7 +2,7 @@
 //! a hinge's model knows.
 
 use crate::design::{Design, Meeting, PlacedPart, StarDesign};
-use crate::forecast::case::Case;
+use crate::forecast::case::{Case, weave};
 use crate::forecast::predict::{PredictFault, stars_of};
 use crate::forecast::prediction::{
     FabricStretch, ForceAt, LoadedPlace, MeshErrors, ModelEvidence, Prediction, StarPrediction,
@@ -86,7 +86,8 @@ fn compute(
     let case = Case::of(spec, &part.star).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))?;
     let met = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
     let all: Vec<f64> = radii.iter().copied().chain(met).collect();
-    let (flat, found, measured) = ask(&Case { object: None, ..case }, &all, detail, watch)?;
+    let weave = weave(&spec.fabric).map_err(|why| fault(key::fabric::SHEAR_MODULUS, why.to_string()))?;
+    let (flat, found, measured) = ask((&Case { object: None, ..case }, weave), &all, detail, watch)?;
     Ok(ShellRun { case, flat, found, measured })
 }
 
