@@ -38,6 +38,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/models.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/paper.md", "cargo run --release -p research --example paper -- --svg doc"),
     ("docs/paper.md", "cargo run --release -p research --example paper -- --shells"),
+    ("docs/paper.md", "cargo run --release -p inflatable --example coil -- 0.2 0 20"),
     ("docs/python.md", "pip install ./python"),
     ("docs/ranges.md", "cargo run --release -p research --example ranges"),
     ("docs/stability.md", "cargo run --release -p research --example extremes"),
