@@ -159,3 +159,35 @@ fn an_inflated_tube_changes_its_length_and_shifts_its_seams() -> Result<(), Mesh
     }
     Ok(())
 }
+
+/// How much stiffer than by 1/E(45 deg) a bias strip of so many widths seems between clamps, which hold its width at both ends.
+fn clamped(shear: f64, widths: f64) -> f64 {
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a few cells")]
+    let cells = [(16.0 * widths) as usize, 16];
+    let mesh =
+        rectangle([widths, 1.0], cells, Diagonal::Alternating, 0.0, [Border::Free; 4]).expect("a rectangle");
+    let mut supports = Supports::none(mesh.points.len());
+    let at_end = |x: f64| x == 0.0 || (x - widths).abs() < 1e-12;
+    for (point, place) in mesh.points.iter().enumerate() {
+        supports.fix(point, 2);
+        if at_end(place[0]) {
+            supports.fix(point, 0);
+            supports.fix(point, 1);
+        }
+    }
+    let mut solver = Solver::new(Sheet::new(&mesh, fabric(shear, 45.0)), supports).expect("small");
+    let mut state = solver.assembly.sheet.flat();
+    let strain = 1e-5;
+    state.points.iter_mut().for_each(|x| x[0] *= 1.0 + strain);
+    let rest = solver.settle(&mut state, Aim { pressure: 0.0, tolerance: 1e-12 }).expect("an equilibrium");
+    let found = 2.0 * rest.energy.membrane / (widths * strain * strain);
+    let g = shear * STRETCH / (2.0 * (1.0 + POISSON));
+    let exact = 4.0 / (1.0 / g + 2.0 * (1.0 - POISSON) / STRETCH);
+    found / exact
+}
+
+#[test]
+fn clamps_stiffen_a_short_bias_strip() {
+    let [long, short] = [5.0, 2.0].map(|widths| clamped(0.2, widths));
+    assert!((1.0..1.1).contains(&long) && short > long + 0.05, "{long} {short}");
+}
