@@ -17,6 +17,11 @@ use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, StarPart, 
 
 pub use crate::forecast::shell::request::{ShellRefusal, flat};
 
+/// As computed on the finest mesh: numbers whose differences count are not extrapolated one by one.
+fn finest(value: &Value) -> f64 {
+    value.meshes[2]
+}
+
 /// What a shell makes of a shear modulus.
 const IN_THE_MESH: &str = "shear_modulus and warp in every triangle";
 
@@ -192,13 +197,13 @@ impl ShellAnswer<'_> {
             (
                 flat.part() == StarPart::Whole,
                 format!(
-                    "the woven star does not close round: its corners lie {:.1} to {:.1} mm from the point in their middle, which is \
-                     {:.1} mm beside that of the tips; the final radius is their mean",
-                    measured.corners[0].value, measured.corners[1].value, measured.off_center.value
+                    "the woven star does not close round: on its finest mesh the corners lie {:.1} to {:.1} mm from the point in their \
+                     middle, which is {:.1} mm beside that of the tips; the final radius is their mean, extrapolated",
+                    finest(&measured.corners[0]), finest(&measured.corners[1]), finest(&measured.off_center)
                 ),
             ),
             (
-                flat.part() == StarPart::Whole && measured.least_tip_angle.value < 0.0,
+                flat.part() == StarPart::Whole && finest(&measured.least_tip_angle) < 0.0,
                 "two arms pass through each other: the shell of a whole star does not know that they touch".to_owned(),
             ),
             (

@@ -235,7 +235,7 @@ pub(super) fn measure(
     (numbers, corners.middle)
 }
 
-/// Opens the star by each object in turn, and writes the force of one sheet of half a sector on it. It begins from what the coarser mesh
+/// Opens the star by each object in turn, and writes the force of one sheet of the modelled part on it. It begins from what the coarser mesh
 /// left of each, where there is such a one and it leads to an equilibrium; it leaves its own.
 fn press(
     case: &FlatStar,
