@@ -45,7 +45,8 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     let mut rows = Vec::new();
     let mut closings: Vec<String> = prediction.stars.iter().map(closing).collect();
     closings.dedup();
-    rows.push(("closes", closings.join("; ")));
+    let fabric = if forecast.spec.fabric.shear_modulus.is_none() { "; for isotropic fabric" } else { "" };
+    rows.push(("closes", format!("{}{fabric}", closings.join("; "))));
     let bursting = prediction
         .stars
         .iter()

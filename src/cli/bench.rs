@@ -1,6 +1,7 @@
-//! What `calibrate` is told of a V-actuator and of a disc on the bench, and what they tell.
+//! What `calibrate` is told of a V-actuator, a disc and a strip on the bench, and what they tell.
 
 use std::fmt::Write;
+use std::path::PathBuf;
 
 use serde_json::{Value, json};
 
@@ -8,10 +9,13 @@ use crate::answer::quantity::{number, quantity, quantity_or_number};
 use crate::cli::escape::shown;
 use crate::cli::failure::Failure;
 use crate::cli::load::Loaded;
+use crate::cli::text_file::read_table;
 use crate::coupon::DISC;
+use crate::coupon::bias::{BiasFault, BiasStrip, shear_stiffness};
+use crate::coupon::cone::read_test;
 use crate::forecast::case::sheet;
 use crate::forecast::stiffness::{BenchFault, DiscBench, VBench};
-use crate::spec::{Allowed, Spec};
+use crate::spec::{Allowed, Source, Spec};
 use crate::units::{Angle, BendingStiffness, Length, LineForce, Pressure};
 use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::mechanics::hinge::{Hinge, HingeModel};
@@ -22,6 +26,8 @@ const PRESSURE: Allowed = Allowed::closed(1e-3, 1e6);
 /// By how much a measured angle may be off, deg, and a measured width, m: what is said beside the stiffnesses.
 const OFF_ANGLE: f64 = 1.0;
 const OFF_WIDTH: f64 = 0.2e-3;
+/// The same of the bias strip's stiffness.
+const OFF_BIAS: f64 = 0.05;
 
 /// Arguments about the bench.
 #[derive(clap::Args, Debug)]
@@ -41,6 +47,16 @@ pub(super) struct BenchArgs {
     /// The disc's pressure: with it, its width and --spec the fabric's stretch_stiffness is found.
     #[arg(long, value_name = "PRESSURE", requires = "disc_width", allow_hyphen_values = true, value_parser = quantity::<Pressure>(PRESSURE))]
     disc_pressure: Option<Pressure>,
+    /// A pulled strip of one sheet, cut at 45 deg to the warp: CSV with travel_mm and load_N. With it and --spec the fabric's shear_modulus is
+    /// found.
+    #[arg(long, value_name = "FILE", requires_all = ["spec", "bias_length"])]
+    bias_strip: Option<PathBuf>,
+    /// Its free length between the clamps, at least five times its width.
+    #[arg(long, value_name = "LENGTH", requires = "bias_strip", allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::above(0.0, 1e4)))]
+    bias_length: Option<Length>,
+    /// Its width.
+    #[arg(long, value_name = "LENGTH", default_value = "25 mm", allow_hyphen_values = true, value_parser = quantity::<Length>(Allowed::above(0.0, 1e4)))]
+    bias_width: Length,
     /// The V-actuator's R / W as the band makes it.
     #[arg(long, default_value_t = 1.0 / 30.0, allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
     radius_ratio: f64,
@@ -87,7 +103,7 @@ impl BenchArgs {
     /// The stiffnesses that follow from the bench for the fabric of the spec, whose V-actuator it was.
     pub(super) fn stiffnesses(&self, loaded: &Loaded) -> Result<Stiffnesses, Failure> {
         let mut found = Stiffnesses::default();
-        if self.angle_pressure.is_none() && self.disc_width.is_none() {
+        if self.angle_pressure.is_none() && self.disc_width.is_none() && self.bias_strip.is_none() {
             return Ok(found);
         }
         let known = known(loaded)?;
@@ -114,7 +130,24 @@ impl BenchArgs {
             let ends = [at(-OFF_ANGLE), at(OFF_ANGLE)].map(Result::ok);
             found.bending = Some(MeasuredStiffness { value, ends, at: pressure });
         }
+        found.shear = self.shear(loaded, stretch, poisson)?;
         Ok(found)
+    }
+
+    /// The shear modulus that follows from the bias strip for fabric of the stretch stiffness `stretch`, N per m.
+    fn shear(&self, loaded: &Loaded, stretch: f64, poisson: f64) -> Result<Option<MeasuredShear>, Failure> {
+        let Some((path, length)) = self.bias_strip.as_ref().zip(self.bias_length) else { return Ok(None) };
+        let test = read_test(&Source::new(path.display().to_string(), read_table(path)?))?;
+        let named = |fault: BiasFault| Failure::Message(format!("{}: {fault}", shown(path)));
+        let strip = BiasStrip { width: self.bias_width.0, length: length.0 };
+        let bias = strip.stiffness(&test).map_err(named)?;
+        let thickness = loaded.reading.spec.fabric.thickness.metres();
+        let modulus = |bias: f64| {
+            let stiffness = shear_stiffness(bias, LineForce::from_newtons_per_metre(stretch).0, poisson)?;
+            Ok(1e-6 * LineForce(stiffness).newtons_per_metre() / thickness)
+        };
+        let ends = [1.0 - OFF_BIAS, 1.0 + OFF_BIAS].map(|part| modulus(part * bias).ok());
+        Ok(Some(MeasuredShear { megapascals: modulus(bias).map_err(named)?, ends, bias }))
     }
 }
 
@@ -155,11 +188,19 @@ struct MeasuredStiffness {
     at: Pressure,
 }
 
+/// The shear modulus, MPa, with those of a strip that is a little less or more stiff, and the stiffness of the strip, N/mm.
+struct MeasuredShear {
+    megapascals: f64,
+    ends: [Option<f64>; 2],
+    bias: f64,
+}
+
 /// Stiffnesses of a fabric, as far as the bench tells them.
 #[derive(Default)]
 pub(super) struct Stiffnesses {
     stretch: Option<MeasuredStiffness>,
     bending: Option<MeasuredStiffness>,
+    shear: Option<MeasuredShear>,
 }
 
 impl Stiffnesses {
@@ -194,6 +235,17 @@ impl Stiffnesses {
         line(&self.bending, "bending_stiffness", "V-actuator", "a degree", &|b| {
             digits(BendingStiffness::from_newton_metres(b).0) + " N mm"
         });
+        if let Some(MeasuredShear { megapascals, ends, bias }) = &self.shear {
+            let ends = ends.map(|end| end.map_or("unknown".to_owned(), |end| digits(end) + " MPa"));
+            let _ = writeln!(
+                out,
+                "# of a strip along the bias that bears {} N/mm; 5 % less or more would make it {}, {}\nshear_modulus = \"{} MPa\"",
+                digits(*bias),
+                ends[0],
+                ends[1],
+                digits(*megapascals)
+            );
+        }
         out
     }
 
@@ -204,6 +256,7 @@ impl Stiffnesses {
         };
         json!({
             "stretch_stiffness_N_mm": known(&self.stretch, |y| LineForce::from_newtons_per_metre(y).0),
+            "shear_modulus_MPa": self.shear.as_ref().map(|found| found.megapascals),
             "bending_stiffness_Nmm": known(&self.bending, |b| BendingStiffness::from_newton_metres(b).0),
         })
     }

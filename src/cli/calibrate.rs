@@ -22,11 +22,11 @@ use crate::units::LineForce;
 #[derive(clap::Args, Debug)]
 #[command(
     after_help = "Without --needed and without --spec nothing is chosen: every setting is listed with what it holds, and the exit code is 1. \
-    Without RESULTS it is the bench alone that tells: the V-actuator, the disc or both."
+    Without RESULTS it is the bench alone that tells: the V-actuator, the disc, the bias strip."
 )]
 pub(super) struct Args {
     /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N.
-    #[arg(required_unless_present_any = ["inflated_angle", "disc_width"])]
+    #[arg(required_unless_present_any = ["inflated_angle", "disc_width", "bias_strip"])]
     results: Option<PathBuf>,
     /// What the seal has to hold, such as "1.2 N/mm".
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec", requires = "results")]

@@ -6,6 +6,7 @@ use crate::units::{BendingStiffness, Length, LineForce, Pressure};
 use inflatable::mechanics::fault::StarFault;
 use inflatable::mechanics::star::{Correction, Mechanism};
 use inflatable::mechanics::strength::ElasticSheet;
+use inflatable::shell::element::Weave;
 use serde::Serialize;
 
 /// One value for the tips, one for the reentrant corners.
@@ -127,6 +128,17 @@ pub fn sheet(fabric: &Fabric) -> Result<ElasticSheet, StarFault> {
     let bending = bending.map_or(even.bending_modulus(), BendingStiffness::newton_metres);
     let stretch = stretch.map_or(even.stretching_modulus(), LineForce::newtons_per_metre);
     ElasticSheet::of_stiffnesses(bending, stretch, poisson)
+}
+
+/// How `fabric` is woven: isotropic where it has no shear modulus. Measured stiffnesses keep their part of an isotropic sheet's shear.
+///
+/// # Errors
+/// As of [`sheet`].
+pub fn weave(fabric: &Fabric) -> Result<Weave, StarFault> {
+    let Some(modulus) = fabric.shear_modulus else { return Ok(Weave::ISOTROPIC) };
+    let isotropic = sheet(fabric)?.stretching_modulus() / (2.0 * (1.0 + fabric.poisson_ratio));
+    let shear = modulus.pascals() * fabric.thickness.metres() / isotropic;
+    Ok(Weave { shear, warp: fabric.warp.rad() })
 }
 
 /// Which stiffnesses of `fabric` were measured, in words.

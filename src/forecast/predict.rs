@@ -1,7 +1,7 @@
 //! From a spec to the answer: chooses the model, asks it about every star, and says how good the answer is.
 
 use crate::design::{Design, Meeting, StarAssembly, StarDesign};
-use crate::forecast::case::Case;
+use crate::forecast::case::{Case, weave};
 use crate::forecast::model_selection::{corrected, hinge_model, limits_of_validity, named, tabled};
 use crate::forecast::outcome::{Grip, Outcome};
 use crate::forecast::prediction::{ForceAt, Hinges, ModelEvidence, Prediction, StarPrediction};
@@ -12,7 +12,7 @@ use crate::forecast::seal_load::{
 };
 use crate::forecast::star_answer::{StarAnswer, bare, of_the_shape};
 use crate::forecast::verdict::verdict;
-use crate::spec::{KeyPath, ModelChoice, ObjectShape, Spec, key};
+use crate::spec::{Fabric, KeyPath, ModelChoice, ObjectShape, Spec, key};
 use crate::units::{Length, LineForce, Pressure};
 use inflatable::mechanics::fault::{HingeFault, StarFault};
 use inflatable::mechanics::hinge::ring::Ring;
@@ -205,6 +205,7 @@ impl PlacedCase<'_> {
                     .to_owned(),
             );
         }
+        warnings.extend(weave_left_out(&spec.fabric));
         let bare = bare(spec, part, case);
         StarPrediction {
             model: Level::Section.name(),
@@ -268,6 +269,18 @@ impl PlacedCase<'_> {
 /// That nothing is known of the star of `case`, and why.
 fn unlike(case: &Case) -> String {
     format!("{}: {}", errors::UNKNOWN_WORDS, outside(case))
+}
+
+/// That no model of a hinge knows the weave of `fabric`, if there is one.
+fn weave_left_out(fabric: &Fabric) -> Option<String> {
+    let weave = weave(fabric).ok()?;
+    let part = weave.shear;
+    (!weave.is_isotropic()).then(|| {
+        format!(
+            "shear_modulus is left out: numbers and ranges are of isotropic fabric, the given one has {part:.2} of its shear modulus; \
+             `predict --model shell` takes it into account"
+        )
+    })
 }
 
 /// N per mm from N per m.

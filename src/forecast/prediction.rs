@@ -299,6 +299,9 @@ pub struct ModelEvidence {
     /// What of the fabric was measured, if anything.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fabric: Option<&'static str>,
+    /// What the model makes of `shear_modulus`, if it is given; without it every model is of isotropic fabric.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub weave: Option<&'static str>,
     /// Largest residual of the model's equations.
     pub residual: f64,
     /// Newton steps.

@@ -11,6 +11,10 @@ use crate::units::Readable;
 use inflatable::mechanics::hinge::Level;
 use std::fmt::Write;
 
+/// Of which fabric all numbers are where a spec gives no shear modulus.
+pub const ISOTROPIC: &str =
+    "all numbers are for isotropic fabric; a weave that is soft in shear closes less (docs/weave.md)";
+
 /// A page about `prediction`.
 pub fn text(spec: &Spec, prediction: &Prediction) -> String {
     let mut out = format!("{}\n", spec.name);
@@ -47,6 +51,9 @@ pub fn text(spec: &Spec, prediction: &Prediction) -> String {
             None => format!("{} kg, range unknown", Readable(payload)),
         };
         let _ = writeln!(out, "\npayload of the whole stack      {said}");
+    }
+    if spec.fabric.shear_modulus.is_none() {
+        let _ = writeln!(out, "\n{ISOTROPIC}");
     }
     if let Some(verdict) = &prediction.verdict {
         let _ = writeln!(out, "\nverdict: {}", verdict.line());

@@ -124,6 +124,9 @@ fn ranges(case: &Case, outcome: &Outcome, stiffness: Option<Hinges<f64>>) -> Sta
     }
 }
 
+/// What models of hinges make of a shear modulus.
+const LEFT_OUT: &str = "left out: this model is of isotropic fabric";
+
 /// All of one star that depends on no model.
 pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPrediction {
     let width = case.mechanism.width;
@@ -172,6 +175,7 @@ pub(super) fn bare(spec: &Spec, part: &StarDesign, case: &Case) -> StarPredictio
         evidence: ModelEvidence {
             choice: String::new(),
             fabric: measured_stiffnesses(&spec.fabric),
+            weave: spec.fabric.shear_modulus.map(|_| LEFT_OUT),
             residual: 0.0,
             iterations: 0,
             numerical_error: None,

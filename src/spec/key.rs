@@ -80,6 +80,7 @@ keys! {
         THICKNESS "thickness", YOUNG_MODULUS "young_modulus", POISSON_RATIO "poisson_ratio",
         SEAL_STRENGTH "seal_strength", AREAL_DENSITY "areal_density",
         BENDING_STIFFNESS "bending_stiffness", STRETCH_STIFFNESS "stretch_stiffness",
+        SHEAR_MODULUS "shear_modulus", WARP "warp",
     }
     star "star" {
         POINTS "points", INNER_RADIUS "inner_radius", TUBE_WIDTH "tube_width", TIP_ANGLE "tip_angle",

@@ -97,6 +97,10 @@ pub struct Fabric {
     pub bending_stiffness: Option<BendingStiffness>,
     /// Measured stretch stiffness Y of one sheet, in place of E t.
     pub stretch_stiffness: Option<LineForce>,
+    /// Shear modulus G between warp and weft; isotropic, E / [2 (1 + nu)], without one.
+    pub shear_modulus: Option<Pressure>,
+    /// Angle of the warp on the sheet, counterclockwise from X, along which each star has its first corner.
+    pub warp: Angle,
 }
 
 /// One star, flat.

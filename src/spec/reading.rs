@@ -18,7 +18,7 @@ use crate::spec::section::{Reader, Section};
 use crate::spec::shape::ValueShape;
 use crate::spec::source::Source;
 use crate::spec::{Code, DrawingContent, FaultCode, KeyPath, drawing, key, stars};
-use crate::units::{Length, Percent, Pressure, Speed, Temperature};
+use crate::units::{Angle, Length, Percent, Pressure, Speed, Temperature};
 
 /// A spec that was read, and what can still be said about its text.
 #[derive(Clone, Debug)]
@@ -179,6 +179,8 @@ pub(super) fn read_fabric(s: &mut Section<'_, '_>) -> Fabric {
         areal_density: s.quantity("areal_density", Allowed::closed(1e-6, 1e4)),
         bending_stiffness: s.quantity("bending_stiffness", Allowed::closed(1e-9, 1e9)),
         stretch_stiffness: s.quantity("stretch_stiffness", Allowed::closed(1e-6, 1e9)),
+        shear_modulus: s.quantity("shear_modulus", Allowed::closed(1e-3, 1e9)),
+        warp: s.quantity("warp", Allowed::closed(-180.0, 180.0)).unwrap_or(Angle(0.0)),
     }
 }
 

@@ -12,6 +12,7 @@ mod study;
 #[path = "../support/mod.rs"]
 mod support;
 mod verdict;
+mod weave;
 
 use stargrip_cam::design::{Design, Star};
 use stargrip_cam::forecast::candidate::Candidate;

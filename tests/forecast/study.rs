@@ -250,6 +250,8 @@ fn any_key_of_the_spec_varies_and_means_what_it_means_there() {
             "fabric.areal_density" => "0.2 kg/m^2",
             "fabric.bending_stiffness" => "0.3 N mm",
             "fabric.stretch_stiffness" => "40 N/mm",
+            "fabric.shear_modulus" => "9 MPa",
+            "fabric.warp" => "20 deg",
             "fabric.thickness" => "0.25 mm",
             "load.pressure" => "30 kPa",
             "load.mass" => "1 kg",

@@ -38,6 +38,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/models.md", "stargrip-cam predict designs/paper-gripper.toml --model shel"),
     ("docs/paper.md", "cargo run --release -p research --example paper -- --svg doc"),
     ("docs/paper.md", "cargo run --release -p research --example paper -- --shells"),
+    ("docs/paper.md", "cargo run --release -p inflatable --example coil -- 0.2 0 20"),
     ("docs/python.md", "pip install ./python"),
     ("docs/ranges.md", "cargo run --release -p research --example ranges"),
     ("docs/stability.md", "cargo run --release -p research --example extremes"),
@@ -50,6 +51,8 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/testing.md", "cargo install --locked cargo-mutants"),
     ("docs/trade.md", "stargrip-cam trade --svg docs/trade.svg"),
     ("docs/trade.md", "python3 crates/research/by_shell.py target/release/stargrip-"),
+    ("docs/weave.md", "stargrip-cam predict woven.toml --model shell --fineness coa"),
+    ("docs/weave.md", "cargo run --release -p inflatable --example weave -- half 5"),
     ("docs/web.md", "rustup target add wasm32-unknown-unknown"),
 ];
 

@@ -64,7 +64,7 @@ fn print(name: &str, Value { value, error, meshes: [a, b, c] }: Value) {
 
 fn fabric(t: f64) -> Fabric {
     let (e, nu) = (128e6, 0.39);
-    Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu }
+    Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu)
 }
 
 fn circle(radius: f64) -> Path {

@@ -15,7 +15,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         arguments.get(1).map_or(standard.cuts, |cuts| (0..9).take_while(|k| f64::from(*k) < *cuts).count());
     let angles: Vec<f64> = arguments.iter().skip(2).map(|angle| angle.to_radians()).collect();
     let (t, e, nu) = (0.3e-3_f64, 128e6, 0.39);
-    let fabric = Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu };
+    let fabric = Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu);
     let tube = Tube { width: 0.02, fabric, pressure: 14e3 };
     let case = VActuator { tube, radius: 0.002, arm_length: 0.08, angle: 60.0_f64.to_radians() };
     let found = actuator(&case, &angles, Fineness { cells, cuts }, &Watch::default())?;

@@ -16,6 +16,7 @@ use stargrip_cam::forecast::shell::star::flat;
 use stargrip_cam::mechanics::hinge::ring::RingTable;
 use stargrip_cam::mechanics::strength::payload as mass_held;
 use stargrip_cam::shell::cases::{Fineness, Objects, Watch, star};
+use stargrip_cam::shell::element::Weave;
 use stargrip_cam::spec::{Load, Source, read, starter};
 use stargrip_cam::units::{Angle, Length, LineForce, Pressure};
 use std::env;
@@ -140,7 +141,7 @@ const FINENESS: Fineness = Fineness { cells: 8.0, cuts: 2 };
 fn judged(problem: &Problem, winner: &Evaluation) -> Result<Vec<(String, bool)>, Box<dyn Error>> {
     let (point, answer) = (&winner.point, &winner.answer);
     let Constraints { grasp, payload, largest_force, .. } = problem.constraints;
-    let flat = flat(&answer.case).map_err(|refusal| format!("{refusal:?}"))?;
+    let flat = flat(&answer.case, Weave::ISOTROPIC).map_err(|refusal| format!("{refusal:?}"))?;
     let presses = payload.is_some() || largest_force.is_some();
     let object = point.load.object_radius.filter(|_| presses).map(Length::metres);
     let mut radii: Vec<f64> = object.into_iter().chain(grasp.map(|[_, open]| open.metres())).collect();

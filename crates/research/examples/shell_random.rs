@@ -40,7 +40,7 @@ impl Dice {
             let stretch = 128e6 * t;
             let bending = stretch * t * t / (12.0 * (1.0 - poisson * poisson));
             let pressure = self.log([1.0, 5000.0]) * bending / width.powi(3);
-            let tube = Tube { width, fabric: Fabric { stretch, bending, poisson }, pressure };
+            let tube = Tube { width, fabric: Fabric::isotropic(stretch, bending, poisson), pressure };
             if t / width <= 0.03 && tube.stretch() <= 0.1 {
                 return tube;
             }

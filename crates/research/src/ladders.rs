@@ -78,7 +78,7 @@ impl Ladder {
     pub fn compute(&self, fineness: Fineness, watch: &Watch<'_>) -> Result<String, ShellFault> {
         let bendabilities = arms::bendabilities(self.tau);
         let bending = STRETCH * (self.tau * WIDTH).powi(2);
-        let fabric = Fabric { stretch: STRETCH, bending, poisson: self.poisson };
+        let fabric = Fabric::isotropic(STRETCH, bending, self.poisson);
         let pressures = bendabilities.map(|b| b * bending / WIDTH.powi(3));
         let case = VActuator {
             tube: Tube { width: WIDTH, fabric, pressure: pressures[0] },

@@ -1,7 +1,7 @@
 //! From a drawn piece to the chambers that the shell knows.
 
 use crate::design::DrawnPiece;
-use crate::forecast::case::sheet;
+use crate::forecast::case::{sheet, weave};
 use crate::forecast::shell::{Detail, fabric};
 use crate::spec::Spec;
 use inflatable::shell::cases::{Fineness, FlatRegion, chambers};
@@ -35,6 +35,7 @@ impl DrawnChamber {
 /// In words, if its edges enclose nothing, or the fabric is none.
 pub fn drawn_chambers(spec: &Spec, piece: &DrawnPiece) -> Result<Vec<DrawnChamber>, String> {
     let sheet = sheet(&spec.fabric).map_err(|fault| fault.to_string())?;
+    let weave = weave(&spec.fabric).map_err(|fault| fault.to_string())?;
     let found = chambers(&piece.air, &piece.inner, &piece.part.inside).map_err(|fault| fault.to_string())?;
     if found.is_empty() {
         return Err("the drawing's edges enclose no air".to_owned());
@@ -42,7 +43,7 @@ pub fn drawn_chambers(spec: &Spec, piece: &DrawnPiece) -> Result<Vec<DrawnChambe
     let chamber = |flat: FlatChamber| DrawnChamber {
         region: FlatRegion {
             chamber: flat.by(MM_IN_M),
-            fabric: fabric(&sheet),
+            fabric: fabric(&sheet, weave),
             pressure: 0.0,
             band: spec.seal.band.metres(),
         },

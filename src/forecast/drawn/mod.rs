@@ -17,7 +17,9 @@ use crate::forecast::shell::{Detail, SHELL};
 use crate::forecast::star_answer::mm;
 use crate::spec::{ModelChoice, Spec, key};
 use crate::units::{LineForce, Pressure};
-use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Surface, Watch, region};
+use inflatable::shell::cases::{
+    FlatRegion, InflatedShape, Input, ShellFault, Surface, Watch, Wrinkles, region,
+};
 
 /// The name of no model: only what is flat is known.
 pub const NONE: &str = "none";
@@ -99,6 +101,7 @@ pub fn inflate(
     let peel = spec.fabric.seal_strength.map(LineForce::newtons_per_metre);
     let seal = DrawnSeal { pressure: pressure.pascals(), peel };
     let (mut surfaces, mut shapes) = (Vec::new(), Vec::new());
+    let mut is_weave_left_out = false;
     let count = found.len();
     for (number, (chamber, answer)) in found.iter().zip(&mut prediction.chambers).enumerate() {
         let case = FlatRegion { pressure: pressure.pascals(), ..chamber.region.clone() };
@@ -111,6 +114,7 @@ pub fn inflate(
         let own = Watch { progress: Some(&within), cancel: watch.cancel.clone() };
         let inflated =
             region(&case, chamber.fineness(detail), &own).map_err(|why| not_inflated(&why, answer, count))?;
+        is_weave_left_out |= !case.fabric.weave.is_isotropic() && inflated.wrinkles == Wrinkles::Averaged;
         answer.fill(&inflated, &seal);
         surfaces.push(DrawnSurface::new(&inflated.surface));
         shapes.push(inflated.shape);
@@ -118,6 +122,11 @@ pub fn inflate(
     prediction.model = SHELL;
     "only the shell knows drawn shapes".clone_into(&mut prediction.evidence.choice);
     prediction.of_all(pressure);
+    if is_weave_left_out {
+        let what =
+            "shear_modulus is left out where wrinkles are averaged: the sheet is computed as isotropic";
+        prediction.evidence.warnings.push(what.to_owned());
+    }
     Ok(InflatedDrawing { prediction, surfaces, shapes })
 }
 
@@ -172,6 +181,7 @@ fn not_inflated(why: &ShellFault, chamber: &ChamberPrediction, count: usize) -> 
         ShellFault::Range { name: Input::Stretching | Input::Bending | Input::Slenderness, .. } => {
             key::fabric::THICKNESS
         }
+        ShellFault::Range { name: Input::Shear, .. } => key::fabric::SHEAR_MODULUS,
         ShellFault::Range { name: Input::Width | Input::Arms, .. }
         | ShellFault::Mesh(_)
         | ShellFault::TooLarge { .. }

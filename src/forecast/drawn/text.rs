@@ -2,6 +2,7 @@
 
 use crate::forecast::drawn::prediction::{ChamberPrediction, DrawnPrediction, MeshedPlace, MeshedValue};
 use crate::forecast::ranges::shown;
+use crate::forecast::shell::SHELL;
 use crate::spec::Spec;
 use crate::units::Readable;
 use std::fmt::Write;
@@ -25,6 +26,13 @@ pub fn text(spec: &Spec, prediction: &DrawnPrediction) -> String {
     }
     for warning in &prediction.evidence.warnings {
         line(&mut out, "warning", warning);
+    }
+    if spec.fabric.shear_modulus.is_none() && prediction.model == SHELL {
+        line(
+            &mut out,
+            "fabric",
+            "isotropic; a weave that is soft in shear inflates otherwise (docs/weave.md)",
+        );
     }
     for chamber in &prediction.chambers {
         let [x, y] = chamber.at_mm;

@@ -5,6 +5,7 @@ use crate::forecast::actuator::{
 };
 use crate::forecast::shell::{Detail, SHELL, fabric};
 use inflatable::shell::cases::{InflatedShape, ShellFault, Tube, VActuator, Value, Watch, actuator};
+use inflatable::shell::element::Weave;
 
 /// What `asked` does as a shell, with the moments at `angles` (rad) if there are any, and its sheet at rest.
 ///
@@ -17,8 +18,12 @@ pub fn actuate(
     watch: &Watch<'_>,
 ) -> Result<(ActuatorPrediction, InflatedShape), ShellFault> {
     let Actuator { width, radius, arm, angle, pressure, sheet } = *asked;
-    let case =
-        VActuator { tube: Tube { width, fabric: fabric(&sheet), pressure }, radius, arm_length: arm, angle };
+    let case = VActuator {
+        tube: Tube { width, fabric: fabric(&sheet, Weave::ISOTROPIC), pressure },
+        radius,
+        arm_length: arm,
+        angle,
+    };
     let found = actuator(&case, angles, detail.fineness(), watch)?;
     let degrees = 1.0_f64.to_degrees();
     let (at_rest, volume) = (found.angle.scaled(degrees), found.volume.scaled(1e9));

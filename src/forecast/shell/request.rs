@@ -7,6 +7,7 @@ use crate::spec::{KeyPath, key};
 use inflatable::shell::cases::{
     Extremes, FlatStar, InflatedStar, Input, MOST_OBJECTS, Objects, ShellFault, Tube, Value, Watch, star,
 };
+use inflatable::shell::element::Weave;
 
 /// Points with which shells of stars are computed.
 const MOST_POINTS: u32 = 16;
@@ -46,15 +47,21 @@ pub(in crate::forecast) struct Measurements {
     pub(in crate::forecast) forces: Vec<(f64, Value)>,
     /// Radius of the object of the load, m; `None` if there is none, it does not enter, or the star does not meet it.
     pub(in crate::forecast) object: Option<f64>,
+    /// Least and largest distance of a corner from the point in the middle of all, mm.
+    pub(in crate::forecast) corners: [Value; 2],
+    /// How far that point lies beside the one in the middle of the tips, mm.
+    pub(in crate::forecast) off_center: Value,
+    /// The least angle of a tip, deg.
+    pub(in crate::forecast) least_tip_angle: Value,
     /// The hardest loaded places, SI.
     pub(in crate::forecast) extremes: Extremes,
 }
 
-/// The star of `case` as a shell is asked about it.
+/// The star of `case`, of fabric that is woven as `weave` says, as a shell is asked about it.
 ///
 /// # Errors
 /// If no pressure is given, or it has too many points.
-pub fn flat(case: &Case) -> Result<FlatStar, ShellRefusal> {
+pub fn flat(case: &Case, weave: Weave) -> Result<FlatStar, ShellRefusal> {
     let Some(pressure) = case.pressure else {
         let what = "a shell is computed at its pressure, and none is given: give one, or take ring";
         return Err(fault(key::load::PRESSURE, what.to_owned()));
@@ -65,7 +72,7 @@ pub fn flat(case: &Case) -> Result<FlatStar, ShellRefusal> {
         return Err(fault(key::star::POINTS, what));
     }
     Ok(FlatStar {
-        tube: Tube { width: case.mechanism.width, fabric: fabric(&case.sheet), pressure },
+        tube: Tube { width: case.mechanism.width, fabric: fabric(&case.sheet, weave), pressure },
         points,
         inner_radius: case.inner_radius,
         tip_angle: case.mechanism.tip_angle,
@@ -80,12 +87,12 @@ pub fn flat(case: &Case) -> Result<FlatStar, ShellRefusal> {
 /// # Errors
 /// If the shell refuses, finds no equilibrium, or was told to stop.
 pub(in crate::forecast) fn ask(
-    case: &Case,
+    (case, weave): (&Case, Weave),
     radii: &[f64],
     detail: Detail,
     watch: &Watch<'_>,
 ) -> Result<(FlatStar, InflatedStar, Measurements), ShellRefusal> {
-    let flat = flat(case)?;
+    let flat = flat(case, weave)?;
     let object = entered(case);
     let mut objects: Vec<f64> = radii.iter().copied().chain(object).collect();
     objects.sort_by(f64::total_cmp);
@@ -94,8 +101,8 @@ pub(in crate::forecast) fn ask(
         let what = format!("{} radii, and one call takes {MOST_OBJECTS}: ask for fewer", objects.len());
         return Err(fault(key::load::OBJECT_DIAMETER, what));
     }
-    let found =
-        star(&flat, Objects::Radii(&objects), detail.fineness(), watch).map_err(|why| refused(&why))?;
+    let found = star(&flat, Objects::Radii(&objects), detail.fineness_of(flat.part()), watch)
+        .map_err(|why| refused(&why))?;
     let measured = Measurements::new(case, object, &found);
     Ok((flat, found, measured))
 }
@@ -112,6 +119,7 @@ fn refused(why: &ShellFault) -> ShellRefusal {
         ShellFault::Range { name: Input::Slenderness | Input::Width, .. } => key::star::TUBE_WIDTH,
         ShellFault::Range { name: Input::Poisson, .. } => key::fabric::POISSON_RATIO,
         ShellFault::Range { name: Input::Stretching | Input::Bending, .. } => key::fabric::THICKNESS,
+        ShellFault::Range { name: Input::Shear, .. } => key::fabric::SHEAR_MODULUS,
         ShellFault::Range { name: Input::Bendability | Input::Stretch | Input::Arms, .. }
         | ShellFault::Stopped { .. } => key::load::PRESSURE,
         ShellFault::Mesh(_) | ShellFault::TooLarge { .. } => key::star::TIP_ANGLE,
@@ -129,6 +137,9 @@ impl Measurements {
             radius: found.final_radius.scaled(1e3),
             contraction: found.final_radius.shifted(-case.inner_radius).scaled(-1.0 / case.inner_radius),
             tip_angle: found.tip_angle.scaled(1.0_f64.to_degrees()),
+            corners: found.corner_radii.map(|radius| radius.scaled(1e3)),
+            off_center: found.off_center.scaled(1e3),
+            least_tip_angle: found.least_tip_angle.scaled(1.0_f64.to_degrees()),
             stiffness: found.radial_stiffness,
             contact: found.preload,
             contact_area: found.contact_area.scaled(1e6),

@@ -2,7 +2,7 @@
 //! a hinge's model knows.
 
 use crate::design::{Design, Meeting, PlacedPart, StarDesign};
-use crate::forecast::case::Case;
+use crate::forecast::case::{Case, weave};
 use crate::forecast::predict::{PredictFault, stars_of};
 use crate::forecast::prediction::{
     FabricStretch, ForceAt, LoadedPlace, MeshErrors, ModelEvidence, Prediction, StarPrediction,
@@ -13,9 +13,17 @@ use crate::forecast::star_answer::{bare, mm};
 use crate::spec::{Spec, key};
 use crate::units::Readable;
 use inflatable::mechanics::strength::payload;
-use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, Value, Watch};
+use inflatable::shell::cases::{FlatStar, InflatedShape, InflatedStar, StarPart, Value, Watch};
 
 pub use crate::forecast::shell::request::{ShellRefusal, flat};
+
+/// As computed on the finest mesh: numbers whose differences count are not extrapolated one by one.
+fn finest(value: &Value) -> f64 {
+    value.meshes[2]
+}
+
+/// What a shell makes of a shear modulus.
+const IN_THE_MESH: &str = "shear_modulus and warp in every triangle";
 
 /// Points with which they were tried.
 const TRIED_POINTS: u32 = 8;
@@ -83,7 +91,8 @@ fn compute(
     let case = Case::of(spec, &part.star).map_err(|why| fault(key::fabric::THICKNESS, why.to_string()))?;
     let met = meetings.iter().filter_map(|meeting| entered(&case.meeting(*meeting)));
     let all: Vec<f64> = radii.iter().copied().chain(met).collect();
-    let (flat, found, measured) = ask(&Case { object: None, ..case }, &all, detail, watch)?;
+    let weave = weave(&spec.fabric).map_err(|why| fault(key::fabric::SHEAR_MODULUS, why.to_string()))?;
+    let (flat, found, measured) = ask((&Case { object: None, ..case }, weave), &all, detail, watch)?;
     Ok(ShellRun { case, flat, found, measured })
 }
 
@@ -155,6 +164,7 @@ impl ShellAnswer<'_> {
                 choice: format!("{SHELL} was asked for"),
                 residual: found.evidence.residual,
                 iterations: found.evidence.efforts.iter().map(|effort| effort.iterations).sum(),
+                weave: spec.fabric.shear_modulus.map(|_| IN_THE_MESH),
                 unknowns: Some(found.evidence.unknowns.clone()),
                 mesh_errors: Some(MeshErrors {
                     final_radius_mm: measured.radius.error,
@@ -184,6 +194,18 @@ impl ShellAnswer<'_> {
         let said = [
             (flat.points > TRIED_POINTS, format!("shells of stars were tried with 3 to {TRIED_POINTS} points")),
             (measured.touches(), "the arms touch: the star is pressed shut".to_owned()),
+            (
+                flat.part() == StarPart::Whole,
+                format!(
+                    "the woven star does not close round: on its finest mesh the corners lie {:.1} to {:.1} mm from the point in their \
+                     middle, which is {:.1} mm beside that of the tips; the final radius is their mean, extrapolated",
+                    finest(&measured.corners[0]), finest(&measured.corners[1]), finest(&measured.off_center)
+                ),
+            ),
+            (
+                flat.part() == StarPart::Whole && finest(&measured.least_tip_angle) < 0.0,
+                "two arms pass through each other: the shell of a whole star does not know that they touch".to_owned(),
+            ),
             (
                 too_wide,
                 format!("the object is wider than the cut hole, {} mm across: it does not enter", Readable(2.0 * mm(case.hole))),

@@ -104,6 +104,10 @@ impl Lines {
         if let Some(stiffness) = fabric.stretch_stiffness {
             self.quantity("stretch_stiffness", stiffness, "measured");
         }
+        if let Some(modulus) = fabric.shear_modulus {
+            self.quantity("shear_modulus", format!("{} MPa", Readable(1e-3 * modulus.0)), "for the shell");
+            self.quantity("warp", fabric.warp, "of the warp on the sheet, from X");
+        }
         self.text.push('\n');
     }
 

@@ -5,11 +5,12 @@ use std::sync::atomic::AtomicBool;
 
 use crate::design::RefusalCode;
 use crate::forecast::candidate::{Answer, Candidate, RefusedDesign};
+use crate::forecast::case::weave;
 use crate::forecast::model_selection::hinge_model;
 use crate::forecast::outcome::Outcome;
 use crate::forecast::shell::Detail;
-use crate::forecast::shell::request::{Measurements, ShellRefusal, ask};
-use crate::spec::{Code, ModelChoice};
+use crate::forecast::shell::request::{Measurements, ShellRefusal, ask, fault};
+use crate::spec::{Code, ModelChoice, key};
 use inflatable::mechanics::hinge::Level;
 use inflatable::mechanics::hinge::ring::RingTable;
 use inflatable::shell::cases::Watch;
@@ -65,7 +66,9 @@ impl Models {
                 // What no model is needed for.
                 let answer = point.answer_by(&self.ring, |_| Ok(None))?;
                 let watch = Watch { progress: None, cancel: Arc::clone(cancel) };
-                let (_, _, shell) = ask(&answer.case, &[], detail, &watch).map_err(unanswered)?;
+                let weave = weave(&point.fabric)
+                    .map_err(|why| unanswered(fault(key::fabric::SHEAR_MODULUS, why.to_string())))?;
+                let (_, _, shell) = ask((&answer.case, weave), &[], detail, &watch).map_err(unanswered)?;
                 Ok(RowAnswer { answer, shell: Some(Box::new(shell)) })
             }
             _ => Ok(RowAnswer { answer: point.answer(&self.ring)?, shell: None }),

@@ -57,6 +57,10 @@ const KEYS: &[Key] = &[
     key("fabric", "stretch_stiffness", LineForce::UNITS, (1e-6, 1e9), |s, x| {
         s.fabric.stretch_stiffness = Some(LineForce(x));
     }),
+    key("fabric", "shear_modulus", Pressure::UNITS, (1e-3, 1e9), |s, x| {
+        s.fabric.shear_modulus = Some(Pressure(x));
+    }),
+    key("fabric", "warp", Angle::UNITS, (-180.0, 180.0), |s, x| s.fabric.warp = Angle(x)),
     key("star", "tip_radius", LENGTH, EXTRA, |s, x| s.stars[0].tip_radius = Length(x)),
     key("star", "corner_radius", LENGTH, EXTRA, |s, x| s.stars[0].corner_radius = Length(x)),
     key("stack", "pitch", LENGTH, SIZE, |s, x| s.stars[0].pitch = Length(x)),

@@ -171,7 +171,7 @@ impl DrawnStar {
         let mm = |length: f64| 1e-3 * length;
         let (t, young) = (mm(self.thickness), 1e6 * YOUNG);
         let bending = young * t.powi(3) / (12.0 * (1.0 - POISSON * POISSON));
-        let fabric = Fabric { stretch: young * t, bending, poisson: POISSON };
+        let fabric = Fabric::isotropic(young * t, bending, POISSON);
         FlatStar {
             tube: Tube { width: mm(self.width), fabric, pressure: 1e3 * self.pressure },
             points: self.points,

@@ -1,10 +1,12 @@
 //! Gradients and Hessians against finite differences; states that the elements must reproduce exactly.
 
 use super::*;
-use crate::shell::element::Fabric;
+use crate::shell::element::{Fabric, Weave};
 use crate::shell::mesh::{Border, Diagonal, Mesh, MeshFault, rectangle};
 
-const FABRIC: Fabric = Fabric { stretch: 1.3, bending: 0.07, poisson: 0.39 };
+const FABRIC: Fabric = Fabric::isotropic(1.3, 0.07, 0.39);
+/// Woven askew to the mesh, and soft in shear.
+const WOVEN: Fabric = FABRIC.woven(Weave { shear: 0.2, warp: 0.4 });
 const PRESSURE: f64 = 0.4;
 
 /// A number from -1 to 1 that looks like chance.
@@ -19,7 +21,7 @@ fn mesh(diagonal: Diagonal, turn: f64) -> Result<Mesh, MeshFault> {
 }
 
 /// The rectangle between two planes, turned; its supports; and a crumpled state that they allow.
-fn crumpled(diagonal: Diagonal, turn: f64) -> Result<(Assembly, State), MeshFault> {
+fn crumpled(fabric: Fabric, diagonal: Diagonal, turn: f64) -> Result<(Assembly, State), MeshFault> {
     let mesh = mesh(diagonal, turn)?;
     let (sine, cosine) = turn.sin_cos();
     let planes = vec![
@@ -27,7 +29,7 @@ fn crumpled(diagonal: Diagonal, turn: f64) -> Result<(Assembly, State), MeshFaul
         Plane { point: [1.5 * cosine, 1.5 * sine], normal: [cosine, sine] },
     ];
     let supports = Supports::new(&mesh, planes);
-    let assembly = Assembly::new(Sheet::new(&mesh, FABRIC), supports);
+    let assembly = Assembly::new(Sheet::new(&mesh, fabric), supports);
     let mut state = assembly.sheet.flat();
     let step: Vec<f64> = (0..assembly.unknowns()).map(|k| 0.12 * noise(k)).collect();
     assembly.advance(&mut state, &step, 1.0);
@@ -42,6 +44,10 @@ fn moved(assembly: &Assembly, state: &State, unknown: usize, by: f64) -> State {
     moved
 }
 
+fn fabrics_and_cuts() -> impl Iterator<Item = (Fabric, Diagonal, f64)> {
+    [FABRIC, WOVEN].into_iter().flat_map(|fabric| CUTS.map(|(diagonal, turn)| (fabric, diagonal, turn)))
+}
+
 const CUTS: [(Diagonal, f64); 4] = [
     (Diagonal::Rising, 0.0),
     (Diagonal::Falling, 0.7),
@@ -51,8 +57,8 @@ const CUTS: [(Diagonal, f64); 4] = [
 
 #[test]
 fn the_gradient_is_that_of_the_energy() -> Result<(), MeshFault> {
-    for (diagonal, turn) in CUTS {
-        let (mut assembly, state) = crumpled(diagonal, turn)?;
+    for (fabric, diagonal, turn) in fabrics_and_cuts() {
+        let (mut assembly, state) = crumpled(fabric, diagonal, turn)?;
         let _ = assembly.differentiate(&state, PRESSURE);
         let gradient = assembly.gradient().to_vec();
         let largest = gradient.iter().fold(0.0_f64, |most, g| most.max(g.abs()));
@@ -75,8 +81,8 @@ fn the_gradient_is_that_of_the_energy() -> Result<(), MeshFault> {
 
 #[test]
 fn the_hessian_is_that_of_the_gradient() -> Result<(), MeshFault> {
-    for (diagonal, turn) in CUTS {
-        let (mut assembly, state) = crumpled(diagonal, turn)?;
+    for (fabric, diagonal, turn) in fabrics_and_cuts() {
+        let (mut assembly, state) = crumpled(fabric, diagonal, turn)?;
         let _ = assembly.linearise(&state, PRESSURE);
         let count = assembly.unknowns();
         let mut hessian = vec![vec![0.0; count]; count];
@@ -108,6 +114,23 @@ fn the_hessian_is_that_of_the_gradient() -> Result<(), MeshFault> {
     Ok(())
 }
 
+#[test]
+fn a_weave_as_stiff_in_shear_as_isotropic_fabric_changes_no_bit() -> Result<(), MeshFault> {
+    let numbers = |fabric: Fabric| -> Result<_, MeshFault> {
+        let (mut assembly, state) = crumpled(fabric, Diagonal::Falling, 0.7)?;
+        let energy = assembly.linearise(&state, PRESSURE);
+        Ok((energy, assembly.gradient().to_vec(), assembly.hessian().2.to_vec()))
+    };
+    let isotropic = numbers(FABRIC)?;
+    assert!(numbers(FABRIC.woven(Weave { shear: 1.0, warp: 0.7 }))? == isotropic);
+    // And nearly so is nearly the same: no jump.
+    let (energy, ..) = numbers(FABRIC.woven(Weave { shear: 1.0 + 1e-12, warp: 0.7 }))?;
+    for (near, even) in [(energy.membrane, isotropic.0.membrane), (energy.bending, isotropic.0.bending)] {
+        assert!((near / even - 1.0).abs() < 1e-11, "{near} {even}");
+    }
+    Ok(())
+}
+
 /// Unknowns of the points within the sheet around which no triangle has an edge on the border.
 fn inner_unknowns(mesh: &Mesh, assembly: &Assembly) -> Vec<[u32; 3]> {
     let mut on_border = vec![false; mesh.points.len()];
@@ -135,9 +158,9 @@ fn irregular(diagonal: Diagonal, turn: f64) -> Result<Mesh, MeshFault> {
 
 #[test]
 fn a_constant_stretch_is_exact_on_every_mesh() -> Result<(), MeshFault> {
-    for (diagonal, turn) in CUTS {
+    for (fabric, diagonal, turn) in fabrics_and_cuts() {
         let mesh = irregular(diagonal, turn)?;
-        let mut assembly = Assembly::new(Sheet::new(&mesh, FABRIC), Supports::new(&mesh, Vec::new()));
+        let mut assembly = Assembly::new(Sheet::new(&mesh, fabric), Supports::new(&mesh, Vec::new()));
         let mut state = assembly.sheet.flat();
         // A plane sheet in space, stretched and sheared.
         for x in &mut state.points {
@@ -149,10 +172,12 @@ fn a_constant_stretch_is_exact_on_every_mesh() -> Result<(), MeshFault> {
             (0.07 * 0.07 + 0.93 * 0.93 + 0.16 - 1.0) / 2.0,
             0.077 + 0.186 - 0.12,
         ];
-        let Fabric { stretch, poisson: nu, .. } = FABRIC;
-        let density = stretch / (1.0 - nu * nu)
-            * (e11 * e11 + e22 * e22 + 2.0 * nu * e11 * e22 + (1.0 - nu) * e12 * e12 / 2.0)
-            / 2.0;
+        let Fabric { stretch, poisson: nu, weave, .. } = fabric;
+        // In the axes of warp and weft.
+        let [e11, e22, e12] = in_axes(weave.warp, [e11, e22, e12 / 2.0]);
+        let shear = weave.shear * stretch / (2.0 * (1.0 + nu));
+        let density = stretch / (1.0 - nu * nu) * (e11 * e11 + e22 * e22 + 2.0 * nu * e11 * e22) / 2.0
+            + shear * (2.0 * e12) * (2.0 * e12) / 2.0;
         assert!((energy.membrane / (1.5 * density) - 1.0).abs() < 1e-12, "{diagonal:?}");
         assert!(energy.bending < 1e-25, "{diagonal:?} {:e}", energy.bending);
         for unknown in inner_unknowns(&mesh, &assembly).into_iter().flatten() {
@@ -163,6 +188,16 @@ fn a_constant_stretch_is_exact_on_every_mesh() -> Result<(), MeshFault> {
         }
     }
     Ok(())
+}
+
+/// A symmetric matrix (11, 22, 12) in axes that are turned by `angle`.
+fn in_axes(angle: f64, [a11, a22, a12]: [f64; 3]) -> [f64; 3] {
+    let (s, c) = angle.sin_cos();
+    [
+        c * c * a11 + s * s * a22 + 2.0 * s * c * a12,
+        s * s * a11 + c * c * a22 - 2.0 * s * c * a12,
+        s * c * (a22 - a11) + (c * c - s * s) * a12,
+    ]
 }
 
 /// xi of every edge where the sheet's slope in the middle of it is that of the field: that of the height given at its corners.
@@ -190,9 +225,9 @@ fn leans(mesh: &Mesh, heights: &[f64], slope: impl Fn([f64; 2]) -> [f64; 2]) -> 
 #[test]
 fn a_constant_curvature_is_exact_on_every_mesh() -> Result<(), MeshFault> {
     // So soft in its plane that only bending counts.
-    let fabric = Fabric { stretch: 1e-6, bending: 1.0, poisson: 0.3 };
     let [xx, yy, xy] = [0.8, -0.5, 0.3];
-    for (diagonal, turn) in CUTS {
+    for (fabric, diagonal, turn) in fabrics_and_cuts() {
+        let fabric = Fabric::isotropic(1e-6, 1.0, 0.3).woven(fabric.weave);
         let mesh = irregular(diagonal, turn)?;
         let mut assembly = Assembly::new(Sheet::new(&mesh, fabric), Supports::new(&mesh, Vec::new()));
         let mut bent = |height: f64| {
@@ -210,7 +245,11 @@ fn a_constant_curvature_is_exact_on_every_mesh() -> Result<(), MeshFault> {
         // The linear plate: what is of higher order in the height goes out between two heights.
         let height = 1e-3;
         let ((once, first), (twice, second)) = (bent(height), bent(2.0 * height));
-        let density = (0.7 * (xx * xx + yy * yy + 2.0 * xy * xy) + 0.3 * (xx + yy).powi(2)) * 0.5;
+        // In the axes of warp and weft, where the stiffness against twist is G t^3 / 12 = shear B (1 - nu)/2.
+        let [k11, k22, k12] = in_axes(fabric.weave.warp, [xx, yy, xy]);
+        let twist = fabric.weave.shear * 0.7 / 2.0;
+        let density =
+            (k11 * k11 + k22 * k22 + 2.0 * 0.3 * k11 * k22) * 0.5 + twist * (2.0 * k12).powi(2) * 0.5;
         let energy = (16.0 * once - twice) / (12.0 * height * height);
         assert!((energy / (1.5 * density) - 1.0).abs() < 1e-10, "{diagonal:?} {energy}");
         let force = |unknown: usize| (8.0 * first[unknown] - second[unknown]) / 6.0 / height;

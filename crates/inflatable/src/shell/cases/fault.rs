@@ -60,6 +60,8 @@ pub enum Input {
     Stretching,
     /// Its stiffness against bending.
     Bending,
+    /// Its shear modulus by that of an isotropic sheet.
+    Shear,
     /// Its thickness over the tube's width.
     Slenderness,
     /// How much pressure there is against bending.
@@ -77,6 +79,7 @@ impl fmt::Display for Input {
             Self::Poisson => "Poisson's ratio",
             Self::Stretching => "the stretch stiffness Y, N/m",
             Self::Bending => "the bending stiffness B, N m",
+            Self::Shear => "the shear modulus by E / [2 (1 + nu)]",
             Self::Slenderness => "t/W",
             Self::Bendability => "1/eps = p W^3/B",
             Self::Stretch => "p W/Y",

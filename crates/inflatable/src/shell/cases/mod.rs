@@ -20,10 +20,13 @@ mod refinement;
 mod region;
 mod shape;
 mod star;
+mod star_part;
 #[cfg(test)]
 mod tests;
 mod tube;
 mod value;
+#[cfg(test)]
+mod woven;
 
 pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
 pub use cell::{Cell, InflatedCell, cell};
@@ -34,5 +37,6 @@ pub use refinement::{Evidence, OnProgress, Watch};
 pub use region::{FlatRegion, InflatedRegion, RegionSeam, SeamPull, Surface, Wrinkles, chambers, region};
 pub use shape::InflatedShape;
 pub use star::{FlatStar, InflatedStar, MOST_OBJECTS, Objects, star, star_by_sizes};
+pub use star_part::StarPart;
 pub use tube::Tube;
 pub use value::Value;

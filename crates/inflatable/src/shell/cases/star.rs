@@ -1,22 +1,23 @@
-//! The star: half a sector of it between a reentrant corner's plane of symmetry and a tip's.
+//! The star: half a sector of it between a reentrant corner's plane of symmetry and a tip's, or all of it where the weave has other
+//! directions of symmetry.
 
-use crate::shell::assembly::{Plane, Sheet, State, Supports};
+use crate::shell::assembly::{Sheet, State};
 use crate::shell::cases::actuator::Fineness;
-use crate::shell::cases::arm_line::ArmLine;
 use crate::shell::cases::extremes::{self, Extremes};
 use crate::shell::cases::fault::ShellFault;
 use crate::shell::cases::refinement::{Evidence, Family, Indented, Watch};
 use crate::shell::cases::shape::InflatedShape;
+use crate::shell::cases::star_part::{ModelledPart, StarPart};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::contact::Obstacle;
-use crate::shell::mesh::{Border, HalfSector, Mesh, Meshed, Sizes, plane};
+use crate::shell::mesh::{HalfSector, Mesh, Meshed, Sizes};
 use crate::shell::solver::{Aim, Equilibrium, Solver, Stop};
 
 /// A flat star, SI units and radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FlatStar {
-    /// Its tube.
+    /// Its tube; the warp's angle is that to the ray of its first corner.
     pub tube: Tube,
     /// Number of points n.
     pub points: u32,
@@ -36,13 +37,19 @@ pub struct FlatStar {
 /// A star under pressure; what is per star counts both sheets and all sectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InflatedStar {
-    /// From the axis to the apex of a corner's inner rim, m.
+    /// From the axis to the apex of a corner's inner rim, m; of a whole star the mean of all corners, from the point in their middle.
     pub final_radius: Value,
-    /// Twice the angle between a tip's plane and the line of its arm, rad.
+    /// The least and the largest of all corners, m.
+    pub corner_radii: [Value; 2],
+    /// How far the point in the middle of the corners lies beside that of the tips, m.
+    pub off_center: Value,
+    /// Twice the angle between a tip's plane and the line of its arm, rad; of a whole star the mean of all tips.
     pub tip_angle: Value,
+    /// The least angle of a tip. Arms of a whole star pass through each other where it is below 0.
+    pub least_tip_angle: Value,
     /// Volume, m^3.
     pub volume: Value,
-    /// Force with which the two arms of a tip press on each other, N; 0 where they do not touch.
+    /// Force with which the two arms of a tip press on each other, N; 0 where they do not touch, and of a whole star.
     pub preload: Value,
     /// Flat area of an arm's sheet that touches the next arm, m^2.
     pub contact_area: Value,
@@ -59,12 +66,10 @@ pub struct InflatedStar {
 }
 
 /// Numbers that each mesh gives of the whole star, and with those of its hardest loaded places.
-const WHOLE: usize = 6;
+pub(super) const WHOLE: usize = 10;
 const NUMBERS: usize = WHOLE + 3;
-/// The corner's plane of symmetry.
-const CORNER: Border = Border::Mirror(plane::FIRST);
-/// The object among the obstacles.
-const POST: usize = 2;
+/// The tip's plane of symmetry among the obstacles.
+const TIP: usize = 1;
 /// Objects of one call: more are asked for in another.
 pub const MOST_OBJECTS: usize = 8;
 
@@ -91,7 +96,18 @@ impl Objects<'_> {
 }
 
 impl FlatStar {
-    fn sector(&self) -> Result<HalfSector, ShellFault> {
+    /// The least part of it that knows its weave.
+    pub fn part(&self) -> StarPart {
+        let weave = self.tube.fabric.weave;
+        let half_angle = std::f64::consts::PI / f64::from(self.points);
+        if weave.is_mirrored_at(0.0) && weave.is_mirrored_at(half_angle) {
+            StarPart::HalfSector
+        } else {
+            StarPart::Whole
+        }
+    }
+
+    pub(super) fn sector(&self) -> Result<HalfSector, ShellFault> {
         self.tube.check()?;
         let w = self.tube.width;
         Ok(HalfSector {
@@ -115,28 +131,30 @@ pub fn star(
     fineness: Fineness,
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    star_by_sizes(case, objects, (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
+    star_by_sizes((case, case.part()), objects, (&Sizes::across(1.0, fineness.cells), fineness.cuts), watch)
 }
 
-/// As [`star`], on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are cut into four.
+/// As [`star`], of any part of it and on meshes of any grading: the edge lengths of the coarsest one, by W, and how often its triangles are
+/// cut into four. Half a sector of a weave without its planes of symmetry stands for a star that has none: each half sector of it is cut as
+/// the first one is, or as its mirror image.
 ///
 /// # Errors
 /// As of [`star`].
 pub fn star_by_sizes(
-    case: &FlatStar,
+    (case, part): (&FlatStar, StarPart),
     objects: Objects<'_>,
     (sizes, cuts): (&Sizes, usize),
     watch: &Watch,
 ) -> Result<InflatedStar, ShellFault> {
-    let sector = case.sector()?;
+    let modelled = ModelledPart { part, sector: case.sector()? };
     let count = objects.sizes().len();
     if count > MOST_OBJECTS {
         return Err(ShellFault::TooMany { name: "objects", found: count, most: MOST_OBJECTS });
     }
-    let coarsest = sector.mesh(sizes)?;
-    let planes = [Plane::first(), Plane::second(sector.half_angle())];
-    let obstacles = [Obstacle::Wall(planes[0]), Obstacle::Wall(planes[1]), Obstacle::Post { radius: 0.0 }];
-    let hold = |meshed: &Meshed, _: &mut Sheet| Supports::new(&meshed.mesh, planes.to_vec());
+    let coarsest = modelled.meshed(sizes)?;
+    let obstacles = modelled.obstacles();
+    let post = obstacles.len() - 1;
+    let hold = |meshed: &Meshed, _: &mut Sheet| modelled.supports(&meshed.mesh);
     let family =
         Family { tube: case.tube, coarsest, cuts, hold: &hold, obstacles: &obstacles, from_above: false };
     let (mut worst, mut shape) = (Extremes::default(), InflatedShape::default());
@@ -146,22 +164,29 @@ pub fn star_by_sizes(
         let _ = solver.assembly.differentiate(&equilibrium.state, equilibrium.pressure);
         (worst.seal_pull, worst.pull_at) =
             extremes::pull(&meshed.mesh, solver.assembly.forces(), case.band / case.tube.width);
-        let whole = measure(&sector, solver, &meshed.mesh, equilibrium);
+        let (whole, middle) = measure(&modelled, solver, &meshed.mesh, equilibrium);
         numbers[..WHOLE].copy_from_slice(&whole);
         numbers[WHOLE..NUMBERS].copy_from_slice(&[worst.seal_tension, worst.stretch, worst.seal_pull]);
         shape = InflatedShape::new(&case.tube, solver, &meshed.mesh, &equilibrium.state);
         // The next mesh begins without the objects.
         let alone = solver.contact.clone();
-        press(case, objects, solver, equilibrium, (beside, &mut numbers[NUMBERS..]))?;
+        let mut centered = equilibrium.clone();
+        for x in &mut centered.state.points {
+            *x = [x[0] - middle[0], x[1] - middle[1], x[2]];
+        }
+        press(case, objects, (solver, post), &centered, (beside, &mut numbers[NUMBERS..]))?;
         solver.contact = alone;
         Ok(numbers)
     })?;
     let w = case.tube.width;
     let force = case.tube.fabric.stretch * w;
-    let sheets = 4.0 * f64::from(case.points);
+    let sheets = modelled.count();
     Ok(InflatedStar {
         final_radius: values[0].scaled(w),
+        corner_radii: [values[6].scaled(w), values[7].scaled(w)],
+        off_center: values[8].scaled(w),
         tip_angle: values[1],
+        least_tip_angle: values[9],
         volume: values[2].scaled(sheets * w.powi(3)),
         preload: values[3].scaled(2.0 * force),
         contact_area: values[4].scaled(w * w),
@@ -172,53 +197,50 @@ pub fn star_by_sizes(
             .zip(&values[NUMBERS..])
             .map(|(r, f)| (*r, f.scaled(sheets * force)))
             .collect(),
-        extremes: worst.scaled(case.tube.fabric.stretch, w, [values[6], values[7], values[8]]),
+        extremes: worst.scaled(
+            case.tube.fabric.stretch,
+            w,
+            [values[WHOLE], values[WHOLE + 1], values[WHOLE + 2]],
+        ),
         shape,
         evidence,
     })
 }
 
-/// Points of the corner's section, in its plane of symmetry, with the flat length that each stands for.
-fn section(mesh: &Mesh) -> Vec<(usize, f64)> {
-    let on = mesh.along(CORNER);
-    on.flat_map(|edge| mesh.edges[edge].ends.map(|end| (end, mesh.length(edge) / 2.0))).collect()
-}
-
-/// Radius, tip angle, volume, force and area of contact, stiffness.
-fn measure(sector: &HalfSector, solver: &mut Solver, mesh: &Mesh, equilibrium: &Equilibrium) -> [f64; WHOLE] {
-    let radius = mesh.innermost(CORNER).map_or(0.0, |apex| equilibrium.state.points[apex][0]);
-    let contact = solver.contact.as_ref();
-    let (force, area) = contact.map_or((0.0, 0.0), |contact| (contact.force(1), contact.patch(1)));
-    let parts: Vec<(usize, [f64; 3])> =
-        section(mesh).into_iter().map(|(point, length)| (point, [length, 0.0, 0.0])).collect();
-    [
-        radius,
-        tip_angle(sector, mesh, &equilibrium.state),
+/// Radius, tip angle, volume, force and area of contact, stiffness, the least and the largest radius, how far the corners' middle lies
+/// aside, the least tip angle; and the corners' middle.
+pub(super) fn measure(
+    modelled: &ModelledPart,
+    solver: &mut Solver,
+    mesh: &Mesh,
+    equilibrium: &Equilibrium,
+) -> ([f64; WHOLE], [f64; 2]) {
+    let corners = modelled.corner_places(mesh, &equilibrium.state);
+    let [angle, least_angle] = modelled.tip_angles(mesh, &equilibrium.state);
+    let at_tips = solver.contact.as_ref().filter(|_| modelled.part == StarPart::HalfSector);
+    let (force, area) = at_tips.map_or((0.0, 0.0), |contact| (contact.force(TIP), contact.patch(TIP)));
+    let [least, largest] = corners.range;
+    let numbers = [
+        corners.mean,
+        angle,
         equilibrium.rest.energy.volume,
         force,
         area,
-        1.0 / solver.compliance(&parts),
-    ]
+        modelled.stiffness(solver.compliance(&modelled.sections(mesh))),
+        least,
+        largest,
+        corners.aside,
+        least_angle,
+    ];
+    (numbers, corners.middle)
 }
 
-/// Twice the angle between the tip's plane and the arm's line, which leaves out one W at each hinge, or a third of a short arm.
-fn tip_angle(sector: &HalfSector, mesh: &Mesh, state: &State) -> f64 {
-    let half_corner = sector.phi_i / 2.0 + sector.half_angle();
-    let (sine, cosine) = libm::sincos(half_corner);
-    let start = (sector.rho_0 + sector.w + sector.r_e) * cosine;
-    let l = sector.l();
-    let left_out = (l / 3.0).min(1.0);
-    let [x, y] =
-        ArmLine::new(mesh, [cosine, sine], [start + left_out, start + l - left_out]).direction(state);
-    2.0 * (libm::atan2(y, x) - sector.half_angle())
-}
-
-/// Opens the star by each object in turn, and writes the force of one sheet of half a sector on it. It begins from what the coarser mesh
+/// Opens the star by each object in turn, and writes the force of one sheet of the modelled part on it. It begins from what the coarser mesh
 /// left of each, where there is such a one and it leads to an equilibrium; it leaves its own.
 fn press(
     case: &FlatStar,
     objects: Objects<'_>,
-    solver: &mut Solver,
+    (solver, post): (&mut Solver, usize),
     equilibrium: &Equilibrium,
     (beside, forces): (&mut Vec<Indented>, &mut [f64]),
 ) -> Result<(), ShellFault> {
@@ -231,8 +253,8 @@ fn press(
     for (index, size) in objects.sizes().iter().enumerate() {
         let last = (origin + size / case.tube.width).max(nearest);
         let found = match starts.next() {
-            Some(start) => open_from(start, solver, &mut state, aim, [radius, last]),
-            None => open(solver, &mut state, aim, [radius, last]),
+            Some(start) => open_from(start, (solver, post), &mut state, aim, [radius, last]),
+            None => open((solver, post), &mut state, aim, [radius, last]),
         };
         match found {
             Ok(()) => beside.push(Indented { state: state.clone(), contact: solver.contact.clone() }),
@@ -245,7 +267,7 @@ fn press(
             }
         }
         radius = last;
-        forces[index] = solver.contact.as_ref().map_or(0.0, |contact| contact.force(POST));
+        forces[index] = solver.contact.as_ref().map_or(0.0, |contact| contact.force(post));
     }
     Ok(())
 }
@@ -253,14 +275,14 @@ fn press(
 /// As [`open`], but at once where what the coarser mesh left leads to an equilibrium.
 fn open_from(
     Indented { state: mut own, contact }: Indented,
-    solver: &mut Solver,
+    (solver, post): (&mut Solver, usize),
     state: &mut State,
     aim: Aim,
     [from, to]: [f64; 2],
 ) -> Result<(), Stop> {
     let before = std::mem::replace(&mut solver.contact, contact);
     if let Some(contact) = &mut solver.contact {
-        contact.replace(POST, Obstacle::Post { radius: to });
+        contact.replace(post, Obstacle::Post { radius: to });
     }
     match solver.rest(&mut own, aim) {
         Ok(_) => {
@@ -270,19 +292,24 @@ fn open_from(
         Err(Stop::Cancelled) => Err(Stop::Cancelled),
         Err(_) => {
             solver.contact = before;
-            open(solver, state, aim, [from, to])
+            open((solver, post), state, aim, [from, to])
         }
     }
 }
 
 /// Widens the object from one radius to another, by W, as fast as the star follows.
-fn open(solver: &mut Solver, state: &mut State, aim: Aim, [from, to]: [f64; 2]) -> Result<(), Stop> {
+fn open(
+    (solver, post): (&mut Solver, usize),
+    state: &mut State,
+    aim: Aim,
+    [from, to]: [f64; 2],
+) -> Result<(), Stop> {
     let (mut radius, mut growth) = (from, GROWTH);
     while radius < to {
         let (before, pressed) = (state.clone(), solver.contact.clone());
         let next = if to - radius < 1.001 * growth { to } else { radius + growth };
         if let Some(contact) = &mut solver.contact {
-            contact.replace(POST, Obstacle::Post { radius: next });
+            contact.replace(post, Obstacle::Post { radius: next });
         }
         match solver.rest(state, aim) {
             Ok(_) => {

@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 /// The paper's fabric, E = 128 MPa, nu = 0.39, of thickness `t`, m.
 fn fabric(t: f64) -> Fabric {
     let (e, nu) = (128e6, 0.39);
-    Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu }
+    Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu)
 }
 
 /// As thick as the paper's: t = 0.3 mm.
@@ -91,11 +91,11 @@ fn a_hinge_without_arms_is_what_the_section_says() {
 fn size_does_not_matter_at_the_same_ratios() {
     // Lengths by 3, t with them: the same pressure, the same angle.
     let case = v_actuator();
-    let Fabric { stretch, bending, poisson } = case.tube.fabric;
+    let Fabric { stretch, bending, poisson, .. } = case.tube.fabric;
     let large = VActuator {
         tube: Tube {
             width: 0.06,
-            fabric: Fabric { stretch: 3.0 * stretch, bending: 27.0 * bending, poisson },
+            fabric: Fabric::isotropic(3.0 * stretch, 27.0 * bending, poisson),
             pressure: 14e3,
         },
         radius: 0.006,
@@ -167,7 +167,7 @@ fn a_rim_that_is_sharp_and_not_a_point_is_found() {
 /// At 1/eps = 1 this thin sheet is stretched by a millionth, whose square is all that its energy feels of rounding.
 #[test]
 fn a_sheet_that_is_hardly_stretched_comes_to_rest() {
-    let fabric = Fabric { stretch: 8452.0, bending: 3.8726e-6, poisson: 0.455 };
+    let fabric = Fabric::isotropic(8452.0, 3.8726e-6, 0.455);
     let case = VActuator {
         tube: Tube { width: 0.0637, fabric, pressure: 0.183 },
         radius: 0.0,

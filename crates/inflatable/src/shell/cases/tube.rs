@@ -26,6 +26,9 @@ const MOST_STRETCHED: f64 = 0.1;
 pub(crate) const MOST_BENDABLE: f64 = 5000.0;
 /// Poisson's ratios that fabrics have.
 const MOST_POISSON: f64 = 0.499;
+/// Shear modulus by that of an isotropic sheet; the softest that was tried is 0.02.
+const LEAST_SHEAR: f64 = 0.01;
+const MOST_SHEAR: f64 = 10.0;
 /// Least norm of residuals, by Y W: 1e-16 a force of order one, of a hundred thousand.
 const FLOOR: f64 = 2e-13;
 
@@ -42,7 +45,7 @@ impl Tube {
 
     /// t/W, of a sheet that bends as B and stretches as Y say.
     pub fn slenderness(&self) -> f64 {
-        let Fabric { stretch, bending, poisson } = self.fabric;
+        let Fabric { stretch, bending, poisson, .. } = self.fabric;
         (12.0 * (1.0 - poisson * poisson) * bending / stretch).sqrt() / self.width
     }
 
@@ -65,6 +68,7 @@ impl Tube {
         range(Input::Poisson, self.fabric.poisson, 0.0, MOST_POISSON)?;
         range(Input::Stretching, self.fabric.stretch, 1e-3, 1e12)?;
         range(Input::Bending, self.fabric.bending, 1e-15, 1e9)?;
+        range(Input::Shear, self.fabric.weave.shear, LEAST_SHEAR, MOST_SHEAR)?;
         range(Input::Slenderness, self.slenderness(), thinnest, THICKEST)?;
         range(Input::Bendability, self.bendability(), 1.0, most_bendable)?;
         range(Input::Stretch, self.stretch(), 0.0, MOST_STRETCHED)
@@ -72,8 +76,8 @@ impl Tube {
 
     /// Its fabric by the scales of the shell.
     pub(crate) fn scaled(&self) -> Fabric {
-        let Fabric { stretch, bending, poisson } = self.fabric;
-        Fabric { stretch: 1.0, bending: bending / (stretch * self.width * self.width), poisson }
+        let Fabric { stretch, bending, .. } = self.fabric;
+        Fabric { stretch: 1.0, bending: bending / (stretch * self.width * self.width), ..self.fabric }
     }
 
     /// From 1/eps = 1 to its pressure.

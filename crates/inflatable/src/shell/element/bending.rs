@@ -6,10 +6,10 @@
 //! unknown an edge that lets the director lean to either side. Grinspun, Gingold, Reisman and Zorin, "Computing discrete
 //! shape operators on general meshes" (2006).
 
-use crate::shell::element::Fabric;
 use crate::shell::element::membrane::Flat;
+use crate::shell::element::{Fabric, weave};
 
-/// K of a triangle: its bending energy is alpha^T K alpha / 2 = A (B/2) [(1 - nu) tr kappa^2 + nu (tr kappa)^2].
+/// K of a triangle: its bending energy is alpha^T K alpha / 2 = A (B/2) [(1 - nu) tr kappa^2 + nu (tr kappa)^2], and what a weave adds.
 pub fn stiffness(fabric: Fabric, flat: &Flat) -> [[f64; 3]; 3] {
     // The slope of corner i's linear function is -nu_i l_i / (2 A).
     let slopes = flat.slopes;
@@ -20,7 +20,24 @@ pub fn stiffness(fabric: Fabric, flat: &Flat) -> [[f64; 3]; 3] {
         let cosine = product / lengths;
         fabric.bending * flat.area * 4.0 * lengths * ((1.0 - nu) * cosine * cosine + nu)
     };
-    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
+    let mut stiffness: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
+    if let Some(added) = weave::bending(fabric) {
+        // kappa_11, kappa_22, 2 kappa_12 by alpha of each edge.
+        let by_edge: [[f64; 3]; 3] = std::array::from_fn(|i| {
+            let mut alpha = [0.0; 3];
+            alpha[i] = 1.0;
+            let [k11, k22, k12] = curvature(flat, alpha);
+            [k11, k22, 2.0 * k12]
+        });
+        for (row, a) in stiffness.iter_mut().zip(&by_edge) {
+            for (entry, b) in row.iter_mut().zip(&by_edge) {
+                for i in 0..3 {
+                    *entry += flat.area * a[i] * (0..3).map(|j| added[i][j] * b[j]).sum::<f64>();
+                }
+            }
+        }
+    }
+    stiffness
 }
 
 /// The shape operator's components kappa_11, kappa_22, kappa_12 in the axes of the flat sheet.

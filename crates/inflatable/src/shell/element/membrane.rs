@@ -1,10 +1,10 @@
 //! A triangle stretched in its plane: constant strain, St Venant-Kirchhoff, plane stress.
 //!
 //! With the deformation gradient F = (f1, f2) and the strain E = (F^T F - I)/2 the energy is
-//! A Y/(1 - nu^2) [E11^2 + E22^2 + 2 nu E11 E22 + 2 (1 - nu) E12^2]/2.
+//! A Y/(1 - nu^2) [E11^2 + E22^2 + 2 nu E11 E22 + 2 (1 - nu) E12^2]/2, and what a weave adds.
 
 use crate::shell::element::vector::{Vector, dot, minus};
-use crate::shell::element::{Fabric, Square};
+use crate::shell::element::{Fabric, Square, Weave, weave};
 
 /// The flat triangle: how a field given at its corners grows across it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -52,17 +52,30 @@ impl Membrane {
         ];
         let [plane, shear] = moduli(fabric);
         let nu = fabric.poisson;
-        let stress =
+        let mut stress =
             [plane * (strain[0] + nu * strain[1]), plane * (strain[1] + nu * strain[0]), shear * strain[2]];
-        Self { columns, strain, stress, tangent: None }
+        let mut tangent = None;
+        if let Some(added) = weave::membrane(fabric) {
+            let mut response = isotropic([plane, shear], nu);
+            for i in 0..3 {
+                for j in 0..3 {
+                    stress[i] += added[i][j] * strain[j];
+                    response[i][j] += added[i][j];
+                }
+            }
+            tangent = Some(response);
+        }
+        Self { columns, strain, stress, tangent }
     }
 
     /// The same of a sheet that gives way to compression in fine wrinkles: where one principal stress would be compressive only the
-    /// other is left, Y E_1, and where both would be, none. `left` is the part of the elastic response that remains besides.
+    /// other is left, Y E_1, and where both would be, none. `left` is the part of the elastic response that remains besides. The weave
+    /// is left out.
     ///
     /// The energy is the largest convex one below the elastic one: Pipkin, "The relaxed energy density for isotropic elastic membranes"
     /// (1986).
     pub fn wrinkled(fabric: Fabric, flat: &Flat, corners: [Vector; 3], left: f64) -> Self {
+        let fabric = fabric.woven(Weave::ISOTROPIC);
         let elastic = Self::new(fabric, flat, corners);
         let [e11, e22, double] = elastic.strain;
         let (mean, half) = (f64::midpoint(e11, e22), libm::hypot((e11 - e22) / 2.0, double / 2.0));
@@ -72,8 +85,7 @@ impl Membrane {
             return elastic;
         }
         let [plane, shear] = moduli(fabric);
-        let mut tangent = [[plane, nu * plane, 0.0], [nu * plane, plane, 0.0], [0.0, 0.0, shear]]
-            .map(|row| row.map(|c| left * c));
+        let mut tangent = isotropic([plane, shear], nu).map(|row| row.map(|c| left * c));
         let mut stress = elastic.stress.map(|s| left * s);
         if most > 0.0 {
             let (sine, cosine) = libm::sincos(0.5 * libm::atan2(double, e11 - e22));
@@ -174,6 +186,11 @@ impl Membrane {
             [(mean + half) * stretches[0] / stretches[1], (mean - half) * stretches[1] / stretches[0]];
         [tension, stretches]
     }
+}
+
+/// What the stress of an isotropic sheet answers to E11, E22, 2 E12.
+fn isotropic([plane, shear]: [f64; 2], nu: f64) -> [[f64; 3]; 3] {
+    [[plane, nu * plane, 0.0], [nu * plane, plane, 0.0], [0.0, 0.0, shear]]
 }
 
 /// Y/(1 - nu^2) and the shear modulus Y/(2 (1 + nu)).

@@ -11,6 +11,9 @@ pub mod fold;
 pub mod membrane;
 pub(crate) mod vector;
 pub mod volume;
+mod weave;
+
+pub use weave::Weave;
 
 /// Elastic constants of the sheet, per unit of its flat area.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,8 +22,23 @@ pub struct Fabric {
     pub stretch: f64,
     /// B = E t^3 / (12 (1 - nu^2)): a moment a unit of length times a length.
     pub bending: f64,
-    /// Poisson's ratio nu.
+    /// Poisson's ratio nu; of woven fabric along warp and weft.
     pub poisson: f64,
+    /// How it is woven.
+    pub weave: Weave,
+}
+
+impl Fabric {
+    /// Fabric that is the same in all directions.
+    pub const fn isotropic(stretch: f64, bending: f64, poisson: f64) -> Self {
+        Self { stretch, bending, poisson, weave: Weave::ISOTROPIC }
+    }
+
+    /// The same fabric woven as `weave` says.
+    #[must_use]
+    pub const fn woven(self, weave: Weave) -> Self {
+        Self { weave, ..self }
+    }
 }
 
 /// Second derivatives by the nine coordinates of a triangle's corners.

@@ -18,7 +18,6 @@ mod sizing;
 mod strip;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
 mod unfold;
 mod vtu;
 mod width;

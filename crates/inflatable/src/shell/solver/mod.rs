@@ -7,6 +7,8 @@ mod factor;
 mod newton;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod woven;
 
 pub use continuation::{Broken, Continuation, Equilibrium};
 pub use displacement_control::DisplacementControl;

@@ -23,7 +23,7 @@ fn quarter(cells: usize, diagonal: Diagonal, outer: [Border; 2]) -> Result<(Mesh
 
 /// The height of the middle of a plate of B = 1 under so little pressure that it is linear, by p a^4/B.
 fn middle(mesh: &Mesh, supports: Supports) -> Result<f64, Stop> {
-    let fabric = Fabric { stretch: 100.0, bending: 1.0, poisson: 0.3 };
+    let fabric = Fabric::isotropic(100.0, 1.0, 0.3);
     let mut solver = Solver::new(Sheet::new(mesh, fabric), supports).ok_or(Stop::Iterations)?;
     let mut state = solver.assembly.sheet.flat();
     let pressure = 1e-4;
@@ -61,7 +61,7 @@ fn a_clamped_square_plate_rises_as_it_must() -> Result<(), MeshFault> {
 fn an_endless_strip_without_bending_becomes_an_arc() -> Result<(), MeshFault> {
     // Half the strip |x| < 1/2 of a membrane held at its edges: its stretch and its arc from one equation.
     let (stretch, nu, pressure) = (1.0, 0.39, 0.05);
-    let fabric = Fabric { stretch, bending: 1e-8, poisson: nu };
+    let fabric = Fabric::isotropic(stretch, 1e-8, nu);
     let sides = [Border::Mirror(1), RIM, Border::Mirror(2), Border::Mirror(0)];
     let mesh = rectangle([0.5, 0.1], [40, 3], Diagonal::Alternating, 0.0, sides)?;
     let planes = vec![
@@ -102,7 +102,7 @@ fn actuator() -> Result<(Solver, f64), MeshFault> {
     let inner = (0..mesh.points.len()).filter(|k| mesh.points[*k][1] == 0.0);
     let inner = inner.min_by(|a, b| mesh.points[*a][0].total_cmp(&mesh.points[*b][0])).unwrap_or(0);
     supports.fix(inner, 0);
-    let fabric = Fabric { stretch: 1.0, bending: 2e-5, poisson: 0.39 };
+    let fabric = Fabric::isotropic(1.0, 2e-5, 0.39);
     let solver = Solver::new(Sheet::new(&mesh, fabric), supports).ok_or(MeshFault::Empty)?;
     Ok((solver, fabric.bending))
 }

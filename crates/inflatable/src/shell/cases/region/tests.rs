@@ -14,7 +14,7 @@ use std::f64::consts::{PI, TAU};
 /// E = 128 MPa, nu = 0.39, of thickness `t`, m.
 fn fabric(t: f64) -> Fabric {
     let (e, nu) = (128e6, 0.39);
-    Fabric { stretch: e * t, bending: e * t.powi(3) / (12.0 * (1.0 - nu * nu)), poisson: nu }
+    Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu)
 }
 
 fn circle(x: f64, y: f64, radius: f64) -> Path {
@@ -155,7 +155,7 @@ fn at_rest(chamber: &FlatChamber, bendability: f64) -> (Solver, Equilibrium, Sea
     let (meshed, _) = chamber.mesh(5.0).expect("a mesh");
     let sealed = SealedNodes::new(chamber, &meshed);
     let bending = 1e-5;
-    let mut sheet = Sheet::new(&meshed.mesh, Fabric { stretch: 1.0, bending, poisson: 0.3 });
+    let mut sheet = Sheet::new(&meshed.mesh, Fabric::isotropic(1.0, bending, 0.3));
     let supports = symmetric(&meshed, &sealed, &mut sheet);
     let mut solver = Solver::new(sheet, supports).expect("small");
     let last = bendability * bending;

@@ -1,0 +1,236 @@
+//! The part of a star that is modelled: half a sector between two planes of symmetry, or where fabric is woven askew to them the whole
+//! star, one sheet of it.
+//!
+//! Both sheets lie with their warps parallel, so the plane between them stays one of symmetry.
+
+use crate::shell::assembly::{Plane, State, Supports};
+use crate::shell::cases::arm_line::ArmLine;
+use crate::shell::contact::Obstacle;
+use crate::shell::mesh::{Border, HalfSector, Mesh, MeshFault, Meshed, Sizes, rim};
+
+/// What is modelled of a star.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StarPart {
+    /// Half a sector of one sheet; all others are its images. Right for isotropic fabric, and where the warp lies at a multiple of 45 deg to
+    /// both planes.
+    HalfSector,
+    /// One whole sheet, without planes of symmetry. Its arms do not know of each other.
+    Whole,
+}
+
+/// A part of a star whose lengths are divided by W.
+#[derive(Clone, Copy)]
+pub(super) struct ModelledPart {
+    pub(super) part: StarPart,
+    pub(super) sector: HalfSector,
+}
+
+/// Where the corners are.
+pub(super) struct CornerPlaces {
+    /// Mean distance of the corners' apexes from the point in their middle.
+    pub(super) mean: f64,
+    /// The least and the largest.
+    pub(super) range: [f64; 2],
+    /// The point in the middle of the corners, against that in the middle of the tips.
+    pub(super) middle: [f64; 2],
+    pub(super) aside: f64,
+}
+
+/// How far from a ray a flat point may lie and be on it, W.
+const ON_RAY: f64 = 1e-7;
+
+impl ModelledPart {
+    pub(super) fn meshed(&self, sizes: &Sizes) -> Result<Meshed, MeshFault> {
+        let half = self.sector.mesh(sizes)?;
+        match self.part {
+            StarPart::HalfSector => Ok(half),
+            StarPart::Whole => half.unfolded(self.sector.n, 2 * self.sector.n),
+        }
+    }
+
+    /// Walls where arms meet their images, and last the object, as yet of no size.
+    pub(super) fn obstacles(&self) -> Vec<Obstacle> {
+        let post = Obstacle::Post { radius: 0.0 };
+        self.planes().into_iter().map(Obstacle::Wall).chain([post]).collect()
+    }
+
+    fn planes(&self) -> Vec<Plane> {
+        match self.part {
+            StarPart::HalfSector => vec![Plane::first(), Plane::second(self.sector.half_angle())],
+            StarPart::Whole => Vec::new(),
+        }
+    }
+
+    /// A whole sheet is held at three coordinates, so that it neither slides nor turns as a whole.
+    pub(super) fn supports(&self, mesh: &Mesh) -> Supports {
+        let mut supports = Supports::new(mesh, self.planes());
+        if self.part == StarPart::Whole {
+            let farthest = |along: f64| {
+                let rim = mesh.along(Border::Rim(rim::OUTER)).flat_map(|edge| mesh.edges[edge].ends);
+                let at = |point: &usize| along * mesh.points[*point][0];
+                rim.max_by(|a, b| at(a).total_cmp(&at(b))).unwrap_or_default()
+            };
+            let (one, other) = (farthest(1.0), farthest(-1.0));
+            for (point, axis) in [(one, 0), (one, 1), (other, 1)] {
+                supports.fix(point, axis);
+            }
+        }
+        supports
+    }
+
+    /// How often the modelled part is in the star.
+    pub(super) fn count(&self) -> f64 {
+        match self.part {
+            StarPart::HalfSector => 4.0 * f64::from(self.sector.n),
+            StarPart::Whole => 2.0,
+        }
+    }
+
+    /// Angles of the rays of the corners that are modelled.
+    fn corners(&self) -> impl Iterator<Item = f64> + use<> {
+        let (count, half_angle) = match self.part {
+            StarPart::HalfSector => (1, 0.0),
+            StarPart::Whole => (self.sector.n, self.sector.half_angle()),
+        };
+        (0..count).map(move |corner| 2.0 * f64::from(corner) * half_angle)
+    }
+
+    /// Where the corners of `state` are.
+    pub(super) fn corner_places(&self, mesh: &Mesh, state: &State) -> CornerPlaces {
+        let of = |angle: f64, radius: f64, border: u8| {
+            let (sine, cosine) = libm::sincos(angle);
+            let place = [radius * cosine, radius * sine];
+            let [x, y, _] = state.points[nearest(mesh, place, border)];
+            [x, y]
+        };
+        let apexes: Vec<[f64; 2]> =
+            self.corners().map(|angle| of(angle, self.sector.rho_0, rim::INNER)).collect();
+        if self.part == StarPart::HalfSector {
+            let radius = apexes[0][0];
+            return CornerPlaces { mean: radius, range: [radius; 2], middle: [0.0; 2], aside: 0.0 };
+        }
+        let half_angle = self.sector.half_angle();
+        let tips: Vec<[f64; 2]> =
+            self.corners().map(|angle| of(angle + half_angle, self.tip_radius(), rim::OUTER)).collect();
+        let (middle, of_tips) = (mean(&apexes), mean(&tips));
+        let radii: Vec<f64> = apexes.iter().map(|[x, y]| libm::hypot(x - middle[0], y - middle[1])).collect();
+        let end = |pick: fn(f64, f64) -> f64| radii.iter().copied().reduce(pick).unwrap_or_default();
+        CornerPlaces {
+            mean: radii.iter().sum::<f64>() / f64::from(self.sector.n),
+            range: [end(f64::min), end(f64::max)],
+            middle,
+            aside: libm::hypot(middle[0] - of_tips[0], middle[1] - of_tips[1]),
+        }
+    }
+
+    /// From the axis to the outermost point of a flat tip.
+    fn tip_radius(&self) -> f64 {
+        let HalfSector { rho_0, w, phi_i, r_i, r_e, .. } = self.sector;
+        let (turn, half_angle) = (phi_i / 2.0, self.sector.half_angle());
+        // From the centre of the corner's arc along the arm to the centre of the tip's; both lie on their rays.
+        let (sine, cosine) = libm::sincos(turn + half_angle);
+        let (l, across) = (self.sector.l(), w + r_i + r_e);
+        let x = rho_0 + w + r_e + l * cosine - across * sine;
+        let y = l * sine + across * cosine;
+        libm::hypot(x, y) + r_i + w
+    }
+
+    /// Twice the angle between each tip's ray and the line of each of its arms, which leaves out one W at each hinge, or a third of a short
+    /// arm: the mean and the least of a tip.
+    pub(super) fn tip_angles(&self, mesh: &Mesh, state: &State) -> [f64; 2] {
+        let sector = &self.sector;
+        let half_angle = sector.half_angle();
+        let half_corner = sector.phi_i / 2.0 + half_angle;
+        let start = (sector.rho_0 + sector.w + sector.r_e) * libm::cos(half_corner);
+        let l = sector.l();
+        let left_out = (l / 3.0).min(1.0);
+        let reach = [start + left_out, start + l - left_out];
+        let angle = |line: &ArmLine| {
+            let [x, y] = line.direction(state);
+            libm::atan2(y, x)
+        };
+        let direction = |angle: f64| {
+            let (sine, cosine) = libm::sincos(angle);
+            [cosine, sine]
+        };
+        if self.part == StarPart::HalfSector {
+            let own = 2.0 * (angle(&ArmLine::new(mesh, direction(half_corner), reach)) - half_angle);
+            return [own; 2];
+        }
+        // The arm that begins at each corner counterclockwise, and the one that ends at the next corner: the same tip's.
+        let tips: Vec<f64> = self
+            .corners()
+            .map(|corner| {
+                let next = corner + 2.0 * half_angle;
+                let is_between = |[x, y]: [f64; 2], from: f64| {
+                    let [along, across] = turned([x, y], -(from + half_angle / 2.0));
+                    along > 0.0 && libm::atan2(across, along).abs() < half_angle / 2.0
+                };
+                let first = ArmLine::within(mesh, direction(corner + half_corner), reach, |place| {
+                    is_between(place, corner)
+                });
+                let second = ArmLine::within(mesh, direction(next - half_corner), reach, |place| {
+                    is_between(place, corner + half_angle)
+                });
+                // Against the tip's ray, so that no angle jumps by a whole turn.
+                let against = |line: &ArmLine| {
+                    let [x, y] = turned(line.direction(state), -(corner + half_angle));
+                    libm::atan2(y, x)
+                };
+                against(&first) - against(&second)
+            })
+            .collect();
+        let least = tips.iter().copied().fold(f64::INFINITY, f64::min);
+        [tips.iter().sum::<f64>() / f64::from(sector.n), least]
+    }
+
+    /// Outward displacement of the sections of all modelled corners: points, and the direction by the flat length that each stands for.
+    pub(super) fn sections(&self, mesh: &Mesh) -> Vec<(usize, [f64; 3])> {
+        let mut parts = Vec::new();
+        for angle in self.corners() {
+            let (sine, cosine) = libm::sincos(angle);
+            let is_on = |point: usize| {
+                let [along, across] = turned(mesh.points[point], -angle);
+                along > 0.0 && across.abs() < ON_RAY
+            };
+            for (edge, ends) in mesh.edges.iter().map(|edge| edge.ends).enumerate() {
+                if ends.into_iter().all(is_on) {
+                    let half = mesh.length(edge) / 2.0;
+                    parts.extend(ends.map(|end| (end, [half * cosine, half * sine, 0.0])));
+                }
+            }
+        }
+        parts
+    }
+
+    /// The stiffness of the modelled part by the compliance of its sections, all of which bear the same force: force by displacement of one
+    /// corner, times their number.
+    pub(super) fn stiffness(&self, compliance: f64) -> f64 {
+        let corners = match self.part {
+            StarPart::HalfSector => 1.0,
+            StarPart::Whole => f64::from(self.sector.n),
+        };
+        corners * corners / compliance
+    }
+}
+
+/// The point of a rim whose flat place is nearest to `place`.
+fn nearest(mesh: &Mesh, place: [f64; 2], border: u8) -> usize {
+    let away = |point: &usize| {
+        let [x, y] = mesh.points[*point];
+        libm::hypot(x - place[0], y - place[1])
+    };
+    let rim = mesh.along(Border::Rim(border)).flat_map(|edge| mesh.edges[edge].ends);
+    rim.min_by(|a, b| away(a).total_cmp(&away(b))).unwrap_or_default()
+}
+
+fn mean(points: &[[f64; 2]]) -> [f64; 2] {
+    #[expect(clippy::cast_precision_loss, reason = "a star has few corners")]
+    let count = points.len() as f64;
+    [0, 1].map(|c| points.iter().map(|point| point[c]).sum::<f64>() / count)
+}
+
+fn turned([x, y]: [f64; 2], angle: f64) -> [f64; 2] {
+    let (sine, cosine) = libm::sincos(angle);
+    [cosine * x - sine * y, sine * x + cosine * y]
+}

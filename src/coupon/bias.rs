@@ -1,0 +1,145 @@
+//! The bias strip: a strip of one sheet, cut at 45 deg to the warp and pulled, tells the shear modulus.
+//!
+//! An orthotropic sheet that is as stiff along the warp as along the weft has at 45 deg to both
+//!
+//! ```text
+//! 4 / E_45 = 1/G + 2 (1 - nu) / E        so        1 / (G t) = 4 / (E_45 t) - 2 (1 - nu) / Y
+//! ```
+//!
+//! from 1/E(theta) = (c^4 + s^4)/E + (1/G - 2 nu/E) c^2 s^2 with c^2 = s^2 = 1/2: Jones, "Mechanics of composite materials" (1999),
+//! equation 2.97. E_45 t is the slope of load over travel times length over width. Clamps hold the strip's width, so a short strip is stiffer.
+
+use std::fmt;
+
+use crate::coupon::cone::Press;
+
+/// Fewest points of a straight line with a check.
+const LEAST: usize = 3;
+/// Largest distance of a point from the line, by the range of loads: a curve has no one slope.
+const STRAIGHT: f64 = 0.05;
+
+/// A strip between two clamps.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BiasStrip {
+    /// Width, mm.
+    pub width: f64,
+    /// Free length between the clamps, mm.
+    pub length: f64,
+}
+
+/// Why a test tells no shear modulus.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum BiasFault {
+    /// So few points.
+    Few(usize),
+    /// All points have one travel, or load falls with travel.
+    NoSlope,
+    /// A point lies so far from the line, by the range of loads.
+    Curved(f64),
+    /// The strip is as stiff as no shear modulus makes it: its stiffness E_45 t, and that from which it is, N/mm.
+    TooStiff(f64, f64),
+}
+
+impl fmt::Display for BiasFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Few(found) => {
+                write!(f, "{found} points; at least {LEAST} are needed")
+            }
+            Self::NoSlope => {
+                f.write_str("the load does not rise with the travel; were the columns exchanged?")
+            }
+            Self::Curved(found) => write!(
+                f,
+                "the load leaves a straight line by {:.0} %; at most {:.0} % are allowed: keep the rows of the first, straight part",
+                100.0 * found,
+                100.0 * STRAIGHT
+            ),
+            Self::TooStiff(found, most) => write!(
+                f,
+                "the strip bears {found:.3} N/mm of width and strain; along the bias it is below {most:.3} N/mm for any shear modulus: was it \
+                 cut at 45 deg, is it one sheet, and is the stretch stiffness right?"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for BiasFault {}
+
+impl BiasStrip {
+    /// E_45 t of the strip in `test`, N/mm: by the line of least squares.
+    ///
+    /// # Errors
+    /// If the points make no straight, rising line.
+    pub fn stiffness(&self, test: &[Press]) -> Result<f64, BiasFault> {
+        if test.len() < LEAST {
+            return Err(BiasFault::Few(test.len()));
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a table's rows")]
+        let count = test.len() as f64;
+        let mean = |of: fn(&Press) -> f64| test.iter().map(of).sum::<f64>() / count;
+        let (x, y) = (mean(|press| press.travel), mean(|press| press.load));
+        let sum = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
+            test.iter().map(|press| of(press.travel - x, press.load - y)).sum()
+        };
+        let slope = sum(&|x, y| x * y) / sum(&|x, _| x * x);
+        if slope.is_nan() || slope <= 0.0 {
+            return Err(BiasFault::NoSlope);
+        }
+        let loads = || test.iter().map(|press| press.load);
+        let range = loads().fold(f64::NEG_INFINITY, f64::max) - loads().fold(f64::INFINITY, f64::min);
+        let off = |press: &Press| (press.load - y - slope * (press.travel - x)).abs() / range;
+        let most = test.iter().map(off).fold(0.0, f64::max);
+        if most > STRAIGHT {
+            return Err(BiasFault::Curved(most));
+        }
+        Ok(slope * self.length / self.width)
+    }
+}
+
+/// G t (N/mm) of a sheet of the stretch stiffness `stretch` Y (N/mm) and the Poisson ratio `poisson`, whose bias strip has the stiffness
+/// `along_bias` E_45 t (N/mm).
+///
+/// # Errors
+/// If no shear modulus makes a strip so stiff: E_45 t is below 2 Y / (1 - nu).
+pub fn shear_stiffness(along_bias: f64, stretch: f64, poisson: f64) -> Result<f64, BiasFault> {
+    let most = 2.0 * stretch / (1.0 - poisson);
+    if along_bias >= most {
+        return Err(BiasFault::TooStiff(along_bias, most));
+    }
+    Ok(1.0 / (4.0 / along_bias - 2.0 * (1.0 - poisson) / stretch))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STRIP: BiasStrip = BiasStrip { width: 50.0, length: 200.0 };
+
+    fn line(slope: f64, bend: f64) -> Vec<Press> {
+        [0.0, 1.0, 2.0, 3.0].map(|x| Press { travel: x, load: 2.0 + slope * x + bend * x * x }).to_vec()
+    }
+
+    #[test]
+    fn a_strip_gives_the_shear_modulus_back() {
+        // Y = 38.4 N/mm, nu = 0.39, G t = 3 N/mm; by 1/E(theta) at 45 deg.
+        let (y, nu, g) = (38.4, 0.39, 3.0);
+        let bias = 1.0 / (0.5 / y + (1.0 / g - 2.0 * nu / y) / 4.0);
+        let found = STRIP.stiffness(&line(bias / 4.0, 0.0)).expect("a line");
+        assert!((found / bias - 1.0).abs() < 1e-12, "{found}");
+        assert!((shear_stiffness(found, y, nu).expect("soft") / g - 1.0).abs() < 1e-12);
+        // Isotropic fabric is as stiff along the bias as along the warp.
+        let even = shear_stiffness(y, y, nu).expect("isotropic");
+        assert!((even / (y / (2.0 * (1.0 + nu))) - 1.0).abs() < 1e-12, "{even}");
+    }
+
+    #[test]
+    fn what_is_no_line_or_no_strip_is_refused() {
+        assert_eq!(STRIP.stiffness(&line(1.0, 0.0)[..2]), Err(BiasFault::Few(2)));
+        assert_eq!(STRIP.stiffness(&line(-1.0, 0.0)), Err(BiasFault::NoSlope));
+        assert_eq!(STRIP.stiffness(&[Press { travel: 1.0, load: 1.0 }; 3]), Err(BiasFault::NoSlope));
+        assert!(matches!(STRIP.stiffness(&line(1.0, 0.5)), Err(BiasFault::Curved(_))));
+        assert!(STRIP.stiffness(&line(1.0, 0.05)).is_ok());
+        assert!(matches!(shear_stiffness(130.0, 38.4, 0.39), Err(BiasFault::TooStiff(..))));
+    }
+}

@@ -1,0 +1,63 @@
+//! Woven fabric: which models know it, and what the others say.
+
+use std::f64::consts::FRAC_PI_4;
+
+use super::{case, close, gripper, predict};
+use stargrip_cam::forecast::case::weave;
+use stargrip_cam::forecast::shell::star::flat;
+use stargrip_cam::shell::cases::StarPart;
+use stargrip_cam::spec::{ModelChoice, Spec};
+use stargrip_cam::units::{Angle, LineForce, Pressure};
+
+/// The paper's gripper of fabric with a fifth of the isotropic shear modulus, its warp at `warp` deg.
+fn woven(points: u32, warp: f64) -> Spec {
+    let mut spec = gripper(points);
+    let fabric = &mut spec.fabric;
+    let isotropic = fabric.young_modulus.0 / (2.0 * (1.0 + fabric.poisson_ratio));
+    (fabric.shear_modulus, fabric.warp) = (Some(Pressure(0.2 * isotropic)), Angle(warp));
+    spec
+}
+
+#[test]
+fn the_shear_modulus_is_a_part_of_that_of_isotropic_fabric() {
+    let found = weave(&woven(5, 45.0).fabric).expect("in range");
+    close(found.shear, 0.2, 1e-12);
+    close(found.warp, FRAC_PI_4, 1e-12);
+    assert!(weave(&gripper(5).fabric).expect("in range").is_isotropic());
+    // A measured stretch stiffness is that of the isotropic sheet: half of it, and the same G, are twice the part.
+    let mut spec = woven(5, 45.0);
+    let stretch = spec.fabric.young_modulus.pascals() * spec.fabric.thickness.metres();
+    spec.fabric.stretch_stiffness = Some(LineForce::from_newtons_per_metre(stretch / 2.0));
+    close(weave(&spec.fabric).expect("in range").shear, 0.4, 1e-12);
+}
+
+#[test]
+fn the_shell_computes_a_whole_star_where_the_weave_has_no_planes_of_symmetry() {
+    for (points, warp, part) in [
+        (5, 0.0, StarPart::Whole),
+        (4, 0.0, StarPart::HalfSector),
+        (4, -45.0, StarPart::HalfSector),
+        (4, 20.0, StarPart::Whole),
+    ] {
+        let spec = woven(points, warp);
+        let flat = flat(&case(&spec), weave(&spec.fabric).expect("in range")).expect("a star");
+        assert_eq!(flat.part(), part, "{points} {warp}");
+    }
+}
+
+#[test]
+fn models_of_hinges_leave_it_out_and_say_so() {
+    for model in [ModelChoice::Auto, ModelChoice::Section, ModelChoice::Ring, ModelChoice::Fit] {
+        let [mut even, mut woven] = [gripper(5), woven(5, 0.0)];
+        (even.accuracy.model, woven.accuracy.model) = (model, model);
+        let (even, woven) = (predict(&even), predict(&woven));
+        assert_eq!(even.first.final_radius_mm, woven.first.final_radius_mm, "{model:?}");
+        let said = |text: &&String| {
+            text.starts_with("shear_modulus is left out") && text.contains("0.20 of its shear")
+        };
+        assert_eq!(woven.first.evidence.warnings.iter().filter(said).count(), 1, "{model:?}");
+        assert_eq!(even.first.evidence.warnings.iter().filter(said).count(), 0, "{model:?}");
+        assert!(woven.first.evidence.weave.is_some_and(|weave| weave.starts_with("left out")));
+        assert_eq!(even.first.evidence.weave, None);
+    }
+}
