@@ -118,6 +118,13 @@ pub fn inflate(
     prediction.model = SHELL;
     "only the shell knows drawn shapes".clone_into(&mut prediction.evidence.choice);
     prediction.of_all(pressure);
+    let parted = piece.shape.topology().chambers.len();
+    if parted > count {
+        let what = format!(
+            "walls part the air into {parted} chambers, which are computed as {count}: all are at the same pressure"
+        );
+        prediction.evidence.warnings.push(what);
+    }
     Ok(InflatedDrawing { prediction, surfaces, shapes })
 }
 
