@@ -59,7 +59,7 @@ impl Loaded {
     /// # Errors
     /// If the spec has a drawing.
     pub(super) fn with_stars(self, command: &str) -> Result<Self, Failure> {
-        if self.reading.spec.drawing.is_none() {
+        if self.reading.spec.has_stars() {
             return Ok(self);
         }
         let place = self.reading.raw.span_of(key::drawing::FILE);

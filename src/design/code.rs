@@ -21,7 +21,7 @@ codes! {
         FeedFloor "feed-floor" "The controller cannot go as slowly as the seal; let it chop, seal faster, or use finer steps.",
         HoleClosed "hole-closed" "Band and hole-side flap close the hole; make them smaller or inner_radius larger.",
         InletMeetsArm "inlet-meets-arm" "The hose's channel is wider than the tip has room for; take a thinner hose or a wider tube.",
-        JobTooLarge "job-too-large" "The job has too many moves, or takes too long, to be written; build fewer or smaller stars at a time.",
+        JobTooLarge "job-too-large" "The job has too many moves, or takes too long, to be written; build fewer or smaller pieces at a time.",
         LayerWithoutRole "layer-without-role" "A layer of the drawing has no role; name it in one of the lists of `layers`, or in `ignore`.",
         LongExtent "long-extent" "The wanted coating windows would meet or run past the arms; make extent smaller.",
         LongOverlap "long-overlap" "The overlap is longer than half the loop; make it shorter.",

@@ -109,7 +109,7 @@ impl FreeArea {
                 size(self.width.max(0.0), self.height.max(0.0))
             ),
             format!(
-                "{} mm are missing: a smaller star, a smaller margin in [sheet], or a machine with more than {}",
+                "{} mm are missing: a smaller part, a smaller margin in [sheet], or a machine with more than {}",
                 Readable(up(missing)),
                 size(x.0, y.0)
             ),

@@ -24,8 +24,10 @@ pub fn too_many_moves(spec: &Spec, machine: &Machine, design: &Design) -> Option
         return None;
     }
     let found = format!("the job has {moves:.0} moves in contact");
-    let remedy = format!("at most {MOST_MOVES:.0} are written: build fewer or smaller stars at a time");
-    Some(Refusal::new(key::stack::COUNT, RefusalCode::JobTooLarge, found, remedy))
+    let (count, pieces) =
+        if spec.has_stars() { (key::stack::COUNT, "stars") } else { (key::sheet::COPIES, "pieces") };
+    let remedy = format!("at most {MOST_MOVES:.0} are written: build fewer or smaller {pieces} at a time");
+    Some(Refusal::new(count, RefusalCode::JobTooLarge, found, remedy))
 }
 
 /// Moves in contact that the programs of `design` have: pieces, or the strokes of each.
@@ -69,8 +71,9 @@ pub(super) fn too_long(spec: &Spec, programs: &[Program]) -> Option<Refusal> {
         return None;
     }
     let found = format!("a program takes {:.0} h", time / 3600.0);
+    let piece = if spec.has_stars() { "star" } else { "piece" };
     let remedy = format!(
-        "it must take less than {:.0} h: one program a star, a smaller star, or a speed above {} mm/s if a coupon holds it",
+        "it must take less than {:.0} h: one program a {piece}, a smaller {piece}, or a speed above {} mm/s if a coupon holds it",
         LONGEST_TIME / 3600.0,
         spec.seal.speed.0
     );

@@ -1,15 +1,46 @@
-//! Ramps so short that a move on them has no length in the plane: the iron would go straight down.
+//! Ramps on which a move has no length in the plane: the iron would go straight down. Crumbs of a path are left out, short ramps refused.
 
 use crate::design::{Refusal, RefusalCode};
 use crate::plan::{Pace, Program, Ramp, Step};
 use crate::spec::{Machine, Spec, key};
 use crate::units::Least;
-use inflatable::geom::Segment;
+use inflatable::geom::{Arc, Line, Point, Segment};
 
 /// Shortest way in the plane, mm, of a move on a ramp: programs tell two places apart that are a fifth of the tolerance from each
 /// other, and 0.002 mm, whatever the tolerance.
 fn shortest(spec: &Spec) -> f64 {
     (0.2 * spec.accuracy.path.0).clamp(2e-6, 2e-3)
+}
+
+/// The pieces of a ramp without **crumbs**: those from which a program could not tell its start from its end. The piece after a crumb
+/// begins where the one before it ends, so the way moves by less than a crumb; where the ramp begins and ends is as it was.
+pub(super) fn without_crumbs(pieces: Vec<Segment>, spec: &Spec) -> Vec<Segment> {
+    let least = shortest(spec);
+    let Some(end) = pieces.last().map(Segment::end) else { return pieces };
+    if pieces.iter().all(|piece| piece.length() >= least) {
+        return pieces;
+    }
+    let mut kept: Vec<Segment> = Vec::with_capacity(pieces.len());
+    let mut at = pieces[0].start();
+    for piece in &pieces {
+        // From the last end that was kept, so that many crumbs are a way. Pieces turn by 90 degrees at most: none ends where it began.
+        if piece.end().distance(at) >= least {
+            kept.push(between(piece, at, piece.end()));
+            at = piece.end();
+        }
+    }
+    let Some(last) = kept.pop() else { return pieces };
+    kept.push(between(&last, last.start(), end));
+    kept
+}
+
+/// The piece with other ends; an arc keeps the turn between them.
+fn between(piece: &Segment, start: Point, end: Point) -> Segment {
+    match piece {
+        _ if piece.start() == start && piece.end() == end => *piece,
+        Segment::Line(_) => Line::new(start, end).into(),
+        Segment::Arc(arc) => Arc::from_bulge(start, end, arc.bulge()).map_or(*piece, Segment::Arc),
+    }
 }
 
 /// The reason for which the ramps of `programs` are too steep.
@@ -44,4 +75,51 @@ fn least_move(ramp: &Ramp, pace: Pace) -> f64 {
         }
     };
     ramp.with_heights().map(of_piece).fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::{Source, read};
+
+    fn spec() -> Spec {
+        let text = include_str!("../../designs/paper-gripper.toml");
+        read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec
+    }
+
+    fn chain(corners: &[(f64, f64)]) -> Vec<Segment> {
+        let points: Vec<Point> = corners.iter().map(|(x, y)| Point::new(*x, *y)).collect();
+        points.windows(2).map(|ends| Line::new(ends[0], ends[1]).into()).collect()
+    }
+
+    /// Crumbs at the start, one after another in the middle, and at the end: the ramp begins and ends where it did.
+    #[test]
+    fn crumbs_are_left_out_and_the_ends_stay() {
+        let spec = spec();
+        let least = shortest(&spec);
+        let c = 0.4 * least;
+        let mut ramp =
+            chain(&[(-c, 0.0), (0.0, 0.0), (2.0, 0.0), (2.0, c), (2.0, 2.0 * c), (2.0, 3.0 * c), (2.0, 3.0)]);
+        ramp.push(Arc::new(Point::new(1.0, 3.0), 1.0, 0.0, 1.5).into());
+        let at = ramp[6].end();
+        ramp.push(Line::new(at, Point::new(at.x, at.y + c)).into());
+        let kept = without_crumbs(ramp.clone(), &spec);
+        assert_eq!(kept.len(), 4, "{kept:?}");
+        assert!(kept.iter().all(|piece| piece.length() >= least));
+        assert!(kept.windows(2).all(|pair| pair[0].end().distance(pair[1].start()) < 1e-12));
+        assert_eq!((kept[0].start(), kept[3].end()), (ramp[0].start(), ramp[7].end()));
+        let way = |pieces: &[Segment], t: f64| {
+            pieces.iter().map(|piece| piece.distance(Point::new(2.0, t))).fold(f64::INFINITY, f64::min)
+        };
+        assert!(way(&kept, 1.5) < least);
+    }
+
+    #[test]
+    fn what_has_no_crumbs_stays_as_it_is_and_one_crumb_alone_too() {
+        let spec = spec();
+        let ramp = chain(&[(0.0, 0.0), (0.01, 0.0), (3.0, 1.0)]);
+        assert_eq!(without_crumbs(ramp.clone(), &spec), ramp);
+        let short = chain(&[(0.0, 0.0), (1e-5, 0.0)]);
+        assert_eq!(without_crumbs(short.clone(), &spec), short);
+    }
 }

@@ -2,6 +2,7 @@
 
 use crate::design::Design;
 use crate::plan::pieces::Cuts;
+use crate::plan::ramps::without_crumbs;
 use crate::plan::{Height, Program, Purpose, Ramp, Scope, SeamReport, Step};
 use crate::shape::{LaidSeam, PlacedPiece, laid_seams};
 use crate::spec::{Machine, ProgramScope, Spec};
@@ -85,6 +86,6 @@ impl Planner<'_> {
 
     /// A ramp along `path`. It is as slow as the seal all the way, so that the seam does not begin colder than it goes on.
     fn ramp(&self, path: &Path, from: f64, to: f64) -> Ramp {
-        Ramp { pieces: self.cuts.pieces(path), from, to }
+        Ramp { pieces: without_crumbs(self.cuts.pieces(path), self.spec), from, to }
     }
 }

@@ -146,9 +146,10 @@ pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec
     let mut removed: Vec<(usize, usize, f64, f64)> = Vec::new();
     let mut doubled: Vec<Doubled> = Vec::new();
     for (i, part) in parts.iter().enumerate() {
-        index.visit(&part.segment.bounds().grown(join), |j| {
+        // What lies along one earlier curve in full need not be compared with more: a curve may be drawn thousands of times.
+        let _ = index.any(&part.segment.bounds().grown(join), |j| {
             if j >= i {
-                return;
+                return false;
             }
             if let Some((a, b)) = shared(&part.segment, &parts[j].segment, join) {
                 let scale = part.to - part.from;
@@ -157,7 +158,9 @@ pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec
                 if !doubled.iter().rev().take(64).any(|(known, _)| *known == sources) {
                     doubled.push((sources, part.segment.point(f64::midpoint(a, b))));
                 }
+                return (a, b) == (0.0, 1.0);
             }
+            false
         });
     }
     if removed.is_empty() {

@@ -8,6 +8,9 @@ use inflatable::geom::{Bounds, BoxIndex, Point, Segment, intersections};
 /// Ends farther apart than this are two ends, not a gap, mm.
 const WIDEST_GAP: f64 = 5.0;
 
+/// So many crossings are looked for: a thousand lines across a thousand others would take a gigabyte to tell of.
+const MOST_CROSSINGS: usize = 10_000;
+
 /// Faults where an edge ends in the open: a gap if another edge is near.
 pub(super) fn loose_ends(network: &Network, names: &[String], join: f64, notes: &mut SealingNotes) {
     let free = network.free_ends();
@@ -73,6 +76,9 @@ pub(super) fn crossings(network: &Network, names: &[String], join: f64, notes: &
     let index = BoxIndex::new(boxes.iter().copied());
     let mut told: Vec<([usize; 2], Point)> = Vec::new();
     for (i, (a, at, s)) in segments.iter().enumerate() {
+        if told.len() >= MOST_CROSSINGS {
+            break;
+        }
         index.visit(&boxes[i], |j| {
             let (b, other, t) = &segments[j];
             if j >= i {

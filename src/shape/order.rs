@@ -63,12 +63,16 @@ fn nearest(lines: &[Ends], at: Point) -> Option<(usize, bool)> {
     best.map(|(_, place, backwards)| (place, backwards))
 }
 
-/// A closed path from the middle of its longest straight segment, or of its longest arc if it has no straight one.
+/// Straight segments shorter than this are not looked for as a start, mm: the ways down and up would leave them soon, and some are rounding.
+const STRAIGHT: f64 = 1.0;
+
+/// A closed path from the middle of its longest straight segment of some length, or else of its longest segment.
 fn well_started(path: &Path) -> Path {
     let mut best: Option<(bool, f64, f64)> = None;
     let mut before = 0.0;
     for segment in &path.segments {
-        let (straight, length) = (matches!(segment, Segment::Line(_)), segment.length());
+        let length = segment.length();
+        let straight = matches!(segment, Segment::Line(_)) && length >= STRAIGHT;
         let better =
             best.is_none_or(
                 |(known, least, _)| {
@@ -126,8 +130,10 @@ fn safe(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
-    use inflatable::geom::Line as Chord;
+    use inflatable::geom::{Arc, Line as Chord};
 
     fn line(kind: LineUse, name: &str, x: f64, y: f64) -> Line {
         let p = |dx: f64, dy: f64| Point::new(x + dx, y + dy);
@@ -154,6 +160,17 @@ mod tests {
         let backwards = super::ordered(vec![line(LineUse::Weld, "w", -9.0, 0.0)]);
         assert_eq!(backwards[0].path.start(), Some(Point::new(0.0, 0.0)));
         assert_eq!(backwards[0].joined, [true, false]);
+    }
+
+    /// A line of a micrometre between round ones is rounding: the seam does not begin there.
+    #[test]
+    fn a_crumb_is_no_start() {
+        let half = |x: f64, from: f64| Arc::new(Point::new(x, 0.0), 9.0, from, PI).into();
+        let crumb = |x: f64, y: f64, dx: f64| Chord::new(Point::new(x, y), Point::new(x + dx, y)).into();
+        let rim =
+            vec![crumb(0.0, -9.0, 1e-3), half(1e-3, -PI / 2.0), crumb(1e-3, 9.0, -1e-3), half(0.0, PI / 2.0)];
+        let start = well_started(&Path::closed(rim)).start().unwrap();
+        assert!((start.x.abs() - 9.0).abs() < 0.01, "{start:?}");
     }
 
     #[test]

@@ -9,7 +9,7 @@ use crate::shape::order::{ordered, seam_names};
 use crate::shape::outline::outline;
 use crate::shape::sketch::{Rules, Sketch};
 use crate::shape::{AirSide, Port, Role, SealedShape, Seam};
-use inflatable::geom::{Path, Point};
+use inflatable::geom::{Line as Chord, Path, Point, Segment, intersections};
 
 /// A sketch that can be sealed.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,6 +112,20 @@ fn unsound_chambers(shape: &SealedShape, notes: &mut SealingNotes) {
             format!("the chamber inside of {} has no port", names[0]),
             "draw a port on its outer edge, or open a wall to a chamber with a port".to_owned(),
         );
-        notes.fault(ShapeCode::NoPort, &names, *inside, text, [0.0, 1.0]);
+        notes.fault(ShapeCode::NoPort, &names, amid(shape, *inside), text, [0.0, 1.0]);
     }
+}
+
+/// From a point in the air beside a seam, the point halfway to the seam across.
+fn amid(shape: &SealedShape, inside: Point) -> Point {
+    let segments = || shape.seams.iter().flat_map(|seam| &seam.center_line.segments);
+    let on_seam = |segment: &Segment| segment.point(segment.nearest_fraction(inside));
+    let nearest = segments().map(on_seam).min_by(|a, b| a.distance(inside).total_cmp(&b.distance(inside)));
+    let Some(nearest) = nearest else { return inside };
+    let reach = segments().map(|segment| segment.start().distance(inside)).fold(0.0, f64::max);
+    let across = inside + (inside - nearest).normalized() * (2.0 * reach);
+    let ray = Chord::new(inside, across).into();
+    let met = segments().flat_map(|segment| intersections(segment, &ray)).map(|p| p.distance(inside));
+    let width = met.fold(f64::INFINITY, f64::min);
+    if width.is_finite() { inside.lerp(across, width / (4.0 * reach)) } else { inside }
 }

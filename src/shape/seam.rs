@@ -1,6 +1,6 @@
 //! A seam: the centre line of a band, and how the iron enters and leaves it.
 
-use inflatable::geom::{Line, Path};
+use inflatable::geom::{Line, Path, Segment};
 
 /// The purpose of a seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,16 +56,23 @@ impl Seam {
     }
 }
 
+/// Whether a segment is long enough to say where a line leads; shorter ones may be rounding of a drawing.
+fn has_direction(segment: &&Segment) -> bool {
+    segment.length() > 0.01
+}
+
 /// The straight way of `length` that ends where the open `path` begins.
 fn straight_in(path: &Path, length: f64) -> Path {
-    let (Some(start), Some(tangent)) = (path.start(), path.tangent_at(0.0)) else { return Path::default() };
+    let direction = path.segments.iter().find(has_direction).or(path.segments.first());
+    let (Some(start), Some(first)) = (path.start(), direction) else { return Path::default() };
+    let tangent = first.tangent(0.0);
     Path::open(vec![Line::new(start - tangent * length, start).into()])
 }
 
 /// The straight way of `length` that goes on where the open `path` ends.
 fn straight_out(path: &Path, length: f64) -> Path {
-    let (Some(end), Some(tangent)) = (path.end(), path.tangent_at(path.length())) else {
-        return Path::default();
-    };
+    let direction = path.segments.iter().rev().find(has_direction).or(path.segments.last());
+    let (Some(end), Some(last)) = (path.end(), direction) else { return Path::default() };
+    let tangent = last.tangent(1.0);
     Path::open(vec![Line::new(end, end + tangent * length).into()])
 }

@@ -126,6 +126,13 @@ pub struct StarSpec {
     pub inlet_tip: u32,
 }
 
+impl Spec {
+    /// Whether it is a gripper of stars; else it is a piece by a drawing.
+    pub fn has_stars(&self) -> bool {
+        self.drawing.is_none()
+    }
+}
+
 impl StarSpec {
     /// The paper's star with `points` points: rho_0 = 50 mm, W = 30 mm, phi_i0 = 30 deg, sharp hinges.
     pub fn paper(points: u32) -> Self {

@@ -151,18 +151,18 @@ fn check_product(reader: &mut Reader<'_>, spec: &Spec) {
         let fault = Fault::error(FaultCode::Conflict, reader.raw.span_of(key), message).label(label);
         reader.faults.push(fault);
     };
-    if spec.drawing.is_none() && spec.sheet.copies > 1 {
+    if spec.has_stars() && spec.sheet.copies > 1 {
         let message = format!("`copies` is {} without a [drawing]", spec.sheet.copies);
         conflict(key::sheet::COPIES, message, "stars are counted by `count` in [stack]");
     }
-    if spec.drawing.is_none() && spec.mask.kind == MaskKind::Separator {
+    if spec.has_stars() && spec.mask.kind == MaskKind::Separator {
         let message = "`kind` is \"separator\" without a [drawing]".to_owned();
         conflict(key::mask::KIND, message, "stars are coated: \"coating\"");
     }
-    let of_stars = [Extra::Report, Extra::SceneGlb, Extra::FramePdf, Extra::FrameStl];
-    for extra in spec.build.with.iter().filter(|extra| spec.drawing.is_some() && of_stars.contains(extra)) {
+    let of_stacks = [Extra::FramePdf, Extra::FrameStl];
+    for extra in spec.build.with.iter().filter(|extra| !spec.has_stars() && of_stacks.contains(extra)) {
         let message = format!("`with` names {:?} beside [drawing]", extra.name());
-        conflict(key::build::WITH, message, "only a gripper of stars has one");
+        conflict(key::build::WITH, message, "only stacked stars have a frame");
     }
 }
 

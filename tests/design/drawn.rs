@@ -251,3 +251,17 @@ fn a_faulty_drawing_is_refused_with_elements_and_places() {
     assert_eq!(codes, ["chamber-without-port"]);
     assert!(refusals[0].drawn.as_ref().is_some_and(|place| place.at.is_some()));
 }
+
+/// What a drawing has, its spec may ask for; frames hold stars.
+#[test]
+fn a_drawing_has_a_report_and_a_scene_but_no_frame() {
+    let with = |kinds: &str| {
+        let text = format!(
+            "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = {{ air = [\"a\"] }}\n[build]\nwith = {kinds}\n"
+        );
+        spec::read(&Source::new("x", text)).map(|_| ()).map_err(|faults| faults.to_string())
+    };
+    assert_eq!(with("[\"report\", \"scene-glb\"]"), Ok(()));
+    let faults = with("[\"report\", \"frame-stl\"]").expect_err("a frame");
+    assert!(faults.contains("`with` names \"frame-stl\" beside [drawing]"), "{faults}");
+}

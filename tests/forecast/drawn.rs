@@ -101,6 +101,22 @@ fn walls_welds_and_islands_are_the_drawings() {
     assert_eq!((found.len(), found[0].flat.islands.len()), (1, 3));
 }
 
+/// The shell computes two chambers beside a wall as one, and says so.
+#[test]
+fn chambers_that_a_wall_parts_are_computed_as_one_with_a_warning() {
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"], port = [\"p\"] }\n[load]\npressure = \"3 kPa\"\n";
+    let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"0 0 200 200\"><g id=\"a\">\
+        <rect id=\"r\" x=\"40\" y=\"40\" width=\"80\" height=\"50\"/><path id=\"w\" d=\"M80 40V90\"/></g>\
+        <g id=\"p\"><path id=\"q\" d=\"M36 65H44\"/><path id=\"s\" d=\"M116 65H124\"/></g></svg>";
+    let asked = of_text(text, svg.as_bytes());
+    assert_eq!(asked.1.shape.topology().chambers.len(), 2);
+    let warnings = coarse(&asked).prediction.evidence.warnings;
+    assert!(
+        warnings.iter().any(|warning| warning.contains("2 chambers, which are computed as 1")),
+        "{warnings:?}"
+    );
+}
+
 #[test]
 fn what_is_missing_or_for_stars_is_said() {
     let asked = spec(DISC, "");

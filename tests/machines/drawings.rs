@@ -67,6 +67,72 @@ fn a_drawing_is_made_on_every_machine() {
     }
 }
 
+/// A drawing in `bytes`, the file `file`, with its layers `air`, `port` and `weld`, for the machine `name`.
+fn sealed(file: &str, bytes: &str, name: &str) -> Built {
+    let chops = ["grbl", "grblhal", "fluidnc", "marlin"].contains(&name);
+    let floor = if chops { "chop" } else { "refuse" };
+    let text = format!(
+        "schema = 1\nname = \"crumbs\"\n[drawing]\nfile = \"{file}\"\nlayers = {{ air = [\"air\"], port = [\"port\"], seam = [\"weld\"] }}\n\
+         [machine]\nprofile = \"{name}\"\nfeed_floor = \"{floor}\"\n"
+    );
+    let reading = read(&Source::new("spec", text.as_str())).unwrap_or_else(|faults| panic!("{faults}"));
+    made(&text, &reading.with_drawing(bytes.as_bytes()).spec, &machine(profile(name)), name)
+}
+
+/// Curves of other programs have segments of a micrometre and less. No seam begins there, and the iron does not go straight down there: on
+/// a round island between its halves, and at the corners of one whose sides are hardly longer than a ramp.
+#[test]
+fn crumbs_under_a_ramp_do_no_harm() {
+    for crumb in [2e-5, 1e-4, 4e-4, 1e-3] {
+        let weld = format!(
+            "M 60,60 l {crumb},0 0,{crumb} L 100,80 l 0,{crumb} {crumb},0 0,{crumb} L 120,90 l {crumb},0 0,-{crumb}"
+        );
+        let round = format!("M60,100 a8 8 0 0 1 0 16 h-{crumb} a8 8 0 0 1 0 -16 z");
+        let edged = format!(
+            "M140,50 h4 v{crumb} l2.9,2.9 v4 h-{crumb} l-2.9,2.9 h-4 v-{crumb} l-2.9,-2.9 v-4 h{crumb} l2.9,-2.9 z"
+        );
+        let drawing = format!(
+            "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='200mm' viewBox='0 0 200 200'><g id='air'>\
+             <rect id='rim' x='20' y='20' width='150' height='120'/><path id='round' d='{round}'/><path id='edged' d='{edged}'/></g><g id='port'><path id='hose' d='M16,80H24'/></g>\
+             <g id='weld'><path id='line' d='{weld}'/></g></svg>"
+        );
+        for name in PROFILES {
+            let built = sealed("crumbs.svg", &drawing, name);
+            assert_eq!(built.proof().findings, [], "{name}, {crumb} mm");
+            let piece = built.forecast.design.drawn().expect("a piece");
+            let weld = piece.shape.seams.iter().find(|seam| seam.name == "line").expect("the weld");
+            // Straight on before its first long segment, which goes 40 mm to the right and 20 mm down.
+            let into = weld.lead_in(3.0).tangent_at(0.0).expect("a way");
+            assert!((into.y / into.x + 0.5).abs() < 1e-3, "{into:?}");
+        }
+    }
+}
+
+/// Lines, corners and arcs of no length in a DXF: the shape is sealed as without them.
+#[test]
+fn elements_of_no_length_are_nothing() {
+    let entity = |kind: &str, pairs: &str| format!("0|{kind}|8|air|{pairs}|");
+    let corners = "10|20|20|20|10|20|20|20|10|170|20|20|10|170|20|140|10|170|20|140|10|20|20|140|10|20|20|20";
+    let rim = |corners: &str, count: usize| entity("LWPOLYLINE", &format!("90|{count}|70|1|{corners}"));
+    let nothing = [
+        entity("LINE", "10|20|20|70|11|20|21|70"),
+        entity("LINE", "10|90|20|80|11|90|21|80"),
+        entity("ARC", "10|90|20|20|40|0|50|0|51|90"),
+        entity("LWPOLYLINE", "90|2|70|0|10|170|20|140|10|170|20|140"),
+    ];
+    let file = |entities: &str| {
+        let head = "0|SECTION|2|HEADER|9|$INSUNITS|70|4|0|ENDSEC|0|SECTION|2|ENTITIES|";
+        format!(
+            "{head}{entities}0|LINE|8|weld|10|60|20|60|11|100|21|60|0|POINT|8|port|10|20|20|80|0|ENDSEC|0|EOF"
+        )
+        .replace('|', "\n")
+    };
+    let plain = rim("10|20|20|20|10|170|20|20|10|170|20|140|10|20|20|140", 4);
+    let program =
+        |entities: &str| text_of(&sealed("d.dxf", &file(entities), "generic"), "piece-1-seal.gcode");
+    assert_eq!(program(&(rim(corners, 7) + &nothing.concat())), program(&plain));
+}
+
 /// One strip, as the spec seals.
 fn grid(spec: &Spec) -> StripGrid {
     let heights = vec![machine(profile("generic")).process.heights.contact];

@@ -24,7 +24,6 @@ from drawn_loops import Line, middle, motion, moved, polygon
 COUNT = 200
 FAULTS = ["curve-gap", "curve-dangling-end", "curves-cross", "chamber-without-port", "port-off-edge", "nested-island", "narrow-tube"]
 # Right ones that are not yet sealed as they should: two a few micrometres off, one with a crumb of a segment under its ramp.
-OPEN = {60, 169, 182}
 JOIN = 0.02  # mm, the default of [drawing]
 
 
@@ -122,8 +121,7 @@ class Sketch:
 
     def chamber_without_port(self):
         self.ports = []
-        # Within the centre line of its band.
-        self.place = self.air.buffer(drawn_seams.BAND / 2 + 0.01)
+        self.place = self.air.buffer(-1)
 
     def port_off_edge(self):
         at = self.inside(10)
@@ -157,6 +155,15 @@ class Sketch:
         self.curves.append(("air", "near", loop, True))
         self.ports = []
         self.place = [(at + 1.5 * inwards, 1.0)]
+
+
+    def wall_outside(self):
+        """A second chamber beside the first, and a wall from one to the other through the fabric."""
+        a = max((p for segment in self.loops[0] for p in segment.points()), key=lambda p: p.real)
+        b = a + 20
+        self.curves += [("air", "beside", moved(drawn_loops.circle(15), motion(0, b + 15)), True), ("air", "bridge", [Line(a, b)], False)]
+        self.ports, self.size = [], (self.size[0] + 60, self.size[1])
+        self.place = line(a, b).buffer(0.01)
 
 
 def line(a, b):
@@ -234,7 +241,7 @@ def main():
     numbers = range(first, last)
     with ProcessPoolExecutor(2) as pool:
         complaints = list(pool.map(complaint, [tool] * len(numbers), [folder] * len(numbers), numbers, chunksize=4))
-    complaints = [text for number, text in zip(numbers, complaints) if text and number not in OPEN]
+    complaints = [text for number, text in zip(numbers, complaints) if text]
     if complaints:
         sys.exit("\n".join(complaints))
 

@@ -21,7 +21,8 @@ def pair(p):
 def path_data(loop, closed, relative):
     """A loop as commands, absolute or relative. Coordinates are written to 1e-9, so relative ones do not drift."""
     at, out = loop[0].a, ["M" + pair(loop[0].a)]
-    for segment in loop:
+    # An arc is written by its ends and its radius. Of half a circle they leave the centre open by the root of their rounding: 0.002 mm.
+    for segment in (part for whole in loop for part in (whole.halves() if isinstance(whole, Arc) and abs(whole.sweep) > 2.5 else [whole])):
         base = at if relative else 0
         case = str.lower if relative else str.upper
         if isinstance(segment, Line):

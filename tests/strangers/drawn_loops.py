@@ -44,6 +44,10 @@ class Arc:
     def backwards(self):
         return Arc(self.c, self.b, -self.sweep)
 
+    def halves(self):
+        first = Arc(self.c, self.a, self.sweep / 2)
+        return [first, Arc(self.c, first.b, self.sweep / 2)]
+
 
 class Bezier:
     """A cubic from a by p and q to b."""

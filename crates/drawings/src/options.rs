@@ -34,9 +34,9 @@ pub struct Limits {
 }
 
 impl Default for Limits {
-    /// 64 MB, 500,000 nodes, 500,000 segments, 128 MB of resolved text, 64 levels.
+    /// 64 MB, 500,000 nodes, 100,000 segments, 128 MB of resolved text, 64 levels.
     fn default() -> Self {
-        Self { bytes: 64 << 20, visits: 500_000, segments: 500_000, text: 128 << 20, depth: 64 }
+        Self { bytes: 64 << 20, visits: 500_000, segments: 100_000, text: 128 << 20, depth: 64 }
     }
 }
 

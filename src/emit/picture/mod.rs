@@ -91,14 +91,14 @@ impl Text {
         Self { at: center - Vec2::new(0.0, 0.5 * (RISE - FALL) * self.size), anchor: Anchor::Middle, ..self }
     }
 
-    /// Where its first letter begins.
-    fn start(&self) -> Point {
+    /// Where its first letter begins, if it is so wide.
+    fn start(&self, width: f64) -> Point {
         let share = match self.anchor {
             Anchor::Start => 0.0,
             Anchor::Middle => 0.5,
             Anchor::End => 1.0,
         };
-        self.at - Vec2::new(share * self.width(), 0.0)
+        self.at - Vec2::new(share * width, 0.0)
     }
 
     /// How wide it is.
@@ -108,8 +108,9 @@ impl Text {
 
     /// The box that it takes, in a face that is no wider than the one that pictures are measured with.
     pub(super) fn bounds(&self) -> Bounds {
-        let start = self.start();
-        let (rise, fall) = (Vec2::new(self.width(), RISE * self.size), Vec2::new(0.0, FALL * self.size));
+        let width = self.width();
+        let start = self.start(width);
+        let (rise, fall) = (Vec2::new(width, RISE * self.size), Vec2::new(0.0, FALL * self.size));
         Bounds { min: start - fall, max: start + rise }
     }
 }

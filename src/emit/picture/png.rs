@@ -60,7 +60,7 @@ impl Canvas<'_> {
     }
 
     fn text(&mut self, text: &Text) {
-        let start = self.at(text.start());
+        let start = self.at(text.start(text.width()));
         let mut letters = Letters { start, size: text.size * self.scale, path: PathBuilder::new() };
         trace(&text.content, &mut letters);
         let Some(path) = letters.path.finish() else { return };

@@ -18,6 +18,8 @@ const LEGIBLE: f64 = 0.62;
 const WAYS: u32 = 24;
 /// How far out, by the label's size.
 const REACHES: [f64; 9] = [1.2, 1.6, 2.0, 2.5, 3.0, 4.0, 5.0, 6.5, 8.0];
+/// From so many tries in a picture on, labels stand near by and in full size or not at all: what has hundreds of them has no room for most.
+const MANY: usize = 200_000;
 
 /// Name, tips, corners and inlet of one star.
 pub(super) fn star_labels(part: &StarDesign, star: &PlacedPart, style: Style, places: &mut Places) -> Group {
@@ -137,23 +139,26 @@ struct Callout<'a> {
 fn beside(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
     let Callout { at, along, words, ring, .. } = *callout;
     let ink = if ring { START } else { LABEL };
-    for size in SIZES.map(|share| share * callout.size) {
+    // Straight ahead first, then ever farther to both sides.
+    let turn = |way: u32| f64::from(way.div_ceil(2)) * if way % 2 == 0 { 1.0 } else { -1.0 };
+    let ways: Vec<Vec2> =
+        (0..WAYS).map(|way| Vec2::unit(along.angle() + turn(way) * TAU / f64::from(WAYS))).collect();
+    let (sizes, reaches) =
+        if places.tries() < MANY { (&SIZES[..], &REACHES[..]) } else { (&SIZES[..1], &REACHES[..2]) };
+    for size in sizes.iter().map(|share| share * callout.size) {
         let mut text = Text::centered(at, size, ink, words);
         let half = 0.5 * text.width();
         let radius = (half + 0.25 * size).max(0.75 * size);
-        for reach in REACHES {
-            for way in 0..WAYS {
-                // Straight ahead first, then ever farther to both sides.
-                let turn = f64::from(way.div_ceil(2)) * if way % 2 == 0 { 1.0 } else { -1.0 };
-                let out = Vec2::unit(along.angle() + turn * TAU / f64::from(WAYS));
-                let middle = at + out * (reach * size + if ring { 0.0 } else { half * out.x.abs() });
+        for reach in reaches {
+            for out in &ways {
+                let middle = at + *out * (reach * size + if ring { 0.0 } else { half * out.x.abs() });
                 text = text.centered_at(middle);
                 let taken = if ring { Bounds::of_points([middle]).grown(radius) } else { text.bounds() };
                 if !places.is_free(&taken) {
                     continue;
                 }
                 places.keep_off_box(taken);
-                let edge = if ring { middle - out * radius } else { nearest(&taken.grown(0.15 * size), at) };
+                let edge = if ring { middle - *out * radius } else { nearest(&taken.grown(0.15 * size), at) };
                 group.line(straight(at, edge), Pen::new(ink, 0.07 * size));
                 if ring {
                     group.line(circle(middle, radius), Pen::new(ink, 0.07 * size));

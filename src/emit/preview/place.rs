@@ -13,7 +13,21 @@ pub(super) struct Places {
     lines: Vec<(Segment, f64)>,
     around_lines: GrowingIndex,
     boxes: GrowingIndex,
+    /// What was in the way last, the latest first: mostly it is in the way of the next place, too, and is found without a search.
+    recent: Vec<Obstacle>,
+    /// How many places were looked at.
+    tries: usize,
 }
+
+/// A line or a box, by its number.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Obstacle {
+    Line(usize),
+    Box(usize),
+}
+
+/// So many recent obstacles are tried before the search: more cost as much as it does.
+const RECENT: usize = 8;
 
 impl Places {
     pub(super) fn new(window: Bounds, blank: f64) -> Self {
@@ -23,6 +37,8 @@ impl Places {
             lines: Vec::new(),
             around_lines: GrowingIndex::default(),
             boxes: GrowingIndex::default(),
+            recent: Vec::with_capacity(RECENT + 1),
+            tries: 0,
         }
     }
 
@@ -40,16 +56,51 @@ impl Places {
         self.boxes.push(bounds);
     }
 
+    /// How many places were looked at.
+    pub(super) fn tries(&self) -> usize {
+        self.tries
+    }
+
     /// Whether nothing is there.
-    pub(super) fn is_free(&self, bounds: &Bounds) -> bool {
+    pub(super) fn is_free(&mut self, bounds: &Bounds) -> bool {
+        self.tries += 1;
         let room = bounds.grown(self.blank);
-        self.window.contains(bounds.min)
-            && self.window.contains(bounds.max)
-            && !self.boxes.any(&room, |_| true)
-            && !self.around_lines.any(&room, |number| {
+        if !self.window.contains(bounds.min) || !self.window.contains(bounds.max) {
+            return false;
+        }
+        let known = self.recent.iter().position(|obstacle| self.is_in(*obstacle, &room));
+        if let Some(place) = known {
+            self.recent[..=place].rotate_right(1);
+            return false;
+        }
+        let Some(obstacle) = self.obstacle(&room) else { return true };
+        self.recent.insert(0, obstacle);
+        self.recent.truncate(RECENT);
+        false
+    }
+
+    /// Something that reaches into `room`.
+    fn obstacle(&self, room: &Bounds) -> Option<Obstacle> {
+        let mut found = None;
+        let mut is = |obstacle| {
+            let is_in = self.is_in(obstacle, room);
+            found = is_in.then_some(obstacle);
+            is_in
+        };
+        let _ = self.boxes.any(room, |number| is(Obstacle::Box(number)))
+            || self.around_lines.any(room, |number| is(Obstacle::Line(number)));
+        found
+    }
+
+    /// Whether `obstacle` reaches into `room`.
+    fn is_in(&self, obstacle: Obstacle, room: &Bounds) -> bool {
+        match obstacle {
+            Obstacle::Box(number) => self.boxes.get(number).overlaps(room),
+            Obstacle::Line(number) => {
                 let (segment, half) = &self.lines[number];
-                distance(&room, segment) <= *half
-            })
+                self.around_lines.get(number).overlaps(room) && distance(room, segment) <= *half
+            }
+        }
     }
 
     /// Whether a line along `path` covers no label.
@@ -73,6 +124,7 @@ impl Places {
         let placed = labels.into_iter().map(|places| self.first(places)).collect();
         if Option::<Vec<Text>>::is_none(&placed) {
             self.boxes.truncate(before);
+            self.recent.retain(|obstacle| !matches!(obstacle, Obstacle::Box(number) if *number >= before));
         }
         placed
     }
@@ -115,6 +167,7 @@ mod tests {
         let line = |x: f64| Path::open(vec![Line::new(Point::new(x, -3.0), Point::new(x, 3.0)).into()]);
         assert!(!places.is_clear(&line(10.0)) && places.is_clear(&line(15.0)));
         assert!(places.all([vec![label(20.0)], vec![label(20.0)]]).is_none());
+        assert!(places.is_free(&label(20.0).bounds()), "what was in the way is no longer there");
         assert_eq!(places.all([vec![label(20.0)], vec![label(30.0)]]).map(|all| all.len()), Some(2));
     }
 }

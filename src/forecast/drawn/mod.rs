@@ -127,6 +127,13 @@ pub fn inflate(
             "shear_modulus is left out where wrinkles are averaged: the sheet is computed as isotropic";
         prediction.evidence.warnings.push(what.to_owned());
     }
+    let parted = piece.shape.topology().chambers.len();
+    if parted > count {
+        let what = format!(
+            "walls part the air into {parted} chambers, which are computed as {count}: all are at the same pressure"
+        );
+        prediction.evidence.warnings.push(what);
+    }
     Ok(InflatedDrawing { prediction, surfaces, shapes })
 }
 

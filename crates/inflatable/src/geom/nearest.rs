@@ -21,20 +21,26 @@ impl Path {
         let mut best: Option<Nearest> = None;
         let mut before = 0.0;
         for (i, segment) in self.segments.iter().enumerate() {
-            let t = segment.nearest_fraction(p);
-            let point = segment.point(t);
-            let distance = point.distance(p);
-            if best.is_none_or(|b| distance < b.distance) {
-                best = Some(Nearest { distance, point, segment: i, s: before + t * segment.length() });
+            let length = segment.length();
+            if best.is_none_or(|best| may_be_within(segment, p, best.distance)) {
+                let t = segment.nearest_fraction(p);
+                let point = segment.point(t);
+                let distance = point.distance(p);
+                if best.is_none_or(|best| distance < best.distance) {
+                    best = Some(Nearest { distance, point, segment: i, s: before + t * length });
+                }
             }
-            before += segment.length();
+            before += length;
         }
         best
     }
 
     /// Distance from `p` to the path; infinite for the empty path.
     pub fn distance(&self, p: Point) -> f64 {
-        self.segments.iter().map(|s| s.distance(p)).fold(f64::INFINITY, f64::min)
+        let nearer = |least: f64, segment: &Segment| {
+            if may_be_within(segment, p, least) { least.min(segment.distance(p)) } else { least }
+        };
+        self.segments.iter().fold(f64::INFINITY, nearer)
     }
 
     /// Distance from `p` to the path's furthest point; 0 for the empty path.
@@ -50,6 +56,18 @@ impl Path {
             }
         };
         self.segments.iter().map(of).fold(0.0, f64::max)
+    }
+}
+
+/// Whether `segment` may be within `far` of `p`, told without trigonometry: no point of an arc is nearer than its circle.
+fn may_be_within(segment: &Segment, p: Point, far: f64) -> bool {
+    match segment {
+        Segment::Line(_) => true,
+        // The slack is above the rounding of both distances.
+        Segment::Arc(arc) => {
+            let from_center = arc.center.distance(p);
+            (from_center - arc.radius).abs() <= far + 1e-12 * (from_center + arc.radius)
+        }
     }
 }
 
