@@ -52,7 +52,7 @@ export class Result {
         byId("anyway-box").hidden = !unfit;
         const verdict = byId("verdict");
         if (!overview) {
-            byId("files").replaceChildren();
+            byId("files").classList.add("none");
             verdict.className = "bad";
             verdict.textContent = "Refused. The faults are listed below the spec.";
             return;
@@ -94,7 +94,7 @@ export class Result {
     /** Offers the files of a proven build; `isWanted`: also those of a spec that its own load refuses. */
     offer({ files, kinds, proven, unfit, name }, isWanted) {
         if (!proven) {
-            byId("files").replaceChildren();
+            byId("files").classList.add("none");
             byId("proof").textContent = unfit && !isWanted ? "No files: this gripper does not do what its own [load] requires." : "No files.";
             return;
         }
@@ -103,6 +103,7 @@ export class Result {
         byId("zip").dataset.folder = stem(name);
         byId("proof").textContent = `Proven: ${proven}.`;
         byId("files").replaceChildren(...files.map((file) => this.#entry(file, kinds[file.name] ?? "")));
+        byId("files").classList.remove("none");
         byId("files").inert = false;
     }
 
