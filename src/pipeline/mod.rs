@@ -28,6 +28,7 @@ use crate::manifest::Manifest;
 use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
+use inflatable::shell::cases::Watch;
 
 pub use code::{CommandCode, PrecautionCode};
 pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};
@@ -133,11 +134,19 @@ impl Planned {
     /// # Errors
     /// If the model that the spec asks for has no answer.
     pub fn forecast(self) -> Result<Forecast, Refusals> {
+        self.watched_forecast(&Watch::default())
+    }
+
+    /// The same; `watch` hears how far the shell of a drawn piece is.
+    ///
+    /// # Errors
+    /// If the model that the spec asks for has no answer, or the shell was told to stop.
+    pub fn watched_forecast(self, watch: &Watch<'_>) -> Result<Forecast, Refusals> {
         let asked = self.design.assembly().filter(|_| self.spec.load.is_some());
         let prediction = asked.map(|_| predict(&self.spec, &self.design)).transpose();
         let prediction = prediction.map_err(|fault| no_prediction(&fault))?;
         let drawn = self.design.drawn().filter(|_| self.spec.load.is_some());
-        let drawn = drawn.map(|piece| of_spec(&self.spec, piece)).transpose();
+        let drawn = drawn.map(|piece| of_spec(&self.spec, piece, watch)).transpose();
         let drawn = drawn.map_err(|fault| no_prediction(&fault))?;
         let Self { spec, machine, design, programs, traces } = self;
         Ok(Forecast { spec, machine, design, programs, traces, prediction, drawn })

@@ -125,12 +125,12 @@ fn what_is_missing_or_for_stars_is_said() {
     assert!(fault.to_string().starts_with("load.pressure: "), "{fault}");
     // `check` and `build` ask the shell only where the spec names it.
     let asked = spec(DISC, "[load]\npressure = \"3 kPa\"\n");
-    let flat = of_spec(&asked.0, &asked.1).expect("what is flat").prediction;
+    let flat = of_spec(&asked.0, &asked.1, &Watch::default()).expect("what is flat").prediction;
     assert_eq!((flat.model, flat.volume_mm3), ("none", None));
     assert!(flat.evidence.choice.contains("model = \"shell\""), "{}", flat.evidence.choice);
     assert_eq!(keys::misfits(&serde_json::to_value(&flat).expect("plain"), DRAWN), Vec::<String>::new());
     let asked = spec(DISC, "[load]\npressure = \"3 kPa\"\n[accuracy]\nmodel = \"ring\"\n");
-    let fault = of_spec(&asked.0, &asked.1).expect_err("a model of stars");
+    let fault = of_spec(&asked.0, &asked.1, &Watch::default()).expect_err("a model of stars");
     assert!(fault.to_string().contains("ring is a model of a star's hinges"), "{fault}");
     let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"] }\n[load]\nmass = \"1 kg\"\n";
     let faults = read(&Source::new("x", text)).expect_err("an object").to_string();

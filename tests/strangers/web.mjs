@@ -1,20 +1,21 @@
 // The page in Chromium, with real clicks and keys, at a desk and on a phone, without a network.
-// Usage: node web.mjs PAGES TOOL OUT, with NODE_PATH at playwright-core and axe-core. OUT gets pictures and builds.
+// Usage: node web.mjs PAGES TOOL OUT, with NODE_PATH at playwright-core, axe-core and jsqr. OUT gets pictures and builds.
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdirSync, readFileSync, rmSync } from "node:fs";
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
-import { deflateRawSync } from "node:zlib";
+import { deflateRawSync, inflateRawSync } from "node:zlib";
 
 const packages = createRequire(resolve(process.env.NODE_PATH) + "/");
 const { chromium } = packages("playwright-core");
 const axe = readFileSync(packages.resolve("axe-core/axe.min.js"), "utf8");
+const jsQR = packages("jsqr");
 const [pages, tool, out] = process.argv.slice(2);
 const ORDINARY = 30_000;
-/** Most of the window that may move unasked: what a browser calls a good layout shift is below 0.1. */
-const SHIFT = 0.02;
+/** Most of the window that may move unasked: while the page opens, and while one works with it, which browsers call good below 0.1. */
+const SHIFT = 0.02, SHIFT_AT_WORK = 0.1;
 const ONE_FILE = pathToFileURL(resolve(pages, "stargrip-cam.html")).href;
 
 const problems = [], times = {};
@@ -23,8 +24,8 @@ function must(holds, what) {
 }
 
 /** A page on which every complaint of the browser is a problem, and so is what moves unasked. */
-async function opened(browser, what, viewport, url, { ready = "#zip:not([disabled])", offline = true } = {}) {
-    const context = await browser.newContext({ viewport, acceptDownloads: true, hasTouch: viewport.width < 500, offline });
+async function opened(browser, what, viewport, url, { ready = "#zip:not([disabled])", offline = true, colorScheme = "light" } = {}) {
+    const context = await browser.newContext({ viewport, acceptDownloads: true, hasTouch: viewport.width < 500, offline, colorScheme, reducedMotion: "reduce" });
     await context.addInitScript(() => {
         window.shift = 0;
         new PerformanceObserver((list) => list.getEntries().forEach((entry) => (window.shift += entry.hadRecentInput ? 0 : entry.value))).observe({ type: "layout-shift", buffered: true });
@@ -43,15 +44,42 @@ async function opened(browser, what, viewport, url, { ready = "#zip:not([disable
 const ready = (page) => page.waitForSelector("#zip:not([disabled])");
 const noted = (page, text) => page.waitForFunction((start) => document.getElementById("note").textContent.startsWith(start), text);
 
-async function fits(page, what) {
+async function fits(page, what, most = SHIFT) {
     const over = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
     must(over <= 0, `${what}: ${over} px too wide`);
     const shift = await page.evaluate(() => window.shift);
-    must(shift <= SHIFT, `${what}: the layout shifts by ${shift}`);
+    must(shift <= most, `${what}: the layout shifts by ${shift}`);
     await page.evaluate(axe);
     const { violations } = await page.evaluate(() => window.axe.run(document, { iframes: false }));
     const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
     for (const { id, nodes } of serious) must(false, `${what}: axe finds ${id} at ${nodes.slice(0, 3).map(({ html }) => html.slice(0, 120)).join(" | ")}`);
+}
+
+/** The same by night; and nothing moves for who wants no motion. */
+async function fitsAlways(page, what) {
+    for (const colorScheme of ["light", "dark"]) {
+        await page.emulateMedia({ colorScheme });
+        await fits(page, `${what}, ${colorScheme}`, SHIFT_AT_WORK);
+        await page.screenshot({ path: join(out, `${what}-${colorScheme}.png`), fullPage: true });
+    }
+    await page.emulateMedia({ colorScheme: "light" });
+    const moving = await page.evaluate(() => document.getAnimations().length);
+    must(moving === 0, `${what}: ${moving} things move in spite of reduced motion`);
+}
+
+/** Every control can be reached by the Tab key, and none holds it. */
+async function keyboard(page, what) {
+    const wanted = ["copy-link", "show-qr", "forget", "designs", "spec", "machine", "shell-start", "zip"], reached = new Set();
+    await page.evaluate(() => document.querySelectorAll("details").forEach((box) => (box.open = true)));
+    await page.evaluate(() => (document.getElementById("report-box").open = false));
+    await page.locator("h1").click();
+    for (let i = 0; i < 400 && !wanted.every((id) => reached.has(id)); i++) {
+        await page.keyboard.press("Tab");
+        reached.add(await page.evaluate(() => document.activeElement.id));
+    }
+    must(wanted.every((id) => reached.has(id)), `${what}: Tab does not reach ${wanted.filter((id) => !reached.has(id))}`);
+    const nameless = await page.evaluate(() => [...document.querySelectorAll("input, select, button, textarea")].filter((one) => !(one.labels?.length || one.textContent.trim() || one.getAttribute("aria-label"))).length);
+    must(nameless === 0, `${what}: ${nameless} controls without a name`);
 }
 
 /** Downloads the ZIP; the command proves what is in it. */
@@ -89,6 +117,8 @@ async function mended(page, what) {
     await spec.fill((await spec.inputValue()).replace(/^tube_width/m, "tube_wdith") + "\n# my own words\n");
     await page.waitForSelector("#faults button:text('write tube_width')");
     must(await page.isDisabled("#zip"), `${what}: files of a refused spec can be had`);
+    await page.click("[aria-label='explain unknown-key']");
+    await page.waitForSelector("#faults span:text('No key has this name here')");
     await page.click("#faults button:text('write tube_width')");
     await ready(page);
     const points = page.getByLabel("points, slider");
@@ -102,6 +132,7 @@ async function mended(page, what) {
 
 /** A link holds the spec as it stands. */
 async function reopened(browser, page, what, viewport) {
+    await page.evaluate(() => history.replaceState(null, "", location.pathname));
     await page.click("#copy-link");
     await page.waitForFunction(() => location.hash.startsWith("#spec="));
     const other = await opened(browser, `${what}, link`, viewport, page.url(), { ready: "#preview:not([hidden])" }); // nine points no longer hold the bottle
@@ -109,33 +140,108 @@ async function reopened(browser, page, what, viewport) {
     await other.close();
 }
 
+/** The report: its player, pressure slider, charts and scene. */
 async function report(page, what) {
     await page.getByText("Report: player").click();
-    await page.frameLocator("#report").locator("#name").filter({ hasText: "bottle" }).waitFor();
-    must(await page.locator("#report").isVisible(), `${what}: no report`);
+    const frame = page.frameLocator("#report");
+    await frame.locator("#name").filter({ hasText: "bottle" }).waitFor();
+    for (const part of ["canvas", "svg", "input[type=range]"]) must((await frame.locator(part).count()) > 0, `${what}: the report has no ${part}`);
+    await page.getByText("Report: player").click();
+}
+
+/** The QR code, as saved, holds a link to the spec, as someone else's reader finds it. */
+async function coded(page, what) {
+    await page.click("#show-qr");
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click("#qr-save")]);
+    const svg = readFileSync(await download.path(), "utf8");
+    const side = Number(/viewBox="0 0 (\d+)/.exec(svg)[1]), scale = 4, width = side * scale;
+    const pixels = new Uint8ClampedArray(4 * width * width).fill(255);
+    for (const [, x, y, length] of svg.matchAll(/M(\d+) (\d+)h(\d+)v1h/g)) {
+        for (let row = y * scale; row < (Number(y) + 1) * scale; row++) {
+            for (let at = x * scale; at < (Number(x) + Number(length)) * scale; at++) pixels.fill(0, 4 * (row * width + at), 4 * (row * width + at) + 3);
+        }
+    }
+    const link = jsQR(pixels, width, width)?.data ?? "";
+    const held = inflateRawSync(Buffer.from(/#spec=(.*)$/.exec(link)?.[1] ?? "", "base64url")).toString();
+    const bare = (text) => text.split("\n").filter((line) => !/^\s*(#|$)/.test(line)).join("\n");
+    must(bare(held) === bare(await page.inputValue("#spec")), `${what}: the QR code holds ${link.slice(0, 80)}: ${held.slice(0, 80)}`);
+    await page.click("#qr-hide");
+}
+
+/** The shell tells how far it is, can be stopped, and answers; a code is explained. */
+async function shell(page, what) {
+    await page.fill("#spec", readFileSync("designs/paper-gripper.toml", "utf8"));
+    await ready(page);
+    await page.evaluate(() => (document.getElementById("shell-box").open = true));
+    await page.click("#shell-start");
+    await page.waitForFunction(() => /^\d+ %/.test(document.getElementById("busy-text").textContent));
+    await page.click("#stop");
+    await page.waitForFunction(() => document.getElementById("shell-note").textContent === "Stopped.");
+    await page.click("#shell-start");
+    await page.waitForSelector("#shell-answer:not([hidden])", { timeout: 4 * ORDINARY });
+    must((await page.innerText("#shell-answer")).includes("shell"), `${what}: the shell says ${await page.innerText("#shell-answer")}`);
+}
+
+/** Masks are printed from a PDF, which opens beside the page. */
+async function printed(page, what) {
+    const [opened] = await Promise.all([page.context().waitForEvent("page"), page.locator("#files .print").first().click()]);
+    must(opened.url() === "" || /^(blob|about):/.test(opened.url()), `${what}: the PDF opens as ${opened.url()}`);
+    await opened.close();
+    await page.emulateMedia({ media: "print" });
+    must(await page.isVisible("#preview") && !(await page.isVisible("#spec")), `${what}: the printed page is not the result`);
+    await page.emulateMedia({ media: "screen" });
+}
+
+async function dropped(page, name, content) {
+    await page.evaluate(([file, text]) => {
+        const dataTransfer = new DataTransfer();
+        dataTransfer.items.add(new File([text], file));
+        window.dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
+    }, [name, content]);
+}
+
+/** A profile that is dropped alone serves the spec as it stands. */
+async function profiled(page, what) {
+    await page.fill("#spec", readFileSync("designs/paper-five-points.toml", "utf8").replace(/^profile = .*\n/m, "").replace(/^\[machine\].*\n/m, "") + '\n[machine]\nprofile = "mine.toml"\n');
+    await page.waitForSelector("[aria-label='explain unknown-machine']");
+    await dropped(page, "mine.toml", readFileSync("templates/machines/generic.toml", "utf8"));
+    await ready(page);
+    await reopened(page.context().browser(), page, `${what}, profile`, page.viewportSize());
 }
 
 /** A drawing that is dropped becomes a spec, and then files that the command accepts. */
-async function drawn(page, what) {
-    const svg = readFileSync("designs/drawings/hand-rest.svg", "utf8");
-    await page.evaluate((text) => {
-        const dataTransfer = new DataTransfer();
-        dataTransfer.items.add(new File([text], "hand-rest.svg"));
-        window.dispatchEvent(new DragEvent("drop", { dataTransfer, cancelable: true }));
-    }, svg);
+async function drawn(browser, page, what, viewport) {
+    await dropped(page, "hand-rest.svg", readFileSync("designs/drawings/hand-rest.svg", "utf8"));
     await noted(page, "A spec of hand-rest.svg: 3 layers");
     must((await page.inputValue("#spec")).includes("[drawing.layers]"), `${what}: no spec of the drawing`);
     await ready(page);
     await zipped(page, `${what}-drawing`, "hand-rest", 5);
+    await reopened(browser, page, `${what}, drawing`, viewport);
+    for (const bad of ["<svg", "<svg xmlns='http://www.w3.org/2000/svg'><script>alert(1)</script><path id='\"><img src=x onerror=alert(1)>' d='M0 0 h1e308 z'/></svg>", "\0".repeat(9)]) {
+        await dropped(page, "</script><img src=x onerror=alert(1)>.svg", bad);
+        await page.waitForFunction(() => /cannot be read|A spec of/.test(document.getElementById("note").textContent));
+        await page.evaluate(() => (document.getElementById("note").textContent = ""));
+    }
+}
+
+/** The words that the tests of the crate call hostile, as JavaScript. */
+function names() {
+    const source = readFileSync("tests/design/hostile.rs", "utf8");
+    const list = /const HOSTILE: [^=]*= \[(.*?)\n\];/s.exec(source)[1];
+    const words = [...list.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map(([, word]) => JSON.parse(`"${word.replace(/\\u\{([0-9a-f]+)\}/gi, (_, code) => String.fromCodePoint(parseInt(code, 16)))}"`));
+    must(words.length >= 28, `only ${words.length} hostile words were found`);
+    return words;
 }
 
 /** Names that would do something if they were taken for more than text; broken links; an instance that dies. */
 async function hostile(page, what) {
     const shipped = readFileSync("designs/paper-five-points.toml", "utf8");
-    for (const name of ["<img src=x onerror=alert(1)>", "</script><script>alert(1)</script>", "${alert(1)}", "&lt;b&gt;", "javascript:alert(1)", "../../x", "]]>", "a\\\" onload=\\\"alert(1)"]) {
-        await page.fill("#spec", shipped.replace(/^name = .*/m, `name = "${name}"`));
-        await ready(page);
+    for (const name of [...names(), "<img src=x onerror=alert(1)>", "${alert(1)}", "javascript:alert(1)", "a\\\" onload=\\\"alert(1)"]) {
+        await page.fill("#spec", shipped.replace(/^name = .*/m, () => `name = ${JSON.stringify(name)}`));
+        await page.waitForFunction(() => !document.getElementById("zip").disabled || document.querySelector("[aria-label='explain name']"));
     }
+    const alive = await page.evaluate(() => [document.querySelectorAll("img").length, document.querySelectorAll("script, iframe").length, window.hit]);
+    must(alive[2] === undefined && alive[0] === 2, `${what}: names made elements: ${alive}`);
     const bomb = deflateRawSync(Buffer.alloc(1 << 26)).toString("base64url");
     for (const link of ["%", "AAAA", bomb]) {
         await page.evaluate((fragment) => (location.hash = fragment), `spec=${link}`);
@@ -152,40 +258,67 @@ async function hostile(page, what) {
     await ready(page);
 }
 
-/** The page on a server: installed, it opens without one. */
-async function served(browser) {
-    const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json" };
+const TYPES = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".svg": "image/svg+xml", ".webmanifest": "application/manifest+json" };
+
+/** A server of the files below `directory`. */
+async function serving(directory) {
     const server = createServer(({ url }, answer) => {
-        const name = url === "/" ? "index.html" : url.slice(1);
-        answer.writeHead(200, { "Content-Type": types[extname(name)] ?? "text/plain" }).end(readFileSync(join(pages, name)));
+        const path = new URL(url, "http://x").pathname;
+        const name = path.endsWith("/") ? `${path}index.html` : path;
+        answer.writeHead(200, { "Content-Type": TYPES[extname(name)] ?? "text/plain" }).end(readFileSync(join(directory, name)));
     });
     await new Promise((listens) => server.listen(0, "127.0.0.1", listens));
-    const page = await opened(browser, "server", { width: 1280, height: 900 }, `http://127.0.0.1:${server.address().port}/`, { offline: false });
+    return { address: `http://127.0.0.1:${server.address().port}/`, close: () => (server.closeAllConnections(), new Promise((closed) => server.close(closed))) };
+}
+
+/** The page on a server: installed, it opens without one. */
+async function served(browser) {
+    const server = await serving(pages);
+    const page = await opened(browser, "server", { width: 1280, height: 900 }, server.address, { offline: false });
     await page.evaluate(async () => {
         const { active, installing, waiting } = await navigator.serviceWorker.ready;
         const worker = active ?? waiting ?? installing;
         if (worker.state !== "activated") await new Promise((is) => worker.addEventListener("statechange", () => worker.state === "activated" && is()));
     });
-    server.closeAllConnections();
-    await new Promise((closed) => server.close(closed));
+    await server.close();
     await page.reload();
     await ready(page);
     await page.context().close();
 }
 
-/** How long a person waits, ms: a preview after opening, one after an edit, all files with their proof. */
-async function waits(page) {
-    const first = await page.evaluate(() => performance.getEntriesByName("preview")[0]?.startTime);
-    const edits = [], builds = [];
+/** A spec of the book opens in the page beside it. */
+async function linked(browser) {
+    const book = join(out, "book"), site = join(out, "site");
+    const spec = 'schema = 1\nname = "a &amp; b"\n[star]\npoints = 5\ninner_radius = &quot;50 mm&quot;\ntube_width = "30 mm"\ntip_angle = "30 deg"\n';
+    mkdirSync(book, { recursive: true });
+    writeFileSync(join(book, "index.html"), `<!DOCTYPE html><html lang="en"><head><link rel="icon" href="data:,"/><title>book</title></head><body><pre><code class="language-toml">${spec}</code></pre></body></html>`);
+    execFileSync("web/make-site", [book, pages, site], { stdio: "ignore" });
+    const server = await serving(site);
+    const page = await opened(browser, "book", { width: 1280, height: 900 }, server.address, { offline: false, ready: "text=Open in the page" });
+    await page.click("text=Open in the page");
+    await ready(page);
+    must((await page.inputValue("#spec")).includes('name = "a & b"'), "book: the link opens another spec");
+    await page.context().close();
+    await server.close();
+}
+
+/** How long a person waits, ms, at least: a preview after opening, one after an edit, all files with their proof. Others may use the machine. */
+async function waits(browser, page) {
+    const first = [], edits = [], builds = [];
+    for (let i = 0; i < 3; i++) {
+        const other = await opened(browser, "waits", { width: 1280, height: 900 }, ONE_FILE);
+        first.push(await other.evaluate(() => performance.getEntriesByName("preview")[0]?.startTime));
+        await other.context().close();
+    }
     const text = readFileSync("designs/paper-gripper.toml", "utf8");
-    for (let i = 0; i < 7; i++) {
-        await page.fill("#spec", `${text}\n# ${i}\n`);
+    for (let i = 0; i < 9; i++) {
+        await page.fill("#spec", text.replace('tip_angle = "30 deg"', `tip_angle = "${30 + (i + 1) / 10} deg"`));
         await ready(page);
         edits.push(Number(await page.evaluate(() => document.documentElement.dataset.look)));
         builds.push(Number(await page.evaluate(() => document.documentElement.dataset.built)));
     }
-    const middle = (list) => list.sort((a, b) => a - b)[list.length >> 1];
-    Object.assign(times, { first: Math.round(first), edit: middle(edits), build: middle(builds) });
+    const told = (list) => `${Math.round(Math.min(...list))} (${Math.round(Math.max(...list))})`;
+    Object.assign(times, { first: told(first), edit: told(edits), build: told(builds) });
 }
 
 mkdirSync(out, { recursive: true });
@@ -195,21 +328,27 @@ for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["pho
         const page = await opened(browser, what, viewport, ONE_FILE);
         await fits(page, what);
         await page.screenshot({ path: join(out, `${what}.png`), fullPage: true });
-        if (what === "desktop") await waits(page);
+        if (what === "desktop") await waits(browser, page);
         await bottle(page, what);
+        await printed(page, what);
         await mended(page, what);
         await reopened(browser, page, what, viewport);
+        await coded(page, what);
         await report(page, what);
-        await page.screenshot({ path: join(out, `${what}-worked.png`), fullPage: true });
-        await drawn(page, what);
+        await fitsAlways(page, `${what}-worked`);
+        await drawn(browser, page, what, viewport);
         await page.screenshot({ path: join(out, `${what}-drawn.png`), fullPage: true });
-        if (what === "desktop") await hostile(page, what);
+        if (what === "phone") continue;
+        await keyboard(page, what);
+        await hostile(page, what);
+        await profiled(page, what);
+        await shell(page, what);
     } catch (error) {
-        must(false, `${what}: ${error.message.split("\n").slice(0, 3).join(" ")}`);
+        must(false, `${what}, at ${/web\.mjs:\d+/.exec(error.stack.replace(/^[^]*?\n    at /, ""))}: ${error.message.split("\n").slice(0, 3).join(" ")}`);
     }
 }
-await served(browser).catch((error) => must(false, `server: ${error.message.split("\n")[0]}`));
+for (const [what, work] of [["server", served], ["book", linked]]) await work(browser).catch((error) => must(false, `${what}: ${error.message.split("\n")[0]}`));
 await browser.close();
 for (const problem of problems) console.error(problem);
-console.log(`web: first preview ${times.first} ms after opening, ${times.edit} ms after an edit, files proven in ${times.build} ms; ${problems.length} problems`);
+console.log(`web: least (most) ms: first preview ${times.first}, preview after an edit ${times.edit}, files proven ${times.build}; ${problems.length} problems`);
 process.exit(problems.length ? 1 : 0);

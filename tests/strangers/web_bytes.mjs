@@ -1,7 +1,7 @@
 // The page's program without a browser: its size, its files against the command's to the byte, and what it does with hostile texts.
 // Usage: node web_bytes.mjs PAGES TOOL OUT. OUT gets the command's builds.
 import { execFileSync } from "node:child_process";
-import { mkdirSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { basename, dirname, extname, join } from "node:path";
 import { brotliCompressSync } from "node:zlib";
 
@@ -11,7 +11,7 @@ const MOST_BYTES = 1.2e6;
 /** Specs and drawings that are spoilt, and the longest that one may take, ms. */
 const SPOILT = 400, LONGEST = 20_000;
 const source = readFileSync(new URL("../../web/page/message.js", import.meta.url));
-const { asked } = await import(`data:text/javascript;base64,${source.toString("base64")}`);
+const { asked, instance } = await import(`data:text/javascript;base64,${source.toString("base64")}`);
 
 const problems = [];
 function must(holds, what) {
@@ -20,7 +20,9 @@ function must(holds, what) {
 
 const binary = readFileSync(join(pages, "stargrip-cam.wasm"));
 const compiled = await WebAssembly.compile(binary);
-const fresh = async () => (await WebAssembly.instantiate(compiled, {})).exports;
+/** Parts of long work, 0 to 1, as the program told them. */
+const parts = [];
+const fresh = () => instance(compiled, (part) => parts.push(part));
 
 /** Every spec below designs/, and the one with every feature; each with the drawing beside it. */
 function specs() {
@@ -45,6 +47,27 @@ async function bytes(program) {
         const { findings } = asked(program, { ask: "verify" }, readdirSync(dir).map((file) => ({ name: file, bytes: readFileSync(join(dir, file)) })));
         must(findings.length === 0, `${name}: the page finds ${JSON.stringify(findings)} in the command's files`);
     }
+}
+
+/** A coarse shell of a star and one of a drawing, which tell how far they are; the star's numbers are the command's but for the last digits. */
+function shells(program) {
+    const began = performance.now();
+    const star = `${readFileSync("designs/paper-five-points.toml", "utf8")}\n[load]\npressure = "14 kPa"\n`;
+    const { text, prediction } = asked(program, { ask: "predict", model: "shell", spec: star }, []);
+    must(/mesh error|\+-/.test(text ?? ""), `the shell of a star: ${text}`);
+    must(parts.length > 5 && parts.every((part) => part >= 0 && part <= 1), `progress of the shell: ${parts}`);
+    const file = join(out, "shell.toml");
+    writeFileSync(file, star);
+    const own = JSON.parse(execFileSync(tool, ["predict", file, "--model", "shell", "--fineness", "coarse", "--no-cache", "--json"], { stdio: ["ignore", "pipe", "ignore"] }));
+    const near = (a, b) => Math.abs(a - b) <= 1e-6 * Math.abs(b);
+    must(near(prediction.final_radius_mm, own.final_radius_mm), `the shell's radius is ${prediction.final_radius_mm} mm, the command's ${own.final_radius_mm} mm`);
+    const pillow = { spec: "designs/drawings/pillow.toml", drawing: "pillow.dxf" };
+    const drawn = `${textOf(pillow)}\n[load]\npressure = "5 kPa"\n[accuracy]\nmodel = "shell"\n`;
+    const quick = asked(program, { ask: "build", spec: drawn, quick: true, prove: false, only: ["preview-svg"] }, drawingOf(pillow));
+    const whole = asked(program, { ask: "build", spec: drawn }, drawingOf(pillow));
+    const says = ({ overview }) => overview?.rows.map(([label]) => label).join();
+    must(says(quick) === "predicts" && says(whole).startsWith("inflates") && whole.proven, `the shell of a drawing: ${says(quick)}, ${says(whole)}, ${JSON.stringify(whole.faults)}`);
+    return performance.now() - began;
 }
 
 /** Numbers that look random and are the same in every run. */
@@ -112,7 +135,10 @@ must(size <= MOST_BYTES, `the program has ${size} bytes by brotli`);
 const program = await fresh();
 const began = performance.now();
 await bytes(program);
+const compared = performance.now() - began;
+const shell = shells(program);
 const slowest = await hostile(program);
 for (const problem of problems) console.error(problem);
-console.log(`web_bytes: ${(size / 1e6).toFixed(2)} MB by brotli; ${specs().length} specs in ${((performance.now() - began) / 1000).toFixed(0)} s, a hostile one at most ${slowest.toFixed(0)} ms; ${problems.length} problems`);
+const seconds = (ms) => (ms / 1000).toFixed(1);
+console.log(`web_bytes: ${(size / 1e6).toFixed(2)} MB by brotli; ${specs().length} specs in ${seconds(compared)} s, shells in ${seconds(shell)} s, a hostile spec at most ${slowest.toFixed(0)} ms; ${problems.length} problems`);
 process.exit(problems.length ? 1 : 0);

@@ -11,11 +11,15 @@ export class Editor {
     #list = document.getElementById("faults");
     #count = document.getElementById("fault-count");
     #faults = [];
+    /** The faults of the list, as JSON. */
+    #shown = "";
     #typed;
+    #explain;
 
-    /** `typed` is called after every change by a person. */
-    constructor(typed) {
+    /** `typed` is called after every change by a person; `explain(code)` gives the meaning of a code. */
+    constructor(typed, explain) {
         this.#typed = typed;
+        this.#explain = explain;
         this.#area.addEventListener("input", () => this.#changed());
         document.addEventListener("selectionchange", () => document.activeElement === this.#area && this.#callout());
         this.#area.addEventListener("scroll", () => this.#area.scrollTo(0, 0));
@@ -38,6 +42,9 @@ export class Editor {
 
     /** Shows faults of the text as it stands. */
     show(faults) {
+        const shown = JSON.stringify(faults);
+        if (shown === this.#shown && this.#faults.length === faults.length) return;
+        this.#shown = shown;
         this.#faults = faults;
         this.#draw();
         const errors = faults.filter(({ warning }) => !warning).length, warnings = faults.length - errors;
@@ -95,11 +102,18 @@ export class Editor {
     #told(fault) {
         const { code, found, allowed, remedy, line, column, place, warning, file } = fault;
         const where = place ? element("button", { type: "button", className: "plain", onclick: () => this.#go(place) }, `line ${line}, column ${column}`) : file ?? "";
-        const entry = element("li", { className: warning ? "warning" : "" }, element("p", {}, where, " ", element("strong", {}, found), ` (${code})`));
+        const entry = element("li", { className: warning ? "warning" : "" }, element("p", {}, where, " ", element("strong", {}, found), " "));
+        entry.firstChild.append(element("button", { type: "button", className: "plain", "aria-label": `explain ${code}`, onclick: ({ target }) => this.#meaning(target, code) }, code));
         for (const text of [allowed, remedy]) if (text) entry.append(element("p", {}, text));
         const likely = place && LIKELY.exec(remedy ?? "");
         if (likely) entry.append(element("button", { type: "button", onclick: () => this.#mend(place, likely[1]) }, `write ${likely[1]}`));
         return entry;
+    }
+
+    /** The meaning of a code, in the place of the button that asked for it. */
+    async #meaning(button, code) {
+        const { meaning } = await this.#explain(code).catch(() => ({}));
+        button.replaceWith(element("span", {}, `${code}: ${meaning ?? "no explanation"}`));
     }
 
     #go([start, end]) {

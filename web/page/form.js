@@ -32,6 +32,9 @@ function around(number) {
     return { min: number < 0 ? -most : 0, max: most, step };
 }
 
+/** What a key means, without the sentences about its kind and range: a message tells those when they are needed. */
+const short = (description) => description.replace(/(^|[.;] )(An? [^.;]*?(with its unit|whole number|plain number)|(One|Some) of |Two lengths )[^]*$/, "$1").replace(/[;. ]+$/, ".") || description;
+
 /** A number as people write it, without the noise of steps. */
 const plain = (number) => String(Number(number.toPrecision(6)));
 
@@ -65,8 +68,8 @@ export class Form {
         const path = section ? `${section}.${key}` : key, id = `field-${path}`;
         const tell = (value) => this.#change(path, value);
         const words = key.replaceAll("_", " ");
-        const about = element("p", { className: "soft", id: `${id}-about` }, property.description ?? "");
-        const state = element("span", { className: "state" });
+        const about = element("p", { className: "soft", id: `${id}-about`, title: property.description ?? "" }, short(property.description ?? ""));
+        const state = element("span", { className: "state" }, "not set");
         const reset = element("button", { type: "button", className: "plain", hidden: true, onclick: () => tell(null) }, "default");
         const choices = path === "machine.profile" ? machines.map(({ name }) => name) : property.enum;
         const box = element("div", { className: "field" });
@@ -84,7 +87,7 @@ export class Form {
             const written = () => (input.value.trim() === "" ? tell(null) : tell(isNumber ? input.value.trim() : JSON.stringify(input.value)));
             input = element("input", { id, autocomplete: "off", spellcheck: false, onchange: written, placeholder: property.examples ? `e.g. ${property.examples[0]}` : "" });
             if (isNumber || property.pattern) {
-                slider = element("input", { type: "range", tabIndex: 0, "aria-label": `${words}, slider` });
+                slider = element("input", { type: "range", hidden: true, tabIndex: 0, "aria-label": `${words}, slider` });
                 slider.oninput = () => {
                     const { unit } = slider.dataset;
                     input.value = plain(Number(slider.value)) + (unit ? ` ${unit}` : "");

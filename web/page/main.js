@@ -2,8 +2,12 @@
 import { Program, Dropped } from "./program.js";
 import { Form, element } from "./form.js";
 import { Editor } from "./editor.js";
-import { zipped } from "./zip.js";
-import { fragmentOf, textOf } from "./link.js";
+import { Result } from "./result.js";
+import { hideCode, showCode } from "./qr.js";
+import { find } from "./search.js";
+import { clear, compute } from "./shell.js";
+import { watch } from "./busy.js";
+import { fragmentOf, heldBy } from "./link.js";
 import { keep, kept, forget } from "./kept.js";
 import { sorted } from "./opening.js";
 
@@ -14,9 +18,7 @@ const by = (id) => document.getElementById(id);
 const designs = JSON.parse(by("designs-data").textContent);
 /** The machine profile and the drawing that were dropped, for a spec that names files. */
 let machine, drawing;
-let program, form, editor, timer;
-/** Files of the last proven build. */
-let files = [];
+let program, form, editor, result, timer;
 
 /** Says one line; `isBad` if something went wrong. */
 function say(text, isBad = false) {
@@ -55,41 +57,44 @@ function refresh() {
     const spec = editor.text;
     keep({ text: spec, machine, drawing });
     clearTimeout(timer);
-    by("result").classList.add("old");
-    withdraw();
-    const began = performance.now();
+    result.withdraw();
+    clear();
+    hideCode();
     return safely(async () => {
-        const answer = await program.ask({ ask: "build", spec, machine, only: ["preview-svg"], prove: false }, { files: drawings(), lane: "look" });
+        const answer = await program.ask({ ask: "build", spec, machine, only: ["preview-svg"], prove: false, quick: true }, { files: drawings(), lane: "look" });
         if (editor.text !== spec) return;
         show(answer);
-        document.documentElement.dataset.look = Math.round(performance.now() - began);
         if (answer.overview) timer = setTimeout(() => build(spec), PAUSE);
     });
 }
 
 /** Makes and proves all files. */
-function build(spec) {
-    const began = performance.now();
+async function build(spec) {
+    const began = performance.now(), anyway = by("anyway").checked;
     by("proof").textContent = "Making and proving the files ...";
-    safely(async () => {
-        const answer = await program.ask({ ask: "build", spec, machine, anyway: by("anyway").checked }, { files: drawings(), lane: "files", isLong: true });
-        if (editor.text !== spec) return;
-        offer(answer);
-        document.documentElement.dataset.built = Math.round(performance.now() - began);
-        if (by("report-box").open && !isDrawn()) report(spec);
-    });
+    const answer = await safely(() => program.ask({ ask: "build", spec, machine, anyway }, { files: drawings(), lane: "files", isLong: true }));
+    if (editor.text !== spec) return;
+    if (!answer) {
+        by("proof").textContent = "Stopped. The next change of the spec starts it again.";
+        return;
+    }
+    show(answer);
+    result.offer(answer, anyway);
+    document.documentElement.dataset.built = Math.round(performance.now() - began);
+    if (by("report-box").open) report(spec);
 }
 
 function report(spec) {
     safely(async () => {
-        const answer = await program.ask({ ask: "build", spec, machine, only: ["report"], prove: false }, { files: drawings(), lane: "report", isLong: true });
+        const answer = await program.ask({ ask: "build", spec, machine, only: ["report"], prove: false }, { files: drawings(), lane: "report", isLong: true, isPatient: true });
         const page = answer.files.find(({ name }) => name.endsWith(".html"));
         if (page && editor.text === spec) by("report").srcdoc = new TextDecoder().decode(page.bytes);
     });
 }
 
-/** Shows faults, fields, verdict and picture. */
-function show({ faults = [], settings, overview, unfit, files: made, wrong }) {
+/** Shows faults, fields, verdict and picture of an answer. */
+function show(answer) {
+    const { faults = [], settings, wrong } = answer;
     if (wrong) throw new Error(wrong);
     editor.show(faults);
     form.mark(faults);
@@ -97,75 +102,8 @@ function show({ faults = [], settings, overview, unfit, files: made, wrong }) {
         const profile = settings.find(({ section, key }) => section === "machine" && key === "profile");
         form.show(settings, isDrawn());
         by("machine").value = profile?.value ?? "";
-        by("report-box").hidden = isDrawn(); // of drawings there is none
     }
-    by("anyway-box").hidden = !unfit;
-    const verdict = by("verdict");
-    if (!overview) {
-        by("files").replaceChildren();
-        verdict.className = "bad";
-        verdict.textContent = "Refused: the faults stand under the spec.";
-        return;
-    }
-    by("result").classList.remove("old");
-    const { holds, in_words } = overview.verdict;
-    verdict.className = unfit || holds === false ? "bad" : holds ? "good" : "";
-    verdict.textContent = in_words;
-    const minutes = Math.round(overview.sealing_time_s / 60);
-    const rows = [...overview.rows, ["sealing", `${Math.floor(minutes / 60)} h ${String(minutes % 60).padStart(2, "0")} min, heating and pauses not counted`],
-        ["sheets", overview.sheets_mm.map((sides) => sides.map((side) => Math.ceil(side)).join(" x ")).join(", ") + " mm"]];
-    by("rows").replaceChildren(...rows.flatMap(([label, text]) => [element("dt", {}, label), element("dd", {}, text)]));
-    by("precautions").replaceChildren(...overview.before_you_seal.map((text) => element("li", {}, text)));
-    by("before").hidden = overview.before_you_seal.length === 0;
-    picture(made.find(({ name }) => name.endsWith("preview.svg")));
-}
-
-function picture(file) {
-    if (!file) return;
-    const image = by("preview"), old = image.src;
-    image.src = URL.createObjectURL(new Blob([file.bytes], { type: "image/svg+xml" }));
-    image.onload = () => {
-        performance.mark("preview");
-        if (old) URL.revokeObjectURL(old);
-    };
-    image.alt = "Sheet with seams, cut and inlet, as it will be sealed";
-    image.hidden = false;
-    by("preview-note").textContent = "Sheet 1 as it will be sealed and cut, seen from the side that the iron touches.";
-}
-
-/** Nothing can be downloaded until the text as it stands is proven. */
-function withdraw() {
-    files = [];
-    by("zip").disabled = true;
-    by("files").inert = true;
-    by("proof").textContent = "";
-}
-
-/** Offers the files of a proven build. */
-function offer({ faults, files: made, kinds, proven, unfit, name }) {
-    editor.show(faults);
-    if (!proven) {
-        by("files").replaceChildren();
-        by("proof").textContent = unfit && !by("anyway").checked ? "Nothing is handed out: it does not do what its own [load] asks." : "Nothing can be handed out.";
-        return;
-    }
-    files = made;
-    by("zip").disabled = false;
-    by("zip").dataset.folder = stem(name);
-    by("proof").textContent = `Proven: ${proven}.`;
-    const size = (bytes) => (bytes.length < 1000 ? `${bytes.length} B` : `${(bytes.length / 1000).toPrecision(3)} kB`);
-    const entry = (file) => element("li", {}, element("button", { type: "button", className: "plain", title: kinds[file.name] ?? "", onclick: () => save(file.name, new Blob([file.bytes])) }, file.name, element("small", {}, size(file.bytes))));
-    by("files").replaceChildren(...made.map(entry));
-    by("files").inert = false;
-}
-
-/** A name as a file name anywhere. */
-const stem = (name) => name.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "") || "star";
-
-function save(name, blob) {
-    const link = element("a", { href: URL.createObjectURL(blob), download: name });
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+    result.show(answer);
 }
 
 /** Whether the spec is of a drawing; else it is of stars. */
@@ -173,6 +111,9 @@ const isDrawn = () => /^\s*\[drawing\]/m.test(editor.text);
 
 /** The dropped drawing as files of a question. */
 const drawings = () => (drawing ? [drawing] : []);
+
+/** What a link needs: a built-in profile is in every page, and a star has no drawing. */
+const held = () => ({ text: editor.text, machine: by("machine").value ? undefined : machine, drawing: isDrawn() ? drawing : undefined });
 
 /** Another spec, with the profile and the drawing that came with it. */
 function take(text, own = {}) {
@@ -201,53 +142,10 @@ async function change(key, value) {
     }
 }
 
-/** From an object to a spec. */
-async function find(event) {
-    event.preventDefault();
-    const entries = [...by("object-form").elements].filter(({ name }) => name);
-    for (const { name } of entries) field(name).removeAttribute("aria-invalid");
-    const question = Object.fromEntries(entries.map(({ name, value }) => [name, value]));
-    by("object-answer").textContent = "Searching ...";
-    by("stop").hidden = false;
-    const answer = await safely(() => program.ask({ ask: "new", ...question }, { isLong: true }));
-    by("stop").hidden = true;
-    if (!answer) {
-        by("object-answer").textContent = by("note").className === "bad" ? "" : "Stopped.";
-        return;
-    }
-    by("object-answer").replaceChildren(...told(answer));
-    if (answer.spec) take(answer.spec);
-}
-
-const field = (name) => by("object-form").elements.namedItem(name);
-
-/** What the search has come to, as elements. */
-function told({ fields, reasons, nearest, in_words, wrong }) {
-    if (wrong) return [element("p", { className: "why" }, wrong)];
-    if (fields) {
-        field(fields[0].field)?.focus();
-        return fields.map(({ field: name, found }) => {
-            field(name)?.setAttribute("aria-invalid", "true");
-            return element("p", { className: "why" }, `${name}: ${found}`);
-        });
-    }
-    if (in_words) return in_words.trim().split("\n").map((line) => element("p", {}, line.trim()));
-    const list = [element("p", { className: "why" }, "No gripper was found that does all of this:"), element("ul", {}, ...reasons.map((text) => element("li", {}, text)))];
-    if (nearest) {
-        const use = () => {
-            for (const [name, value] of Object.entries(nearest)) if (value !== null) field(name).value = value;
-            by("object-form").requestSubmit();
-        };
-        const named = Object.entries(nearest).filter(([, value]) => value !== null).map(([name, value]) => `${name} ${value}`);
-        list.push(element("p", {}, `This can be had: ${named.join(", ")}. `), element("button", { type: "button", onclick: use }, "Take these values"));
-    }
-    return list;
-}
-
 /** Dropped or opened files: a spec, with its profile and its drawing; a drawing alone; or the files of a build, which are proven. */
 async function opened(list) {
     const found = await sorted(list);
-    if (found.spec === undefined) return drawn(found.drawing);
+    if (found.spec === undefined) return found.drawing ? drawn(found.drawing) : profiled(found);
     take(found.spec, found);
     if (!found.build) return say(`Opened ${found.name}.`);
     say("Proving the files of the build ...");
@@ -258,6 +156,12 @@ async function opened(list) {
     }
     const other = written_by ? `, written by ${written_by}: read back, not compared${unproven.length ? `; not proven: ${unproven.join(", ")}` : ""}` : "";
     return say(`Proven, no findings: ${proven.length} files${other}.`);
+}
+
+/** A machine profile alone: for the spec as it stands. */
+function profiled({ name, machine: profile }) {
+    take(editor.text, { machine: profile, drawing });
+    say(`The machine profile ${name} is used if \`profile\` in [machine] names a file.`);
 }
 
 /** A drawing alone: that of the spec as it stands, if this one names it; else a spec is proposed. */
@@ -274,21 +178,34 @@ async function drawn(drawing) {
 
 /** The spec of the link, or what is kept, or a shipped spec. */
 async function first() {
-    const linked = await safely(() => textOf(location.hash));
+    const linked = await safely(() => heldBy(location.hash));
     if (linked === undefined) say("The link is damaged: it holds no spec.", true);
-    return linked ? { text: linked } : kept() ?? { text: designs["paper-gripper"] ?? Object.values(designs)[0] };
+    return linked ?? kept() ?? { text: designs["paper-gripper"] ?? Object.values(designs)[0] };
 }
 
 function listen() {
-    by("object-form").addEventListener("submit", find);
-    by("stop").addEventListener("click", () => program.stop());
+    const long = (question) => safely(() => program.ask(question, { isLong: true }));
+    by("object-form").addEventListener("submit", (event) => {
+        event.preventDefault();
+        find(long, (spec) => take(spec));
+    });
+    by("shell-start").addEventListener("click", () => compute((question) => {
+        const whole = { ...question, spec: editor.text, machine };
+        return safely(() => program.ask(whole, { files: drawings(), lane: "shell", isLong: true, isPatient: true }));
+    }));
     by("copy-link").addEventListener("click", () => safely(async () => {
-        const link = location.href.split("#")[0] + (await fragmentOf(editor.text));
+        const { fragment, isLong } = await fragmentOf(held());
+        const link = location.href.split("#")[0] + fragment;
         history.replaceState(null, "", link);
-        const holds = drawing ? "it holds the spec, but not the drawing: send that along" : "it holds the whole spec";
+        const holds = isLong ? "it holds the spec, but not the drawing, which is too large: send that along" : "it holds the whole spec";
         const isCopied = await (navigator.clipboard?.writeText(link) ?? Promise.reject(new Error())).then(() => true, () => false);
         say(`The link is ${isCopied ? "copied" : "in the address bar"}; ${holds}.`);
     }));
+    by("show-qr").addEventListener("click", () => safely(async () => {
+        await showCode(held(), location.href.split("#")[0], (question) => program.ask(question, { isPatient: true }));
+        by("qr").scrollIntoView({ block: "nearest" });
+    }));
+    by("qr-hide").addEventListener("click", hideCode);
     by("forget").addEventListener("click", () => {
         forget();
         history.replaceState(null, "", location.href.split("#")[0]);
@@ -298,9 +215,11 @@ function listen() {
     by("machine").addEventListener("change", ({ target }) => change("machine.profile", JSON.stringify(target.value)));
     by("anyway").addEventListener("change", () => build(editor.text));
     by("report-box").addEventListener("toggle", ({ target }) => target.open && report(editor.text));
-    by("zip").addEventListener("click", () => save(`${by("zip").dataset.folder}.zip`, zipped(by("zip").dataset.folder, files)));
     by("open").addEventListener("change", ({ target }) => safely(() => opened(target.files)).then(() => (target.value = "")));
-    window.addEventListener("hashchange", () => safely(async () => take((await textOf(location.hash)) ?? editor.text)));
+    window.addEventListener("hashchange", () => safely(async () => {
+        const { text, ...own } = (await heldBy(location.hash)) ?? { text: editor.text, machine, drawing };
+        take(text, own);
+    }));
     const shows = (isShown) => (event) => {
         event.preventDefault();
         by("drop").hidden = !isShown;
@@ -315,7 +234,8 @@ function listen() {
 
 async function start() {
     const worker = URL.createObjectURL(new Blob([by("worker-code").textContent], { type: "text/javascript" }));
-    editor = new Editor(refresh);
+    editor = new Editor(refresh, (code) => program.ask({ ask: "explain", code }, { lane: `explain ${code}`, isPatient: true }));
+    result = new Result();
     const [module, begun] = await Promise.all([compiled(), first()]);
     program = new Program(module, () => new Worker(worker));
     ({ machine, drawing } = begun);
@@ -329,6 +249,7 @@ async function start() {
     by("version").textContent = `Version ${version}.`;
     form = new Form(by("form"), schema, machines, change);
     listen();
+    watch(program);
     if (by("note").className !== "bad") say("");
     await refresh();
 }

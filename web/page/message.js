@@ -28,6 +28,13 @@ export function unpacked(all) {
     return answer;
 }
 
+/** An instance of the compiled `module`. `told(part, what)` hears how far long work is: 0 to 1, and what is being done. */
+export async function instance(module, told = () => {}) {
+    const progress = (part, place, length) => told(part, new TextDecoder().decode(new Uint8Array(program.memory.buffer, place, length)));
+    const { exports: program } = await WebAssembly.instantiate(module, { page: { progress } });
+    return program;
+}
+
 /** Asks the instance with the exports `program`; what a panic said becomes the message of the error. */
 export function asked(program, question, files) {
     const bytes = packed(question, files);

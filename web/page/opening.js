@@ -4,6 +4,8 @@ import { unzipped } from "./zip.js";
 /** Largest drawing that is read, bytes: as for the command. */
 const MOST_DRAWING = 64 << 20;
 
+/** Whether a TOML file is a profile of a machine: only that says this. */
+const isProfile = ({ name, bytes }) => name.endsWith(".toml") && /^\s*dialect\s*=/m.test(new TextDecoder().decode(bytes));
 const isDrawing = ({ name }) => /\.(svg|dxf)$/i.test(name);
 
 /** What `list`, files of the browser, holds: the texts `spec` and `machine`, a `drawing`, and all files of a `build`, each if there is one. */
@@ -13,10 +15,11 @@ export async function sorted(list) {
     if (archive) all = await unzipped(archive.bytes);
     const text = (file) => file && new TextDecoder("utf-8", { fatal: true }).decode(file.bytes);
     const named = (name) => all.find((file) => file.name === name);
-    const spec = named("spec.toml") ?? all.find(({ name }) => name.endsWith(".toml") && name !== "machine.toml");
+    const profile = named("machine.toml") ?? all.find(isProfile);
+    const spec = named("spec.toml") ?? all.find((file) => file.name.endsWith(".toml") && file !== profile);
     const isBuild = Boolean(spec && named("manifest.json"));
     const drawing = isBuild ? named("drawing.svg") ?? named("drawing.dxf") : all.find(isDrawing);
-    if (!spec && !drawing) throw new Error("there is no spec in it and no drawing; a spec is a TOML file, a drawing an SVG or a DXF");
+    if (!spec && !drawing && !profile) throw new Error("there is no spec in it and no drawing; a spec is a TOML file, a drawing an SVG or a DXF");
     if (drawing?.bytes.length > MOST_DRAWING) throw new Error("the drawing is larger than 64 MiB");
-    return { name: (spec ?? drawing).name, spec: text(spec), machine: text(named("machine.toml")), drawing, build: isBuild ? all : undefined };
+    return { name: (spec ?? drawing ?? profile).name, spec: text(spec), machine: text(profile), drawing, build: isBuild ? all : undefined };
 }

@@ -24,13 +24,13 @@ export class Program {
         this.#spare = this.#made();
     }
 
-    /** Asks. `lane` names what a later question replaces; `isLong`: a question that follows in any lane stops it; `isKept`: none does. */
-    ask(question, { files = [], lane = question.ask, isLong = false, isKept = false } = {}) {
+    /** Asks. `lane` names what a later question replaces. A question stops what `isLong`, unless that `isKept` or the new one `isPatient`. */
+    ask(question, { files = [], lane = question.ask, isLong = false, isKept = false, isPatient = false } = {}) {
         return new Promise((resolve, reject) => {
             this.#waiting = this.#waiting.filter((other) => other.lane !== lane || other.reject(new Dropped()));
             this.#waiting.push({ number: ++this.#number, question, files, lane, isLong, isKept, resolve, reject });
             const { isLong: isStopped, isKept: stays, since } = this.#running ?? {};
-            if (!stays && (isStopped || performance.now() - since > PATIENCE)) this.stop();
+            if (!stays && !isPatient && (isStopped || performance.now() - since > PATIENCE)) this.stop();
             else this.#next();
         });
     }
@@ -44,8 +44,9 @@ export class Program {
         this.#next();
     }
 
-    get isBusy() {
-        return this.#running !== null;
+    /** The question that is being answered: since when (ms), the `part` of it that is done (0 to 1) and `what` is being done, if that is known. */
+    get running() {
+        return this.#running;
     }
 
     #made() {
@@ -73,9 +74,13 @@ export class Program {
         this.#worker.postMessage({ number, question, files });
     }
 
-    #heard({ number, answer, broken }) {
+    #heard({ number, answer, broken, part, what }) {
         const running = this.#running;
         if (!running || running.number !== number) return;
+        if (part !== undefined) {
+            Object.assign(running, { part, what });
+            return;
+        }
         if (broken === undefined) {
             this.#running = null;
             running.resolve(answer);

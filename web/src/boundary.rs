@@ -1,6 +1,6 @@
-//! What JavaScript calls: four functions and one more for panics. All of it is safe code; only that they are exported under their names
-//! is called unsafe, since two libraries might export the same name. This library is linked with no other.
-#![allow(unsafe_code, reason = "the attribute that exports a name; there is no unsafe block")]
+//! What JavaScript calls: five functions, two of them for panics; and the one that it lends, which hears the progress of long work. All of it
+//! is safe code. Only names are called unsafe, since two libraries might have the same: this one is linked with no other.
+#![allow(unsafe_code, reason = "the attributes of exported and imported names; there is no unsafe block")]
 
 use std::cell::RefCell;
 use std::panic;
@@ -15,6 +15,21 @@ struct Mailbox {
     question: Vec<u8>,
     answer: Vec<u8>,
     panic: Vec<u8>,
+}
+
+#[cfg(target_arch = "wasm32")]
+#[link(wasm_import_module = "page")]
+unsafe extern "C" {
+    /// Hears the part that is done, 0 to 1, and in `length` bytes at `text` what is being done.
+    safe fn progress(part: f64, text: *const u8, length: usize);
+}
+
+/// Tells the page that `part` of the work is done, 0 to 1, and what is being done. Outside of a page no one hears it.
+pub(crate) fn tell(part: f64, what: &str) {
+    #[cfg(target_arch = "wasm32")]
+    progress(part, what.as_ptr(), what.len());
+    #[cfg(not(target_arch = "wasm32"))]
+    let _ = (part, what);
 }
 
 thread_local! {

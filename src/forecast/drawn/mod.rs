@@ -61,16 +61,15 @@ impl DrawnSurface {
 }
 
 /// What `check` and `build` say of `piece`, made from `spec`: the shell's answer on coarse meshes if the spec asks for the shell by name, else
-/// what is flat.
+/// what is flat. `watch` hears how far the shell is.
 ///
 /// # Errors
-/// If the spec asks for a model of stars, or the shell refuses.
-pub fn of_spec(spec: &Spec, piece: &DrawnPiece) -> Result<InflatedDrawing, PredictFault> {
+/// If the spec asks for a model of stars, or the shell refuses or was told to stop.
+pub fn of_spec(spec: &Spec, piece: &DrawnPiece, watch: &Watch<'_>) -> Result<InflatedDrawing, PredictFault> {
     let asked = spec.accuracy.model == ModelChoice::Shell;
     if asked && spec.load.as_ref().is_some_and(|load| load.pressure.is_some()) {
-        return inflate(spec, piece, Detail::Coarse, &Watch::default()).map_err(|refusal| match refusal {
+        return inflate(spec, piece, Detail::Coarse, watch).map_err(|refusal| match refusal {
             ShellRefusal::Fault(fault) => fault,
-            // Nobody can.
             ShellRefusal::Cancelled => stars_only("the shell was told to stop".to_owned()),
         });
     }

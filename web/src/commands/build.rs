@@ -1,19 +1,18 @@
-//! `build`, `verify` and `predict`.
+//! `build` and `verify`.
 
 use serde_json::{Map, Value, json};
 use stargrip_cam::answer::{overview_json, proof, verdict};
 use stargrip_cam::artifact::{Asked, Kind};
-use stargrip_cam::design::Design;
-use stargrip_cam::forecast::predict::predict as predicted;
-use stargrip_cam::forecast::report;
+use stargrip_cam::design::Refusals;
 use stargrip_cam::manifest::ManifestFile;
-use stargrip_cam::pipeline::{Built, Forecast, Sources, no_prediction, prove_files};
+use stargrip_cam::pipeline::{Built, Designed, Forecast, Sources, prove_files};
+use stargrip_cam::shell::cases::Watch;
 use stargrip_cam::spec::{ModelChoice, settings};
 use stargrip_cam::verify::OutputFiles;
 
+use crate::boundary::tell;
 use crate::commands::faults::{listed, of_design, of_findings, of_warnings};
 use crate::commands::spec::Given;
-use crate::commands::text;
 use crate::message::Message;
 
 /// Makes the files that are asked for. They are proven unless `prove` is false, which is for a quick look: then there is no manifest.
@@ -25,7 +24,7 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
     };
     let mut answer = json!({ "name": given.reading.spec.name, "settings": settings(&given.source) });
     let mut faults = listed(&given.reading.warnings);
-    let forecast = match Forecast::of(given.reading.spec.clone(), given.machine.clone()) {
+    let forecast = match forecast(&given, question["quick"] == true) {
         Ok(forecast) => forecast,
         Err(refusals) => {
             faults.extend(of_design(&given, refusals));
@@ -52,6 +51,16 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
     Message { json: answer, files }
 }
 
+/// What the gripper does; if `is_quick`, without a shell, which a drawing may ask for.
+fn forecast(given: &Given, is_quick: bool) -> Result<Forecast, Refusals> {
+    let mut spec = given.reading.spec.clone();
+    if is_quick && spec.accuracy.model == ModelChoice::Shell {
+        spec.accuracy.model = ModelChoice::Auto;
+    }
+    let watch = Watch { progress: Some(&tell), ..Watch::default() };
+    Designed::new(spec, given.machine.clone())?.plan()?.watched_forecast(&watch)
+}
+
 /// The files, if they say what the design says; if not, that is a fault of this program.
 fn proven(built: Built, faults: &mut Vec<Value>, answer: &mut Value) -> Vec<(String, Vec<u8>)> {
     match built.prove() {
@@ -72,8 +81,8 @@ fn proven(built: Built, faults: &mut Vec<Value>, answer: &mut Value) -> Vec<(Str
 /// The overview of `check --json`, and the verdict's rows.
 fn overview(forecast: &Forecast) -> Value {
     let mut overview = overview_json(forecast, &forecast.precautions("spec.toml"));
-    overview["rows"] =
-        verdict::rows(forecast).into_iter().map(|(label, text)| json!([label, text])).collect();
+    let rows = verdict::rows(forecast).into_iter().chain(verdict::of_drawing(forecast));
+    overview["rows"] = rows.map(|(label, text)| json!([label, text])).collect();
     overview
 }
 
@@ -92,38 +101,4 @@ pub(super) fn verify(files: Vec<(String, Vec<u8>)>) -> Value {
     let mut files = OutputFiles { files: files.collect() };
     files.files.sort();
     serde_json::from_str(&proof::json(&prove_files(&files))).unwrap_or_default()
-}
-
-/// Predicts with the spec's model, or the one that `model` names.
-pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)]) -> Value {
-    let given = match Given::of(question, files) {
-        Ok(given) => given,
-        Err(faults) => return json!({ "faults": faults }),
-    };
-    let mut spec = given.reading.spec.clone();
-    if let Some(model) = text(question, "model").and_then(model) {
-        spec.accuracy.model = model;
-    }
-    let design = match Design::new(&spec, &given.machine) {
-        Ok(design) => design,
-        Err(refusals) => return json!({ "faults": of_design(&given, refusals) }),
-    };
-    match predicted(&spec, &design) {
-        Ok(prediction) => {
-            json!({ "faults": listed(&given.reading.warnings), "text": report::text(&spec, &prediction), "prediction": prediction })
-        }
-        Err(fault) => json!({ "faults": of_design(&given, no_prediction(&fault).into()) }),
-    }
-}
-
-/// The model of this name, as in a spec; the shell has no place here.
-fn model(name: &str) -> Option<ModelChoice> {
-    Some(match name {
-        "fit" => ModelChoice::Fit,
-        "ring" => ModelChoice::Ring,
-        "bvp" => ModelChoice::Bvp,
-        "section" => ModelChoice::Section,
-        "auto" => ModelChoice::Auto,
-        _ => return None,
-    })
 }

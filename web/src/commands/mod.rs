@@ -3,12 +3,13 @@
 //! | ask | takes | answers |
 //! |---|---|---|
 //! | `start` | | the schema, the starter, the machine profiles, the kinds of file |
-//! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove` | faults, settings, the overview, the proof, files |
+//! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove`, `quick` | faults, settings, the overview, the proof, files |
 //! | `verify` | files | what `verify --json` prints |
 //! | `drawing` | a drawing | a spec that names its layers, or why it cannot be read |
 //! | `new` | `name`, `object`, `mass` and what else `new` takes | a spec and its verdict, or why there is none |
 //! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |
-//! | `predict` | `spec`, `machine`, the drawing, `model` | the prediction, in words and as JSON |
+//! | `predict` | `spec`, `machine`, the drawing, `model` | the prediction, in words and as JSON; shells are coarse |
+//! | `qr` | `link` | the QR code of the link, as a path of an SVG |
 //! | `explain` | `code` | what the code means |
 //!
 //! `faults` are errors and warnings with their places; `wrong` says what is wrong with the question itself.
@@ -18,6 +19,8 @@ mod drawing;
 mod edit;
 mod faults;
 mod object;
+mod predict;
+mod qr;
 mod spec;
 mod start;
 
@@ -39,9 +42,10 @@ fn answered(question: Message) -> Result<Message, String> {
     let answer = match asked {
         "start" => start::start(),
         "explain" => start::explain(&question),
+        "qr" => qr::qr(&question),
         "build" => return Ok(build::build(&question, &files)),
         "verify" => build::verify(files),
-        "predict" => build::predict(&question, &files),
+        "predict" => predict::predict(&question, &files),
         "drawing" => drawing::drawing(&files)?,
         "new" => object::new(&question)?,
         "edit" => edit::edit(&question)?,

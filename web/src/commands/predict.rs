@@ -1,0 +1,65 @@
+//! `predict`: what the gripper does, by any model, the shell included.
+
+use serde_json::{Value, json};
+use stargrip_cam::design::Design;
+use stargrip_cam::forecast::predict::predict as predicted;
+use stargrip_cam::forecast::shell::star::ShellRefusal;
+use stargrip_cam::forecast::shell::{Detail, star};
+use stargrip_cam::forecast::{drawn, report};
+use stargrip_cam::pipeline::no_prediction;
+use stargrip_cam::shell::cases::Watch;
+use stargrip_cam::spec::{ModelChoice, Spec};
+
+use crate::boundary::tell;
+use crate::commands::faults::{listed, of_design};
+use crate::commands::spec::Given;
+use crate::commands::text;
+
+/// Meshes of shells in a page: seconds of work.
+const DETAIL: Detail = Detail::Coarse;
+
+/// Predicts with the spec's model, or the one that `model` names. A drawing is predicted by the shell.
+pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)]) -> Value {
+    let given = match Given::of(question, files) {
+        Ok(given) => given,
+        Err(faults) => return json!({ "faults": faults }),
+    };
+    let mut spec = given.reading.spec.clone();
+    if let Some(model) = text(question, "model").and_then(model) {
+        spec.accuracy.model = model;
+    }
+    let design = match Design::new(&spec, &given.machine) {
+        Ok(design) => design,
+        Err(refusals) => return json!({ "faults": of_design(&given, refusals) }),
+    };
+    match answer(&spec, &design) {
+        Ok((text, prediction)) => {
+            json!({ "faults": listed(&given.reading.warnings), "text": text, "prediction": prediction })
+        }
+        Err(ShellRefusal::Fault(fault)) => {
+            json!({ "faults": of_design(&given, no_prediction(&fault).into()) })
+        }
+        // The page stops a shell by ending its worker.
+        Err(ShellRefusal::Cancelled) => json!({ "wrong": "the shell was stopped" }),
+    }
+}
+
+/// The prediction in words and as JSON.
+fn answer(spec: &Spec, design: &Design) -> Result<(String, Value), ShellRefusal> {
+    let watch = Watch { progress: Some(&tell), ..Watch::default() };
+    if let Some(piece) = design.drawn() {
+        let found = drawn::inflate(spec, piece, DETAIL, &watch)?.prediction;
+        return Ok((drawn::text::text(spec, &found), json!(found)));
+    }
+    let found = if spec.accuracy.model == ModelChoice::Shell {
+        star::predict((spec, design), &[], DETAIL, &watch)?.0
+    } else {
+        predicted(spec, design).map_err(ShellRefusal::Fault)?
+    };
+    Ok((report::text(spec, &found), json!(found)))
+}
+
+/// The model of this name, as in a spec.
+fn model(name: &str) -> Option<ModelChoice> {
+    ModelChoice::ALL.iter().find(|(word, _)| *word == name).map(|(_, model)| *model)
+}
