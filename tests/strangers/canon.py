@@ -15,9 +15,12 @@ TOLERANCE = 0.001  # mm, the designs' own
 canon, program, manifest_path = sys.argv[1:4]
 manifest = json.load(open(manifest_path, encoding="utf-8"))
 entry = next(f for f in manifest["files"] if program.endswith("/" + f["path"]))
-stars = [s for s in manifest["stars"] if s["index"] == entry.get("star", s["index"]) and s["sheet"] == entry["sheet"]]
+# Stars, or drawn pieces, which all lie on one sheet here.
+pieces = manifest.get("stars") or [{"index": i, "sheet": 1, **piece} for i, piece in enumerate(manifest["pieces"], 1)]
+own = entry.get("star") or entry.get("copy")
+sealed = [p for p in pieces if p["index"] == (own or p["index"]) and p["sheet"] == entry["sheet"]]
 hot = entry["kind"] == "seal-gcode"
-expected = sum(s["seam_mm"] for s in stars) if hot else 0.0
+expected = sum(seam["length_mm"] for p in sealed for seam in p["seams"]) if hot else 0.0
 
 
 class Line:
@@ -105,7 +108,7 @@ problems = []
 if abs(length - expected) > 1e-3 * max(expected, 1.0):
     problems.append(f"LinuxCNC travels {length:.3f} mm in contact, the manifest says {expected:.3f} mm")
 if hot and rests == 0.0:
-    time = sum(s["time_s"] for s in stars)
+    time = sum(seam["time_s"] for p in sealed for seam in p["seams"])
     if abs(seconds - time) > 1e-3 * time:
         problems.append(f"LinuxCNC feeds for {seconds:.1f} s, the manifest says {time:.1f} s")
 # The drawing of the sheet that the program belongs to.
@@ -128,7 +131,7 @@ if hot and os.path.exists(drawing):
     if off > TOLERANCE:
         problems.append(f"LinuxCNC is {off:.6f} mm off the drawing")
     # Back from the drawing only where one program seals all of it, and has few enough moves to look at each.
-    if len(manifest["stars"]) == len(stars) and len(contact) < 2000:
+    if len(pieces) == len(sealed) and len(contact) < 2000:
         off = farthest(drawn, contact, 2.0)
         if off > TOLERANCE:
             problems.append(f"the drawing is {off:.6f} mm off what LinuxCNC travels")
