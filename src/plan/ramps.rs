@@ -107,7 +107,10 @@ mod tests {
         assert_eq!(kept.len(), 4, "{kept:?}");
         assert!(kept.iter().all(|piece| piece.length() >= least));
         assert!(kept.windows(2).all(|pair| pair[0].end().distance(pair[1].start()) < 1e-12));
-        assert_eq!((kept[0].start(), kept[3].end()), (ramp[0].start(), ramp[7].end()));
+        assert!(
+            kept[0].start().distance(ramp[0].start()) < 1e-12
+                && kept[3].end().distance(ramp[7].end()) < 1e-12
+        );
         let way = |pieces: &[Segment], t: f64| {
             pieces.iter().map(|piece| piece.distance(Point::new(2.0, t))).fold(f64::INFINITY, f64::min)
         };
