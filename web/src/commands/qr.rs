@@ -41,13 +41,12 @@ mod tests {
     #[test]
     fn a_path_has_the_modules_of_its_code() {
         let code = QrCode::encode_text("https://example.org/#spec=abc", QrCodeEcc::Low).expect("short");
-        let drawn: usize = path(&code)
-            .split('h')
-            .skip(1)
-            .filter_map(|rest| rest.split_once('v')?.0.parse::<usize>().ok())
-            .sum();
-        let dark = |y: i32| (0..code.size()).filter(|x| code.get_module(*x, y)).count();
-        assert_eq!(drawn, (0..code.size()).map(dark).sum());
+        let path = path(&code);
+        let runs = path.split('h').skip(1).filter_map(|run| run.split_once('v')?.0.parse::<usize>().ok());
+        let row = |y: i32| (0..code.size()).filter(|x| code.get_module(*x, y)).count();
+        let dark: usize = (0..code.size()).map(row).sum();
+        // `h-` leads back: that is no length.
+        assert_eq!(runs.sum::<usize>(), dark);
     }
 
     #[test]
