@@ -21,14 +21,13 @@ mod proven;
 use crate::airtight;
 use crate::artifact::{Artifact, Asked};
 use crate::design::{Design, Refusal, RefusalCode, Refusals};
-use crate::forecast::drawn::{InflatedDrawing, of_spec};
+use crate::forecast::drawn::{InflatedDrawing, Watch, of_spec};
 use crate::forecast::predict::{PredictFault, predict};
 use crate::forecast::prediction::Prediction;
 use crate::manifest::Manifest;
 use crate::plan;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
-use inflatable::shell::cases::Watch;
 
 pub use code::{CommandCode, PrecautionCode};
 pub use coupons::{MadeCoupons, OVERVIEW, ProvenCoupons, TABLE};

@@ -17,9 +17,9 @@ use crate::forecast::shell::{Detail, SHELL};
 use crate::forecast::star_answer::mm;
 use crate::spec::{ModelChoice, Spec, key};
 use crate::units::{LineForce, Pressure};
-use inflatable::shell::cases::{
-    FlatRegion, InflatedShape, Input, ShellFault, Surface, Watch, Wrinkles, region,
-};
+use inflatable::shell::cases::{FlatRegion, InflatedShape, Input, ShellFault, Surface, Wrinkles, region};
+
+pub use inflatable::shell::cases::Watch;
 
 /// The name of no model: only what is flat is known.
 pub const NONE: &str = "none";

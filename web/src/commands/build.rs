@@ -4,9 +4,9 @@ use serde_json::{Map, Value, json};
 use stargrip_cam::answer::{overview_json, proof, verdict};
 use stargrip_cam::artifact::{Asked, Kind};
 use stargrip_cam::design::Refusals;
+use stargrip_cam::forecast::drawn::Watch;
 use stargrip_cam::manifest::ManifestFile;
 use stargrip_cam::pipeline::{Built, Designed, Forecast, Sources, prove_files};
-use stargrip_cam::shell::cases::Watch;
 use stargrip_cam::spec::{ModelChoice, settings};
 use stargrip_cam::verify::OutputFiles;
 

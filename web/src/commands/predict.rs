@@ -2,12 +2,12 @@
 
 use serde_json::{Value, json};
 use stargrip_cam::design::Design;
+use stargrip_cam::forecast::drawn::Watch;
 use stargrip_cam::forecast::predict::predict as predicted;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
 use stargrip_cam::forecast::shell::{Detail, star};
 use stargrip_cam::forecast::{drawn, report};
 use stargrip_cam::pipeline::no_prediction;
-use stargrip_cam::shell::cases::Watch;
 use stargrip_cam::spec::{ModelChoice, Spec};
 
 use crate::boundary::tell;
