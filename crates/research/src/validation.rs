@@ -82,7 +82,7 @@ pub fn compare(star: &ComputedStar) -> Option<Comparison> {
         let object = 1e-3 * radius.value + opening;
         let predicted =
             if object < own.rest.radius { 0.0 } else { inflated.linear_force(object, &own.rest).ok()? };
-        let range = own.ranges.force(&case, object, &own.rest)?;
+        let range = own.ranges.force(&inflated, object, &own.rest)?;
         let pair = Pair { shell, mesh: open * shell, predicted, range, error: shell / same };
         (open < SETTLED).then_some((*part, pair))
     };

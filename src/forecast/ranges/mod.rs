@@ -14,7 +14,6 @@ pub use interval::{Interval, mm, scaled, sum};
 use crate::forecast::case::{Case, Hinges};
 use crate::units::Readable;
 use inflatable::mechanics::hinge::{HingeModel, Level};
-use inflatable::mechanics::star::grasp::Grasp;
 use inflatable::mechanics::star::response::{Inflated, Rest};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -85,11 +84,11 @@ impl Ranges {
         }
     }
 
-    /// Of the radial force on an object of radius `rho` (m) within the star of `case`, which rests at `rest`; `None` where arms touch, and
+    /// Of the radial force on an object of radius `rho` (m) within the star `inflated`, which rests at `rest`; `None` where arms touch, and
     /// where shells were not opened so far.
-    pub fn force(&self, case: &Case, rho: f64, rest: &Rest) -> Option<Interval> {
-        let star = &case.mechanism;
-        let (([near, far], _), pressure) = self.radius.zip(self.stiffness).zip(case.pressure)?;
+    pub fn force(&self, inflated: &Inflated<'_>, rho: f64, rest: &Rest) -> Option<Interval> {
+        let star = inflated.star();
+        let ([near, far], _) = self.radius.zip(self.stiffness)?;
         let opened = (rho - rest.radius) / star.width;
         if opened > errors::NOT_FAR * errors::OPENING {
             return None;
@@ -100,7 +99,7 @@ impl Ranges {
             errors::FORCE.map(|part| libm::pow(part, self.wider * (1.0 + further.clamp(0.0, 1.0))));
         // Where a star begins to touch is as uncertain as its radius. What one errs by is taken not to depend on the other, so that
         // both together are as far off as the root of their squares; so taken, ranges hold (docs/ranges.md).
-        let grasp = Grasp::new(star, rest.stiffness, pressure);
+        let grasp = inflated.grasp(rest);
         let [least, force, most] = [far, rest.radius, near].map(|from| grasp.force(rho, from));
         Some([
             (force - libm::hypot(force - least, force * (1.0 - low))).max(0.0),
