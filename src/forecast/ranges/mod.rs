@@ -54,18 +54,20 @@ impl Ranges {
         let about =
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
-        let unit = star.width / libm::sin(PI / f64::from(star.points));
+        let long = star.arm / star.width;
+        let unit = errors::radius_unit(star.points) * star.width / libm::sin(PI / f64::from(star.points));
+        let stiffer = wider * errors::stiffness_unit(star.points, long);
         // Arms that touch press on each other, and what that does to the stiffness no hinge knows.
         let free = rest.equilibrium > star.correction.contact_angle;
         let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
-        let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(star.arm / star.width));
+        let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(long));
         Self {
             domain,
             wider,
             radius: Some(radius),
             angle: (angle[0] > star.correction.contact_angle).then_some(angle),
             hinge: Some(errors::HINGE.map(|part| libm::pow(part, wider))),
-            stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * libm::pow(part, wider))),
+            stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * libm::pow(part, stiffer))),
         }
     }
 
