@@ -92,7 +92,7 @@ impl Outcome {
         let ranges =
             edge.map_or(ranges, |edge| ranges.bounded(&edge.ranges, [own.rest.radius, edge.rest.radius]));
         let held = own.object_force();
-        let force_range = held.and(case.object).and_then(|rho| ranges.force(case, rho, &own.rest));
+        let force_range = held.and(case.object).and_then(|rho| ranges.force(inflated, rho, &own.rest));
         let force_range = force_range.map(|range| own.at_least_as_at(edge.as_ref(), range));
         let payload_range =
             case.friction.zip(force_range).map(|(mu, range)| scaled(range, payload(mu, [1.0])));

@@ -88,7 +88,7 @@ const IN_UNITS: [(&str, f64, f64); 36] = [
     ("/ranges/final_radius_mm/0", 16.0, 17.7),
     ("/ranges/final_radius_mm/1", 17.6, 19.0),
     ("/ranges/object_force_N/0", 7.0, 11.2),
-    ("/ranges/object_force_N/1", 11.1, 16.0),
+    ("/ranges/object_force_N/1", 11.1, 17.0),
     ("/evidence/hinge_width/tip", 0.637, 1.0),
 ];
 

@@ -46,7 +46,8 @@ pub struct Comparison {
     pub angle: Option<Pair>,
     /// Radial stiffness, N/m; `None` where arms touch, or where meshes leave a quarter of it open.
     pub stiffness: Option<Pair>,
-    /// Radial forces, N, on an object that opens the shell so far by W; none where arms touch, or where meshes leave a quarter open.
+    /// Radial forces, N, on an object that opens the shell so far by W and passes the flat star's hole; none where arms touch, or where meshes
+    /// leave a quarter open. The mesh error counts that of the radius, too: the object is the same, not the opening.
     pub forces: Vec<(f64, Pair)>,
 }
 
@@ -80,11 +81,12 @@ pub fn compare(star: &ComputedStar) -> Option<Comparison> {
         // The constant counts forces at the same opening; a range, on the same object.
         let same = inflated.linear_force(own.rest.radius + opening, &own.rest).ok()?;
         let object = 1e-3 * radius.value + opening;
+        let reached = secant.value * stiffness.value * radius.error;
         let predicted =
             if object < own.rest.radius { 0.0 } else { inflated.linear_force(object, &own.rest).ok()? };
-        let range = own.ranges.force(&case, object, &own.rest)?;
-        let pair = Pair { shell, mesh: open * shell, predicted, range, error: shell / same };
-        (open < SETTLED).then_some((*part, pair))
+        let range = own.ranges.force(&inflated, object, &own.rest)?;
+        let pair = Pair { shell, mesh: open * shell + reached, predicted, range, error: shell / same };
+        (open < SETTLED && shell > 0.0 && object <= case.inner_radius).then_some((*part, pair))
     };
     let touch = own.ranges.angle.is_none() || found.arm_contact.value > 0.0;
     let forces = found.secants.iter().filter(|_| !touch).filter_map(opened);

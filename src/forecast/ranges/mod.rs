@@ -14,7 +14,6 @@ pub use interval::{Interval, mm, scaled, sum};
 use crate::forecast::case::{Case, Hinges};
 use crate::units::Readable;
 use inflatable::mechanics::hinge::{HingeModel, Level};
-use inflatable::mechanics::star::grasp::Grasp;
 use inflatable::mechanics::star::response::{Inflated, Rest};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -55,18 +54,20 @@ impl Ranges {
         let about =
             |value: f64, errors: Interval, scale: f64| errors.map(|error| value + wider * error * scale);
         let star = &case.mechanism;
-        let unit = star.width / libm::sin(PI / f64::from(star.points));
+        let long = star.arm / star.width;
+        let unit = errors::radius_unit(star.points) * star.width / libm::sin(PI / f64::from(star.points));
+        let stiffer = wider * errors::stiffness_unit(star.points, long);
         // Arms that touch press on each other, and what that does to the stiffness no hinge knows.
         let free = rest.equilibrium > star.correction.contact_angle;
         let radius = about(rest.radius, errors::RADIUS, unit).map(|end| end.max(0.0));
-        let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(star.arm / star.width));
+        let angle = about(rest.equilibrium, errors::ANGLE, angle_unit(long));
         Self {
             domain,
             wider,
             radius: Some(radius),
             angle: (angle[0] > star.correction.contact_angle).then_some(angle),
             hinge: Some(errors::HINGE.map(|part| libm::pow(part, wider))),
-            stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * libm::pow(part, wider))),
+            stiffness: free.then(|| errors::STIFFNESS.map(|part| rest.stiffness * libm::pow(part, stiffer))),
         }
     }
 
@@ -85,11 +86,11 @@ impl Ranges {
         }
     }
 
-    /// Of the radial force on an object of radius `rho` (m) within the star of `case`, which rests at `rest`; `None` where arms touch, and
+    /// Of the radial force on an object of radius `rho` (m) within the star `inflated`, which rests at `rest`; `None` where arms touch, and
     /// where shells were not opened so far.
-    pub fn force(&self, case: &Case, rho: f64, rest: &Rest) -> Option<Interval> {
-        let star = &case.mechanism;
-        let (([near, far], _), pressure) = self.radius.zip(self.stiffness).zip(case.pressure)?;
+    pub fn force(&self, inflated: &Inflated<'_>, rho: f64, rest: &Rest) -> Option<Interval> {
+        let star = inflated.star();
+        let ([near, far], _) = self.radius.zip(self.stiffness)?;
         let opened = (rho - rest.radius) / star.width;
         if opened > errors::NOT_FAR * errors::OPENING {
             return None;
@@ -100,7 +101,7 @@ impl Ranges {
             errors::FORCE.map(|part| libm::pow(part, self.wider * (1.0 + further.clamp(0.0, 1.0))));
         // Where a star begins to touch is as uncertain as its radius. What one errs by is taken not to depend on the other, so that
         // both together are as far off as the root of their squares; so taken, ranges hold (docs/ranges.md).
-        let grasp = Grasp::new(star, rest.stiffness, pressure);
+        let grasp = inflated.grasp(rest);
         let [least, force, most] = [far, rest.radius, near].map(|from| grasp.force(rho, from));
         Some([
             (force - libm::hypot(force - least, force * (1.0 - low))).max(0.0),

@@ -178,7 +178,7 @@ impl ShellAnswer<'_> {
                     object_force_N: on_object.map(|force| force.error),
                     force_curve: (!radii.is_empty()).then(|| curve_of(|force| force.error)),
                 }),
-                warnings: self.warnings(),
+                warnings: self.warnings().into_iter().chain(snap(&curve)).collect(),
                 ..bare.evidence.clone()
             },
             ..bare
@@ -237,5 +237,37 @@ impl ShellAnswer<'_> {
             ),
         ];
         said.into_iter().filter(|(holds, _)| *holds).map(|(_, text)| text).collect()
+    }
+}
+
+/// A warning where the force falls while objects (radius in mm, force in N) open the star further: the rim of the corners snaps inwards, their
+/// middle leaves the object, and contact jumps to two flanks.
+fn snap(curve: &[(f64, Value)]) -> Option<String> {
+    let mut sorted: Vec<&(f64, Value)> = curve.iter().collect();
+    sorted.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let falls = sorted.windows(2).find(|pair| pair[1].1.value < pair[0].1.value)?;
+    let [(near, more), (far, less)] = [falls[0], falls[1]].map(|(radius, force)| (radius, force.value));
+    Some(format!(
+        "the force falls from {more:.2} to {less:.2} N while the object widens from {:.2} to {:.2} mm across: the corners' rims snap \
+         inwards there, and meshes may differ on where; take the lower force",
+        2.0 * near,
+        2.0 * far
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_force_that_falls_is_reported_with_its_opening() {
+        let force = |value: f64| Value { value, error: 0.1, meshes: [value; 3] };
+        let rising = [(20.0, force(1.0)), (22.0, force(2.0)), (24.0, force(2.5))];
+        assert_eq!(snap(&rising), None);
+        assert_eq!(snap(&[]), None);
+        // Radii in any order.
+        let falling = [(24.0, force(10.9)), (22.0, force(11.1)), (20.0, force(1.0))];
+        let said = snap(&falling).expect("it falls");
+        assert!(said.contains("from 11.10 to 10.90 N") && said.contains("from 44.00 to 48.00 mm"), "{said}");
     }
 }

@@ -12,7 +12,7 @@
 
 use crate::mechanics::fault::StarFault;
 use crate::mechanics::hinge::{Hinge, HingeModel, HingeState, Level};
-use crate::mechanics::star::grasp::Grasp;
+use crate::mechanics::star::grasp::{Grasp, HingePair};
 use crate::mechanics::star::{Mechanism, Radius, Widest};
 use crate::numerics::bracketed_root;
 
@@ -220,11 +220,17 @@ impl<'a> Inflated<'a> {
         let phi = self.angle_at(rho, rest)?;
         let (tip, corner) = self.hinge_stiffness();
         if self.star.correction.corner_compliance {
-            let grasp = Grasp::new(self.star, rest.stiffness, self.pressure);
-            return Ok(rest.preload + grasp.force(rho, rest.radius));
+            return Ok(rest.preload + self.grasp(rest).force(rho, rest.radius));
         }
         let spring = f64::from(self.star.points) * (tip + corner);
         Ok(spring * (phi - rest.equilibrium) / self.star.radius(phi).slope)
+    }
+
+    /// How the star, which rests at `rest`, presses on objects that open it.
+    pub fn grasp(&self, rest: &Rest) -> Grasp {
+        let ((tip, corner), (of_tip, of_corner)) = (self.hinge_stiffness(), self.target_angles());
+        let hinges = HingePair { stiffness: [tip, corner], target: [of_tip, of_corner - self.star.turn()] };
+        Grasp::new(self.star, hinges, [rest.angle, rest.widest.angle], rest.stiffness)
     }
 
     /// Tip angle (rad) at which the inner radius is `rho` (m), between rest and the widest opening.
