@@ -57,13 +57,13 @@ impl Seam {
 }
 
 /// Whether a segment is long enough to say where a line leads; shorter ones may be rounding of a drawing.
-fn has_direction(segment: &&Segment) -> bool {
+fn has_direction(segment: &Segment) -> bool {
     segment.length() > 0.01
 }
 
 /// The straight way of `length` that ends where the open `path` begins.
 fn straight_in(path: &Path, length: f64) -> Path {
-    let direction = path.segments.iter().find(has_direction).or(path.segments.first());
+    let direction = path.segments.iter().find(|segment| has_direction(segment)).or(path.segments.first());
     let (Some(start), Some(first)) = (path.start(), direction) else { return Path::default() };
     let tangent = first.tangent(0.0);
     Path::open(vec![Line::new(start - tangent * length, start).into()])
@@ -71,7 +71,8 @@ fn straight_in(path: &Path, length: f64) -> Path {
 
 /// The straight way of `length` that goes on where the open `path` ends.
 fn straight_out(path: &Path, length: f64) -> Path {
-    let direction = path.segments.iter().rev().find(has_direction).or(path.segments.last());
+    let direction =
+        path.segments.iter().rev().find(|segment| has_direction(segment)).or(path.segments.last());
     let (Some(end), Some(last)) = (path.end(), direction) else { return Path::default() };
     let tangent = last.tangent(1.0);
     Path::open(vec![Line::new(end, end + tangent * length).into()])

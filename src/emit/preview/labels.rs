@@ -140,7 +140,7 @@ fn beside(group: &mut Group, places: &mut Places, callout: &Callout<'_>) {
     let Callout { at, along, words, ring, .. } = *callout;
     let ink = if ring { START } else { LABEL };
     // Straight ahead first, then ever farther to both sides.
-    let turn = |way: u32| f64::from(way.div_ceil(2)) * if way % 2 == 0 { 1.0 } else { -1.0 };
+    let turn = |way: u32| f64::from(way.div_ceil(2)) * if way.is_multiple_of(2) { 1.0 } else { -1.0 };
     let ways: Vec<Vec2> =
         (0..WAYS).map(|way| Vec2::unit(along.angle() + turn(way) * TAU / f64::from(WAYS))).collect();
     let (sizes, reaches) =
