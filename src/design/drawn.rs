@@ -94,7 +94,7 @@ impl DrawnPiece {
         let tool = part.for_tool(spec.cut.kerf.0, &registration)?;
         let labels = label::labels(&shape, &room, &registration, allowance);
         let is_separated = spec.mask.kind == MaskKind::Separator;
-        let separator = is_separated.then(|| DrawnSeparator::new(spec, &shape, &air, &part)).transpose()?;
+        let separator = is_separated.then(|| DrawnSeparator::new(spec, &shape, &air)).transpose()?;
         let edges: Vec<Path> = sketch.air.into_iter().map(|drawn| drawn.path).collect();
         let tube = regions(&shape, &edges);
         let bounds = footprint(&shape, &tool.outside, machine.process.ramp.0);

@@ -7,8 +7,8 @@ use cavalier_contours::polyline::{BooleanOp, BooleanResultInfo, PlineSource, Pli
 
 use crate::shape::mouth::Mouth;
 use crate::shape::offset::merged;
-use crate::shape::{of_polyline, offset_right, polyline};
-use inflatable::geom::{Arc, Line, Path, Point, Segment, intersections};
+use crate::shape::{SealedShape, Seam, of_polyline, offset_right, polyline};
+use inflatable::geom::{Arc, Bounds, BoxIndex, Line, Path, Point, Segment, intersections};
 
 /// The air of a sketch: its edges and the seams inside.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,6 +37,20 @@ impl Separator {
         let sum = |paths: &[Path]| paths.iter().map(Path::area).sum::<f64>();
         sum(&self.pieces) - sum(&self.windows)
     }
+
+    /// Whether its edges keep `least` mm from the centre lines of `seams`, as far as nine points of each segment tell.
+    fn spares(&self, seams: &[Seam], least: f64) -> bool {
+        let lines: Vec<Segment> =
+            seams.iter().flat_map(|seam| seam.center_line.segments.iter().copied()).collect();
+        let index = BoxIndex::new(lines.iter().map(Segment::bounds));
+        let least = least - 0.5 * REACHED;
+        let is_clear = |p: Point| {
+            let near = index.overlapping(&Bounds::of_points([p]).grown(least));
+            near.into_iter().all(|i| lines[i].distance(p) >= least)
+        };
+        let edges = self.pieces.iter().chain(&self.windows).flat_map(|path| &path.segments);
+        edges.into_iter().all(|segment| (0..=8).all(|i| is_clear(segment.point(f64::from(i) / 8.0))))
+    }
 }
 
 impl AirSide {
@@ -58,10 +72,11 @@ impl AirSide {
         })
     }
 
-    /// The separator of a piece that is cut along `cut`, with bands `band` mm wide and every edge but those on the cut `creep` mm inside
-    /// the air; `None` where the paper has another number of pieces than there are `chambers`, or a port has no tongue.
-    pub fn separator(&self, cut: &Path, band: f64, creep: f64, chambers: usize) -> Option<Separator> {
-        let outline = counterclockwise(cut);
+    /// The separator of `shape`, whose seams enclose this air, with every edge but those on the cut `creep` mm inside the air; `None` where
+    /// the paper has another number of pieces than there are chambers, a port has no tongue, or a tongue runs over another band.
+    pub fn separator(&self, shape: &SealedShape, creep: f64) -> Option<Separator> {
+        let (band, chambers) = (shape.band, shape.topology().chambers.len());
+        let outline = counterclockwise(shape.cut.as_ref()?);
         let cut = polyline(&outline);
         let mut pieces: Vec<Polyline<f64>> = Vec::new();
         for edge in self.edges.iter().filter(|edge| edge.area() > 0.0) {
@@ -87,7 +102,8 @@ impl AirSide {
             let end = mouth.point(way_out(mouth, &outline, 0.0), 0.0);
             separator.pieces.iter().any(|piece| piece.distance(end) < REACHED)
         };
-        (separator.pieces.len() == chambers && self.mouths.iter().all(reached)).then_some(separator)
+        let is_made = separator.pieces.len() == chambers && self.mouths.iter().all(reached);
+        (is_made && separator.spares(&shape.seams, band / 2.0 + creep)).then_some(separator)
     }
 
     /// The islands, and strips `half` mm to both sides of seams, of which overlapping ones are united.

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use stargrip_cam::geom::{Enclosures, Path, Point, Segment};
+use stargrip_cam::geom::{Arc, Enclosures, Line, Path, Point, Segment};
 use stargrip_cam::shape::{DrawnPort, PortPlace, Sealing, Separator, Sketch, sealed_shape};
 
 use crate::shapes::blob;
@@ -12,8 +12,7 @@ use crate::sketches::{RULES, circle, drawn, open, p, port, rectangle, samples, s
 
 /// The separator of what was sealed.
 fn separator(sealing: &Sealing, creep: f64) -> Option<Separator> {
-    let chambers = sealing.shape.topology().chambers.len();
-    sealing.air.separator(sealing.shape.cut.as_ref()?, RULES.band, creep, chambers)
+    sealing.air.separator(&sealing.shape, creep)
 }
 
 fn sealed(sketch: &Sketch) -> Sealing {
@@ -91,6 +90,23 @@ fn a_tongue_reaches_a_drawn_cut() {
     let of_seam = separator(&sealed(&seam), 0.0).expect("a separator");
     let round = 2.0 * (1.0 - 0.25 * PI);
     assert!((of_seam.area() - found.area() - round).abs() < 1e-3, "{}", of_seam.area());
+}
+
+/// The way out of this port leads over the band of another side of the air.
+#[test]
+fn a_tongue_never_lies_on_another_band() {
+    let corners = [p(40.0, 0.0), p(0.0, 20.0), p(40.0, 10.0), p(30.0, 40.0)];
+    let arc = Arc::new(p(24.8985, 17.4746), 23.0958, 1.34808, -2.20620);
+    let mut air = open(&corners);
+    air.segments.push(Line::new(p(30.0, 40.0), arc.start()).into());
+    air.segments.push(arc.into());
+    air.segments.push(Line::new(arc.end(), p(40.0, 0.0)).into());
+    let drawn = sketch(vec![("a", Path { closed: true, ..air })], vec![port(35.928, 28.788)]);
+    if let Ok(sealing) = sealed_shape(&drawn, &RULES) {
+        for creep in [0.0, 0.7] {
+            spares_the_bands(&sealing, creep).expect("clear");
+        }
+    }
 }
 
 proptest! {

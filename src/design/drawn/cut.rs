@@ -64,15 +64,9 @@ impl DrawnCut {
 
 impl DrawnSeparator {
     /// The separator of `shape`, whose seams enclose `air`, cut as `spec` says.
-    pub(super) fn new(
-        spec: &Spec,
-        shape: &SealedShape,
-        air: &AirSide,
-        cut: &DrawnCut,
-    ) -> Result<Self, Refusal> {
+    pub(super) fn new(spec: &Spec, shape: &SealedShape, air: &AirSide) -> Result<Self, Refusal> {
         let (creep, kerf) = (spec.mask.creep.0, spec.cut.kerf.0);
-        let chambers = shape.topology().chambers.len();
-        let made = |creep: f64| air.separator(&cut.outside, shape.band, creep, chambers);
+        let made = |creep: f64| air.separator(shape, creep);
         let part = made(creep).ok_or_else(|| no_separator(creep, |creep| made(creep).is_some()))?;
         let lines = |paths: &[Path], line: fn(&Path, f64, &str) -> Result<Path, Refusal>, what: &str| {
             paths.iter().map(|path| line(path, kerf, what)).collect::<Result<Vec<_>, _>>()
