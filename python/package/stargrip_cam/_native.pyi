@@ -305,7 +305,7 @@ class Prediction:
         """Radial force of one star on the object, N. Needs a pressure and an object."""
     @property
     def force_curve(self) -> list[tuple[float | None, ...]] | None:
-        """Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were asked for."""
+        """Rows of an object's radius (mm), the radial force of one star (N) and the ends of its range, for the radii that were asked for; null where the star does not hold such an object."""
     @property
     def bendability(self) -> float | None:
         """Pressure over the fabric's resistance to bending, 1/eps = p W^3 / B. Needs a pressure."""
