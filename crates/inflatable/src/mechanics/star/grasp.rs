@@ -22,7 +22,7 @@
 //! F_star = F_0 + a K o S(o)        S(o) = F [rho'(phi_0)^2 + (mu W / sin(pi/n))^2] / [k(0) o]        S(0) = 1
 //! ```
 //!
-//! F_0 is the force of arms that touch. The fit has three constants: [`RIM`] a, [`LEVER`] mu and [`CURVED`], the c above over that of the
+//! F_0 is the force of arms that touch. The fit has three constants: `RIM` a, `LEVER` mu and `CURVED`, the c above over that of the
 //! correction. They come from the 189 forces of the stars of the sets `fit`, `range`, `paper` and `test` 1 to 180 by least squares of the
 //! logarithm of force over K o, both of the shell: 11.5 % rms. On stars 181 to 240, which were not used, it is 11.6 %.
 
