@@ -54,6 +54,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("docs/weave.md", "stargrip-cam predict woven.toml --model shell --fineness coa"),
     ("docs/weave.md", "cargo run --release -p inflatable --example weave -- half 5"),
     ("docs/web.md", "rustup target add wasm32-unknown-unknown"),
+    ("docs/web.md", "export NODE_PATH=target/strangers-npm/node_modules"),
 ];
 
 #[test]

@@ -14,14 +14,14 @@ pub(super) struct Places {
     around_lines: GrowingIndex,
     boxes: GrowingIndex,
     /// What was in the way last, the latest first: mostly it is in the way of the next place, too, and is found without a search.
-    recent: Vec<Obstacle>,
+    recent: Vec<LabelBlock>,
     /// How many places were looked at.
     tries: usize,
 }
 
 /// A line or a box, by its number.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Obstacle {
+enum LabelBlock {
     Line(usize),
     Box(usize),
 }
@@ -80,23 +80,23 @@ impl Places {
     }
 
     /// Something that reaches into `room`.
-    fn obstacle(&self, room: &Bounds) -> Option<Obstacle> {
+    fn obstacle(&self, room: &Bounds) -> Option<LabelBlock> {
         let mut found = None;
         let mut is = |obstacle| {
             let is_in = self.is_in(obstacle, room);
             found = is_in.then_some(obstacle);
             is_in
         };
-        let _ = self.boxes.any(room, |number| is(Obstacle::Box(number)))
-            || self.around_lines.any(room, |number| is(Obstacle::Line(number)));
+        let _ = self.boxes.any(room, |number| is(LabelBlock::Box(number)))
+            || self.around_lines.any(room, |number| is(LabelBlock::Line(number)));
         found
     }
 
     /// Whether `obstacle` reaches into `room`.
-    fn is_in(&self, obstacle: Obstacle, room: &Bounds) -> bool {
+    fn is_in(&self, obstacle: LabelBlock, room: &Bounds) -> bool {
         match obstacle {
-            Obstacle::Box(number) => self.boxes.get(number).overlaps(room),
-            Obstacle::Line(number) => {
+            LabelBlock::Box(number) => self.boxes.get(number).overlaps(room),
+            LabelBlock::Line(number) => {
                 let (segment, half) = &self.lines[number];
                 self.around_lines.get(number).overlaps(room) && distance(room, segment) <= *half
             }
@@ -124,7 +124,7 @@ impl Places {
         let placed = labels.into_iter().map(|places| self.first(places)).collect();
         if Option::<Vec<Text>>::is_none(&placed) {
             self.boxes.truncate(before);
-            self.recent.retain(|obstacle| !matches!(obstacle, Obstacle::Box(number) if *number >= before));
+            self.recent.retain(|obstacle| !matches!(obstacle, LabelBlock::Box(number) if *number >= before));
         }
         placed
     }
