@@ -67,8 +67,8 @@ impl Workspace {
 
 /// Friction between bare fabric and a smooth object where none is given.
 ///
-/// The only measurement: the paper's gripper lifts 2.2 kg uncoated at 37 kPa, which this program's forces turn into 0.28
-/// (0.21 to 0.40, by the object's radius: docs/paper.md); coated, 8.7 kg and about 1.1 (0.85 to 1.57). A larger default promises
+/// The only measurement: the paper's gripper lifts 2.2 kg uncoated at 37 kPa, which this program's forces turn into 0.27
+/// (0.20 to 0.42, by the object's radius: docs/paper.md); coated, 8.7 kg and about 1.1 (0.79 to 1.65). A larger default promises
 /// payloads that no measurement supports; a smaller one makes every gripper larger than the paper's needed to be.
 pub const FRICTION: f64 = 0.3;
 /// The payload that can be counted on, over the mass.

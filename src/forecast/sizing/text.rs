@@ -221,7 +221,7 @@ impl Lines {
             self.quantity("object_shape", shape.word(), "of the object");
         }
         let friction = if requirements.friction.total_cmp(&FRICTION).is_eq() {
-            "bare fabric on a smooth object: 0.21 to 0.40 measured; coated corners about 1.1"
+            "bare fabric on a smooth object: 0.20 to 0.42 measured; coated corners about 1.1"
         } else {
             "between the corners and the object"
         };
