@@ -28,6 +28,15 @@ enum Refused {
     Cancelled,
 }
 
+impl From<ShellRefusal> for Refused {
+    fn from(refusal: ShellRefusal) -> Self {
+        match refusal {
+            ShellRefusal::Cancelled => Self::Cancelled,
+            ShellRefusal::Fault(fault) => Self::Fault(fault),
+        }
+    }
+}
+
 /// Predicts what the gripper of `spec` does.
 ///
 /// model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
@@ -96,18 +105,18 @@ fn question(
     embedded::star_question(&options.collect::<Vec<_>>())
 }
 
-/// The spec with the model that is asked for.
-fn asked_spec(given: &Given, asked: &StarQuestion) -> Read {
+/// The spec with the model that is asked for, and its design.
+fn designed(given: &Given, asked: &StarQuestion) -> Result<(Read, design::Design), Refused> {
     let mut spec = given.reading.spec.clone();
     if let Some(model) = asked.model {
         spec.accuracy.model = model;
     }
-    spec
+    let design = design::Design::new(&spec, &given.machine).map_err(Refused::Design)?;
+    Ok((spec, design))
 }
 
 fn by_others(given: &Arc<Given>, asked: &StarQuestion) -> Result<(Answer, Option<InflatedShape>), Refused> {
-    let spec = asked_spec(given, asked);
-    let design = design::Design::new(&spec, &given.machine).map_err(Refused::Design)?;
+    let (spec, design) = designed(given, asked)?;
     let mut prediction = ask::predict(&spec, &design).map_err(Refused::Fault)?;
     if !asked.radii.is_empty() {
         let radii: Vec<Length> = asked.radii.iter().copied().map(Length::from_metres).collect();
@@ -121,18 +130,14 @@ fn by_drawing(
     asked: &StarQuestion,
     line: &Line,
 ) -> Result<(Answer, Option<InflatedShape>), Refused> {
-    let spec = asked_spec(given, asked);
-    let design = design::Design::new(&spec, &given.machine).map_err(Refused::Design)?;
+    let (spec, design) = designed(given, asked)?;
     let Some(piece) = design.drawn().filter(|_| asked.radii.is_empty()) else {
         let what = "no model knows what a drawn shape does to an object: leave out radii".to_owned();
         return Err(Refused::Fault(PredictFault { star: None, key: key::drawing::FILE, what }));
     };
     let tell = |part: f64, what: &str| line.tell(part, what);
     let watch = Watch { progress: Some(&tell), cancel: Arc::clone(&line.cancel) };
-    let found = drawn::inflate(&spec, piece, asked.detail, &watch).map_err(|refusal| match refusal {
-        ShellRefusal::Cancelled => Refused::Cancelled,
-        ShellRefusal::Fault(fault) => Refused::Fault(fault),
-    })?;
+    let found = drawn::inflate(&spec, piece, asked.detail, &watch)?;
     let shape = InflatedShape::joined(&found.shapes);
     Ok((Answer::Drawn(Arc::clone(given), Box::new(found.prediction)), Some(shape)))
 }
@@ -142,14 +147,9 @@ fn by_shell(
     asked: &StarQuestion,
     line: &Line,
 ) -> Result<(Answer, Option<InflatedShape>), Refused> {
-    let spec = asked_spec(given, asked);
-    let design = design::Design::new(&spec, &given.machine).map_err(Refused::Design)?;
+    let (spec, design) = designed(given, asked)?;
     let tell = |part: f64, what: &str| line.tell(part, what);
     let watch = Watch { progress: Some(&tell), cancel: Arc::clone(&line.cancel) };
-    let found = star::predict((&spec, &design), &asked.radii, asked.detail, &watch);
-    let (prediction, shape) = found.map_err(|refusal| match refusal {
-        ShellRefusal::Cancelled => Refused::Cancelled,
-        ShellRefusal::Fault(fault) => Refused::Fault(fault),
-    })?;
+    let (prediction, shape) = star::predict((&spec, &design), &asked.radii, asked.detail, &watch)?;
     Ok((Answer::Star(Arc::clone(given), Box::new(prediction)), Some(shape)))
 }

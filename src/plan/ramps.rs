@@ -4,7 +4,7 @@ use crate::design::{Refusal, RefusalCode};
 use crate::plan::{Pace, Program, Ramp, Step};
 use crate::spec::{Machine, Spec, key};
 use crate::units::Least;
-use inflatable::geom::{Arc, Line, Point, Segment};
+use inflatable::geom::{Point, Segment};
 
 /// Shortest way in the plane, mm, of a move on a ramp: programs tell two places apart that are a fifth of the tolerance from each
 /// other, and 0.002 mm, whatever the tolerance.
@@ -34,13 +34,9 @@ pub(super) fn without_crumbs(pieces: Vec<Segment>, spec: &Spec) -> Vec<Segment> 
     kept
 }
 
-/// The piece with other ends; an arc keeps the turn between them.
+/// The piece with other ends, to the bit as it is where they are its own.
 fn between(piece: &Segment, start: Point, end: Point) -> Segment {
-    match piece {
-        _ if piece.start() == start && piece.end() == end => *piece,
-        Segment::Line(_) => Line::new(start, end).into(),
-        Segment::Arc(arc) => Arc::from_bulge(start, end, arc.bulge()).map_or(*piece, Segment::Arc),
-    }
+    if piece.start() == start && piece.end() == end { *piece } else { piece.between(start, end) }
 }
 
 /// The reason for which the ramps of `programs` are too steep.
@@ -81,6 +77,7 @@ fn least_move(ramp: &Ramp, pace: Pace) -> f64 {
 mod tests {
     use super::*;
     use crate::spec::{Source, read};
+    use inflatable::geom::{Arc, Line};
 
     fn spec() -> Spec {
         let text = include_str!("../../designs/paper-gripper.toml");

@@ -2,7 +2,7 @@
 
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, quoted};
 use crate::shape::sketch::DrawnCurve;
-use inflatable::geom::{Arc, BoxIndex, Line, Path, Point, Segment};
+use inflatable::geom::{BoxIndex, Path, Point, Segment};
 
 /// Segments shorter than this, and gaps narrower than this, are rounding, mm.
 pub(super) const NOTHING: f64 = 1e-9;
@@ -92,10 +92,7 @@ pub(super) fn with_end(segment: &Segment, end: Point) -> Segment {
     if segment.end().distance(end) < 1e-11 {
         return *segment;
     }
-    match segment {
-        Segment::Line(line) => Line::new(line.start, end).into(),
-        Segment::Arc(arc) => Arc::from_bulge(arc.start(), end, arc.bulge()).map_or(*segment, Segment::Arc),
-    }
+    segment.between(segment.start(), end)
 }
 
 /// A path cut where a segment does not begin where the one before ends.

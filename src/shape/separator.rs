@@ -8,7 +8,7 @@ use cavalier_contours::polyline::{BooleanOp, BooleanResultInfo, PlineSource, Pli
 use crate::shape::mouth::Mouth;
 use crate::shape::offset::merged;
 use crate::shape::{SealedShape, Seam, of_polyline, offset_right, polyline};
-use inflatable::geom::{Arc, Bounds, BoxIndex, Line, Path, Point, Segment, intersections};
+use inflatable::geom::{Arc, Line, Path, Point, Segment, SegmentIndex, intersections};
 
 /// The air of a sketch: its edges and the seams inside.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -40,16 +40,12 @@ impl Separator {
 
     /// Whether its edges keep `least` mm from the centre lines of `seams`, as far as nine points of each segment tell.
     fn spares(&self, seams: &[Seam], least: f64) -> bool {
-        let lines: Vec<Segment> =
-            seams.iter().flat_map(|seam| seam.center_line.segments.iter().copied()).collect();
-        let index = BoxIndex::new(lines.iter().map(Segment::bounds));
+        let lines =
+            SegmentIndex::new(seams.iter().flat_map(|seam| seam.center_line.segments.clone()).collect());
         let least = least - 0.5 * REACHED;
-        let is_clear = |p: Point| {
-            let near = index.overlapping(&Bounds::of_points([p]).grown(least));
-            near.into_iter().all(|i| lines[i].distance(p) >= least)
-        };
         let edges = self.pieces.iter().chain(&self.windows).flat_map(|path| &path.segments);
-        edges.into_iter().all(|segment| (0..=8).all(|i| is_clear(segment.point(f64::from(i) / 8.0))))
+        let mut points = edges.flat_map(|edge| (0..=8).map(|i| edge.point(f64::from(i) / 8.0)));
+        points.all(|p| !lines.has_within(p, least))
     }
 }
 

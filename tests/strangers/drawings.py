@@ -86,7 +86,7 @@ class Sketch:
         self.curves[k] = self.opened(k, last.b - gap * way)
         self.slack = JOIN
 
-    # What is wrong, and where it is said to be.
+    # The fault and its place.
 
     def curve_gap(self):
         k = self.straight()
@@ -224,7 +224,7 @@ def complaint(tool, folder, number):
     if not same:
         return f"{spec}: {code} expected, refused for {[fault['code'] for fault in refused]}"
     if not any(is_there(made.place, complex(*fault["at_mm"])) for fault in same):
-        return f"{spec}: {code} is said to be at {[fault['at_mm'] for fault in same]}, not at {str(made.place)[:200]}"
+        return f"{spec}: {code} is reported at {[fault['at_mm'] for fault in same]}, not at {str(made.place)[:200]}"
     return None
 
 

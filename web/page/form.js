@@ -1,9 +1,9 @@
-// The form: a field for every key of the schema. It says what the spec says; a change of a field becomes a change of the text.
+// The form: a field for every key of the schema. It shows the values of the spec; a changed field changes the text.
 
 /** The sections in the order in which they matter; those that the schema has besides follow. */
 const ORDER = ["", "star", "stack", "load", "fabric", "machine", "inlet", "seal", "sheet", "mask", "frame", "cut", "build"];
 const OPEN = ["star", "load"];
-/** What is asked of stars only, and of drawings only. */
+/** Sections of the form for stars only, and for drawings only. */
 const OF_STARS = ["star", "stack", "load", "mask", "frame"], OF_DRAWINGS = ["drawing"];
 const QUANTITY = /^\s*([+-]?[0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(\S.*?)\s*$/;
 

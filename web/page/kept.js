@@ -12,7 +12,7 @@ export function keep({ text, machine, drawing }) {
     } catch { /* then it is not kept */ }
 }
 
-/** What was kept; null if nothing was, or if it cannot be read. */
+/** The spec in local storage; null if there is none, or if it cannot be read. */
 export function kept() {
     try {
         const { text, machine, drawing } = JSON.parse(localStorage.getItem(KEPT));

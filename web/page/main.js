@@ -176,7 +176,7 @@ async function drawn(drawing) {
     return say(`A spec of ${drawing.name}: ${layers.length} layers, each with a proposed role. Look at the roles in it.`);
 }
 
-/** The spec of the link, or what is kept, or a shipped spec. */
+/** The spec of the link, or of local storage, or a shipped one. */
 async function first() {
     const linked = await safely(() => heldBy(location.hash));
     if (linked === undefined) say("The link is damaged: it holds no spec.", true);

@@ -1,7 +1,8 @@
 //! stargrip-cam for a page: a question in bytes, an answer in bytes.
 //!
-//! The page's worker writes a [`message`] into the instance's memory and calls `ask` ([`boundary`]); all that it
-//! imports from JavaScript is a function that hears of progress. A message is JSON and the bytes of files. Which questions there are stands in [`commands`]; their answers are those of the command line.
+//! The page's worker writes a [`message`] into the instance's memory and calls `ask` ([`boundary`]). The only import
+//! from JavaScript is a function that reports progress. A message is JSON and the bytes of files. [`commands`] has
+//! the questions; their answers are those of the command line.
 //!
 //! A panic ends the instance. What it said can still be read, and the page makes a new instance.
 

@@ -136,7 +136,7 @@ pub fn inflate(
     Ok(InflatedDrawing { prediction, surfaces, shapes })
 }
 
-/// What is known without a model.
+/// The prediction without a model: flat sizes only.
 fn flat(spec: &Spec, piece: &DrawnPiece, found: &[DrawnChamber]) -> Result<DrawnPrediction, PredictFault> {
     let model = spec.accuracy.model;
     if !matches!(model, ModelChoice::Shell | ModelChoice::Auto) {

@@ -128,7 +128,7 @@ pub struct ChamberPrediction {
 const MOST_ROWS: usize = 48;
 
 impl ChamberPrediction {
-    /// What is known of a chamber without a model.
+    /// The prediction of a chamber without a model: flat sizes only.
     pub(super) fn flat(number: usize, chamber: &DrawnChamber, pressure: Option<Pressure>) -> Self {
         let (flat, fabric) = (&chamber.flat, &chamber.region.fabric);
         let bounds = flat.outline.bounds();

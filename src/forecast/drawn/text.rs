@@ -68,9 +68,7 @@ fn of_chamber(out: &mut String, chamber: &ChamberPrediction) {
             line(out, what, &place(value, unit));
         }
     }
-    for seam in
-        chamber.seams.iter().flatten().filter(|_| chamber.seams.as_ref().is_some_and(|seams| seams.len() > 1))
-    {
+    for seam in chamber.seams.iter().filter(|seams| seams.len() > 1).flatten() {
         line(out, &format!("  {}", seam.seam), &place(seam.pull_N_per_mm, "N/mm"));
     }
     if let Some(volume) = chamber.volume_mm3 {

@@ -59,7 +59,7 @@ impl Notes {
         self.keys.get(&(section.to_owned(), key.to_owned()))
     }
 
-    /// Of the section itself; empty if nothing was said.
+    /// Of the section itself; may be empty.
     pub(super) fn of_section(&self, name: &str) -> &str {
         self.sections.get(name).map_or("", String::as_str)
     }

@@ -2,7 +2,7 @@
 
 use static_aabb2d_index::{StaticAABB2DIndex, StaticAABB2DIndexBuilder};
 
-use crate::geom::{Bounds, Point};
+use crate::geom::{Bounds, Point, Segment};
 
 /// Boxes in a packed R-tree: a query costs the logarithm of their number and what it finds.
 #[derive(Debug, Default)]
@@ -56,6 +56,26 @@ impl BoxIndex {
             let _ = tree.visit_neighbors(p.x, p.y, &mut see);
         }
         least
+    }
+}
+
+/// Segments that are asked from many points whether one of them is near.
+#[derive(Debug, Default)]
+pub struct SegmentIndex {
+    segments: Vec<Segment>,
+    index: BoxIndex,
+}
+
+impl SegmentIndex {
+    /// These segments.
+    pub fn new(segments: Vec<Segment>) -> Self {
+        Self { index: BoxIndex::new(segments.iter().map(Segment::bounds)), segments }
+    }
+
+    /// Whether one of them is nearer to `p` than `distance`.
+    pub fn has_within(&self, p: Point, distance: f64) -> bool {
+        let zone = Bounds::of_points([p]).grown(distance);
+        self.index.any(&zone, |number| self.segments[number].distance(p) < distance)
     }
 }
 

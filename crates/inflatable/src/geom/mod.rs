@@ -21,7 +21,7 @@ pub use arc::Arc;
 pub use bounds::Bounds;
 pub use enclosure::Enclosures;
 pub use grid::Grid;
-pub use index::{BoxIndex, GrowingIndex};
+pub use index::{BoxIndex, GrowingIndex, SegmentIndex};
 pub use intersect::{intersections, path_intersections};
 pub use line::Line;
 pub use nearest::{Nearest, path_distance, segment_distance};

@@ -71,6 +71,14 @@ impl Segment {
         }
     }
 
+    /// The segment with other ends; an arc keeps the turn between them, or stays as it is where no arc has such ends.
+    pub fn between(&self, start: Point, end: Point) -> Self {
+        match self {
+            Self::Line(_) => Line::new(start, end).into(),
+            Self::Arc(arc) => Arc::from_bulge(start, end, arc.bulge()).map_or(*self, Self::Arc),
+        }
+    }
+
     /// Fraction in [0, 1] of the point nearest to `p`.
     pub fn nearest_fraction(&self, p: Point) -> f64 {
         match self {
