@@ -6,9 +6,12 @@ use std::io::Write;
 pub(super) fn write(out: &mut Vec<u8>, value: f64) {
     let x = if value == 0.0 { 0.0 } else { value };
     let size = x.abs();
-    if x.fract() == 0.0 && size < 1e9 {
-        #[expect(clippy::cast_possible_truncation, reason = "a whole number below 1e9")]
-        return whole(out, x as i64);
+    if size < 1e9 {
+        #[expect(clippy::cast_possible_truncation, reason = "its whole part, below 1e9")]
+        let part = x as i32;
+        if f64::from(part) == x {
+            return whole(out, part.into());
+        }
     }
     // A Vec takes everything.
     if !(1e-3..1e9).contains(&size) {
@@ -34,51 +37,50 @@ const TENS: [f64; 12] = [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10,
 /// middle between two last digits that the product's rounding could decide.
 fn quick(out: &mut Vec<u8>, x: f64, decimals: usize) -> bool {
     let scaled = x.abs() * TENS[decimals];
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1e9")]
+    let below = scaled as u32;
     // Nine digits, so that the product is off by less than 1e-6.
-    let part = scaled.fract();
+    let part = scaled - f64::from(below);
     if (part - 0.5).abs() < 1e-5 {
         return false;
     }
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most 1e9")]
-    let mut digits = scaled as u64 + u64::from(part > 0.5);
-    let mut text = [b'0'; 24];
-    let mut at = text.len();
-    for place in 0.. {
-        if place == decimals && decimals > 0 {
-            at -= 1;
-            text[at] = b'.';
-        }
-        if place > decimals && digits == 0 {
-            break;
-        }
-        at -= 1;
-        text[at] = b'0' + u8::try_from(digits % 10).unwrap_or(0);
-        digits /= 10;
-    }
-    if x < 0.0 {
-        at -= 1;
-        text[at] = b'-';
-    }
-    out.extend_from_slice(&text[at..]);
+    decimal(out, x < 0.0, u64::from(below) + u64::from(part > 0.5), decimals);
     true
 }
 
 /// Adds a whole number.
 pub(super) fn whole(out: &mut Vec<u8>, value: i64) {
-    let mut text = [b'0'; 24];
+    decimal(out, value < 0, value.unsigned_abs(), 0);
+}
+
+/// Adds `digits` of which the last `decimals` stand behind the point.
+fn decimal(out: &mut Vec<u8>, is_negative: bool, mut digits: u64, decimals: usize) {
+    let mut text = [0; 24];
     let mut at = text.len();
-    let mut digits = value.unsigned_abs();
-    loop {
+    let mut put = |byte| {
         at -= 1;
-        text[at] = b'0' + u8::try_from(digits % 10).unwrap_or(0);
+        text[at] = byte;
+    };
+    let mut last = || {
+        let digit = u8::try_from(digits % 10).unwrap_or(0);
         digits /= 10;
-        if digits == 0 {
+        (b'0' + digit, digits == 0)
+    };
+    for _ in 0..decimals {
+        put(last().0);
+    }
+    if decimals > 0 {
+        put(b'.');
+    }
+    loop {
+        let (digit, is_first) = last();
+        put(digit);
+        if is_first {
             break;
         }
     }
-    if value < 0 {
-        at -= 1;
-        text[at] = b'-';
+    if is_negative {
+        put(b'-');
     }
     out.extend_from_slice(&text[at..]);
 }

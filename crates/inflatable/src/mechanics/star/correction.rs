@@ -112,7 +112,7 @@ impl Correction {
         let long = star.arm / star.width;
         // A coiled tip keeps the length of its inner arc, between parallel arms nearly as much as between touching ones.
         let hole = star.tip_radius * star.tip().arc() / PI + ROOM * star.width;
-        let sector = libm::sin(0.5 * star.turn());
+        let sector = star.sector_sine();
         let [least, most] = BENDABILITY;
         let bent = libm::log(bendability.clamp(least, most) / 1000.0);
         let counts = [1.0, star.corner().r_star, stretch, bent, sector, star.corner().arc()];
@@ -152,7 +152,7 @@ impl Correction {
         if !self.corner_compliance {
             return 1.0;
         }
-        let own = LEVER * star.width / libm::sin(0.5 * star.turn());
+        let own = LEVER * star.width / star.sector_sine();
         let slope = star.radius(phi).slope;
         self.stiffness_factor * slope * slope / (slope * slope + own * own)
     }

@@ -53,6 +53,8 @@ pub struct Grasp {
     growth: f64,
     /// Radius and slope at rest, m and m per rad.
     rest: [f64; 2],
+    /// `sin(pi/n)`.
+    sector: f64,
     /// `(mu W / sin(pi/n))^2`, m^2.
     lever: f64,
 }
@@ -74,14 +76,16 @@ impl Grasp {
         let HingePair { stiffness: [tip, corner], target: [of_tip, of_corner] } = hinges;
         let pull = tip * (1.0 + 2.0 * c * (angle - of_tip)) + corner * (1.0 + 2.0 * c * (angle - of_corner));
         let both = tip + corner;
-        let lever = LEVER * star.width / libm::sin(0.5 * star.turn());
-        let at = star.radius(angle);
+        let sector = star.sector_sine();
+        let lever = LEVER * star.width / sector;
+        let at = star.radius_of_sector(angle, sector);
         Self {
             star: *star,
             angles: [angle, (widest - angle).max(0.0)],
             stiffness,
             growth: c * both / pull.max(LEAST_LEFT * both),
             rest: [at.value, at.slope],
+            sector,
             lever: lever * lever,
         }
     }
@@ -103,7 +107,7 @@ impl Grasp {
         }
         // Force over k(0), and what the opening is by it, with its derivative.
         let at = |turned: f64| {
-            let open = self.star.radius(angle + turned);
+            let open = self.star.radius_of_sector(angle + turned, self.sector);
             let moment = turned * (1.0 + self.growth * turned);
             let force = moment / open.slope;
             let steeper = (1.0 + 2.0 * self.growth * turned - force * open.curvature) / open.slope;

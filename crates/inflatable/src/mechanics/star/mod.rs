@@ -77,6 +77,11 @@ impl Mechanism {
         2.0 * PI / f64::from(self.points)
     }
 
+    /// `sin(pi / n)`.
+    pub fn sector_sine(&self) -> f64 {
+        libm::sin(0.5 * self.turn())
+    }
+
     /// The hinge at a tip.
     pub fn tip(&self) -> Hinge {
         let Self { width, tip_angle, tip_radius, .. } = *self;
@@ -99,8 +104,12 @@ impl Mechanism {
     /// For R = 0 this is the paper's rho(phi_i), with its derivative in place of the printed one, whose
     /// `cos(phi)/2` and `sin(phi)` should read `cos(phi/2)` and `sin(phi/2)`.
     pub fn radius(&self, phi: f64) -> Radius {
+        self.radius_of_sector(phi, self.sector_sine())
+    }
+
+    /// [`Mechanism::radius`] where [`Mechanism::sector_sine`] is at hand: iterations ask for many radii of one star.
+    fn radius_of_sector(&self, phi: f64, sector: f64) -> Radius {
         let (sin, cos) = libm::sincos(0.5 * phi);
-        let sector = libm::sin(0.5 * self.turn());
         // r = R / lambda = R alpha_0 / (pi - phi) at both hinges, with derivatives r / (pi - phi), 2 r / (pi - phi)^2.
         let coiled = |radius: f64, hinge: Hinge, angle: f64| {
             let r = radius * hinge.arc() / (PI - angle);
@@ -123,7 +132,8 @@ impl Mechanism {
     pub fn widest(&self, from: f64) -> Widest {
         let straight = PI - self.turn();
         let last = from + NEARLY_STRAIGHT * (straight - from);
-        let slope = |phi: f64| self.radius(phi).slope;
+        let sector = self.sector_sine();
+        let slope = |phi: f64| self.radius_of_sector(phi, sector).slope;
         let angle = if slope(from) <= 0.0 {
             from
         } else if slope(last) >= 0.0 {
@@ -135,7 +145,7 @@ impl Mechanism {
             // The slope changes its sign between the two, so there is a root.
             bracketed_root(from, last, WIDEST_TOLERANCE, |phi| Ok::<_, RootFault>(slope(phi))).unwrap_or(from)
         };
-        Widest { angle, radius: self.radius(angle).value }
+        Widest { angle, radius: self.radius_of_sector(angle, sector).value }
     }
 }
 

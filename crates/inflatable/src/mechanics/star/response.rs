@@ -217,11 +217,12 @@ impl<'a> Inflated<'a> {
     /// # Errors
     /// As for [`Inflated::angle_at`].
     pub fn linear_force(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
-        let phi = self.angle_at(rho, rest)?;
-        let (tip, corner) = self.hinge_stiffness();
         if self.star.correction.corner_compliance {
+            check_reach(rho, rest)?;
             return Ok(rest.preload + self.grasp(rest).force(rho, rest.radius));
         }
+        let phi = self.angle_at(rho, rest)?;
+        let (tip, corner) = self.hinge_stiffness();
         let spring = f64::from(self.star.points) * (tip + corner);
         Ok(spring * (phi - rest.equilibrium) / self.star.radius(phi).slope)
     }
@@ -238,13 +239,17 @@ impl<'a> Inflated<'a> {
     /// # Errors
     /// If the star is not that wide anywhere between them.
     pub fn angle_at(&self, rho: f64, rest: &Rest) -> Result<f64, StarFault> {
-        if !(rest.radius..=rest.widest.radius).contains(&rho) {
-            return Err(StarFault::Radius { found: rho, least: rest.radius, most: rest.widest.radius });
-        }
+        check_reach(rho, rest)?;
         bracketed_root(rest.angle, rest.widest.angle, ANGLE_TOLERANCE, |phi| {
             Ok(self.star.radius(phi).value - rho)
         })
     }
+}
+
+/// That a star which rests at `rest` opens to the radius `rho`, m.
+fn check_reach(rho: f64, rest: &Rest) -> Result<(), StarFault> {
+    let (least, most) = (rest.radius, rest.widest.radius);
+    if (least..=most).contains(&rho) { Ok(()) } else { Err(StarFault::Radius { found: rho, least, most }) }
 }
 
 /// The rest at the angle where `radius` was taken, with the closing torque left there and the spring dtorque/dphi.

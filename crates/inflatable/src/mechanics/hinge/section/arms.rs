@@ -37,6 +37,10 @@ pub const POISSON: f64 = 0.39;
 /// The grid's values, as they are shipped.
 const SHIPPED: &str = include_str!("arms.txt");
 
+/// Logarithms of the grid's tau and R*.
+static LOGARITHMS: LazyLock<([f64; TAUS.len()], [f64; R_STARS.len()])> =
+    LazyLock::new(|| (TAUS.map(libm::log), R_STARS.map(|r| libm::log(r + SHARP))));
+
 /// What arms do to hinges of any arc: delta and g, rad, at each of [`ARCS`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ArmsByArc([[f64; 2]; ARCS.len()]);
@@ -77,8 +81,9 @@ pub fn arms(bendability: f64, tau: f64, r_star: f64) -> Option<ArmsByArc> {
     if TABLE.len() != ARCS.len() * one_arc {
         return None;
     }
-    let along_tau = weights(&TAUS.map(libm::log), libm::log(tau), SLACK)?;
-    let along_r = weights(&R_STARS.map(|r| libm::log(r + SHARP)), libm::log(r_star + SHARP), 0.0)?;
+    let (taus, r_stars) = &*LOGARITHMS;
+    let along_tau = weights(taus, libm::log(tau), SLACK)?;
+    let along_r = weights(r_stars, libm::log(r_star + SHARP), 0.0)?;
     let up =
         libm::log(bendability / LEAST_BENDABILITY) / libm::log(most_bendability(tau) / LEAST_BENDABILITY);
     #[expect(clippy::cast_precision_loss, reason = "a handful of pressures")]
