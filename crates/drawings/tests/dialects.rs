@@ -110,7 +110,15 @@ fn illustrator_entities_classes_switch_and_its_pixels() {
     let bend = path(&drawing, "polyline at line 16");
     assert!(!bend.closed && (bend.length() - 50.8).abs() < 1e-12);
     assert!(near(bend.start().unwrap(), 25.4, 25.4) && near(bend.end().unwrap(), 50.8, 50.8));
-    // The newer export writes no size at all.
+    // A responsive export has no size, and the same unit.
+    let responsive = text.replacen(r#"width="288px" height="144px""#, "", 1);
+    let drawing = read_svg(responsive.as_bytes(), &Options::new(0.01)).expect("a drawing");
+    let bend = path(&drawing, "polyline at line 16");
+    assert!(
+        near(bend.start().unwrap(), 25.4, 25.4)
+            && drawing.notes.iter().any(|note| note.text.contains("1/72 in"))
+    );
+    // The newer export writes no size and no name at all.
     let bare = r#"<svg id="a" data-name="Layer 1" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 72 72"><path d="M0 0h72"/></svg>"#;
     assert!(read_svg(bare.as_bytes(), &Options::new(0.01)).is_err());
     let drawing = read_svg(bare.as_bytes(), &options).expect("a drawing");

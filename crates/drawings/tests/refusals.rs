@@ -33,6 +33,15 @@ fn dxf_faults(text: &str) -> Vec<Fault> {
     read_dxf(text.as_bytes(), &options()).expect_err(text)
 }
 
+/// A chain of references is bounded as groups are: each level costs the stack and copies of all names around it.
+#[test]
+fn references_have_a_depth() {
+    let chain: String = (0..5000).map(|i| format!("<use id='b{}' href='#b{i}'/>", i + 1)).collect();
+    let found = faults(&format!("<defs><path id='b0' d='M0 0h1'/>{chain}</defs><use href='#b5000'/>"));
+    assert!(found.len() == 1 && found[0].text.contains("more than 64 levels deep"), "{found:?}");
+    assert!(svg("<defs><path id='a' d='M0 0h1'/><use id='b' href='#a'/></defs><use href='#b'/>").is_ok());
+}
+
 #[test]
 fn all_faults_are_told_at_once_with_their_places() {
     let found = faults(

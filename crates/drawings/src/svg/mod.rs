@@ -122,3 +122,17 @@ fn sheet(document: &Document<'_>, out: &mut Collector<'_>) -> style::Sheet {
 fn is_svg(node: Node<'_, '_>) -> bool {
     node.is_element() && node.tag_name().namespace().is_none_or(|namespace| namespace == SVG)
 }
+
+/// The names by which a user knows an element, the label of its program before the id.
+fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
+    // Inkscape writes inkscape:label, Illustrator data-name, Affinity serif:id.
+    let label = |name: &str, namespace: Option<&str>| match (name, namespace) {
+        ("label", Some(namespace)) => namespace.contains("inkscape"),
+        ("data-name", None) => true,
+        ("id", Some(namespace)) => namespace.contains("serif"),
+        _ => false,
+    };
+    let label =
+        node.attributes().find(|attribute| label(attribute.name(), attribute.namespace())).map(|a| a.value());
+    label.into_iter().chain(node.attribute("id")).filter(|name| !name.is_empty())
+}

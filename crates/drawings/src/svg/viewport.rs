@@ -11,6 +11,8 @@ use crate::{Place, Unit, Weight};
 
 /// Length of a CSS pixel, mm.
 const PIXEL: f64 = 25.4 / 96.0;
+/// Length of a point, mm.
+const POINT: f64 = 25.4 / 72.0;
 
 /// Width and height to which percentages refer, in user units.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +45,7 @@ fn millimetres(length: Length) -> Option<f64> {
         LengthUnit::Mm => 1.0,
         LengthUnit::Cm => 10.0,
         LengthUnit::In => 25.4,
-        LengthUnit::Pt => 25.4 / 72.0,
+        LengthUnit::Pt => POINT,
         LengthUnit::Pc => 25.4 / 6.0,
         LengthUnit::Px => PIXEL,
         _ => return None,
@@ -111,7 +113,8 @@ fn measured(
         return Ok(by_unit(given, from, lengths, own, out));
     }
     doubt(root, head, lengths, from)?;
-    let Some(size) = own else {
+    let points = from.filter(|_| head.contains("Adobe Illustrator"));
+    let Some(size) = own.or(points.map(|from| [from.w * POINT, from.h * POINT])) else {
         let names: Vec<_> = Unit::names().collect();
         let text = "The drawing has no physical size: width and height have no unit.".to_owned();
         let remedy = format!(
@@ -120,6 +123,10 @@ fn measured(
         );
         return Err((text, remedy));
     };
+    if own.is_none() {
+        let text = "The file has no size; its unit is 1/72 in, since Illustrator wrote it.";
+        out.note(Weight::Information, Place::default(), text);
+    }
     let (map, view) = if let Some(from) = from {
         (fitted(root, from, size).map_err(|text| (text, "Remove the attribute.".into()))?, [from.w, from.h])
     } else {

@@ -7,7 +7,9 @@ use svgtypes::{TransformListParser, TransformListToken as Token};
 
 use super::style::{Cascade, Paint, Style};
 use super::viewport::{Viewport, fitted, view_box};
-use super::{Source, is_svg, shapes};
+use super::{Source, is_svg, names, shapes};
+use inflatable::geom::Point;
+
 use crate::affine::Affine;
 use crate::collector::{Collector, Stop};
 use crate::{Place, Weight};
@@ -101,12 +103,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
 
     /// Reads the children of a group, with the group's transform, style and names.
     fn group(&mut self, node: Node<'a, 'd>, context: Context<'a>, only_first: bool) -> Result<(), Stop> {
-        let limit = self.out.options().limits.depth;
-        if context.depth >= limit {
-            let text = format!("Groups and references are more than {limit} levels deep.");
-            self.out.fault(self.place(node, &context), text, "Ungroup the drawing.");
-            return Err(Stop);
-        }
+        self.deeper(node, &context)?;
         let Some(mut inner) = self.entered(node, context) else { return Ok(()) };
         inner.names.extend(names(node));
         inner.depth += 1;
@@ -121,6 +118,17 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             self.element(child, &inner)?;
         }
         Ok(())
+    }
+
+    /// Stops where an element is in too many others.
+    fn deeper(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        let limit = self.out.options().limits.depth;
+        if context.depth < limit {
+            return Ok(());
+        }
+        let text = format!("Groups and references are more than {limit} levels deep.");
+        self.out.fault(self.place(node, context), text, "Ungroup the drawing.");
+        Err(Stop)
     }
 
     fn element(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
@@ -151,7 +159,14 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
                     }
                     _ => format!("Elements <{tag}> are not read; it is left out."),
                 };
-                let place = self.place(node, context);
+                let mut place = self.place(node, context);
+                let number = |name| node.attribute(name).and_then(|value| value.trim().parse::<f64>().ok());
+                if let (Some(x), Some(y)) = (number("x"), number("y"))
+                    && let Some(own) = self.transform(node, context)
+                {
+                    place.at = Some(context.map.after(&own).point(Point::new(x, y)))
+                        .filter(|at| (at.x + at.y).is_finite());
+                }
                 self.out.note(Weight::Lost, place, text);
                 Ok(())
             }
@@ -194,6 +209,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 
     fn reference(&mut self, node: Node<'a, 'd>, context: &Context<'a>) -> Result<(), Stop> {
+        self.deeper(node, context)?;
         let href =
             node.attributes().find(|attribute| attribute.name() == "href").map_or("", |a| a.value().trim());
         let place = self.place(node, context);
@@ -372,18 +388,4 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
             at: None,
         }
     }
-}
-
-/// The names by which a user knows an element, the label of its program before the id.
-fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
-    // Inkscape writes inkscape:label, Illustrator data-name, Affinity serif:id.
-    let label = |name: &str, namespace: Option<&str>| match (name, namespace) {
-        ("label", Some(namespace)) => namespace.contains("inkscape"),
-        ("data-name", None) => true,
-        ("id", Some(namespace)) => namespace.contains("serif"),
-        _ => false,
-    };
-    let label =
-        node.attributes().find(|attribute| label(attribute.name(), attribute.namespace())).map(|a| a.value());
-    label.into_iter().chain(node.attribute("id")).filter(|name| !name.is_empty())
 }
