@@ -16,6 +16,7 @@ codes! {
         CurveGap "curve-gap" "Two ends of a drawing are farther apart than `join`; close the gap, or make `join` larger.",
         CurveNotFinite "curve-not-finite" "A coordinate of a drawing is not a finite number; draw the curve again.",
         CurvesCross "curves-cross" "Two curves of a drawing cross or touch; move one of them.",
+        CurvesCrowded "curves-crowded" "Too many curves of a drawing lie on or near each other; remove copies and hatches.",
         CutInBand "cut-in-band" "A cut or a hole of a drawing lies in a band or in the air; move it.",
         DrawingUnread "drawing-unread" "The drawing of the spec could not be read; put it beside the spec, under the name in `file`.",
         FeedFloor "feed-floor" "The controller cannot go as slowly as the seal; let it chop, seal faster, or use finer steps.",

@@ -76,6 +76,9 @@ pub(super) fn around_air(
     let of_air = air.boundaries.iter().map(|boundary| boundary.path.clone()).collect();
     open_edges(sketch, rules, length, &mut air, &mut mouths, taken, notes);
     necks(&air, rules, &names, notes);
+    if notes.faults.iter().any(|fault| fault.code == ShapeCode::Crowded) {
+        return Layout::default();
+    }
     let offset = offsets(&air, rules, &names, notes);
     if notes.faults.len() > before {
         return Layout::default();
@@ -217,10 +220,20 @@ pub(super) fn no_channel(why: &NoChannel, name: &str, place: Point, rules: &Rule
     let names = [name.to_owned()];
     match why {
         NoChannel::Far(distance) => {
-            let what = format!("port {} lies {distance:.3} mm from the nearest outer edge", quoted(&names));
             let allowed = rules.port_width.max(5.0);
-            let remedy = format!("put it on an edge, or at most {allowed} mm from it");
-            notes.fault(ShapeCode::LostPort, &names, place, (what, remedy), [*distance, allowed]);
+            let name = quoted(&names);
+            let text = if *distance <= allowed {
+                let least = rules.port_width + 2.0 * rules.band;
+                let what = format!("port {name} lies in the channel of another port");
+                (what, format!("put ports at least {least:.3} mm from each other, or remove it"))
+            } else if distance.is_finite() {
+                let what = format!("port {name} lies {distance:.3} mm from the nearest outer edge");
+                (what, format!("put it on an edge, or at most {allowed:.3} mm from it"))
+            } else {
+                let what = format!("port {name} has no outer edge to lead through");
+                (what, "draw a closed edge of air, or give a layer that role".to_owned())
+            };
+            notes.fault(ShapeCode::LostPort, &names, place, text, [*distance, allowed]);
         }
         NoChannel::Narrow(width) => {
             let what = format!("the edge at port {} has room for {width:.3} mm only", quoted(&names));
@@ -239,7 +252,7 @@ fn necks(air: &Air, rules: &Rules, names: &[String], notes: &mut SealingNotes) {
         air.boundaries.iter().map(|edge| GapCurve { path: &edge.path, joined: [false; 2] }).collect();
     let closed = inflatable::geom::Enclosures::new(air.boundaries.iter().map(|edge| &edge.path));
     let both = 2.0 * rules.band;
-    for neck in bottlenecks(&curves, both - 1e-6) {
+    for neck in notes.unless_crowded(bottlenecks(&curves, both - 1e-6)) {
         let in_air = closed.around(neck.middle()).len() % 2 == 1;
         let is_wall = (neck.width - rules.band).abs() <= rules.join;
         if in_air || is_wall {
@@ -317,7 +330,7 @@ fn one_band_a_wall(
         .enumerate()
         .map(|(source, boundary)| Piece { path: boundary.path.clone(), source })
         .collect();
-    let (pieces, doubled) = without_doubles(pieces, rules.join);
+    let (pieces, doubled) = notes.unless_crowded(without_doubles(pieces, rules.join));
     if doubled.is_empty() {
         return (offset, Vec::new());
     }

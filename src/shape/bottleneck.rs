@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::shape::clean::Crowd;
 use inflatable::geom::{Arc, BoxIndex, Line, Path, Point, Segment, Vec2, intersections};
 
 /// Directions closer to a right angle than this are right, rad.
@@ -16,6 +17,8 @@ const ONE: f64 = 1e-7;
 const ALIKE: f64 = 1e-6;
 /// Of bottlenecks of the same curves nearer to each other than this one is told, mm.
 const APART: f64 = 50.0;
+/// Pairs of stretches that are compared at most: a hundred thousand of them with a thousand others within reach of each.
+const MOST_PAIRS: usize = 100_000_000;
 
 /// The nearest points of two stretches.
 #[derive(Clone, Copy, Debug)]
@@ -67,7 +70,10 @@ struct TurnPoint {
 
 /// The bottlenecks of `curves` narrower than `limit` mm that no other curve passes through, the narrowest first; of those of the same
 /// curves near to each other only the narrowest.
-pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Vec<Bottleneck> {
+///
+/// # Errors
+/// If more than [`MOST_PAIRS`] stretches would have to be compared.
+pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Result<Vec<Bottleneck>, Crowd> {
     let mut parts = Vec::new();
     let mut counts = Vec::new();
     for (number, curve) in curves.iter().enumerate() {
@@ -77,8 +83,13 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Vec<Bottleneck
     }
     let index = BoxIndex::new(parts.iter().map(|part| part.segment.bounds_of(part.ends)));
     let mut found: Vec<Bottleneck> = Vec::new();
+    let mut compared = 0;
     for (i, a) in parts.iter().enumerate() {
+        if compared > MOST_PAIRS {
+            return Err(Crowd(a.middle));
+        }
         index.visit(&a.segment.bounds_of(a.ends).grown(limit), |j| {
+            compared += 1;
             if j <= i || !may_face(a, &parts[j], limit) {
                 return;
             }
@@ -115,7 +126,7 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Vec<Bottleneck
             kept.push(bottleneck);
         }
     }
-    kept
+    Ok(kept)
 }
 
 fn add_parts(parts: &mut Vec<CurvePart>, curve: usize, GapCurve { path, joined }: &GapCurve<'_>) {

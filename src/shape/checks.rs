@@ -19,7 +19,7 @@ pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
         lines.lines.iter().map(|line| GapCurve { path: &line.path, joined: line.joined }).collect();
     let limit = rules.band + rules.least_passage.max(2.0 * rules.band);
     let air = Enclosures::new(&lines.closed);
-    for neck in bottlenecks(&curves, limit) {
+    for neck in notes.unless_crowded(bottlenecks(&curves, limit)) {
         let in_air = air.around(neck.middle()).len() % 2 == 1;
         let tube = neck.width - rules.band;
         if is_mouth(lines, &neck, tube) {
@@ -114,40 +114,60 @@ fn crossing_bands(lines: &[Line], band: f64, notes: &mut SealingNotes) {
     }
 }
 
-/// Warnings of hinges sharper than the iron is round, where fabric stays unsealed.
+/// Of unsealed places on one edge nearer to each other than this one is told, mm.
+const APART: f64 = 10.0;
+
+/// Warnings of hinges and slits narrower than the iron is round, where fabric between the air's edge and the band stays unsealed.
 pub(super) fn sharp_corners(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
     let half = rules.band / 2.0;
-    for Line { path, names, .. } in &lines.lines {
-        // The corners of a port are its own, not the drawing's.
-        let drawn = |place: &Point| lines.mouths.iter().all(|mouth| !mouth.has_corner(*place, half));
-        for (place, turn) in right_turns(path).into_iter().filter(|(place, _)| drawn(place)) {
-            // From the drawn vertex to the round that the iron leaves.
-            let cusp = half * (1.0 / libm::cos(turn / 2.0) - 1.0);
-            if cusp > 0.05 * rules.band {
-                notes.warnings.push(ShapeFault {
-                    code: ShapeCode::SharpCorner,
-                    names: names.clone(),
-                    place,
-                    found: cusp,
-                    allowed: 0.0,
-                    what: format!(
-                        "a hinge of {} is sharper than the iron, {cusp:.3} mm stay unsealed",
-                        quoted(names)
-                    ),
-                    remedy: format!("round it with at least {half} mm"),
-                });
+    let lines_of = lines.lines.iter().enumerate();
+    let segments: Vec<(usize, Segment)> =
+        lines_of.flat_map(|(at, line)| line.path.segments.iter().map(move |s| (at, *s))).collect();
+    let index = BoxIndex::new(segments.iter().map(|(_, segment)| segment.bounds()));
+    // The corners of a port are its own, not the drawing's.
+    let is_drawn = |place: &Point| lines.mouths.iter().all(|mouth| !mouth.has_corner(*place, 0.0));
+    for edge in &lines.air.edges {
+        let mut open: Vec<(f64, Point, usize)> = Vec::new();
+        for place in inward_places(edge).filter(is_drawn) {
+            let mut nearest = (f64::INFINITY, 0);
+            let far = index.least(place, |i| {
+                let far = segments[i].1.distance(place);
+                if far < nearest.0 {
+                    nearest = (far, segments[i].0);
+                }
+                far
+            });
+            if far - half > 0.05 * rules.band {
+                open.push((far - half, place, nearest.1));
             }
+        }
+        open.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let mut told: Vec<Point> = Vec::new();
+        for (found, place, line) in open {
+            if told.iter().any(|known| known.distance(place) <= APART) {
+                continue;
+            }
+            told.push(place);
+            let names = lines.lines[line].names.clone();
+            let what = format!(
+                "a hinge of {} is sharper than the iron, {found:.3} mm stay unsealed",
+                quoted(&names)
+            );
+            let remedy = format!("round it with at least {half} mm");
+            let code = ShapeCode::SharpCorner;
+            notes.warnings.push(ShapeFault { code, names, place, found, allowed: 0.0, what, remedy });
         }
     }
 }
 
-/// The corners of a centre line at which it turns right, away from the air, and by how much, rad.
-fn right_turns(path: &Path) -> Vec<(Point, f64)> {
-    let (segments, count) = (&path.segments, path.segments.len());
-    let last = if path.closed { count } else { count.saturating_sub(1) };
-    let turn = |i: usize| {
-        let (a, b) = (segments[i].tangent(1.0), segments[(i + 1) % count].tangent(0.0));
-        (segments[i].end(), -libm::atan2(a.cross(b), a.dot(b)))
-    };
-    (0..last).map(turn).filter(|(_, turn)| *turn > 1e-6).collect()
+/// The corners of a closed edge at which it turns away from the air on its left, and of arcs that do so the middle.
+fn inward_places(edge: &Path) -> impl Iterator<Item = Point> {
+    let segments = &edge.segments;
+    (0..segments.len()).flat_map(move |i| {
+        let (before, after) = (&segments[(i + segments.len() - 1) % segments.len()], &segments[i]);
+        let (a, b) = (before.tangent(1.0), after.tangent(0.0));
+        let corner = (libm::atan2(a.cross(b), a.dot(b)) < -1e-6).then(|| after.start());
+        let middle = matches!(after, Segment::Arc(arc) if arc.sweep < 0.0).then(|| after.point(0.5));
+        corner.into_iter().chain(middle)
+    })
 }

@@ -1,5 +1,8 @@
 //! Drawn curves as **pieces**: unbroken, finite, without segments of no length, none along another.
 
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, quoted};
 use crate::shape::sketch::DrawnCurve;
 use inflatable::geom::{BoxIndex, Path, Point, Segment};
@@ -130,8 +133,17 @@ struct QuarterPart {
 /// What was drawn twice: the curve that was kept, the one that gave way, and a place.
 pub(super) type Doubled = ([usize; 2], Point);
 
+/// Pairs of curves that are compared at most: a hundred thousand curves with two hundred others near to each.
+const MOST_PAIRS: usize = 20_000_000;
+
+/// Too many curves lie on or near each other for them to be compared; a place among them.
+pub(super) struct Crowd(pub Point);
+
 /// The pieces without what runs within `join` of an earlier piece, or of an earlier part of its own.
-pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec<Doubled>) {
+///
+/// # Errors
+/// If more than [`MOST_PAIRS`] would have to be compared.
+pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> Result<(Vec<Piece>, Vec<Doubled>), Crowd> {
     let parts: Vec<QuarterPart> = pieces
         .iter()
         .enumerate()
@@ -139,29 +151,43 @@ pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec
             path.segments.iter().enumerate().flat_map(move |(at, segment)| quarters(segment, piece, at))
         })
         .collect();
-    let index = BoxIndex::new(parts.iter().map(|part| part.segment.bounds()));
+    let (single, copies) = without_copies(&parts);
+    let index = BoxIndex::new(single.iter().map(|i| parts[*i].segment.bounds()));
     let mut removed: Vec<(usize, usize, f64, f64)> = Vec::new();
     let mut doubled: Vec<Doubled> = Vec::new();
-    for (i, part) in parts.iter().enumerate() {
-        // What lies along one earlier curve in full need not be compared with more: a curve may be drawn thousands of times.
-        let _ = index.any(&part.segment.bounds().grown(join), |j| {
-            if j >= i {
-                return false;
+    let mut remove = |i: usize, j: usize, (a, b): (f64, f64)| {
+        let part = &parts[i];
+        let scale = part.to - part.from;
+        removed.push((part.piece, part.at, part.from + a * scale, part.from + b * scale));
+        let sources = [pieces[parts[j].piece].source, pieces[part.piece].source];
+        if !doubled.iter().rev().take(64).any(|(known, _)| *known == sources) {
+            doubled.push((sources, part.segment.point(f64::midpoint(a, b))));
+        }
+    };
+    for (i, j) in copies {
+        remove(i, j, (0.0, 1.0));
+    }
+    let mut pairs = 0;
+    for (number, i) in single.iter().enumerate() {
+        let part = &parts[*i];
+        let _ = index.any(&part.segment.bounds().grown(join), |other| {
+            pairs += 1;
+            if other >= number || pairs > MOST_PAIRS {
+                return pairs > MOST_PAIRS;
             }
-            if let Some((a, b)) = shared(&part.segment, &parts[j].segment, join) {
-                let scale = part.to - part.from;
-                removed.push((part.piece, part.at, part.from + a * scale, part.from + b * scale));
-                let sources = [pieces[parts[j].piece].source, pieces[part.piece].source];
-                if !doubled.iter().rev().take(64).any(|(known, _)| *known == sources) {
-                    doubled.push((sources, part.segment.point(f64::midpoint(a, b))));
-                }
-                return (a, b) == (0.0, 1.0);
+            let j = single[other];
+            let along = shared(&part.segment, &parts[j].segment, join);
+            if let Some(along) = along {
+                remove(*i, j, along);
             }
-            false
+            along == Some((0.0, 1.0))
         });
+        if pairs > MOST_PAIRS {
+            return Err(Crowd(part.segment.start()));
+        }
     }
     if removed.is_empty() {
-        return (pieces, doubled);
+        return Ok((pieces, doubled));
     }
     doubled.sort_by_key(|(sources, _)| *sources);
     doubled.dedup_by_key(|(sources, _)| *sources);
@@ -171,7 +197,26 @@ pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec
         let to = removed.partition_point(|cut| cut.0 <= number);
         if from == to { vec![piece] } else { rest(&piece, &removed[from..to], 2.0 * join) }
     });
-    (kept.collect(), doubled)
+    Ok((kept.collect(), doubled))
+}
+
+/// The numbers of the parts that copy no earlier one, and of each copy with the first one that it copies: thousands of copies are not
+/// compared with each other.
+fn without_copies(parts: &[QuarterPart]) -> (Vec<usize>, Vec<(usize, usize)>) {
+    let mut first = BTreeMap::new();
+    let (mut single, mut copies) = (Vec::new(), Vec::new());
+    for (i, QuarterPart { segment, .. }) in parts.iter().enumerate() {
+        let places = [segment.start(), segment.point(0.5), segment.end()];
+        let bits = places.map(|p| [p.x.to_bits(), p.y.to_bits()]);
+        match first.entry(bits) {
+            Entry::Vacant(entry) => {
+                let _ = entry.insert(i);
+                single.push(i);
+            }
+            Entry::Occupied(entry) => copies.push((i, *entry.get())),
+        }
+    }
+    (single, copies)
 }
 
 fn quarters(segment: &Segment, piece: usize, at: usize) -> impl Iterator<Item = QuarterPart> + use<> {

@@ -20,6 +20,8 @@ pub struct Repair {
 pub enum ShapeCode {
     /// A coordinate is not finite.
     NotFinite,
+    /// Too many curves on or near each other.
+    Crowded,
     /// Two ends are too far apart to be joined.
     Gap,
     /// A curve ends in the open.
@@ -85,6 +87,7 @@ impl ShapeCode {
     pub fn word(self) -> &'static str {
         match self {
             Self::NotFinite => "curve-not-finite",
+            Self::Crowded => "curves-crowded",
             Self::Gap => "curve-gap",
             Self::DanglingEnd => "curve-dangling-end",
             Self::Crossing => "curves-cross",

@@ -1,6 +1,6 @@
 //! What is found on the way from a sketch to a shape.
 
-use crate::shape::clean::{Doubled, Piece, pieces, without_doubles};
+use crate::shape::clean::{Crowd, Doubled, Piece, pieces, without_doubles};
 use crate::shape::fault::{Repair, ShapeCode, ShapeFault, ShapeWarning, quoted};
 use crate::shape::join::{Network, network};
 use crate::shape::sketch::DrawnCurve;
@@ -43,11 +43,21 @@ impl SealingNotes {
         self.faults.push(ShapeFault { code, names, place, found, allowed, what, remedy });
     }
 
+    /// What was found; nothing, with a fault, where too many curves lie near each other.
+    pub(super) fn unless_crowded<T: Default>(&mut self, found: Result<T, Crowd>) -> T {
+        found.unwrap_or_else(|Crowd(place)| {
+            let what = "too many curves lie on or near each other".to_owned();
+            let remedy = "remove copies and hatches, or put them on an ignored layer".to_owned();
+            self.fault(ShapeCode::Crowded, &[], place, (what, remedy), [f64::NAN; 2]);
+            T::default()
+        })
+    }
+
     /// The network of drawn curves, mended.
     pub(super) fn mended(&mut self, drawn: &[DrawnCurve], join: f64) -> (Vec<Piece>, Network) {
         let names: Vec<String> = drawn.iter().map(|drawn| drawn.name.clone()).collect();
         let pieces = pieces(drawn, &mut self.repairs, &mut self.faults);
-        let (pieces, doubled) = without_doubles(pieces, join);
+        let (pieces, doubled) = self.unless_crowded(without_doubles(pieces, join));
         self.doubled(&doubled, &names);
         let network = network(&pieces, join);
         self.gaps(&network, &names);

@@ -304,6 +304,41 @@ fn faults_have_their_places() {
     is(&lost, ShapeCode::LostPort, p(50.0, 90.0), 30.0);
 }
 
+/// Copies cost little. What would take minutes is refused, at a place.
+#[test]
+fn crowds_of_curves_are_merged_or_refused() {
+    let many =
+        |count: u32, path: &dyn Fn(f64) -> Path| (0..count).map(|i| ("", path(f64::from(i)))).collect();
+    let copies = sealed(&sketch(many(20_000, &|_| circle(0.0, 0.0, 50.0)), vec![port(50.0, 0.0)]));
+    assert_eq!((copies.shape.seams.len(), copies.repairs.len()), (1, 19_999));
+    let ring = |i: f64| p(5.0 * (i * TAU / 2e4).cos(), 5.0 * (i * TAU / 2e4).sin());
+    let fine: Vec<Point> = (0..20_000).map(|i| ring(f64::from(i))).collect();
+    for crowd in [
+        many(6_000, &|i| circle(0.0, 0.0, 50.0 + 0.1 * i)),
+        many(6_000, &|i| circle(0.001 * i, 0.0, 50.0)),
+        many(10_000, &|i| open(&[p(0.0, 0.0), ring(i)])),
+        vec![("", polygon(&fine))],
+    ] {
+        let faults = refused(&sketch(crowd, vec![port(50.0, 0.0)]));
+        assert!(faults.iter().any(|fault| fault.code == ShapeCode::Crowded), "{faults:?}");
+    }
+}
+
+/// Between its sides the iron seals nothing of a slit that is narrower than the band.
+#[test]
+fn a_narrow_slit_is_told_with_its_depth() {
+    for (mouth, unsealed) in [(1.8, 19.44), (3.0, 9.95)] {
+        let sides = [50.0 - mouth / 2.0, 50.0 + mouth / 2.0];
+        let slit = [p(sides[1], 60.0), p(50.4, 40.0), p(49.6, 40.0), p(sides[0], 60.0)];
+        let corners = [[p(0.0, 60.0), p(0.0, 0.0), p(100.0, 0.0), p(100.0, 60.0)], slit].concat();
+        let sealing = sealed(&sketch(vec![("a", polygon(&corners))], vec![port(0.0, 30.0)]));
+        let sharp: Vec<&ShapeFault> =
+            sealing.warnings.iter().filter(|warning| warning.code == ShapeCode::SharpCorner).collect();
+        let [one] = sharp[..] else { panic!("{sharp:?}") };
+        assert!(one.place.y == 40.0 && (one.found - unsealed).abs() < 0.02, "{one:?}");
+    }
+}
+
 /// Every point of a seam is half a band from the nearest edge of the air, to rounding, for any outline and island.
 fn check_offset(edges: &[&Path], lines: &[&Path]) {
     for line in lines {

@@ -50,6 +50,7 @@ fn of(code: ShapeCode) -> (KeyPath, RefusalCode) {
     use key::drawing::{FILE, JOIN, LAYERS};
     match code {
         ShapeCode::NotFinite => (FILE, RefusalCode::CurveNotFinite),
+        ShapeCode::Crowded => (FILE, RefusalCode::CurvesCrowded),
         ShapeCode::Gap => (JOIN, RefusalCode::CurveGap),
         ShapeCode::DanglingEnd => (FILE, RefusalCode::CurveDanglingEnd),
         ShapeCode::Crossing => (FILE, RefusalCode::CurvesCross),
