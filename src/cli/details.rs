@@ -20,6 +20,9 @@ pub(super) fn checked(forecast: &Forecast) -> String {
     format!("\n{}{}{}", design(forecast), predicted(forecast), seal)
 }
 
+/// Notes on a drawing that are listed.
+const MOST_NOTES: usize = 100;
+
 /// The design: geometry, seams, fabric, what the iron does to the corners. Of equal stars the first.
 fn design(forecast: &Forecast) -> String {
     let Forecast { spec, design, programs, .. } = forecast;
@@ -28,7 +31,13 @@ fn design(forecast: &Forecast) -> String {
         let part = design.part(placed);
         match part {
             FlatPiece::Star(star) => out += &of_star(spec, placed.index, star),
-            FlatPiece::Drawn(_) => {
+            FlatPiece::Drawn(drawn) => {
+                for note in drawn.notes.iter().take(MOST_NOTES) {
+                    let _ = writeln!(out, "drawing: {note}");
+                }
+                if let Some(more) = drawn.notes.len().checked_sub(MOST_NOTES).filter(|more| *more > 0) {
+                    let _ = writeln!(out, "drawing: and {more} more, by --json");
+                }
                 let mass = part.mass(&spec.fabric).map_or(String::new(), |grams| format!(", {grams:.1} g"));
                 let fabric = part.fabric() / 100.0;
                 let _ = writeln!(out, "{}: fabric {fabric:.0} cm2 in both sheets{mass}", placed.name());

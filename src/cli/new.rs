@@ -13,7 +13,7 @@ use crate::cli::text_file::write_new;
 use crate::cli::verbosity::Verbosity;
 use crate::cli::{defaults, progress, schema};
 use crate::design::{LayerProposal, Refusals, propose_layers};
-use crate::spec;
+use crate::spec::{self, LayerRole};
 
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
@@ -78,11 +78,17 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     for (layer, role, reason) in &layers {
         let _ = writeln!(lines, "  {layer:?}: {} ({reason})", role.word());
     }
+    if layers.iter().all(|(_, role, _)| *role != LayerRole::Port) {
+        lines.push_str("no layer looks like a port: draw a short line across an edge where a hose goes in\n");
+    }
+    if !has_unit {
+        lines.push_str("the file states no unit, and mm are taken: correct `units` if the size is wrong\n");
+    }
     let path = shown(&path);
+    let (number, each) = (layers.len(), if layers.len() == 1 { "layer" } else { "layers, each" });
     let said = format!(
-        "{} layers, each with a proposed role:\n{lines}wrote {path}, and beside it {} for editors\n\
+        "{number} {each} with a proposed role:\n{lines}wrote {path}, and beside it {} for editors\n\
          next: look at the roles in it, then `stargrip-cam check {path}`\n",
-        layers.len(),
         spec::SCHEMA_FILE
     );
     args.verbosity.report(&said, &json)

@@ -37,7 +37,19 @@ pub(super) fn head(forecast: &Forecast) -> Vec<OverviewRow> {
         rows.push(("", verdict::in_words(forecast)));
         rows.extend(verdict::rows(forecast));
     }
+    if let Some(piece) = forecast.design.drawn() {
+        rows.extend(noted(&piece.notes));
+    }
     rows.extend(verdict::of_drawing(forecast));
+    rows
+}
+
+/// What was mended in a drawing, or resolved: the first of it.
+fn noted(notes: &[String]) -> Vec<OverviewRow> {
+    let mut rows: Vec<OverviewRow> = notes.iter().take(2).map(|note| ("drawing", note.clone())).collect();
+    if notes.len() > 2 {
+        rows.push(("drawing", format!("{} more notes by -v", notes.len() - 2)));
+    }
     rows
 }
 

@@ -6,7 +6,7 @@ use crate::design::{Refusal, RefusalCode, Refusals};
 use crate::shape::{DrawnCurve, DrawnPort, PortPlace, Sketch};
 use crate::spec::{DrawingSpec, DrawnPlace, LayerRole, key, nearest};
 use drawings::{Drawing, Element, Figure, NO_LENGTH, Note, Weight};
-use inflatable::geom::{Path, Point};
+use inflatable::geom::{Enclosures, Point};
 
 /// Names of elements that a message lists; the others are counted.
 const LISTED: usize = 3;
@@ -168,28 +168,50 @@ fn middle(element: &Element) -> Point {
     }
 }
 
-/// The layers of `drawing`, each with the role that its name and figures suggest, and the reason.
+/// The layers of `drawing`, each with the role that its name and figures suggest, and the reason. Where all lies on one layer, colours
+/// tell the figures apart.
 pub(super) fn proposed(drawing: &Drawing) -> Vec<(String, LayerRole, String)> {
-    let all = layers(drawing);
-    let is_closed = |figure: &Figure| matches!(figure, Figure::Path(path) if path.closed);
+    let colours: BTreeSet<Option<&str>> = drawing.elements.iter().map(colour_of).collect();
+    let by_colour = layers(drawing).len() == 1 && colours.len() > 1;
+    let name = |element| if by_colour { colour_of(element) } else { None }.unwrap_or(layer_of(element));
+    let closed = drawing.elements.iter().filter_map(|element| match &element.figure {
+        Figure::Path(path) if path.closed => Some(path),
+        _ => None,
+    });
+    let enclosures = Enclosures::new(closed);
+    let mut by_layer: Vec<(&str, Vec<&Figure>)> = Vec::new();
+    for element in &drawing.elements {
+        let layer = name(element);
+        match by_layer.iter_mut().find(|(known, _)| *known == layer) {
+            Some((_, figures)) => figures.push(&element.figure),
+            None => by_layer.push((layer, vec![&element.figure])),
+        }
+    }
     let mut out: Vec<(String, LayerRole, String)> = Vec::new();
-    for layer in &all {
-        let own = || drawing.elements.iter().filter(|element| layer_of(element) == *layer);
-        let (number, closed) = (own().count(), own().filter(|element| is_closed(&element.figure)).count());
+    for (layer, own) in by_layer {
+        let closed = own.iter().filter(|figure| matches!(figure, Figure::Path(path) if path.closed)).count();
+        let number = own.len();
         let figures = format!("{number} figure{}, {closed} closed", if number == 1 { "" } else { "s" });
         let small = layer.to_lowercase();
         let named = WORDS.iter().find(|(_, words)| words.iter().any(|word| small.contains(word)));
         let (role, reason) = match named {
             Some((role, _)) => (*role, format!("by its name; {figures}")),
-            None if own().all(|element| is_port(&element.figure)) => {
-                (LayerRole::Port, format!("points; {figures}"))
+            None if own.iter().all(|figure| is_port(figure, &enclosures)) => {
+                (LayerRole::Port, format!("points or short lines across an edge; {figures}"))
             }
             None if closed > 0 => (LayerRole::Air, format!("closed curves; {figures}")),
             None => (LayerRole::Seam, format!("open curves; {figures}")),
         };
-        out.push(((*layer).to_owned(), role, reason));
+        out.push((layer.to_owned(), role, reason));
     }
     out
+}
+
+/// The colour among the names of an element.
+fn colour_of(element: &Element) -> Option<&str> {
+    let hex = |digits: &str| digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
+    let is_colour = |name: &&str| name.trim_start_matches("fill ").strip_prefix('#').is_some_and(hex);
+    element.layers.iter().map(String::as_str).find(is_colour)
 }
 
 /// Words in the names of layers, and the roles that they suggest.
@@ -202,8 +224,12 @@ const WORDS: [(LayerRole, &[&str]); 6] = [
     (LayerRole::Air, &["air", "chamber", "tube", "bladder", "pouch"]),
 ];
 
-/// Whether a figure is as small as a mark for a port.
-fn is_port(figure: &Figure) -> bool {
-    let small = |path: &Path| path.length() < 5.0;
-    matches!(figure, Figure::Point(_)) || matches!(figure, Figure::Path(path) if small(path))
+/// Whether a figure is a mark for a port: a point, a speck, or a short line with one end in a closed curve that the other is not in.
+fn is_port(figure: &Figure, closed: &Enclosures) -> bool {
+    let Figure::Path(path) = figure else { return true };
+    let ends = path.start().zip(path.end()).filter(|_| !path.closed && path.length() <= LONGEST_MARK);
+    path.length() < 5.0 || ends.is_some_and(|(a, b)| closed.around(a).len() != closed.around(b).len())
 }
+
+/// Lines across an edge that are longer are no marks, mm.
+const LONGEST_MARK: f64 = 20.0;

@@ -9,6 +9,12 @@ use inflatable::geom::{Bounds, Path, Point, Vec2};
 /// Characters a line of the legend.
 const LINE: usize = 110;
 
+/// The text without what means something to XML, or may have no glyph.
+fn legible(text: &str) -> String {
+    let plain = |c: char| (c.is_ascii_graphic() || c == ' ') && !matches!(c, '<' | '>' | '&');
+    text.chars().map(|c| if plain(c) { c } else { '_' }).collect()
+}
+
 /// A fault: what it is, and where if that is known.
 pub struct FaultMark {
     /// In the frame of the drawing, mm.
@@ -39,7 +45,7 @@ pub fn faults(title: &str, drawn: &[Path], faults: &[FaultMark]) -> String {
             } else {
                 most
             };
-            legend.say(inert(&rest[..end], LINE));
+            legend.say(legible(&rest[..end]));
             let left = rest[end..].trim_start();
             rest = if left.is_empty() { String::new() } else { format!("     {left}") };
         }
