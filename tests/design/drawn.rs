@@ -5,12 +5,13 @@ use std::fmt::Write;
 use std::fs;
 use std::path::Path as File;
 
+use stargrip_cam::answer::overview_json;
 use stargrip_cam::artifact::Asked;
-use stargrip_cam::design::{Design, StarDesign};
+use stargrip_cam::design::{Design, StarDesign, propose_layers};
 use stargrip_cam::geom::{Enclosures, Isometry, Path, Point, Segment, Vec2};
 use stargrip_cam::pipeline::{Built, Sources, build, prove_files};
 use stargrip_cam::shape::Seam;
-use stargrip_cam::spec::{self, Source, Spec};
+use stargrip_cam::spec::{self, LayerRole, Source, Spec};
 use stargrip_cam::verify::OutputFiles;
 
 use crate::support;
@@ -199,11 +200,36 @@ fn shipped_drawings_are_proven_from_their_directory() {
     assert!(number >= 3, "{number}");
 }
 
+/// What was mended is said, and colours get roles where all lies on one layer.
+#[test]
+fn repairs_are_told_and_colours_are_layers() {
+    let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200mm\" height=\"200mm\" viewBox=\"0 0 200 200\"><g id=\"Layer 1\" fill=\"none\">\
+        <rect id=\"a\" x=\"20\" y=\"20\" width=\"90\" height=\"60\" stroke=\"blue\"/><rect id=\"b\" x=\"20\" y=\"20\" width=\"90\" height=\"60\" stroke=\"blue\"/>\
+        <path id=\"w\" d=\"M60 40V60\" stroke=\"lime\"/><path id=\"h\" d=\"M14 50H26\" stroke=\"red\"/></g></svg>";
+    let found = propose_layers("a.svg", svg.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let roles: Vec<(&str, LayerRole)> =
+        found.layers.iter().map(|(layer, role, _)| (layer.as_str(), *role)).collect();
+    let wanted = [("#0000ff", LayerRole::Air), ("#00ff00", LayerRole::Seam), ("#ff0000", LayerRole::Port)];
+    assert_eq!(roles, wanted);
+    let text = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\n[drawing.layers]\nair = [\"#0000ff\"]\nseam = [\"#00ff00\"]\n\
+        port = [\"#ff0000\"]\n";
+    let made = drawn(text, svg.as_bytes()).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let notes = &overview_json(&made.forecast, &[])["drawing_notes"];
+    assert!(
+        notes[0]
+            .as_str()
+            .is_some_and(|note| note.starts_with("a curve drawn twice in 'a' and 'b' merged at X ")),
+        "{notes}"
+    );
+}
+
 /// Holes and labels keep off the air, the bands and the cuts, and the holes fit in one position only.
 #[test]
 fn holes_and_labels_lie_on_the_flap() {
     let folder = File::new(env!("CARGO_MANIFEST_DIR")).join("designs/drawings");
-    for (name, file) in [("bending-finger", "svg"), ("hand-rest", "svg"), ("pillow", "dxf")] {
+    for (name, file) in
+        [("bending-finger", "svg"), ("hand-rest", "svg"), ("letters", "svg"), ("pillow", "dxf")]
+    {
         let text = fs::read_to_string(folder.join(format!("{name}.toml"))).expect("a design");
         let bytes = fs::read(folder.join(format!("{name}.{file}"))).expect("a drawing");
         let made = drawn(&text, &bytes).unwrap_or_else(|refusals| panic!("{name}: {refusals}"));
