@@ -7,7 +7,10 @@ use stargrip_cam::forecast::drawn::{InflatedDrawing, inflate, of_spec};
 use stargrip_cam::forecast::keys::DRAWN;
 use stargrip_cam::forecast::shell::Detail;
 use stargrip_cam::forecast::shell::star::ShellRefusal;
-use stargrip_cam::shell::cases::Watch;
+use stargrip_cam::shell::cases::{
+    Fineness, FlatRegion, FlatStar, Objects, Tube, Watch, Wrinkles, chambers, region, star,
+};
+use stargrip_cam::shell::element::Fabric;
 use stargrip_cam::spec::{Machine, Source, Spec, read};
 
 use crate::support::keys;
@@ -97,8 +100,62 @@ fn walls_welds_and_islands_are_the_drawings() {
     }
     let text = include_str!("../../designs/drawings/bending-finger.toml");
     let (spec, piece) = of_text(text, include_bytes!("../../designs/drawings/bending-finger.svg"));
+    assert_eq!(piece.shape.topology().chambers.len(), 2);
     let found = drawn_chambers(&spec, &piece).expect("chambers");
-    assert_eq!((found.len(), found[0].flat.islands.len()), (1, 3));
+    assert_eq!((found.len(), found[0].flat.islands.len(), found[0].flat.welds.len()), (1, 0, 7));
+    let text = include_str!("../../designs/drawings/letters.toml");
+    let (spec, piece) = of_text(text, include_bytes!("../../designs/drawings/letters.svg"));
+    let found = drawn_chambers(&spec, &piece).expect("chambers");
+    assert_eq!((found.len(), found[0].flat.islands.len()), (1, 1));
+}
+
+/// The edges of a star as a region, on meshes that know nothing of its symmetry, inflate as the star does.
+#[test]
+fn a_star_drawn_as_a_region_is_the_star() {
+    let text = "schema = 1\nname = \"x\"\n[star]\npoints = 4\ninner_radius = \"50 mm\"\ntube_width = \"30 mm\"\ntip_angle = \"40 deg\"\n\
+        tip_radius = \"4 mm\"\ncorner_radius = \"4 mm\"\n[inlet]\nnone = true\n";
+    let spec = read(&Source::new("x", text)).unwrap_or_else(|faults| panic!("{faults}")).spec;
+    let machine = Machine::builtin("generic").expect("built in");
+    let design = Design::new(&spec, &machine).unwrap_or_else(|refusals| panic!("{refusals}"));
+    let part = &design.assembly().expect("a star").distinct[0];
+    let (e, nu, t) = (128e6, 0.39, 0.3e-3_f64);
+    let fabric = Fabric::isotropic(e * t, e * t.powi(3) / (12.0 * (1.0 - nu * nu)), nu);
+    let [mm, pressure, band] = [1e-3, 10e3, 0.002];
+    let flat = FlatStar {
+        tube: Tube { width: mm * part.star.w, fabric, pressure },
+        points: part.star.n,
+        inner_radius: mm * part.star.rho_0,
+        tip_angle: part.star.phi_i,
+        tip_radius: mm * part.star.r_i,
+        corner_radius: mm * part.star.r_e,
+        band,
+    };
+    let fineness = Fineness { cells: 4.0, cuts: 2 };
+    let watch = Watch::default();
+    let whole = star(&flat, Objects::Radii(&[]), fineness, &watch).expect("a star");
+    assert!(part.channel.is_none(), "its edges are closed");
+    let found = chambers(&part.edges, &[], std::slice::from_ref(&part.outline.hole)).expect("chambers");
+    let [chamber] = &found[..] else { panic!("{found:?}") };
+    let case = FlatRegion { chamber: chamber.by(1e3), fabric, pressure, band };
+    let drawn = region(&case, Fineness { cells: 3.0, cuts: 2 }, &watch).expect("a region");
+    assert_eq!((chamber.islands.len(), chamber.holes.len(), drawn.wrinkles), (0, 1, Wrinkles::Resolved));
+    // Corners lie on the circle around the axis that touches the inner edge.
+    let least = drawn.shape.points.iter().map(|x| x[0].hypot(x[1])).fold(f64::INFINITY, f64::min);
+    let (star, region) = (whole.final_radius.meshes[2], least);
+    assert!(
+        (star - region).abs() < 0.02 * star,
+        "{star} {region} {:?} {:?} {:?}",
+        whole.final_radius,
+        drawn.extents,
+        drawn.evidence
+    );
+    let apart = (whole.volume.value - drawn.volume.value).abs();
+    assert!(
+        apart < whole.volume.error + drawn.volume.error,
+        "{apart}: {:?} {:?}",
+        whole.volume,
+        drawn.volume
+    );
 }
 
 /// The shell computes two chambers beside a wall as one, and says so.
