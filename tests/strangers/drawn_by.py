@@ -1,12 +1,13 @@
 """Drawings that Inkscape and ezdxf wrote themselves: sealed where shapely says, from what svgelements and ezdxf read in the same files.
 
-Usage: drawn_by.py TOOL DIRECTORY
+Usage: drawn_by.py TOOL DIRECTORY [FILE...]
 
-Inkscape changes the drawings of this page by its own commands (shapes to paths, unions, turns, clones) and writes each as its own SVG, as a
-plain SVG and as DXF.
+FILEs are drawings that another program wrote; they are compared alone. Without any, Inkscape changes the drawings of this page by its own
+commands (shapes to paths, unions, turns, clones) and writes each as its own SVG, as a plain SVG and as DXF.
 """
 import math
 import os
+import re
 import subprocess
 import sys
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
@@ -126,7 +127,9 @@ def of_svg(file):
     """{layer: lines as arrays of complex numbers in mm, Y up} of an SVG, by svgelements."""
     drawing = se.SVG.parse(file, ppi=96)
     # It takes a millimetre for 0.0393701 in: the page says its own scale.
-    scale = WIDTH / drawing.width
+    with open(file, encoding="utf-8") as text:
+        width, unit = re.search(r'\bwidth="([0-9.]+)(mm|cm|in)"', text.read()).groups()
+    scale = float(width) * UNITS[unit] / drawing.width
     layers = {}
 
     def walk(item, layer):
@@ -172,8 +175,8 @@ def of_dxf(file):
             # Ezdxf's paths are cubics that only come near to arcs and rational splines; its entities know their own points.
             places = entity.flattening(CHORD / unit, *([16] if kind in ("ELLIPSE", "SPLINE") else []))
         points = np.array([complex(p.x, p.y) * unit for p in places])
-        # Inkscape ends each drawing with curves of no length.
-        if len(points):
+        # Inkscape ends each drawing with curves of no length, and FreeCAD polylines with such lines.
+        if kind == "POINT" or len(points) and abs(points - points[0]).max() > JOINED:
             layers.setdefault(layer, []).append(points)
 
     for entity in document.modelspace():
@@ -216,11 +219,13 @@ def compared(tool, file, area):
 
 
 def main():
-    tool, folder = sys.argv[1:3]
+    tool, folder, *others = sys.argv[1:]
     folder = os.path.abspath(folder)
     os.makedirs(folder, exist_ok=True)
-    files = [(file, INKSCAPE[os.path.basename(file).split("-")[0]][3]) for file in by_inkscape(folder)]
-    files += [(file, None) for file in by_ezdxf(folder)]
+    files = [(os.path.abspath(file), None) for file in others]
+    if not files:
+        files = [(file, INKSCAPE[os.path.basename(file).split("-")[0]][3]) for file in by_inkscape(folder)]
+        files += [(file, None) for file in by_ezdxf(folder)]
     with ProcessPoolExecutor(2) as pool:
         found = list(pool.map(compared, [tool] * len(files), *zip(*files)))
     complaints = [text for text in found if isinstance(text, str)]
