@@ -1,6 +1,6 @@
 //! Pieces of which files make their figures, closed under affine maps.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 use inflatable::geom::{Arc, Line, Point, Segment, Vec2};
 
@@ -120,8 +120,8 @@ fn quarters(u: Vec2, v: Vec2, start: f64, sweep: f64) -> Vec<f64> {
     let (low, high) = (start.min(start + sweep), start.max(start + sweep));
     let mut cuts = vec![low];
     let mut next = axis + ((low - axis) / FRAC_PI_2).floor() * FRAC_PI_2;
-    // At most TAU / FRAC_PI_2 + 2 steps, since |sweep| <= TAU.
-    while next < high && high - low <= TAU + 1e-9 {
+    // At most TAU / FRAC_PI_2 + 2 steps, since |sweep| <= TAU; they are counted, since a step may be lost in a large `start`.
+    for _ in 0..6 {
         if next > low + 1e-9 && next < high - 1e-9 {
             cuts.push(next);
         }

@@ -42,6 +42,14 @@ fn references_have_a_depth() {
     assert!(svg("<defs><path id='a' d='M0 0h1'/><use id='b' href='#a'/></defs><use href='#b'/>").is_ok());
 }
 
+/// A parameter so large that a quarter of a turn is lost in it once was cut into quarters for ever.
+#[test]
+fn an_ellipse_ends_wherever_it_starts() {
+    let text = entities("0|ELLIPSE|10|0|20|0|11|3|21|1|40|.4|41|5.5e105|42|3");
+    let drawing = read_dxf(text.as_bytes(), &options()).expect("a drawing");
+    assert!(matches!(&drawing.elements[0].figure, Figure::Path(path) if path.length() < 30.0));
+}
+
 #[test]
 fn all_faults_are_told_at_once_with_their_places() {
     let found = faults(
