@@ -1,16 +1,16 @@
-# Everything a person or CI does here. Only cargo is needed, except for `strangers` and `strangers-more`, which install their own readers, and
-# `wheel` and `python`, which want Python 3 and fetch from PyPI what python/requirements.txt names, and
-# for `deny`, `audit`, `mutants` and `fuzz`, which say what to install.
+# All tasks of developers and CI. They need cargo only, with these exceptions: `strangers` and `strangers-more` install their own readers;
+# `wheel` and `python` need Python 3 and fetch the packages in python/requirements.txt from PyPI;
+# `deny`, `audit`, `mutants` and `fuzz` print what to install.
 
 CARGO ?= cargo
-# Lints and pages of the Python package are made without Python.
+# Lints and documentation of the Python package need no Python.
 NO_PYTHON = PYO3_NO_PYTHON=1 PYO3_BUILD_EXTENSION_MODULE=1
-# The program for CI. With the features that the Python package asks of shared dependencies, so that the wheel compiles none of them again.
+# The release program for CI, built with the Python package's features, so that the wheel does not compile shared dependencies again.
 RELEASE = $(CARGO) build --release --locked -p stargrip-cam -p stargrip-cam-python --bin stargrip-cam
 
 .PHONY: demo install dist portable web site wheel python test check docs deny audit strangers strangers-more mutants fuzz faults bench
 
-# Build the paper's star and say what was written, and where.
+# Builds the paper's star and prints the files that were written.
 demo:
 	$(CARGO) run --release --locked -- build designs/paper-five-points.toml
 
@@ -25,7 +25,7 @@ TARGET ?=
 dist:
 	packaging/dist $(TARGET)
 
-# The program as a page (docs/web.md): index.html for a server and stargrip-cam.html for a disk, in target/web. Wants the target and Python 3.
+# The program as a web page (docs/web.md): index.html for a server and stargrip-cam.html for a disk, in target/web. Needs the target and Python 3.
 WASM = wasm32-unknown-unknown
 web:
 	@test -d "$$(rustc --print sysroot)/lib/rustlib/$(WASM)" || { echo "a target is missing: run \`rustup target add $(WASM)\`" >&2; exit 1; }
@@ -36,25 +36,24 @@ web:
 site: docs web
 	web/make-site target/book target/web target/site
 
-# The Python package (docs/python.md): the wheel in target/wheels; and that wheel in a virtual environment below target/, tested.
+# The Python package (docs/python.md): `wheel` builds it in target/wheels; `python` also tests it in a virtual environment below target/.
 wheel:
 	python/run wheel
 python:
 	python/run check
 
-# Whether it compiles for Windows and macOS, as far as their standard libraries are here; TARGETS names others.
+# Checks that it compiles for Windows and macOS if their standard libraries are installed; TARGETS names other systems.
 portable:
 	packaging/portable $(TARGETS)
 
-# What is tested: the Python package has tests of its own (`make python`).
+# The tested crates. The Python package has its own tests (`make python`).
 TESTED = -p stargrip-cam -p inflatable -p drawings -p research
-# Examples are compiled by the lints of `check`; a test that needs one has it as a module.
+# `check` compiles the examples with its lints; a test that needs one includes it as a module.
 test:
 	$(CARGO) test --locked --tests $(TESTED)
 	$(CARGO) test --locked --doc $(TESTED)
 
-# What CI runs first: format, dependencies, lints, the tests in debug, the fuzz targets' lock file, the release program's files against
-# those of the tests, the documentation.
+# The first part of CI: format, dependencies, lints, debug tests, the lock file of the fuzz targets, the files of the release program, documentation.
 check:
 	$(CARGO) fmt --all --check
 	$(MAKE) deny
@@ -72,17 +71,17 @@ docs:
 	$(MDBOOK) build
 	@echo "open target/book/index.html"
 
-# Licences, doubled versions and sources of all dependencies, by deny.toml. It asks no one and takes a second.
+# Checks licences, duplicate versions and sources of all dependencies by deny.toml, offline, in a second.
 deny:
 	@$(call needs,deny,cargo-deny)
 	$(CARGO) deny --workspace --locked check licenses bans sources
 
-# Known faults of the dependencies. Not in `check`: it asks a list that others change, so it can fail on any day.
+# Known vulnerabilities of the dependencies. Not part of `check`: the list changes independently of this repository.
 audit:
 	@$(call needs,deny,cargo-deny)
 	$(CARGO) deny --workspace --locked check advisories
 
-# Mutants of some files, and which of them no test notices (docs/testing.md): `make mutants FILES='src/plan/*.rs' SHARD=0/8`.
+# Mutants of FILES that no test detects (docs/testing.md): `make mutants FILES='src/plan/*.rs' SHARD=0/8`.
 FILES ?= src/plan/*.rs
 SHARD ?= 0/1
 mutants:
@@ -90,7 +89,7 @@ mutants:
 	mkdir -p target
 	PROPTEST_RNG_SEED=20 INSTA_UPDATE=no $(CARGO) mutants -f '$(FILES)' --shard $(SHARD) -o target/mutants -- --locked --tests
 
-# Every fuzz target for TIME seconds in turn, and what was run in all (docs/reliability.md): `make fuzz TIME=600 TARGETS='resume gcode'`.
+# Runs each fuzz target for TIME seconds and prints the totals (docs/reliability.md): `make fuzz TIME=600 TARGETS='resume gcode'`.
 TIME ?= 60
 TARGETS ?=
 fuzz:
@@ -102,15 +101,15 @@ faults:
 	$(RELEASE)
 	tests/faults/run target/release/stargrip-cam
 
-# Says how to get a cargo subcommand that is not there.
+# Prints how to install a missing cargo subcommand.
 needs = $(CARGO) $(1) --version >/dev/null 2>&1 || { echo "$(2) is missing: run \`cargo install --locked $(2)\`" >&2; exit 1; }
 
-# Readers that no one here wrote, on every output of every shipped design. Needs root for apt-get.
+# Independent readers check every output of every shipped design. Needs root for apt-get.
 strangers:
 	$(RELEASE)
 	tests/strangers/run
 
-# Larger programs on some designs, before a release: FreeCAD, PrusaSlicer, OctoPrint's analysis, a CUPS filter (docs/testing.md).
+# Larger programs check some designs before a release: FreeCAD, PrusaSlicer, OctoPrint's analysis, a CUPS filter (docs/testing.md).
 strangers-more:
 	$(RELEASE)
 	tests/strangers/more

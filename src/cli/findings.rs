@@ -42,7 +42,7 @@ mod tests {
 
     #[test]
     fn findings_of_one_kind_are_counted_after_the_first_few() {
-        let finding = |line: usize, code: FindingCode| Finding::new(code, line, "x", "y").in_file("a.gcode");
+        let finding = |line: usize, code: FindingCode| Finding::at(code, line, "x", "y").in_file("a.gcode");
         let mut findings: Vec<Finding> =
             (1..90).map(|line| finding(line, FindingCode::OutsideWorkArea)).collect();
         findings.push(finding(7, FindingCode::WrongFeed));

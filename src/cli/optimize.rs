@@ -199,7 +199,7 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
     let pressed = load.pressure.is_some() || args.pressure.is_some();
     if !pressed && is_at_pressure(base.model) {
         return Err(message(
-            "what a star does depends on the pressure: give [load] one, or --pressure FROM..TO",
+            "the result depends on the pressure: set `pressure` in [load], or give --pressure FROM..TO",
         ));
     }
     let holds = pressed && load.object_radius.is_some() && load.friction.is_some();
@@ -213,7 +213,7 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
         GoalArg::Fabric => Goal::Fabric,
     };
     if goal == Goal::Stiffness && !pressed {
-        return Err(message("stiffness needs a pressure: give [load] one"));
+        return Err(message("stiffness needs a pressure: set `pressure` in [load]"));
     }
     if (args.payload.is_some() || asked == GoalArg::Hold) && !holds {
         return Err(message("payload needs [load] with pressure, object_diameter and friction"));
@@ -331,7 +331,7 @@ fn confirmed(
         star::predict((&spec, design), &[], Detail::Medium, watch).map_err(|refusal| match refusal {
             ShellRefusal::Cancelled => Failure::Interrupted,
             ShellRefusal::Fault(fault) => {
-                message(&format!("the shell refuses the best design, which --confirm asks for: {fault}"))
+                message(&format!("--confirm: the shell refuses the best design: {fault}"))
             }
         })
     })?;

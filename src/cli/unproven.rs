@@ -62,7 +62,7 @@ mod tests {
     use crate::verify::FindingCode;
 
     fn unproven(profile: &str, file: &str) -> Unproven {
-        let finding = Finding::new(FindingCode::WrongFeed, 7, "F5", "F6").in_file(file);
+        let finding = Finding::at(FindingCode::WrongFeed, 7, "F5", "F6").in_file(file);
         Unproven { findings: vec![finding], spec: "star.toml".to_owned(), profile: profile.to_owned() }
     }
 

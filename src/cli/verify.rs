@@ -114,9 +114,9 @@ fn text(dir: &Path, proof: &Proof) -> String {
     let mut text = String::new();
     for FileProof { path, deviation, by, .. } in &proof.files {
         let how = match by {
-            Method::Bytes => "made anew, equal to the byte",
+            Method::Bytes => "equal to a new build, byte for byte",
             Method::Reading => "read back",
-            Method::Hash => "only its hash was looked at",
+            Method::Hash => "only its hash was compared",
         };
         let near = deviation.map_or(String::new(), |mm| format!("within {mm:.6} mm, "));
         let _ = writeln!(text, "{:28} {near}{how}", shown(path));

@@ -3,7 +3,7 @@
 pub use crate::forecast::case::Hinges;
 use crate::forecast::outcome::Grip;
 use crate::forecast::pressures::PressureRow;
-use crate::forecast::ranges::{Interval, StarRanges, scaled, shown};
+use crate::forecast::ranges::{Interval, StarRanges, shown};
 use inflatable::mechanics::star::Correction;
 use serde::Serialize;
 
@@ -109,12 +109,6 @@ impl Verdict {
     /// What is assumed of the object, as a sentence.
     pub fn assumed_in_words(&self) -> Option<String> {
         self.assumed.as_ref().map(|what| format!("the object is {what}"))
-    }
-
-    /// The share of the needed force that there is at the least.
-    pub fn margin(&self) -> Option<f64> {
-        let [low, _] = self.force_range_N?;
-        Some(scaled([low, low], self.needed_N?.recip())[0])
     }
 }
 

@@ -47,20 +47,16 @@ pub fn rows(case: &Case, burst: Option<f64>) -> Vec<PressureRow> {
         all.filter(|kpa| *kpa <= MOST).filter_map(|kpa| row(case, burst, kpa).ok().flatten()).collect();
     // The first of equals: less pressure does the same.
     let merit = |row: &PressureRow| merit(row, case.object.is_some());
-    let better = |a: &PressureRow, b: &PressureRow| merit(a).total_cmp(&merit(b)).is_gt();
-    let mut best: Option<usize> = None;
     let any_tried = rows.iter().any(|row| row.tried);
     let fit =
         |row: &PressureRow| row.burst_margin.is_none_or(|margin| margin >= 1.0) && (row.tried || !any_tried);
-    for (i, row) in rows.iter().enumerate().filter(|(_, row)| fit(row)) {
-        if best.is_none_or(|best| better(row, &rows[best])) {
-            best = Some(i);
-        }
-    }
-    if let Some(row) =
-        best.and_then(|best| rows.get_mut(best)).filter(|row| case.object.is_none() || merit(row) > 0.0)
-    {
-        row.best = true;
+    // Of equals `max_by` takes the last, which is the first of the reversed.
+    let best = (0..rows.len())
+        .rev()
+        .filter(|i| fit(&rows[*i]))
+        .max_by(|a, b| merit(&rows[*a]).total_cmp(&merit(&rows[*b])));
+    if let Some(best) = best.filter(|best| case.object.is_none() || merit(&rows[*best]) > 0.0) {
+        rows[best].best = true;
     }
     rows
 }

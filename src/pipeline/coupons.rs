@@ -112,7 +112,7 @@ impl MadeCoupons {
             if let Some(found) = files.get(name) {
                 self.judge((name, *kind, bytes), found, written, &mut findings, &mut proof);
             } else {
-                findings.add(FindingCode::MissingFile, None, "no such file", format!("a {kind}"));
+                findings.add(FindingCode::MissingFile, "no such file", format!("a {kind}"));
             }
             proof.findings.extend(findings.into_vec().into_iter().map(|finding| finding.in_file(name)));
         }
@@ -120,7 +120,7 @@ impl MadeCoupons {
             |name: &str| name == MANIFEST || name == TABLE || self.files.iter().any(|(own, ..)| own == name);
         for (name, _) in files.files.iter().filter(|(name, _)| !known(name)) {
             let found = "a file that the coupons do not have";
-            let finding = Finding::new(FindingCode::UnnamedFile, None, found, "only their files");
+            let finding = Finding::new(FindingCode::UnnamedFile, found, "only their files");
             proof.findings.push(finding.in_file(name));
         }
         let (found, right) = (files.get(MANIFEST).unwrap_or_default(), self.manifest.to_json());
@@ -143,7 +143,7 @@ impl MadeCoupons {
         let stated = written.files.iter().find(|entry| entry.path == name).map(|entry| entry.sha256.as_str());
         if stated != Some(sha256.as_str()) {
             let stated = stated.unwrap_or("named in the manifest");
-            findings.add(FindingCode::Hash, None, sha256.clone(), stated);
+            findings.add(FindingCode::Hash, sha256.clone(), stated);
         }
         let is_of =
             |coupon: &&Coupon| name.strip_prefix(&coupon.name).is_some_and(|rest| rest.starts_with('.'));
@@ -199,8 +199,7 @@ pub(super) fn prove_coupons(written: &CouponManifest, files: &OutputFiles<'_>) -
     let text = |name| files.get(name).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or_default();
     let sources = Sources { spec: text("spec.toml"), machine: text("machine.toml") };
     let Some((grid, groups)) = wanted(&written.coupons, &machine) else {
-        let finding =
-            Finding::new(FindingCode::Manifest, None, "other settings", "settings that `coupon` takes");
+        let finding = Finding::new(FindingCode::Manifest, "other settings", "settings that `coupon` takes");
         return failed(vec![finding.in_file(MANIFEST)]);
     };
     match MadeCoupons::new(&reading.spec, &machine, sources, &grid, &groups) {

@@ -24,16 +24,17 @@ fn source_of<T>(
     read: impl Fn(&Source) -> Result<T, Faults>,
 ) -> Result<T, Finding> {
     let Some(bytes) = files.get(name) else {
-        return Err(Finding::new(FindingCode::MissingFile, None, "no such file", "the file of the build")
-            .in_file(name));
+        return Err(
+            Finding::new(FindingCode::MissingFile, "no such file", "the file of the build").in_file(name)
+        );
     };
     Source::from_bytes(name, bytes).and_then(|source| read(&source)).map_err(|faults| {
         let found = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
-        Finding::new(FindingCode::Unreadable, None, found, "text that `check` accepts").in_file(name)
+        Finding::new(FindingCode::Unreadable, found, "text that `check` accepts").in_file(name)
     })
 }
 
 /// A refusal of what the directory asks for.
 pub(super) fn refused(refusal: Refusal) -> Finding {
-    Finding::new(refusal.code, None, refusal.found, refusal.remedy).in_file("spec.toml")
+    Finding::new(refusal.code, refusal.found, refusal.remedy).in_file("spec.toml")
 }

@@ -69,13 +69,13 @@ pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) 
         Ok(sources) => sources,
         Err(faults) => {
             let fault = faults.list().first().map_or("faults", |fault| &fault.message).to_owned();
-            findings.add(FindingCode::Unreadable, None, fault, "spec and profile that `check` accepts");
+            findings.add(FindingCode::Unreadable, fault, "spec and profile that `check` accepts");
             return Proof { findings: findings.into_vec(), ..Proof::default() };
         }
     };
     let sha256 = sha256(found);
     if !manifest.files.iter().any(|entry| entry.sha256 == sha256) {
-        findings.add(FindingCode::Hash, None, sha256.clone(), "the hash in the manifest");
+        findings.add(FindingCode::Hash, sha256.clone(), "the hash in the manifest");
     }
     let other = (manifest.tool != Tool::this()).then(|| manifest.tool.version.clone());
     let text = String::from_utf8_lossy(found);

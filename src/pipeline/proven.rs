@@ -141,11 +141,11 @@ impl PublishedBuild {
     fn without_manifest(&self, files: &OutputFiles<'_>) -> Proof {
         let what = "it is damaged, or another program wrote it";
         let finding =
-            Finding::new(FindingCode::Manifest, None, what, "the manifest.json of the build: build it again");
+            Finding::new(FindingCode::Manifest, what, "the manifest.json of the build: build it again");
         let wanted = self.wanted();
         let is_ours = |name: &str| name == MANIFEST || wanted.iter().any(|wanted| wanted == name);
         let foreign = files.files.iter().filter(|(name, _)| !is_ours(name)).map(|(name, _)| {
-            Finding::new(FindingCode::UnnamedFile, None, "no build makes it", "the files of the build")
+            Finding::new(FindingCode::UnnamedFile, "no build makes it", "the files of the build")
                 .in_file(name)
         });
         let findings = [finding.in_file(MANIFEST)].into_iter().chain(foreign).collect();

@@ -58,7 +58,7 @@ pub(crate) use codes;
 codes! {
     /// What the readers of specs and machine profiles find.
     FaultCode {
-        Cell "cell" "A cell of a table is no number in its range; write one, with a decimal point.",
+        Cell "cell" "A cell of a table is not a number in its range; write one, with a decimal point.",
         CellCount "cell-count" "A row of a table has more or fewer cells than its header; mend the row.",
         Conflict "conflict" "Two values exclude each other; delete or change one of them.",
         DecimalComma "decimal-comma" "A number of a table is written with a decimal comma; write a point.",
@@ -72,7 +72,7 @@ codes! {
         NoRows "no-rows" "A table has a header and nothing below it; see whether it is the right file.",
         NoUnit "no-unit" "A quantity is a bare number; write it in quotes, with one of the units shown.",
         NotANumber "not-a-number" "A quantity does not begin with a decimal number; write one, with a decimal point.",
-        NotASpec "not-a-spec" "The file is G-code, JSON or a drawing, and no TOML; name the spec that it was made of.",
+        NotASpec "not-a-spec" "The file is G-code, JSON or a drawing, not TOML; name the spec that it was made from.",
         NotText "not-text" "The file is not UTF-8; save it as UTF-8, and see whether it is the right file.",
         OpenQuote "open-quote" "A quoted cell of a table does not end in its line; close the quote.",
         OutOfRange "out-of-range" "A value is outside of the range shown; choose one inside.",
@@ -80,12 +80,12 @@ codes! {
         Profile "profile" "The machine's profile is neither a name nor a path; write one of them.",
         ProgramLine "program-line" "A line that the profile puts into programs cannot stand there; shorten or mend it.",
         Ptfe "ptfe" "The temperature harms the PTFE release layer: a warning above 260 C, refused from 300 C; lower it.",
-        Schema "schema" "The spec is of a version that this program does not know; write the one shown.",
+        Schema "schema" "The version of the spec is unknown; write the one shown.",
         Syntax "syntax" "The text is not TOML; mend the line shown.",
         TooLarge "too-large" "The file is larger than any spec, or a line longer than any of a table; see whether it is the right one.",
         TwoColumns "two-columns" "A table has two columns of one name; delete or rename one.",
         Unit "unit" "A column of a table is in another unit than needed; convert it.",
-        UnknownChoice "unknown-choice" "The word is none of the choices shown; take one of them.",
+        UnknownChoice "unknown-choice" "The word is not one of the choices shown; write one of them.",
         UnknownKey "unknown-key" "No key has this name here; write the one suggested, or delete it.",
         UnknownMachine "unknown-machine" "No machine profile has this name, and no file; `stargrip-cam machines` lists them.",
         UnknownSection "unknown-section" "No section has this name; write the one suggested, or delete it.",

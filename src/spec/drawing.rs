@@ -151,8 +151,10 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     }
     let inlet = ("the drawing shows where its ports are", "delete it; only `tube_diameter` counts here");
     only_keys(reader, "inlet", &["tube_diameter"], inlet);
-    let load =
-        ("no model knows what a drawn shape does to an object", "delete it; only `pressure` counts here");
+    let load = (
+        "no model predicts the force of a drawn shape on an object",
+        "delete it; only `pressure` counts here",
+    );
     only_keys(reader, "load", &["pressure"], load);
     separator(reader);
     drawing

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use toml_edit::{DocumentMut, Item, TableLike, Value};
+use toml_edit::{DocumentMut, Item, TableLike, TomlError, Value};
 
 use crate::spec::fault::Fault;
 use crate::spec::faults::Faults;
@@ -36,12 +36,12 @@ impl StarEdit {
     }
 
     /// Keys and values as TOML. `{}` prints the shortest decimals that read back to the same number.
-    fn entries(&self) -> [(KeyPath, Value); 5] {
-        let mm = |length: Length| Value::from(format!("{} mm", length.0));
+    fn entries(&self) -> [(KeyPath, String); 5] {
+        let mm = |length: Length| format!("\"{} mm\"", length.0);
         [
-            (key::star::POINTS, Value::from(i64::from(self.points))),
+            (key::star::POINTS, self.points.to_string()),
             (key::star::TUBE_WIDTH, mm(self.tube_width)),
-            (key::star::TIP_ANGLE, Value::from(format!("{} deg", self.tip_angle.0))),
+            (key::star::TIP_ANGLE, format!("\"{} deg\"", self.tip_angle.0)),
             (key::star::TIP_RADIUS, mm(self.tip_radius)),
             (key::star::CORNER_RADIUS, mm(self.corner_radius)),
         ]
@@ -56,7 +56,6 @@ impl StarEdit {
 /// If `source` is refused, if a `[[stack.star]]` decides one of the keys for star 1, or if the result is refused (five
 /// points may have an inlet at tip 5, four may not).
 pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
-    let refused = |fault: Fault| Faults::new(source, vec![fault]);
     let raw = read(source)?.raw;
     let entries = star.entries();
     let own = entries.iter().filter_map(|(key, _)| {
@@ -76,24 +75,17 @@ pub fn with_star(source: &Source, star: &StarEdit) -> Result<String, Faults> {
     if !own.is_empty() {
         return Err(Faults::new(source, own));
     }
-    let mut document: DocumentMut = source.text.parse().map_err(|error: toml_edit::TomlError| {
-        refused(Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message()))
-    })?;
-    let item = document.entry("star").or_insert_with(toml_edit::table);
-    let inline = item.is_inline_table();
-    if let Some(section) = item.as_table_like_mut() {
-        for (key, value) in entries {
-            set(section, inline, key.key(), value);
-        }
-    }
-    let edited = Source::new(format!("{}, edited", source.name), document.to_string());
+    let values = entries.iter().map(|(key, value)| (*key, Some(value.as_str())));
+    let text = edited(source, values, |key| raw.span_of(key))?;
+    let edited = Source::new(format!("{}, edited", source.name), text);
     let found = read(&edited)?.spec;
     if found.stars.first().map(StarEdit::of) == Some(*star) {
         Ok(edited.text)
     } else {
         let fault =
             Fault::error(FaultCode::Edit, raw.span_of(key::star::POINTS), "the star cannot be edited here");
-        Err(refused(fault.label("must take new values").help("write [star] with one key a line")))
+        let fault = fault.label("must take new values").help("write [star] with one key a line");
+        Err(Faults::new(source, vec![fault]))
     }
 }
 
@@ -133,11 +125,7 @@ fn edited<'v>(
     values: impl Iterator<Item = (KeyPath, Option<&'v str>)>,
     place: impl Fn(KeyPath) -> Range<usize>,
 ) -> Result<String, Faults> {
-    let refused = |fault: Fault| Faults::new(source, vec![fault]);
-    let syntax = |error: toml_edit::TomlError| {
-        refused(Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message()))
-    };
-    let mut document: DocumentMut = source.text.parse().map_err(syntax)?;
+    let mut document = document(source)?;
     let values: Vec<(KeyPath, Option<&str>)> = values.collect();
     // A size that is set takes the place of the other key's, unless both are asked for.
     let replaced = |key: KeyPath| {
@@ -160,7 +148,7 @@ fn edited<'v>(
             let _ = section.and_then(|section| section.remove(key.key()));
             continue;
         };
-        let value: Value = value.parse().map_err(syntax)?;
+        let value: Value = value.parse().map_err(|error| syntax(source, &error))?;
         if key.section().is_empty() {
             set(document.as_table_mut(), false, key.key(), value);
             continue;
@@ -169,10 +157,10 @@ fn edited<'v>(
         let inline = item.is_inline_table();
         let Some(section) = item.as_table_like_mut() else {
             let message = format!("`{key}` cannot be edited here");
-            let fault = Fault::error(FaultCode::Edit, place(key), message);
-            return Err(refused(
-                fault.label("must take a new value").help("write its section with one key a line"),
-            ));
+            let fault = Fault::error(FaultCode::Edit, place(key), message)
+                .label("must take a new value")
+                .help("write its section with one key a line");
+            return Err(Faults::new(source, vec![fault]));
         };
         set(section, inline, key.key(), value);
     }
@@ -188,10 +176,7 @@ pub fn with_comments(
     source: &Source,
     mut renewed: impl FnMut(&str, &str, &str) -> Option<String>,
 ) -> Result<String, Faults> {
-    let mut document: DocumentMut = source.text.parse().map_err(|error: toml_edit::TomlError| {
-        let fault = Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message());
-        Faults::new(source, vec![fault])
-    })?;
+    let mut document = document(source)?;
     for (section, item) in document.iter_mut() {
         let Some(table) = item.as_table_mut() else { continue };
         for (key, item) in table.iter_mut() {
@@ -210,6 +195,17 @@ pub fn with_comments(
         }
     }
     Ok(document.to_string())
+}
+
+/// The text of `source` as TOML with its layout.
+fn document(source: &Source) -> Result<DocumentMut, Faults> {
+    source.text.parse().map_err(|error| syntax(source, &error))
+}
+
+/// The fault of `source` where TOML cannot be read.
+fn syntax(source: &Source, error: &TomlError) -> Faults {
+    let fault = Fault::error(FaultCode::Syntax, error.span().unwrap_or(0..0), error.message());
+    Faults::new(source, vec![fault])
 }
 
 /// Sets `key`; the blanks and comments around an old value stay.

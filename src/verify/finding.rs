@@ -32,8 +32,13 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// A finding about a file that is not known yet.
-    pub fn new(
+    /// A finding about a whole file, which is not known yet.
+    pub fn new(code: impl Code, found: impl Into<String>, allowed: impl Into<String>) -> Self {
+        Self::at(code, None, found, allowed)
+    }
+
+    /// A finding about a line of a file that is not known yet.
+    pub fn at(
         code: impl Code,
         line: impl Into<Option<usize>>,
         found: impl Into<String>,
@@ -72,15 +77,20 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// Adds a finding.
-    pub fn add(
+    /// Adds a finding about the whole file.
+    pub fn add(&mut self, code: impl Code, found: impl Into<String>, allowed: impl Into<String>) {
+        self.push(Finding::new(code, found, allowed));
+    }
+
+    /// Adds a finding about a line.
+    pub fn add_at(
         &mut self,
         code: impl Code,
         line: impl Into<Option<usize>>,
         found: impl Into<String>,
         allowed: impl Into<String>,
     ) {
-        self.push(Finding::new(code, line, found, allowed));
+        self.push(Finding::at(code, line, found, allowed));
     }
 
     /// Adds a finding that exists already.
@@ -117,7 +127,7 @@ impl Findings {
     pub fn into_vec(mut self) -> Vec<Finding> {
         if self.dropped > 0 {
             let found = format!("{} more findings", self.dropped);
-            self.kept.push(Finding::new(FindingCode::MoreFindings, None, found, "none"));
+            self.kept.push(Finding::new(FindingCode::MoreFindings, found, "none"));
         }
         self.kept
     }
@@ -151,7 +161,7 @@ mod tests {
 
     #[test]
     fn shows_file_line_and_both_sides() {
-        let finding = Finding::new(FindingCode::WrongFeed, 7, "F12", "F6").in_file("star-1.gcode");
+        let finding = Finding::at(FindingCode::WrongFeed, 7, "F12", "F6").in_file("star-1.gcode");
         assert_eq!(finding.to_string(), "star-1.gcode:7: wrong-feed: found F12, allowed F6");
         let json = serde_json::to_string(&finding).unwrap();
         assert_eq!(
@@ -162,17 +172,17 @@ mod tests {
 
     #[test]
     fn no_finding_commands_a_terminal_or_fills_it() {
-        let finding = Finding::new(FindingCode::UnknownWord, 1, "/Ro\u{7f}t\u{9b}\n", "x".repeat(5000));
+        let finding = Finding::at(FindingCode::UnknownWord, 1, "/Ro\u{7f}t\u{9b}\n", "x".repeat(5000));
         assert_eq!(finding.found, "/Ro\\u{7f}t\\u{9b}\\n");
         assert_eq!(finding.allowed.len(), LONGEST + 3);
-        assert_eq!(Finding::new(FindingCode::UnknownWord, 1, "µ 星", "").found, "µ 星");
+        assert_eq!(Finding::at(FindingCode::UnknownWord, 1, "µ 星", "").found, "µ 星");
     }
 
     #[test]
     fn counts_what_it_does_not_keep() {
         let mut findings = Findings::default();
         for line in 0..250 {
-            findings.add(FindingCode::UnknownWord, line, "x", "y");
+            findings.add_at(FindingCode::UnknownWord, line, "x", "y");
         }
         let all = findings.into_vec();
         assert_eq!(all.len(), LIMIT + 1);

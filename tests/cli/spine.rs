@@ -74,7 +74,7 @@ fn an_extra_kind_is_built_recorded_and_demanded() {
         assert_eq!(output.status.code(), Some(code), "{}", stdout(&output));
         assert!(stdout(&output).contains(said), "{}", stdout(&output));
     };
-    proven(0, "sheet-1-preview.png          made anew, equal to the byte");
+    proven(0, "sheet-1-preview.png          equal to a new build, byte for byte");
     fs::write(&picture, b"P6").expect("written");
     proven(1, "sheet-1-preview.png: differs");
     fs::remove_file(&picture).expect("removed");

@@ -14,7 +14,6 @@ const ROUNDING: f64 = 1e-3;
 pub(in crate::verify) struct Clamps<'a> {
     reach: f64,
     groups: Vec<ClampGroup<'a>>,
-    findings: Findings,
 }
 
 /// A clamp without a rim of rounding: so that a way across it is found for a reach of 0 as well.
@@ -27,11 +26,7 @@ struct ClampZone<'a> {
 
 impl<'a> Clamps<'a> {
     pub(in crate::verify) fn new(clamps: &'a [KeepOut], reach: f64) -> Self {
-        Self {
-            reach,
-            groups: grouped(clamps.iter().map(ClampZone::new).collect()),
-            findings: Findings::default(),
-        }
+        Self { reach, groups: grouped(clamps.iter().map(ClampZone::new).collect()) }
     }
 }
 
@@ -87,7 +82,7 @@ impl<'a> ClampZone<'a> {
 }
 
 impl Judge for Clamps<'_> {
-    fn see(&mut self, line: &gcode::Line<'_>) {
+    fn see(&mut self, line: &gcode::Line<'_>, findings: &mut Findings) {
         for event in line.events {
             let Event::Move(step) = event else { continue };
             let Some(path) = step.path else { continue };
@@ -97,13 +92,9 @@ impl Judge for Clamps<'_> {
             for zone in zones.filter(|zone| zone.is_met(&path, z, self.reach)) {
                 let found = format!("a move at Z{z} through the clamp {:?}", zone.clamp.name);
                 let allowed = format!("{} mm off every clamp", self.reach);
-                self.findings.add(FindingCode::ClampInTheWay, step.line, found, allowed);
+                findings.add_at(FindingCode::ClampInTheWay, step.line, found, allowed);
             }
         }
-    }
-
-    fn end(&mut self) -> Findings {
-        std::mem::take(&mut self.findings)
     }
 }
 
@@ -111,7 +102,14 @@ impl Judge for Clamps<'_> {
 mod tests {
     use super::*;
     use crate::units::Length;
-    use crate::verify::read::gcode::{Dialect, each_line};
+    use crate::verify::Finding;
+    use crate::verify::judge::judged;
+    use crate::verify::read::gcode::Dialect;
+
+    fn found(text: &str, zones: &[KeepOut], reach: f64) -> Vec<Finding> {
+        let mut judge = Clamps::new(zones, reach);
+        judged(text.split_inclusive('\n'), Dialect::GENERIC, &mut [&mut judge]).into_vec()
+    }
 
     /// The lines that are found in `body`, with a clamp from (10, 20) to (18, 25).
     fn lines(body: &str, reach: f64, height: Option<f64>) -> Vec<Option<usize>> {
@@ -119,9 +117,7 @@ mod tests {
         let zone = KeepOut { name: "vice".to_owned(), x, y, width, depth, height: height.map(Length) };
         let text = format!("G21\nG90\nG0 X0 Y0 Z9\n{body}\n");
         let zones = [zone];
-        let mut judge = Clamps::new(&zones, reach);
-        let _ = each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line));
-        let findings = judge.end().into_vec();
+        let findings = found(&text, &zones, reach);
         assert!(findings.iter().all(|finding| finding.code == "clamp-in-the-way"));
         findings.iter().map(|finding| finding.line).collect()
     }
@@ -157,9 +153,7 @@ mod tests {
         for i in [0, 17, 31, 450, 899] {
             let (x, y) = (zones[i].x.0, zones[i].y.0);
             let text = format!("G21\nG90\nG0 X{} Y{} Z9\nG0 X{}\n", x - 3.0, y + 2.0, x + 5.0);
-            let mut judge = Clamps::new(&zones, 1.0);
-            let _ = each_line(text.split_inclusive('\n'), Dialect::GENERIC, |line| judge.see(line));
-            let found: Vec<String> = judge.end().into_vec().iter().map(ToString::to_string).collect();
+            let found: Vec<String> = found(&text, &zones, 1.0).iter().map(ToString::to_string).collect();
             assert!(found.len() == 1 && found[0].contains(&format!("the clamp \"{i}\"")), "{found:?}");
         }
     }

@@ -48,18 +48,18 @@ impl<'a> CommentJudge<'a> {
             }
             if !next.as_ref().is_some_and(|wanted| says(&text, wanted)) {
                 let allowed = next.map_or("no further such comment".to_owned(), |wanted| quote(&wanted));
-                findings.add(FindingCode::OtherComment, comment.line, quote(&comment.text), allowed);
+                findings.add_at(FindingCode::OtherComment, comment.line, quote(&comment.text), allowed);
                 return;
             }
         }
         if let Some(wanted) = wanted.next() {
-            findings.add(FindingCode::OtherComment, None, "no such comment", quote(&wanted));
+            findings.add(FindingCode::OtherComment, "no such comment", quote(&wanted));
         }
     }
 }
 
 impl Judge for CommentJudge<'_> {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, _: &mut Findings) {
         for event in line.events {
             match event {
                 Event::Dwell(_) => self.chopped = true,
@@ -74,10 +74,8 @@ impl Judge for CommentJudge<'_> {
         }
     }
 
-    fn end(&mut self) -> Findings {
-        let mut findings = Findings::default();
-        self.compare(&mut findings);
-        findings
+    fn end(&mut self, findings: &mut Findings) {
+        self.compare(findings);
     }
 }
 

@@ -69,31 +69,29 @@ struct Timed<'a> {
     seconds: f64,
     waited: bool,
     moving: bool,
-    findings: Findings,
 }
 
 impl<'a> Timed<'a> {
     fn new(rules: &'a IronRules<'a>, area: Bounds, wanted: Vec<f64>) -> Self {
-        let findings = Findings::default();
-        Self { rules, area, wanted, drawn: 0, seconds: 0.0, waited: false, moving: false, findings }
+        Self { rules, area, wanted, drawn: 0, seconds: 0.0, waited: false, moving: false }
     }
 
-    fn step(&mut self, step: &Move) {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
         if self.rules.phase(step) != Phase::Clear {
             let found = format!("Z{}", step.to.z);
-            self.findings.add(FindingCode::LowTrace, step.line, found, "travel height or above");
+            findings.add_at(FindingCode::LowTrace, step.line, found, "travel height or above");
         }
         if !(self.area.contains(step.from.xy()) && self.area.contains(step.to.xy())) {
             let found = format!("a move to ({:.3}, {:.3})", step.to.x, step.to.y);
-            self.findings.add(FindingCode::OutsideWorkArea, step.line, found, "the lines of the check");
+            findings.add_at(FindingCode::OutsideWorkArea, step.line, found, "the lines of the check");
         }
         if step.kind == MoveKind::Rapid {
-            self.end_of_line(step.line, false);
+            self.end_of_line(step.line, false, findings);
             return;
         }
         if !std::mem::replace(&mut self.moving, true) && !self.waited {
             let (found, allowed) = ("a line without a pause before it", "a pause before and after each line");
-            self.findings.add(FindingCode::ProfileLine, step.line, found, allowed);
+            findings.add_at(FindingCode::ProfileLine, step.line, found, allowed);
         }
         let [from, to] = [step.from, step.to].map(|at| [at.x, at.y, at.z]);
         let chopped = self.rules.chops && self.rules.motion.acceleration.is_some();
@@ -107,7 +105,7 @@ impl<'a> Timed<'a> {
     }
 
     /// The end of a line, which a pause should be.
-    fn end_of_line(&mut self, line: usize, paused: bool) {
+    fn end_of_line(&mut self, line: usize, paused: bool, findings: &mut Findings) {
         if !std::mem::take(&mut self.moving) {
             return;
         }
@@ -115,23 +113,23 @@ impl<'a> Timed<'a> {
         if (found - wanted).abs() > TIME * wanted || !paused {
             let after = if paused { "before a pause" } else { "without a pause after it" };
             let found = format!("a line of {found:.3} s {after}");
-            self.findings.add(FindingCode::WrongFeed, line, found, format!("{wanted:.3} s, and a pause"));
+            findings.add_at(FindingCode::WrongFeed, line, found, format!("{wanted:.3} s, and a pause"));
         }
         self.drawn += 1;
     }
 }
 
 impl Judge for Timed<'_> {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         for event in line.events {
             match event {
                 Event::Move(step) => {
-                    self.step(step);
+                    self.step(step, findings);
                     self.waited = false;
                 }
                 Event::Dwell(dwell) if self.moving => self.seconds += dwell.seconds,
                 Event::Pause(pause) => {
-                    self.end_of_line(pause.line, true);
+                    self.end_of_line(pause.line, true, findings);
                     (self.waited, self.seconds) = (true, 0.0);
                 }
                 _ => {}
@@ -139,11 +137,10 @@ impl Judge for Timed<'_> {
         }
     }
 
-    fn end(&mut self) -> Findings {
+    fn end(&mut self, findings: &mut Findings) {
         if self.drawn != self.wanted.len() {
             let (found, allowed) = (format!("{} lines", self.drawn), format!("{} lines", self.wanted.len()));
-            self.findings.add(FindingCode::MissingSeam, None, found, allowed);
+            findings.add(FindingCode::MissingSeam, found, allowed);
         }
-        std::mem::take(&mut self.findings)
     }
 }

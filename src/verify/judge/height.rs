@@ -13,15 +13,14 @@ pub(in crate::verify) struct HeightJudge<'a> {
     area: Bounds,
     /// Whether nothing has moved yet.
     is_first: bool,
-    findings: Findings,
 }
 
 impl<'a> HeightJudge<'a> {
     pub(in crate::verify) fn new(heights: &'a Heights, area: Bounds) -> Self {
-        Self { heights, area, is_first: true, findings: Findings::default() }
+        Self { heights, area, is_first: true }
     }
 
-    fn blind(&mut self, step: &BlindMove) {
+    fn blind(&mut self, step: &BlindMove, findings: &mut Findings) {
         let (travel, park) = (self.heights.travel.0, self.heights.park.0);
         let Bounds { min, max } = self.area;
         let [x, y, z] = step.to;
@@ -34,32 +33,28 @@ impl<'a> HeightJudge<'a> {
             let axes: Vec<String> = "XYZ".chars().zip(step.to).filter_map(told).collect();
             let allowed = format!("first G0 Z{park}, then G0 within the sheet at Z{travel} to Z{park}");
             let found = format!("a move to {}", axes.join(" "));
-            self.findings.add(FindingCode::BlindMove, step.line, found, allowed);
+            findings.add_at(FindingCode::BlindMove, step.line, found, allowed);
         }
         self.is_first = false;
     }
 
-    fn known(&mut self, step: &Move) {
+    fn known(&self, step: &Move, findings: &mut Findings) {
         let park = self.heights.park.0;
         if step.to.z > park + HEIGHT {
             let allowed = format!("at most Z{park}, the park height");
-            self.findings.add(FindingCode::OutsideWorkArea, step.line, format!("Z{}", step.to.z), allowed);
+            findings.add_at(FindingCode::OutsideWorkArea, step.line, format!("Z{}", step.to.z), allowed);
         }
     }
 }
 
 impl Judge for HeightJudge<'_> {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         for event in line.events {
             match event {
-                Event::Blind(step) => self.blind(step),
-                Event::Move(step) => self.known(step),
+                Event::Blind(step) => self.blind(step, findings),
+                Event::Move(step) => self.known(step, findings),
                 _ => {}
             }
         }
-    }
-
-    fn end(&mut self) -> Findings {
-        std::mem::take(&mut self.findings)
     }
 }

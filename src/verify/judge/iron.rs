@@ -31,23 +31,22 @@ pub fn judge_iron<'a>(
 pub(in crate::verify) fn iron<'a>(rules: &'a IronRules<'a>) -> [Box<dyn Judge + 'a>; 4] {
     [
         Box::new(TravelFeed::new(rules.process.travel_speed.0)),
-        Box::new(IronJudge { rules, findings: Findings::default() }),
+        Box::new(IronJudge { rules }),
         Box::new(Paced::new(rules)),
-        Box::new(IronRest { rules, here: None, waited: 0.0, findings: Findings::default() }),
+        Box::new(IronRest { rules, here: None, waited: 0.0 }),
     ]
 }
 
 /// Below travel height the iron is hot, feeds at seal speed, and moves along the fabric.
 struct IronJudge<'a> {
     rules: &'a IronRules<'a>,
-    findings: Findings,
 }
 
 impl IronJudge<'_> {
-    fn step(&mut self, step: &Move) {
+    fn step(&self, step: &Move, findings: &mut Findings) {
         let (seal, contact) = (self.rules.seal, self.rules.process.heights.contact.0);
         let mut blame = |code: FindingCode, found: String, allowed: String| {
-            self.findings.add(code, step.line, found, allowed);
+            findings.add_at(code, step.line, found, allowed);
         };
         match step.heated {
             Some(t) if (t - seal.temperature.0).abs() <= 0.5 => {}
@@ -72,18 +71,14 @@ impl IronJudge<'_> {
 }
 
 impl Judge for IronJudge<'_> {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         for event in line.events {
             if let Event::Move(step) = event
                 && self.rules.phase(step) != Phase::Clear
             {
-                self.step(step);
+                self.step(step, findings);
             }
         }
-    }
-
-    fn end(&mut self) -> Findings {
-        std::mem::take(&mut self.findings)
     }
 }
 
@@ -94,16 +89,15 @@ struct IronRest<'a> {
     /// takes, the iron stands in one place; the last stroke of a seam ends, and has its wait, at travel height.
     here: Option<usize>,
     waited: f64,
-    findings: Findings,
 }
 
 impl IronRest<'_> {
-    fn wait(&mut self, dwell: &Dwell) {
+    fn wait(&mut self, dwell: &Dwell, findings: &mut Findings) {
         self.waited += dwell.seconds;
         let (waited, longest) = (self.waited, self.rules.longest_rest());
         let Some(here) = self.here else {
             let found = format!("{} s away from the fabric", dwell.seconds);
-            self.findings.add(FindingCode::IronAtRest, dwell.line, found, "waits between strokes only");
+            findings.add_at(FindingCode::IronAtRest, dwell.line, found, "waits between strokes only");
             return;
         };
         if waited > longest {
@@ -113,78 +107,69 @@ impl IronRest<'_> {
                 format!("{waited} s")
             };
             let allowed = format!("at most {longest:.2} s");
-            self.findings.add(FindingCode::IronAtRest, dwell.line, found, allowed);
+            findings.add_at(FindingCode::IronAtRest, dwell.line, found, allowed);
         }
     }
 }
 
 impl Judge for IronRest<'_> {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         for event in line.events {
             match event {
                 Event::Move(step) => {
                     let low = self.rules.phase(step) != Phase::Clear;
                     (self.here, self.waited) = (low.then_some(step.line), 0.0);
                 }
-                Event::Dwell(dwell) => self.wait(dwell),
+                Event::Dwell(dwell) => self.wait(dwell, findings),
                 Event::Pause(pause) if pause.at.is_some_and(|at| self.rules.is_low(at.z)) => {
                     let (found, allowed) = ("a pause on the fabric", "pauses above travel height only");
-                    self.findings.add(FindingCode::IronAtRest, pause.line, found, allowed);
+                    findings.add_at(FindingCode::IronAtRest, pause.line, found, allowed);
                 }
                 _ => {}
             }
         }
-    }
-
-    fn end(&mut self) -> Findings {
-        std::mem::take(&mut self.findings)
     }
 }
 
 /// Reports everything in a trace program that breaks the rules: it stays at travel height, and runs cold and through.
 pub(in crate::verify) struct Cold<'a> {
     rules: &'a IronRules<'a>,
-    findings: Findings,
 }
 
 impl<'a> Cold<'a> {
     pub(in crate::verify) fn new(rules: &'a IronRules<'a>) -> Self {
-        Self { rules, findings: Findings::default() }
+        Self { rules }
     }
 
-    fn step(&mut self, step: &Move) {
+    fn step(&self, step: &Move, findings: &mut Findings) {
         if self.rules.phase(step) != Phase::Clear {
             let found = format!("Z{}", step.to.z);
-            self.findings.add(FindingCode::LowTrace, step.line, found, "travel height or above");
+            findings.add_at(FindingCode::LowTrace, step.line, found, "travel height or above");
         }
         let speed = self.rules.process.trace_speed.0 * 60.0;
         let right = step.feed.is_some_and(|feed| (feed - speed).abs() <= 1e-3 * speed);
         if step.kind == MoveKind::Feed && !right {
             let found = step.feed.map_or("no feed".to_owned(), |feed| format!("F{feed}"));
-            self.findings.add(FindingCode::WrongFeed, step.line, found, format!("F{speed}"));
+            findings.add_at(FindingCode::WrongFeed, step.line, found, format!("F{speed}"));
         }
     }
 }
 
 impl Judge for Cold<'_> {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         for event in line.events {
             match event {
-                Event::Move(step) => self.step(step),
+                Event::Move(step) => self.step(step, findings),
                 Event::Pause(pause) => {
                     let (found, allowed) = ("a pause as for heating", "a trace runs unheated and through");
-                    self.findings.add(FindingCode::HotTrace, pause.line, found, allowed);
+                    findings.add_at(FindingCode::HotTrace, pause.line, found, allowed);
                 }
                 Event::Dwell(dwell) => {
                     let found = format!("{} s", dwell.seconds);
-                    self.findings.add(FindingCode::IronAtRest, dwell.line, found, "no wait in a trace");
+                    findings.add_at(FindingCode::IronAtRest, dwell.line, found, "no wait in a trace");
                 }
                 _ => {}
             }
         }
-    }
-
-    fn end(&mut self) -> Findings {
-        std::mem::take(&mut self.findings)
     }
 }

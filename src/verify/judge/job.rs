@@ -55,9 +55,9 @@ impl ProgramTask<'_> {
         let mut judges: Vec<Box<dyn Judge + 'b>> = vec![
             Box::new(ScriptJudge::new(machine, hot)),
             Box::new(Body::new(hotend.then_some(spec.seal.temperature))),
-            Box::new(FirstWords::default()),
+            Box::new(FirstWords),
             Box::new(HeightJudge::new(&machine.process.heights, allowed)),
-            Box::new(Area { reach: area, allowed, findings: Findings::default() }),
+            Box::new(Area { reach: area, allowed }),
             Box::new(Clamps::new(&machine.bench.keep_out, reach)),
         ];
         if hot {
@@ -76,11 +76,10 @@ struct Area {
     reach: Bounds,
     /// The same with room for rounding.
     allowed: Bounds,
-    findings: Findings,
 }
 
 impl Judge for Area {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         for event in line.events {
             let Event::Move(step) = event else { continue };
             let Some(Bounds { min, max }) = step.path.map(|path| path.bounds()) else { continue };
@@ -88,30 +87,21 @@ impl Judge for Area {
                 let found =
                     format!("a move from ({:.3}, {:.3}) to ({:.3}, {:.3})", min.x, min.y, max.x, max.y);
                 let allowed = format!("(0, 0) to ({:.3}, {:.3})", self.reach.max.x, self.reach.max.y);
-                self.findings.add(FindingCode::OutsideWorkArea, step.line, found, allowed);
+                findings.add_at(FindingCode::OutsideWorkArea, step.line, found, allowed);
             }
         }
-    }
-
-    fn end(&mut self) -> Findings {
-        std::mem::take(&mut self.findings)
     }
 }
 
 /// Every line says what it does: Klipper and Marlin do not go on moving by the word of the line before. The first that
 /// does not is reported.
-#[derive(Default)]
-struct FirstWords(Findings);
+struct FirstWords;
 
 impl Judge for FirstWords {
-    fn see(&mut self, line: &Line<'_>) {
-        if self.0.is_empty() && line.text.trim_start().starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
+        if findings.is_empty() && line.text.trim_start().starts_with(['X', 'Y', 'Z', 'I', 'J', 'F']) {
             let found = quote(line.text.trim());
-            self.0.add(FindingCode::UnusedWord, line.number, found, "G0, G1, G2 or G3 first");
+            findings.add_at(FindingCode::UnusedWord, line.number, found, "G0, G1, G2 or G3 first");
         }
-    }
-
-    fn end(&mut self) -> Findings {
-        std::mem::take(&mut self.0)
     }
 }

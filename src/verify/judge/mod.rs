@@ -24,11 +24,13 @@ use crate::verify::read::gcode::{Dialect, Event, Line, each_line};
 
 /// A judge of programs: it is shown one line after the other, and remembers no more of them than it needs.
 pub(in crate::verify) trait Judge {
-    /// The next line, and what it does.
-    fn see(&mut self, line: &Line<'_>);
+    /// The next line, and what it does; adds what is wrong with it to this judge's `findings`.
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings);
 
-    /// After the last line: everything that is wrong.
-    fn end(&mut self) -> Findings;
+    /// After the last line: adds what could not be judged before.
+    fn end(&mut self, findings: &mut Findings) {
+        let _ = findings;
+    }
 }
 
 /// What all of `judges` find in a program, one after the other, and then the reader.
@@ -38,21 +40,23 @@ fn judged<'a>(
     judges: &mut [&mut dyn Judge],
 ) -> Findings {
     let mut own = Findings::default();
+    let mut each: Vec<Findings> = judges.iter().map(|_| Findings::default()).collect();
     let _ = each_line(lines, dialect, |line| {
-        for judge in judges.iter_mut() {
-            judge.see(line);
+        for (judge, findings) in judges.iter_mut().zip(&mut each) {
+            judge.see(line, findings);
         }
         own.extend(line.events.iter().filter_map(|event| match event {
             Event::Finding(finding) => Some(finding.clone()),
             _ => None,
         }));
     });
-    let mut findings = Findings::default();
-    for judge in judges.iter_mut() {
-        findings.absorb(judge.end());
+    let mut all = Findings::default();
+    for (judge, mut findings) in judges.iter_mut().zip(each) {
+        judge.end(&mut findings);
+        all.absorb(findings);
     }
-    findings.absorb(own);
-    findings
+    all.absorb(own);
+    all
 }
 
 /// Slack on heights, mm; they are written to at least two decimals and read as written.

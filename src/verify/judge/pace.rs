@@ -34,22 +34,21 @@ pub(in crate::verify) struct Paced<'a> {
     schedule: Schedule,
     /// The move that is judged with the waits after it, and those so far, s.
     pending: Option<(Move, f64)>,
-    findings: Findings,
 }
 
 impl<'a> Paced<'a> {
     pub(in crate::verify) fn new(rules: &'a IronRules<'a>) -> Self {
-        Self { rules, schedule: Schedule::default(), pending: None, findings: Findings::default() }
+        Self { rules, schedule: Schedule::default(), pending: None }
     }
 
-    fn judge_pending(&mut self) {
+    fn judge_pending(&mut self, findings: &mut Findings) {
         if let Some((step, rest)) = self.pending.take() {
-            self.step(&step, rest);
+            self.step(&step, rest, findings);
         }
     }
 
-    fn next(&mut self, step: &Move) {
-        self.judge_pending();
+    fn next(&mut self, step: &Move, findings: &mut Findings) {
+        self.judge_pending(findings);
         if self.rules.phase(step) == Phase::Clear {
             self.schedule = Schedule::default();
         } else if step.kind == MoveKind::Feed {
@@ -60,28 +59,27 @@ impl<'a> Paced<'a> {
 }
 
 impl Judge for Paced<'_> {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         for event in line.events {
             match (event, &mut self.pending) {
-                (Event::Move(step), _) => self.next(step),
+                (Event::Move(step), _) => self.next(step, findings),
                 (Event::Dwell(dwell), Some((_, rest))) => *rest += dwell.seconds,
                 _ => {}
             }
         }
     }
 
-    fn end(&mut self) -> Findings {
-        self.judge_pending();
-        std::mem::take(&mut self.findings)
+    fn end(&mut self, findings: &mut Findings) {
+        self.judge_pending(findings);
     }
 }
 
 impl Paced<'_> {
     /// One move in contact, and the wait after it.
-    fn step(&mut self, step: &Move, rest: f64) {
+    fn step(&mut self, step: &Move, rest: f64, findings: &mut Findings) {
         let speed = self.rules.seal.speed.0;
         let Some(feed) = step.feed.map(|feed| feed / 60.0) else {
-            self.findings.add(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
+            findings.add_at(FindingCode::WrongFeed, step.line, "none", format!("F{}", speed * 60.0));
             return;
         };
         self.schedule.due += step.length() / speed;
@@ -92,18 +90,18 @@ impl Paced<'_> {
             let told = self.rules.motion.chop_speed(speed).unwrap_or(feed);
             if (feed - told).abs() > ROUNDING * told {
                 let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", told * 60.0));
-                self.findings.add(FindingCode::WrongFeed, step.line, found, allowed);
+                findings.add_at(FindingCode::WrongFeed, step.line, found, allowed);
             }
             self.stroke(step, feed, rest);
             if rest > 0.0 && self.schedule.run.is_short() {
                 let allowed = format!("at least {} steps", self.rules.motion.min_move_steps);
                 let found = "a dwell after fewer steps than the controller makes at once";
-                self.findings.add(FindingCode::ShortStroke, step.line, found, allowed);
+                findings.add_at(FindingCode::ShortStroke, step.line, found, allowed);
             }
             let longest = self.longest(feed);
             if step.length() > longest + 0.01 {
                 let found = format!("a stroke of {:.3} mm", step.length());
-                self.findings.add(
+                findings.add_at(
                     FindingCode::LongStroke,
                     step.line,
                     found,
@@ -113,12 +111,12 @@ impl Paced<'_> {
             rest > 0.0
         } else {
             let (found, allowed) = (format!("F{}", feed * 60.0), format!("F{}", speed * 60.0));
-            self.findings.add(FindingCode::WrongFeed, step.line, found, allowed);
+            findings.add_at(FindingCode::WrongFeed, step.line, found, allowed);
             return;
         };
         // What the controller has not begun is late as soon as it is told: it is judged with what it is joined to.
         if self.rules.timed && (stopped || !self.schedule.run.is_short()) {
-            self.on_time(step, stopped);
+            self.on_time(step, stopped, findings);
         }
         if rest > 0.0 {
             (self.schedule.run, self.schedule.counted) = (StrokeRun::default(), 0.0);
@@ -129,7 +127,7 @@ impl Paced<'_> {
         let lowest = step.path.and_then(|path| lowest_along(&path, step.to.z - step.from.z, lowest_of));
         if let Some(lowest) = lowest.filter(|lowest| feed < lowest * (1.0 - ROUNDING)) {
             let found = format!("F{:.3}, which the controller runs at {:.3}", feed * 60.0, lowest * 60.0);
-            self.findings.add(
+            findings.add_at(
                 FindingCode::BelowFloor,
                 step.line,
                 found,
@@ -169,7 +167,7 @@ impl Paced<'_> {
 
     /// Reports a step that takes the contact off its schedule, or a run that is itself too early or too late. Until it
     /// has `stopped`, a run may be late by what it takes to start and to stop.
-    fn on_time(&mut self, step: &Move, stopped: bool) {
+    fn on_time(&mut self, step: &Move, stopped: bool, findings: &mut Findings) {
         let (speed, feed) = (self.rules.seal.speed.0, step.feed.unwrap_or(0.0) / 60.0);
         let Schedule { due, spent, stop, .. } = self.schedule;
         let off = spent - due;
@@ -181,7 +179,7 @@ impl Paced<'_> {
         let within = |off: f64, most: f64| -most <= off && off <= most + late;
         if !(within(off, allowed) && within(off - stop.1, alone)) {
             let found = format!("{off:+.3} s off the schedule of {speed} mm/s");
-            self.findings.add(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
+            findings.add_at(FindingCode::WrongFeed, step.line, found, format!("{allowed:.3} s"));
             self.schedule = Schedule::default();
         } else if stopped {
             self.schedule.stop = (due, off);

@@ -22,7 +22,6 @@ pub(in crate::verify) struct ScriptJudge<'a> {
     moved: bool,
     head: WantedLine<'a>,
     tail: WantedLine<'a>,
-    findings: Findings,
 }
 
 impl<'a> ScriptJudge<'a> {
@@ -34,22 +33,22 @@ impl<'a> ScriptJudge<'a> {
     /// The judge of a program that waits for the operator so often at most.
     pub(in crate::verify) fn with_pauses(machine: &'a Machine, pauses: usize) -> Self {
         let (head, tail) = (WantedLine::new(&machine.script.start), WantedLine::new(&machine.script.end));
-        Self { machine, pauses, moved: false, head, tail, findings: Findings::default() }
+        Self { machine, pauses, moved: false, head, tail }
     }
 
     /// A pause, in the profile's words.
-    fn pause(&mut self, line: &Line<'_>) {
+    fn pause(&mut self, line: &Line<'_>, findings: &mut Findings) {
         let text = line.text.trim();
         if self.pauses == 0 || text != self.machine.script.pause {
             let allowed = format!("{} pauses, {}", self.pauses, quote(&self.machine.script.pause));
-            self.findings.add(FindingCode::ProfileLine, line.number, quote(text), allowed);
+            findings.add_at(FindingCode::ProfileLine, line.number, quote(text), allowed);
         }
         self.pauses = self.pauses.saturating_sub(1);
     }
 }
 
 impl Judge for ScriptJudge<'_> {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         if line.is_motion() {
             self.moved = true;
             self.tail.again(line.number);
@@ -61,16 +60,15 @@ impl Judge for ScriptJudge<'_> {
             }
         }
         if line.events.iter().any(|event| matches!(event, Event::Pause(_))) {
-            self.pause(line);
+            self.pause(line, findings);
         }
     }
 
-    fn end(&mut self) -> Findings {
-        let mut findings = Findings::default();
-        self.head.end(&mut findings);
-        self.tail.end(&mut findings);
-        findings.absorb(std::mem::take(&mut self.findings));
-        findings
+    fn end(&mut self, findings: &mut Findings) {
+        let pauses = std::mem::take(findings);
+        self.head.end(findings);
+        self.tail.end(findings);
+        findings.absorb(pauses);
     }
 }
 
@@ -115,9 +113,9 @@ impl<'a> WantedLine<'a> {
         let wanted = self.lines.get(self.come).map(|line| format!("{}, as the profile says", quote(line)));
         if let Some(line) = self.wrong {
             let allowed = wanted.unwrap_or_else(|| "no further line, as the profile says".to_owned());
-            findings.add(FindingCode::ProfileLine, line, quote(&self.text), allowed);
+            findings.add_at(FindingCode::ProfileLine, line, quote(&self.text), allowed);
         } else if let Some(wanted) = wanted {
-            findings.add(FindingCode::ProfileLine, self.last, "nothing more", wanted);
+            findings.add_at(FindingCode::ProfileLine, self.last, "nothing more", wanted);
         }
     }
 }
@@ -131,7 +129,6 @@ pub(in crate::verify) struct Body {
     moved: bool,
     /// What came since the last motion: it is the body's if another follows.
     pending: Vec<PendingLine>,
-    findings: Findings,
 }
 
 /// A line that is right or wrong by its place.
@@ -145,10 +142,10 @@ struct PendingLine {
 impl Body {
     /// The judge of a program that heats a hotend to `heat`, or none.
     pub(in crate::verify) fn new(heat: Option<Temperature>) -> Self {
-        Self { heat, heated: false, moved: false, pending: Vec::new(), findings: Findings::default() }
+        Self { heat, heated: false, moved: false, pending: Vec::new() }
     }
 
-    fn judge(&mut self, told: &PendingLine, within: bool) {
+    fn judge(&mut self, told: &PendingLine, within: bool, findings: &mut Findings) {
         let right = match (&told.heat, within) {
             (None, within) => !within,
             (Some(heat), false) => heat.celsius == 0.0 && !heat.waits,
@@ -169,18 +166,18 @@ impl Body {
             }
             (_, None) => (FindingCode::StrayHeat, "no heating".to_owned()),
         };
-        self.findings.add(code, told.line, told.text.clone(), allowed);
+        findings.add_at(code, told.line, told.text.clone(), allowed);
     }
 
-    fn judge_pending(&mut self, within: bool) {
+    fn judge_pending(&mut self, within: bool, findings: &mut Findings) {
         for told in std::mem::take(&mut self.pending) {
-            self.judge(&told, within);
+            self.judge(&told, within, findings);
         }
     }
 }
 
 impl Judge for Body {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         let heats = line.events.iter().filter_map(|event| match event {
             Event::Heat(heat) => Some(Some(*heat)),
             Event::Setting(_) => Some(None),
@@ -189,21 +186,20 @@ impl Judge for Body {
         let told = |heat| PendingLine { line: line.number, text: quote(line.text.trim_end()), heat };
         if line.is_motion() {
             // What stood before the first motion is the head.
-            self.judge_pending(self.moved);
+            self.judge_pending(self.moved, findings);
             self.moved = true;
         }
         for heat in heats {
             if line.is_motion() || self.pending.len() >= PENDING {
-                self.judge(&told(heat), true);
+                self.judge(&told(heat), true, findings);
             } else {
                 self.pending.push(told(heat));
             }
         }
     }
 
-    fn end(&mut self) -> Findings {
-        self.judge_pending(false);
-        std::mem::take(&mut self.findings)
+    fn end(&mut self, findings: &mut Findings) {
+        self.judge_pending(false, findings);
     }
 }
 

@@ -42,8 +42,7 @@ impl<'a> Seams<'a> {
     /// The judge of a sealing program.
     pub(in crate::verify) fn sealed(&self) -> Sealed<'_> {
         let (expected, now) = (self.expected.iter(), None);
-        let findings = Findings::default();
-        Sealed { rules: self.rules, tolerance: self.tolerance, expected, now, deviation: 0.0, findings }
+        Sealed { rules: self.rules, tolerance: self.tolerance, expected, now, deviation: 0.0 }
     }
 
     /// The judge of a trace program.
@@ -52,8 +51,7 @@ impl<'a> Seams<'a> {
         paths.insert(0, SeamWalk::new(self.frame, "frame".to_owned(), self.frame.length()));
         let wanted = paths.len() - 1;
         let (paths, inside, now, found) = (paths.into_iter(), false, None, 0);
-        let findings = Findings::default();
-        Traced { tolerance: self.tolerance, paths, wanted, found, inside, now, deviation: 0.0, findings }
+        Traced { tolerance: self.tolerance, paths, wanted, found, inside, now, deviation: 0.0 }
     }
 }
 
@@ -77,7 +75,6 @@ pub(in crate::verify) struct Sealed<'a> {
     now: Option<SeamContact>,
     /// The largest, mm.
     pub(in crate::verify) deviation: f64,
-    findings: Findings,
 }
 
 /// One contact with the fabric.
@@ -89,10 +86,10 @@ enum SeamContact {
 }
 
 impl Sealed<'_> {
-    fn step(&mut self, step: &Move) {
+    fn step(&mut self, step: &Move, findings: &mut Findings) {
         let phase = self.rules.phase(step);
         if phase == Phase::Clear {
-            self.lift();
+            self.lift(findings);
             return;
         }
         let expected = &mut self.expected;
@@ -115,17 +112,17 @@ impl Sealed<'_> {
     }
 
     /// The end of a contact.
-    fn lift(&mut self) {
+    fn lift(&mut self, findings: &mut Findings) {
         match self.now.take() {
             Some(SeamContact::Seam(walks)) => {
                 let [down, run, up] = *walks;
                 for walk in [run, down, up] {
-                    self.deviation = self.deviation.max(walk.end(self.tolerance, &mut self.findings));
+                    self.deviation = self.deviation.max(walk.end(self.tolerance, findings));
                 }
             }
             Some(SeamContact::Extra(line)) => {
                 let found = "a contact that the design does not have";
-                self.findings.add(FindingCode::ExtraSeam, line, found, "only its seams");
+                findings.add_at(FindingCode::ExtraSeam, line, found, "only its seams");
             }
             None => {}
         }
@@ -133,21 +130,20 @@ impl Sealed<'_> {
 }
 
 impl Judge for Sealed<'_> {
-    fn see(&mut self, line: &gcode::Line<'_>) {
+    fn see(&mut self, line: &gcode::Line<'_>, findings: &mut Findings) {
         for event in line.events {
             if let Event::Move(step) = event {
-                self.step(step);
+                self.step(step, findings);
             }
         }
     }
 
-    fn end(&mut self) -> Findings {
-        self.lift();
+    fn end(&mut self, findings: &mut Findings) {
+        self.lift(findings);
         for seam in self.expected.by_ref() {
             let found = format!("no {}", seam.name);
-            self.findings.add(FindingCode::MissingSeam, None, found, "every seam of the design");
+            findings.add(FindingCode::MissingSeam, found, "every seam of the design");
         }
-        std::mem::take(&mut self.findings)
     }
 }
 
@@ -163,25 +159,24 @@ pub(in crate::verify) struct Traced {
     now: Option<SeamWalk>,
     /// The largest, mm.
     pub(in crate::verify) deviation: f64,
-    findings: Findings,
 }
 
 impl Traced {
     /// The end of a path.
-    fn leave(&mut self) {
+    fn leave(&mut self, findings: &mut Findings) {
         self.inside = false;
         if let Some(walk) = self.now.take() {
-            self.deviation = self.deviation.max(walk.end(self.tolerance, &mut self.findings));
+            self.deviation = self.deviation.max(walk.end(self.tolerance, findings));
         }
     }
 }
 
 impl Judge for Traced {
-    fn see(&mut self, line: &gcode::Line<'_>) {
+    fn see(&mut self, line: &gcode::Line<'_>, findings: &mut Findings) {
         for event in line.events {
             let Event::Move(step) = event else { continue };
             if step.kind == MoveKind::Rapid {
-                self.leave();
+                self.leave(findings);
                 continue;
             }
             if !std::mem::replace(&mut self.inside, true) {
@@ -194,18 +189,17 @@ impl Judge for Traced {
         }
     }
 
-    fn end(&mut self) -> Findings {
-        self.leave();
+    fn end(&mut self, findings: &mut Findings) {
+        self.leave(findings);
         let found = self.found.saturating_sub(1);
         if self.found == 0 {
             self.now = self.paths.next();
-            self.leave();
+            self.leave(findings);
         }
         if found != self.wanted {
             let (found, allowed) = (format!("{found} paths"), format!("{} paths", self.wanted));
-            self.findings.add(FindingCode::MissingSeam, None, found, allowed);
+            findings.add(FindingCode::MissingSeam, found, allowed);
         }
-        std::mem::take(&mut self.findings)
     }
 }
 
@@ -242,28 +236,28 @@ impl SeamWalk {
         if deviation.is_nan() || deviation > tolerance {
             let line = first.map(|first| walked.step.max(first));
             let found = format!("{deviation:.6} mm off the {name}");
-            findings.add(FindingCode::Deviation, line, found, format!("{tolerance} mm"));
+            findings.add_at(FindingCode::Deviation, line, found, format!("{tolerance} mm"));
         }
         // Along the path, rounding at both ends may add up.
         let slack = 2.0 * tolerance;
         if walked.start > slack {
             let found = format!("the {name} begins {:.3} mm late", walked.start);
-            findings.add(FindingCode::LateStart, first, found, "its start");
+            findings.add_at(FindingCode::LateStart, first, found, "its start");
         }
         if walked.end < once - slack {
             let found = format!("the {name} ends {:.3} mm before it is closed", once - walked.end);
-            findings.add(FindingCode::OpenLoop, last, found, format!("{once:.3} mm"));
+            findings.add_at(FindingCode::OpenLoop, last, found, format!("{once:.3} mm"));
         } else if walked.end < length - slack {
             let found = format!("{:.3} mm of overlap on the {name}", walked.end - once);
-            findings.add(FindingCode::MissingOverlap, last, found, format!("{:.3} mm", length - once));
+            findings.add_at(FindingCode::MissingOverlap, last, found, format!("{:.3} mm", length - once));
         }
         if let Some((back, line)) = walked.backwards.filter(|(back, _)| *back > slack) {
             let found = format!("{back:.3} mm back along the {name}");
-            findings.add(FindingCode::Backwards, line, found, "forwards only");
+            findings.add_at(FindingCode::Backwards, line, found, "forwards only");
         }
         if let Some((gap, line)) = walked.jump.filter(|(gap, _)| *gap > tolerance) {
             let found = format!("a gap of {gap:.3} mm in the {name}");
-            findings.add(FindingCode::Jump, line, found, "an unbroken path");
+            findings.add_at(FindingCode::Jump, line, found, "an unbroken path");
         }
         deviation
     }

@@ -7,17 +7,16 @@ use crate::verify::{FindingCode, Findings};
 /// Reports every G0 that the controller runs at another feed than that of `speed`, mm/s.
 pub(in crate::verify) struct TravelFeed {
     allowed: f64,
-    findings: Findings,
 }
 
 impl TravelFeed {
     pub(in crate::verify) fn new(speed: f64) -> Self {
-        Self { allowed: speed * 60.0, findings: Findings::default() }
+        Self { allowed: speed * 60.0 }
     }
 }
 
 impl Judge for TravelFeed {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         let allowed = self.allowed;
         for event in line.events {
             let (kind, feed, line) = match event {
@@ -28,12 +27,8 @@ impl Judge for TravelFeed {
             let other = feed.filter(|feed| (feed - allowed).abs() > 1e-6 * allowed);
             if let Some(feed) = other.filter(|_| kind == MoveKind::Rapid) {
                 let found = format!("a G0 at F{feed}, the feed in force");
-                self.findings.add(FindingCode::TravelFeed, line, found, format!("F{allowed}"));
+                findings.add_at(FindingCode::TravelFeed, line, found, format!("F{allowed}"));
             }
         }
-    }
-
-    fn end(&mut self) -> Findings {
-        std::mem::take(&mut self.findings)
     }
 }

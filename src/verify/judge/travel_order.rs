@@ -30,7 +30,6 @@ pub(in crate::verify) struct TravelOrder {
     tolerance: f64,
     /// Whether the last motion was along a path.
     on_path: bool,
-    findings: Findings,
 }
 
 impl TravelOrder {
@@ -60,7 +59,7 @@ impl TravelOrder {
         let home = |x| Waypoint::Rapid([x, x, Some(park)]);
         // Where the last path ended, the path's judge knows.
         waypoints.extend([home(None), home(Some(0.0))]);
-        Self { waypoints, passed: 0, tolerance, on_path: false, findings: Findings::default() }
+        Self { waypoints, passed: 0, tolerance, on_path: false }
     }
 
     /// Whether `found` is the waypoint `wanted`.
@@ -79,14 +78,14 @@ impl TravelOrder {
     }
 
     /// The next waypoint, as it was found.
-    fn pass(&mut self, found: &Waypoint, line: usize) {
+    fn pass(&mut self, found: &Waypoint, line: usize, findings: &mut Findings) {
         if self.waypoints.get(self.passed).is_some_and(|wanted| self.is(found, wanted)) {
             self.passed += 1;
             return;
         }
         let allowed = self.waypoints.get(self.passed).map_or("the end".to_owned(), told);
         // If it comes later, what is between is missing; else it is one too many. Of many findings the first do.
-        let later = if self.findings.is_full() { None } else { self.later(found) };
+        let later = if findings.is_full() { None } else { self.later(found) };
         if let Some(later) = later {
             self.passed = later + 1;
         }
@@ -94,7 +93,7 @@ impl TravelOrder {
             Waypoint::Comment(_) => FindingCode::OtherComment,
             _ => FindingCode::StrayTravel,
         };
-        self.findings.add(code, line, told(found), format!("{allowed} next"));
+        findings.add_at(code, line, told(found), format!("{allowed} next"));
     }
 
     /// Where it comes later; the way up from the last path fits too much to tell.
@@ -106,7 +105,7 @@ impl TravelOrder {
 }
 
 impl Judge for TravelOrder {
-    fn see(&mut self, line: &Line<'_>) {
+    fn see(&mut self, line: &Line<'_>, findings: &mut Findings) {
         for event in line.events {
             let found = match event {
                 Event::Move(step) if step.kind == MoveKind::Feed => {
@@ -127,15 +126,14 @@ impl Judge for TravelOrder {
             if matches!(found, Waypoint::Rapid(_)) {
                 self.on_path = false;
             }
-            self.pass(&found, line.number);
+            self.pass(&found, line.number, findings);
         }
     }
 
-    fn end(&mut self) -> Findings {
+    fn end(&mut self, findings: &mut Findings) {
         if let Some(wanted) = self.waypoints.get(self.passed) {
-            self.findings.add(FindingCode::StrayTravel, None, "the end", format!("{} next", told(wanted)));
+            findings.add(FindingCode::StrayTravel, "the end", format!("{} next", told(wanted)));
         }
-        std::mem::take(&mut self.findings)
     }
 }
 

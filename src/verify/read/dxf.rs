@@ -32,13 +32,13 @@ pub fn read_dxf(text: &str) -> Drawing {
     // A record runs from its group code 0 to the next.
     let starts: Vec<usize> = (0..tags.len()).filter(|i| tags[*i].code == 0).collect();
     if starts.first() != Some(&0) {
-        reader.findings.add(FindingCode::BadDxf, 1, "no record at the beginning", "0, SECTION");
+        reader.findings.add_at(FindingCode::BadDxf, 1, "no record at the beginning", "0, SECTION");
     }
     for (k, start) in starts.iter().enumerate() {
         let record = &tags[*start..starts.get(k + 1).copied().unwrap_or(tags.len())];
         let Some((head, body)) = record.split_first() else { continue };
         if ended {
-            reader.findings.add(FindingCode::BadDxf, head.line, "records after EOF", "EOF last");
+            reader.findings.add_at(FindingCode::BadDxf, head.line, "records after EOF", "EOF last");
             break;
         }
         match head.value {
@@ -52,7 +52,7 @@ pub fn read_dxf(text: &str) -> Drawing {
             "EOF" => {
                 ended = true;
                 if section.is_some() {
-                    reader.findings.add(
+                    reader.findings.add_at(
                         FindingCode::Truncated,
                         head.line,
                         "EOF within a section",
@@ -70,10 +70,10 @@ pub fn read_dxf(text: &str) -> Drawing {
         }
     }
     if !ended {
-        reader.findings.add(FindingCode::Truncated, None, "no EOF", "0, EOF at the end");
+        reader.findings.add(FindingCode::Truncated, "no EOF", "0, EOF at the end");
     }
     if !reader.has_version || !reader.has_units {
-        reader.findings.add(FindingCode::WrongScale, None, "no $ACADVER or no $INSUNITS", "both");
+        reader.findings.add(FindingCode::WrongScale, "no $ACADVER or no $INSUNITS", "both");
     }
     Drawing { findings: reader.findings.into_vec(), ..reader.drawing }
 }
@@ -92,11 +92,11 @@ impl DxfReader {
         let mut lines = text.lines().enumerate();
         while let Some((i, code)) = lines.next() {
             let Ok(code) = code.trim().parse::<i32>() else {
-                self.findings.add(FindingCode::BadDxf, i + 1, quote(code), "a group code");
+                self.findings.add_at(FindingCode::BadDxf, i + 1, quote(code), "a group code");
                 break;
             };
             let Some((_, value)) = lines.next() else {
-                self.findings.add(
+                self.findings.add_at(
                     FindingCode::Truncated,
                     i + 1,
                     "a group code without a value",
@@ -119,14 +119,19 @@ impl DxfReader {
                 (9, "$ACADVER") => {
                     self.has_version = true;
                     if !VERSIONS.contains(&tag.value) {
-                        self.findings.add(FindingCode::BadDxf, tag.line, quote(tag.value), "AC1015 or later");
+                        self.findings.add_at(
+                            FindingCode::BadDxf,
+                            tag.line,
+                            quote(tag.value),
+                            "AC1015 or later",
+                        );
                     }
                 }
                 (9, "$INSUNITS") => {
                     self.has_units = true;
                     if tag.value != "4" {
                         let found = format!("$INSUNITS {}", quote(tag.value));
-                        self.findings.add(FindingCode::WrongScale, tag.line, found, "4 (millimetres)");
+                        self.findings.add_at(FindingCode::WrongScale, tag.line, found, "4 (millimetres)");
                     }
                 }
                 _ => {}
@@ -138,11 +143,11 @@ impl DxfReader {
         let text = |code: i32| body.iter().find(|tag| tag.code == code).map(|tag| tag.value);
         let layer = text(8).unwrap_or("0").to_owned();
         if !self.drawing.layers.contains_key(&layer) {
-            self.findings.add(FindingCode::UnknownLayer, head.line, quote(&layer), "a layer of the table");
+            self.findings.add_at(FindingCode::UnknownLayer, head.line, quote(&layer), "a layer of the table");
         }
         let extrusion = [(210, "x"), (220, "y"), (230, "z")].map(|(code, _)| text(code).map(number::value));
         if !matches!(extrusion, [None, None, None] | [Some(Some(0.0)), Some(Some(0.0)), Some(Some(1.0))]) {
-            self.findings.add(FindingCode::Transform, head.line, "another extrusion direction", "0, 0, 1");
+            self.findings.add_at(FindingCode::Transform, head.line, "another extrusion direction", "0, 0, 1");
         }
         let path = match head.value {
             "LWPOLYLINE" => self.polyline(head, body),
@@ -168,7 +173,7 @@ impl DxfReader {
             }
             other => {
                 let allowed = "LWPOLYLINE, LINE, ARC, CIRCLE, TEXT";
-                self.findings.add(FindingCode::UnknownWord, head.line, quote(other), allowed);
+                self.findings.add_at(FindingCode::UnknownWord, head.line, quote(other), allowed);
                 None
             }
         };
@@ -187,7 +192,7 @@ impl DxfReader {
             let mut tags = body.iter().filter(|tag| tag.code == code);
             let (Some(tag), None) = (tags.next(), tags.next()) else {
                 let found = format!("{} without exactly one group {code}", quote(head.value));
-                self.findings.add(FindingCode::BadDxf, head.line, found, "each group once");
+                self.findings.add_at(FindingCode::BadDxf, head.line, found, "each group once");
                 return None;
             };
             *value = self.number(*tag)?;
@@ -199,7 +204,7 @@ impl DxfReader {
         let value = number::value(tag.value);
         if value.is_none() {
             let allowed = format!("a number, at most {}", number::LARGEST);
-            self.findings.add(FindingCode::BadNumber, tag.line + 1, quote(tag.value), allowed);
+            self.findings.add_at(FindingCode::BadNumber, tag.line + 1, quote(tag.value), allowed);
         }
         value
     }
@@ -208,7 +213,7 @@ impl DxfReader {
         if r > 0.0 {
             return Some(r);
         }
-        self.findings.add(FindingCode::BadNumber, head.line, format!("radius {r}"), "> 0");
+        self.findings.add_at(FindingCode::BadNumber, head.line, format!("radius {r}"), "> 0");
         None
     }
 
@@ -223,7 +228,7 @@ impl DxfReader {
                 (20, Some(last)) => last.1 = Some(self.number(*tag)?),
                 (42, Some(last)) => last.2 = self.number(*tag)?,
                 (20 | 42, None) => {
-                    self.findings.add(
+                    self.findings.add_at(
                         FindingCode::BadDxf,
                         tag.line,
                         "a group 20 or 42 before 10",
@@ -239,7 +244,7 @@ impl DxfReader {
         let points = points.filter(|p| p.len() > 1 && whole(90).is_some_and(|n| n as usize == p.len()));
         let (Some(points), Some(flags)) = (points, whole(70)) else {
             let found = format!("{} vertices, {} said", vertices.len(), whole(90).unwrap_or(0));
-            self.findings.add(
+            self.findings.add_at(
                 FindingCode::BadDxf,
                 head.line,
                 found,

@@ -46,7 +46,7 @@ pub(in crate::verify) fn check(text: &str, frame: &DxfFrame<'_>) -> Result<(), F
     if seed == format!("{:X}", handles.next) {
         return Ok(());
     }
-    Err(Finding::new(
+    Err(Finding::at(
         FindingCode::UnknownWord,
         line,
         format!("$HANDSEED {seed}"),
@@ -69,7 +69,7 @@ struct Tag<'a> {
 
 fn wrong(tag: &Tag<'_>, allowed: &str) -> Finding {
     let found = format!("{} {}", tag.code, quote(tag.value));
-    Finding::new(FindingCode::UnknownWord, tag.line, found, allowed)
+    Finding::at(FindingCode::UnknownWord, tag.line, found, allowed)
 }
 
 struct Tags<'a> {
@@ -87,7 +87,7 @@ impl<'a> Tags<'a> {
         let line = self.line + 1;
         self.line += 2;
         let Some(value) = self.lines.next() else {
-            return Err(Finding::new(
+            return Err(Finding::at(
                 FindingCode::Truncated,
                 line,
                 "a group code without a value",
@@ -115,7 +115,7 @@ impl<'a> Tags<'a> {
         match self.next()? {
             Some(tag) if tag.code == code => Ok(tag),
             Some(tag) => Err(wrong(&tag, &said())),
-            None => Err(Finding::new(FindingCode::Truncated, self.line, "the end of the file", said())),
+            None => Err(Finding::at(FindingCode::Truncated, self.line, "the end of the file", said())),
         }
     }
 

@@ -36,7 +36,7 @@ pub fn read_svg(text: &str, origin: SvgOrigin) -> Drawing {
 pub(in crate::verify) fn parse(text: &str) -> Result<Document<'_>, Finding> {
     Document::parse(text).map_err(|error| {
         let line = usize::try_from(error.pos().row).ok();
-        Finding::new(FindingCode::BadXml, line, quote(&error.to_string()), "well-formed XML")
+        Finding::at(FindingCode::BadXml, line, quote(&error.to_string()), "well-formed XML")
     })
 }
 
@@ -52,7 +52,7 @@ pub(in crate::verify) fn read_document(document: &Document<'_>, origin: SvgOrigi
         };
         SvgReader { flip, drawing: &mut drawing, findings: &mut findings }.group(root, "", 0);
     } else {
-        findings.add(FindingCode::BadXml, None, quote(root.tag_name().name()), "a root element svg");
+        findings.add(FindingCode::BadXml, quote(root.tag_name().name()), "a root element svg");
     }
     drawing.findings = findings.into_vec();
     drawing
@@ -68,7 +68,7 @@ fn page(root: Node<'_, '_>, drawing: &mut Drawing, findings: &mut Findings) -> f
     let (Some(width), Some(height), Some(&[left, top, w, h])) = (mm("width"), mm("height"), view.as_deref())
     else {
         let found = ["width", "height", "viewBox"].map(|name| quote(root.attribute(name).unwrap_or("")));
-        findings.add(
+        findings.add_at(
             FindingCode::WrongScale,
             line,
             found.join(", "),
@@ -78,7 +78,7 @@ fn page(root: Node<'_, '_>, drawing: &mut Drawing, findings: &mut Findings) -> f
     };
     if width != w || height != h || width <= 0.0 || height <= 0.0 {
         let found = format!("{width} x {height} mm for {w} x {h} user units");
-        findings.add(FindingCode::WrongScale, line, found, "1 user unit = 1 mm, and a size > 0");
+        findings.add_at(FindingCode::WrongScale, line, found, "1 user unit = 1 mm, and a size > 0");
     }
     drawing.page = Some((width, height));
     drawing.corner = Some((left, top));
@@ -94,7 +94,7 @@ struct SvgReader<'a> {
 impl SvgReader<'_> {
     fn group(&mut self, node: Node<'_, '_>, id: &str, depth: usize) {
         if depth > DEPTH {
-            self.findings.add(
+            self.findings.add_at(
                 FindingCode::TooDeep,
                 line_of(node),
                 "groups in groups",
@@ -109,7 +109,7 @@ impl SvgReader<'_> {
             }
             if child.has_attribute("transform") {
                 let found = quote(child.attribute("transform").unwrap_or(""));
-                self.findings.add(
+                self.findings.add_at(
                     FindingCode::Transform,
                     line_of(child),
                     found,
@@ -138,7 +138,7 @@ impl SvgReader<'_> {
             "path" => {
                 let (paths, fault) = svg_path::parse(node.attribute("d").unwrap_or(""));
                 if let Some((code, found, allowed)) = fault {
-                    self.findings.add(code, line_of(node), found, allowed);
+                    self.findings.add_at(code, line_of(node), found, allowed);
                 }
                 Some(paths)
             }
@@ -149,7 +149,7 @@ impl SvgReader<'_> {
             "rect" => self.rect(node),
             "polyline" | "polygon" => self.points(node, name == "polygon"),
             _ => {
-                self.findings.add(
+                self.findings.add_at(
                     FindingCode::UnknownWord,
                     line_of(node),
                     quote(name),
@@ -169,7 +169,7 @@ impl SvgReader<'_> {
             let Some(text) = node.attribute(name) else { continue };
             let Some(number) = number::value(text.trim()) else {
                 let found = format!("{name}={}", quote(text));
-                self.findings.add(FindingCode::BadNumber, line_of(node), found, "a plain number");
+                self.findings.add_at(FindingCode::BadNumber, line_of(node), found, "a plain number");
                 return None;
             };
             *value = number;
@@ -180,7 +180,7 @@ impl SvgReader<'_> {
     fn circle(&mut self, node: Node<'_, '_>) -> Option<Vec<Path>> {
         let [x, y, r] = self.numbers(node, ["cx", "cy", "r"])?;
         if r <= 0.0 {
-            self.findings.add(FindingCode::BadNumber, line_of(node), format!("r={r}"), "a radius > 0");
+            self.findings.add_at(FindingCode::BadNumber, line_of(node), format!("r={r}"), "a radius > 0");
             return None;
         }
         Some(vec![Path::closed(vec![Arc::new(Point::new(x, y), r, 0.0, TAU).into()])])
@@ -190,7 +190,12 @@ impl SvgReader<'_> {
         let [x, y, w, h, rx, ry] = self.numbers(node, ["x", "y", "width", "height", "rx", "ry"])?;
         if w <= 0.0 || h <= 0.0 || rx != 0.0 || ry != 0.0 {
             let found = format!("{w} x {h}, corners {rx}, {ry}");
-            self.findings.add(FindingCode::BadNumber, line_of(node), found, "a size > 0 and sharp corners");
+            self.findings.add_at(
+                FindingCode::BadNumber,
+                line_of(node),
+                found,
+                "a size > 0 and sharp corners",
+            );
             return None;
         }
         let corners = [(x, y), (x + w, y), (x + w, y + h), (x, y + h)].map(|(x, y)| Point::new(x, y));
@@ -205,7 +210,7 @@ impl SvgReader<'_> {
             .map(number::value)
             .collect();
         let Some(numbers) = numbers.filter(|n| n.len() % 2 == 0) else {
-            self.findings.add(FindingCode::BadNumber, line_of(node), quote(text), "pairs of numbers");
+            self.findings.add_at(FindingCode::BadNumber, line_of(node), quote(text), "pairs of numbers");
             return None;
         };
         let points: Vec<Point> = numbers.chunks_exact(2).map(|xy| Point::new(xy[0], xy[1])).collect();

@@ -72,7 +72,7 @@ pub(in crate::verify) fn check(
 ) {
     // What stands before the root may name an encoding, a style sheet, or a byte order.
     if !document.input_text().trim_ascii_start().starts_with("<svg") {
-        findings.add(FindingCode::UnknownWord, 1, quote(document.input_text()), "<svg at the beginning");
+        findings.add_at(FindingCode::UnknownWord, 1, quote(document.input_text()), "<svg at the beginning");
     }
     let mut reader = WordReader { colour, faults: 0, findings };
     for node in document.root().descendants().skip(1) {
@@ -87,7 +87,7 @@ pub(in crate::verify) fn check(
         .map(|node| node.text().unwrap_or(""))
         .collect();
     if titles != [title] {
-        findings.add(FindingCode::WrongTitle, None, quote(&titles.join(", ")), quote(title));
+        findings.add(FindingCode::WrongTitle, quote(&titles.join(", ")), quote(title));
     }
 }
 
@@ -101,7 +101,7 @@ impl WordReader<'_> {
     fn refuse(&mut self, node: Node<'_, '_>, found: &str, allowed: &str) {
         self.faults += 1;
         let line = usize::try_from(node.document().text_pos_at(node.range().start).row).ok();
-        self.findings.add(FindingCode::UnknownWord, line, found, allowed);
+        self.findings.add_at(FindingCode::UnknownWord, line, found, allowed);
     }
 
     fn node(&mut self, node: Node<'_, '_>) {

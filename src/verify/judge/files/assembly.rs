@@ -124,9 +124,8 @@ fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
         let widest = gap.fold(0.0, f64::max);
         if widest > GAP {
             let found = format!("an edge {widest:.3} mm from the plate's and from every other piece");
-            findings.push(
-                Finding::new(FindingCode::WrongJoint, None, found, format!("{GAP} mm")).in_file(part.file),
-            );
+            findings
+                .push(Finding::new(FindingCode::WrongJoint, found, format!("{GAP} mm")).in_file(part.file));
         }
     }
     let length: f64 = plate.iter().map(|target| target.length).sum::<f64>()
@@ -134,7 +133,7 @@ fn put_together(star: &StarDesign, parts: &[MeshPart<'_>]) -> Vec<Finding> {
     let (area, right) = (parts.iter().map(|part| part.area).sum::<f64>(), mask.area(&star.outline));
     let file = parts.first().map_or("", |part| part.file);
     let mut wrong = |found: String, allowed: String| {
-        findings.push(Finding::new(FindingCode::WrongJoint, None, found, allowed).in_file(file));
+        findings.push(Finding::new(FindingCode::WrongJoint, found, allowed).in_file(file));
     };
     if (on_plate - length).abs() > 0.01 * length {
         let found = format!("{on_plate:.1} mm of the plate's edges on all pieces");

@@ -51,13 +51,13 @@ pub fn first_difference(found: &[u8], right: &[u8]) -> Finding {
     if !is_text {
         let said = |bytes: &[u8]| bytes.get(at).map_or("the end".to_owned(), |byte| format!("{byte:#04x}"));
         let place = format!("{} at byte {at}", said(found));
-        return Finding::new(FindingCode::Differs, None, place, said(right));
+        return Finding::new(FindingCode::Differs, place, said(right));
     }
     let line = found[..at].split(|byte| *byte == b'\n').count();
     let said = |bytes: &[u8]| {
         if at >= bytes.len() { "the end of the file".to_owned() } else { quote(&line_of(bytes)) }
     };
-    Finding::new(FindingCode::Differs, line, said(found), said(right))
+    Finding::at(FindingCode::Differs, line, said(found), said(right))
 }
 
 #[cfg(test)]

@@ -47,7 +47,7 @@ pub(in crate::verify) fn read_page(
     {
         let shown = |((w, h), (x, y)): ((f64, f64), (f64, f64))| format!("{w} x {h} mm from ({x}, {y})");
         let found = drawing.page.zip(drawing.corner).map_or("no page".to_owned(), shown);
-        findings.add(FindingCode::WrongSize, None, found, shown((size, corner)));
+        findings.add(FindingCode::WrongSize, found, shown((size, corner)));
     }
     drawing
 }
@@ -66,12 +66,7 @@ fn within_page(drawing: &Drawing, exact: &Exact, findings: &mut Findings) {
         let bounds = paths.iter().map(Path::bounds).fold(Bounds::EMPTY, Bounds::union);
         let inside = paths.is_empty() || page.contains(bounds.min) && page.contains(bounds.max);
         if !inside {
-            findings.add(
-                FindingCode::OutsidePage,
-                None,
-                format!("{bounds} on layer {layer}"),
-                page.to_string(),
-            );
+            findings.add(FindingCode::OutsidePage, format!("{bounds} on layer {layer}"), page.to_string());
         }
     }
 }
@@ -111,7 +106,7 @@ pub(in crate::verify) fn compare(
     for (name, paths) in found.layers.iter().filter(|(_, paths)| !paths.is_empty()) {
         if !exact.layers.iter().any(|(layer, _)| layer.name() == name) {
             let found = format!("{} paths on layer {name}", paths.len());
-            findings.add(FindingCode::UnknownLayer, None, found, "only the layers of the drawing");
+            findings.add(FindingCode::UnknownLayer, found, "only the layers of the drawing");
         }
     }
     order(found, exact, findings);
@@ -131,7 +126,7 @@ fn order(found: &Drawing, exact: &Exact, findings: &mut Findings) {
         found.order.iter().map(String::as_str).filter(|name| !found.layer(name).is_empty()).collect();
     let known = drawn.iter().all(|name| right.contains(name)) && drawn.len() == right.len();
     if known && drawn != right {
-        findings.add(FindingCode::Order, None, drawn.join(", "), right.join(", "));
+        findings.add(FindingCode::Order, drawn.join(", "), right.join(", "));
     }
 }
 
@@ -152,19 +147,19 @@ fn compare_layer(
     let name = layer.name();
     if paths.len() != expected.len() {
         let (found, allowed) = (format!("{} paths on layer {name}", paths.len()), expected.len().to_string());
-        findings.add(FindingCode::PathCount, None, found, allowed);
+        findings.add(FindingCode::PathCount, found, allowed);
     }
     let closed = |paths: &[Path]| paths.iter().filter(|path| path.closed).count();
     if closed(paths) != closed(expected) {
         let found = format!("{} closed paths on layer {name}", closed(paths));
-        findings.add(FindingCode::OpenLoop, None, found, closed(expected).to_string());
+        findings.add(FindingCode::OpenLoop, found, closed(expected).to_string());
     }
     // Rounding moves each vertex by less than a tolerance, so a doubled stretch stands out by far.
     let (length, right) = (total(paths), total(expected));
     let slack: f64 = paths.iter().flat_map(|path| &path.segments).map(|_| tolerance).sum();
     if (length - right).abs() > slack.max(tolerance) {
         let found = format!("{length:.3} mm on layer {name}");
-        findings.add(FindingCode::PathLength, None, found, format!("{right:.3} mm"));
+        findings.add(FindingCode::PathLength, found, format!("{right:.3} mm"));
     }
     if expected.is_empty() && paths.is_empty() {
         return 0.0;
@@ -176,7 +171,7 @@ fn compare_layer(
             let measured = deviation(paths, expected).largest();
             if measured <= tolerance && paths.len() == expected.len() && paths.len() > 1 {
                 let found = format!("paths in another order on layer {name}");
-                findings.add(FindingCode::Order, None, found, "the order of the drawing");
+                findings.add(FindingCode::Order, found, "the order of the drawing");
             }
             measured
         }
@@ -184,7 +179,6 @@ fn compare_layer(
     if measured.is_nan() || measured > tolerance {
         findings.add(
             FindingCode::Deviation,
-            None,
             format!("{measured:.6} mm on layer {name}"),
             format!("{tolerance} mm"),
         );
@@ -303,7 +297,7 @@ impl Seals {
                 let allowed = twin.map_or(format!("none, as in {other}"), |(_, c, l)| {
                     format!("{c} of {l:.3} mm, as in {other}")
                 });
-                findings.push(Finding::new(FindingCode::FormatsDisagree, None, found, allowed).in_file(file));
+                findings.push(Finding::new(FindingCode::FormatsDisagree, found, allowed).in_file(file));
             }
         }
         findings

@@ -47,7 +47,7 @@ fn compare(place: &str, found: Option<&Value>, right: Option<&Value>, findings: 
             let said =
                 |value: Option<&Value>| value.map_or("nothing".to_owned(), |value| quote(&value.to_string()));
             let found = format!("{place}: {}", said(a));
-            findings.push(Finding::new(FindingCode::Manifest, None, found, said(b)).in_file(MANIFEST));
+            findings.push(Finding::new(FindingCode::Manifest, found, said(b)).in_file(MANIFEST));
         }
     }
 }
@@ -56,7 +56,7 @@ fn compare(place: &str, found: Option<&Value>, right: Option<&Value>, findings: 
 pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     let wrong = |found: String, allowed: String| {
-        Finding::new(FindingCode::Manifest, None, found, allowed).in_file(MANIFEST)
+        Finding::new(FindingCode::Manifest, found, allowed).in_file(MANIFEST)
     };
     for placed in expected.design.placed() {
         let (name, seams) = (placed.name(), &expected.design.part(placed).shape().seams);
@@ -84,7 +84,7 @@ pub(in crate::verify) fn against_design(expected: &Expected<'_>, manifest: &Mani
 fn against_assembly(design: &StarAssembly, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     let wrong = |found: String, allowed: String| {
-        Finding::new(FindingCode::Manifest, None, found, allowed).in_file(MANIFEST)
+        Finding::new(FindingCode::Manifest, found, allowed).in_file(MANIFEST)
     };
     for placed in &design.stars {
         let seam_mm: f64 = design.part(placed).shape.seams.iter().map(|seam| seam.run().length()).sum();

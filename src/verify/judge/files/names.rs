@@ -19,7 +19,7 @@ pub(in crate::verify) fn read(files: &OutputFiles<'_>) -> Result<Manifest, Findi
         Some(Err(error)) => error.to_string(),
         None => "no such file".to_owned(),
     };
-    Err(Finding::new(FindingCode::Manifest, None, found, "the manifest of the build").in_file(MANIFEST))
+    Err(Finding::new(FindingCode::Manifest, found, "the manifest of the build").in_file(MANIFEST))
 }
 
 /// Names every file that is missing, superfluous or misnamed. The entries of those that are not; none without a manifest.
@@ -33,7 +33,7 @@ pub(in crate::verify) fn check<'a>(
     let wanted: BTreeMap<String, &Output> = wanted.iter().map(|output| (output.name(), output)).collect();
     let entries = manifest.map_or_else(Entries::new, |manifest| named(manifest, &wanted, findings));
     let mut blame = |file: &str, code: FindingCode, found: &str, allowed: String| {
-        findings.push(Finding::new(code, None, found, allowed).in_file(file));
+        findings.push(Finding::new(code, found, allowed).in_file(file));
     };
     for (name, output) in &wanted {
         if manifest.is_some() && !entries.contains_key(name.as_str()) {
@@ -52,8 +52,7 @@ pub(in crate::verify) fn check<'a>(
     let listed = manifest.map_or(&[][..], |manifest| &manifest.files).iter().map(|entry| &entry.path);
     if manifest.is_some() && findings.is_empty() && !listed.eq(&order) {
         let found = "files in another order";
-        findings
-            .push(Finding::new(FindingCode::Order, None, found, "the order of a build").in_file(MANIFEST));
+        findings.push(Finding::new(FindingCode::Order, found, "the order of a build").in_file(MANIFEST));
     }
     entries
 }
@@ -68,7 +67,7 @@ fn named<'a>(
     let mut twice: BTreeSet<&str> = BTreeSet::new();
     for entry in &manifest.files {
         let mut blame = |found: &str, allowed: String| {
-            findings.push(Finding::new(FindingCode::Manifest, None, found, allowed).in_file(&entry.path));
+            findings.push(Finding::new(FindingCode::Manifest, found, allowed).in_file(&entry.path));
         };
         match wanted.get(&entry.path) {
             None => blame("named in the manifest", "only files of the design".to_owned()),

@@ -22,15 +22,10 @@ pub(in crate::verify) fn check(
     if strings != [title.as_bytes(); 3] {
         let found =
             strings.iter().map(|bytes| quote(&String::from_utf8_lossy(bytes))).collect::<Vec<_>>().join(", ");
-        findings.add(FindingCode::WrongTitle, None, found, format!("three times {}", quote(&title)));
+        findings.add(FindingCode::WrongTitle, found, format!("three times {}", quote(&title)));
     }
     if found.len() != pages.len() {
-        findings.add(
-            FindingCode::PageCount,
-            None,
-            format!("{} pages", found.len()),
-            format!("{}", pages.len()),
-        );
+        findings.add(FindingCode::PageCount, format!("{} pages", found.len()), format!("{}", pages.len()));
     }
     found.iter().zip(pages).map(|(found, exact)| page(found, exact, findings)).fold(0.0, f64::max)
 }
@@ -58,7 +53,7 @@ fn operators(found: &PdfPage, exact: &PaperPage, findings: &mut Findings) {
         let at = |words: &[&str]| words.get(same).map_or("the end".to_owned(), |word| (*word).to_owned());
         let words: Vec<&str> = found.operators.iter().map(String::as_str).collect();
         let found = format!("{} as operator {} of page {}", at(&words), same + 1, exact.name);
-        findings.add(FindingCode::UnknownWord, None, found, at(&right));
+        findings.add(FindingCode::UnknownWord, found, at(&right));
     }
 }
 
@@ -66,7 +61,7 @@ fn page(found: &PdfPage, exact: &PaperPage, findings: &mut Findings) -> f64 {
     let (w, h) = (exact.drawing.width, exact.drawing.height);
     if (found.size.0 - w).abs() > TOLERANCE || (found.size.1 - h).abs() > TOLERANCE {
         let size = format!("page {}: {:.3} x {:.3} mm", exact.name, found.size.0, found.size.1);
-        findings.add(FindingCode::WrongSize, None, size, format!("{w} x {h} mm"));
+        findings.add(FindingCode::WrongSize, size, format!("{w} x {h} mm"));
     }
     operators(found, exact, findings);
     for (layer, _) in drawn(exact) {
@@ -76,19 +71,14 @@ fn page(found: &PdfPage, exact: &PaperPage, findings: &mut Findings) -> f64 {
         };
         if let Some((_, width, gray)) = found.strokes.iter().find(wrong) {
             let found = format!("strokes of width {width:?} and grey {gray:?} on layer {}", layer.name());
-            findings.add(FindingCode::UnknownWord, None, found, format!("{pen:?}"));
+            findings.add(FindingCode::UnknownWord, found, format!("{pen:?}"));
         }
     }
     let window = exact.window;
     for (layer, clip) in &found.clips {
         let off = clip.min.distance(window.min).max(clip.max.distance(window.max));
         if off > TOLERANCE || layer == Layer::PaperMark.name() {
-            findings.add(
-                FindingCode::WrongClip,
-                None,
-                format!("{clip} on layer {layer}"),
-                window.to_string(),
-            );
+            findings.add(FindingCode::WrongClip, format!("{clip} on layer {layer}"), window.to_string());
         }
     }
     drawings::compare(&found.drawing, &exact.drawing, TOLERANCE, findings)

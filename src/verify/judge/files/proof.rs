@@ -101,15 +101,10 @@ pub fn prove(expected: &Expected<'_>, files: &OutputFiles<'_>) -> Proof {
 
 fn check_hash(entry: &ManifestFile, bytes: &[u8], sha256: &str, findings: &mut Findings) {
     if bytes.len() != entry.bytes {
-        findings.add(
-            FindingCode::Size,
-            None,
-            format!("{} bytes", bytes.len()),
-            format!("{} bytes", entry.bytes),
-        );
+        findings.add(FindingCode::Size, format!("{} bytes", bytes.len()), format!("{} bytes", entry.bytes));
     }
     if sha256 != entry.sha256 {
-        findings.add(FindingCode::Hash, None, sha256, entry.sha256.clone());
+        findings.add(FindingCode::Hash, sha256, entry.sha256.clone());
     }
 }
 
@@ -141,7 +136,7 @@ fn file(
         _ => {}
     }
     let Ok(text) = std::str::from_utf8(bytes) else {
-        findings.add(FindingCode::NotText, None, "bytes that are not UTF-8", "text");
+        findings.add(FindingCode::NotText, "bytes that are not UTF-8", "text");
         return (Method::Reading, None);
     };
     match (output.kind.subject(), output.kind.format()) {
@@ -201,7 +196,7 @@ fn on_paper(expected: &Expected<'_>, output: &Output, bytes: &[u8], findings: &m
 fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
     let drawn = expected.drawn.map(DrawnPrediction::to_json);
     let Some(right) = drawn.or_else(|| Some(expected.prediction?.to_json())) else {
-        findings.add(FindingCode::Prediction, None, "a prediction", "none: this spec has no prediction");
+        findings.add(FindingCode::Prediction, "a prediction", "none: this spec has no prediction");
         return;
     };
     // The same program gives the same bytes; another build of it may differ in the last digits.
@@ -213,7 +208,6 @@ fn prediction(expected: &Expected<'_>, text: &str, findings: &mut Findings) {
     if !same {
         findings.add(
             FindingCode::Prediction,
-            None,
             "other figures than this spec gives",
             "what `predict --json` prints",
         );

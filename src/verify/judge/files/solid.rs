@@ -53,7 +53,7 @@ pub(in crate::verify) fn check(
     let Some((facets, beside)) = read_solid(bytes) else {
         let found = format!("{} bytes that are no binary STL", bytes.len());
         let allowed = "a head of 84 bytes and 50 a facet, all numbers finite";
-        findings.add(FindingCode::BadStl, None, found, allowed);
+        findings.add(FindingCode::BadStl, found, allowed);
         return (Vec::new(), f64::INFINITY);
     };
     named(&beside, solid, findings);
@@ -82,7 +82,7 @@ pub(in crate::verify) fn check(
     // Chords cut off less than the tolerance along all edges.
     let slack = walls[0].length * CHORD * solid.thickness + walls[1].length * CORNER * solid.depth;
     if (volume - right).abs() > slack {
-        findings.add(FindingCode::WrongVolume, None, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
+        findings.add(FindingCode::WrongVolume, format!("{volume:.1} mm3"), format!("{right:.1} mm3"));
     }
     let deviation = edges(&facets, &corners, &walls, solid.thickness, findings);
     (facets, deviation)
@@ -91,12 +91,12 @@ pub(in crate::verify) fn check(
 /// The head says which solid it is; nothing stands beside the facets.
 fn named(beside: &SolidNotes, solid: &Solid<'_>, findings: &mut Findings) {
     if !beside.plain {
-        findings.add(FindingCode::BadStl, None, "a facet with notes", "two zeros a facet");
+        findings.add(FindingCode::BadStl, "a facet with notes", "two zeros a facet");
     }
     let right = format!("{:80}", in_file(&solid.name, 80));
     if beside.head != right.as_bytes() {
         let found = quote(&String::from_utf8_lossy(&beside.head));
-        findings.add(FindingCode::WrongTitle, None, found, quote(&right));
+        findings.add(FindingCode::WrongTitle, found, quote(&right));
     }
 }
 
@@ -117,7 +117,7 @@ fn normals(facets: &[StlFacet], normals: &[[f32; 3]], thickness: f64, findings: 
     let count = wrong.count();
     if count > 0 {
         let found = format!("{count} normals that are not those of their corners");
-        findings.add(FindingCode::BadStl, None, found, "none");
+        findings.add(FindingCode::BadStl, found, "none");
     }
 }
 
@@ -168,12 +168,7 @@ fn closed(corners: &[[u32; 3]], findings: &mut Findings) {
         open += usize::from(!paired(uses));
     }
     if open > 0 || all == 0 {
-        findings.add(
-            FindingCode::NotWatertight,
-            None,
-            format!("{open} of {all} edges"),
-            "each once each way",
-        );
+        findings.add(FindingCode::NotWatertight, format!("{open} of {all} edges"), "each once each way");
     }
 }
 
@@ -272,14 +267,14 @@ fn edges(
     for (found, allowed, what) in [(largest, CHORD + coarse, "chord"), (worst, CORNER + coarse, "corner")] {
         if found.is_nan() || found > allowed {
             let found = format!("a {what} {found:.6} mm off");
-            findings.add(FindingCode::Deviation, None, found, format!("{allowed} mm"));
+            findings.add(FindingCode::Deviation, found, format!("{allowed} mm"));
         }
     }
     for (walls, length) in walls.iter().zip(lengths) {
         // A chord within the tolerance of its arc is shorter than it by far less than a hundredth.
         if (length - walls.length).abs() > 0.01 * walls.length {
             let found = format!("{length:.1} mm of {}", walls.what);
-            findings.add(FindingCode::PathLength, None, found, format!("{:.1} mm", walls.length));
+            findings.add(FindingCode::PathLength, found, format!("{:.1} mm", walls.length));
         }
     }
     largest.max(worst)

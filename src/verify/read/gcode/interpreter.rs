@@ -73,7 +73,7 @@ impl Interpreter {
             comment = found;
             let fault = fault.or_else(|| self.block.read(&self.words, &self.dialect).err());
             if let Some((code, found, allowed)) = fault {
-                events.push(Event::Finding(Finding::new(code, self.line, found, allowed)));
+                events.push(Event::Finding(Finding::at(code, self.line, found, allowed)));
             } else if !self.words.is_empty() {
                 self.execute(events);
             }

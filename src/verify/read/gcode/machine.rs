@@ -201,5 +201,5 @@ impl Machine {
 
 /// Adds a finding to the events.
 pub(super) fn report(out: &mut Vec<Event>, code: FindingCode, line: usize, found: &str, allowed: &str) {
-    out.push(Event::Finding(Finding::new(code, line, found, allowed)));
+    out.push(Event::Finding(Finding::at(code, line, found, allowed)));
 }

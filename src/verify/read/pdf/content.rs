@@ -71,7 +71,6 @@ pub(in crate::verify) fn read(
             }
             _ => pen.findings.add(
                 FindingCode::UnknownWord,
-                None,
                 "an operand that is no number",
                 "numbers and names",
             ),
@@ -80,13 +79,12 @@ pub(in crate::verify) fn read(
     if !stream.get(scan.position()..).unwrap_or_default().iter().all(u8::is_ascii_whitespace) {
         pen.findings.add(
             FindingCode::BadPdf,
-            None,
             format!("junk at byte {} of a page", scan.position()),
             "operators",
         );
     }
     if !pen.saved.is_empty() || !pen.layers.is_empty() {
-        pen.findings.add(FindingCode::Truncated, None, "a page that ends within q or BMC", "Q and EMC");
+        pen.findings.add(FindingCode::Truncated, "a page that ends within q or BMC", "Q and EMC");
     }
     pen.page
 }
@@ -100,7 +98,7 @@ impl PdfPen<'_> {
             ("q", []) => self.saved.push(self.state),
             ("Q", []) => match self.saved.pop() {
                 Some(state) => self.state = state,
-                None => self.findings.add(FindingCode::BadPdf, None, "Q without q", "pairs"),
+                None => self.findings.add(FindingCode::BadPdf, "Q without q", "pairs"),
             },
             ("cm", [a, b, c, d, e, f]) if *b == 0.0 && *c == 0.0 && a == d && *a > 0.0 => {
                 let GraphicsState { scale, shift: (x, y), .. } = self.state;
@@ -110,7 +108,6 @@ impl PdfPen<'_> {
             ("cm", _) => {
                 self.findings.add(
                     FindingCode::Transform,
-                    None,
                     format!("cm {operands:?}"),
                     "scaling and shifting only",
                 );
@@ -140,12 +137,7 @@ impl PdfPen<'_> {
             ("S", []) => self.end(true),
             _ => {
                 let found = quote(&format!("{operands:?} {word}"));
-                self.findings.add(
-                    FindingCode::UnknownWord,
-                    None,
-                    found,
-                    "q Q cm BMC EMC w G m l c h re W n S",
-                );
+                self.findings.add(FindingCode::UnknownWord, found, "q Q cm BMC EMC w G m l c h re W n S");
             }
         }
     }
@@ -157,7 +149,7 @@ impl PdfPen<'_> {
 
     fn push(&mut self, segment: impl Into<Segment>, end: Point) {
         if self.start.is_none() {
-            self.findings.add(FindingCode::BadPath, None, "a path that does not begin with m", "m first");
+            self.findings.add(FindingCode::BadPath, "a path that does not begin with m", "m first");
         }
         self.segments.push(segment.into());
         self.here = end;
@@ -193,7 +185,6 @@ impl PdfPen<'_> {
             None => {
                 self.findings.add(
                     FindingCode::BadArc,
-                    None,
                     "a curve that is no arc of a circle",
                     "lines and arcs",
                 );
@@ -238,12 +229,7 @@ impl PdfPen<'_> {
             self.page.strokes.push((layer.clone(), self.state.width, self.state.gray));
             self.page.drawing.layer_mut(&layer).extend(paths);
         } else if paths.len() != 1 {
-            self.findings.add(
-                FindingCode::UnknownWord,
-                None,
-                "a path that is not drawn",
-                "a clip, or a stroke",
-            );
+            self.findings.add(FindingCode::UnknownWord, "a path that is not drawn", "a clip, or a stroke");
         }
     }
 }

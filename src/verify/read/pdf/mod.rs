@@ -45,11 +45,11 @@ pub(in crate::verify) fn read_document<'a>(
 ) -> (Vec<PdfPage>, Vec<&'a [u8]>) {
     let nothing = (Vec::new(), Vec::new());
     if !bytes.starts_with(b"%PDF-1.7\n") {
-        findings.add(FindingCode::BadPdf, 1, "no %PDF-1.7 at the beginning", "a PDF file");
+        findings.add_at(FindingCode::BadPdf, 1, "no %PDF-1.7 at the beginning", "a PDF file");
         return nothing;
     }
     if bytes.split(|byte| *byte == b'%').count() != SIGNS + 1 || !bytes.trim_ascii_end().ends_with(b"%%EOF") {
-        findings.add(FindingCode::BadPdf, None, "comments, or no end", "no comments, and %%EOF last");
+        findings.add(FindingCode::BadPdf, "comments, or no end", "no comments, and %%EOF last");
     }
     let Some(PdfFile { objects, trailer }) = PdfFile::read(bytes, findings) else { return nothing };
     let mut walk = PageWalk { objects: &objects, seen: BTreeSet::new(), findings };
@@ -63,7 +63,7 @@ pub(in crate::verify) fn read_document<'a>(
     let info = trailer.get("Info").and_then(|info| walk.follow(info, "Info"));
     walk.keys(&trailer, "Trailer");
     let Some(tree) = tree else {
-        findings.add(FindingCode::BadPdf, None, "no page tree", "a catalog with pages");
+        findings.add(FindingCode::BadPdf, "no page tree", "a catalog with pages");
         return nothing;
     };
     let kids = tree.value.get("Kids").map_or(&[][..], PdfObject::items);
@@ -91,7 +91,7 @@ struct PageWalk<'a, 'b> {
 
 impl<'a, 'b> PageWalk<'a, 'b> {
     fn refuse(&mut self, found: impl Into<String>) {
-        self.findings.add(FindingCode::BadPdf, None, found, "objects as this tool writes them");
+        self.findings.add(FindingCode::BadPdf, found, "objects as this tool writes them");
     }
 
     /// The object that `reference` means, which must be of this kind, and not have been met before.
@@ -118,7 +118,6 @@ impl<'a, 'b> PageWalk<'a, 'b> {
         for key in entries.keys().filter(|key| !allowed.contains(key)) {
             self.findings.add(
                 FindingCode::UnknownWord,
-                None,
                 format!("/{key} in a {kind}"),
                 format!("/{}", allowed.join(" /")),
             );
@@ -140,7 +139,6 @@ impl<'a, 'b> PageWalk<'a, 'b> {
         let Some((page, stream, size)) = content else {
             self.findings.add(
                 FindingCode::BadPdf,
-                None,
                 "a page without size or content",
                 "a MediaBox at 0 0 and one stream",
             );
@@ -193,7 +191,7 @@ impl<'a> PdfFile<'a> {
             Ok(file) => Some(file),
             Err(found) => {
                 let found = format!("{found} at byte {}", scan.position());
-                findings.add(FindingCode::BadPdf, None, found, "objects as PDF 1.7 has them");
+                findings.add(FindingCode::BadPdf, found, "objects as PDF 1.7 has them");
                 None
             }
         }

@@ -6,7 +6,7 @@
 use crate::shell::assembly::{Plane, Sheet, State, Supports};
 use crate::shell::cases::actuator::Fineness;
 use crate::shell::cases::fault::ShellFault;
-use crate::shell::cases::refinement::{Evidence, Family, Watch};
+use crate::shell::cases::refinement::{Family, Watch};
 use crate::shell::cases::tube::Tube;
 use crate::shell::cases::value::Value;
 use crate::shell::mesh::{self, Border, Mesh, Meshed, Sizes, plane};
@@ -14,24 +14,22 @@ use crate::shell::solver::{Aim, Solver, Stop};
 
 /// A hinge without arms.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell {
+pub(super) struct Cell {
     /// Its tube.
-    pub tube: Tube,
+    pub(super) tube: Tube,
     /// Inner radius R, m.
-    pub radius: f64,
+    pub(super) radius: f64,
     /// Flat angle between its planes, rad. Results do not depend on it as long as no wrinkle is as long.
-    pub arc: f64,
+    pub(super) arc: f64,
 }
 
 /// A hinge without arms under pressure.
 #[derive(Clone, Debug, PartialEq)]
-pub struct InflatedCell {
+pub(super) struct InflatedCell {
     /// Turning angle at rest by the flat one.
-    pub lambda: Value,
+    pub(super) lambda: Value,
     /// C alpha_0, N m: stiffness times the flat turning angle of a hinge.
-    pub stiffness: Value,
-    /// How it was come by.
-    pub evidence: Evidence,
+    pub(super) stiffness: Value,
 }
 
 /// Change of lambda in one solve.
@@ -47,7 +45,7 @@ const NOISE: f64 = 1e-4;
 ///
 /// # Errors
 /// If it is out of range or has no stable equilibrium: where it stopped, and why.
-pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCell, ShellFault> {
+pub(super) fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCell, ShellFault> {
     case.tube.check()?;
     let region = mesh::HingeSector { r: case.radius / case.tube.width, w: 1.0, arc: case.arc };
     let coarsest = region.mesh(&Sizes::across(1.0, fineness.cells))?;
@@ -62,7 +60,7 @@ pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCe
         obstacles: &[],
         from_above: false,
     };
-    let ([lambda, stiffness], evidence) = family.run(watch, |solver, meshed, equilibrium, _| {
+    let ([lambda, stiffness], _) = family.run(watch, |solver, meshed, equilibrium, _| {
         let turning = Turning {
             arc: case.arc,
             aim: case.tube.continuation().aim(equilibrium.pressure),
@@ -70,7 +68,7 @@ pub fn cell(case: &Cell, fineness: Fineness, watch: &Watch) -> Result<InflatedCe
         };
         turning.rest(solver, &equilibrium.state).map_err(|why| case.tube.stopped(why, solver.triangles()))
     })?;
-    Ok(InflatedCell { lambda, stiffness: stiffness.scaled(case.tube.energy()), evidence })
+    Ok(InflatedCell { lambda, stiffness: stiffness.scaled(case.tube.energy()) })
 }
 
 /// A cell that is being turned.

@@ -1,4 +1,4 @@
-//! Shells that have names: the hinge without arms, the V-actuator, the star.
+//! Shells that have names: the V-actuator, the star, a chamber of any outline; in tests also the hinge without arms.
 //!
 //! Cases speak SI units and radians. Inside, lengths are divided by W and forces a unit of length by Y, so that Y = 1,
 //! B = (t/W)^2 / (12 (1 - nu^2)) and p = p W/Y; energies are in Y W^2. One sheet is modelled; results are those of the whole
@@ -10,6 +10,7 @@
 mod actuator;
 mod arm_line;
 mod bend;
+#[cfg(test)]
 mod cell;
 mod extremes;
 mod fault;
@@ -29,7 +30,6 @@ mod value;
 mod woven;
 
 pub use actuator::{Actuator, Fineness, MOST_ANGLES, VActuator, actuator};
-pub use cell::{Cell, InflatedCell, cell};
 pub use extremes::Extremes;
 pub use fault::{Input, ShellFault};
 pub use pressures::{Inflation, inflations};

@@ -2,6 +2,7 @@
 
 use super::arm_line::ArmLine;
 use super::bend::{Bend, angle_of};
+use super::cell::{Cell, cell};
 use super::*;
 use crate::shell::assembly::{Plane, Sheet, Supports};
 use crate::shell::contact::{Contact, Obstacle};
