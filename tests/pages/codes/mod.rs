@@ -20,6 +20,7 @@ const WITHOUT: &[&str] = &[
     "unknown-machine",
     "bands-meet",
     "curve-not-finite",
+    "long-link",
     "narrow-mouth",
     "no-plate",
     "no-prediction",

@@ -32,13 +32,13 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
             return Message::of(answer);
         }
     };
-    faults.extend(of_warnings(&given, &forecast.design.warnings));
+    let sources = Sources { spec: &given.source.text, machine: &given.machine_text };
+    faults.extend(of_warnings(&given, &forecast.warnings(sources)));
     answer["overview"] = overview(&forecast);
     let unfit = of_design(&given, forecast.unfit());
     let is_taken = unfit.is_empty() || question["anyway"] == true;
     answer["unfit"] = (!unfit.is_empty()).into();
     faults.extend(unfit);
-    let sources = Sources { spec: &given.source.text, machine: &given.machine_text };
     let built = forecast.build(sources, &asked(question));
     let files = if question["prove"] == false || !is_taken {
         let shown = |kind: Kind| matches!(kind, Kind::PreviewSvg | Kind::Report);
