@@ -12,6 +12,10 @@ function bytesOf(letters) {
 /** What `fragment` holds, { text, machine, drawing }; null if it is none of a spec. Fails if the link is damaged. */
 export async function heldBy(fragment) {
     if (!fragment.startsWith("#spec=")) return null;
+    return read(fragment).catch(() => Promise.reject(new Error("the link is damaged, or holds more than a spec may")));
+}
+
+async function read(fragment) {
     const parts = new Map(fragment.slice(1).split("&").map((part) => part.split("=")));
     const text = async (name) => new TextDecoder("utf-8", { fatal: true }).decode(await bytesOf(parts.get(name)));
     const held = { text: await text("spec") };
