@@ -75,18 +75,18 @@ pub(super) fn page(name: &str, data: &Value, scene: &[u8], code: Option<&LinkCod
     out
 }
 
-/// Least width of a code, mm, and the width of a module of a large one: what phones read from paper.
-const CODE_WIDTH: f64 = 40.0;
-const MODULE: f64 = 0.5;
+/// Width of a printed page, in modules of 0.5 mm, which phones read from paper.
+const ACROSS: i32 = 364;
 
 /// The QR code of the link to the spec.
 fn of_link(code: &LinkCode) -> String {
     let (side, path, link) = (code.side(), code.svg_path(), text(code.link()));
-    let width = CODE_WIDTH.max(MODULE * f64::from(side));
+    // Pictures of a report are as wide as its page: the code takes a quarter of that, or what its modules need.
+    let across = ACROSS.min(4 * side);
     format!(
-        "<p><a href=\"{link}\"><svg width=\"{width}mm\" height=\"{width}mm\" viewBox=\"0 0 {side} {side}\" role=\"img\" \
-         aria-label=\"QR code of the link to this spec\" shape-rendering=\"crispEdges\"><path fill=\"#fff\" d=\"M0 0h{side}v{side}H0z\"/>\
-         <path fill=\"#000\" d=\"{path}\"/></svg></a></p>\n<p>The code opens this spec in the page, to be changed and made again.</p>"
+        "<p><a href=\"{link}\"><svg viewBox=\"0 0 {across} {side}\" role=\"img\" aria-label=\"QR code of the link to this spec\" \
+         shape-rendering=\"crispEdges\"><path fill=\"#fff\" d=\"M0 0h{side}v{side}H0z\"/><path fill=\"#000\" d=\"{path}\"/></svg></a></p>\n\
+         <p>The code opens this spec in the page, to be changed and made again.</p>"
     )
 }
 
