@@ -19,12 +19,16 @@ export function hideCode() {
 
 /** Shows the code of the link to a spec in the page at `address`; `ask(question)` makes it. */
 export async function showCode(address, ask) {
-    const code = await ask({ ask: "qr", address });
-    qrPart("").hidden = false;
-    qrPart("-picture").hidden = qrPart("-save").hidden = !code.path;
     const onDisk = address.startsWith("file:") ? " This page is on a disk, so the code works on this machine alone: use the page on a server for codes that a phone opens." : "";
-    qrPart("-note").textContent = code.path ? `It opens this spec in the page, without comment lines.${onDisk} It is printed with the preview.` : "The link is too long for a QR code: it holds at most 2953 letters. Copy the link.";
-    if (!code.path) return;
+    qrPart("-note").textContent = `It opens this spec in the page, without comment lines.${onDisk} It is printed with the preview.`;
+    // Its room at once, so that nothing moves later.
+    qrPart("").hidden = qrPart("-picture").hidden = qrPart("-save").hidden = false;
+    const code = await ask({ ask: "qr", address });
+    if (!code.path) {
+        qrPart("-picture").hidden = qrPart("-save").hidden = true;
+        qrPart("-note").textContent = "The link is too long for a QR code: it holds at most 2953 letters. Copy the link.";
+        return;
+    }
     const bytes = new TextEncoder().encode(svgOf(code));
     qrPart("-picture").src = URL.createObjectURL(new Blob([bytes], { type: "image/svg+xml" }));
     qrPart("-save").onclick = () => save("link-qr.svg", bytes);

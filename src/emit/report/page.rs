@@ -81,11 +81,11 @@ const ACROSS: i32 = 364;
 /// The QR code of the link to the spec.
 fn of_link(code: &LinkCode) -> String {
     let (side, path, link) = (code.side(), code.svg_path(), text(code.link()));
-    // Pictures of a report are as wide as its page: the code takes a quarter of that, or what its modules need.
-    let across = ACROSS.min(4 * side);
+    // Pictures of a report are as wide as its page: the code takes a third of that, or what its modules need.
+    let across = ACROSS.min(3 * side);
     format!(
-        "<p><a href=\"{link}\"><svg viewBox=\"0 0 {across} {side}\" role=\"img\" aria-label=\"QR code of the link to this spec\" \
-         shape-rendering=\"crispEdges\"><path fill=\"#fff\" d=\"M0 0h{side}v{side}H0z\"/><path fill=\"#000\" d=\"{path}\"/></svg></a></p>\n\
+        "<p><a href=\"{link}\"><svg viewBox=\"0 0 {across} {side}\" role=\"img\" aria-label=\"QR code of the link to this spec\">\
+         <path fill=\"#fff\" d=\"M0 0h{side}v{side}H0z\"/><path fill=\"#000\" d=\"{path}\"/></svg></a></p>\n\
          <p>The code opens this spec in the page, to be changed and made again.</p>"
     )
 }
