@@ -40,10 +40,13 @@ mod tests {
     #[test]
     fn a_link_leaves_a_long_drawing_out_and_a_code_does_not() {
         let question = json!({ "spec": "name = 1\n", "address": "https://example.org/" });
-        // A sequence that no packer shortens much.
-        let noise = (0..60_000_u32)
-            .map(|i| i.wrapping_mul(2_654_435_761).to_le_bytes()[3] ^ i.to_le_bytes()[1])
-            .collect();
+        // Bytes that no packer shortens much.
+        let mut state = 1_u64;
+        let byte = std::iter::repeat_with(|| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            state.to_le_bytes()[7]
+        });
+        let noise: Vec<u8> = byte.take(60_000).collect();
         for (drawing, is_long) in [(vec![7; 60_000], false), (noise, true)] {
             let files = [("a b.svg".to_owned(), drawing)];
             let answer = link(&question, &files);
