@@ -56,6 +56,8 @@ pub mod artifact;
 
 pub mod manifest;
 
+pub mod link;
+
 pub mod emit;
 
 pub mod verify;

@@ -90,7 +90,7 @@ impl Loaded {
         let (spec, machine) = (self.reading.spec.clone(), self.machine.clone());
         let forecast = progress::during(self.verbosity, "designing", |_| Forecast::of(spec, machine))
             .map_err(|refusals| self.refused(refusals))?;
-        self.warn(&forecast.design.warnings);
+        self.warn(&forecast.warnings(self.sources()));
         Ok(forecast)
     }
 

@@ -25,6 +25,7 @@ codes! {
         JobTooLarge "job-too-large" "The job has too many moves, or takes too long, to be written; build fewer or smaller pieces at a time.",
         LayerWithoutRole "layer-without-role" "A layer of the drawing has no role; name it in one of the lists of `layers`, or in `ignore`.",
         LongExtent "long-extent" "The wanted coating windows would meet or run past the arms; make extent smaller.",
+        LongLink "long-link" "A warning: the link to the spec is too long for a QR code; previews and report have none.",
         LongOverlap "long-overlap" "The overlap is longer than half the loop; make it shorter.",
         LostGeometry "lost-geometry" "The drawing shows something that is not read; convert it to a path, or ignore its layer.",
         MayNotHold "may-not-hold" "A warning: within its ranges the gripper may or may not hold the object of `load`; see the reasons.",

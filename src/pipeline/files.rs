@@ -57,7 +57,7 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
         Subject::Scene => {
             return scene(forecast);
         }
-        Subject::Preview => return preview(forecast, output),
+        Subject::Preview => return preview(forecast, sources, output),
         Subject::Report => report(forecast, sources)?,
         Subject::Trace => program(forecast, &forecast.traces, output)?,
         Subject::Seal if output.kind.format() == Format::Gcode => {
@@ -88,10 +88,11 @@ fn inflated(forecast: &Forecast) -> Vec<Star> {
 }
 
 /// The picture of the output's sheet.
-fn preview(forecast: &Forecast, output: &Output) -> Option<Vec<u8>> {
+fn preview(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option<Vec<u8>> {
     let Forecast { spec, machine, design, programs, .. } = forecast;
     let shut = inflated(forecast);
-    let preview = emit::Preview { spec, machine, design, programs, shut: &shut };
+    let code = sources.code(spec);
+    let preview = emit::Preview { spec, machine, design, programs, shut: &shut, code: code.as_ref() };
     match output.kind.format() {
         Format::Png => preview.png(output.sheet?),
         _ => preview.svg(output.sheet?).map(String::into_bytes),
@@ -119,6 +120,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
         watch: &watch,
         bill: &bill,
         scene: &scene,
+        code: sources.code(spec).as_ref(),
     }))
 }
 

@@ -14,6 +14,7 @@ mod coupons;
 mod directory;
 mod feed_check;
 mod files;
+mod links;
 mod load_check;
 mod precautions;
 mod proven;

@@ -65,6 +65,7 @@ codes! {
         DuplicateIndex "duplicate-index" "One star has two `[[stack.star]]` sections; write all of its keys into one.",
         Edit "edit" "The star of this spec cannot be given other values; write its section with one key a line.",
         LineEnd "line-end" "Lines end with CR alone; save the file once more, with line ends of LF or CRLF.",
+        Link "link" "The link is no address of a page on the web; write one that begins with https:// and has no #.",
         MissingKey "missing-key" "A required key is not written; write it.",
         Name "name" "A name is empty, too long, or holds control characters; choose another.",
         NoColumn "no-column" "A table lacks a column; add it, under the name shown.",

@@ -115,6 +115,11 @@ impl DrawingSpec {
         Format::of_name(&self.file) == Some(Format::Dxf)
     }
 
+    /// The name of the file, without directories.
+    pub fn file_name(&self) -> &str {
+        self.file.rsplit(['/', '\\']).next().unwrap_or_default()
+    }
+
     /// What the published copy is called.
     pub fn published_name(&self) -> &'static str {
         if self.is_dxf() { "drawing.dxf" } else { "drawing.svg" }

@@ -111,7 +111,7 @@ keys! {
         OBJECT_SHAPE "object_shape", FRICTION "friction", MASS "mass", LARGEST_FORCE "largest_force",
     }
     accuracy "accuracy" { PATH "path", MODEL "model", RESPONSE "response" }
-    build "build" { WITH "with" }
+    build "build" { WITH "with", LINK "link" }
 }
 
 #[cfg(test)]

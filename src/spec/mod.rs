@@ -70,5 +70,5 @@ pub use schema::{SCHEMA_FILE, machine_schema, schema};
 pub use source::{SIZE_LIMIT, Source};
 pub use starter::{drawing_starter, quoted, starter};
 pub(crate) use unknown::nearest;
-pub use values::{Setting, settings};
+pub use values::{Setting, form_settings, settings};
 pub use vocabulary::{Command, Vocabulary};

@@ -44,6 +44,8 @@ pub struct Spec {
 pub struct BuildSpec {
     /// What every build of this spec makes beside what comes by default; none twice.
     pub with: Vec<Extra>,
+    /// Address of the page that the QR code of previews and report leads to; `None` for no code.
+    pub link: Option<String>,
 }
 
 /// A kind of file that comes only where it is named.

@@ -50,7 +50,8 @@ impl Reading {
 /// below 300 C, with a warning above 260 C; `speed` 0.001 to 1000 mm/s; `young_modulus` 1 Pa to 1 TPa; `poisson_ratio`
 /// above -1, to 0.5; `seal_strength` 1e-6 to 1e4 N/mm; `areal_density` 1e-6 to 1e4 kg/m^2; `bending_stiffness`
 /// 1e-9 to 1e9 N mm; `stretch_stiffness` 1e-6 to 1e9 N/mm; `pressure` 1 Pa to 1 GPa;
-/// `friction` above 0, to 10; `path` 0.0001 to 1 mm; `response` above 0, to 100 %; `name` as [`check_name`] says.
+/// `friction` above 0, to 10; `path` 0.0001 to 1 mm; `response` above 0, to 100 %; `name` as [`check_name`] says;
+/// `link` an address of at most 200 letters.
 ///
 /// # Errors
 /// All faults of the text at once, warnings among them, if at least one refuses it.
@@ -336,7 +337,25 @@ fn read_object_size(s: &mut Section<'_, '_>) -> (Option<Length>, ObjectSize) {
 }
 
 fn read_build(s: &mut Section<'_, '_>) -> BuildSpec {
-    BuildSpec { with: s.choices("with", &Extra::ALL).unwrap_or_default() }
+    BuildSpec { with: s.choices("with", &Extra::ALL).unwrap_or_default(), link: read_link(s) }
+}
+
+/// Longest address of the page, letters.
+const LINK_LENGTH: usize = 200;
+
+/// The address of the page that a QR code leads to.
+fn read_link(s: &mut Section<'_, '_>) -> Option<String> {
+    let (link, span) = s.text("link")?;
+    let page =
+        ["https://", "http://"].iter().find_map(|scheme| link.strip_prefix(scheme)).unwrap_or_default();
+    let is_of_address = |byte: u8| byte.is_ascii_graphic() && !b"#\"<>\\^`{|}".contains(&byte);
+    if page.is_empty() || link.len() > LINK_LENGTH || !link.bytes().all(is_of_address) {
+        let label = format!("must be an address of the page of at most {LINK_LENGTH} letters, without #");
+        let fault = Fault::error(FaultCode::Link, span, format!("`link` is {}", quoted(link)));
+        s.report(fault.label(label).help("for example \"https://example.org/stargrip-cam/\""));
+        return None;
+    }
+    Some(link.to_owned())
 }
 
 fn read_accuracy(s: &mut Section<'_, '_>) -> Accuracy {

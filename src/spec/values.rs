@@ -4,6 +4,7 @@
 
 use serde::Serialize;
 
+use crate::spec::key;
 use crate::spec::raw::RawSpec;
 use crate::spec::source::Source;
 use crate::spec::starter::TEMPLATE;
@@ -57,6 +58,22 @@ pub fn settings(source: &Source) -> Vec<Setting> {
         out.extend(of_star(star));
     }
     out
+}
+
+/// The same for a form: also the keys that exclude one of the starter's, those of `[drawing]` and `object_radius`.
+pub fn form_settings(source: &Source) -> Vec<Setting> {
+    let mut all = settings(source);
+    let (raw, _) = RawSpec::parse(&source.text);
+    for key in key::ALL {
+        let (section, key) = (key.section(), key.key());
+        if all.iter().any(|setting| (setting.section.as_str(), setting.key.as_str()) == (section, key)) {
+            continue;
+        }
+        let value = raw.root().get(section).and_then(|table| table.as_table()?.get(key)).map(shown);
+        let (given, section, key) = (value.is_some(), section.to_owned(), key.to_owned());
+        all.push(Setting { section, key, value, given, meaning: String::new() });
+    }
+    all
 }
 
 /// What a `[[stack.star]]` says.
@@ -147,6 +164,20 @@ mod tests {
         assert_eq!(setting("star 2", "inner_radius"), said("4 cm", true));
         assert_eq!(of(MARKED, "load", "pressure").value, None);
         assert!(of(MARKED, "seal", "band").meaning.contains("width of the sealed strip"));
+    }
+
+    #[test]
+    fn a_form_has_every_key_once() {
+        let text = MARKED.replace("[stack]", "[load]\nobject_radius = \"30 mm\"\n[stack]");
+        let all = form_settings(&Source::new("x", text));
+        let named = |key: &key::KeyPath| {
+            all.iter()
+                .filter(|one| (one.section.as_str(), one.key.as_str()) == (key.section(), key.key()))
+                .count()
+        };
+        assert!(key::ALL.iter().filter(|key| key.key() != "schema").all(|key| named(key) == 1));
+        let radius = all.iter().find(|one| one.key == "object_radius").expect("its own key");
+        assert_eq!((radius.value.as_deref(), radius.given), (Some("30 mm"), true));
     }
 
     /// A default that is written down changes nothing: the settings say what the reader takes.

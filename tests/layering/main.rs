@@ -13,7 +13,7 @@ use std::path::Path;
 const SOURCES: [&str; 2] = ["crates/inflatable/src", "src"];
 
 /// (room, the rooms it may use). A room is a directory or file directly in one of [`SOURCES`].
-const MAY_USE: [(&str, &[&str]); 23] = [
+const MAY_USE: [(&str, &[&str]); 24] = [
     ("digest", &[]),
     ("geom", &[]),
     ("numerics", &[]),
@@ -29,15 +29,16 @@ const MAY_USE: [(&str, &[&str]); 23] = [
     ("plan", &["design", "geom", "shape", "spec", "units"]),
     ("artifact", &["design", "spec"]),
     ("manifest", &["artifact", "design", "digest", "forecast", "plan", "shape", "spec"]),
-    ("emit", &["design", "forecast", "geom", "manifest", "plan", "shape", "spec", "units"]),
+    ("link", &[]),
+    ("emit", &["design", "forecast", "geom", "link", "manifest", "plan", "shape", "spec", "units"]),
     ("verify", &["artifact", "design", "forecast", "geom", "manifest", "shape", "spec", "units"]),
     ("resume", &["emit", "geom", "plan", "spec", "units", "verify"]),
     ("coupon", &["design", "emit", "geom", "plan", "shape", "spec", "units"]),
     (
         "pipeline",
         &[
-            "airtight", "artifact", "coupon", "design", "emit", "forecast", "geom", "manifest", "plan",
-            "spec", "units", "verify",
+            "airtight", "artifact", "coupon", "design", "emit", "forecast", "geom", "link", "manifest",
+            "plan", "spec", "units", "verify",
         ],
     ),
     ("answer", &["artifact", "design", "forecast", "mechanics", "pipeline", "spec", "units", "verify"]),

@@ -1,7 +1,7 @@
 // The page in Chromium, with real clicks and keys, at a desk and on a phone, without a network.
 // Usage: node web.mjs PAGES TOOL OUT, with NODE_PATH at playwright-core, axe-core and jsqr. OUT gets pictures and builds.
 import { execFileSync, spawnSync } from "node:child_process";
-import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { createRequire } from "node:module";
 import { extname, join, resolve } from "node:path";
@@ -302,6 +302,50 @@ async function linked(browser) {
     await server.close();
 }
 
+/** What someone else's reader finds in a picture of `url`, the window of which is `viewport`. */
+async function read(browser, url, viewport) {
+    const page = await browser.newPage({ viewport, colorScheme: "dark" });
+    await page.goto(url);
+    const code = page.locator("footer svg");
+    const picture = await ((await code.count()) > 0 ? code.screenshot() : page.screenshot());
+    await page.goto("about:blank");
+    await page.addScriptTag({ path: packages.resolve("jsqr") });
+    const found = await page.evaluate(async (letters) => {
+        const bytes = await createImageBitmap(new Blob([Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0))]));
+        const context = new OffscreenCanvas(bytes.width, bytes.height).getContext("2d");
+        context.drawImage(bytes, 0, 0);
+        const { data, width, height } = context.getImageData(0, 0, bytes.width, bytes.height);
+        return window.jsQR(data, width, height)?.data ?? "";
+    }, picture.toString("base64"));
+    await page.close();
+    return found;
+}
+
+/** The codes of a preview and of a report that the command made lead back to their spec, drawing included. */
+async function returned(browser) {
+    const server = await serving(pages), link = `${server.address}index.html`;
+    for (const [name, drawing] of [["paper-gripper"], ["drawings/pillow", "pillow.dxf"]]) {
+        const text = `${readFileSync(`designs/${name}.toml`, "utf8")}\n[build]\nwith = ["report", "preview-png"]\nlink = "${link}"\n`;
+        const spec = join(out, "returned.toml"), dir = join(out, "returned");
+        writeFileSync(spec, text);
+        if (drawing) writeFileSync(join(out, drawing), readFileSync(join("designs/drawings", drawing)));
+        rmSync(dir, { recursive: true, force: true });
+        execFileSync(tool, ["build", spec, "-o", dir, "--quiet", "--anyway"], { stdio: "ignore" });
+        execFileSync(tool, ["verify", dir], { stdio: "ignore" });
+        const names = readdirSync(dir).filter((file) => /preview\.(svg|png)$|report\.html$/.test(file));
+        must(names.length >= 3, `${name}: previews and report are ${names}`);
+        const links = new Set();
+        for (const file of names) links.add(await read(browser, pathToFileURL(resolve(dir, file)).href, { width: 1920, height: 1920 }));
+        const [found] = links;
+        must(links.size === 1 && found.startsWith(`${link}#spec=`), `${name}: the codes of its files hold ${[...links]}`);
+        const page = await opened(browser, `${name}, returned`, { width: 1280, height: 900 }, found, { offline: false });
+        const bare = (spec) => spec.split("\n").filter((line) => !/^\s*(#|$)/.test(line)).join("\n");
+        must(bare(await page.inputValue("#spec")) === bare(text), `${name}: its code opens another spec`);
+        await page.context().close();
+    }
+    await server.close();
+}
+
 /** How long a person waits, ms, at least: a preview after opening, one after an edit, all files with their proof. Others may use the machine. */
 async function waits(browser, page) {
     const first = [], edits = [], builds = [];
@@ -347,7 +391,7 @@ for (const [what, viewport] of [["desktop", { width: 1280, height: 900 }], ["pho
         must(false, `${what}, at ${/web\.mjs:\d+/.exec(error.stack.replace(/^[^]*?\n    at /, ""))}: ${error.message.split("\n").slice(0, 3).join(" ")}`);
     }
 }
-for (const [what, work] of [["server", served], ["book", linked]]) await work(browser).catch((error) => must(false, `${what}: ${error.message.split("\n")[0]}`));
+for (const [what, work] of [["server", served], ["book", linked], ["files", returned]]) await work(browser).catch((error) => must(false, `${what}: ${error.message.split("\n")[0]}`));
 await browser.close();
 for (const problem of problems) console.error(problem);
 console.log(`web: least (most) ms: first preview ${times.first}, preview after an edit ${times.edit}, files proven ${times.build}; ${problems.length} problems`);

@@ -25,9 +25,9 @@ function quantity(text) {
 }
 
 /** Ends and step of a slider around `number`: what one tries, not what is allowed, which the reader says. */
-function around(number) {
+function around(number, unit) {
     const size = Math.abs(number);
-    const most = size === 0 ? 10 : Number((size * 2.5).toPrecision(1));
+    const most = size === 0 ? (unit === "deg" ? 90 : 10) : Number((size * 2.5).toPrecision(1));
     const step = 10 ** (Math.floor(Math.log10(most)) - 2);
     return { min: number < 0 ? -most : 0, max: most, step };
 }
@@ -51,7 +51,7 @@ export class Form {
         for (const [name, section] of Object.entries(properties)) if (section.properties) sections[name] = section;
         const names = [...new Set([...ORDER, ...Object.keys(sections)])].filter((name) => sections[name]);
         for (const name of names) {
-            const keys = Object.entries(sections[name].properties).filter(([, { items, type }]) => type !== "array" || items?.enum);
+            const keys = Object.entries(sections[name].properties).filter(([, { items, type }]) => type !== "object" && (type !== "array" || items?.enum));
             const required = sections[name].required ?? [];
             keys.sort(([a], [b]) => required.includes(b) - required.includes(a));
             const fields = keys.map(([key, property]) => this.#field(name, key, property, machines));
@@ -114,7 +114,7 @@ export class Form {
         const found = isNumber ? input.value.trim() !== "" && { number: Number(input.value), unit: "" } : quantity(input.value);
         slider.hidden = !found || !Number.isFinite(found.number);
         if (slider.hidden) return;
-        const ends = around(found.number);
+        const ends = around(found.number, found.unit);
         if (property.type === "integer") Object.assign(ends, { min: property.minimum ?? 0, max: Math.min(property.maximum ?? 64, Math.max(12, 2 * found.number)), step: 1 });
         else if (property.maximum !== undefined) ends.max = Math.min(ends.max, property.maximum);
         Object.assign(slider, ends);

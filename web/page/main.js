@@ -7,7 +7,7 @@ import { hideCode, showCode } from "./qr.js";
 import { find } from "./search.js";
 import { clear, compute } from "./shell.js";
 import { watch } from "./busy.js";
-import { fragmentOf, heldBy } from "./link.js";
+import { heldBy } from "./link.js";
 import { keep, kept, forget } from "./kept.js";
 import { sorted } from "./opening.js";
 
@@ -112,8 +112,8 @@ const isDrawn = () => /^\s*\[drawing\]/m.test(editor.text);
 /** The dropped drawing as files of a question. */
 const drawings = () => (drawing ? [drawing] : []);
 
-/** What a link needs: a built-in profile is in every page, and a star has no drawing. */
-const held = () => ({ text: editor.text, machine: by("machine").value ? undefined : machine, drawing: isDrawn() ? drawing : undefined });
+/** Asks for a link or a code of the spec as it stands: a built-in profile is in every page, and a star has no drawing. */
+const linked = (question) => program.aside({ ...question, spec: editor.text, machine: by("machine").value ? undefined : machine }, isDrawn() ? drawings() : []);
 
 /** Another spec, with the profile and the drawing that came with it. */
 function take(text, own = {}) {
@@ -178,9 +178,9 @@ async function drawn(drawing) {
 
 /** The spec of the link, or of local storage, or a shipped one. */
 async function first() {
-    const linked = await safely(() => heldBy(location.hash));
-    if (linked === undefined) say("The link is damaged: it holds no spec.", true);
-    return linked ?? kept() ?? { text: designs["paper-gripper"] ?? Object.values(designs)[0] };
+    const own = await safely(() => heldBy(location.hash));
+    if (own === undefined) say("The link is damaged: it holds no spec.", true);
+    return own ?? kept() ?? { text: designs["paper-gripper"] ?? Object.values(designs)[0] };
 }
 
 function listen() {
@@ -194,7 +194,7 @@ function listen() {
         return safely(() => program.ask(whole, { files: drawings(), lane: "shell", isLong: true, isPatient: true }));
     }));
     by("copy-link").addEventListener("click", () => safely(async () => {
-        const { fragment, isLong } = await fragmentOf(held());
+        const { fragment, is_long: isLong } = await linked({ ask: "link" });
         const link = location.href.split("#")[0] + fragment;
         history.replaceState(null, "", link);
         const holds = isLong ? "it holds the spec, but not the drawing, which is too large: send that along" : "it holds the whole spec";
@@ -202,7 +202,7 @@ function listen() {
         say(`The link is ${isCopied ? "copied" : "in the address bar"}; ${holds}.`);
     }));
     by("show-qr").addEventListener("click", () => safely(async () => {
-        await showCode(held(), location.href.split("#")[0], (question) => program.ask(question, { isPatient: true }));
+        await showCode(location.href.split("#")[0], linked);
         by("qr").scrollIntoView({ block: "nearest" });
     }));
     by("qr-hide").addEventListener("click", hideCode);

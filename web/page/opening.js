@@ -13,7 +13,13 @@ export async function sorted(list) {
     let all = await Promise.all(Array.from(list, async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
     const archive = all.find(({ name }) => name.toLowerCase().endsWith(".zip"));
     if (archive) all = await unzipped(archive.bytes);
-    const text = (file) => file && new TextDecoder("utf-8", { fatal: true }).decode(file.bytes);
+    const text = (file) => {
+        try {
+            return file && new TextDecoder("utf-8", { fatal: true }).decode(file.bytes);
+        } catch {
+            throw new Error(`${file.name} is not UTF-8 text`);
+        }
+    };
     const named = (name) => all.find((file) => file.name === name);
     const profile = named("machine.toml") ?? all.find(isProfile);
     const spec = named("spec.toml") ?? all.find((file) => file.name.endsWith(".toml") && file !== profile);

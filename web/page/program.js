@@ -35,6 +35,20 @@ export class Program {
         });
     }
 
+    /** The answer to a question that takes no time, from a worker of its own: it waits for nothing and stops nothing. */
+    aside(question, files = []) {
+        return new Promise((resolve, reject) => {
+            const worker = this.#newWorker();
+            worker.onmessage = ({ data: { answer, broken } }) => {
+                worker.terminate();
+                if (broken === undefined) resolve(answer);
+                else reject(new Error(broken));
+            };
+            worker.postMessage({ module: this.#module });
+            worker.postMessage({ number: 0, question, files });
+        });
+    }
+
     /** Ends what is running. */
     stop() {
         const stopped = this.#running;

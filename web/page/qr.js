@@ -1,31 +1,34 @@
 // The link of the spec as a QR code, which leads from a printed sheet back to its parameters.
-import { fragmentOf } from "./link.js";
 import { save } from "./result.js";
 
 const qrPart = (id) => document.getElementById(`qr${id}`);
 
-/** A code as an SVG of its own, 40 mm wide; its text is the link. */
-const svgOf = ({ side, path }) =>
-    `<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 ${side} ${side}" shape-rendering="crispEdges"><path fill="#fff" d="M0 0h${side}v${side}H0z"/><path d="${path}"/></svg>\n`;
+/** Least width of a code, mm, and the width of a module of a large one: what phones read from paper. */
+const WIDTH = 40, MODULE = 0.5;
 
-/** The spec without lines that are comments alone, for a coarser code; null if a text of several lines may hold such a line. */
-const bare = (text) => (/"""|'''/.test(text) ? null : text.split("\n").filter((line) => !/^\s*(#|$)/.test(line)).join("\n") + "\n");
+/** A code as an SVG of its own; its text is the link. */
+function svgOf({ side, path }) {
+    const width = Math.max(WIDTH, MODULE * side);
+    return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}mm" height="${width}mm" viewBox="0 0 ${side} ${side}" shape-rendering="crispEdges"><path fill="#fff" d="M0 0h${side}v${side}H0z"/><path d="${path}"/></svg>\n`;
+}
 
 /** Shows no code of another spec. */
 export function hideCode() {
     qrPart("").hidden = true;
 }
 
-/** Shows the code of the link to `held`, { text, machine, drawing }, in the page at `address`; `ask(question)` makes it. */
-export async function showCode(held, address, ask) {
-    const short = bare(held.text), { fragment } = await fragmentOf({ ...held, text: short ?? held.text });
-    const code = await ask({ ask: "qr", link: address + fragment });
-    qrPart("").hidden = false;
-    qrPart("-picture").hidden = qrPart("-save").hidden = !code.path;
-    const comments = short ? ", without its comments" : "";
+/** Shows the code of the link to a spec in the page at `address`; `ask(question)` makes it. */
+export async function showCode(address, ask) {
     const onDisk = address.startsWith("file:") ? " This page is on a disk, so the code works on this machine alone: use the page on a server for codes that a phone opens." : "";
-    qrPart("-note").textContent = code.path ? `It opens this spec in the page${comments}.${onDisk} It is printed with the preview.` : "The link is too long for a QR code: it holds at most 2953 letters. Copy the link.";
-    if (!code.path) return;
+    qrPart("-note").textContent = `It opens this spec in the page, without comment lines.${onDisk} It is printed with the preview.`;
+    // Its room at once, so that nothing moves later.
+    qrPart("").hidden = qrPart("-picture").hidden = qrPart("-save").hidden = false;
+    const code = await ask({ ask: "qr", address });
+    if (!code.path) {
+        qrPart("-picture").hidden = qrPart("-save").hidden = true;
+        qrPart("-note").textContent = "The link is too long for a QR code: it holds at most 2953 letters. Copy the link.";
+        return;
+    }
     const bytes = new TextEncoder().encode(svgOf(code));
     qrPart("-picture").src = URL.createObjectURL(new Blob([bytes], { type: "image/svg+xml" }));
     qrPart("-save").onclick = () => save("link-qr.svg", bytes);

@@ -2,13 +2,15 @@
 //! explains a colour.
 
 use crate::emit::picture::{Anchor, Colour, Group, Pen, Text};
-use crate::emit::preview::style::{Style, TEXT, circle, rectangle, straight};
+use crate::emit::preview::style::{CODE, Style, TEXT, circle, rectangle, straight};
+use crate::link::LinkCode;
 use inflatable::geom::{Bounds, Point, Vec2};
 
-/// Lines under a heading.
-pub(super) struct Block {
+/// Lines under a heading, and a QR code under the lines.
+pub(super) struct Block<'a> {
     heading: String,
     lines: Vec<(Option<Swatch>, String)>,
+    code: Option<&'a LinkCode>,
 }
 
 /// What a line explains.
@@ -30,10 +32,12 @@ const STEP: f64 = 1.6;
 const INDENT: f64 = 1.2;
 /// Between blocks, by the type's size.
 const GAP: f64 = 3.0;
+/// Side of a module of a code, by the type's size: three pixels and a half of a PNG.
+const MODULE: f64 = 0.3;
 
-impl Block {
+impl<'a> Block<'a> {
     pub(super) fn new(heading: impl Into<String>) -> Self {
-        Self { heading: heading.into(), lines: Vec::new() }
+        Self { heading: heading.into(), lines: Vec::new(), code: None }
     }
 
     pub(super) fn say(&mut self, line: impl Into<String>) {
@@ -42,6 +46,11 @@ impl Block {
 
     pub(super) fn explain(&mut self, swatch: Swatch, line: impl Into<String>) {
         self.lines.push((Some(swatch), line.into()));
+    }
+
+    /// With the QR code of a link.
+    pub(super) fn with_code(self, code: &'a LinkCode) -> Self {
+        Self { code: Some(code), ..self }
     }
 
     fn texts(&self, at: Point, style: Style) -> impl Iterator<Item = (Option<Swatch>, Text)> {
@@ -62,13 +71,18 @@ impl Block {
 
     pub(super) fn width(&self, style: Style) -> f64 {
         let right = |(_, text): (_, Text)| text.bounds().max.x;
-        self.texts(Point::ORIGIN, style).map(right).fold(0.0, f64::max)
+        self.texts(Point::ORIGIN, style).map(right).fold(self.code_side(style), f64::max)
     }
 
     fn height(&self, style: Style) -> f64 {
         #[expect(clippy::cast_precision_loss, reason = "a few lines")]
         let lines = 1.0 + self.lines.len() as f64;
-        lines * STEP * style.unit
+        lines * STEP * style.unit + self.code_side(style)
+    }
+
+    /// Side of the code with its quiet zone; 0 without a code.
+    fn code_side(&self, style: Style) -> f64 {
+        self.code.map_or(0.0, |code| MODULE * style.unit * f64::from(code.side()))
     }
 
     fn draw(&self, group: &mut Group, at: Point, style: Style) {
@@ -77,6 +91,15 @@ impl Block {
                 swatch.draw(group, Point::new(at.x, text.at.y + 0.3 * style.unit), style);
             }
             group.text(text);
+        }
+        if let Some(code) = self.code {
+            let corner = at - Vec2::new(0.0, self.height(style) - self.code_side(style));
+            let module =
+                |x: i32, y: i32| corner + Vec2::new(f64::from(x), -f64::from(y)) * (MODULE * style.unit);
+            let run = |[x, y, length]: [i32; 3]| {
+                rectangle(&Bounds { min: module(x, y + 1), max: module(x + length, y) })
+            };
+            group.area(code.runs().into_iter().map(run).collect(), CODE);
         }
     }
 }
@@ -113,7 +136,7 @@ impl Swatch {
 }
 
 /// Draws the blocks from the upper left corner `at`, none reaching beyond `width` that need not; their height.
-pub(super) fn flow(group: &mut Group, blocks: &[Block], at: Point, width: f64, style: Style) -> f64 {
+pub(super) fn flow(group: &mut Group, blocks: &[Block<'_>], at: Point, width: f64, style: Style) -> f64 {
     let (mut right, mut down, mut row) = (0.0, 0.0, 0.0_f64);
     for block in blocks {
         let wide = block.width(style);

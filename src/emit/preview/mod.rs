@@ -108,7 +108,7 @@ impl Preview<'_> {
     }
 
     /// What stands below.
-    fn words(&self, sheet: usize, style: Style) -> Vec<Block> {
+    fn words(&self, sheet: usize, style: Style) -> Vec<Block<'_>> {
         words::blocks(self, sheet, style)
     }
 }

@@ -16,6 +16,8 @@ pub(super) const RAMP: Colour = Colour(0x70, 0x30, 0xa0);
 pub(super) const IRON: Colour = Colour(0x40, 0x40, 0x40);
 pub(super) const START: Colour = Colour(0x00, 0x70, 0x00);
 pub(super) const TEXT: Colour = Colour(0x20, 0x20, 0x20);
+/// Of QR codes.
+pub(super) const CODE: Colour = Colour(0x00, 0x00, 0x00);
 pub(super) const LABEL: Colour = Colour(0x1f, 0x4e, 0x79);
 /// Frames, dimensions, the sheet's border.
 pub(super) const GREY: Colour = Colour(0x80, 0x80, 0x80);

@@ -1,6 +1,7 @@
 //! What a preview shows.
 
 use crate::design::{Design, Star};
+use crate::link::LinkCode;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
 
@@ -17,4 +18,6 @@ pub struct Preview<'a> {
     pub programs: &'a [Program],
     /// Every star as it is predicted to close, bottom first; none without a prediction.
     pub shut: &'a [Star],
+    /// The code of the link to the spec, if there shall be one.
+    pub code: Option<&'a LinkCode>,
 }

@@ -17,7 +17,7 @@ use crate::units::Readable;
 const SCALE_BAR: f64 = 50.0;
 
 /// All blocks, in order.
-pub(super) fn blocks(preview: &Preview<'_>, sheet: usize, style: Style) -> Vec<Block> {
+pub(super) fn blocks<'a>(preview: &Preview<'a>, sheet: usize, style: Style) -> Vec<Block<'a>> {
     let assembly = preview.design.assembly();
     let mut out = vec![design(preview, sheet)];
     out.extend(assembly.map(|assembly| stars(assembly, sheet)));
@@ -25,10 +25,11 @@ pub(super) fn blocks(preview: &Preview<'_>, sheet: usize, style: Style) -> Vec<B
     if let Some(assembly) = assembly.filter(|_| sheet == 1) {
         out.push(stack(preview, assembly, style));
     }
+    out.extend(preview.code.map(|code| Block::new("This spec in the page").with_code(code)));
     out
 }
 
-fn design(preview: &Preview<'_>, sheet: usize) -> Block {
+fn design(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     let Preview { spec, machine, design, .. } = preview;
     let mut block = Block::new(inert(&spec.name, 60));
     block.say(format!("sheet {sheet} of {}, seen from the iron's side, 1:1 in mm", design.sheets.len()));
@@ -43,7 +44,7 @@ fn design(preview: &Preview<'_>, sheet: usize) -> Block {
 }
 
 /// Every distinct star once, with the numbers of all that are like it.
-fn stars(design: &StarAssembly, sheet: usize) -> Block {
+fn stars(design: &StarAssembly, sheet: usize) -> Block<'static> {
     let mut block = Block::new("Stars");
     for distinct in 0..design.distinct.len() {
         let alike: Vec<&PlacedPart> =
@@ -72,7 +73,7 @@ fn stars(design: &StarAssembly, sheet: usize) -> Block {
 }
 
 /// The seams of the sheet in the order of sealing, equal ones of several stars on one line.
-fn order(preview: &Preview<'_>, sheet: usize) -> Block {
+fn order(preview: &Preview<'_>, sheet: usize) -> Block<'static> {
     let mut block = Block::new("Order of sealing, in each program");
     let mut rows: Vec<(Vec<usize>, Vec<usize>, &SeamReport)> = Vec::new();
     for program in preview.programs.iter().filter(|program| program.sheet == sheet) {
@@ -113,7 +114,7 @@ fn hours(seconds: f64) -> String {
     format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
 }
 
-fn legend(preview: &Preview<'_>, style: Style) -> Block {
+fn legend(preview: &Preview<'_>, style: Style) -> Block<'static> {
     let mut block = Block::new("On the sheet");
     let line = |ink, weight| Swatch::Line(style.pen(ink, weight));
     block.explain(Swatch::Area(TUBE), "tube");
@@ -138,7 +139,7 @@ fn legend(preview: &Preview<'_>, style: Style) -> Block {
     block
 }
 
-fn stack(preview: &Preview<'_>, design: &StarAssembly, style: Style) -> Block {
+fn stack(preview: &Preview<'_>, design: &StarAssembly, style: Style) -> Block<'static> {
     let Preview { spec, shut, .. } = preview;
     let mut block = Block::new(format!("Stack, {:.1} mm high", design.stack.height));
     let line = |ink, weight| Swatch::Line(style.pen(ink, weight));

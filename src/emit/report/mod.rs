@@ -13,5 +13,5 @@ pub use subject::Report;
 
 /// The report as a page for browsers.
 pub fn report(report: &Report<'_>) -> String {
-    page::page(&report.spec.name, &data::data(report), report.scene)
+    page::page(&report.spec.name, &data::data(report), report.scene, report.code)
 }

@@ -12,6 +12,8 @@ use miniz_oxide::deflate::compress_to_vec_zlib;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
+use crate::link::LinkCode;
+
 const FRAME: &str = include_str!("../../../templates/report/page.html");
 
 /// What the page looks like: on a screen, on paper.
@@ -38,8 +40,8 @@ const SCRIPTS: [&str; 11] = [
 /// How hard the scene is packed, 0 to 10: beyond 6 it takes twice the time for a hundredth of the size.
 const PACKED: u8 = 6;
 
-/// The page for a design called `name`, with its figures and its scene.
-pub(super) fn page(name: &str, data: &Value, scene: &[u8]) -> String {
+/// The page for a design called `name`, with its figures, its scene, and the code of the link to its spec.
+pub(super) fn page(name: &str, data: &Value, scene: &[u8], code: Option<&LinkCode>) -> String {
     let (style, script) = (joined(&STYLES), joined(&SCRIPTS));
     let policy = format!(
         "default-src 'none'; script-src '{}'; style-src '{}'; img-src data:; base-uri 'none'; form-action 'none'",
@@ -49,6 +51,7 @@ pub(super) fn page(name: &str, data: &Value, scene: &[u8]) -> String {
     let scene = STANDARD.encode(compress_to_vec_zlib(scene, PACKED));
     let title = text(name);
     let data = block(data);
+    let code = code.map(of_link).unwrap_or_default();
     let parts = [
         ("POLICY", policy.as_str()),
         ("TITLE", title.as_str()),
@@ -56,6 +59,7 @@ pub(super) fn page(name: &str, data: &Value, scene: &[u8]) -> String {
         ("DATA", data.as_str()),
         ("SCENE", scene.as_str()),
         ("SCRIPT", script.as_str()),
+        ("CODE", code.as_str()),
     ];
     // In one pass: what one part says is not looked into for the marks of another.
     let mut out =
@@ -69,6 +73,21 @@ pub(super) fn page(name: &str, data: &Value, scene: &[u8]) -> String {
     }
     out.push_str(rest);
     out
+}
+
+/// Width of a printed page, in modules of 0.5 mm, which phones read from paper.
+const ACROSS: i32 = 364;
+
+/// The QR code of the link to the spec.
+fn of_link(code: &LinkCode) -> String {
+    let (side, path, link) = (code.side(), code.svg_path(), text(code.link()));
+    // Pictures of a report are as wide as its page: the code takes a third of that, or what its modules need.
+    let across = ACROSS.min(3 * side);
+    format!(
+        "<p><a href=\"{link}\"><svg viewBox=\"0 0 {across} {side}\" role=\"img\" aria-label=\"QR code of the link to this spec\">\
+         <path fill=\"#fff\" d=\"M0 0h{side}v{side}H0z\"/><path fill=\"#000\" d=\"{path}\"/></svg></a></p>\n\
+         <p>The code opens this spec in the page, to be changed and made again.</p>"
+    )
 }
 
 fn joined(parts: &[&str]) -> String {
@@ -146,7 +165,7 @@ mod tests {
         #[test]
         fn no_words_of_a_spec_get_out_of_their_place(words in hostile()) {
             let data = json!({ "name": words, words.clone(): [words] });
-            let (made, plain) = (page(&words, &data, b"glb"), page("", &json!({}), b"glb"));
+            let (made, plain) = (page(&words, &data, b"glb", None), page("", &json!({}), b"glb", None));
             for mark in ["<", ">", "://"] {
                 prop_assert_eq!(made.matches(mark).count(), plain.matches(mark).count(), "{}", mark);
             }
@@ -159,7 +178,7 @@ mod tests {
 
     #[test]
     fn the_policy_names_the_very_scripts_and_styles() {
-        let made = page("x", &json!({}), b"glb");
+        let made = page("x", &json!({}), b"glb", None);
         for (from, to) in [("<style>", "</style>"), ("<script>", "</script>")] {
             prop_assert_hash(&made, between(&made, from, to));
         }

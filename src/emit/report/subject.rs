@@ -4,6 +4,7 @@ use crate::design::Design;
 use crate::forecast::charts::Charts;
 use crate::forecast::drawn::prediction::DrawnPrediction;
 use crate::forecast::prediction::Prediction;
+use crate::link::LinkCode;
 use crate::manifest::Manifest;
 use crate::plan::Program;
 use crate::spec::{Machine, Spec};
@@ -33,4 +34,6 @@ pub struct Report<'a> {
     pub bill: &'a Manifest,
     /// Everything in three dimensions, a GLB.
     pub scene: &'a [u8],
+    /// The code of the link to the spec, if there shall be one.
+    pub code: Option<&'a LinkCode>,
 }

@@ -21,6 +21,7 @@ const WITHOUT: &[&str] = &[
     "bands-meet",
     "curve-not-finite",
     "curves-crowded",
+    "long-link",
     "narrow-mouth",
     "no-plate",
     "no-prediction",

@@ -18,6 +18,7 @@ const LOAD: &str = "[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfr
 const EDITS: &[(&str, &str, &str)] = &[
     ("conflict", "", "[inlet]\nnone = true\ntip = 1\n"),
     ("duplicate-index", "", "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\n[[stack.star]]\nindex = 2\n"),
+    ("link", "", "[build]\nlink = \"example.org\"\n"),
     ("missing-key", "points = 5\n", ""),
     ("name", "\"x\"", "\"\""),
     ("no-unit", "\"50 mm\"", "50"),

@@ -7,7 +7,7 @@ use stargrip_cam::design::Refusals;
 use stargrip_cam::forecast::drawn::Watch;
 use stargrip_cam::manifest::ManifestFile;
 use stargrip_cam::pipeline::{Built, Designed, Forecast, Sources, prove_files};
-use stargrip_cam::spec::{ModelChoice, settings};
+use stargrip_cam::spec::{ModelChoice, form_settings};
 use stargrip_cam::verify::OutputFiles;
 
 use crate::boundary::tell;
@@ -22,7 +22,7 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
         Ok(given) => given,
         Err(faults) => return Message::of(json!({ "faults": faults })),
     };
-    let mut answer = json!({ "name": given.reading.spec.name, "settings": settings(&given.source) });
+    let mut answer = json!({ "name": given.reading.spec.name, "settings": form_settings(&given.source) });
     let mut faults = listed(&given.reading.warnings);
     let forecast = match forecast(&given, question["quick"] == true) {
         Ok(forecast) => forecast,
@@ -32,13 +32,13 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
             return Message::of(answer);
         }
     };
-    faults.extend(of_warnings(&given, &forecast.design.warnings));
+    let sources = Sources { spec: &given.source.text, machine: &given.machine_text };
+    faults.extend(of_warnings(&given, &forecast.warnings(sources)));
     answer["overview"] = overview(&forecast);
     let unfit = of_design(&given, forecast.unfit());
     let is_taken = unfit.is_empty() || question["anyway"] == true;
     answer["unfit"] = (!unfit.is_empty()).into();
     faults.extend(unfit);
-    let sources = Sources { spec: &given.source.text, machine: &given.machine_text };
     let built = forecast.build(sources, &asked(question));
     let files = if question["prove"] == false || !is_taken {
         let shown = |kind: Kind| matches!(kind, Kind::PreviewSvg | Kind::Report);

@@ -9,7 +9,8 @@
 //! | `new` | `name`, `object`, `mass` and what else `new` takes | a spec and its verdict, or why there is none |
 //! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |
 //! | `predict` | `spec`, `machine`, the drawing, `model` | the prediction, in words and as JSON; shells are coarse |
-//! | `qr` | `link` | the QR code of the link, as a path of an SVG |
+//! | `link` | `spec`, `machine`, the drawing | the part of a link that holds them |
+//! | `qr` | the same, `address` | the QR code of the link to the page there, as a path of an SVG |
 //! | `explain` | `code` | what the code means |
 //!
 //! `faults` are errors and warnings with their places; `wrong` says what is wrong with the question itself.
@@ -18,9 +19,9 @@ mod build;
 mod drawing;
 mod edit;
 mod faults;
+mod link;
 mod object;
 mod predict;
-mod qr;
 mod spec;
 mod start;
 
@@ -42,7 +43,8 @@ fn answered(question: Message) -> Result<Message, String> {
     let answer = match asked {
         "start" => start::start(),
         "explain" => start::explain(&question),
-        "qr" => qr::qr(&question),
+        "link" => link::link(&question, &files),
+        "qr" => link::qr(&question, &files),
         "build" => return Ok(build::build(&question, &files)),
         "verify" => build::verify(files),
         "predict" => predict::predict(&question, &files),

@@ -54,7 +54,7 @@ impl Given {
 /// The reading with its drawing, under the name of the spec or that of a published directory.
 fn with_drawing(source: &Source, reading: Reading, files: &[(String, Vec<u8>)]) -> Result<Reading, Faults> {
     let Some(drawing) = &reading.spec.drawing else { return Ok(reading) };
-    let own = drawing.file.rsplit(['/', '\\']).next().unwrap_or_default();
+    let own = drawing.file_name();
     let mut named = files.iter().filter(|(name, _)| name == own || name == drawing.published_name());
     if let Some((_, bytes)) = named.next() {
         return Ok(reading.with_drawing(bytes));

@@ -1,0 +1,45 @@
+//! The link to a spec that previews and report carry as a QR code, where `link` in [build] asks for it.
+
+use crate::design::{RefusalCode, Warning};
+use crate::link::{LinkCode, LinkedSpec, MOST_LETTERS};
+use crate::pipeline::{Forecast, Sources};
+use crate::spec;
+use crate::spec::{Spec, key};
+
+impl<'a> Sources<'a> {
+    /// The code of the link to `spec`; `None` if it asks for none, or the link is too long.
+    pub(super) fn code(self, spec: &Spec) -> Option<LinkCode> {
+        self.linked(spec).code(spec.build.link.as_ref()?)
+    }
+
+    /// `spec` with the profile and the drawing that a page does not have.
+    fn linked<'s>(self, spec: &'s Spec) -> LinkedSpec<'s>
+    where
+        'a: 's,
+    {
+        let is_built_in = spec::builtin_machine(&spec.machine.profile).is_some();
+        let drawing = spec.drawing.as_ref();
+        let drawing = drawing.and_then(|own| Some((own.file_name(), own.content.as_ref()?.bytes())));
+        LinkedSpec { spec: self.spec, machine: (!is_built_in).then_some(self.machine), drawing }
+    }
+}
+
+impl Forecast {
+    /// What a person should know of the design and of its files.
+    pub fn warnings(&self, sources: Sources<'_>) -> Vec<Warning> {
+        let mut all = self.design.warnings.clone();
+        all.extend(long_link(&self.spec, sources));
+        all
+    }
+}
+
+/// That the link which `spec` asks for is too long for a code.
+fn long_link(spec: &Spec, sources: Sources<'_>) -> Option<Warning> {
+    let length = sources.linked(spec).short_link(spec.build.link.as_ref()?).len();
+    (length > MOST_LETTERS).then(|| Warning {
+        key: key::build::LINK,
+        code: RefusalCode::LongLink,
+        found: format!("the link to this spec has {length} letters"),
+        remedy: format!("a QR code holds at most {MOST_LETTERS}: previews and report have none"),
+    })
+}
