@@ -16,7 +16,7 @@ pub(super) struct Args {
     _quiet: Quiet,
 }
 
-/// Prints what makes a shell complete the commands of `program`.
+/// Prints a script with which a shell completes the commands of `program`.
 pub(super) fn run(args: &Args, mut program: Command) -> Result<(), Failure> {
     let (name, mut text) = (program.get_name().to_owned(), Vec::new());
     generate(args.shell, &mut program, name, &mut text);

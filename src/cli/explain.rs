@@ -20,7 +20,7 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
-/// Prints what a code means and what to do about it.
+/// Prints the meaning of a code and its remedy.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let rows = meanings();
     let Some(code) = &args.code else {

@@ -77,7 +77,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let resumed = resume(&text, place, args.overlap)
         .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;
     let manifest = args.job.with_file_name(MANIFEST);
-    // A pipe or a device of this name would be waited for, and is nobody's manifest.
+    // Reading a pipe or a device of this name would block, and it cannot be a manifest.
     let known = manifest.is_file();
     if known {
         is_published(&args.job, &manifest, &text)?;
@@ -110,10 +110,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.verbosity.report(&text, &json)
 }
 
-/// Where the program goes by default: beside the job, or where that is in a published directory, beside the directory.
+/// The default path of the program: beside the job, or for a job in a published directory, beside the directory.
 fn target(job: &Path, published: bool) -> PathBuf {
     let stem = job.file_stem().unwrap_or_default().to_string_lossy();
-    // What the host lists the old one by, it lists the new one by.
+    // Host software lists files by their ending, so the ending is kept.
     let ending = job.extension().map_or("gcode".into(), |ending| ending.to_string_lossy());
     let beside = job.with_file_name(format!("{stem}-resume.{ending}"));
     if !published {
@@ -133,7 +133,7 @@ fn target(job: &Path, published: bool) -> PathBuf {
     }
 }
 
-/// Whether the job is, byte by byte, the file that the manifest beside it names.
+/// Checks that the job equals, byte by byte, the file that the manifest beside it names.
 fn is_published(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> {
     let read: Manifest = serde_json::from_str(&read_text(manifest)?)
         .map_err(|fault| Failure::Message(format!("{} cannot be read: {fault}", shown(manifest))))?;

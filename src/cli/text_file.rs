@@ -10,7 +10,7 @@ use crate::cli::failure::Failure;
 use crate::cli::load::is_standard_input;
 use crate::cli::whole_file::WholeFile;
 
-/// Most bytes of a program: many times what the largest design needs.
+/// Largest program, bytes: far more than the largest design needs.
 const PROGRAM: u64 = 1 << 28;
 
 /// Most bytes of a table: hours of a test at a thousand rows a minute, and few enough that all rows are held in memory at ease.
@@ -45,7 +45,7 @@ fn read_within(path: &Path, most: u64) -> Result<String, Failure> {
     })
 }
 
-/// Writes a file that must not be there yet.
+/// Writes a new file; an existing one is an error.
 pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
     File::create_new(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
         match error.kind() {
@@ -57,7 +57,7 @@ pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
     })
 }
 
-/// Writes a file, or another one in its place: whole, or not at all.
+/// Writes or replaces a file atomically.
 pub(super) fn replace(path: &Path, text: &str) -> Result<(), Failure> {
     let written = || -> io::Result<()> {
         let mut file = WholeFile::begin(path)?;

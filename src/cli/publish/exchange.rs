@@ -1,4 +1,4 @@
-//! Publishing in one step: a directory that is whole takes the target's name.
+//! Publishes in one step: a complete directory takes the target's name.
 //!
 //! Where the system cannot exchange two names it takes two renames. A kill between the two leaves the
 //! old output under its hidden name, and the next publication puts it back.
@@ -10,7 +10,7 @@ use crate::cli::publish::fault::PublishFault;
 use crate::cli::publish::place::{PlaceRole, TargetPlace};
 use crate::cli::publish::stage::{StagedFile, Staging};
 
-/// Puts `files` in the target's place. Returns where the old build is now, if there was one.
+/// Replaces the target by `files`. Returns the present place of the old build, if there was one.
 ///
 /// # Errors
 /// The target is then as it was.
@@ -34,7 +34,7 @@ pub(super) fn publish(
         Some(old)
     };
     staging.keep();
-    // It is published; a system that cannot sync its name may at most show the old build after a power cut.
+    // The build is published. Without a synced name a power cut may at most restore the old build.
     let _ = disk::sync_dir(&place.parent);
     Ok(left)
 }

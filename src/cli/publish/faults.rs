@@ -1,7 +1,6 @@
-//! Publishing under faults: every single operation fails, or is the last one, or a guest walks in before it.
+//! Publishing under injected faults: each operation fails, is the last one, or is preceded by another process's change.
 //!
-//! The disk is a real one; [`step`] stands before each operation on it. A killed process is one whose
-//! operations all fail from there on, those that clean up as well.
+//! The disk is real; [`step`] runs before each operation. After a simulated kill all operations fail, clean-up included.
 
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -17,7 +16,7 @@ use crate::cli::publish::stage::StagedFile;
 use crate::cli::publish::{PublishFault, Published, journal, put, retire};
 use crate::manifest::{MANIFEST, sha256};
 
-/// What the system can do.
+/// The abilities of the system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum System {
     /// Exchange two names in one step.
@@ -30,7 +29,7 @@ enum System {
 
 const SYSTEMS: [System; 3] = [System::Exchange, System::Rename, System::Mount];
 
-/// What happens at one operation.
+/// The event at one operation.
 #[derive(Clone, Copy, Debug)]
 enum Event {
     Fails(io::ErrorKind),
@@ -51,7 +50,7 @@ const EVENTS: [Event; 7] = [
     Event::Edited,
 ];
 
-/// At operation 0, which there is none.
+/// No event: operation 0 does not exist.
 const NOTHING: Event = Event::Fails(io::ErrorKind::Other);
 
 /// One publication's fate.
@@ -63,7 +62,7 @@ struct Fate {
     at: usize,
     event: Event,
     steps: usize,
-    /// What the guest wrote.
+    /// The text that the other process wrote.
     written: Option<String>,
 }
 
@@ -119,7 +118,7 @@ fn build(version: u8) -> Vec<StagedFile<'static>> {
     files
 }
 
-/// Publishes `version` and tells how many operations it took, and what a guest wrote meanwhile.
+/// Publishes `version`; returns the number of operations, and the text that another process wrote meanwhile.
 fn run(
     target: &Path,
     version: u8,
@@ -134,7 +133,7 @@ fn run(
     (result, fate.steps, fate.written)
 }
 
-/// Everything in `directory`, but for what is hidden in it.
+/// All entries of `directory` that are not hidden.
 fn visible(directory: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = fs::read_dir(directory).into_iter().flatten().map(|entry| entry.unwrap());
     let named = entries.map(|entry| (entry.file_name().into_string().unwrap(), entry.path()));
@@ -155,7 +154,7 @@ fn leftovers(target: &Path) -> Vec<PathBuf> {
     paths.filter(|path| path.file_name().unwrap().to_string_lossy().starts_with('.')).collect()
 }
 
-/// Whether a file that everybody sees holds `text`.
+/// Whether a visible file contains `text`.
 fn found(directory: &Path, text: &str) -> bool {
     fs::read_dir(directory).unwrap().map(|entry| entry.unwrap()).any(|entry| {
         let path = entry.path();
@@ -165,7 +164,7 @@ fn found(directory: &Path, text: &str) -> bool {
     })
 }
 
-/// Does what a person does who reads that a file is in the way, and what the next publication does.
+/// Removes the file that is in the way, as the message advises, and publishes again.
 fn again(root: &Path, target: &Path, version: u8, system: System) {
     for _ in 0..10 {
         match run(target, version, system, 0, NOTHING).0 {
@@ -249,7 +248,7 @@ fn a_first_publication_leaves_all_or_nothing() {
                 assert!(!target.exists() || whole(&target, 1), "{case}");
                 assert!(result.is_err() || target.exists(), "{case}");
                 if !matches!(event, Event::Killed) && result.is_err() {
-                    // What was being removed when removing failed is the one thing that may stay.
+                    // A failed removal may leave the directory that it was removing, and nothing else.
                     assert!(leftovers(&target).len() <= usize::from(at == steps), "{case}");
                 }
                 again(root.path(), &target, 2, system);
@@ -259,7 +258,7 @@ fn a_first_publication_leaves_all_or_nothing() {
     }
 }
 
-/// Long lives: publications one after the other, each with a fate of its own, recovery from the last included.
+/// Long sequences: successive publications, each with its own fault, including faults in the recovery.
 #[test]
 fn many_faults_lose_nothing() {
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64;

@@ -1,4 +1,4 @@
-//! `stargrip-cam study run`, and `sweep`, its old word.
+//! `stargrip-cam study run`, and `sweep`, its old name.
 
 use std::path::PathBuf;
 

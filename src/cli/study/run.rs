@@ -14,7 +14,7 @@ use crate::cli::verbosity::{Quiet, Verbosity};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 use crate::forecast::study::Study;
 
-/// Which rows are computed, and where they go.
+/// The rows to compute, and their destination.
 #[derive(clap::Args, Debug)]
 pub(in crate::cli) struct Destination {
     /// Compute only part k of N, or parts A..B of N. On standard output only part 1 has the header, so that parts can be
@@ -133,7 +133,7 @@ impl Destination {
         Ok(())
     }
 
-    /// Whether `path` is one of parts.
+    /// Whether `path` is a directory of parts.
     fn is_directory(&self, path: &Path) -> bool {
         let ends_so = path.as_os_str().to_string_lossy().ends_with(std::path::is_separator);
         self.parts.is_some()
@@ -149,7 +149,7 @@ impl Destination {
 
     fn to_stdout(&self, study: &Study, span: Span, ear: &StudyMonitor<'_>) -> Result<(), Failure> {
         let rows = StudyRows { header: span.from == 1, ..self.rows(study, span) };
-        // Whole chunks are written at a time; a buffer of lines would only slow them down.
+        // The writer receives large chunks; a line buffer would only slow it down.
         rows.write(stdout(), ear).map(drop).map_err(|error| match error.kind() {
             io::ErrorKind::BrokenPipe => Failure::Pipe,
             io::ErrorKind::Interrupted if ear.listening.has_heard() => Failure::Stopped("stopped".to_owned()),
@@ -157,7 +157,7 @@ impl Destination {
         })
     }
 
-    /// Returns how many parts were there already.
+    /// Returns the number of parts that existed already.
     fn to_parts(
         &self,
         dir: &Path,
