@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::manifest::{ManifestFile, Tool};
 
-/// What stands behind the program's name in that of its manifest.
+/// The suffix that turns the program's name into that of its manifest.
 pub const FEED_CHECK_MANIFEST: &str = ".manifest.json";
 
 /// Content of `feedcheck.gcode.manifest.json`.

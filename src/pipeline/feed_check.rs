@@ -22,19 +22,19 @@ pub struct ProvenFeedCheck {
     pub manifest: FeedCheckManifest,
 }
 
-/// Why there is no feed check.
+/// The reason why there is no feed check.
 #[derive(Clone, Debug)]
 pub enum FeedCheckFault {
     /// The profile contradicts the seal.
     Refused(Refusals),
-    /// What is not as it should be in the program; each is a fault of this program.
+    /// Findings in the program; each is a fault of this program.
     Wrong(Vec<Finding>),
 }
 
 /// The feed check of `spec` for `machine`, to be written to a file called `name`.
 ///
 /// # Errors
-/// If the profile sets limits that the check cannot keep, or the program is wrong.
+/// If the profile sets limits that the check cannot keep, or if the program has findings.
 pub fn feed_check(
     spec: &Spec,
     machine: &Machine,
@@ -92,7 +92,7 @@ pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) 
     Proof { findings, files: vec![file], written_by: other, unproven: Vec::new() }
 }
 
-/// The program, and the largest deviation of `found`, or of the program itself, mm, or what is wrong with it.
+/// The program, and the largest deviation, mm, of `found`, or else of the program itself; or the findings.
 fn made(spec: &Spec, machine: &Machine, found: Option<&str>) -> (String, Result<f64, Vec<Finding>>) {
     let checks = plan::feed_checks(spec, machine);
     let text = emit::feed_check(spec, machine, &checks);
