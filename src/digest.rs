@@ -1,4 +1,4 @@
-//! SHA-256 as text: what tells whole files from torn ones, and one question from another.
+//! SHA-256 as text: detects damaged files, and identifies questions.
 
 use std::fmt::Write;
 
@@ -21,7 +21,7 @@ pub fn of_parts(parts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
     running.finish()
 }
 
-/// SHA-256 of what comes piece by piece.
+/// Incremental SHA-256.
 #[derive(Clone, Debug, Default)]
 pub struct Running(Sha256);
 
@@ -45,7 +45,7 @@ impl Running {
 mod tests {
     use super::*;
 
-    /// FIPS 180-4 has the first; of the second `sha256sum </dev/null` says the same.
+    /// FIPS 180-4 has the first; `sha256sum </dev/null` prints the second.
     #[test]
     fn hashes_are_those_of_the_standard() {
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";

@@ -1,4 +1,4 @@
-//! Leaks of a sealed shape as refusals: each with its place in words, and the key that is best changed.
+//! Leaks of a sealed shape as refusals: each with its place as text, and the key to change.
 
 use crate::design::{Refusal, RefusalCode};
 use crate::shape::{Leak, SealedShape};

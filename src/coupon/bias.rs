@@ -1,4 +1,4 @@
-//! The bias strip: a strip of one sheet, cut at 45 deg to the warp and pulled, tells the shear modulus.
+//! The bias strip: a strip of one sheet, cut at 45 deg to the warp and pulled, gives the shear modulus.
 //!
 //! An orthotropic sheet that is as stiff along the warp as along the weft has at 45 deg to both
 //!
@@ -15,7 +15,7 @@ use crate::coupon::cone::Press;
 
 /// Fewest points of a straight line with a check.
 const LEAST: usize = 3;
-/// Largest distance of a point from the line, by the range of loads: a curve has no one slope.
+/// Largest distance of a point from the fitted line, relative to the range of loads: a curve has no single slope.
 const STRAIGHT: f64 = 0.05;
 
 /// A strip between two clamps.
@@ -27,7 +27,7 @@ pub struct BiasStrip {
     pub length: f64,
 }
 
-/// Why a test tells no shear modulus.
+/// The reason why a test gives no shear modulus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BiasFault {
     /// So few points.

@@ -1,10 +1,9 @@
-//! Coupons: small pieces that tell, on the user's own machine and fabric, what to write into a spec.
+//! Coupons: small test pieces; their results on the user's own machine and fabric become values of a spec.
 //!
-//! A **strip** is a straight seal across which legs are pulled apart (T-peel); a **pouch** is a closed seam with a mouth
-//! for a hose: a **disc** (inflated width and thickness), a **V** (two arms and one hinge, the bench test for lambda), and
-//! **burst** discs at the corners and in the middle of the bed. Three bench tests are reduced: the **calibration**
-//! reads the filled-in table of a peel test, the **bias strip** tells the shear modulus, the **cone** test the radial force. All read
-//! their **table** with one reader.
+//! A **strip** is a straight seal across which legs are pulled apart (T-peel); a **pouch** is a closed seam with a mouth for a hose: a
+//! **disc** (inflated width and thickness), a **V** (two arms and one hinge, the bench test for lambda), and **burst** discs at the corners
+//! and in the middle of the bed. Three bench tests are reduced: the **calibration** reads the filled-in table of a peel test, the **bias
+//! strip** gives the shear modulus, the **cone** test the radial force. All use the same reader of **tables**.
 
 pub mod bias;
 mod calibration;
@@ -73,9 +72,9 @@ pub struct Coupon {
 /// One piece of a coupon, where it lies.
 #[derive(Clone, Debug)]
 pub struct CouponPiece {
-    /// Its name: "strip-7", or that of the coupon where there is one piece.
+    /// Its name: "strip-7", or that of the coupon if it is the only piece.
     pub name: PieceName,
-    /// What is sealed and cut; a strip has no cut, its specimen is cut out of the middle.
+    /// Its seams and cuts; a strip has no cut, its specimen is cut out of the middle.
     pub shape: SealedShape,
     /// Its number on the drawing, and the lower left corner of it, if it has one.
     label: Option<(usize, Point)>,
@@ -96,7 +95,7 @@ impl Coupon {
         emit::gcode(&self.spec, &self.machine, &self.program)
     }
 
-    /// Where the iron may go: from the origin to the farthest end of a seam.
+    /// The area of the iron: from the origin to the farthest end of a seam.
     pub fn area(&self) -> Bounds {
         let seams = self.seams();
         let paths = seams.iter().flat_map(LaidSeam::paths);
@@ -109,7 +108,7 @@ impl Coupon {
         seams_of(&self.pieces, self.machine.process.ramp.0)
     }
 
-    /// Whether its pieces are strips, which no hose goes into.
+    /// Whether its pieces are strips, which have no port.
     pub fn is_strips(&self) -> bool {
         self.pieces.iter().all(|piece| piece.shape.ports.is_empty())
     }
@@ -167,7 +166,7 @@ pub fn coupons(
     }
     if let Some(star) = spec.stars.first().filter(|_| has(CouponGroup::VActuator)) {
         let pouch = vee(star, hose, &spec.seal)?;
-        // There is one of it, and a number might fall onto its band.
+        // It is the only piece, and a number might lie on its band.
         let piece = CouponPiece { label: None, ..place(only("v-actuator"), 1, &pouch, 0.0, 0.0) };
         out.push(coupon(spec, machine, "v-actuator", vec![piece])?);
     }
@@ -178,7 +177,7 @@ pub fn coupons(
         let (w, h) = (bounds.width() + 2.0 * edge, bounds.height() + 2.0 * edge);
         let (right, top) = ((x - w).max(w), (y - h).max(h));
         let mut places = vec![(0.0, 0.0), (right, 0.0), (right, top), (0.0, top)];
-        // On a small bed the corners leave no room in the middle.
+        // On a small bed the corners leave no space in the middle.
         if right >= 2.0 * w || top >= 2.0 * h {
             places.push((0.5 * right, 0.5 * top));
         }

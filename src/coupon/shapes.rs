@@ -43,7 +43,7 @@ pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Re
     }
     let (half, flap) = (seal.band.0 / 2.0, seal.band.0 + seal.allowance.0);
     outside_the_flap(hose, flap)?;
-    // Between the arms there is less room for a flap: it may take half of an arm.
+    // A flap between the arms has less space: it may take half of an arm.
     let notch = 2.0 * star.tube_width.0 * libm::tan(star.tip_angle.rad() / 2.0) + star.tip_radius.0;
     let arm = Arm { star, half_mouth, mouth: hose.length.0 };
     let seam = arm.vee(half, half, MOUTH_OVERRUN);
@@ -51,7 +51,7 @@ pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Re
     Ok(pouch(seal, seam, cut, 2.0 * half_mouth))
 }
 
-/// A pouch in a frame of its own: one band around a tube, from one side of the mouth of `width` mm to the other.
+/// A pouch in its own coordinates: one band around a tube, from one side of the mouth of `width` mm to the other.
 fn pouch(seal: &Seal, band: Path, cut: Path, width: f64) -> SealedShape {
     let at = band.start().zip(band.end()).map(|(start, end)| start.midpoint(end));
     let seam = Seam { role: Role::Boundary, ..Seam::weld(band) };
@@ -59,7 +59,7 @@ fn pouch(seal: &Seal, band: Path, cut: Path, width: f64) -> SealedShape {
     SealedShape { seams: vec![seam], band: seal.band.0, cut: Some(cut), ports }
 }
 
-/// Whether the mouth lies outside of a flap of this width with its band.
+/// Checks that the mouth lies outside of a flap of this width with its band.
 fn outside_the_flap(hose: &Inlet, flap: f64) -> Result<(), Refusal> {
     if hose.length.0 > flap {
         return Ok(());
@@ -101,7 +101,7 @@ impl Arm<'_> {
         // A sharp inner hinge is a vertex that eats into the arms.
         let eaten = (-inner).max(0.0) / libm::tan(half);
         let mut segments = Vec::new();
-        // Where the channel's flap is as wide as the arm's, the end has no shoulder.
+        // If the channel's flap is as wide as the arm's, the end has no shoulder.
         let (low, high) = ((middle - h).max(inner), (middle + h).min(outer));
         segments.extend(lines(&[
             at(1.0, end, high),
@@ -129,7 +129,7 @@ impl Arm<'_> {
     }
 }
 
-/// The lines between neighbours, without those of no length.
+/// The lines between neighbouring points, without lines of zero length.
 fn lines(points: &[Point]) -> Vec<Segment> {
     let apart = |pair: &&[Point]| pair[0].distance(pair[1]) > 1e-9;
     points.windows(2).filter(apart).map(|pair| Line::new(pair[0], pair[1]).into()).collect()
@@ -210,7 +210,7 @@ mod tests {
             let middle = Point::ORIGIN + Vec2::new(-out.y, out.x) * 60.0 + out * (radius + 15.0);
             assert!((seam.distance(middle) - 16.0).abs() < 1e-9, "{radius}");
             assert!((width(seam) - 2.0 - 4.0 * PI).abs() < 1e-9, "{radius}");
-            // The cut leaves the band whole all around, but at the mouth.
+            // The cut keeps a distance from the band, except at the mouth.
             let least = seam.segments[1..seam.segments.len() - 1]
                 .iter()
                 .map(|s| cut.distance(s.start()))

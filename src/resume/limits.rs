@@ -11,7 +11,7 @@ const SLACK: f64 = 1e-6;
 /// A longer time without a move than any job has, s: a day.
 const DAY: f64 = 86400.0;
 
-/// The first line before the first move that sets what the seal, the travels or the `seconds` of the program contradict.
+/// The first line before the first move whose limits contradict the seal, the travels or the `seconds` of the program.
 pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option<Finding> {
     // Settings after the first move are no matter of a profile: the judge of programs refuses them all.
     let mut head = text.lines().zip(1..).take_while(|(line, _)| !line.starts_with("G0"));
@@ -21,7 +21,7 @@ pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option
     })
 }
 
-/// What would be right instead of `set`, if that contradicts the program.
+/// The required value instead of `set`, if `set` contradicts the program.
 fn wrong(record: &Record, set: Limits, seconds: f64) -> Option<String> {
     let (contact, acceleration) = match record.pace {
         Pace::Steady => (record.seal.speed.0, None),
