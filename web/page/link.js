@@ -1,4 +1,4 @@
-// A spec in a link: everything behind the #, which no server is told. The spec's own profile and drawing are in it if they are small.
+// A spec in a link: in the fragment after #, which is not sent to a server. Small profiles and drawings of the spec are included.
 import { drained } from "./zip.js";
 
 /** Largest text in a link, bytes: that of a file. */
@@ -17,7 +17,7 @@ function bytesOf(letters) {
     return drained(new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw")), MOST);
 }
 
-/** The fragment that holds { text, machine, drawing }, and whether the drawing was too large for it. */
+/** The fragment with { text, machine, drawing }, and whether the drawing was too large for it. */
 export async function fragmentOf({ text, machine, drawing }) {
     let fragment = `#spec=${await letters(text)}`;
     if (machine !== undefined) fragment += `&machine=${await letters(machine)}`;
@@ -27,7 +27,7 @@ export async function fragmentOf({ text, machine, drawing }) {
     return { fragment, isLong };
 }
 
-/** What `fragment` holds, { text, machine, drawing }; null if it is none of a spec. Fails if the link is damaged. */
+/** The content of `fragment`, { text, machine, drawing }; null if it holds no spec. Fails if the link is damaged. */
 export async function heldBy(fragment) {
     if (!fragment.startsWith("#spec=")) return null;
     const parts = new Map(fragment.slice(1).split("&").map((part) => part.split("=")));

@@ -8,10 +8,10 @@ const qrPart = (id) => document.getElementById(`qr${id}`);
 const svgOf = ({ side, path }) =>
     `<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 ${side} ${side}" shape-rendering="crispEdges"><path fill="#fff" d="M0 0h${side}v${side}H0z"/><path d="${path}"/></svg>\n`;
 
-/** The spec without lines that are comments alone, for a coarser code; null if a text of several lines may hold such a line. */
+/** The spec without lines that contain only comments, for a coarser code; null if a multi-line text may contain such a line. */
 const bare = (text) => (/"""|'''/.test(text) ? null : text.split("\n").filter((line) => !/^\s*(#|$)/.test(line)).join("\n") + "\n");
 
-/** Shows no code of another spec. */
+/** Removes the code of the previous spec. */
 export function hideCode() {
     qrPart("").hidden = true;
 }

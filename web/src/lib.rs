@@ -4,7 +4,7 @@
 //! from JavaScript is a function that reports progress. A message is JSON and the bytes of files. [`commands`] has
 //! the questions; their answers are those of the command line.
 //!
-//! A panic ends the instance. What it said can still be read, and the page makes a new instance.
+//! A panic ends the instance. Its message can still be read, and the page makes a new instance.
 
 pub mod boundary;
 pub mod commands;

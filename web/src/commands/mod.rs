@@ -1,18 +1,18 @@
-//! The questions of the page, by the word in `ask`, and their answers. Each is answered from itself alone; nothing is kept.
+//! The questions of the page, by the word in `ask`, and their answers. Each answer depends on its question alone; no state is kept.
 //!
 //! | ask | takes | answers |
 //! |---|---|---|
 //! | `start` | | the schema, the starter, the machine profiles, the kinds of file |
 //! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove`, `quick` | faults, settings, the overview, the proof, files |
-//! | `verify` | files | what `verify --json` prints |
-//! | `drawing` | a drawing | a spec that names its layers, or why it cannot be read |
-//! | `new` | `name`, `object`, `mass` and what else `new` takes | a spec and its verdict, or why there is none |
+//! | `verify` | files | the proof, as with `verify --json` |
+//! | `drawing` | a drawing | a spec that names its layers, or the reason why it cannot be read |
+//! | `new` | `name`, `object`, `mass` and the other options of `new` | a spec and its verdict, or the reason why there is none |
 //! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |
-//! | `predict` | `spec`, `machine`, the drawing, `model` | the prediction, in words and as JSON; shells are coarse |
+//! | `predict` | `spec`, `machine`, the drawing, `model` | the prediction, as text and as JSON; shells are coarse |
 //! | `qr` | `link` | the QR code of the link, as a path of an SVG |
-//! | `explain` | `code` | what the code means |
+//! | `explain` | `code` | the meaning of the code |
 //!
-//! `faults` are errors and warnings with their places; `wrong` says what is wrong with the question itself.
+//! `faults` are errors and warnings with their places; `wrong` is a fault of the question itself.
 
 mod build;
 mod drawing;
@@ -28,7 +28,7 @@ use serde_json::{Value, json};
 
 use crate::message::Message;
 
-/// Answers a question that was read, or says why it was not.
+/// Answers a question, or reports why it could not be read.
 pub fn answer(question: Result<Message, String>) -> Message {
     match question.and_then(answered) {
         Ok(answer) => answer,

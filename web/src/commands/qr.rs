@@ -7,10 +7,10 @@ use serde_json::{Value, json};
 
 use crate::commands::text;
 
-/// Light modules around a code, which readers want (ISO/IEC 18004, 9.1).
+/// Light modules around a code, which readers require (ISO/IEC 18004, 9.1).
 const QUIET: i32 = 4;
 
-/// The code of `link`: its `side` in modules with the quiet zone, and the `path` of its dark modules, in words of SVG. Nothing of both if
+/// The code of `link`: its `side` in modules with the quiet zone, and the `path` of its dark modules, as SVG path data. An empty object if
 /// the link is longer than a code can hold: 2953 bytes.
 pub(super) fn qr(question: &Value) -> Value {
     let link = text(question, "link").unwrap_or_default();
