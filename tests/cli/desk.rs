@@ -1,4 +1,4 @@
-//! What a person, or a program in their place, is told at the desk when something is wrong.
+//! Messages about wrong use of the commands.
 
 use std::fs;
 use std::path::Path;
@@ -166,7 +166,7 @@ fn every_command_can_be_quiet() {
     }
 }
 
-/// The guide says to run it: the second time it says how.
+/// The guide's command for a second run works.
 #[test]
 fn feedcheck_runs_a_second_time_if_it_is_told_to() {
     let dir = folder();

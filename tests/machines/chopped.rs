@@ -1,4 +1,4 @@
-//! Chopped programs: what is written is what is judged, however coarse the file and the steps.
+//! Chopped programs: the verifier agrees with the plan at every precision of the file and of the steps.
 
 use stargrip_cam::pipeline::read_back;
 
@@ -81,7 +81,7 @@ fn marlin_dwells_only_after_moves_that_it_makes() {
     }
 }
 
-/// Only `verify` found a `chop_feed` of one's own that the controller cannot go at: the remedy's value is one that it can.
+/// A custom `chop_feed` below the controller's lowest feed is refused in planning; the remedy's value is accepted.
 #[test]
 fn a_chop_feed_below_the_floor_is_refused() {
     let own = |feed: &str| {

@@ -1,4 +1,4 @@
-//! Lines that a profile must not put into any program: none is read, whatever the dialect and wherever it stands.
+//! Dangerous lines in a profile: each is refused, in every dialect and at every place.
 
 use stargrip_cam::spec::{Source, builtin_machine, read_machine};
 
@@ -140,7 +140,7 @@ fn no_dangerous_line_is_read_in_any_dialect() {
                     codes.iter().all(|code| ["program-line", "conflict"].contains(code)),
                     "{name} {part} {line}: {codes:?}"
                 );
-                // It is named where it stands.
+                // The fault is at its line.
                 let number = 1 + text
                     .lines()
                     .position(|text| text.starts_with(&format!("{part} = ")))
@@ -158,7 +158,7 @@ fn no_dangerous_line_is_read_in_any_dialect() {
     }
 }
 
-/// A setting is compared with what the profile says elsewhere.
+/// A setting is compared with other values of the profile.
 #[test]
 fn settings_agree_with_the_profile() {
     let read = |name: &str, from: &str, to: &str| {
@@ -179,7 +179,7 @@ fn settings_agree_with_the_profile() {
     assert_eq!(read("klipper", "acceleration = \"unknown\"", "acceleration = \"500 mm/s^2\""), Ok(()));
 }
 
-/// A setting is compared with the seal's speed and the job's time, which the profile does not know.
+/// A setting is compared with the seal's speed and the job's time, which the profile does not contain.
 #[test]
 fn settings_agree_with_the_seal() {
     let codes = |rest: &str, from: &str, to: &str| {

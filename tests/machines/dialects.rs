@@ -37,7 +37,7 @@ fn the_plain_subset_has_no_arcs_and_nothing_that_may_be_read_as_relative() {
     let line = code.lines().position(|line| line == "G90").expect("absolute") + 1;
     let found = crate::findings_with(&build, "star-1-seal.gcode", &code.replacen("G90\n", "G91.1\n", 1));
     assert!(found.iter().any(|f| (f.code, f.line) == ("unknown-word", Some(line))), "{found:?}");
-    // A profile of the user's own may say that its controller draws arcs.
+    // A profile of the user's own may state that its controller draws arcs.
     let arcs =
         profile("generic").replace("arcs = false", "arcs = true").replace("\"G90\"", "\"G91.1\", \"G90\"");
     let own = built(&spec_text(""), &arcs);
@@ -71,7 +71,7 @@ fn a_reversed_arc_is_found_at_its_line() {
     assert!(found.iter().any(|f| (f.code, f.line) == ("deviation", Some(line))), "{found:?}");
 }
 
-/// What a printer does not say itself: unhomed, or with Z 0 as its lowest, it stops or presses nothing after heating.
+/// Conditions that a printer does not report itself: unhomed, or with Z 0 as its lowest, it stops or presses nothing after heating.
 #[test]
 fn printers_say_what_has_to_be_true() {
     for (name, pause) in
@@ -92,8 +92,8 @@ fn printers_say_what_has_to_be_true() {
     }
 }
 
-/// Klipper, Marlin and RepRapFirmware run G0 at the feed in force: without an F a travel would crawl at the seal's. Who reads
-/// a generic program, nobody knows.
+/// Klipper, Marlin and RepRapFirmware run G0 at the feed in force: without an F a travel would run at the seal's speed. The controller of a
+/// generic program is unknown.
 #[test]
 fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
     for name in PROFILES {
@@ -146,7 +146,7 @@ fn below_the_lowest_feed_the_numbers_are_told() {
     assert!(try_built(&spec_text("[seal]\nspeed = \"0.6 mm/s\"\n"), profile("grbl")).is_ok());
 }
 
-/// Where the controller is so nearly slow enough that a stroke has hardly time left for a dwell.
+/// The controller's lowest speed is so near the seal's that a stroke leaves hardly any time for a dwell.
 #[test]
 fn strokes_just_below_the_floor_keep_their_mean_speed() {
     for (name, speed) in [("grbl", 0.5), ("grbl", 0.2), ("fluidnc", 0.6), ("marlin", 0.5), ("grblhal", 0.15)]
@@ -155,7 +155,7 @@ fn strokes_just_below_the_floor_keep_their_mean_speed() {
         let build = built(&spec_text(&rest), profile(name));
         assert_eq!(read_back(&build.output_files()).findings, [], "{name}");
         let code = text(&build, "star-1-seal.gcode");
-        // One dwell longer than told.
+        // One dwell is longer than programmed.
         let from = code.find("; seam:").expect("a seam");
         let (at, dwell) = code[from..].match_indices("\nG4 ").nth(40).expect("dwells");
         let line = code[..from + at].lines().count() + 1;
@@ -282,7 +282,7 @@ fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
             interpreter.feed(line, &mut events);
         }
         interpreter.finish(&mut events);
-        // Between the pauses: what the watch shows.
+        // The time between the pauses, as on a watch.
         let (mut watch, mut pauses) = (Vec::new(), 0);
         for event in events {
             match event {

@@ -79,7 +79,7 @@ fn sealed(file: &str, bytes: &str, name: &str) -> Built {
     made(&text, &reading.with_drawing(bytes.as_bytes()).spec, &machine(profile(name)), name)
 }
 
-/// Curves of other programs have segments of a micrometre and less. No seam begins there, and the iron does not go straight down there: on
+/// Curves of other programs have segments of a micrometre and less. No seam begins on one, and the iron does not go straight down there: on
 /// a round island between its halves, and at the corners of one whose sides are hardly longer than a ramp.
 #[test]
 fn crumbs_under_a_ramp_do_no_harm() {

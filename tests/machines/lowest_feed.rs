@@ -1,4 +1,4 @@
-//! The lowest feed along a move: that of its worst direction, wherever in an arc it lies.
+//! The lowest feed along a move: that of its worst direction, at any place in an arc.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -20,8 +20,8 @@ fn motion(steps: [f64; 3]) -> Motion {
     Motion { steps_per_mm: Some(steps), step_rate: StepRate::AtLeast(RATE), ..Motion::UNKNOWN }
 }
 
-/// The greatest of the lowest speeds of `SAMPLES` directions on the way, from the formula alone: the step rate
-/// over the steps per mm of the axis that has most of them.
+/// The greatest of the lowest speeds of `SAMPLES` directions on the path, from the formula alone: the step rate over the steps per mm of
+/// the axis with the most steps.
 fn brute_force(steps: [f64; 3], piece: &Segment, rise: f64) -> f64 {
     let length = piece.length();
     let along = |t: f64| {
@@ -69,7 +69,7 @@ proptest! {
     }
 }
 
-/// In each quadrant a short arc, at whose ends the controller goes more slowly than in between.
+/// A short arc in each quadrant, at whose ends the controller can move more slowly than between them.
 #[test]
 fn the_worst_direction_within_a_short_arc_counts_in_every_quadrant() {
     let m = motion([80.0, 200.0, 400.0]);
@@ -104,13 +104,13 @@ fn a_line_has_one_direction_and_what_is_unknown_stays_unknown() {
     let arc = Arc::new(Point::ORIGIN, 10.0, 0.0, 3.0).into();
     for piece in [line, arc] {
         assert_eq!(lowest_speed(&Motion::UNKNOWN, &piece, 0.0), None);
-        // A lowest feed of its own is one for every direction.
+        // A lowest feed in the profile holds for every direction.
         let own = Motion { step_rate: StepRate::NoLimit, min_feed: Speed(0.25), ..Motion::UNKNOWN };
         assert_eq!(lowest_speed(&own, &piece, 1.0), Some(0.25));
     }
 }
 
-/// What a machine that goes no slower than `feed` in any direction says to a seal at 0.1 mm/s.
+/// The refusal of a seal at 0.1 mm/s by a machine with the lowest feed `feed` in every direction.
 fn refused_at(feed: &str) -> Option<Refusal> {
     let slow =
         profile("reprapfirmware").replace("min_feed = \"5 mm/min\"", &format!("min_feed = \"{feed}\""));

@@ -1,4 +1,4 @@
-//! The machine really does what the design says: every dialect, every fault, every way of going on.
+//! Programs move as the design requires: every dialect, every fault, every way to resume.
 
 mod airtight;
 mod chopped;
@@ -30,7 +30,7 @@ use stargrip_cam::verify::{Finding, OutputFiles};
 const PROFILES: [&str; 8] =
     ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
 
-/// Those of controllers with a lowest step rate, so that programs for them may have to be chopped.
+/// Controllers with a lowest step rate: programs for them may have to be chopped.
 const WITH_FLOOR: [&str; 4] = ["grbl", "grblhal", "fluidnc", "marlin"];
 
 /// Whether the controller of profile `name` has a lowest step rate.
@@ -63,7 +63,7 @@ fn profile(name: &str) -> &'static str {
     builtin_machine(name).expect("built in")
 }
 
-/// A build for any machine, of a spec that calls its profile a file of the user's own.
+/// A build for any machine, from a spec whose profile is a file of the user's own.
 fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Refusals> {
     let own = "[machine]\nprofile = \"own.toml\"\n";
     let spec_text = match spec_text.split_once("[machine]\n") {

@@ -14,11 +14,11 @@ pub(crate) fn ends_in(name: &str, ending: &str) -> bool {
 pub(crate) struct Page {
     /// Its path below the sources: "docs/making.md".
     pub(crate) name: String,
-    /// What it holds.
+    /// The text of the page.
     pub(crate) text: String,
 }
 
-/// A part of a page that is looked at.
+/// A part of a page that is tested.
 #[derive(Debug)]
 pub(crate) enum Piece {
     /// Its text.
@@ -27,9 +27,9 @@ pub(crate) enum Piece {
     Block(Block),
     /// Its file, as the page names it, and which file of a command it is (`<!-- from out/star/x.svg -->` above it).
     Picture {
-        /// As the page names it.
+        /// The path in the page.
         file: String,
-        /// What the reader sees who cannot see it.
+        /// The alternative text.
         words: String,
         /// Below the directory in which the page's commands run.
         from: Option<String>,
@@ -39,13 +39,13 @@ pub(crate) enum Piece {
 /// A fenced block.
 #[derive(Debug)]
 pub(crate) struct Block {
-    /// The word behind the fence: "sh".
+    /// The word after the fence: "sh".
     pub(crate) kind: String,
-    /// What stands in it, line ends included.
+    /// Its content, line ends included.
     pub(crate) body: String,
     /// The line of its fence, from 1.
     pub(crate) line: usize,
-    /// Why it is not run (`<!-- not run: minutes -->` above it).
+    /// The reason why it is not run (`<!-- not run: minutes -->` above it).
     pub(crate) not_run: Option<String>,
 }
 
@@ -110,7 +110,7 @@ impl Page {
             if line.starts_with("```") {
                 is_code = !is_code;
             } else if !is_code {
-                // A span of code is none of a link.
+                // Text in a code span is not a link.
                 prose.extend(line.split('`').step_by(2).flat_map(|part| [part, "`"]));
                 prose.push('\n');
             }

@@ -1,12 +1,12 @@
-//! The pictures of speed against accuracy show the numbers of the tables beside them: times differ from run to run, so both have to
-//! come from one.
+//! The pictures of speed against accuracy show the numbers of the tables beside them: times differ from run to run, so both must come from
+//! one run.
 
-/// Where a value lies on a logarithmic axis: pixels at 1, and a decade.
+/// Position of a value on a logarithmic axis: pixels at 1, and a decade.
 fn at(value: f64, (one, decade): (f64, f64)) -> f64 {
     one + decade * value.log10()
 }
 
-/// The middles of the circles of `picture`, but for those of its legend.
+/// The centres of the circles of `picture`, without those of its legend.
 fn circles(picture: &str) -> Vec<(f64, f64)> {
     let numbers = |line: &str, name: &str| -> Option<f64> {
         line.split_once(&format!(" {name}=\"")).and_then(|(_, rest)| rest.split('"').next()?.parse().ok())

@@ -1,14 +1,14 @@
-//! The text of a program as a controller takes it in: lines of words, each a letter and a number. It shares no code with
-//! the writers, nor with the reader of `verify`.
+//! The text of a program as a controller reads it: lines of words, each a letter and a number. It shares no code with the writers, nor with
+//! the reader of `verify`.
 
 use std::collections::BTreeMap;
 
-/// What one line asks for.
+/// The command in a line.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Command {
     /// G0 to G3.
     Move(Words),
-    /// G4, with its P word as it stands.
+    /// G4, with its unscaled P word.
     Dwell(f64),
     /// A pause, a heater that is waited for, the end: all motion before it comes to rest.
     Halt,
@@ -21,7 +21,7 @@ pub(crate) enum Command {
 pub(crate) struct Words {
     /// 0 to 3.
     pub(crate) code: u8,
-    /// X, Y and Z, where they are said.
+    /// X, Y and Z, if present.
     pub(crate) to: [Option<f64>; 3],
     /// I and J.
     pub(crate) center: [f64; 2],

@@ -14,13 +14,13 @@ pub(crate) enum Timer {
 /// A timer at work.
 pub(crate) struct Running {
     pub(crate) kind: Timer,
-    /// Cycles of the timer since it last matched, where it runs on while nothing moves; `None` while it steps.
+    /// Cycles of the timer since its last match, if it runs on while nothing moves; `None` while it steps.
     idle: Option<f64>,
     /// The period in force, cycles.
     period: f64,
 }
 
-/// What the interpreter of GRBL on an AVR needs for the two lines of a stroke, s: 1.1 ms, measured once on the AVR binary.
+/// Time of the interpreter of GRBL on an AVR for the two lines of a stroke, s: 1.1 ms, measured once on the AVR binary.
 const LINES: f64 = 1.1e-3;
 
 impl Timer {
@@ -48,7 +48,7 @@ impl Running {
         (ticks * period + first) / f64::from(self.kind.frequency())
     }
 
-    /// What the first tick after a rest takes more than the others, cycles.
+    /// Extra cycles of the first tick after a rest.
     fn start(&self, since: f64, period: f64) -> f64 {
         match self.kind {
             // TIMER1 is never stopped, and its flag has been up since it matched: the interrupt comes at once, and the
@@ -70,7 +70,7 @@ impl Running {
         let _ = self.idle.get_or_insert(0.0);
     }
 
-    /// The time of a dwell whose P word is `told`, s.
+    /// The time of a dwell with the P word `told`, s.
     pub(crate) fn dwell(&mut self, told: f64) -> f64 {
         let told = told as f32;
         let seconds = match self.kind {
@@ -87,7 +87,7 @@ impl Running {
     }
 }
 
-/// stepper.c, AMASS_LEVEL1 to 3: the period and the level of smoothing. CTC counts a cycle more than it is told.
+/// stepper.c, AMASS_LEVEL1 to 3: the period and the level of smoothing. CTC counts one cycle more than its setting.
 fn avr(cycles: u32) -> (f64, u32) {
     let level = u32::from(cycles >= 2_000) + u32::from(cycles >= 4_000) + u32::from(cycles >= 8_000);
     (f64::from((cycles >> level).min(0xffff)) + 1.0, level)

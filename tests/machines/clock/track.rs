@@ -1,8 +1,8 @@
-//! What the iron did: the mean speed of every stretch in contact, its windows, and the time of all of it.
+//! The track of the iron: the mean speed of every stretch in contact, its windows, and the total time.
 
 use super::legs::Leg;
 
-/// Way between two marks, mm.
+/// Path between two marks, mm.
 const MARK: f64 = 0.25;
 /// Nearer than this to a mark is on it, mm.
 const ON_MARK: f64 = 1e-3;
@@ -12,7 +12,7 @@ const ON_MARK: f64 = 1e-3;
 pub(crate) struct Stretch {
     /// Its first line.
     pub(crate) line: usize,
-    /// As the program tells it, mm.
+    /// Length in the program, mm.
     pub(crate) length: f64,
     /// From the start of its first cut to the end of the wait after its last, s.
     pub(crate) seconds: f64,
@@ -29,7 +29,7 @@ pub(crate) struct Track {
     pub(crate) stretches: Vec<Stretch>,
     /// When the first leg of a line began.
     pub(crate) lines: Vec<(usize, f64)>,
-    /// The stretch that goes on.
+    /// The current stretch.
     open: Option<Stretch>,
     leg: f64,
     done: f64,
@@ -81,13 +81,13 @@ impl Track {
         open.seconds = self.now - open.begun;
     }
 
-    /// Nothing moves for so long: a dwell, which belongs to the stretch.
+    /// Nothing moves for this time: a dwell, which belongs to the stretch.
     pub(crate) fn rest(&mut self, seconds: f64) {
         self.now += seconds;
         if let Some(open) = &mut self.open {
             let here = MARK * (open.marks.len() as f64 - 1.0);
             if let Some(mark) = open.marks.last_mut().filter(|_| (open.length - here).abs() < ON_MARK) {
-                // It came to the mark before the rest and leaves it after: half of each.
+                // The mark is reached before the rest and left after it: half of the rest counts for each side.
                 *mark += 0.5 * seconds;
             }
             open.seconds = self.now - open.begun;

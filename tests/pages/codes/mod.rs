@@ -1,4 +1,4 @@
-//! docs/codes.md lists every code of the program with its meaning, and none else.
+//! docs/codes.md lists all codes of the program with their meanings, and no others.
 
 mod files;
 mod specs;
@@ -12,7 +12,7 @@ use stargrip_cam::verify::FindingCode;
 
 use specs::Message;
 
-/// Codes for which no wrong input is known, or none that is short: the program has them all the same.
+/// Codes without a wrong input, or without a short one, as example.
 const WITHOUT: &[&str] = &[
     "edit",
     "open-quote",
@@ -43,7 +43,7 @@ const WITHOUT: &[&str] = &[
     "wrong-volume",
 ];
 
-/// The lines of one room's table; `messages` of it are examples.
+/// The lines of one module's table; `messages` are its examples.
 fn table<C: Code>(codes: &[C], messages: &[Message]) -> String {
     let head = "| code | what it means, what to do | example |\n|---|---|---|\n".to_owned();
     codes.iter().fold(head, |mut text, code| {
