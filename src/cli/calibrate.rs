@@ -28,13 +28,13 @@ pub(super) struct Args {
     /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N.
     #[arg(required_unless_present_any = ["inflated_angle", "disc_width", "bias_strip"])]
     results: Option<PathBuf>,
-    /// What the seal has to hold, such as "1.2 N/mm".
+    /// Required strength of the seal, such as "1.2 N/mm".
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec", requires = "results")]
     needed: Option<LineForce>,
-    /// The spec whose seal has to hold: the largest load of its stars at the pressure of its `load` section.
+    /// The spec whose seal must hold: the largest load of its stars at the pressure of its `load` section.
     #[arg(long)]
     spec: Option<PathBuf>,
-    /// How many times that the seal should hold, 1 to 100.
+    /// Required ratio of the seal's strength to its load, 1 to 100.
     #[arg(long, default_value_t = 1.5, allow_hyphen_values = true, value_parser = number(Allowed::closed(1.0, 100.0)))]
     margin: f64,
     #[command(flatten)]

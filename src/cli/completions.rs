@@ -11,7 +11,7 @@ use crate::cli::verbosity::Quiet;
 pub(super) struct Args {
     /// The shell.
     shell: Shell,
-    /// The answer is all that is printed, with or without it.
+    /// Has no effect: only the answer is printed.
     #[command(flatten)]
     _quiet: Quiet,
 }

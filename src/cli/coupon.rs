@@ -21,7 +21,7 @@ use crate::units::{Length, Speed, Temperature};
 /// Arguments of `coupon`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The spec whose machine, fabric and tube are tried out.
+    /// The spec whose machine, fabric and tube are tested.
     spec: PathBuf,
     /// A new directory for the programs, drawings and the table.
     #[arg(short, long, value_name = "DIR", default_value = "coupons")]

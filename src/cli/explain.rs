@@ -14,7 +14,7 @@ use crate::spec;
 /// Arguments of `explain`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The code, as it stands in a message: no-arm. Without it, all codes are listed.
+    /// The code in a message, such as no-arm. Without it, all codes are listed.
     code: Option<String>,
     #[command(flatten)]
     verbosity: Verbosity,

@@ -80,25 +80,25 @@ const GROUPS: [(&str, &[&str]); 4] = [
 enum Command {
     /// Write a commented starter spec, or with --object that of a gripper which holds the object.
     New(new::Args),
-    /// Read a spec and print what would be built, or everything that is wrong with it.
+    /// Read a spec and print what would be built, or all of its faults.
     Check(check::Args),
-    /// Build everything that a spec asks for, prove it, and publish it as one directory.
+    /// Build everything in a spec, prove it, and publish it as one directory.
     Build(build::Args),
     /// Prove a published directory: hashes, and every file against the exact geometry.
     Verify(verify::Args),
     /// List the built-in machine profiles, and what each can do at 0.1 mm/s.
     Machines(machines::Args),
-    /// Write a program that shows at which speed the machine really goes.
+    /// Write a program that measures the machine's real speed.
     Feedcheck(feedcheck::Args),
-    /// Write programs for seal strips and pouches that show what a machine and a fabric can do.
+    /// Write programs for seal strips and pouches that test a machine and a fabric.
     Coupon(coupon::Args),
     /// Turn tests on the bench (peeled strips, a V-actuator, a disc) into values for the spec.
     Calibrate(calibrate::Args),
     /// Write a program for the rest of a job that was interrupted.
     Resume(resume::Args),
-    /// Predict what the gripper of a spec does: closing, force, pressures, payload.
+    /// Predict the behaviour of the gripper of a spec: closing, force, pressures, payload.
     Predict(predict::Args),
-    /// Predict what one hinge between two arms does: angle, stiffness, moment against angle.
+    /// Predict the behaviour of one hinge between two arms: angle, stiffness, moment against angle.
     Actuator(actuator::Args),
     /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
     Optimize(optimize::Args),
@@ -110,9 +110,9 @@ enum Command {
     Cone(cone::Args),
     /// Print the JSON Schema of a spec, for editors.
     Schema(schema::Args),
-    /// Print what the code of a message means, and what to do.
+    /// Print the meaning of a message's code, and the remedy.
     Explain(explain::Args),
-    /// Print what makes a shell complete commands and options.
+    /// Print a script that completes commands and options in a shell.
     Completions(completions::Args),
     /// Print a page of the manual.
     Man(man::Args),

@@ -18,7 +18,7 @@ use crate::spec;
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// What to call the design; the file is called like it.
+    /// Name of the design, and of its file.
     #[arg(default_value = "star")]
     name: String,
     /// Your own drawing, SVG or DXF: a spec that names all of its layers.
@@ -90,7 +90,7 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
 
 /// The name as a portable file name: ASCII letters, digits, dashes, and points between them.
 pub(super) fn file_stem(name: &str) -> String {
-    // A name with the ending is that of the file.
+    // A name that ends in .toml is that of the file.
     let name = name.strip_suffix(".toml").unwrap_or(name);
     let mut stem = String::new();
     for c in name.chars() {

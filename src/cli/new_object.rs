@@ -18,7 +18,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 pub(super) use crate::answer::object::NewGripper;
 
-/// What the gripper is wanted for.
+/// Arguments about the object.
 #[derive(clap::Args, Debug)]
 pub(super) struct ObjectArgs {
     /// How wide the object is across where it is gripped: "70 mm".

@@ -29,9 +29,9 @@ use inflatable::mechanics::hinge::ring::RingTable;
 /// Arguments of `optimize`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The spec to start from; what is not searched stays as it says.
+    /// The spec to start from; the values that are not searched stay unchanged.
     spec: PathBuf,
-    /// What is wanted most; default: to hold the object of `[load]` where there is one, else contraction.
+    /// Goal of the search; default: to hold the object of `[load]` if there is one, else contraction.
     #[arg(long, value_enum)]
     goal: Option<GoalArg>,
     /// Numbers of points, "3..8" or one.
@@ -67,10 +67,10 @@ pub(super) struct Args {
     /// Largest radial force of one star, such as "20 N"; default: the `[load]`'s largest_force.
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity_or_number::<Force>(Allowed::above(0.0, 1e6)))]
     largest_force: Option<f64>,
-    /// Least burst pressure over pressure; default: 1 where the seal's strength is known.
+    /// Least burst pressure over pressure; default: 1 if the seal's strength is given.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
     burst_margin: Option<f64>,
-    /// Ask the shell about the winner: seconds to minutes.
+    /// Compute the best star with the shell, too: seconds to minutes.
     #[arg(long)]
     confirm: bool,
     #[command(flatten)]

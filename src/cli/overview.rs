@@ -88,7 +88,7 @@ fn in_words(star: &StarSpec) -> String {
         format!("{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {angle}");
     for (what, radius) in [("tip radius", tip_radius), ("corner radius", corner_radius)] {
         if *radius != Length(0.0) {
-            // A String takes everything.
+            // Writing to a String does not fail.
             let _ = write!(text, ", {what} {radius}");
         }
     }
@@ -140,7 +140,7 @@ pub(super) fn proven(proven: &Proven) -> Vec<OverviewRow> {
     vec![("proven", format!("{number} files, made in memory: {}{more}", scope(proven.proof())))]
 }
 
-/// The same for programs.
+/// The JSON of [`proven`].
 pub(super) fn proven_json(proven: &Proven) -> Value {
     let left_out: Vec<&str> = left_out(proven).iter().map(|kind| kind.name()).collect();
     json!({ "files": proven.built().files().count(), "kinds_left_out": left_out })
@@ -152,7 +152,7 @@ fn left_out(proven: &Proven) -> Vec<Kind> {
     Kind::ALL.iter().copied().filter(|kind| !asked.takes(*kind)).collect()
 }
 
-/// The page that shows most of the gripper, by its file's name.
+/// The file name of the page that shows most of the gripper.
 pub(super) fn to_look_at(proven: &Proven) -> Option<String> {
     [Kind::Report, Kind::PreviewPng, Kind::PreviewSvg]
         .into_iter()

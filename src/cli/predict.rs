@@ -19,7 +19,7 @@ use crate::spec::{ModelChoice, Spec};
 use crate::units::Length;
 use inflatable::shell::cases::InflatedShape;
 
-/// Most radii of one curve: each is opened to in steps.
+/// Largest number of radii of one curve: each is reached in steps.
 const MOST_RADII: u32 = 7;
 
 /// Arguments of `predict`.
@@ -52,7 +52,7 @@ pub(super) enum Model {
     Section,
     /// The whole sheet in triangles, with arms and contact: seconds to minutes.
     Shell,
-    /// The cheapest that is accurate enough; never the shell.
+    /// The cheapest accurate model; never the shell.
     Auto,
 }
 
@@ -114,7 +114,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.verbosity.remark(&report::text(&spec, &prediction))
 }
 
-/// The same by the shell.
+/// Predicts with the shell model, and prints the answer.
 fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Result<(), Failure> {
     let radii = args.radii.as_ref().map_or(&[][..], |radii| &radii.0);
     let question = format!("predict {spec:?} {radii:?}");

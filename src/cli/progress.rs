@@ -18,7 +18,7 @@ use crate::cli::verbosity::Verbosity;
 
 /// Delay before the line appears: shorter work needs none.
 const PATIENCE: Duration = Duration::from_millis(500);
-/// Between two looks at the clock and at Ctrl-C.
+/// Interval of checks of the clock and of Ctrl-C.
 const PAUSE: Duration = Duration::from_millis(100);
 /// Number of steps of the whole bar: finer than any terminal's resolution.
 const WHOLE: u64 = 1000;
@@ -34,7 +34,7 @@ pub(super) struct Progress {
 enum OnInterrupt {
     /// It ends the program: the work does not catch signals, and has written nothing.
     End,
-    /// The work listens.
+    /// The work catches signals itself.
     Leave,
 }
 
@@ -103,7 +103,7 @@ fn style(template: &str) -> ProgressStyle {
     style.tick_chars("-\\|/ ").progress_chars("=> ")
 }
 
-/// Shows the line when it is time, and moves it until `stopped` hangs up.
+/// Shows the line after the delay, and animates it until the sender of `stopped` is dropped.
 fn tick(bar: &ProgressBar, stopped: &Receiver<()>, on_interrupt: OnInterrupt) {
     let listening = (on_interrupt == OnInterrupt::End).then(Listening::new);
     let began = Instant::now();

@@ -16,7 +16,7 @@ pub(super) struct Snapshot {
     notes: Vec<String>,
 }
 
-/// A number as a person reads it: its name, the value, and the unit.
+/// A number in the line of changes: its name, the value, and the unit.
 #[derive(Clone, Debug, PartialEq)]
 struct Figure {
     name: &'static str,
@@ -24,7 +24,7 @@ struct Figure {
     unit: &'static str,
 }
 
-/// Most changed values that are named.
+/// Largest number of changed values in the line.
 const NAMED: usize = 4;
 
 impl Snapshot {
@@ -75,7 +75,7 @@ impl Snapshot {
         self.notes.iter().filter(|note| !before.notes.contains(note)).cloned().collect()
     }
 
-    /// The figures that are others.
+    /// The changed results.
     fn moved(&self, before: &Self) -> Vec<String> {
         let was = |figure: &Figure| before.figures.iter().find(|was| was.name == figure.name);
         let moved = self.figures.iter().filter(|figure| was(figure) != Some(figure));
@@ -96,7 +96,7 @@ fn changed(setting: &Setting, before: &[Setting]) -> Option<String> {
     (was != is).then(|| format!("{} {} -> {}", setting.key, or_none(was), or_none(is)))
 }
 
-/// The figures that a person looks at while choosing values.
+/// The results that matter while values are chosen.
 fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<Figure> {
     let star = forecast.prediction.as_ref().map(|prediction| &prediction.first);
     let of = |name, value: Option<f64>, unit| value.map(|value| Figure { name, value: rounded(value), unit });

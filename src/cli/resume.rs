@@ -29,7 +29,7 @@ pub(super) struct Args {
     /// A point near which the iron stopped, from the sheet's lower left corner: "120.5 mm,80 mm".
     #[arg(long, group = "place", value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     near: Option<Point>,
-    /// What to seal again before the stop, such as "5 mm"; default: as much as the closures overlap.
+    /// Length to seal again before the stop, such as "5 mm"; default: the overlap of the closures.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length)]
     overlap: Option<f64>,
     /// The program to write; default: the job's name with -resume, beside a published directory, never in it. Never over

@@ -10,10 +10,10 @@ use crate::spec;
 /// Arguments of `schema`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// That of a machine profile instead.
+    /// Print the schema of a machine profile instead.
     #[arg(long)]
     machine: bool,
-    /// The answer is all that is printed, with or without it.
+    /// Has no effect: only the answer is printed.
     #[command(flatten)]
     _quiet: Quiet,
 }

@@ -14,13 +14,13 @@ use inflatable::shell::cases::{ShellFault, Watch};
 /// Arguments for the shell model only.
 #[derive(clap::Args, Debug)]
 pub(super) struct ShellArgs {
-    /// Of the shell: how fine its meshes are; medium for stars, coarse for drawings. Errors of the mesh are said beside every number.
+    /// For the shell: fineness of its meshes; default: medium for stars, coarse for drawings. Every number is printed with its mesh error.
     #[arg(long, value_name = "HOW")]
     fineness: Option<FinenessWord>,
-    /// Of the shell: write the inflated sheet as a VTU file, which ParaView reads.
+    /// For the shell: write the inflated sheet as a VTU file, which ParaView reads.
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
-    /// Of the shell: compute anew, and keep no answer.
+    /// For the shell: compute the answer again, and do not keep it.
     #[arg(long)]
     no_cache: bool,
 }
@@ -30,7 +30,7 @@ pub(super) struct ShellArgs {
 enum FinenessWord {
     /// A first look: seconds.
     Coarse,
-    /// For most ends.
+    /// For most purposes.
     Medium,
     /// Where mesh errors matter.
     Fine,

@@ -1,4 +1,4 @@
-//! The terminal: how wide it is, whether it has colours, and where lines are broken.
+//! The terminal: its width, its colours, and line breaks.
 
 use std::env;
 use std::io::IsTerminal;

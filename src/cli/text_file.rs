@@ -1,4 +1,4 @@
-//! Programs, tables and specs as files of text: read within a limit, written where nothing is yet.
+//! Programs, tables and specs as text files: read up to a limit, and written only as new files or atomically.
 
 use std::fs::File;
 use std::io;
@@ -13,15 +13,15 @@ use crate::cli::whole_file::WholeFile;
 /// Largest program, bytes: far more than the largest design needs.
 const PROGRAM: u64 = 1 << 28;
 
-/// Most bytes of a table: hours of a test at a thousand rows a minute, and few enough that all rows are held in memory at ease.
+/// Largest table, bytes: hours of a test at a thousand rows a minute, and small enough to be held in memory.
 const TABLE: u64 = 1 << 24;
 
-/// Reads a program that a command is given.
+/// Reads a program given to a command.
 pub(super) fn read_text(path: &Path) -> Result<String, Failure> {
     read_within(path, PROGRAM)
 }
 
-/// Reads a table that a command is given, or standard input for "-".
+/// Reads a table given to a command, or standard input for "-".
 pub(super) fn read_table(path: &Path) -> Result<String, Failure> {
     read_within(path, TABLE)
 }

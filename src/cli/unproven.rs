@@ -16,9 +16,9 @@ const PROGRAMS: [&str; 2] = ["gcode", "ngc"];
 pub struct Unproven {
     /// All findings in the files.
     pub findings: Vec<Finding>,
-    /// The spec's name as it was read.
+    /// The spec's name.
     pub(super) spec: String,
-    /// The machine profile that the spec names.
+    /// The name of the machine profile in the spec.
     pub(super) profile: String,
 }
 

@@ -53,7 +53,7 @@ impl Verbosity {
     }
 }
 
-/// One JSON object as it is printed.
+/// One JSON object as printed text.
 pub(super) fn pretty(json: &Value) -> String {
     format!("{json:#}\n")
 }

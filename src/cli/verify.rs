@@ -124,7 +124,7 @@ fn text(dir: &Path, proof: &Proof) -> String {
     text + &faults(dir, proof)
 }
 
-/// The findings and the last line.
+/// The text of the findings, and the last line.
 fn faults(dir: &Path, proof: &Proof) -> String {
     let mut text: String = findings::lines(&proof.findings).into_iter().map(|line| line + "\n").collect();
     text.push_str(&verdict(dir, proof));
@@ -191,11 +191,11 @@ pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<
     Ok((published, files))
 }
 
-/// At most the first `most` bytes of a file.
+/// The first `most` bytes of a file.
 fn read(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
     let read = || {
         let file = fs::File::open(path)?;
-        // Room for all of it at once: what grows is copied.
+        // The buffer has its full size at once: growing would copy it.
         let length = file.metadata()?.len().min(most);
         let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
         let _ = file.take(most).read_to_end(&mut bytes)?;

@@ -96,7 +96,7 @@ pub(super) fn entries(directory: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// Makes the names in a directory outlive a power cut, where the system can.
+/// Syncs the names in a directory, so that they survive a power cut, where the system can.
 pub(super) fn sync_dir(path: &Path) -> io::Result<()> {
     step(DiskStep::Sync, path)?;
     if !cfg!(unix) {
@@ -114,7 +114,7 @@ pub(super) fn sync_dir(path: &Path) -> io::Result<()> {
 /// Exchanges two names in one step.
 ///
 /// # Errors
-/// Also where the system cannot.
+/// If the system refuses, or cannot exchange names.
 #[cfg(any(target_os = "linux", target_os = "android"))]
 pub(super) fn exchange(a: &Path, b: &Path) -> io::Result<()> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};

@@ -1,7 +1,7 @@
 //! Publishes in one step: a complete directory takes the target's name.
 //!
-//! Where the system cannot exchange two names it takes two renames. A kill between the two leaves the
-//! old output under its hidden name, and the next publication puts it back.
+//! A system that cannot exchange two names needs two renames. A kill between them leaves the old output under its hidden name, and the next
+//! publication restores it.
 
 use std::path::PathBuf;
 
@@ -13,7 +13,7 @@ use crate::cli::publish::stage::{StagedFile, Staging};
 /// Replaces the target by `files`. Returns the present place of the old build, if there was one.
 ///
 /// # Errors
-/// The target is then as it was.
+/// If the system refuses; the target is then unchanged.
 pub(super) fn publish(
     place: &TargetPlace,
     files: &[StagedFile<'_>],

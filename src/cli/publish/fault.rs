@@ -12,7 +12,7 @@ pub enum PublishFault {
     NotADirectory(PathBuf),
     /// The target holds this entry, which the program did not write.
     Foreign(PathBuf),
-    /// The target, or a file in it, is protected from being written.
+    /// The target, or a file in it, is write-protected.
     ReadOnly(PathBuf),
     /// The target has no name, such as `/`.
     NoName(PathBuf),

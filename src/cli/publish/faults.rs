@@ -23,7 +23,7 @@ enum System {
     Exchange,
     /// Only rename.
     Rename,
-    /// Not even that, since the target is a mount point.
+    /// Neither: the target is a mount point.
     Mount,
 }
 
@@ -53,7 +53,7 @@ const EVENTS: [Event; 7] = [
 /// No event: operation 0 does not exist.
 const NOTHING: Event = Event::Fails(io::ErrorKind::Other);
 
-/// One publication's fate.
+/// The fault injected into one publication.
 #[derive(Debug)]
 struct Fate {
     version: u8,
@@ -103,7 +103,7 @@ pub(super) fn step(step: DiskStep, path: &Path) -> io::Result<()> {
     })
 }
 
-/// The files of version `version` of a build: one changes, one stays, one comes and goes.
+/// The files of version `version` of a build: one changes, one stays, one exists in every second version.
 fn build(version: u8) -> Vec<StagedFile<'static>> {
     let passing = if version.is_multiple_of(2) { "sheet-1.svg" } else { "sheet-2.svg" };
     let mut files: Vec<StagedFile<'static>> = vec![
@@ -164,7 +164,7 @@ fn found(directory: &Path, text: &str) -> bool {
     })
 }
 
-/// Removes the file that is in the way, as the message advises, and publishes again.
+/// Moves the file in the way elsewhere, as the message advises, and publishes again.
 fn again(root: &Path, target: &Path, version: u8, system: System) {
     for _ in 0..10 {
         match run(target, version, system, 0, NOTHING).0 {
@@ -180,7 +180,7 @@ fn again(root: &Path, target: &Path, version: u8, system: System) {
 }
 
 fn workshop(before: Option<u8>) -> (TempDir, PathBuf) {
-    // In memory, where that is: a disk takes milliseconds for each sync, and a round has dozens.
+    // In memory, if possible: a disk takes milliseconds for each sync, and a round has dozens.
     let root = tempfile::tempdir_in("/dev/shm").or_else(|_| tempfile::tempdir()).unwrap();
     let target = fs::canonicalize(root.path()).unwrap().join("out/star");
     fs::create_dir(root.path().join("out")).unwrap();
@@ -190,7 +190,7 @@ fn workshop(before: Option<u8>) -> (TempDir, PathBuf) {
     (root, target)
 }
 
-/// The rounds to do: `ROUNDS` of the environment, or a few.
+/// The number of rounds: `ROUNDS` of the environment, or a few.
 fn rounds() -> usize {
     env::var("ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(300)
 }

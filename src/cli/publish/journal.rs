@@ -16,10 +16,10 @@ use crate::cli::publish::retire::retire;
 use crate::cli::publish::stage::{StagedFile, Staging};
 use crate::manifest::MANIFEST;
 
-/// Puts `files` into the target in place of the build that `before` records. Returns where the old build is now.
+/// Replaces the build that `before` records by `files` in the target. Returns the present place of the old build.
 ///
 /// # Errors
-/// The target is then as it was; if not even that could be done, the next publication into it does it.
+/// If the system refuses. The target is then unchanged; if that failed as well, the next publication restores it.
 pub(super) fn publish(
     place: &TargetPlace,
     files: &[StagedFile<'_>],
@@ -61,7 +61,7 @@ fn commit(
     Ok(())
 }
 
-/// Moves `entry` into `directory`, but not onto anything.
+/// Moves `entry` into `directory`, but never over an existing entry.
 fn move_to(entry: &Path, directory: &Path) -> Result<(), PublishFault> {
     let to = directory.join(entry.file_name().unwrap_or_default());
     if disk::exists(&to) {
@@ -70,7 +70,7 @@ fn move_to(entry: &Path, directory: &Path) -> Result<(), PublishFault> {
     disk::rename(entry, &to).map_err(PublishFault::io("move", entry))
 }
 
-/// Puts the target back as it was before a publication into it that was cut short. It may be cut short itself.
+/// Restores the target after an interrupted publication into it. The restoration may be interrupted itself.
 fn undo(place: &TargetPlace) -> Result<Vec<PathBuf>, PublishFault> {
     let (target, ready, old) = (&place.target, place.inside(PlaceRole::Ready), place.inside(PlaceRole::Old));
     for file in PublishRecord::read(&ready).into_iter().flat_map(|record| record.files) {

@@ -64,23 +64,23 @@ pub(super) fn extras_of(target: &Path) -> Vec<Kind> {
 /// Publishes the files of `proven` in the directory `target`, and replaces an earlier build there.
 ///
 /// # Errors
-/// See [`PublishFault`]; the target is then as it was before.
+/// See [`PublishFault`]; the target is then unchanged.
 pub fn publish(target: &Path, proven: &Proven) -> Result<Published, PublishFault> {
     let files: Vec<StagedFile<'_>> = proven.built().files().collect();
     put(target, &files)
 }
 
-/// Puts proven `files` that are no build's, the manifest last, into the directory `target`.
+/// Publishes proven `files` that are not a build's in the directory `target`, the manifest last.
 ///
 /// # Errors
-/// See [`PublishFault`]; the target is then as it was before.
+/// See [`PublishFault`]; the target is then unchanged.
 pub(super) fn publish_files(target: &Path, files: &[(&str, Vec<u8>)]) -> Result<Published, PublishFault> {
     let files: Vec<StagedFile<'_>> =
         files.iter().map(|(name, bytes)| (*name, bytes.as_slice().into())).collect();
     put(target, &files)
 }
 
-/// Puts `files` (name, content) into the directory `target`.
+/// Publishes `files` (name, content) in the directory `target`.
 fn put(target: &Path, files: &[StagedFile<'_>]) -> Result<Published, PublishFault> {
     let place = TargetPlace::new(target)?;
     let locks = place.lock();

@@ -11,7 +11,7 @@ use crate::cli::publish::disk;
 use crate::cli::publish::fault::PublishFault;
 use crate::manifest::{MANIFEST, sha256};
 
-/// Largest manifest that is read, bytes; one of sixty-four stars has a tenth of it.
+/// Largest manifest that is read, bytes: ten times that of sixty-four stars.
 const LARGEST: u64 = 1 << 24;
 
 /// Largest file of a build, bytes: `verify` reads no larger one.
@@ -32,7 +32,7 @@ pub(super) struct PublishRecord {
 /// One file.
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct Recorded {
-    /// Its name: no path.
+    /// Its name, without a path.
     pub(super) path: String,
     bytes: u64,
     sha256: String,

@@ -57,7 +57,7 @@ fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault
             }
             match disk::rename(directory, &name) {
                 Ok(()) => return disk::entries(&name).map_err(PublishFault::io("read", &name)),
-                // Taken in this moment: no directory replaces one that is not empty.
+                // The name was taken at this moment: a rename replaces no directory with content.
                 Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => {}
                 Err(error) => {
                     fault = refused(error);
@@ -92,7 +92,7 @@ pub(super) fn sweep(place: &TargetPlace, alone: bool) -> Result<Vec<PathBuf>, Pu
     Ok(kept)
 }
 
-/// Clears away the hidden directory `path` of `target`.
+/// Removes or restores the hidden directory `path` of `target`.
 fn clear(
     path: &Path,
     role: PlaceRole,

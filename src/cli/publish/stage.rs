@@ -51,7 +51,7 @@ impl Staging {
         &self.path
     }
 
-    /// Lets it stay.
+    /// Keeps the directory when it is dropped.
     pub(super) fn keep(mut self) {
         self.armed = false;
     }
@@ -61,7 +61,7 @@ impl Drop for Staging {
     fn drop(&mut self) {
         // A ready directory gets its first name again, which marks it as incomplete.
         if self.armed && (self.path == self.new || disk::rename(&self.path, &self.new).is_ok()) {
-            // Failing to remove it harms nothing: the next publication does.
+            // A failed removal is harmless: the next publication removes it.
             let _ = disk::remove_tree(&self.new);
         }
     }

@@ -95,7 +95,7 @@ fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<JoinedPart>, Failure> {
     }
 }
 
-/// Whether the file has the name of its part.
+/// Whether the file's name is that of its part.
 fn is_named(path: &Path, job: &PartJob) -> bool {
     path.file_name().is_some_and(|own| *own == *name(job.part, job.parts))
 }

@@ -143,7 +143,7 @@ impl Parts<'_> {
     }
 }
 
-/// The name of a part: names in the order of the alphabet are parts in order.
+/// The name of a part; the alphabetical order of names is that of the parts.
 pub(super) fn name(part: usize, parts: usize) -> String {
     let width = parts.to_string().len();
     format!("part-{part:0width$}-of-{parts}.csv")

@@ -10,7 +10,7 @@ use crate::cli::progress::Progress;
 use crate::cli::study::checkpoint::{Checkpoint, beside, drop_beside};
 use crate::forecast::study::{RowBatch, Study, csv};
 
-/// Some rows of a study, as they are to be written.
+/// Some rows of a study, and the form of their file.
 pub(in crate::cli) struct StudyRows<'a> {
     pub(in crate::cli) study: &'a Study,
     /// The range of rows.

@@ -1,4 +1,4 @@
-//! Rows of a study to standard output, a file, or parts in a directory: where `study run` writes.
+//! Rows of a study to standard output, a file, or parts in a directory: the destinations of `study run`.
 
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Read, Write, stdout};
@@ -30,7 +30,7 @@ pub(in crate::cli) struct Destination {
     /// The form: `csv`. Parquet is written by the Python package.
     #[arg(long, value_name = "FORM", hide = true)]
     format: Option<Form>,
-    /// Add a line to the header that begins with # and says the unit of each column.
+    /// Add a line to the header that begins with # and gives the unit of each column.
     #[arg(long)]
     units: bool,
     /// Threads; default: all.
@@ -59,7 +59,7 @@ pub(super) fn refuse_parquet(path: &Path) -> Result<(), Failure> {
     Err(Failure::Message(text.to_owned()))
 }
 
-/// Refuses to replace a file that is no table of a study: every table begins with the column `row`.
+/// Refuses to replace a file that is not a table of a study: every table begins with the column `row`.
 pub(super) fn refuse_foreign(path: &Path) -> Result<(), Failure> {
     if !path.is_file() {
         return Ok(());
@@ -115,7 +115,7 @@ impl Destination {
         if self.output.is_none() && self.parts.is_some() {
             return Err(Failure::Usage("--parts needs a directory: add -o DIR".to_owned()));
         }
-        // Rows on a terminal show by themselves how far they are.
+        // Rows on a terminal show the progress themselves.
         let quiet = self.quiet.quiet || (self.output.is_none() && stdout().is_terminal());
         let listening = Listening::new();
         let there =
