@@ -11,7 +11,7 @@ pub fn sha256(bytes: impl AsRef<[u8]>) -> String {
     running.finish()
 }
 
-/// SHA-256 of `parts`, each behind its length, so that "ab", "c" is not "a", "bc".
+/// SHA-256 of `parts`, each after its length, so that "ab", "c" differs from "a", "bc".
 pub fn of_parts(parts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
     let mut running = Running::default();
     for part in parts {
@@ -26,15 +26,15 @@ pub fn of_parts(parts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
 pub struct Running(Sha256);
 
 impl Running {
-    /// Takes the next bytes.
+    /// Adds bytes to the hash.
     pub fn update(&mut self, bytes: impl AsRef<[u8]>) {
         self.0.update(bytes);
     }
 
-    /// The hash of all of them, in lower-case hexadecimal.
+    /// The hash of all bytes, in lower-case hexadecimal.
     pub fn finish(self) -> String {
         self.0.finalize().iter().fold(String::with_capacity(64), |mut text, byte| {
-            // A String takes everything.
+            // Writing to a String does not fail.
             let _ = write!(text, "{byte:02x}");
             text
         })

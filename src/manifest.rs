@@ -97,10 +97,10 @@ pub struct ManifestFile {
     /// The drawn piece that it belongs to, by its number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub copy: Option<usize>,
-    /// The lowest plate of the frame that it is for.
+    /// The lowest plate of the frame that uses it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plate: Option<usize>,
-    /// The piece of a printed mask that it is, from 1.
+    /// The number of its piece of a printed mask, from 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub piece: Option<usize>,
     /// The paper that it is laid out for; absent for one page as large as the drawing needs.
@@ -203,7 +203,7 @@ impl Manifest {
     /// The manifest as the bytes of `manifest.json`.
     ///
     /// # Panics
-    /// Never: every field can be written as JSON.
+    /// Never: all fields can be written as JSON.
     pub fn to_json(&self) -> Vec<u8> {
         let mut json = serde_json::to_vec_pretty(self).expect("plain data");
         json.push(b'\n');

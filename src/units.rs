@@ -1,4 +1,4 @@
-//! Physical quantities: a number with a unit, as a person writes it in a spec.
+//! Physical quantities: a number with a unit, as written in a spec.
 //!
 //! Each quantity is a type around one `f64` in a fixed unit; its table lists every unit it can be
 //! written in. A quantity is written as a decimal number, optional blanks, and a unit: `50 mm`,

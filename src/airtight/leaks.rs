@@ -5,7 +5,7 @@ use crate::shape::{Leak, SealedShape};
 use crate::spec::key;
 use inflatable::geom::Point;
 
-/// The ways for air out of `shape` that are no ports.
+/// The leaks of `shape`: ways for air that are not ports.
 pub fn shape_leaks(shape: &SealedShape) -> Vec<Refusal> {
     shape.topology().leaks.iter().map(|leak| refusal(shape, leak)).collect()
 }

@@ -21,7 +21,7 @@ pub struct Passage {
     pub inlet: Option<f64>,
     /// Loss of radius at a tip and a corner by the band's width: drawn radius, made radius; for stars only.
     pub eaten: Option<[(f64, f64); 2]>,
-    /// Ways for air.
+    /// Leaks of the piece.
     pub leaks: Refusals,
     /// Places that may fail.
     pub weaknesses: Vec<String>,
@@ -38,7 +38,7 @@ pub struct Loop {
     pub closed: bool,
     /// Path sealed twice at the closure.
     pub overlap: f64,
-    /// From the start, with overlap and ramps, to the next hinge; below 0 the closure lies over one.
+    /// Distance from the start, with overlap and ramps, to the next hinge; negative if the closure lies over a hinge.
     pub to_hinge: f64,
     /// Time between the two passes over the closure; 0 for an open loop.
     pub between_passes: f64,
@@ -68,7 +68,7 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     let apart = |(a, b): (&Seam, &Seam)| path_distance(&a.center_line, &b.center_line);
     let channel = match part {
         FlatPiece::Star(_) => Some(pairs().map(apart).fold(f64::INFINITY, f64::min) - band),
-        // Bands of a drawing may join; its passages were measured as it was read.
+        // Bands of a drawing may join; its passages were measured when it was read.
         FlatPiece::Drawn(piece) => piece.passage,
     };
     if let Some(channel) = channel.filter(|channel| *channel <= 0.0) {

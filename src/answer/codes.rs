@@ -8,7 +8,7 @@ const PAGE: &str = include_str!("../../docs/codes.md");
 /// One code of the page.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CodeMeaning {
-    /// The heading above it.
+    /// The heading above the code.
     pub about: &'static str,
     /// The code, as in a message: no-arm.
     pub code: &'static str,
@@ -19,7 +19,7 @@ pub struct CodeMeaning {
 }
 
 impl CodeMeaning {
-    /// The same for programs.
+    /// The JSON answer.
     pub fn json(&self) -> Value {
         json!({ "code": self.code, "about": self.about, "meaning": self.meaning, "example": self.example })
     }
@@ -39,7 +39,7 @@ pub fn meanings() -> Vec<CodeMeaning> {
             .and_then(|line| line.split_once("` | "))
             .and_then(|(code, line)| Some((code, line.split_once(" | ")?)));
         rows.extend(row.map(|(code, (meaning, example))| {
-            // The cells of a table have them escaped.
+            // The cells of a table escape them.
             let example = example.replace("&lt;", "<").replace("\\|", "|");
             CodeMeaning { about, code, meaning, example }
         }));

@@ -1,4 +1,4 @@
-//! From an object to the spec of a gripper that holds it, proven as far as `check` proves it.
+//! From an object to the spec of a gripper that holds it, checked as by `check`.
 
 use serde_json::{Value, json};
 
@@ -32,7 +32,7 @@ const ROUND: Length = Length(2.0);
 const PAPERS: [[f64; 2]; 6] =
     [[1189.0, 841.0], [841.0, 594.0], [594.0, 420.0], [420.0, 297.0], [297.0, 210.0], [210.0, 148.0]];
 
-/// Objects of usual sizes, mm across: beyond them the unit may be wrong.
+/// Widths of usual objects, mm: outside of this range the unit may be wrong.
 const USUAL_SIZES: Allowed = Allowed::closed(5.0, 1000.0);
 
 /// Reads "400x300", in mm, or "A3".
@@ -148,7 +148,7 @@ impl NewGripper {
 }
 
 impl Request {
-    /// The same as a search takes it, on the sheet of `base` and within the reach of `machine`.
+    /// The requirements of the search, on the sheet of `base` and within the work area of `machine`.
     pub fn requirements(&self, base: &Spec, machine: &Machine) -> Requirements {
         // The inlet reaches beyond the tip on one side.
         let inlet = base.inlet.as_ref().map_or(0.0, |inlet| inlet.length.0);
@@ -230,12 +230,12 @@ pub fn base(text: String, profile: Option<&str>, sheet: Option<[Length; 2]>) -> 
     Ok(base)
 }
 
-/// The smaller of the sides that have an end.
+/// The smaller of the limited sides.
 fn smaller(width: Option<Length>, height: Option<Length>) -> Option<Length> {
     [width, height].into_iter().flatten().reduce(|a, b| if b.0 < a.0 { b } else { a })
 }
 
-/// The spec of `choice`, if all that `check` does accepts it, with the controller's low feeds chopped where they must be.
+/// The spec of `choice`, if it passes all steps of `check`; low feeds of the controller are chopped if necessary.
 fn buildable(
     name: &str,
     choice: &Choice,

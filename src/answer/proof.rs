@@ -1,4 +1,4 @@
-//! A proof for programs.
+//! A proof as JSON and as text.
 
 use serde_json::json;
 

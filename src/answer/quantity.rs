@@ -76,7 +76,7 @@ fn percent(text: &str) -> Option<f64> {
     text.trim().strip_suffix('%')?.trim().parse::<f64>().ok().map(|percent| percent / 100.0)
 }
 
-/// `otherwise`, but of a decimal comma that it is one.
+/// The message `otherwise`, or one about a decimal comma.
 fn remedy(text: &str, otherwise: &str) -> String {
     let is_comma =
         |(i, c): (usize, char)| c == ',' && text[i + 1..].starts_with(|c: char| c.is_ascii_digit());

@@ -37,7 +37,7 @@ pub fn refused_by(faults: &Faults) -> Vec<Value> {
     errors.map(|fault| fault_json(faults, fault)).collect()
 }
 
-/// One of `faults`, an error or a warning, with the key and the line it is about.
+/// One of `faults`, an error or a warning, with its key and its line.
 pub fn fault_json(faults: &Faults, fault: &Fault) -> Value {
     let mut value = refusal(fault.code, &fault.message);
     value["key"] = json!(faults.key_of(fault));

@@ -86,7 +86,7 @@ pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
     rows
 }
 
-/// The same for programs.
+/// The JSON answer.
 pub fn json(forecast: &Forecast) -> Value {
     let verdict = forecast.verdict();
     let holds = verdict.as_ref().and_then(|verdict| verdict.holds.known());

@@ -9,15 +9,15 @@ use crate::spec::Extra;
 /// The subject of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// The spec as read.
+    /// The spec, unchanged.
     Spec,
-    /// The machine profile as resolved.
+    /// The resolved machine profile.
     Machine,
     /// The drawing that the spec names.
     Drawing,
     /// The seams.
     Seal,
-    /// The unheated look at where the iron will go.
+    /// The trace of the iron's path without heat.
     Trace,
     /// The cut.
     Outline,
@@ -27,7 +27,7 @@ pub enum Subject {
     Pieces,
     /// A plate of the frame.
     Frame,
-    /// A picture for people.
+    /// A picture of the design.
     Preview,
     /// The prediction; only for a spec with a load.
     Prediction,
@@ -101,7 +101,7 @@ impl Format {
     }
 }
 
-/// Declares [`Kind`] from one table: a line a kind.
+/// Declares [`Kind`] from one table, one line a kind.
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident: $name:literal, $subject:ident as $format:ident;)+) => {
         /// The kind of an output file: a subject in a format.
@@ -140,9 +140,9 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// The spec as read.
+    /// The spec, unchanged.
     Spec: "spec", Spec as Toml;
-    /// The machine profile as resolved.
+    /// The resolved machine profile.
     Machine: "machine", Machine as Toml;
     /// The drawing that the spec names.
     DrawingSvg: "drawing-svg", Drawing as Svg;
@@ -150,7 +150,7 @@ kinds! {
     DrawingDxf: "drawing-dxf", Drawing as Dxf;
     /// The sealing program.
     SealGcode: "seal-gcode", Seal as Gcode;
-    /// The unheated look at where the iron will go.
+    /// The trace of the iron's path without heat.
     TraceGcode: "trace-gcode", Trace as Gcode;
     /// Centre lines of the seams.
     SealSvg: "seal-svg", Seal as Svg;
@@ -180,9 +180,9 @@ kinds! {
     FramePdf: "frame-pdf", Frame as Pdf;
     /// A plate of the frame as a solid.
     FrameStl: "frame-stl", Frame as Stl;
-    /// A picture for people.
+    /// A picture of the design.
     PreviewSvg: "preview-svg", Preview as Svg;
-    /// The same in pixels.
+    /// The same as pixels.
     PreviewPng: "preview-png", Preview as Png;
     /// The prediction; only for a spec with a load.
     Prediction: "prediction", Prediction as Json;

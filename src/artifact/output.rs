@@ -15,11 +15,11 @@ pub struct Output {
     pub kind: Kind,
     /// The sheet it belongs to.
     pub sheet: Option<usize>,
-    /// The star it belongs to; of equal ones the first.
+    /// The star it belongs to; for equal stars the first.
     pub star: Option<usize>,
     /// The drawn piece that it belongs to, by its number.
     pub copy: Option<usize>,
-    /// The lowest plate of the frame that it is for.
+    /// The lowest plate of the frame that uses it.
     pub plate: Option<usize>,
     /// The number of its piece of a printed mask, from 1; `None` for the whole.
     pub piece: Option<usize>,
@@ -150,7 +150,7 @@ impl Output {
         }
     }
 
-    /// The same on every paper that takes it.
+    /// The same for each paper that fits.
     fn on_paper(self, design: &Design) -> impl Iterator<Item = Self> {
         let drawing = self.drawing(design);
         let takes = move |paper: &Paper| drawing.as_ref().is_some_and(|drawing| paper.takes(drawing));

@@ -13,7 +13,7 @@ use crate::coupon::strips::WIDTH;
 use crate::coupon::table::{TableColumn, read_table};
 use crate::spec::{Allowed, Faults, Source};
 
-/// Fewest specimens of a setting.
+/// Least number of specimens of a setting.
 const LEAST: usize = 3;
 /// Smallest strength that a spec may state, N/mm.
 const WEAKEST: f64 = 1e-3;
@@ -42,7 +42,7 @@ pub struct PeelRow {
     pub peel: f64,
 }
 
-/// The data do not support a choice: why.
+/// The data do not support a choice; the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CalibrationFault(pub String);
 
@@ -168,7 +168,7 @@ impl Calibration {
     /// The lines for the spec.
     pub fn toml(&self) -> String {
         let Self { setting, mean, deviation, strength, count } = self;
-        // A lower bound is rounded down; 1e-6 of the last digit is noise of the arithmetic.
+        // A lower bound is rounded down; 1e-6 of the last digit is rounding error.
         let strength = (strength * 1e3 + 1e-6).floor() / 1e3;
         format!(
             "# {count} specimens: {mean:.3} N/mm, standard deviation {deviation:.3}; mean less two of them:\n\
@@ -191,7 +191,7 @@ pub fn listing(settings: &[Calibration]) -> String {
         let PeelRow { temperature, speed, height, .. } = c.setting;
         let holds = c.unfit().map_or_else(|| format!("{:.3}", c.strength), str::to_owned);
         let deviation = if c.count > 1 { format!("{:.3}", c.deviation) } else { "-".to_owned() };
-        // A String takes everything.
+        // Writing to a String does not fail.
         let _ = writeln!(
             out,
             "# {speed:12}  {temperature:13}  {height:9}  {:9}  {:11.3}  {deviation:>9}  {holds:>12}",

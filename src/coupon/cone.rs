@@ -193,7 +193,7 @@ pub fn csv(points: &[ReducedPoint]) -> String {
     let is_laid_over = points.iter().any(|point| point.predicted.is_some());
     out.push_str(if is_laid_over { ",predicted_N,predicted_lo_N,predicted_hi_N\n" } else { "\n" });
     for ReducedPoint { press: Press { travel, load }, radius, force, predicted } in points {
-        // A String takes everything.
+        // Writing to a String does not fail.
         let _ = write!(out, "{travel},{load},{radius:.6},{force:.6}");
         let forces = predicted.iter().flat_map(|Predicted { force, range }| {
             let [low, high] = range.map_or([None; 2], |ends| ends.map(Some));

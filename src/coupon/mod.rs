@@ -29,7 +29,7 @@ pub use shapes::{disc, hose, vee};
 pub use strips::{StripGrid, TestStrip, overview, table};
 pub use table::{TableColumn, read_table};
 
-/// A kind of coupons, which can be made alone.
+/// A kind of coupons, which can be made on its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CouponGroup {
     /// Seal strips for the T-peel test.
@@ -38,7 +38,7 @@ pub enum CouponGroup {
     Disc,
     /// A V-actuator.
     VActuator,
-    /// Discs that are burst.
+    /// Discs to burst.
     Burst,
 }
 
@@ -52,7 +52,7 @@ impl CouponGroup {
     ];
 }
 
-/// One program of a coupon set, with all that it is judged by.
+/// One program of a coupon set, with the spec and the machine that it is checked against.
 #[derive(Clone, Debug)]
 pub struct Coupon {
     /// File name without its ending.
@@ -69,24 +69,24 @@ pub struct Coupon {
     pub svg: String,
 }
 
-/// One piece of a coupon, where it lies.
+/// One piece of a coupon, with its place.
 #[derive(Clone, Debug)]
 pub struct CouponPiece {
     /// Its name: "strip-7", or that of the coupon if it is the only piece.
     pub name: PieceName,
     /// Its seams and cuts; a strip has no cut, its specimen is cut out of the middle.
     pub shape: SealedShape,
-    /// Its number on the drawing, and the lower left corner of it, if it has one.
+    /// Its number on the drawing, and the number's lower left corner, if it has one.
     label: Option<(usize, Point)>,
 }
 
 /// Flat diameter of the disc between its bands, mm.
 pub const DISC: f64 = 100.0;
-/// Flat diameter of the discs that are burst, mm.
+/// Flat diameter of the discs to burst, mm.
 const BURST_DISC: f64 = 40.0;
 /// Height of a number, mm.
 const LABEL: f64 = 5.0;
-/// A bed of unknown size is taken to be so large along X and Y, mm.
+/// Assumed size of an unknown bed along X and Y, mm.
 const USUAL_BED: f64 = 300.0;
 
 impl Coupon {
@@ -117,7 +117,7 @@ impl Coupon {
 /// The coupons of `groups`, in order: every program of the set but no table.
 ///
 /// # Errors
-/// If the machine cannot go at one of the speeds, or does not reach a seam, or the hose does not fit a pouch.
+/// If the machine cannot move at one of the speeds, or does not reach a seam, or the hose does not fit a pouch.
 pub fn coupons(
     spec: &Spec,
     machine: &Machine,
@@ -192,7 +192,7 @@ fn named(kind: &str, number: usize) -> PieceName {
     PieceName::Named(format!("{kind}-{number}"))
 }
 
-/// The seams of `pieces` in the order of sealing, with ways down and up of `ramp` mm; a coupon is drawn where it lies.
+/// The seams of `pieces` in the order of sealing, with ramps of `ramp` mm.
 fn seams_of(pieces: &[CouponPiece], ramp: f64) -> Vec<LaidSeam> {
     let pieces: Vec<PlacedPiece<'_>> = pieces
         .iter()

@@ -11,7 +11,7 @@ use inflatable::geom::{Arc, Line, Path, Point, Segment, Vec2};
 /// The hose of a spec without an inlet.
 const USUAL_HOSE: Inlet = Inlet { tube_diameter: Length(4.0), length: Length(20.0), fillet: Length(1.0) };
 
-/// The hose that the pouches are for.
+/// The hose for the pouches.
 pub fn hose(inlet: Option<&Inlet>) -> &Inlet {
     inlet.unwrap_or(&USUAL_HOSE)
 }
@@ -86,7 +86,8 @@ struct Arm<'a> {
 }
 
 impl Arm<'_> {
-    /// The line `delta` outside of the tube, `between` on the side where the arms face each other, its ends `beyond` the mouth.
+    /// The line at the distance `delta` outside of the tube, `between` on the side where the arms face each other; its ends are `beyond`
+    /// the mouth.
     fn vee(&self, delta: f64, between: f64, beyond: f64) -> Path {
         let (w, r, half) = (self.star.tube_width.0, self.star.tip_radius.0, self.star.tip_angle.rad() / 2.0);
         let arm = 4.0 * w + delta;
@@ -205,7 +206,7 @@ mod tests {
                 "{radius}: {}",
                 seam.largest_gap()
             );
-            // Half way along an arm the two bands are a tube's width and a band apart.
+            // Half way along an arm the two bands are apart by a tube's width and a band.
             let out = Vec2::new(15_f64.to_radians().sin(), 15_f64.to_radians().cos());
             let middle = Point::ORIGIN + Vec2::new(-out.y, out.x) * 60.0 + out * (radius + 15.0);
             assert!((seam.distance(middle) - 16.0).abs() < 1e-9, "{radius}");

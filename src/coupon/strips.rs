@@ -14,9 +14,9 @@ pub(super) const WIDTH: f64 = 25.0;
 pub(super) const LEGS: f64 = 75.0;
 /// Excess length of the seal over the specimen at both ends, mm; it is cut off, because the iron came down and went up there.
 const WASTE: f64 = 5.0;
-/// Most strips in a row.
+/// Largest number of strips in a row.
 const ROW: f64 = 6.0;
-/// Between the edge of the sheet and a ramp.
+/// Distance between the edge of the sheet and a ramp, mm.
 const EDGE: f64 = 10.0;
 
 /// The settings to vary.
@@ -48,7 +48,7 @@ pub struct TestStrip {
 }
 
 impl StripGrid {
-    /// Every temperature, speed and height together: one program each.
+    /// All combinations of temperature, speed and height: one program each.
     pub fn settings(&self) -> impl Iterator<Item = (Temperature, Speed, Length)> {
         let pairs = self.temperatures.iter().flat_map(|t| self.speeds.iter().map(move |v| (*t, *v)));
         pairs.flat_map(|(t, v)| self.heights.iter().map(move |h| (t, v, *h)))
@@ -72,7 +72,7 @@ impl StripGrid {
         ))
     }
 
-    /// Every strip, in rows from the lower left, as many in a row as `machine` reaches.
+    /// All strips, in rows from the lower left; the rows are as long as the work area of `machine` allows.
     pub fn strips(&self, machine: &Machine) -> Vec<TestStrip> {
         let ramp = machine.process.ramp.0.max(WASTE);
         let (edge, pitch) = (EDGE + ramp, WIDTH + 2.0 * WASTE + 2.0 * ramp);

@@ -11,9 +11,9 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
 
-/// Most faults collected: a wrong file has one a line.
+/// Largest number of collected faults: a wrong file has one a line.
 const FAULTS: usize = 100;
-/// Longest line, bytes: above any row of numbers. A file without lines is no table, and would be held in memory many times.
+/// Longest line, bytes: above any row of numbers. A file without lines is no table, and would need a multiple of its size in memory.
 const LONGEST_LINE: usize = 1 << 16;
 /// The byte order mark that spreadsheets write before UTF-8.
 const MARK: char = '\u{feff}';
@@ -27,7 +27,7 @@ pub struct TableColumn {
     pub unit: &'static str,
     /// The range of its numbers.
     pub allowed: Allowed,
-    /// Whether a cell may be empty.
+    /// Whether its cells may be empty.
     pub optional: bool,
 }
 
@@ -81,7 +81,7 @@ impl<'a> Table<'a> {
     }
 
     fn read<const N: usize>(&mut self, columns: &[TableColumn; N]) -> Vec<[Option<f64>; N]> {
-        // A comment would swallow all that follows it, were a lone CR the end of a line.
+        // If a lone CR ended lines, a comment would hide the rest of the file.
         let bytes = self.text.as_bytes();
         if let Some(at) = (0..bytes.len()).find(|i| bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n')) {
             let fault = Fault::error(FaultCode::LineEnd, at..at + 1, "a line ends with CR alone");

@@ -19,7 +19,7 @@ pub struct ManifestPosts {
 pub struct ManifestPlates {
     /// Their positions in the stack, 1 = bottom.
     pub plates: Vec<usize>,
-    /// Height of the middle of each above the bottom of the lowest plate.
+    /// Height of the middle of each plate above the bottom of the lowest one.
     pub heights_mm: Vec<f64>,
     /// Radius of the opening.
     pub opening_mm: f64,
@@ -34,7 +34,7 @@ pub struct ManifestPlates {
 /// The mask of one distinct star.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ManifestMask {
-    /// The first star of the stack that it is for.
+    /// The first star of the stack that uses it.
     pub star: usize,
     /// All stars that use it.
     pub stars: Vec<usize>,
@@ -75,7 +75,7 @@ pub(super) fn posts(design: &StarAssembly) -> Vec<ManifestPosts> {
     vec![ManifestPosts { length_mm: thousandths(length), count }]
 }
 
-/// The plates of the frame, like by like.
+/// The plates of the frame, equal ones together.
 pub(super) fn plates(design: &StarAssembly) -> Vec<ManifestPlates> {
     let (frame, stack) = (&design.frame, &design.stack);
     let alike = frame.plates.iter().map(|plate| ManifestPlates {

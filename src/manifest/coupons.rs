@@ -11,7 +11,7 @@ pub struct CouponManifest {
     pub tool: Tool,
     /// Name of the spec.
     pub name: String,
-    /// Settings and kinds of coupons: spec, profile and these give every file.
+    /// Settings and kinds of coupons: with spec and profile they determine all files.
     pub coupons: CouponChoice,
     /// All files beside the manifest and the table to fill in.
     pub files: Vec<ManifestFile>,

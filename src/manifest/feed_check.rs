@@ -1,4 +1,4 @@
-//! The manifest of a feed check, which is a single file: it carries spec and profile itself.
+//! The manifest of a feed check, which is a single file: the manifest contains the spec and the profile.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,4 +1,4 @@
-//! Pieces and their seams, whatever the product: stars and coupons.
+//! Pieces and their seams, for all products: stars, drawn pieces and coupons.
 
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +39,7 @@ impl SealedSeam {
 }
 
 impl SealedPiece {
-    /// The coupon `name` that `program` makes.
+    /// The piece of the coupon `name`, sealed by `program`.
     pub fn coupon(name: &str, program: &Program) -> Self {
         let seam = |seam: &SeamReport| SealedSeam::new(seam.name.piece.word(), seam);
         Self {
@@ -50,7 +50,7 @@ impl SealedPiece {
         }
     }
 
-    /// The pieces that `programs` make, in their order.
+    /// The pieces that `programs` seal, in their order.
     pub(super) fn all(programs: &[Program]) -> Vec<Self> {
         let of_program = |program: &Program| {
             let of_piece = |piece: &PieceName| {

@@ -29,7 +29,7 @@ pub struct ManifestStarPrediction {
     pub final_radius_mm: Option<f64>,
     /// Its range.
     pub final_radius_range_mm: Option<Interval>,
-    /// Radii that it can hold; the second is its largest opening.
+    /// Range of radii that it can hold; the second is its largest opening.
     pub graspable_radius_mm: Option<Interval>,
     /// Radial stiffness at rest.
     pub radial_stiffness_N_per_m: Option<f64>,
@@ -48,7 +48,7 @@ pub struct ManifestStarPrediction {
 }
 
 impl ManifestPrediction {
-    /// The short of `prediction`.
+    /// The summary of `prediction`.
     pub fn of(prediction: &Prediction) -> Self {
         Self {
             holds: prediction.verdict.as_ref().and_then(|verdict| verdict.holds.known()),

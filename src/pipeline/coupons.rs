@@ -1,4 +1,4 @@
-//! Coupons on the spine: planned, read back, and only then published.
+//! Coupons in the pipeline: planned, read back, and only then published.
 
 use std::borrow::Cow;
 
@@ -17,7 +17,7 @@ use inflatable::geom::Path;
 
 /// Every strip with its setting and its cut.
 pub const OVERVIEW: &str = "strips.svg";
-/// The table that a person fills in; it is no part of the proof.
+/// The table to fill in; it is not part of the proof.
 pub const TABLE: &str = "results.csv";
 
 /// Largest number of strips that a manifest may state.
@@ -82,16 +82,16 @@ impl MadeCoupons {
         Ok(Self { coupons, files, table: has_strips.then(|| table(&strips)), manifest })
     }
 
-    /// The same coupons, fit to be published.
+    /// The same coupons, ready to be published.
     ///
     /// # Errors
-    /// Everything that is not as it should be; each is a fault of this program.
+    /// All findings; each is a fault of this program.
     pub fn prove(self) -> Result<ProvenCoupons, Vec<Finding>> {
         let findings = self.proof(&self.manifest, &self.output_files()).findings;
         if findings.is_empty() { Ok(ProvenCoupons(self)) } else { Err(findings) }
     }
 
-    /// The files and the manifest as the verifier sees them.
+    /// The files and the manifest for the verifier.
     fn output_files(&self) -> OutputFiles<'_> {
         let mut files: Vec<(Cow<'_, str>, Cow<'_, [u8]>)> =
             vec![(MANIFEST.into(), self.manifest.to_json().into())];
@@ -101,7 +101,7 @@ impl MadeCoupons {
         OutputFiles { files }
     }
 
-    /// Reads every program among `files`, of which `written` is the manifest, and compares all files with these.
+    /// Reads every program among `files`, whose manifest is `written`, and compares all files with these.
     fn proof(&self, written: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
         let mut proof = Proof::default();
         if written.tool != Tool::this() {

@@ -1,4 +1,4 @@
-//! The feed check on the spine: planned, read back, and only then written.
+//! The feed check in the pipeline: planned, read back, and only then written.
 
 use crate::artifact::{Kind, Output};
 use crate::design::Refusals;
@@ -13,12 +13,12 @@ use crate::verify;
 use crate::verify::{FeedCheckTask, FileProof, Finding, FindingCode, Findings, Method, Proof};
 use inflatable::geom::Path;
 
-/// A feed check that was read back: the only one that can be written.
+/// A feed check that was read back; only it can be written.
 #[derive(Clone, Debug)]
 pub struct ProvenFeedCheck {
     /// The program.
     pub text: String,
-    /// The manifest of the file that it is written to.
+    /// The manifest of its file.
     pub manifest: FeedCheckManifest,
 }
 
@@ -59,7 +59,7 @@ pub fn feed_check(
     Ok(ProvenFeedCheck { text, manifest })
 }
 
-/// Proves the feed check `found` in the file `name` by its manifest.
+/// Proves the feed check `found` in the file `name` from its manifest.
 pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) -> Proof {
     let mut findings = Findings::default();
     let sources = spec::read(&Source::new("spec", manifest.spec.as_str())).and_then(|reading| {

@@ -122,7 +122,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     }))
 }
 
-/// The one of `programs` that is for the output's piece, or its sheet.
+/// The program of `programs` for the output's piece, or for its sheet.
 fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option<String> {
     let is_for = |program: &&Program| match output.star.or(output.copy) {
         Some(number) => program.numbers() == [number],

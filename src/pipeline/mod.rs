@@ -91,12 +91,12 @@ pub struct Built {
     pub manifest: Manifest,
 }
 
-/// The texts that a build is made from; they are published with it, so that it can be proven from its directory alone.
+/// The source texts of a build; they are published with it, so that it can be proven from its directory alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Sources<'a> {
-    /// The spec as read.
+    /// The spec, unchanged.
     pub spec: &'a str,
-    /// The machine profile as resolved.
+    /// The resolved machine profile.
     pub machine: &'a str,
 }
 
@@ -104,17 +104,17 @@ impl Designed {
     /// The geometry of `spec` for `machine`.
     ///
     /// # Errors
-    /// Every reason for which it cannot be made, or would leak.
+    /// All reasons why it cannot be made, or would leak.
     pub fn new(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         let design = Design::new(&spec, &machine)?;
         airtight::leaks(&spec, &machine, &design).or(())?;
         Ok(Self { spec, machine, design })
     }
 
-    /// The programs that make it.
+    /// The programs for the machine.
     ///
     /// # Errors
-    /// Every reason for which the machine cannot run them.
+    /// All reasons why the machine cannot run them.
     pub fn plan(self) -> Result<Planned, Refusals> {
         let Self { spec, machine, design } = self;
         // The size is checked before the programs are made: they may exceed the memory.

@@ -10,8 +10,8 @@ use crate::plan::Pace;
 use crate::spec::Machine;
 use crate::units::{Readable, Speed};
 
-/// Below this the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
-/// or more, which makes some 5 mm/s.
+/// Below this speed the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
+/// or more, which gives about 5 mm/s.
 const SLOW: Speed = Speed(5.0);
 
 /// Ten times the seal speed of the paper, 0.1 mm/s; a faster seal gets a warning.
@@ -20,7 +20,7 @@ const FAST: Speed = Speed(1.0);
 /// The profile for an unknown machine.
 const UNKNOWN: &str = "generic";
 
-/// One thing to see to.
+/// One task or warning before sealing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Precaution {
     /// Its subject.
@@ -82,7 +82,7 @@ impl Forecast {
     }
 }
 
-/// `list` with each text once.
+/// `list` without duplicate texts.
 fn unique(list: Vec<Precaution>) -> Vec<Precaution> {
     let mut once: Vec<Precaution> = Vec::new();
     for one in list {

@@ -26,7 +26,7 @@ impl Built {
         artifacts.chain(std::iter::once((MANIFEST, self.manifest.to_json().into())))
     }
 
-    /// The files as the verifier sees them.
+    /// The files for the verifier.
     pub fn output_files(&self) -> OutputFiles<'_> {
         OutputFiles { files: self.files().map(|(name, bytes)| (name.into(), bytes)).collect() }
     }
@@ -36,10 +36,10 @@ impl Built {
         prove_against(&self.forecast, &self.output_files())
     }
 
-    /// The same gripper, fit to be published.
+    /// The same gripper, ready to be published.
     ///
     /// # Errors
-    /// Everything that is not as it should be; each is a fault of this program.
+    /// All findings; each is a fault of this program.
     pub fn prove(self) -> Result<Proven, Vec<Finding>> {
         let proof = self.proof();
         if proof.findings.is_empty() { Ok(Proven { built: self, proof }) } else { Err(proof.findings) }
@@ -136,8 +136,8 @@ impl PublishedBuild {
         proof
     }
 
-    /// The findings where the manifest cannot be read: that, and the files that no build makes. Without its lengths no other file was
-    /// read, and each would seem empty.
+    /// The findings for an unreadable manifest: the fault itself, and the files that no build makes. Without the manifest's lengths no
+    /// other file was read, so each would seem empty.
     fn without_manifest(&self, files: &OutputFiles<'_>) -> Proof {
         let what = "it is damaged, or another program wrote it";
         let finding =
@@ -164,7 +164,7 @@ impl PublishedBuild {
     }
 }
 
-/// Makes every file anew and compares it with the one of `files`, one after the other, so that no two are in memory.
+/// Makes every file again and compares it with that of `files`, one after the other, so that no two are in memory.
 fn compare_anew(
     forecast: &Forecast,
     sources: Sources<'_>,
@@ -182,7 +182,7 @@ fn compare_anew(
     let _ = verify::compare_bytes(MANIFEST, &manifest, files, proof);
 }
 
-/// Longest version that is shown, in characters.
+/// Longest version that is printed, in characters.
 const VERSION_LENGTH: usize = 40;
 
 /// Makes every file again and compares it with the file of another version in `files`. A difference is no finding; the part that no reader

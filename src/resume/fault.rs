@@ -11,7 +11,7 @@ use crate::verify::Finding;
 pub enum ResumeFault {
     /// A comment of a sealing program of this tool is missing or wrong.
     NotOurs(&'static str),
-    /// It is damaged.
+    /// The program is damaged.
     Damaged(Finding),
     /// Its moves do not agree with its comments, or its comments state no valid seal.
     Disagrees(Finding),
@@ -19,9 +19,9 @@ pub enum ResumeFault {
     TooHot(Temperature),
     /// The new program would break the rules of the old one.
     Unproven(Finding),
-    /// The line is not in the file, which has this many.
+    /// The line does not exist; the number of lines in the file.
     NoSuchLine(usize, usize),
-    /// No seam is within reach of the point: the nearest is this far away, mm.
+    /// No seam is within reach of the point; the distance of the nearest one, mm.
     Nowhere(f64),
     /// The job is complete.
     NothingLeft,

@@ -7,7 +7,7 @@ use crate::resume::record::Record;
 use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
 use crate::verify::gcode::Comment;
 
-/// Lengths and times of a new program, of which the first seam may be a part of the old one.
+/// Lengths and times of a new program, whose first seam may be a part of one of the old program.
 pub(super) struct Figures {
     /// Number of its first seam, as numbered in the old program.
     seam: f64,
@@ -83,7 +83,7 @@ impl Figures {
     }
 }
 
-/// The comment that a line is, if it is nothing else.
+/// The comment in a line that contains nothing else.
 fn comment(record: &Record, line: &str) -> Option<Comment> {
     let text = match line.strip_prefix(';') {
         Some(text) => text,
@@ -101,7 +101,7 @@ fn number(record: &Record, line: &str, word: &str) -> Option<f64> {
     comment(record, line)?.number(word)
 }
 
-/// The text of a comment with other values for these words.
+/// The text of a comment with new values for these words.
 fn restated(comment: &Comment, words: &[(&str, String)]) -> String {
     let word = |text: &str| match text.split_once('=') {
         Some((name, _)) => match words.iter().find(|(other, _)| *other == name) {

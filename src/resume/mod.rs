@@ -35,7 +35,7 @@ pub struct Resumed {
     pub line: usize,
     /// Length that is sealed twice, mm.
     pub overlap: f64,
-    /// Part of the job's time that was done at the stop, 0 to 1.
+    /// Fraction of the job's time that was over at the stop, 0 to 1.
     pub done: f64,
     /// Time of the new program, without heating and pauses, s.
     pub seconds: f64,
@@ -110,7 +110,7 @@ fn approach(
     }
     let _ = emit::write_steps(out, record.facts(), &steps, record.pace, start)
         .map_err(|_| ResumeFault::NothingLeft)?;
-    // The dwells of the old move belong to it, and have been written anew with its rest.
+    // The dwells of the old move belong to it, and have been written again with its rest.
     Ok((from, toolpath.after(last)))
 }
 
@@ -147,7 +147,7 @@ fn assembled(
         None => add(line),
     };
     for (line, i) in text.lines().take(toolpath.hot).zip(0..) {
-        // After the title and the name.
+        // The place after the title and the name.
         if i == 2.min(toolpath.hot - 1) {
             restate(note);
         }

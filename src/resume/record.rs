@@ -48,7 +48,7 @@ impl Record {
         Ok(Self { controller: header.controller(comments, pace)?, process, seal, path, pace, is_timed })
     }
 
-    /// The dialect by which the file is read.
+    /// The dialect of the file.
     pub(super) fn dialect(&self) -> gcode::Dialect {
         gcode::Dialect::for_controller(&self.controller)
     }
@@ -88,7 +88,7 @@ impl Record {
         Facts { name: "", seal, path: *path, controller, process }
     }
 
-    /// A comment as this file marks it.
+    /// A comment in the file's syntax.
     pub(super) fn comment(&self, text: &str) -> String {
         match self.controller.comments {
             Comments::Semicolon => format!("; {text}"),
@@ -136,7 +136,7 @@ impl Header {
         if (1e-4..=1e7).contains(&x) { Ok(x) } else { Err(ResumeFault::NotOurs(key)) }
     }
 
-    /// The tick: 0, or a time that a timer may have.
+    /// The timer's tick: 0, or a period that a timer may have.
     fn tick(&self) -> Result<f64, ResumeFault> {
         let tick = self.number("chop-ticks", "tick_s")?;
         let fits = tick == 0.0 || (1e-4..=1.0).contains(&tick);

@@ -1,4 +1,4 @@
-//! Places at which a job can have stopped.
+//! The place where a job has stopped.
 
 use std::ops::ControlFlow;
 

@@ -9,7 +9,7 @@ use crate::resume::record::Record;
 use crate::verify::gcode::{Event, Interpreter, Move};
 use inflatable::geom::Bounds;
 
-/// Slack on heights, mm.
+/// Tolerance of heights, mm.
 const HEIGHT: f64 = 1e-6;
 
 /// The state of the iron, from its heights.
@@ -106,7 +106,7 @@ impl<'a> Toolpath<'a> {
         Ok(toolpath)
     }
 
-    /// Shows `see` one move after the other, until it has seen enough.
+    /// Calls `see` with one move after the other, until it breaks.
     pub(super) fn walk(&self, mut see: impl FnMut(&TimedMove) -> ControlFlow<()>) {
         let mut interpreter = Interpreter::new(self.record.dialect());
         let (mut events, mut title) = (Vec::new(), None);
@@ -165,7 +165,7 @@ impl<'a> Toolpath<'a> {
         self.text.lines().nth(index)
     }
 
-    /// Index of the first line after `line` (from 1) that is no dwell.
+    /// Index of the first line after `line` (from 1) that is not a dwell.
     pub(super) fn after(&self, line: usize) -> usize {
         let dwells = self.text.lines().skip(line).take_while(|text| text.starts_with("G4"));
         line + dwells.count()

@@ -47,7 +47,7 @@ impl Window {
                 if past {
                     return ControlFlow::Break(());
                 }
-                // One more: of the move that is interrupted nothing may be left.
+                // One more move is kept, because nothing of the interrupted one may be left.
                 window.forget(back);
                 past = step.step.line >= stop.line;
                 if past {
