@@ -16,7 +16,7 @@ export class Editor {
     #typed;
     #explain;
 
-    /** `typed` is called after every change by a person; `explain(code)` gives the meaning of a code. */
+    /** `typed` is called after every change by the user; `explain(code)` gives the meaning of a code. */
     constructor(typed, explain) {
         this.#typed = typed;
         this.#explain = explain;
@@ -60,7 +60,7 @@ export class Editor {
         this.#typed();
     }
 
-    /** The copy of the text, a line each, with its marks. */
+    /** The copy of the text, one element a line, with its marks. */
     #draw() {
         const text = this.#area.value;
         let at = 0;

@@ -3,7 +3,7 @@ import { drained } from "./zip.js";
 
 /** Largest text in a link, bytes: that of a file. */
 const MOST = 1 << 20;
-/** Longest drawing in a link, letters: mails and chats break longer links. */
+/** Longest drawing in a link, letters: mail and chat programs break longer links. */
 const LONGEST_DRAWING = 1 << 15;
 
 async function letters(bytes) {

@@ -115,7 +115,7 @@ const drawings = () => (drawing ? [drawing] : []);
 /** The content of a link: a built-in profile is in every page, and a star has no drawing. */
 const held = () => ({ text: editor.text, machine: by("machine").value ? undefined : machine, drawing: isDrawn() ? drawing : undefined });
 
-/** Another spec, with the profile and the drawing that came with it. */
+/** Sets another spec, with its profile and its drawing. */
 function take(text, own = {}) {
     ({ machine, drawing } = own);
     by("anyway").checked = false;
@@ -176,7 +176,7 @@ async function drawn(drawing) {
     return say(`A spec of ${drawing.name}: ${layers.length} layers, each with a proposed role. Look at the roles in it.`);
 }
 
-/** The spec of the link, or of local storage, or a shipped one. */
+/** The first spec: from the link, from local storage, or a shipped one. */
 async function first() {
     const linked = await safely(() => heldBy(location.hash));
     if (linked === undefined) say("The link is damaged: it holds no spec.", true);

@@ -13,7 +13,7 @@ function address(bytes, type) {
     return url;
 }
 
-/** Has the browser save a file. */
+/** Makes the browser save a file. */
 export function save(name, bytes) {
     element("a", { href: address(bytes, "application/octet-stream"), download: name }).click();
 }

@@ -1,4 +1,4 @@
-// ZIP archives: written without compression, which every reader takes; read with or without it, within bounds.
+// ZIP archives: written without compression, which all readers support; read with or without it, within limits.
 
 /** The time of every entry: 1980-01-01, so that the same files make the same archive. */
 const TIME = 0x00210000;
@@ -19,7 +19,7 @@ function crc32(bytes) {
     return (rest ^ 0xffffffff) >>> 0;
 }
 
-/** Numbers as bytes, the lowest first; sizes in bytes beside each. */
+/** Numbers as little-endian bytes; the number of bytes is beside each. */
 function fields(list) {
     const bytes = new Uint8Array(list.reduce((sum, [, size]) => sum + size, 0));
     let at = 0;

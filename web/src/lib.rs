@@ -1,4 +1,4 @@
-//! stargrip-cam for a page: a question in bytes, an answer in bytes.
+//! stargrip-cam for a web page: a question as bytes, an answer as bytes.
 //!
 //! The page's worker writes a [`message`] into the instance's memory and calls `ask` ([`boundary`]). The only import
 //! from JavaScript is a function that reports progress. A message is JSON and the bytes of files. [`commands`] has

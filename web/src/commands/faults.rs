@@ -10,7 +10,7 @@ use crate::commands::spec::Given;
 
 /// All of `faults`: the values of `--json`, whether each is a warning, its column, and its start and end in the text.
 ///
-/// Columns (from 1) and places are counted as JavaScript counts: in units of UTF-16.
+/// Columns (from 1) and places are counted as in JavaScript: in units of UTF-16.
 pub(super) fn listed(faults: &Faults) -> Vec<Value> {
     let text = &faults.source().text;
     let units = |end: usize| text[..end].encode_utf16().count();

@@ -45,7 +45,7 @@ mod tests {
         let runs = path.split('h').skip(1).filter_map(|run| run.split_once('v')?.0.parse::<usize>().ok());
         let row = |y: i32| (0..code.size()).filter(|x| code.get_module(*x, y)).count();
         let dark: usize = (0..code.size()).map(row).sum();
-        // `h-` leads back: that is no length.
+        // `h-` moves back, so it is not a length.
         assert_eq!(runs.sum::<usize>(), dark);
     }
 
