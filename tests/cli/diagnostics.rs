@@ -152,7 +152,7 @@ fn a_published_directory_is_built_again_with_its_own_profile() {
             ["first", "second"].map(|dir| fs::read(away.path().join(dir).join(&name)).expect("a file"));
         assert!(first == second, "{name:?}");
     }
-    // Without a manifest it is no published directory, and some machine.toml is not taken for the profile.
+    // Without a manifest it is not a published directory, and an unrelated machine.toml is not taken for the profile.
     fs::remove_file(target.join("manifest.json")).expect("removed");
     let alone = run(away.path(), &["check", "first/spec.toml"]);
     assert_eq!(alone.status.code(), Some(1));

@@ -360,7 +360,7 @@ fn an_installation_is_whole() {
     for example in fs::read_dir(examples).expect("examples") {
         let _ = installed(&["check", "-q", example.expect("a spec").path().to_str().expect("a path")]);
     }
-    // A shell takes the completions.
+    // A shell accepts the completions.
     let script = dir.path().join("share/bash-completion/completions/stargrip-cam");
     let shell = Command::new("bash")
         .args(["-c", "source \"$0\" && complete -p stargrip-cam"])

@@ -133,7 +133,7 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     let _ = fails(dir.path(), &["feedcheck"], 2, &["Usage"]);
 }
 
-/// A heater that is off before the job is done, whichever program it is.
+/// A heater that is switched off before the end of the job, in either program.
 #[test]
 fn every_command_refuses_an_idle_timeout_below_its_program() {
     let dir = workshop();
@@ -217,7 +217,7 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
         dir.path().join("at-resume.gcode").exists() && said.contains("no manifest.json beside"),
         "{said}"
     );
-    // A pipe is no manifest, and is not waited for.
+    // A pipe is no manifest, and reading it must not block.
     #[cfg(unix)]
     {
         let made = std::process::Command::new("mkfifo").arg(dir.path().join("manifest.json")).status();
@@ -270,7 +270,7 @@ fn resume_tells_wrong_usage_from_places_that_are_not_there() {
 fn resume_refuses_what_is_not_ours_or_is_damaged() {
     let dir = built();
     let job = read(dir.path(), "out/star/star-1-seal.gcode");
-    // Strokes without length would never end.
+    // Strokes of zero length would never end.
     let strokes = "; chop: feed_mm_min=60 longest_mm=0\n; chop-rest: acceleration_mm_s2=1 step_s=1\n; seal:";
     let forged = job.replacen("; seal:", strokes, 1);
     assert!(forged != job);
@@ -341,7 +341,7 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
         assert_eq!(count("seal-outer"), seams, "{name}");
         assert!(count("label") >= seams, "{name}");
     }
-    // Its directory is a new one, always.
+    // The directory must always be a new one.
     let before = names(&dir.path().join("coupons"));
     let _ = fails(dir.path(), &args, 1, &["coupons exists already; choose another name"]);
     assert_eq!(names(&dir.path().join("coupons")), before);
@@ -372,11 +372,11 @@ fn coupons_are_proven_as_builds_are() {
         stdout(&output)
     };
     assert!(verify(0).contains("proven, no findings"));
-    // The table is the person's.
+    // The user may edit the table.
     let table = dir.path().join("coupons/results.csv");
     fs::write(&table, fs::read_to_string(&table).expect("it").replace(",,", ",82,")).expect("written");
     let _ = verify(0);
-    // A change of a program is found in its line, and one of a drawing or the profile's lines in its file.
+    // A change of a program is found at its line, and one of a drawing or of the profile's lines in its file.
     for (name, from, to, word) in [
         ("disc.gcode", " F6\n", " F600\n", "wrong-feed"),
         ("disc.gcode", "; set the iron to 200 C", "; set the iron to 400 C", "other-comment"),

@@ -107,7 +107,7 @@ fn a_cone_test_is_laid_over_the_prediction() {
     assert_eq!(run(dir.path(), &["cone", "test.csv"]).status.code(), Some(2));
 }
 
-/// A table is read right or refused with its faults: never another number, never a row less.
+/// A table is read correctly or refused with its faults: no number changes, and no row is lost.
 #[test]
 fn cone_reads_a_table_right_or_not_at_all() {
     let dir = folder();
@@ -328,7 +328,7 @@ fn an_actuator_is_answered_by_every_model_of_its_hinge() {
         assert!(moments[0][0] > number("angle_deg") && moments[0][1] > 0.0, "{moments:?}");
         let growth = if model == "section" { 1.5 } else { 0.99 };
         assert!(moments.is_sorted_by(|a, b| b[1] > growth * a[1]), "{moments:?}");
-        // The limits take a hinge at 14 kPa for softer than the section does.
+        // At 14 kPa the limit models give softer hinges than `section`.
         assert!(number("stiffness_Nm") < 0.7 * before, "{json}");
         before = if model == "section" { number("stiffness_Nm") } else { before };
         // `section` models arms here; the limit models warn.

@@ -96,7 +96,7 @@ fn edit_manifest(dir: &Path, change: impl Fn(&mut serde_json::Value)) {
     fs::write(&path, serde_json::to_vec_pretty(&manifest).expect("JSON")).expect("written");
 }
 
-/// The version in the manifest is covered by no hash, and must not switch the comparison off in silence.
+/// No hash covers the version in the manifest, so it must not disable the comparison silently.
 #[test]
 fn a_directory_of_another_version_is_read_back_and_named() {
     let dir = workshop();
@@ -142,7 +142,7 @@ fn a_directory_of_another_version_is_read_back_and_named() {
     });
     assert_eq!(json()["unproven"][0], "report.html");
     assert!(stdout(&verify(&[])).contains("not proven:"));
-    // A finding is one whatever is accepted.
+    // A finding remains one with every option.
     fs::write(&report, text.replace("450 C", "4500 C")).expect("written");
     assert_code(&verify(&["--read-back"]), 1);
 }
@@ -411,7 +411,7 @@ fn a_hostile_name_is_a_harmless_literal() {
                 continue;
             }
             if ending == "pdf" {
-                // The title is the only place for a name; no bracket in it can end its string.
+                // The title is the only place for a name; a bracket in it must not end its string.
                 let text = String::from_utf8_lossy(&bytes).into_owned();
                 let title = text.lines().find(|line| line.contains("/Title")).expect("a title");
                 assert!(title.matches(['(', ')', '<', '>', '\\']).count() == 2, "{file}: {title}");

@@ -9,7 +9,7 @@ use crate::support::program::{run, stderr, stdout};
 
 const GRIPPER: &str = include_str!("../../designs/paper-gripper.toml");
 
-/// A folder with the paper's gripper, of which some text is replaced.
+/// A folder with the paper's gripper, in which some text is replaced.
 fn folder(changes: &[(&str, &str)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let spec = changes.iter().fold(GRIPPER.to_owned(), |spec, (old, new)| {
@@ -44,7 +44,7 @@ fn the_answer_comes_first_and_fits_a_screen() {
             lines[1],
             "3 equal stars: 5 points, inner radius 50 mm, tube width 30 mm, tip angle 30 deg"
         );
-        // Shells were opened as far as 40 mm.
+        // The computed shells were opened to at most 40 mm.
         let (verdict, end) =
             ("holds the object with ", ", 80 mm across, at 37 kPa; with a friction of 0.3 it carries ");
         assert!(lines[2].starts_with(verdict) && lines[2].contains(end), "{said}");

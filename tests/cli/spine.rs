@@ -5,7 +5,7 @@ use std::fs;
 
 const PAPER: &str = include_str!("../../designs/paper-five-points.toml");
 
-/// A folder with the paper's star on a machine that reaches this far.
+/// A folder with the paper's star on a machine with this work area.
 fn folder(area: (f64, f64), more: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let generic = stargrip_cam::spec::builtin_machine("generic").expect("built in");
@@ -32,7 +32,7 @@ fn a_star_beyond_the_machines_reach_is_one_refusal_with_sizes_and_remedy() {
     }
 }
 
-/// A sheet may be larger than the machine: the parts then stay where the iron can go.
+/// A sheet may be larger than the work area: the parts then stay within the area.
 #[test]
 fn parts_stay_within_reach_on_a_larger_sheet() {
     let stack = "[stack]\ncount = 3\n[sheet]\nwidth = \"900 mm\"\nheight = \"900 mm\"\n";

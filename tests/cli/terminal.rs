@@ -90,14 +90,14 @@ fn long_work_is_seen_on_a_terminal_and_leaves_nothing_there() {
     }
 }
 
-/// Seconds of work, and minutes where it is fine.
+/// Seconds of work, and minutes if it is fine.
 const SHELL: &str = "actuator --tube-width '20 mm' --radius '2 mm' --arm-length '80 mm' --angle '60 deg' \
                      --pressure '14 kPa' --model shell --no-cache";
 
 #[test]
 fn ctrl_c_takes_the_line_away_and_ends_the_program() {
     let dir = workshop();
-    // One that hears it, and one that does not.
+    // One command that catches Ctrl-C, and one that does not.
     for (args, line) in [("trade", "measuring"), (&*format!("{SHELL} --fineness fine"), "left")] {
         let mut child = on_terminal(dir.path(), 80, args, &[]);
         let (mut seen, mut out) = (String::new(), child.stdout.take().expect("piped"));

@@ -11,8 +11,8 @@ fn with_path(path: &str) -> String {
     spec_text(&format!("{CHOP}[accuracy]\npath = \"{path}\"\n"))
 }
 
-/// Positions of the file are rounded, the steps to them with them: at 0.01 mm a stroke may have a step more or less than its
-/// exact ends have, which on GRBL takes 33 ms.
+/// Positions in the file are rounded, and the steps to them as well: at 0.01 mm a stroke may have a step more or less than its exact ends
+/// give, which on GRBL takes 33 ms.
 #[test]
 fn coarse_files_are_proven_on_every_chopping_profile() {
     for name in crate::WITH_FLOOR {

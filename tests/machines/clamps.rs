@@ -1,4 +1,4 @@
-//! Clamps: how near the iron may come to them, over which it may pass, and that plan and verifier agree on it.
+//! Clamps: distances that the iron must keep, clamps that it may cross, and the agreement of plan and verifier.
 
 use stargrip_cam::design::{Design, RefusalCode};
 use stargrip_cam::geom::{Bounds, Path, Point, Segment};
@@ -47,7 +47,7 @@ fn clamped(place: Bounds, height: Option<f64>) -> String {
     )
 }
 
-/// Clamps 6 mm wide along each side of `inner`, `off` from it.
+/// Clamps 6 mm wide along each side of `inner`, at the distance `off`.
 fn beside(inner: Bounds, off: f64) -> [Bounds; 4] {
     let (a, c, wide) = (inner.min, inner.max, 6.0);
     let clamp =

@@ -72,7 +72,7 @@ fn strips_that_the_controller_holds_go_steadily() {
     let code = |name: &str| set.iter().find(|coupon| coupon.name == name).expect(name).gcode();
     let (slow, fast) = (code("strips-200C-200um-s"), code("strips-200C-500um-s"));
     assert!(slow.contains("\nG4 P") && !fast.contains("\nG4 P") && fast.contains(" F30\n"));
-    // Strokes and dwells of one strip at the speed that they should have, to 0.2 %.
+    // Strokes and dwells of one strip give the required speed, to 0.2 %.
     let program = read_program(&slow, Dialect::for_controller(&machine.controller));
     let contact = |z: f64| (z + 0.3).abs() < 1e-9;
     let run: Vec<_> = program.moves.iter().filter(|m| contact(m.from.z) && contact(m.to.z)).collect();

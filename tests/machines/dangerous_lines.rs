@@ -109,7 +109,7 @@ const REMARKS: [&str; 14] = [
     "; end of program, 3 lines",
 ];
 
-/// The profile `name` with `line` as one more of `part`, or as its pause.
+/// The profile `name` with `line` added to `part`, or as its pause.
 fn with(name: &str, part: &str, line: &str) -> String {
     let quoted = line.replace('\\', "\\\\").replace('"', "\\\"");
     let (from, to) = match part {
@@ -128,7 +128,7 @@ fn no_dangerous_line_is_read_in_any_dialect() {
     for name in PROFILES {
         for part in ["start", "pause", "end"] {
             for line in LINES.into_iter().chain(REMARKS) {
-                // The pause of these controllers is no danger where it is the pause.
+                // The pause command of these controllers is not dangerous in the place of the pause.
                 if line == "M0" && part == "pause" && own_pause(name) {
                     continue;
                 }

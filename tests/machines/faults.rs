@@ -1,4 +1,4 @@
-//! Seeded faults: each is found by its name and in its place, wherever it is put, in every dialect.
+//! Seeded faults: each is found by its code and at its place, for every place and dialect.
 
 use proptest::prelude::*;
 use stargrip_cam::pipeline::Built;
@@ -16,7 +16,7 @@ fn build(name: &str) -> Built {
     built(&spec_text(rest), profile(name))
 }
 
-/// The program with its last line counting right again.
+/// The program with the correct number of lines in its last line.
 fn counted(lines: &[String]) -> String {
     let mut text = String::new();
     for line in &lines[..lines.len() - 1] {
@@ -116,7 +116,7 @@ fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
             lines[cut] += " ; note) G0 Z0";
             ("bad-character", cut + 1)
         }
-        // A move to where nothing is, and back.
+        // A move outside of the work, and back.
         8 => {
             lines.insert(cut, "G1 X1 Y1".to_owned());
             ("deviation", cut + 1)
@@ -160,7 +160,7 @@ fn is_named(fault: &Seeded, findings: &[Finding]) -> bool {
     })
 }
 
-/// Each finding's code and line, so that a failure can be read.
+/// The code and the line of each finding, so that a failure can be read.
 fn told(findings: &[Finding]) -> Vec<(&str, Option<usize>)> {
     findings.iter().take(8).map(|finding| (finding.code, finding.line)).collect()
 }

@@ -11,7 +11,7 @@ use stargrip_cam::units::Speed;
 
 use crate::{profile, spec_text, try_built};
 
-/// Directions at which the brute force looks.
+/// Number of directions in the brute-force search.
 const SAMPLES: u32 = 8_000;
 /// GRBL's lowest step rate, steps/s.
 const RATE: f64 = 30.52;
@@ -141,7 +141,7 @@ fn grbl_says(rest: &str, from: &str, to: &str) -> Option<Refusal> {
     try_built(&spec_text(rest), &changed).map(|_| ()).err().map(|refusals| refusals[0].clone())
 }
 
-/// With a coarse Z a ramp has its XY motor step more rarely than any move in the plane.
+/// With few steps on Z, the XY motor steps more rarely in a ramp than in any move in the plane.
 #[test]
 fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
     let few = |rest: &str| grbl_says(rest, "z_steps_per_mm = 400", "z_steps_per_mm = 20");
@@ -158,8 +158,8 @@ fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
     assert_eq!(at(speed - 0.01).map(|refusal| refusal.code), Some(RefusalCode::FeedFloor));
 }
 
-/// Strokes grow up to half a band to leave time for their dwells: 1 mm at 2 mm/s^2 takes 1.9 s from rest to rest, which is
-/// time enough at 0.1 mm/s and too long at 0.53. At 0.1 mm/s^2 strokes have to be so long that the rest after each leaves a scar.
+/// Strokes grow up to half a band to leave time for their dwells: 1 mm at 2 mm/s^2 takes 1.9 s from rest to rest, which is short enough at
+/// 0.1 mm/s and too long at 0.53. At 0.1 mm/s^2 strokes must be so long that the rest after each leaves a scar.
 #[test]
 fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
     let at = |acceleration: f64, speed: f64| {

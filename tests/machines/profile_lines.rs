@@ -14,7 +14,7 @@ const TRACE: &str = "star-1-trace.gcode";
 enum At {
     /// Before the first motion.
     Head,
-    /// Before the first line that begins so, in contact.
+    /// Before the first line in contact that begins with this text.
     Contact,
     /// Before the last line of code.
     Tail,
@@ -33,7 +33,7 @@ fn place(lines: &[String], at: At) -> usize {
     .expect("such a line")
 }
 
-/// The program with its last line counting right.
+/// The program with the correct number of lines in its last line.
 fn counted(lines: &[String]) -> String {
     let body = lines[..lines.len() - 1].join("\n");
     format!("{body}\n; end of program, {} lines\n", lines.len())
@@ -162,7 +162,7 @@ fn heaters_are_told_once_and_turned_off() {
             assert_inserted(&[name], file, At::Tail, "M104 S200", "stray-heat");
             assert_inserted(&[name], file, At::Head, "M104 S450", "stray-heat");
         }
-        // Hotter first, then as it should be.
+        // Hotter at first, then correct.
         let hot = std::cell::Cell::new(0);
         let findings = after(name, SEAL, |lines| {
             hot.set(lines.iter().position(|line| line.starts_with("M109")).expect("a heating"));
@@ -185,7 +185,7 @@ fn waits_in_one_place_are_added_up() {
             }
         });
         assert_found(name, &findings, "iron-at-rest", at.get() + 2);
-        // Between slivers of a move as well.
+        // Also between short remainders of a move.
         let findings = after(name, SEAL, |lines| {
             at.set(place(lines, At::Contact));
             lines.insert(at.get(), wait.to_owned());

@@ -1,4 +1,4 @@
-//! Resume at every move of a job: the rest of it, an overlap, and nothing else.
+//! Resumes at every move of a job: the new program seals the rest and an overlap, and nothing else.
 
 use std::env;
 
@@ -266,7 +266,7 @@ fn a_resumed_job_can_be_resumed_and_a_damaged_one_cannot() {
     assert!(matches!(resume(&trace, ResumeAt::Line(1), None), Err(ResumeFault::NotOurs(_))));
 }
 
-/// The job with one text of it replaced, everywhere.
+/// The job with every occurrence of a text replaced.
 fn lied(name: &str, from: &str, to: &str) -> String {
     let job = job(name);
     assert!(job.contains(from), "{name}: {from}");
@@ -299,7 +299,7 @@ fn what_a_comment_says_is_not_believed() {
     }
 }
 
-/// A job with a line put in before the first that begins with `before`, its last line counting right.
+/// A job with a line inserted before the first one that begins with `before`, and the correct number of lines in its last line.
 fn with_line(name: &str, before: &str, line: &str) -> (String, usize) {
     let job = job(name);
     let mut lines: Vec<&str> = job.lines().collect();
@@ -335,7 +335,7 @@ fn a_job_that_plunges_or_changes_settings_is_not_resumed() {
     }
 }
 
-/// Comments longer than a line lost their last digits, and with them `resume` its seal.
+/// Comments longer than a line lost their last digits, so that `resume` lost the seal's settings.
 #[test]
 fn a_comment_that_is_longer_than_a_line_keeps_its_digits() {
     let seal = "[seal]\nspeed = \"2.608620702277 mm/s\"\nband = \"1.6123456789 mm\"\noverlap = \"6.8117535114 mm\"\n";
@@ -350,7 +350,7 @@ fn a_comment_that_is_longer_than_a_line_keeps_its_digits() {
     }
     let rest = resume(&job, ResumeAt::Share(0.4), None).expect("resumed");
     assert!((rest.overlap - 6.811_753_511).abs() < 1e-9, "{}", rest.overlap);
-    // Digits that are missing, or others, are found.
+    // Missing or wrong digits are found.
     for (from, to) in
         [("overlap_mm=6.811753511", "overlap_mm=6.8117"), ("; seal: overlap", "; path: overlap")]
     {

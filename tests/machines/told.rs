@@ -50,7 +50,7 @@ fn a_comment_in_another_place_is_found() {
 fn a_travel_to_another_place_is_found() {
     for name in PROFILES {
         let feed = if ["marlin", "klipper", "reprapfirmware"].contains(&name) { " F1200" } else { "" };
-        // Home by a detour, and not home.
+        // The return to the start by a detour, and no return at all.
         let at = std::cell::Cell::new(0);
         let detour = found(name, |lines| {
             at.set(nth(lines, "G0 X0 Y0", 0));

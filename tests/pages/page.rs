@@ -25,13 +25,13 @@ pub(crate) enum Piece {
     Heading(String),
     /// A fenced block.
     Block(Block),
-    /// Its file, as the page names it, and which file of a command it is (`<!-- from out/star/x.svg -->` above it).
+    /// Its path in the page, and the command's file that it shows (`<!-- from out/star/x.svg -->` above it).
     Picture {
         /// The path in the page.
         file: String,
         /// The alternative text.
         words: String,
-        /// Below the directory in which the page's commands run.
+        /// A path below the directory in which the page's commands run.
         from: Option<String>,
     },
 }
@@ -56,7 +56,7 @@ impl Page {
         Self { name: name.to_owned(), text }
     }
 
-    /// README.md and every page in docs/ but the book's list, sorted.
+    /// README.md and all pages in docs/ except the book's list, sorted.
     pub(crate) fn all() -> Vec<Self> {
         let files = fs::read_dir(home().join("docs")).expect("a directory");
         let mut names: Vec<String> = files
@@ -102,7 +102,7 @@ impl Page {
         out
     }
 
-    /// Every place that a link leads to, pictures too, as the page names it.
+    /// All targets of links, pictures included, as the page spells them.
     pub(crate) fn links(&self) -> Vec<String> {
         let mut prose = String::new();
         let mut is_code = false;
@@ -119,7 +119,7 @@ impl Page {
         ends.filter_map(|rest| rest.split_once(')')).map(|(link, _)| link.to_owned()).collect()
     }
 
-    /// The places that a link can lead to on this page, as GitHub and mdBook call them.
+    /// The anchors of this page, as GitHub and mdBook name them.
     pub(crate) fn anchors(&self) -> Vec<String> {
         let pieces = self.pieces();
         let headings = pieces.iter().filter_map(|piece| match piece {

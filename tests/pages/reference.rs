@@ -155,7 +155,7 @@ fn told(property: &Value, units: &mut BTreeMap<String, String>) -> (String, Stri
     .iter()
     .filter_map(|words| text.find(words))
     .min()
-    // "A length with its unit": the sentence begins before.
+    // "A length with its unit" is the beginning of this sentence.
     .map(|at| {
         text[..at].rfind(". ").map_or(if text[at..].starts_with(' ') { 0 } else { at }, |stop| stop + 2)
     });
@@ -192,7 +192,7 @@ fn short(range: &str) -> String {
         .replace(" and at most ", " to ")
         .replace(" and less than ", " to below ");
     let range = range.replace("at least ", "").replace("more than ", "above ").replace(". Or ", ", or ");
-    // The unit once, behind both ends.
+    // The unit is given once, after both ends.
     let Some((low, high)) = range.split_once(" to ") else { return range };
     let unit = low
         .rsplit_once(' ')

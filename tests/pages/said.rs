@@ -7,7 +7,7 @@ use crate::page::{Block, Page};
 
 /// The output of a block of commands.
 pub(crate) struct Said {
-    /// Both streams, as they came.
+    /// Both streams in their order.
     pub(crate) text: String,
     /// Whether the last command succeeded.
     pub(crate) is_done: bool,
@@ -35,7 +35,7 @@ impl Said {
         Self { text, is_done: output.status.success(), line: block.line }
     }
 
-    /// A fault that the page does not show.
+    /// A failure that the page does not show.
     pub(crate) fn unexpected(self, page: &Page) -> Option<String> {
         let Self { text, is_done, line } = self;
         (!is_done).then(|| format!("{}:{line}: fails, and the page does not say so\n{text}", page.name))

@@ -65,11 +65,11 @@ fn the_picture_of_shells_is_that_of_its_tables() {
         let Ok(time) = words[0].parse::<f64>() else { continue };
         let time = if words[1] == "us" { 1e-6 * time } else { time };
         for (row, left) in [(closing, 70.0), (force, 520.0)] {
-            // 45 pixels a decade of time from 100 ns, 90 one of error from 1000 % down.
+            // 45 pixels for a decade of time from 100 ns, 90 for one of error from 1000 % down.
             let x = at(time.max(1e-7), (left + 315.0, 45.0));
             let error = last(row);
             let y = at((0.01 * error).max(1e-3), (130.0, -90.0));
-            // The table rounds to a tenth of a percent, which is much of a small number.
+            // The table rounds to a tenth of a percent, which is much for a small number.
             let rounded = 1.0 + 90.0 * (1.0 - 0.05 / error.max(0.1)).log10().abs();
             assert!(is_shown(&circles, (x, y), (6.0, rounded.max(6.0))), "{row}: not at {x:.1}, {y:.1}");
             compared += 1;

@@ -15,7 +15,7 @@ fn rows(csv: &str) -> (Vec<&str>, Vec<Vec<&str>>) {
     (lines.next().expect("a header"), lines.collect())
 }
 
-/// A number that JSON has under `path`, "evidence.mesh_errors.volume_mm3"; `None` if it has null.
+/// The number in JSON under `path`, "evidence.mesh_errors.volume_mm3"; `None` for null.
 fn number(json: &serde_json::Value, path: &str) -> Option<f64> {
     path.split('.').fold(json, |value, key| &value[key]).as_f64()
 }
@@ -178,7 +178,7 @@ fn a_row_by_the_shell_says_what_a_prediction_says() {
             ("arm_contact_mesh_error_mm2", "evidence.mesh_errors.arm_contact_mm2"),
         ],
     );
-    // mu F / g of two stars, g as the standard has it.
+    // mu F / g of two stars, with standard gravity.
     let force: f64 = of(1, "object_force_mesh_error_N").parse().expect("a number");
     let payload: f64 = of(1, "payload_mesh_error_kg").parse().expect("a number");
     assert!((payload - 2.0 * 0.5 * force / 9.80665).abs() < 1e-6 * payload, "{payload} {force}");

@@ -11,7 +11,7 @@ use super::track::Track;
 /// Speed of travels in the profiles, mm/s.
 const TRAVEL: f64 = 20.0;
 
-/// The machine that a profile is of.
+/// The motors in a profile.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Motors {
     /// Acceleration of X, Y and Z, mm/s^2.
@@ -21,7 +21,7 @@ pub(crate) struct Motors {
 }
 
 impl Motors {
-    /// The part of a window's time that one stop takes: every controller may stop at a corner.
+    /// The fraction of a window's time that one stop takes: every controller may stop at a corner.
     pub(crate) fn stop(self, speed: f64) -> f64 {
         speed * speed / self.acceleration
     }
@@ -52,7 +52,7 @@ pub(crate) struct Board {
     pub(crate) version: Version,
 }
 
-/// Every board of Marlin's.
+/// All boards for Marlin.
 pub(crate) const BOARDS: [Board; 4] = [
     Board { bits: 8, version: Version::Two },
     Board { bits: 8, version: Version::Newest },

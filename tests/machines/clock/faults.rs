@@ -16,7 +16,7 @@ fn complaints(dialect: &str, edit: impl Fn(&str) -> String) -> Vec<String> {
     deviations(&text, &run(dialect, &text, own(dialect)), spec.seal.speed.0, 0.0).1
 }
 
-/// Every line through `edit`.
+/// The text with every line replaced by `edit`.
 fn lines(code: &str, edit: impl Fn(&str) -> String) -> String {
     code.lines().map(|line| edit(line) + "\n").collect()
 }

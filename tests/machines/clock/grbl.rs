@@ -235,7 +235,7 @@ impl Profile {
         profile
     }
 
-    /// Hands over the part that is done after each segment, minutes a step, and its steps.
+    /// Calls back with the completed part of each segment, the minutes a step, and its steps.
     fn segments(mut self, block: &Block, mut each: impl FnMut(f32, f32, f32)) {
         let steps_per_mm = block.steps / block.length;
         let at_least = STEPS_AT_LEAST / steps_per_mm;

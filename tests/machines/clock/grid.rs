@@ -28,7 +28,7 @@ const DESIGNS: [(&str, &str); 10] = [
     ("round-hinges", include_str!("../../../designs/round-hinges.toml")),
 ];
 
-/// A controller: a dialect, and which board of Marlin's.
+/// A controller: a dialect, and the board if it is Marlin.
 type Controller = (&'static str, Option<Board>);
 
 /// The controllers for the programs of a dialect, each with its profile on these motors.
@@ -131,7 +131,7 @@ fn every_program_on_every_machine_of_the_grid() {
                     worst.take(*controller, motors, spec.seal.speed.0, program);
                 };
                 seals(&spec, machine).0.iter().for_each(|program| take("seal", program));
-                // These do not depend on the design.
+                // These programs do not depend on the design.
                 if *design_name == "paper-five-points" {
                     take("feedcheck", &feed_check(&spec, machine));
                     for program in &coupon_programs(&spec, machine) {

@@ -12,7 +12,7 @@ pub(crate) const TOTAL: f64 = 0.005;
 /// Tolerances of the speed within a window, steady and chopped: six strokes have six rests, or one more or less.
 const STEADY: f64 = 0.01;
 const CHOPPED: f64 = 0.15;
-/// A window, mm; and how many strokes it has at least, where a fast seal needs long ones.
+/// Length of a window, mm; and its least number of strokes, for a fast seal with long ones.
 const WINDOW: f64 = 1.0;
 const STROKES: f64 = 6.0;
 

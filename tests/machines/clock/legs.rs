@@ -7,7 +7,7 @@ use super::text::{Command, Text, Words};
 /// A straight path.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Leg {
-    /// The line of the move that it is of.
+    /// The line of its move.
     pub(crate) line: usize,
     pub(crate) from: [f64; 3],
     pub(crate) to: [f64; 3],

@@ -5,9 +5,9 @@
 use super::legs::{Leg, Task};
 use super::track::Track;
 
-/// planner.cpp, BLOCK_DELAY_FOR_1ST_MOVE: so many polls of an idle stepper, a millisecond each.
+/// planner.cpp, BLOCK_DELAY_FOR_1ST_MOVE: number of polls of an idle stepper, a millisecond each.
 const FIRST_MOVE: f64 = 0.1;
-/// Blocks with which the wait ends before its time.
+/// Number of blocks that end the wait early.
 const NO_WAIT: usize = 3;
 /// Configuration.h, JUNCTION_DEVIATION_MM.
 const JUNCTION_DEVIATION: f64 = 0.013;
@@ -201,7 +201,7 @@ impl Marlin {
                 }
                 (now, peak) = (nominal, nominal);
             }
-            // calc_timer_interval, but for the rounding of its table.
+            // calc_timer_interval, without the rounding of its table.
             let seconds = 1.0 / now.max(self.lowest_rate);
             made += 1.0;
             track.moved(made / block.steps, seconds);

@@ -33,7 +33,7 @@ const FIVE: &str = include_str!("../../../designs/paper-five-points.toml");
 const ROUND: &str = include_str!("../../../designs/round-hinges.toml");
 const CONICAL: &str = include_str!("../../../designs/conical-stack.toml");
 
-/// The motors that the profile of a dialect is of.
+/// The motors in the profile of a dialect.
 fn own(dialect: &str) -> Motors {
     let acceleration = match dialect {
         "fluidnc" => 25.0,
@@ -43,7 +43,7 @@ fn own(dialect: &str) -> Motors {
     Motors { acceleration, steps_per_mm: 80.0 }
 }
 
-/// Mean speed, windows and total time of everything that is sealed, in every dialect.
+/// Mean speed, windows and total time of all seals, in every dialect.
 #[test]
 fn every_program_runs_as_its_controller_was_told() {
     for dialect in DIALECTS {

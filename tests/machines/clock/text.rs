@@ -10,7 +10,7 @@ pub(crate) enum Command {
     Move(Words),
     /// G4, with its unscaled P word.
     Dwell(f64),
-    /// A pause, a heater that is waited for, the end: all motion before it comes to rest.
+    /// A pause, a wait for a heater, or the end: all earlier motion stops first.
     Halt,
     /// M203 I: the lowest feed, mm/min (RepRapFirmware).
     LowestFeed(f64),
@@ -32,7 +32,7 @@ pub(crate) struct Words {
 /// A program: its commands with their lines, and the figures that its comments state.
 pub(crate) struct Text {
     pub(crate) commands: Vec<(usize, Command)>,
-    /// `total.time_s` for the figure of `; total: ... time_s=20302`.
+    /// `total.time_s` for the value in `; total: ... time_s=20302`.
     pub(crate) facts: BTreeMap<String, f64>,
     /// Line, per cent and seconds to go of every `; progress:`.
     pub(crate) progress: Vec<(usize, f64, f64)>,
@@ -54,7 +54,7 @@ impl Text {
         text
     }
 
-    /// A figure that the comments state.
+    /// A figure in the comments.
     pub(crate) fn fact(&self, name: &str) -> Option<f64> {
         self.facts.get(name).copied()
     }

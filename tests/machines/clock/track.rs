@@ -4,7 +4,7 @@ use super::legs::Leg;
 
 /// Path between two marks, mm.
 const MARK: f64 = 0.25;
-/// Nearer than this to a mark is on it, mm.
+/// Tolerance of a mark, mm.
 const ON_MARK: f64 = 1e-3;
 
 /// A stretch of cuts between two travels.
@@ -16,7 +16,7 @@ pub(crate) struct Stretch {
     pub(crate) length: f64,
     /// From the start of its first cut to the end of the wait after its last, s.
     pub(crate) seconds: f64,
-    /// When it had come so far: a mark every quarter of a millimetre.
+    /// The time at each mark, a quarter of a millimetre apart.
     marks: Vec<f64>,
     begun: f64,
 }
@@ -27,7 +27,7 @@ pub(crate) struct Track {
     /// Now, s.
     pub(crate) now: f64,
     pub(crate) stretches: Vec<Stretch>,
-    /// When the first leg of a line began.
+    /// The start time of each line's first leg.
     pub(crate) lines: Vec<(usize, f64)>,
     /// The current stretch.
     open: Option<Stretch>,
@@ -51,7 +51,7 @@ impl Stretch {
 }
 
 impl Track {
-    /// A leg begins, now.
+    /// A leg begins now.
     pub(crate) fn begin(&mut self, leg: &Leg) {
         (self.leg, self.done) = (leg.length(), 0.0);
         self.lines.push((leg.line, self.now));
@@ -63,7 +63,7 @@ impl Track {
         }
     }
 
-    /// The part `done` of the leg is reached after `seconds` more, evenly.
+    /// The part `done` of the leg is reached after `seconds` more, at constant speed.
     pub(crate) fn moved(&mut self, done: f64, seconds: f64) {
         let (begun, way) = (self.now, (done - self.done) * self.leg);
         self.now += seconds;

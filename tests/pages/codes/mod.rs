@@ -49,7 +49,7 @@ fn table<C: Code>(codes: &[C], messages: &[Message]) -> String {
     codes.iter().fold(head, |mut text, code| {
         let example = messages.iter().find(|(own, _)| own == code.as_str()).map(|(_, message)| cell(message));
         let example = example.unwrap_or_default();
-        // A String takes everything.
+        // Writing to a String does not fail.
         let _ = writeln!(text, "| `{}` | {} | {example} |", code.as_str(), code.meaning());
         text
     })

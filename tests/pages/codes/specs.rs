@@ -44,7 +44,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("inlet-meets-arm", "", "[inlet]\ntube_diameter = \"45 mm\"\n"),
 ];
 
-/// The same for designs, of which each adds to the star.
+/// The same for designs; each adds text to the star.
 const DESIGNS: &[(&str, &str)] = &[
     ("arms-fall-through", "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\ninner_radius = \"160 mm\"\n"),
     ("band-eats-arm", "[seal]\nband = \"45 mm\"\n"),
@@ -75,7 +75,7 @@ const DESIGNS: &[(&str, &str)] = &[
     ("unknown-reach", "[machine]\nprofile = \"linuxcnc\"\n"),
 ];
 
-/// The same with [`LOAD`], a part of which is replaced, or to which is added.
+/// The same with [`LOAD`], in which a part is replaced, or to which text is added.
 const LOADS: &[(&str, &str, &str)] = &[
     (
         "object-too-short",
@@ -108,7 +108,7 @@ const TABLES: &[(&str, &str)] = &[
     ("unit", "travel_mm,load_kg\n0,0\n"),
 ];
 
-/// Bytes that are no spec.
+/// Bytes that are not a spec.
 const BYTES: [&[u8]; 4] =
     [b"G21\nG90\nG0 Z30\n", b"\xff\xfe\x00", b"schema = 1\rname = \"x\"\r", &[b'#'; (1 << 20) + 1]];
 
@@ -126,7 +126,7 @@ const PROFILES: &[(&str, &str, &str, &str, &str)] = &[
     ("unknown-feed", "generic", "name = \"generic\"", "name = \"shop\"", ""),
 ];
 
-/// Every message about specs, profiles and tables: faults, refusals and precautions, each a list.
+/// All messages about specs, profiles and tables: faults, refusals and precautions, each as a list.
 pub(crate) fn messages() -> [Vec<Message>; 3] {
     let mut all = [Vec::new(), Vec::new(), Vec::new()];
     let changed = |text: &str, old: &str, new: &str| match old {
