@@ -20,7 +20,7 @@ pub(super) fn checked(forecast: &Forecast) -> String {
     format!("\n{}{}{}", design(forecast), predicted(forecast), seal)
 }
 
-/// The design: geometry, seams, fabric, and the corners' overheating by the iron. Of equal stars only the first is listed.
+/// The design: geometry, seams, fabric, and the realised radii of tips and corners. Of equal stars only the first is listed.
 fn design(forecast: &Forecast) -> String {
     let Forecast { spec, design, programs, .. } = forecast;
     let mut out = String::new();
@@ -67,7 +67,7 @@ fn paper(piece: &DrawnPiece) -> String {
     format!("separator: {pieces} of paper, {area:.0} cm2, for each copy\n")
 }
 
-/// A star's geometry, and the iron's effect at its corners.
+/// A star's geometry, and the radii of tips and corners that the iron's band realises.
 fn of_star(spec: &Spec, index: usize, part: &StarDesign) -> String {
     let mut out = String::new();
     let _ = writeln!(out, "star {}: arms {:.2} mm long", index, part.star.l);

@@ -74,7 +74,7 @@ mod tests {
     fn what_no_table_knows_is_no_verdict() {
         let soft = forecast("[load]\npressure = \"0.1 kPa\"\nobject_radius = \"30 mm\"\n");
         assert_eq!((holds(&soft), codes(&soft)), (Some(Holds::Unknown), vec!["outside-models".to_owned()]));
-        // Without an object, a star whose pressure limit is unknown is still made.
+        // Without an object, a star outside all models is still made.
         let text = starter("x").expect("a name").replace("tube_width = \"30 mm\"", "tube_width = \"45 mm\"");
         let with = |more: &str| {
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n{more}");
