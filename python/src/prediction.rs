@@ -132,7 +132,7 @@ fn by_drawing(
 ) -> Result<(Answer, Option<InflatedShape>), Refused> {
     let (spec, design) = designed(given, asked)?;
     let Some(piece) = design.drawn().filter(|_| asked.radii.is_empty()) else {
-        let what = "no model knows what a drawn shape does to an object: leave out radii".to_owned();
+        let what = "no model predicts what a drawn shape does to an object: leave out radii".to_owned();
         return Err(Refused::Fault(PredictFault { star: None, key: key::drawing::FILE, what }));
     };
     let tell = |part: f64, what: &str| line.tell(part, what);

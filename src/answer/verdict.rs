@@ -13,7 +13,7 @@ use crate::units::Length;
 /// The verdict in one sentence.
 pub fn in_words(forecast: &Forecast) -> String {
     if forecast.design.drawn().is_some() {
-        return "no verdict: no model knows what a drawn shape does to an object".to_owned();
+        return "no verdict: no model predicts what a drawn shape does to an object".to_owned();
     }
     let Some((load, prediction)) = forecast.spec.load.as_ref().zip(forecast.prediction.as_ref()) else {
         return "no verdict: add a [load] section that describes the object".to_owned();

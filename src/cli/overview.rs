@@ -123,7 +123,7 @@ pub(super) fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
         (Some(trace), Some(seal)) => {
             Some(format!("{trace} first, which seals nothing; then {seal}{}", more(&seals)))
         }
-        (None, Some(seal)) => Some(format!("{seal}{}; no trace was asked for", more(&seals))),
+        (None, Some(seal)) => Some(format!("{seal}{}; no trace was requested", more(&seals))),
         _ => None,
     };
     rows.extend(run.map(|run| ("run", run)));

@@ -133,7 +133,7 @@ fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Resu
 /// Predicts a drawn piece, for which only the shell is a model.
 fn run_drawn(args: &Args, loaded: &Loaded, spec: &Spec, piece: &DrawnPiece) -> Result<(), Failure> {
     if args.radii.is_some() {
-        let text = "--radii is for stars: no model knows what a drawn shape does to an object";
+        let text = "--radii is for stars: no model predicts what a drawn shape does to an object";
         return Err(Failure::Usage(text.to_owned()));
     }
     let question = format!("predict {spec:?} {:?} {:?} {:?}", piece.air, piece.inner, piece.part.inside);

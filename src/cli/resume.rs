@@ -96,7 +96,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
         if known {
             "the job is the one that its manifest names"
         } else {
-            "no manifest.json beside the job: that it is the one that was built, nobody knows"
+            "no manifest.json beside the job: whether it is the built file is unknown"
         }
     );
     let json = json!({

@@ -85,7 +85,7 @@ impl<'a> Table<'a> {
         let bytes = self.text.as_bytes();
         if let Some(at) = (0..bytes.len()).find(|i| bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n')) {
             let fault = Fault::error(FaultCode::LineEnd, at..at + 1, "a line ends with CR alone");
-            self.faults.push(fault.label("must be LF or CRLF").help("save the table as CSV once more"));
+            self.faults.push(fault.label("must be LF or CRLF").help("save the table as CSV again"));
             return Vec::new();
         }
         if let Some((at, length)) = self.long_line() {
@@ -176,7 +176,7 @@ impl<'a> Table<'a> {
                     continue;
                 }
                 [(i, unit)] => {
-                    let is = if unit.is_empty() { "says no unit" } else { "is in another unit" };
+                    let is = if unit.is_empty() { "has no unit" } else { "is in another unit" };
                     Fault::error(
                         FaultCode::Unit,
                         self.cell(line, *i),

@@ -7,7 +7,7 @@ codes! {
     PrecautionCode {
         ChoppedSeal "chopped-seal" "The seal's speed is made of strokes and dwells; time what `feedcheck` writes.",
         FastSeal "fast-seal" "The seal is much faster than the paper's; peel a coupon before you trust it.",
-        GenericMachine "generic-machine" "The profile knows nothing of the machine; name yours, or time what `feedcheck` writes.",
+        GenericMachine "generic-machine" "The profile has no data on the machine; name yours, or time what `feedcheck` writes.",
         LeavesPlane "leaves-plane" "A drawn shape may bend or twist out of its plane; the prediction is of the one that does not.",
         MachineRequires "machine-requires" "The profile asks this of the machine; see to it.",
         MayNotHold "may-not-hold" "The object may not be held; see the numbers, and what would do.",

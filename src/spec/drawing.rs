@@ -152,7 +152,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<DrawingSpec> {
     let inlet = ("the drawing shows where its ports are", "delete it; only `tube_diameter` counts here");
     only_keys(reader, "inlet", &["tube_diameter"], inlet);
     let load =
-        ("no model knows what a drawn shape does to an object", "delete it; only `pressure` counts here");
+        ("no model predicts what a drawn shape does to an object", "delete it; only `pressure` counts here");
     only_keys(reader, "load", &["pressure"], load);
     separator(reader);
     drawing

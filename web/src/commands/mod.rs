@@ -38,7 +38,7 @@ pub fn answer(question: Result<Message, String>) -> Message {
 
 fn answered(question: Message) -> Result<Message, String> {
     let Message { json: question, files } = question;
-    let asked = text(&question, "ask").ok_or("the question does not say what is asked")?;
+    let asked = text(&question, "ask").ok_or("the question has no `ask`")?;
     let answer = match asked {
         "start" => start::start(),
         "explain" => start::explain(&question),
@@ -49,7 +49,7 @@ fn answered(question: Message) -> Result<Message, String> {
         "drawing" => drawing::drawing(&files)?,
         "new" => object::new(&question)?,
         "edit" => edit::edit(&question)?,
-        _ => return Err(format!("nothing answers {asked:?}")),
+        _ => return Err(format!("unknown question {asked:?}")),
     };
     Ok(Message::of(answer))
 }
