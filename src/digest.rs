@@ -1,4 +1,4 @@
-//! SHA-256 as text: what tells whole files from torn ones, and one question from another.
+//! SHA-256 as text: detects damaged files, and identifies questions.
 
 use std::fmt::Write;
 
@@ -11,7 +11,7 @@ pub fn sha256(bytes: impl AsRef<[u8]>) -> String {
     running.finish()
 }
 
-/// SHA-256 of `parts`, each behind its length, so that "ab", "c" is not "a", "bc".
+/// SHA-256 of `parts`, each after its length, so that "ab", "c" differs from "a", "bc".
 pub fn of_parts(parts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
     let mut running = Running::default();
     for part in parts {
@@ -21,20 +21,20 @@ pub fn of_parts(parts: impl IntoIterator<Item = impl AsRef<[u8]>>) -> String {
     running.finish()
 }
 
-/// SHA-256 of what comes piece by piece.
+/// Incremental SHA-256.
 #[derive(Clone, Debug, Default)]
 pub struct Running(Sha256);
 
 impl Running {
-    /// Takes the next bytes.
+    /// Adds bytes to the hash.
     pub fn update(&mut self, bytes: impl AsRef<[u8]>) {
         self.0.update(bytes);
     }
 
-    /// The hash of all of them, in lower-case hexadecimal.
+    /// The hash of all bytes, in lower-case hexadecimal.
     pub fn finish(self) -> String {
         self.0.finalize().iter().fold(String::with_capacity(64), |mut text, byte| {
-            // A String takes everything.
+            // Writing to a String does not fail.
             let _ = write!(text, "{byte:02x}");
             text
         })
@@ -45,7 +45,7 @@ impl Running {
 mod tests {
     use super::*;
 
-    /// FIPS 180-4 has the first; of the second `sha256sum </dev/null` says the same.
+    /// FIPS 180-4 has the first; `sha256sum </dev/null` prints the second.
     #[test]
     fn hashes_are_those_of_the_standard() {
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";

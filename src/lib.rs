@@ -2,13 +2,14 @@
 //!
 //! Two sheets of heat-sealable fabric, sealed along a star-shaped path into one closed tube, contract in
 //! their plane when inflated, and grip (Andrade-Silva and Marthelot, "Fabric-Based Star Soft Robotic
-//! Gripper"). This crate turns a specification of such a gripper into what a workshop needs, and proves it.
+//! Gripper"). This crate turns a specification of such a gripper into files for a workshop, and proves them.
 //!
 //! Data flows one way: text is read into a [`spec::Spec`], which becomes an exact [`design::Design`] of lines
 //! and arcs, which becomes a machine-neutral plan ([`plan::Program`]); [`emit`] writes both as text, and
-//! [`verify`] reads the text back and compares it with the design. [`pipeline`] has every stage by name.
+//! [`verify`] reads the text back and compares it with the design. [`pipeline`] defines the state after every stage.
 //!
-//! The physics is a crate of its own, `inflatable`. Its modules are here under their names, since designs and predictions have its types.
+//! The physics is a separate crate, `inflatable`. Its modules are re-exported under their names, because designs and predictions use its
+//! types.
 //!
 //! ```
 //! use stargrip_cam::design::Design;

@@ -1,4 +1,4 @@
-//! The manifest: what a build wrote, so that `verify` can prove it and scripts can find it.
+//! The manifest: a list of a build's files, for `verify` and for scripts.
 
 mod bill;
 mod coupons;
@@ -32,9 +32,9 @@ pub const MANIFEST: &str = "manifest.json";
 pub struct Manifest {
     /// Name and version of the tool that wrote it.
     pub tool: Tool,
-    /// What the spec calls the design.
+    /// The design's name in the spec.
     pub name: String,
-    /// Every file beside the manifest.
+    /// All files beside the manifest.
     pub files: Vec<ManifestFile>,
     /// Every piece with its seams, in the order of the programs.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -54,16 +54,16 @@ pub struct Manifest {
     /// Fabric of all pieces, both sheets of each.
     #[serde(default)]
     pub fabric_mm2: f64,
-    /// Its mass, where its areal density is known: that of the whole stack, `stack_mass_g` of a prediction.
+    /// Its mass, if the areal density is given: that of the whole stack, `stack_mass_g` of a prediction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
-    /// What it does at the pressure of `[load]`; absent without one.
+    /// Its prediction at the pressure of `[load]`; absent without one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub prediction: Option<ManifestPrediction>,
-    /// The kinds that were asked for; absent if all were.
+    /// The only requested kinds; absent if all default kinds were made.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub only: Vec<Kind>,
-    /// The kinds that were asked for beside these; absent if none was.
+    /// The additional kinds that were requested; absent without any.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub with: Vec<Kind>,
 }
@@ -82,7 +82,7 @@ pub struct Tool {
 pub struct ManifestFile {
     /// Name in the directory.
     pub path: String,
-    /// What it is.
+    /// Kind of the file.
     pub kind: Kind,
     /// Length in bytes.
     pub bytes: usize,
@@ -97,16 +97,16 @@ pub struct ManifestFile {
     /// The drawn piece that it belongs to, by its number.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub copy: Option<usize>,
-    /// The lowest plate of the frame that it is for.
+    /// The lowest plate of the frame that uses it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plate: Option<usize>,
-    /// The piece of a printed mask that it is, from 1.
+    /// The number of its piece of a printed mask, from 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub piece: Option<usize>,
     /// The paper that it is laid out for; absent for one page as large as the drawing needs.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub paper: Option<Paper>,
-    /// Whether it is for the face that the iron does not touch.
+    /// Whether it is mirrored, for the face that the iron does not touch.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub mirrored: bool,
 }
@@ -128,7 +128,7 @@ pub struct ManifestStar {
     /// Fabric of both sheets.
     #[serde(default)]
     pub fabric_mm2: f64,
-    /// Its mass, where its areal density is known: `mass_g` of this star in a prediction.
+    /// Its mass, if the areal density is given: `mass_g` of this star in a prediction.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mass_g: Option<f64>,
     /// The same, loop by loop.
@@ -157,7 +157,7 @@ impl Tool {
 }
 
 impl Manifest {
-    /// The manifest of the files of `design`, which `spec` describes and the sealing `programs` make; it names none yet.
+    /// The manifest of `design`, with `spec` and the sealing `programs`; its list of files is still empty.
     pub fn new(spec: &Spec, design: &Design, programs: &[Program]) -> Self {
         let assembly = design.assembly();
         let stars = assembly.map_or_else(Vec::new, |assembly| ManifestStar::all(spec, assembly, programs));
@@ -181,21 +181,21 @@ impl Manifest {
         }
     }
 
-    /// The same manifest with what is predicted of the gripper at its pressure.
+    /// The same manifest with the prediction of the gripper at its pressure.
     #[must_use]
     pub fn with_prediction(self, prediction: Option<&Prediction>) -> Self {
         let at_pressure = prediction.filter(|prediction| prediction.first.bendability.is_some());
         Self { prediction: at_pressure.map(ManifestPrediction::of), ..self }
     }
 
-    /// The same manifest naming `files`, those that were `asked` for.
+    /// The same manifest with the list `files`, which were requested by `asked`.
     #[must_use]
     pub fn with_files(self, files: Vec<ManifestFile>, asked: &Asked) -> Self {
         let Asked { only, with } = asked.clone();
         Self { files, only, with, ..self }
     }
 
-    /// What was asked for.
+    /// The requested kinds.
     pub fn asked(&self) -> Asked {
         Asked { only: self.only.clone(), with: self.with.clone() }
     }
@@ -203,7 +203,7 @@ impl Manifest {
     /// The manifest as the bytes of `manifest.json`.
     ///
     /// # Panics
-    /// Never: every field can be written as JSON.
+    /// Never: all fields can be written as JSON.
     pub fn to_json(&self) -> Vec<u8> {
         let mut json = serde_json::to_vec_pretty(self).expect("plain data");
         json.push(b'\n');
@@ -258,7 +258,7 @@ impl ManifestFile {
         Self::of(&Artifact { output: Output::of(kind), name: path.to_owned(), bytes: bytes.to_vec() })
     }
 
-    /// The same for who knows the hash of its content already.
+    /// The same with a hash of the content that has been computed already.
     pub fn with_hash(artifact: &Artifact, sha256: String) -> Self {
         let Output { kind, sheet, star, copy, plate, piece, paper, mirrored, .. } = artifact.output;
         Self {
@@ -276,7 +276,7 @@ impl ManifestFile {
         }
     }
 
-    /// What the entry says that the file is.
+    /// The file's kind and part, from its entry.
     pub fn output(&self) -> Output {
         let Self { kind, sheet, star, copy, plate, piece, paper, mirrored, .. } = *self;
         let paper = if kind.format() == Format::Pdf { paper.or(Some(Paper::Large)) } else { paper };

@@ -1,4 +1,4 @@
-//! Physical quantities: a number with a unit, as a person writes it in a spec.
+//! Physical quantities: a number with a unit, as written in a spec.
 //!
 //! Each quantity is a type around one `f64` in a fixed unit; its table lists every unit it can be
 //! written in. A quantity is written as a decimal number, optional blanks, and a unit: `50 mm`,
@@ -9,20 +9,20 @@ use std::fmt;
 
 pub use inflatable::readable::Readable;
 
-/// Why a text is not a quantity of the wanted kind.
+/// The reason why a text is not a quantity of the required kind.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum QuantityFault {
     /// The text does not begin with a finite decimal number.
     NotANumber,
-    /// The number is there, the unit is not.
+    /// The unit is missing.
     NoUnit,
-    /// The unit is none of this quantity's.
+    /// The unit is not one of this quantity.
     UnknownUnit(String),
 }
 
 /// A physical quantity that a spec can state.
 pub trait Quantity: Copy + fmt::Display {
-    /// What it measures, for messages: "length".
+    /// The quantity's name in messages: "length".
     const KIND: &'static str;
     /// Units in which it can be written, with the factor to the base unit; the first is the base.
     const UNITS: &'static [(&'static str, f64)];
@@ -48,8 +48,8 @@ pub trait Quantity: Copy + fmt::Display {
         if base.is_finite() { Ok(Self::from_base(base)) } else { Err(QuantityFault::NotANumber) }
     }
 
-    /// The units as a list for messages: "mm, cm, m". Those with a letter that not every keyboard has, which
-    /// always have another spelling, are left out.
+    /// The units as a list for messages: "mm, cm, m". Units with a letter that is missing on some keyboards are left out; they always have
+    /// another spelling.
     fn unit_list() -> String {
         Self::UNITS
             .iter()
@@ -200,7 +200,7 @@ impl Percent {
     }
 }
 
-/// Prints a limit below which something is too small: as [`Readable`], but rounded up, so that what is printed will do.
+/// Prints a lower limit: as [`Readable`], but rounded up, so that the printed value satisfies it.
 pub struct Least(pub f64);
 
 impl fmt::Display for Least {
@@ -209,7 +209,7 @@ impl fmt::Display for Least {
     }
 }
 
-/// Prints a limit above which something is too large: as [`Readable`], but rounded down, so that what is printed will do.
+/// Prints an upper limit: as [`Readable`], but rounded down, so that the printed value satisfies it.
 pub struct Most(pub f64);
 
 impl fmt::Display for Most {
@@ -218,7 +218,7 @@ impl fmt::Display for Most {
     }
 }
 
-/// `x` to six significant digits, in the direction of `round`. What is within rounding of such a number is that number.
+/// `x` to six significant digits, in the direction of `round`. A value within rounding of such a number becomes that number.
 fn directed(x: f64, round: fn(f64) -> f64) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return x;

@@ -24,7 +24,7 @@ use crate::waiting::wait;
 /// pressure: gauge pressure.
 /// thickness, young_modulus, poisson_ratio: of the fabric; default: those of a spec.
 /// model: "fit", "ring", "bvp", "section", "shell" or "auto", which is section.
-/// angles: also the moment that holds it at each of these angles, "30 deg..90 deg/7".
+/// angles: also the moment that holds the hinge at each of these angles, "30 deg..90 deg/7".
 /// fineness: of the shell's meshes: "coarse", "medium" (default) or "fine".
 /// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 ///

@@ -1,4 +1,4 @@
-//! `Prediction` and `ActuatorPrediction`: answers as attributes, as dicts, as pages, and as what a pickle keeps.
+//! `Prediction` and `ActuatorPrediction`: answers as attributes, dicts, text and pickles.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use stargrip_cam::shell::cases::InflatedShape;
 
 use crate::mesh::Mesh;
 
-/// An answer: the crate's own structure, or what a pickle has kept of one.
+/// An answer: the crate's own structure, or the content of a pickle.
 pub(crate) enum Answer {
     Star(Arc<Given>, Box<said::Prediction>),
     Drawn(Arc<Given>, Box<DrawnPrediction>),
@@ -28,7 +28,7 @@ pub(crate) enum Answer {
 }
 
 impl Answer {
-    /// A new dict, as the command prints it with `--json`.
+    /// A new dict, equal to the JSON of the command's `--json`.
     fn dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let made = match self {
             Self::Star(_, star) => pythonize::pythonize(py, star)?,
@@ -39,7 +39,7 @@ impl Answer {
         Ok(made.cast_into::<PyDict>()?)
     }
 
-    /// The page that the command prints.
+    /// The text that the command prints.
     fn page(&self) -> String {
         match self {
             Self::Star(given, star) => report::text(&given.reading.spec, star),
@@ -49,7 +49,7 @@ impl Answer {
         }
     }
 
-    /// What `repr` shows.
+    /// The text of `repr`.
     fn shown(&self) -> String {
         let star = |given: &Given, model| format!("<Prediction {:?} by {model}>", given.reading.spec.name);
         match self {
@@ -61,7 +61,7 @@ impl Answer {
     }
 }
 
-/// What both classes hold: an answer, its dict, made when it is first read, and the shell's mesh.
+/// The content of both classes: an answer, its dict, which is made at the first access, and the shell's mesh.
 pub(crate) struct Said {
     answer: Answer,
     fields: PyOnceLock<Py<PyDict>>,
@@ -74,7 +74,7 @@ impl Said {
         Ok(Self { answer, fields: PyOnceLock::new(), mesh })
     }
 
-    /// The value of the key `name`; None where this answer has no such key.
+    /// The value of the key `name`; None if this answer has no such key.
     fn value(&self, py: Python<'_>, name: &str) -> PyResult<Py<PyAny>> {
         let fields = self.fields.get_or_try_init(py, || self.answer.dict(py).map(Bound::unbind))?;
         Ok(fields.bind(py).get_item(name)?.map_or_else(|| py.None(), Bound::unbind))
@@ -85,11 +85,11 @@ impl Said {
 pub(crate) trait Keyed: PyClass<Frozen = True> + Sync {
     /// The keys.
     const KEYS: &'static [Key];
-    /// What it holds.
+    /// The content of the object.
     fn said(&self) -> &Said;
 }
 
-/// Gives the class `T` a property for each of its keys, with its meaning.
+/// Adds to the class `T` a property with a docstring for each of its keys.
 pub(crate) fn add_properties<T: Keyed>(py: Python<'_>) -> PyResult<()> {
     let class = py.get_type::<T>();
     let property = py.import("builtins")?.getattr("property")?;
@@ -103,7 +103,7 @@ pub(crate) fn add_properties<T: Keyed>(py: Python<'_>) -> PyResult<()> {
     Ok(())
 }
 
-/// The type of a key's value, as a stub spells it.
+/// The type of a key's value in a stub.
 fn spelled(key: &Key) -> String {
     let kind = match key.kind {
         KeyKind::Text => "str",
@@ -118,7 +118,7 @@ fn spelled(key: &Key) -> String {
     if key.always { kind.to_owned() } else { format!("{kind} | None") }
 }
 
-/// Name and type of every key of each class: what `python/stubs` writes into `_native.pyi`.
+/// Name and type of every key of each class, for `python/stubs.py`.
 #[pyfunction]
 pub(crate) fn keys() -> BTreeMap<&'static str, Vec<(&'static str, String)>> {
     let typed = |keys: &'static [Key]| keys.iter().map(|key| (key.name, spelled(key))).collect();
@@ -128,7 +128,7 @@ pub(crate) fn keys() -> BTreeMap<&'static str, Vec<(&'static str, String)>> {
     ])
 }
 
-/// The methods of a class of answers with these keys.
+/// Implements a class of answers with these keys.
 macro_rules! answer {
     ($class:ident, $keys:expr) => {
         impl Keyed for $class {
@@ -141,13 +141,13 @@ macro_rules! answer {
 
         #[pymethods]
         impl $class {
-            /// The sheet as the shell found it; None by every other model.
+            /// The sheet in the shell model; None for every other model.
             #[getter]
             fn mesh(&self, py: Python<'_>) -> Option<Py<Mesh>> {
                 self.0.mesh.as_ref().map(|mesh| mesh.clone_ref(py))
             }
 
-            /// All of it, as the command prints it with `--json`.
+            /// All keys, equal to the JSON of the command's `--json`.
             fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
                 self.0.answer.dict(py)
             }
@@ -192,12 +192,12 @@ macro_rules! answer {
 pub(crate) struct Prediction(Said);
 
 impl Prediction {
-    /// Of an answer by hinges or by the shell, which has a shape.
+    /// The answer of any model; only the shell's has a `shape`.
     pub(crate) fn new(py: Python<'_>, answer: Answer, shape: Option<InflatedShape>) -> PyResult<Self> {
         Said::new(py, answer, shape).map(Self)
     }
 
-    /// Of an answer by hinges.
+    /// The answer of a hinge model.
     pub(crate) fn of_star(given: Arc<Given>, prediction: said::Prediction) -> Self {
         let answer = Answer::Star(given, Box::new(prediction));
         Self(Said { answer, fields: PyOnceLock::new(), mesh: None })

@@ -1,5 +1,5 @@
-//! Arguments whose types PyO3 would refuse in Rust's words, and without their names: each refusal has the argument, what was found and
-//! what is allowed.
+//! Arguments whose types PyO3 would refuse in terms of Rust, and without their names. Each refusal here names the argument, the found value
+//! and the allowed ones.
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -22,7 +22,7 @@ fn text(name: &str, found: &Bound<'_, PyAny>, allowed: &str) -> PyResult<Option<
     Ok(Some(text.to_cow()?.into_owned()))
 }
 
-/// A list or tuple of texts, or None. A single text is refused: it would be taken letter by letter elsewhere.
+/// A list or tuple of texts, or None. A single text is refused: its letters would be taken as the items.
 fn texts(name: &str, found: &Bound<'_, PyAny>, allowed: &str) -> PyResult<Option<Vec<String>>> {
     if found.is_none() {
         return Ok(None);
@@ -86,7 +86,7 @@ fn kinds(name: &str, found: &Bound<'_, PyAny>) -> PyResult<Option<Vec<Kind>>> {
     names.map(|names| names.into_iter().map(kind).collect()).transpose()
 }
 
-/// Which part of how many, from 1.
+/// Number of a part and number of all parts, from 1.
 pub(crate) fn part(found: &Bound<'_, PyAny>) -> PyResult<Option<(usize, usize)>> {
     if found.is_none() {
         return Ok(None);
@@ -112,7 +112,7 @@ pub(crate) fn threads(found: &Bound<'_, PyAny>) -> PyResult<Option<usize>> {
     }
 }
 
-/// The values of one key of a sweep, as a study file's text has them: a text is taken as it is.
+/// The values of one key of a sweep, as in the text of a study file: a text is taken unchanged.
 pub(crate) fn values(key: &str, found: &Bound<'_, PyAny>) -> PyResult<String> {
     let py = found.py();
     if let Ok(text) = found.cast::<PyString>() {

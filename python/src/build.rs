@@ -22,7 +22,7 @@ use crate::faults::{of_design, of_failure, of_findings, plain};
 use crate::spec::Spec;
 use crate::waiting::{Line, wait};
 
-/// All files of a gripper, in memory. They have been read back and say what the design says: nothing else can be written.
+/// All files of a gripper, in memory. They have been read back and agree with the design; other files cannot be written.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Build {
     given: Arc<Given>,
@@ -32,7 +32,7 @@ pub(crate) struct Build {
     files: PyOnceLock<Py<PyDict>>,
 }
 
-/// Why there is no build.
+/// The reason why there is no build.
 enum Stopped {
     Refused(Refusals),
     Wrong(Vec<Finding>),
@@ -101,20 +101,20 @@ impl Build {
         files.bind(py).copy()
     }
 
-    /// The manifest, as `manifest.json` has it.
+    /// The manifest, as in `manifest.json`.
     #[getter]
     fn manifest<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         Ok(pythonize::pythonize(py, &self.proven.built().manifest)?)
     }
 
-    /// What the gripper does; None if the spec has no [load].
+    /// The prediction; None if the spec has no [load].
     #[getter]
     fn prediction(&self) -> Option<Prediction> {
         let prediction = self.proven.built().forecast.prediction.clone()?;
         Some(Prediction::of_star(Arc::clone(&self.given), prediction))
     }
 
-    /// Of every file that was measured, how far it is from the exact design at most, mm.
+    /// Largest deviation of every measured file from the exact design, mm.
     #[getter]
     fn deviation_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
@@ -124,8 +124,8 @@ impl Build {
         Ok(all)
     }
 
-    /// Writes the files into the directory `path`, whole or not at all, as the command does. Returns what a person should know: a line
-    /// each, "" if all is as usual. Raises PublishError, and leaves what was there as it was.
+    /// Writes the files into the directory `path`, completely or not at all, as the command does. Returns notes, one a line; "" without
+    /// any. Raises PublishError, and then leaves the directory unchanged.
     fn write(&self, py: Python<'_>, path: PathBuf) -> PyResult<String> {
         let published = py.detach(|| publish(&path, &self.proven));
         let published =
@@ -144,7 +144,7 @@ impl Build {
         slf.py().import("stargrip_cam._shown")?.getattr("build")?.call1((slf,))
     }
 
-    /// What `__reduce__` calls: only what was read back is a build, so it is built again.
+    /// Called by `__reduce__`: a build must have been read back, so it is built again.
     #[classmethod]
     fn _restored(
         _class: &Bound<'_, PyType>,

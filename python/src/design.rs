@@ -61,7 +61,7 @@ impl Design {
         PyList::new(py, all.collect::<PyResult<Vec<_>>>()?)
     }
 
-    /// What a person should know before making it: dicts of code, key, found and remedy.
+    /// Warnings before it is made: dicts of code, key, found and remedy.
     #[getter]
     fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let all = self.design.warnings.iter().map(|warning| {
@@ -75,7 +75,7 @@ impl Design {
         PyList::new(py, all.collect::<PyResult<Vec<_>>>()?)
     }
 
-    /// The preview of its first sheet, for notebooks: None where the machine cannot seal it.
+    /// The preview of its first sheet, for notebooks: None if the machine cannot seal it.
     fn _repr_svg_(&self) -> Option<String> {
         let Given { source, reading, machine, machine_text, .. } = self.given.as_ref();
         let forecast = Forecast::of(reading.spec.clone(), machine.clone()).ok()?;
@@ -85,7 +85,7 @@ impl Design {
         String::from_utf8(preview.bytes).ok()
     }
 
-    /// What `__reduce__` calls.
+    /// Called by `__reduce__`.
     #[classmethod]
     fn _restored(_class: &Bound<'_, PyType>, py: Python<'_>, spec: &Spec) -> PyResult<Self> {
         design(py, spec)
@@ -104,7 +104,7 @@ impl Design {
 }
 
 impl Design {
-    /// Its stars where they lie; none of a drawing.
+    /// Its stars with their places; empty for a drawing.
     fn placed(&self) -> &[PlacedPart] {
         self.design.assembly().map_or(&[], |assembly| &assembly.stars)
     }
@@ -245,7 +245,7 @@ impl Star {
         both([0, 1].map(|i| &self.part().shape.seams[i].center_line))
     }
 
-    /// Where the fabric is cut: around the star and around the hole.
+    /// The cut edges: around the star and around the hole.
     #[getter]
     fn outline(&self) -> (Contour, Contour) {
         let outline = &self.part().outline;
@@ -279,7 +279,7 @@ impl Star {
         self.polygon(py, TOLERANCE)
     }
 
-    /// What `__reduce__` calls.
+    /// Called by `__reduce__`.
     #[classmethod]
     fn _restored(class: &Bound<'_, PyType>, whole: Py<Design>, index: usize) -> PyResult<Self> {
         let placed = whole.get().placed().iter().find(|placed| placed.index == index).copied();

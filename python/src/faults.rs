@@ -1,4 +1,4 @@
-//! What is refused, as exceptions: `stargrip_cam.errors` has the classes, this room fills them.
+//! Refusals as exceptions: `stargrip_cam.errors` has the classes, this module fills them.
 
 use std::fmt::Display;
 
@@ -19,13 +19,13 @@ fn class<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
     module.bind(py).getattr(name)
 }
 
-/// The exception `name` that says `text`, with what it is about.
+/// The exception `name` with the message `text` and the faults `about`.
 fn raised(py: Python<'_>, name: &str, text: &str, about: &Bound<'_, PyAny>) -> PyErr {
     let made = class(py, name).and_then(|class| class.call1((text, about)));
     made.map_or_else(|error| error, PyErr::from_value)
 }
 
-/// The exception `name` with the code `code` about nothing but what `text` says.
+/// The exception `name` with one fault: the code `code`, and `text`.
 pub(crate) fn plain(py: Python<'_>, name: &str, code: &str, text: &str) -> PyErr {
     let about = || {
         let one = PyDict::new(py);
@@ -36,7 +36,7 @@ pub(crate) fn plain(py: Python<'_>, name: &str, code: &str, text: &str) -> PyErr
     about().map_or_else(|error: PyErr| error, |about| raised(py, name, text, &about))
 }
 
-/// Arguments that are wrong or do not go together.
+/// Wrong arguments, or arguments that exclude each other: `UsageError`.
 pub(crate) fn usage(py: Python<'_>, text: impl Display) -> PyErr {
     plain(py, "UsageError", "usage", &text.to_string())
 }
@@ -78,7 +78,7 @@ pub(crate) fn one<'py>(py: Python<'py>, faults: &Faults, fault: &Fault) -> PyRes
     Ok(one)
 }
 
-/// What reading back has found: `ProofError`.
+/// Findings of reading back: `ProofError`.
 pub(crate) fn of_findings(py: Python<'_>, findings: &[Finding]) -> PyErr {
     let text: Vec<String> = findings.iter().map(ToString::to_string).collect();
     match pythonize::pythonize(py, findings) {
@@ -87,7 +87,7 @@ pub(crate) fn of_findings(py: Python<'_>, findings: &[Finding]) -> PyErr {
     }
 }
 
-/// Whatever keeps the command from its end.
+/// A failed command: the exception of its class.
 pub(crate) fn of_failure(py: Python<'_>, failure: &Failure) -> PyErr {
     match failure {
         Failure::Faults(faults) => of_spec(py, faults),
@@ -96,7 +96,7 @@ pub(crate) fn of_failure(py: Python<'_>, failure: &Failure) -> PyErr {
         Failure::Infeasible(text) | Failure::Message(text) => plain(py, "Error", "refused", text),
         Failure::Usage(text) => usage(py, text),
         Failure::Interrupted | Failure::Stopped(_) => pyo3::exceptions::PyKeyboardInterrupt::new_err(()),
-        // They end a command that prints, and none does here.
+        // Only a command that prints can end with them, and none does here.
         Failure::Said | Failure::NotCompared | Failure::Pipe => {
             plain(py, "Error", "refused", "the output is closed")
         }

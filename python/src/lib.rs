@@ -1,17 +1,17 @@
-//! `stargrip_cam._native`: the package's own face of the crate. It converts, waits and raises; it computes nothing.
+//! `stargrip_cam._native`: the crate's interface for the package. It converts, waits and raises; it computes nothing.
 //!
-//! | room | what it hands over |
+//! | module | content |
 //! |---|---|
-//! | `spec` | `Spec`: a text, read and valid |
+//! | `spec` | `Spec`: a valid spec with its text |
 //! | `toml` | Python's dicts and values as TOML, and back |
-//! | `faults` | what is refused, as exceptions |
+//! | `faults` | refusals as exceptions |
 //! | `waiting` | long calls: without the GIL, with progress, until Ctrl-C |
 //! | `arrays` | NumPy arrays, each by one copy of memory |
 //! | `shapes`, `design` | `Line`, `Arc`, `Contour`, `Star`, `Design` |
 //! | `build` | `Build`, and the proof of a directory |
 //! | `answer`, `mesh` | `Prediction`, `ActuatorPrediction`, `Mesh` |
-//! | `prediction` | what a gripper does |
-//! | `arguments`, `options` | arguments of functions, and as options of commands |
+//! | `prediction` | the prediction of a gripper |
+//! | `arguments`, `options` | arguments of functions, and their conversion into options of commands |
 //! | `actuator` | a single hinge |
 //! | `optimum` | the best star |
 //! | `sweep` | many designs, a column an array |

@@ -7,20 +7,20 @@ use stargrip_cam::shell::cases::InflatedShape;
 use crate::arrays::{floats, integers, rows};
 use crate::faults::{plain, usage};
 
-/// The sheet that a shell has modelled, at rest under pressure, on its finest mesh: N nodes, M triangles. Of a star it is one of the
-/// two sheets of half a sector beside corner 1, of a V-actuator one of half: the rest of the tube is its mirror images.
+/// The sheet of a shell model, at rest under pressure, on its finest mesh: N nodes, M triangles. For a star it is one of the two sheets of
+/// half a sector beside corner 1, for a V-actuator one sheet of half: the rest of the tube is its mirror images.
 #[pyclass(frozen, module = "stargrip_cam")]
 pub(crate) struct Mesh(pub(crate) InflatedShape);
 
 #[pymethods]
 impl Mesh {
-    /// Where the nodes are: (N, 3), mm; the axis of a star is z.
+    /// Positions of the nodes: (N, 3), mm; the axis of a star is z.
     #[getter]
     fn nodes_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         rows(py, &self.0.points, 1e3)
     }
 
-    /// Where the nodes were on the flat sheet: (N, 2), mm.
+    /// Positions of the nodes on the flat sheet: (N, 2), mm.
     #[getter]
     fn flat_mm<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         rows(py, &self.0.flat, 1e3)
@@ -30,7 +30,7 @@ impl Mesh {
     #[getter]
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let nodes = self.0.triangles.as_flattened().iter();
-        // A mesh has far fewer nodes than there are numbers.
+        // The number of nodes is far below the limit of an integer.
         let nodes: Vec<i64> = nodes.map(|node| i64::try_from(*node).unwrap_or(i64::MAX)).collect();
         integers(py, &nodes, &[self.0.triangles.len(), 3])
     }
@@ -71,7 +71,7 @@ impl Mesh {
         self.0.vtu().map_err(|fault| plain(py, "Error", "vtu", &fault.to_string()))
     }
 
-    /// What `__reduce__` calls: nodes and flat nodes in m, triangles, tensions in N/m, stretches, curvatures in 1/m.
+    /// Called by `__reduce__`: nodes and flat nodes in m, triangles, tensions in N/m, stretches, curvatures in 1/m.
     #[classmethod]
     fn _restored(
         class: &Bound<'_, PyType>,

@@ -1,4 +1,4 @@
-//! `Optimum`: the best star that was found, and what was weighed against it.
+//! `Optimum`: the best star of a search, and the designs that it was compared with.
 
 use std::sync::Arc;
 
@@ -98,7 +98,7 @@ impl Optimum {
         arrays(py, &self.best)
     }
 
-    /// For each design in `best` the constraints that it misses, and by which part.
+    /// For each design in `best` the constraints that it violates, and by which fraction.
     #[getter]
     fn short<'py>(&self, py: Python<'py>) -> PyResult<Vec<Bound<'py, PyDict>>> {
         self.short
@@ -114,7 +114,7 @@ impl Optimum {
         arrays(py, &self.front)
     }
 
-    /// What `__reduce__` calls.
+    /// Called by `__reduce__`.
     #[classmethod]
     fn _restored(
         _class: &Bound<'_, PyType>,

@@ -5,8 +5,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stargrip_cam::cli::embedded::Keywords;
 
-/// The options that `keywords` put. None is left out; a pair (from, to) is the range "from..to". A keyword that is not among those that
-/// `function` knows is a TypeError, as for any function of Python.
+/// The options that equal `keywords`. None is left out; a pair (from, to) is the range "from..to". An unknown keyword of `function` is a
+/// TypeError, as for any function of Python.
 pub(crate) fn options(
     function: &str,
     known: &Keywords,

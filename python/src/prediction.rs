@@ -1,4 +1,4 @@
-//! `predict`: the question as the command puts it, and who answers it.
+//! `predict`: converts the question, and calls the requested model.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ use crate::faults::{of_design, of_failure, of_prediction};
 use crate::spec::Spec;
 use crate::waiting::{Line, wait};
 
-/// Why there is no answer.
+/// The reason why there is no prediction.
 enum Refused {
     Design(Refusals),
     Fault(PredictFault),
@@ -37,12 +37,12 @@ impl From<ShellRefusal> for Refused {
     }
 }
 
-/// Predicts what the gripper of `spec` does.
+/// Predicts the behaviour of the gripper of `spec`.
 ///
 /// model: "fit", "ring", "bvp", "section", "shell" or "auto"; default: the spec's own.
 /// radii: also the force on round objects of these radii, "20 mm..40 mm/5".
 /// fineness: of the shell's meshes: "coarse" (default for drawings), "medium" (default for stars) or "fine".
-/// The answer about a drawing has keys of its own, `chambers` among them: read it by to_dict().
+/// The answer about a drawing has its own keys, `chambers` among them: read it by to_dict().
 /// progress: True shows a line with the progress; a callable gets the part that is done, 0 to 1, and a text.
 ///
 /// Raises DesignError if there is no such gripper, PredictionError if the model has no answer, UsageError for wrong arguments.
@@ -61,7 +61,7 @@ pub(crate) fn predict(
         .map_err(|failure| of_failure(py, &failure))?;
     let model = asked.model.unwrap_or(given.reading.spec.accuracy.model);
     let answered = if given.reading.spec.drawing.is_some() {
-        // A drawing has more of everything than a star.
+        // A drawing is larger than a star.
         let asked =
             StarQuestion { detail: if fineness.is_none() { Detail::Coarse } else { asked.detail }, ..asked };
         let given = Arc::clone(&given);
@@ -80,7 +80,7 @@ pub(crate) fn predict(
     Prediction::new(py, answer, shape)
 }
 
-/// Computes what `predict` does `times` times, without Python: what tests/overhead.py compares its calls with.
+/// Repeats the computation of `predict` `times` times, without Python: the reference of tests/overhead.py.
 #[pyfunction]
 pub(crate) fn repeat(py: Python<'_>, spec: &Spec, model: Option<&str>, times: u32) -> PyResult<()> {
     let asked = question(model, None, None).map_err(|failure| of_failure(py, &failure))?;
@@ -90,7 +90,7 @@ pub(crate) fn repeat(py: Python<'_>, spec: &Spec, model: Option<&str>, times: u3
     Ok(())
 }
 
-/// The question in the command's own words; those of a model alone need no reading.
+/// The question as options of the command; a model alone needs no parsing.
 fn question(
     model: Option<&str>,
     radii: Option<&str>,
@@ -105,7 +105,7 @@ fn question(
     embedded::star_question(&options.collect::<Vec<_>>())
 }
 
-/// The spec with the model that is asked for, and its design.
+/// The spec with the requested model, and its design.
 fn designed(given: &Given, asked: &StarQuestion) -> Result<(Read, design::Design), Refused> {
     let mut spec = given.reading.spec.clone();
     if let Some(model) = asked.model {

@@ -1,4 +1,4 @@
-//! Lines, arcs and what is made of them, exactly; as polygons where a tolerance is named.
+//! Exact lines, arcs and contours; with a tolerance also as polygons.
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple, PyType};
@@ -9,7 +9,7 @@ use stargrip_cam::geom::{Path, Point, Segment};
 use crate::arrays::rows;
 use crate::faults::usage;
 
-/// Largest distance of a polygon from its curve where none is named, mm: a tenth of what a laser cuts.
+/// Default tolerance of a polygon, its largest distance from the curve, mm: a tenth of a laser's cut width.
 pub(crate) const TOLERANCE: f64 = 0.01;
 
 /// A straight piece of a contour, from `start` to `end`: (x, y) in mm.
@@ -145,13 +145,13 @@ impl Contour {
         rows(py, &corners(py, &self.0, tolerance_mm)?, 1.0)
     }
 
-    /// As GeoJSON, within 0.01 mm: what shapely.geometry.shape and others take.
+    /// As GeoJSON, within 0.01 mm, for shapely.geometry.shape and other readers.
     #[getter]
     fn __geo_interface__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         if self.0.closed { polygon(py, std::slice::from_ref(&self.0), TOLERANCE) } else { line(py, &self.0) }
     }
 
-    /// What `__reduce__` calls: of a line its ends, of an arc centre, radius, first angle and turn in rad.
+    /// Called by `__reduce__`: for a line its ends, for an arc centre, radius, first angle and turn in rad.
     #[classmethod]
     fn _restored(class: &Bound<'_, PyType>, segments: Vec<Vec<f64>>, closed: bool) -> PyResult<Self> {
         let segment = |numbers: Vec<f64>| match numbers[..] {
@@ -196,7 +196,7 @@ pub(crate) fn polygon<'py>(py: Python<'py>, paths: &[Path], tolerance: f64) -> P
     let rings = paths.iter().zip(0..).map(|(path, hole)| {
         let mut ring: Vec<(f64, f64)> =
             corners(py, path, tolerance)?.into_iter().map(|[x, y]| (x, y)).collect();
-        // GeoJSON wants edges counterclockwise, holes clockwise, and every ring closed.
+        // GeoJSON requires edges counterclockwise, holes clockwise, and closed rings.
         if (path.area() > 0.0) != (hole == 0) {
             ring.reverse();
         }

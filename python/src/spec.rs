@@ -1,4 +1,4 @@
-//! `Spec`: a text that was read and is valid, with the machine that it names.
+//! `Spec`: a valid text, with its machine profile.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use stargrip_cam::spec::{KeyPath, Source, settings, starter};
 use crate::faults::{of_failure, of_spec, one, usage};
 use crate::toml;
 
-/// The specification of a gripper: TOML, read and valid. It never changes; `replace` makes another.
+/// The specification of a gripper: valid TOML. It never changes; `replace` makes another.
 ///
 /// Quantities are strings with a unit, "50 mm"; a bare number where a unit is needed is refused.
 #[pyclass(frozen, from_py_object, module = "stargrip_cam")]
@@ -35,14 +35,14 @@ impl Spec {
             Ok(text) if !is_path(&text) => of_text(py, text, "spec", Path::new("")),
             _ => {
                 let path: PathBuf = source.extract()?;
-                // Python's own exception says best why a file cannot be opened.
+                // Python's own exception describes best why a file cannot be opened.
                 let _ = py.import("os")?.call_method1("stat", (&path,))?;
                 Given::from_file(&path).map(Self::new).map_err(|failure| of_failure(py, &failure))
             }
         }
     }
 
-    /// Makes a spec of a dict, as `to_dict` gives it: sections are dicts, `stack["star"]` a list of dicts.
+    /// Makes a spec from a dict, as `to_dict` returns it: sections are dicts, `stack["star"]` a list of dicts.
     ///
     /// Raises SpecError with all faults at once; their lines are those of `to_toml()`.
     #[classmethod]
@@ -56,7 +56,7 @@ impl Spec {
         of_text(py, starter(name).map_err(|fault| usage(py, fault))?, "spec", Path::new(""))
     }
 
-    /// What `__reduce__` calls.
+    /// Called by `__reduce__`.
     #[classmethod]
     fn _restored(
         _class: &Bound<'_, PyType>,
@@ -96,7 +96,7 @@ impl Spec {
         &self.given.source.text
     }
 
-    /// The keys that are written, as a dict of sections.
+    /// The keys in the text, as a dict of sections.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         toml::dict(py, &self.given.source.text)
     }
@@ -111,13 +111,13 @@ impl Spec {
         Ok(all)
     }
 
-    /// What the spec calls the gripper.
+    /// Name of the gripper in the spec.
     #[getter]
     fn name(&self) -> &str {
         &self.given.reading.spec.name
     }
 
-    /// What a person should know although the spec is valid: Faults.
+    /// Warnings about the valid spec: Faults.
     #[getter]
     fn warnings<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let class = py.import("stargrip_cam.errors")?.getattr("Fault")?;
@@ -158,7 +158,7 @@ fn is_path(text: &str) -> bool {
     !text.contains('\n') && Path::new(text.trim_end()).extension().is_some_and(|ending| ending == "toml")
 }
 
-/// The spec of `text`, called `name`, as if it stood at `path`.
+/// The spec of `text`, called `name`, with paths relative to that of `path`.
 pub(crate) fn of_text(py: Python<'_>, text: String, name: &str, path: &Path) -> PyResult<Spec> {
     let given = Given::from_source(Source::new(name, text), path);
     given.map(Spec::new).map_err(|failure| of_failure(py, &failure))

@@ -16,7 +16,7 @@ use crate::faults::{of_spec, usage};
 use crate::spec::Spec;
 use crate::waiting::{Line, wait};
 
-/// Rows between two words about progress.
+/// Rows between two reports of progress.
 const STEP: usize = 1 << 14;
 
 /// Computes many designs around `spec`. Returns a dict of arrays, one for each column: NaN where a number is unknown; columns of text
@@ -63,7 +63,7 @@ pub(crate) fn sweep<'py>(
     Ok(columns)
 }
 
-/// What a sweep with these arguments computes: (number of rows, fingerprint, columns), each column as (name, unit, meaning).
+/// The columns of a sweep with these arguments: (number of rows, fingerprint, columns), each column as (name, unit, meaning).
 #[pyfunction]
 #[pyo3(signature = (spec, vary = None, *, study = None, outputs = None))]
 pub(crate) fn sweep_columns(
@@ -116,7 +116,7 @@ fn varied(vary: &Bound<'_, PyDict>) -> PyResult<StudyFile> {
     Ok(StudyFile { source, spec, model: None, fineness: None, set, blocks, outputs: None })
 }
 
-/// The columns of `rows`; fewer rows if nobody wants them any more.
+/// The columns of `rows`; fewer rows if the call was cancelled.
 fn computed(study: &Study, rows: Range<usize>, line: &Line) -> Vec<ColumnValues> {
     let total = rows.len();
     let mut all: Vec<ColumnValues> = Vec::new();
@@ -140,7 +140,7 @@ fn computed(study: &Study, rows: Range<usize>, line: &Line) -> Vec<ColumnValues>
     all
 }
 
-/// No value yet, with room for `total` of the kind of `values`; of very many only a part is asked for at once.
+/// An empty column of the kind of `values`, with a capacity for `total`, at most 2^22.
 fn empty(values: &ColumnValues, total: usize) -> ColumnValues {
     let total = total.min(1 << 22);
     match values {

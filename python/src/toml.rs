@@ -1,4 +1,5 @@
-//! Python's dicts and values as TOML, and back. What is no TOML is refused here; what is no spec, by the spec's own reader.
+//! Converts Python's dicts and values into TOML, and back. Values that TOML does not have are refused here; an invalid spec is refused by
+//! the spec's own reader.
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -7,9 +8,9 @@ use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, Table, TableLike, Value
 
 use crate::faults::usage;
 
-/// A text, a number, a truth or a list of them.
+/// A text, a number, a bool or a list of them.
 pub(crate) fn value(found: &Bound<'_, PyAny>) -> PyResult<Value> {
-    // A truth is an int in Python, so it comes first.
+    // A bool is an int in Python, so it comes first.
     if let Ok(truth) = found.cast::<PyBool>() {
         return Ok(truth.is_true().into());
     }
@@ -23,7 +24,7 @@ pub(crate) fn value(found: &Bound<'_, PyAny>) -> PyResult<Value> {
     if found.is_instance_of::<PyFloat>() {
         return Ok(found.extract::<f64>()?.into());
     }
-    // NumPy's integers are no ints, but they are indices; its floats are floats.
+    // NumPy's integers are not ints, but they are indices; its floats are floats.
     let whole = found.call_method0("__index__").and_then(|index| index.extract::<i64>());
     let kind = found.get_type().name()?;
     whole.map(Value::from).map_err(|_| {
@@ -57,7 +58,7 @@ fn table(dict: &Bound<'_, PyDict>) -> PyResult<Table> {
     Ok(table)
 }
 
-/// A list of nothing but dicts.
+/// A list that contains only dicts.
 fn tables(found: &Bound<'_, PyAny>) -> PyResult<Option<ArrayOfTables>> {
     let Ok(list) = found.cast::<PyList>() else { return Ok(None) };
     if list.is_empty() || !list.iter().all(|item| item.is_instance_of::<PyDict>()) {

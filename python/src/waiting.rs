@@ -1,5 +1,5 @@
-//! Long calls: the work goes on in a thread of its own without the GIL, while the caller's thread hands progress to Python and looks
-//! for Ctrl-C. Who interrupts gets the exception at once; the work is told to stop and its answer dropped.
+//! Long calls: the work runs in its own thread without the GIL, while the caller's thread reports progress to Python and checks for Ctrl-C.
+//! An interruption raises the exception at once; the work is cancelled, and its answer dropped.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,30 +10,30 @@ use std::time::{Duration, Instant};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 
-/// Between two looks for signals: nobody who presses Ctrl-C notices it, and it costs nothing.
+/// Interval of checks for signals: too short to notice, too long to cost time.
 const LOOK: Duration = Duration::from_millis(50);
-/// Least time between two words to Python.
+/// Least time between two reports to Python.
 const PAUSE: Duration = Duration::from_millis(100);
-/// Stack of the thread: that of a main thread, as the command has it.
+/// Stack of the thread, bytes: as large as the command's main thread.
 const STACK: usize = 8 << 20;
 
-/// Takes the part that is done, 0 to 1, and what is being done.
+/// Receives the part that is done, 0 to 1, and the current step.
 type Told = dyn Fn(f64, &str) + Send + Sync;
 
-/// What the work tells and hears.
+/// The connection of the work to its caller: progress, and cancellation.
 pub(crate) struct Line {
     told: Box<Told>,
-    /// Raised when nobody waits any more.
+    /// Set when the caller no longer waits.
     pub(crate) cancel: Arc<AtomicBool>,
 }
 
 impl Line {
-    /// Says which part is done, 0 to 1, and what is being done.
+    /// Reports the part that is done, 0 to 1, and the current step.
     pub(crate) fn tell(&self, part: f64, what: &str) {
         (self.told)(part, what);
     }
 
-    /// None when nobody waits any more.
+    /// None if the caller no longer waits.
     pub(crate) fn goes_on(&self) -> Option<()> {
         (!self.cancel.load(Ordering::Relaxed)).then_some(())
     }
@@ -44,7 +44,7 @@ enum Message<T> {
     Done(T),
 }
 
-/// The answer of `work`; `progress` is what the user has given: None, a bool or a callable of part and words.
+/// The answer of `work`; `progress` is the user's argument: None, a bool or a callable of part and text.
 pub(crate) fn wait<T: Send + 'static>(
     py: Python<'_>,
     progress: Option<&Bound<'_, PyAny>>,
@@ -56,7 +56,7 @@ pub(crate) fn wait<T: Send + 'static>(
     let line = line(sender.clone(), hook.is_some(), Arc::clone(&cancel));
     let body = move || {
         let answer = work(&line);
-        // Nobody may wait any more.
+        // The caller may no longer wait.
         let _ = sender.send(Message::Done(answer));
     };
     let _ = thread::Builder::new().stack_size(STACK).spawn(body)?;
@@ -110,7 +110,7 @@ fn listen<T: Send>(
     }
 }
 
-/// What progress is told to: of `True` a line on the terminal or in the notebook.
+/// The receiver of progress: for `True` a line on the terminal or in the notebook.
 fn hook(py: Python<'_>, progress: Option<&Bound<'_, PyAny>>) -> PyResult<Option<Py<PyAny>>> {
     match progress {
         None => Ok(None),

@@ -1,4 +1,4 @@
-"""What all tests share: the project's designs."""
+"""Fixtures of all tests: the project's designs."""
 
 from __future__ import annotations
 

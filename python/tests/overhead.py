@@ -1,7 +1,7 @@
-"""What the package costs beside the computation: `python overhead.py` prints docs/python.md's table. No test: times vary.
+"""Cost of the package beside the computation: `python overhead.py` prints docs/python.md's table. It is no test: times vary.
 
-Single calls with and without Python alternate, and of each kind the shortest holds, which other programs on the machine disturb
-least. `_native.repeat` is the computation alone.
+Single calls with and without Python alternate, and the shortest of each kind counts, because other programs on the machine disturb
+it least. `_native.repeat` is the computation alone.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Builds: the same bytes as the command, whole or not at all."""
+"""Builds: the same bytes as the command, written completely or not at all."""
 
 from __future__ import annotations
 

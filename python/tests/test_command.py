@@ -1,4 +1,4 @@
-"""The command that comes with the wheel does what the program does that cargo builds."""
+"""The wheel's command behaves like the program that cargo builds."""
 
 from __future__ import annotations
 

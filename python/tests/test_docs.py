@@ -1,4 +1,4 @@
-"""The code of docs/python.md and of the package's docstring runs as it stands, from top to bottom."""
+"""The code in docs/python.md and in the package's docstring runs unchanged, from top to bottom."""
 
 from __future__ import annotations
 

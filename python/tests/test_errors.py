@@ -1,4 +1,4 @@
-"""Whatever is refused says code, key, line, what was found and what is allowed."""
+"""Every refusal has code, key, line, the found value and the allowed values."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The examples do what they say, also when a worker is killed."""
+"""The examples give the documented results, also when a worker is killed."""
 
 from __future__ import annotations
 

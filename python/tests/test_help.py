@@ -1,4 +1,4 @@
-"""What `help()` and editors show: meanings, keywords, types."""
+"""Docstrings and stubs for `help()` and editors: meanings, keywords, types."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Parquet opens in Arrow, and says what CSV says, cell by cell."""
+"""Parquet files open in Arrow, and equal the CSV, cell by cell."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ pq = pytest.importorskip("pyarrow.parquet")
 
 COMMAND = Path(sys.executable).with_name("stargrip-cam")
 
-# Refusals, words, whole numbers and unknown values among its 216 rows.
+# Its 216 rows include refusals, words, whole numbers and unknown values.
 STUDY = """
 schema = 1
 spec = "spec.toml"
@@ -59,7 +59,7 @@ def test_every_cell_is_that_of_the_csv(study: Path) -> None:
             elif isinstance(found, int):
                 assert str(found) == said, name
             else:
-                # Nine digits stand in a CSV.
+                # A CSV has nine digits.
                 assert float(said) == pytest.approx(found, rel=1e-8, abs=1e-300), name
     assert kinds == {type(None), str, int, float}
 

@@ -15,7 +15,7 @@ V = {"tube_width": "20 mm", "radius": "2 mm", "arm_length": "80 mm", "angle": "6
 
 
 def again(of: Any) -> Any:
-    """The same, through every protocol that Python writes today, and as a copy."""
+    """The object after a round trip through every current pickle protocol, which must equal it, as must its copies."""
     for protocol in range(2, pickle.HIGHEST_PROTOCOL + 1):
         back = pickle.loads(pickle.dumps(of, protocol))
         assert type(back) is type(of) and repr(back) == repr(of)

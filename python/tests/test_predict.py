@@ -1,4 +1,4 @@
-"""Predictions: what the command prints, as attributes."""
+"""Predictions: the output of the command as attributes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ COMMAND = [sys.executable, "-c", "import sys; from stargrip_cam._command import 
 
 
 def as_json(said: "dict[str, object]") -> object:
-    """The same as JSON has it, which knows no tuples."""
+    """The same after a round trip through JSON, which has no tuples."""
     return json.loads(json.dumps(said))
 
 
@@ -90,7 +90,7 @@ def test_a_shell_has_a_mesh_in_equilibrium_with_itself() -> None:
     area = 0.5 * np.abs((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]).sum()
     hinge = 0.5 * np.deg2rad(180 - 60) * (22.0**2 - 2.0**2)
     assert 2 * area == pytest.approx(2 * 80 * 20 + hinge, rel=0.01)
-    # It is inflated: the volume is that under the sheet.
+    # It is inflated: the volume is that below the sheet.
     assert np.ptp(nodes[:, 2]) > 5.0 and said.volume_mm3 is not None and said.volume_mm3 > 0
     assert mesh.vtu().startswith("<?xml") or "<VTKFile" in mesh.vtu()
     assert told[-1] == (1.0, "done") and len(told) > 1

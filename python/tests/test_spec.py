@@ -1,4 +1,4 @@
-"""Specs: reading, changing, writing, and what stays the same on the way."""
+"""Specs: reading, changing, writing, and the text that must stay unchanged."""
 
 from __future__ import annotations
 

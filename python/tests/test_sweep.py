@@ -1,4 +1,4 @@
-"""Sweeps: rows are the same whoever computes them, and what a prediction says."""
+"""Sweeps: rows do not depend on how they are computed, and equal single predictions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Long calls let others run, and end when somebody presses Ctrl-C."""
+"""Long calls let other threads run, and end at Ctrl-C."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_another_thread_goes_on_during_a_long_call(gripper: sg.Spec) -> None:
     counted = ticks[0]
     stop.set()
     other.join()
-    # A held GIL would leave it none at all.
+    # A held GIL would leave the other thread no time at all.
     assert spent > 0.2 and counted > 20 * spent
 
 

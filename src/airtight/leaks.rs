@@ -1,11 +1,11 @@
-//! Leaks of a sealed shape as refusals: each with its place in words, and the key that is best changed.
+//! Leaks of a sealed shape as refusals: each with its place as text, and the key to change.
 
 use crate::design::{Refusal, RefusalCode};
 use crate::shape::{Leak, SealedShape};
 use crate::spec::key;
 use inflatable::geom::Point;
 
-/// The ways for air out of `shape` that are no ports.
+/// The leaks of `shape`: ways for air that are not ports.
 pub fn shape_leaks(shape: &SealedShape) -> Vec<Refusal> {
     shape.topology().leaks.iter().map(|leak| refusal(shape, leak)).collect()
 }

@@ -1,7 +1,7 @@
-//! Whether the seal is tight: topology of every seam, and what the forecast says of its strength.
+//! Airtightness of the seal: topology of every seam, and the forecast of its strength.
 //!
-//! A **leak** is a way for air that the design leaves open; a **weakness** is a place that may fail. Both are read off the
-//! geometry and the order in which the iron travels it, not assumed from how they were made.
+//! A **leak** is a way for air that the design leaves open; a **weakness** is a place that may fail. Both are computed from the geometry
+//! and the order of the iron's path, independently of their construction.
 
 mod leaks;
 mod topology;
@@ -17,12 +17,12 @@ use crate::spec::{Machine, Spec, key};
 pub use leaks::shape_leaks;
 pub use topology::{Passage, passage};
 
-/// What is to be said about the seals of a design.
+/// The checks of a design's seals.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SealReport {
-    /// Every distinct piece: the first that is like it, its passages, its loads.
+    /// All distinct pieces: the first of equal ones, its passages, its loads.
     pub pieces: Vec<PieceReport>,
-    /// Ways for air that are open, each with the key that is best changed.
+    /// Leaks, each with the key to change.
     pub leaks: Refusals,
     /// Places that may fail.
     pub weaknesses: Vec<String>,
@@ -31,15 +31,15 @@ pub struct SealReport {
 /// One distinct piece.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PieceReport {
-    /// The first piece that is like it.
+    /// Name of the first of equal pieces.
     pub name: PieceName,
-    /// Where air goes and where it must not.
+    /// The passages of air.
     pub passage: Passage,
     /// The load on the seal where it bends and where it is straight; only of stars.
     pub loads: Vec<SealLoad>,
 }
 
-/// The ways for air that `design` leaves open; best none. Read off the geometry alone, no mechanics is solved.
+/// The leaks of `design`; empty if it is tight. Computed from the geometry alone; no mechanics is solved.
 pub fn leaks(spec: &Spec, machine: &Machine, design: &Design) -> Refusals {
     open_ways(&passages(spec, machine, design), design)
 }
@@ -53,7 +53,7 @@ pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> SealReport {
         let of_piece = |text: &String| format!("{name}: {text}");
         report.weaknesses.extend(passage.weaknesses.iter().map(of_piece));
         let loads = match design.part(placed) {
-            // No valid spec has a fabric without a case; without one there would be no load to speak of.
+            // A valid spec has a valid case; without one there is no load to report.
             FlatPiece::Star(star) => {
                 Case::of(spec, &star.star).map_or_else(|_| Vec::new(), |case| seal_loads(&case, star))
             }
@@ -65,7 +65,7 @@ pub fn report(spec: &Spec, machine: &Machine, design: &Design) -> SealReport {
     report
 }
 
-/// Of every distinct piece the first that is like it, and its passages.
+/// The first of each group of equal pieces, with its passages.
 fn passages<'a>(spec: &Spec, machine: &Machine, design: &'a Design) -> Vec<(&'a PlacedPart, Passage)> {
     design.firsts().map(|first| (first, passage(spec, machine, design.part(first)))).collect()
 }

@@ -1,4 +1,4 @@
-//! Where air can go: loops, closures, the channel between the bands.
+//! The ways for air: loops, closures, the channel between the bands.
 
 use std::fmt;
 
@@ -8,20 +8,20 @@ use crate::shape::{Role, Seam};
 use crate::spec::{KeyPath, Machine, Spec, key};
 use inflatable::geom::{Bounds, Segment, path_distance, segment_distance};
 
-/// What was found about the seams of one piece. Lengths in mm, times in s.
+/// The passages of one piece. Lengths in mm, times in s.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passage {
-    /// Every loop: what it is, whether it is closed, its overlap, and after how long the closure is sealed again.
+    /// All loops: name, whether it is closed, its overlap, and the time until the closure is sealed again.
     pub loops: Vec<Loop>,
     /// Distance between the starts of the two loops of a star.
     pub starts_apart: Option<f64>,
-    /// Least width of the tube between the bands; `None` where a drawing has none below 15 mm.
+    /// Least width of the tube between the bands; `None` if a drawing has no width below 15 mm.
     pub channel: Option<f64>,
     /// Width of the inlet's channel between its bands.
     pub inlet: Option<f64>,
-    /// How much of a tip, and of a corner, the band eats: radius drawn, radius made; only of stars.
+    /// Loss of radius at a tip and a corner by the band's width: drawn radius, made radius; for stars only.
     pub eaten: Option<[(f64, f64); 2]>,
-    /// Ways for air.
+    /// Leaks of the piece.
     pub leaks: Refusals,
     /// Places that may fail.
     pub weaknesses: Vec<String>,
@@ -30,7 +30,7 @@ pub struct Passage {
 /// One loop.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loop {
-    /// "inner" or "outer"; of a drawing its seam's own.
+    /// "inner" or "outer"; for a drawing the seam's own name.
     pub name: String,
     /// Its purpose.
     pub role: Role,
@@ -38,13 +38,13 @@ pub struct Loop {
     pub closed: bool,
     /// Path sealed twice at the closure.
     pub overlap: f64,
-    /// From the start, with overlap and ramps, to the next hinge; below 0 the closure lies over one.
+    /// Distance from the start, with overlap and ramps, to the next hinge; negative if the closure lies over a hinge.
     pub to_hinge: f64,
     /// Time between the two passes over the closure; 0 for an open loop.
     pub between_passes: f64,
 }
 
-/// What is to be said about one piece.
+/// Leaks and weaknesses of one piece.
 #[derive(Default)]
 struct Found {
     leaks: Refusals,
@@ -57,7 +57,7 @@ impl Found {
     }
 }
 
-/// What the seams of `part` leave open.
+/// The passages that the seams of `part` leave open.
 pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     let (shape, band) = (part.shape(), part.shape().band);
     let mut found = Found { leaks: shape_leaks(shape).into_iter().collect(), weaknesses: Vec::new() };
@@ -68,7 +68,7 @@ pub fn passage(spec: &Spec, machine: &Machine, part: FlatPiece<'_>) -> Passage {
     let apart = |(a, b): (&Seam, &Seam)| path_distance(&a.center_line, &b.center_line);
     let channel = match part {
         FlatPiece::Star(_) => Some(pairs().map(apart).fold(f64::INFINITY, f64::min) - band),
-        // Bands of a drawing may join; its passages were measured as it was read.
+        // Bands of a drawing may join; its passages were measured when it was read.
         FlatPiece::Drawn(piece) => piece.passage,
     };
     if let Some(channel) = channel.filter(|channel| *channel <= 0.0) {
@@ -128,7 +128,7 @@ fn closure(spec: &Spec, machine: &Machine, (seam, is_star): (&Seam, bool), found
     } else {
         ahead.min(behind)
     };
-    // A star's hinge is where its seal is loaded most; a drawing has none.
+    // The seal's load is largest at a star's hinge; a drawing has no hinge.
     if is_star && path.closed && ahead.min(behind) <= 0.0 {
         found.weaknesses.push(format!("the {name} loop starts on a hinge"));
     }
@@ -136,7 +136,7 @@ fn closure(spec: &Spec, machine: &Machine, (seam, is_star): (&Seam, bool), found
     Loop { name, role: seam.role, closed: path.closed, overlap: twice, to_hinge, between_passes }
 }
 
-/// Least distance between the bands of two pieces on one sheet; `None` where there is only one.
+/// Least distance between the bands of two pieces on one sheet; `None` if no sheet has two.
 pub(super) fn between_pieces(design: &Design) -> Option<f64> {
     let lines = |index: usize| {
         let placed = &design.placed()[index];

@@ -1,25 +1,25 @@
-//! What the codes of messages mean: the page of codes, read.
+//! The meanings of message codes, read from the page of codes.
 
 use serde_json::{Value, json};
 
-/// Where every code stands with its meaning.
+/// The page with every code and its meaning.
 const PAGE: &str = include_str!("../../docs/codes.md");
 
 /// One code of the page.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CodeMeaning {
-    /// The heading above it.
+    /// The heading above the code.
     pub about: &'static str,
     /// The code, as in a message: no-arm.
     pub code: &'static str,
-    /// What it means, and what to do.
+    /// Its meaning and remedy.
     pub meaning: &'static str,
     /// A message with this code.
     pub example: String,
 }
 
 impl CodeMeaning {
-    /// The same for programs.
+    /// The JSON answer.
     pub fn json(&self) -> Value {
         json!({ "code": self.code, "about": self.about, "meaning": self.meaning, "example": self.example })
     }
@@ -39,7 +39,7 @@ pub fn meanings() -> Vec<CodeMeaning> {
             .and_then(|line| line.split_once("` | "))
             .and_then(|(code, line)| Some((code, line.split_once(" | ")?)));
         rows.extend(row.map(|(code, (meaning, example))| {
-            // The cells of a table have them escaped.
+            // The cells of a table escape them.
             let example = example.replace("&lt;", "<").replace("\\|", "|");
             CodeMeaning { about, code, meaning, example }
         }));
@@ -47,7 +47,7 @@ pub fn meanings() -> Vec<CodeMeaning> {
     rows
 }
 
-/// The code in what a person copied from a message, brackets and all.
+/// The code in a text copied from a message, which may include its brackets.
 pub fn word_of(text: &str) -> &str {
     text.trim_start_matches("error").trim_start_matches("warning").trim_matches(['[', ']', ':'])
 }

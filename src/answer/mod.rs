@@ -1,4 +1,4 @@
-//! What commands answer, in words and for programs, for every face: terminal, Python, page. Nothing here touches a file or a terminal.
+//! The commands' answers as text and as JSON, for all front ends: terminal, Python, page. This module touches no file and no terminal.
 
 pub mod codes;
 pub mod object;
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use crate::pipeline::{Forecast, Precaution};
 
-/// How long all programs take, s, without heating and pauses.
+/// Time of all programs, s, without heating and pauses.
 pub fn sealing_time(forecast: &Forecast) -> f64 {
     forecast.programs.iter().map(|program| program.time).sum()
 }
@@ -22,7 +22,7 @@ pub fn hours(seconds: f64) -> String {
     format!("{} h {:02} min", (minutes / 60.0).floor(), minutes % 60.0)
 }
 
-/// Everything of the first screen but the time of day, for programs.
+/// The overview as JSON, without the time of day.
 pub fn overview_json(forecast: &Forecast, list: &[Precaution]) -> Value {
     let area = forecast.machine.bench.work_area.map(|(x, y)| [x.0, y.0]);
     let sheets: Vec<[f64; 2]> =

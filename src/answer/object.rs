@@ -1,4 +1,4 @@
-//! From an object to the spec of a gripper that holds it, proven as far as `check` proves it.
+//! From an object to the spec of a gripper that holds it, checked as by `check`.
 
 use serde_json::{Value, json};
 
@@ -25,20 +25,20 @@ pub const FRICTIONS: Allowed = Allowed::above(0.0, 10.0);
 /// Radial forces of one star on the object, N.
 pub const FORCES: Allowed = Allowed::above(0.0, 1e6);
 
-/// Inner radius of curvature of tips and corners: at 2 mm the seal bears some two fifths of what sharp ones put on it.
+/// Inner radius of curvature of tips and corners: at 2 mm the load on the seal is about two fifths of the load at sharp ones.
 const ROUND: Length = Length(2.0);
 
 /// Paper sizes of ISO 216 from A0, mm, landscape.
 const PAPERS: [[f64; 2]; 6] =
     [[1189.0, 841.0], [841.0, 594.0], [594.0, 420.0], [420.0, 297.0], [297.0, 210.0], [210.0, 148.0]];
 
-/// Objects of usual sizes, mm across: beyond them the unit may be wrong.
+/// Widths of usual objects, mm: outside of this range the unit may be wrong.
 const USUAL_SIZES: Allowed = Allowed::closed(5.0, 1000.0);
 
 /// Reads "400x300", in mm, or "A3".
 ///
 /// # Errors
-/// What would be one.
+/// If `text` has neither form; the text states the allowed ones.
 pub fn sheet(text: &str) -> Result<[Length; 2], String> {
     let fault = || format!("`{text}` is not WIDTHxHEIGHT in mm, like 400x300, and not A0 to A5");
     let paper =
@@ -54,47 +54,47 @@ pub fn sheet(text: &str) -> Result<[Length; 2], String> {
     Ok([side(width)?, side(height)?])
 }
 
-/// What a gripper is wanted for.
+/// The object to grip and the conditions.
 #[derive(Clone, Debug)]
 pub struct Request {
-    /// How wide the object is across where it is gripped.
+    /// Width of the object across the grip.
     pub object: Length,
-    /// Its height along the gripper's axis; `None`: as tall as wide.
+    /// Its height along the gripper's axis; `None`: equal to the width.
     pub height: Option<Length>,
     /// Its shape; `None` for a ball.
     pub shape: Option<ObjectShape>,
     /// Its mass.
     pub mass: Mass,
-    /// The pressure of the pump; `None` for the best.
+    /// The pressure of the pump; `None`: the best one is chosen.
     pub pressure: Option<Pressure>,
-    /// Friction between corners and object; `None` for that of bare fabric on a smooth surface.
+    /// Friction between corners and object; `None`: the value for bare fabric on a smooth surface.
     pub friction: Option<f64>,
-    /// Largest radial force of one star that the object bears.
+    /// Largest radial force of one star that the object withstands.
     pub fragile: Option<Force>,
 }
 
-/// Why there is no gripper for a request.
+/// The reason why there is no gripper for a request.
 #[derive(Clone, Debug)]
 pub enum NoGripper {
-    /// A sentence about the name, the spec that is begun with, or this program.
+    /// A sentence about the name, the base spec, or this program.
     Fault(String),
-    /// No gripper does all of it: why, and what comes nearest and can be had.
+    /// No gripper meets the request: the reasons, and the nearest requirements that can be met.
     Infeasible(Vec<String>, Option<Box<NearestRequirements>>),
 }
 
-/// A gripper for an object: its spec, and what was forecast of it.
+/// A gripper for an object: its spec and its forecast.
 #[derive(Clone, Debug)]
 pub struct NewGripper {
     /// The spec's text.
     pub text: String,
-    /// Everything that `check` knows of it.
+    /// The forecast that `check` makes.
     pub forecast: Forecast,
     /// Whether its friction is the default.
     pub friction_assumed: bool,
 }
 
 impl NewGripper {
-    /// The verdict with its reasons, and below it what was chosen: a line each.
+    /// The verdict with its reasons, and the chosen values: one line each.
     pub fn in_words(&self) -> String {
         let verdict = self.forecast.verdict();
         let mut lines: Vec<String> = verdict.iter().map(Verdict::line).collect();
@@ -130,7 +130,7 @@ impl NewGripper {
         Some([bounds.max.x - bounds.min.x, bounds.max.y - bounds.min.y])
     }
 
-    /// What was chosen, for programs.
+    /// The chosen values as JSON.
     pub fn json(&self) -> Value {
         let Forecast { spec, .. } = &self.forecast;
         let (star, load) = (spec.stars.first(), spec.load.as_ref());
@@ -148,7 +148,7 @@ impl NewGripper {
 }
 
 impl Request {
-    /// The same as a search takes it, on the sheet of `base` and within the reach of `machine`.
+    /// The requirements of the search, on the sheet of `base` and within the work area of `machine`.
     pub fn requirements(&self, base: &Spec, machine: &Machine) -> Requirements {
         // The inlet reaches beyond the tip on one side.
         let inlet = base.inlet.as_ref().map_or(0.0, |inlet| inlet.length.0);
@@ -168,10 +168,10 @@ impl Request {
         }
     }
 
-    /// A gripper called `name`, with everything of `base` that the search does not change.
+    /// A gripper called `name`; the values that the search does not change come from `base`.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is none.
     pub fn gripper(&self, name: &str, base: &Spec, machine: &Machine) -> Result<NewGripper, NoGripper> {
         let _ = spec::quoted(name).map_err(|fault| NoGripper::Fault(fault.to_string()))?;
         let requirements = self.requirements(base, machine);
@@ -192,7 +192,7 @@ impl Request {
         };
         let choices =
             choose(&requirements, &candidate, &ring).map_err(|Infeasible { reasons, nearest }| {
-                // What is named can be had: it is tried as far as the requirements are.
+                // The nearest requirements are tested like the requested ones, so that they can really be met.
                 let nearest = nearest.filter(|nearest| {
                     let mut base = base.clone();
                     if nearest.requirements.room.sheet != requirements.room.sheet {
@@ -212,7 +212,7 @@ impl Request {
     }
 }
 
-/// What the search does not change: the spec `text` with a machine profile, a sheet and radii of curvature.
+/// The base of a search: the spec `text` with a machine profile, a sheet and radii of curvature.
 ///
 /// # Errors
 /// If `text` is refused.
@@ -230,12 +230,12 @@ pub fn base(text: String, profile: Option<&str>, sheet: Option<[Length; 2]>) -> 
     Ok(base)
 }
 
-/// The smaller of the sides that have an end.
+/// The smaller of the limited sides.
 fn smaller(width: Option<Length>, height: Option<Length>) -> Option<Length> {
     [width, height].into_iter().flatten().reduce(|a, b| if b.0 < a.0 { b } else { a })
 }
 
-/// The spec of `choice`, if all that `check` does accepts it, with the controller's low feeds chopped where they must be.
+/// The spec of `choice`, if it passes all steps of `check`; low feeds of the controller are chopped if necessary.
 fn buildable(
     name: &str,
     choice: &Choice,

@@ -1,11 +1,11 @@
-//! A proof for programs.
+//! A proof as JSON and as text.
 
 use serde_json::json;
 
 use crate::artifact::Format;
 use crate::verify::Proof;
 
-/// What was found and what was measured, as `verify --json` prints it.
+/// Findings and measured deviations, as `verify --json` prints them.
 pub fn json(proof: &Proof) -> String {
     let deviation: serde_json::Map<String, serde_json::Value> =
         proof.files.iter().map(|file| (file.path.clone(), json!(file.deviation))).collect();
@@ -21,7 +21,7 @@ pub fn json(proof: &Proof) -> String {
     format!("{json:#}\n")
 }
 
-/// What was compared with what, and how near it is.
+/// The number of compared files, and the bounds of their deviations.
 pub fn scope(proof: &Proof) -> String {
     let all = proof.files.len();
     let measured = proof.files.iter().filter(|file| file.deviation.is_some()).count();
@@ -29,7 +29,7 @@ pub fn scope(proof: &Proof) -> String {
         let deviations = proof.files.iter().filter(|file| of(file.output.kind.format()));
         deviations.filter_map(|file| file.deviation).reduce(f64::max)
     };
-    // Paper and solids say arcs by curves and chords, with tolerances of their own.
+    // Files for paper and solids approximate arcs by curves and chords, with tolerances of their own.
     let within: Vec<String> = [
         ("lines and arcs", nearest(&|format| !matches!(format, Format::Pdf | Format::Stl)), 6),
         ("paper", nearest(&|format| format == Format::Pdf), 4),

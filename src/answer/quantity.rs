@@ -1,9 +1,9 @@
-//! Numbers, quantities and ranges of quantities as arguments: finite, within what makes sense, or refused as wrong usage.
+//! Numbers, quantities and ranges as arguments: finite and within their limits, or refused as wrong usage.
 
 use crate::spec::Allowed;
 use crate::units::{Quantity, Readable};
 
-/// Lengths that must be there: 1 um to 100 m, as in a spec.
+/// Range of required lengths: 1 um to 100 m, as in a spec.
 pub const SIZE: Allowed = Allowed::closed(1e-3, 1e5);
 /// Lengths that may be zero, to 100 m.
 pub const EXTRA: Allowed = Allowed::closed(0.0, 1e5);
@@ -71,12 +71,12 @@ pub fn range<Q: Quantity>(allowed: Allowed) -> impl Fn(&str) -> Result<(Q, Q), S
     }
 }
 
-/// The ratio that `text` means if it is a percentage: 0.5 of "50 %".
+/// The ratio of a percentage: 0.5 for "50 %"; `None` if `text` is no percentage.
 fn percent(text: &str) -> Option<f64> {
     text.trim().strip_suffix('%')?.trim().parse::<f64>().ok().map(|percent| percent / 100.0)
 }
 
-/// `otherwise`, but of a decimal comma that it is one.
+/// The message `otherwise`, or one about a decimal comma.
 fn remedy(text: &str, otherwise: &str) -> String {
     let is_comma =
         |(i, c): (usize, char)| c == ',' && text[i + 1..].starts_with(|c: char| c.is_ascii_digit());
@@ -90,7 +90,7 @@ fn remedy(text: &str, otherwise: &str) -> String {
 /// Reads "FROM..TO/COUNT", or one value: evenly spaced ones, at most `most`; `ends` reads the first part.
 ///
 /// # Errors
-/// What is wrong with it, in words.
+/// If it is malformed or out of range; the text describes the fault.
 pub fn evenly(
     text: &str,
     most: u32,

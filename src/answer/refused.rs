@@ -1,4 +1,4 @@
-//! What is refused, at the keys it speaks of, and for programs.
+//! Refusals as faults at the keys of a spec, and as JSON.
 
 use serde_json::{Value, json};
 
@@ -6,7 +6,7 @@ use crate::design::Refusals;
 use crate::spec::{Fault, Faults, RawSpec, Severity, Source};
 use crate::verify::Finding;
 
-/// Refusals of the design of `raw`, read from `source`, as faults at the keys they speak of.
+/// Refusals of the design of `raw`, read from `source`, as faults at their keys.
 pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
     let faults = refusals.into_iter().map(|refusal| {
         let key = refusal.key;
@@ -25,19 +25,19 @@ pub fn at_keys(source: &Source, raw: &RawSpec, refusals: Refusals) -> Faults {
     Faults::new(source, faults.collect())
 }
 
-/// One refusal: its code, and what was found. Keys that mean nothing here are null.
+/// One refusal: its code, and the text `found`. The other keys are null.
 pub fn refusal(code: &str, found: &str) -> Value {
     let none = Value::Null;
     json!({ "code": code, "key": none, "found": found, "allowed": none, "remedy": none, "file": none, "line": none })
 }
 
-/// What refuses a spec or a profile; warnings are left out.
+/// The errors among `faults`; warnings are left out.
 pub fn refused_by(faults: &Faults) -> Vec<Value> {
     let errors = faults.list().iter().filter(|fault| fault.level == Severity::Error);
     errors.map(|fault| fault_json(faults, fault)).collect()
 }
 
-/// One of `faults`, an error or a warning, with the key and the line it is about.
+/// One of `faults`, an error or a warning, with its key and its line.
 pub fn fault_json(faults: &Faults, fault: &Fault) -> Value {
     let mut value = refusal(fault.code, &fault.message);
     value["key"] = json!(faults.key_of(fault));

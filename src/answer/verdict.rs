@@ -1,4 +1,4 @@
-//! What the gripper does with the object of `[load]`, in words and as JSON.
+//! The verdict on the object of `[load]`, as text and as JSON.
 
 use serde_json::{Value, json};
 
@@ -36,7 +36,7 @@ pub fn in_words(forecast: &Forecast) -> String {
     format!("{}{object}{pressure}{payload}{more}{why}", verdict.line())
 }
 
-/// How far it closes and at which pressure it bursts, each under its label.
+/// Contraction and burst pressure, each under its label.
 pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     let (Some(load), Some(prediction)) = (&forecast.spec.load, &forecast.prediction) else {
         return Vec::new();
@@ -61,7 +61,7 @@ pub fn rows(forecast: &Forecast) -> Vec<(&'static str, String)> {
     rows
 }
 
-/// What a drawn piece does, each under its label; nothing without a load.
+/// Predicted values of a drawn piece, each under its label; empty without a load.
 pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
     let Some(drawn) = &forecast.drawn else { return Vec::new() };
     let prediction = &drawn.prediction;
@@ -86,7 +86,7 @@ pub fn of_drawing(forecast: &Forecast) -> Vec<(&'static str, String)> {
     rows
 }
 
-/// The same for programs.
+/// The JSON answer.
 pub fn json(forecast: &Forecast) -> Value {
     let verdict = forecast.verdict();
     let holds = verdict.as_ref().and_then(|verdict| verdict.holds.known());

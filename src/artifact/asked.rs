@@ -1,25 +1,25 @@
-//! What of a design is asked for.
+//! The requested kinds of files of a design.
 
 use crate::artifact::Kind;
 use crate::spec::Spec;
 
-/// The kinds that a build makes. Its manifest records them, so that `verify` knows what to demand; which files these are, and
-/// their names, the design says.
+/// The kinds of files that a build makes. Its manifest records them, so that `verify` knows the expected files. Their number and names
+/// follow from the design.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Asked {
     /// The only kinds to make; empty: all that come by default.
     pub only: Vec<Kind>,
-    /// Kinds to make beside these.
+    /// Kinds to make in addition.
     pub with: Vec<Kind>,
 }
 
 impl Asked {
-    /// These kinds and no others; all that come by default if none is named.
+    /// These kinds and no others; all default kinds if `kinds` is empty.
     pub fn only(kinds: &[Kind]) -> Self {
         Self { only: kinds.to_vec(), with: Vec::new() }
     }
 
-    /// The same, and the kinds that `spec` names itself, unless only some kinds are asked for.
+    /// Adds the kinds that `spec` names in `[build]`, unless `only` is set.
     #[must_use]
     pub fn of_spec(mut self, spec: &Spec) -> Self {
         if self.only.is_empty() {
@@ -28,7 +28,7 @@ impl Asked {
         self
     }
 
-    /// Takes these kinds, too.
+    /// Adds these kinds.
     pub fn add(&mut self, kinds: impl IntoIterator<Item = Kind>) {
         for kind in kinds {
             if !self.with.contains(&kind) {

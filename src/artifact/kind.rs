@@ -1,4 +1,4 @@
-//! Kinds of output files: what a file is about, in which format.
+//! Kinds of output files: a subject in a format.
 
 use std::fmt;
 
@@ -6,38 +6,38 @@ use serde::{Deserialize, Serialize};
 
 use crate::spec::Extra;
 
-/// What a file is about.
+/// The subject of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
-    /// The spec as read.
+    /// The spec, unchanged.
     Spec,
-    /// The machine profile as resolved.
+    /// The resolved machine profile.
     Machine,
     /// The drawing that the spec names.
     Drawing,
     /// The seams.
     Seal,
-    /// The unheated look at where the iron will go.
+    /// The trace of the iron's path without heat.
     Trace,
     /// The cut.
     Outline,
     /// A coating mask.
     Mask,
-    /// How the pieces of a printed mask belong together.
+    /// Assembly of the pieces of a printed mask.
     Pieces,
     /// A plate of the frame.
     Frame,
-    /// A picture for people.
+    /// A picture of the design.
     Preview,
-    /// What the gripper will do; only for a spec with a load.
+    /// The prediction; only for a spec with a load.
     Prediction,
-    /// All of it in three dimensions, for people.
+    /// The gripper in three dimensions, for viewing.
     Scene,
-    /// All that is known of it on one page, for people.
+    /// All results on one page.
     Report,
 }
 
-/// How a file says it.
+/// The format of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
     /// A spec or a profile.
@@ -56,14 +56,14 @@ pub enum Format {
     Json,
     /// A picture of pixels.
     Png,
-    /// Triangles to be looked at.
+    /// Triangles for viewing.
     Glb,
     /// A page for browsers.
     Html,
 }
 
 impl Subject {
-    /// The word for it in file names.
+    /// The subject's name in file names.
     pub fn name(self) -> &'static str {
         match self {
             Self::Spec => "spec",
@@ -101,10 +101,10 @@ impl Format {
     }
 }
 
-/// Declares [`Kind`] from one table: a line a kind.
+/// Declares [`Kind`] from one table, one line a kind.
 macro_rules! kinds {
     ($($(#[$doc:meta])* $kind:ident: $name:literal, $subject:ident as $format:ident;)+) => {
-        /// What an output file is: a subject in a format.
+        /// The kind of an output file: a subject in a format.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
         #[non_exhaustive]
         pub enum Kind {
@@ -122,14 +122,14 @@ macro_rules! kinds {
                 }
             }
 
-            /// What it is about.
+            /// The subject of its files.
             pub fn subject(self) -> Subject {
                 match self {
                     $(Self::$kind => Subject::$subject,)+
                 }
             }
 
-            /// How it says it.
+            /// The format of its files.
             pub fn format(self) -> Format {
                 match self {
                     $(Self::$kind => Format::$format,)+
@@ -140,9 +140,9 @@ macro_rules! kinds {
 }
 
 kinds! {
-    /// The spec as read.
+    /// The spec, unchanged.
     Spec: "spec", Spec as Toml;
-    /// The machine profile as resolved.
+    /// The resolved machine profile.
     Machine: "machine", Machine as Toml;
     /// The drawing that the spec names.
     DrawingSvg: "drawing-svg", Drawing as Svg;
@@ -150,7 +150,7 @@ kinds! {
     DrawingDxf: "drawing-dxf", Drawing as Dxf;
     /// The sealing program.
     SealGcode: "seal-gcode", Seal as Gcode;
-    /// The unheated look at where the iron will go.
+    /// The trace of the iron's path without heat.
     TraceGcode: "trace-gcode", Trace as Gcode;
     /// Centre lines of the seams.
     SealSvg: "seal-svg", Seal as Svg;
@@ -170,7 +170,7 @@ kinds! {
     MaskPdf: "mask-pdf", Mask as Pdf;
     /// A coating mask as a solid.
     MaskStl: "mask-stl", Mask as Stl;
-    /// How the pieces of a printed mask belong together.
+    /// Assembly of the pieces of a printed mask.
     PiecesSvg: "pieces-svg", Pieces as Svg;
     /// A plate of the frame.
     FrameSvg: "frame-svg", Frame as Svg;
@@ -180,15 +180,15 @@ kinds! {
     FramePdf: "frame-pdf", Frame as Pdf;
     /// A plate of the frame as a solid.
     FrameStl: "frame-stl", Frame as Stl;
-    /// A picture for people.
+    /// A picture of the design.
     PreviewSvg: "preview-svg", Preview as Svg;
-    /// The same in pixels.
+    /// The same as pixels.
     PreviewPng: "preview-png", Preview as Png;
-    /// What the gripper will do; only for a spec with a load.
+    /// The prediction; only for a spec with a load.
     Prediction: "prediction", Prediction as Json;
-    /// All of it in three dimensions, for people.
+    /// The gripper in three dimensions, for viewing.
     SceneGlb: "scene-glb", Scene as Glb;
-    /// All that is known of it on one page, for people.
+    /// All results on one page.
     Report: "report", Report as Html;
 }
 
@@ -198,12 +198,12 @@ impl Kind {
         Self::ALL.iter().copied().find(|kind| kind.name() == name)
     }
 
-    /// Whether it comes even where only other kinds are asked for: a directory is proven from its own spec, profile and drawing.
+    /// Whether it is always made, even if only other kinds are requested: a directory is proven from its own spec, profile and drawing.
     pub fn is_source(self) -> bool {
         matches!(self.subject(), Subject::Spec | Subject::Machine | Subject::Drawing)
     }
 
-    /// Whether it comes only where it is named.
+    /// Whether it is made on request only.
     pub fn is_extra(self) -> bool {
         Extra::ALL.iter().any(|(name, _)| *name == self.name())
     }

@@ -11,7 +11,7 @@ pub use output::{NGC, Output, outputs, program_ending};
 /// One output file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Artifact {
-    /// What it is.
+    /// Kind and part of the file.
     pub output: Output,
     /// Its name in the output directory.
     pub name: String,

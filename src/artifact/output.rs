@@ -1,4 +1,4 @@
-//! Outputs: which files a design has. The one table that the builder fills and the verifier asks for.
+//! Outputs: the list of a design's files, which both the builder and the verifier use.
 
 use crate::artifact::asked::Asked;
 use crate::artifact::kind::{Format, Kind, Subject};
@@ -8,26 +8,26 @@ use crate::spec::{Dialect, DrawingSpec, ProgramScope, Spec};
 /// The ending of programs for LinuxCNC.
 pub const NGC: &str = "ngc";
 
-/// One file of a design: what it is, and of which part. Everything else about it follows, its name too.
+/// One file of a design: its kind and its part. All else follows from these, also the name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Output {
-    /// What it is.
+    /// The kind of the file.
     pub kind: Kind,
     /// The sheet it belongs to.
     pub sheet: Option<usize>,
-    /// The star it belongs to; of equal ones the first.
+    /// The star it belongs to; for equal stars the first.
     pub star: Option<usize>,
     /// The drawn piece that it belongs to, by its number.
     pub copy: Option<usize>,
-    /// The lowest plate of the frame that it is for.
+    /// The lowest plate of the frame that uses it.
     pub plate: Option<usize>,
-    /// The piece of a printed mask that it is, from 1; `None` for the whole.
+    /// The number of its piece of a printed mask, from 1; `None` for the whole.
     pub piece: Option<usize>,
-    /// The paper that it is laid out for; `None` for what is not printed.
+    /// The paper that it is laid out for; `None` for a file that is not printed.
     pub paper: Option<Paper>,
-    /// Whether it is for the face that the iron does not touch.
+    /// Whether it is mirrored, for the face that the iron does not touch.
     pub mirrored: bool,
-    /// Whether it is a program for LinuxCNC, whose file dialog lists `.ngc` alone.
+    /// Whether it is a program for LinuxCNC, whose file dialog lists only `.ngc`.
     pub ngc: bool,
 }
 
@@ -47,7 +47,7 @@ impl Output {
         }
     }
 
-    /// What it is a file of, in its name; "" for the whole gripper.
+    /// The part's prefix of the file name; "" for the whole gripper.
     fn part(&self) -> String {
         match (self.star, self.copy, self.plate, self.sheet) {
             (Some(star), ..) => format!("star-{star}-"),
@@ -82,7 +82,7 @@ impl Output {
         }
     }
 
-    /// What stands on every page of it, where it is printed on paper.
+    /// The caption of every printed page.
     pub fn caption(&self) -> String {
         let number = |number: Option<usize>| number.unwrap_or(0);
         match self.kind.subject() {
@@ -93,7 +93,7 @@ impl Output {
         }
     }
 
-    /// What a solid is called in its head, for a design called `name`.
+    /// The name in the header of a solid, for a design called `name`.
     pub fn solid_name(&self, name: &str) -> String {
         let piece = self.piece.map_or(String::new(), |piece| format!(", piece {piece}"));
         match (self.star, self.plate) {
@@ -105,7 +105,7 @@ impl Output {
         }
     }
 
-    /// How thick the plate is that a solid shows, mm.
+    /// Thickness of the plate that a solid shows, mm.
     pub fn thickness(&self, spec: &Spec) -> f64 {
         match self.kind.subject() {
             Subject::Frame => spec.frame.plate_thickness.0,
@@ -113,7 +113,7 @@ impl Output {
         }
     }
 
-    /// Printed parts come out as they are drawn; what is cut loses the kerf.
+    /// The edge of a part: printed parts keep the drawn edge, cut parts are offset by the kerf.
     fn edge(&self) -> CutEdge {
         match self.kind.format() {
             Format::Stl | Format::Pdf => CutEdge::Part,
@@ -121,7 +121,7 @@ impl Output {
         }
     }
 
-    /// The exact geometry that it shows; `None` for what is no drawing, or shows a part that `design` does not have.
+    /// The exact geometry of the file; `None` if it is no drawing, or shows a part that `design` does not have.
     pub fn drawing(&self, design: &Design) -> Option<Drawing> {
         let is_solid = self.kind.format() == Format::Stl;
         match self.kind.subject() {
@@ -150,7 +150,7 @@ impl Output {
         }
     }
 
-    /// The same on every paper that takes it.
+    /// The same for each paper that fits.
     fn on_paper(self, design: &Design) -> impl Iterator<Item = Self> {
         let drawing = self.drawing(design);
         let takes = move |paper: &Paper| drawing.as_ref().is_some_and(|drawing| paper.takes(drawing));
@@ -163,7 +163,7 @@ pub fn program_ending(dialect: Dialect) -> &'static str {
     if dialect == Dialect::LinuxCnc { NGC } else { Format::Gcode.ending() }
 }
 
-/// Every file of `design`, which `spec` describes for a machine of `dialect`, of the kinds that are `asked` for, in the order of the manifest.
+/// All files of `design`, described by `spec` for a machine of `dialect`, of the kinds in `asked`, in the order of the manifest.
 pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, asked: &Asked) -> Vec<Output> {
     let mut out = vec![Output::of(Kind::Spec), Output::of(Kind::Machine)];
     out.extend(spec.drawing.as_ref().map(|drawing| Output::of(drawing_kind(drawing))));
@@ -206,7 +206,7 @@ pub fn outputs(spec: &Spec, dialect: Dialect, design: &Design, asked: &Asked) ->
     out
 }
 
-/// The separator of a drawn piece: all copies are alike.
+/// The separator of a drawn piece: one file, because all copies are equal.
 fn separators(design: &Design, asked: &Asked, out: &mut Vec<Output>) {
     let Some(first) = design.firsts().next() else { return };
     if design.drawn().is_some_and(|piece| piece.separator.is_some()) {
@@ -246,13 +246,13 @@ fn programs<'a>(spec: &Spec, design: &'a Design) -> impl Iterator<Item = (usize,
     pieces.chain(design.sheets.iter().filter(move |_| !by_piece).map(|sheet| (sheet.index, None)))
 }
 
-/// A file on every paper that takes it; nothing if it was not asked for.
+/// One file for each paper that fits; empty if the kind is not requested.
 fn papers(output: Output, design: &Design, asked: &Asked) -> impl Iterator<Item = Output> {
     let wanted = Some(output).filter(|output| asked.takes(output.kind));
     wanted.into_iter().flat_map(|output| output.on_paper(design))
 }
 
-/// The masks of a distinct star, for its other face too if the spec says so.
+/// The masks of a distinct star; also for its other face, if the spec requests it.
 fn masks(
     spec: &Spec,
     (design, assembly): (&Design, &StarAssembly),

@@ -63,7 +63,7 @@ pub(super) struct Args {
 struct Angles(Vec<f64>);
 
 impl Args {
-    /// The actuator that is asked about.
+    /// The actuator that the arguments describe.
     pub(super) fn actuator(&self) -> Result<Actuator, Failure> {
         let young_modulus = self.young_modulus.pascals();
         let sheet = ElasticSheet::new(self.thickness.metres(), young_modulus, self.poisson_ratio);
@@ -77,12 +77,12 @@ impl Args {
         })
     }
 
-    /// The angles at which it is held, rad.
+    /// The requested angles of the hinge, rad.
     pub(super) fn angles(&self) -> &[f64] {
         self.angles.as_ref().map_or(&[], |angles| &angles.0)
     }
 
-    /// The model of the hinge that answers; `None` for the shell.
+    /// The hinge model; `None` for the shell model.
     pub(super) fn level(&self) -> Option<Level> {
         match self.model {
             Model::Fit => Some(Level::Fit),
@@ -93,7 +93,7 @@ impl Args {
         }
     }
 
-    /// How fine a shell's meshes are.
+    /// The fineness of the shell's mesh.
     pub(super) fn detail(&self) -> Detail {
         self.shell.detail()
     }
@@ -116,7 +116,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
 }
 
-/// The same by the shell.
+/// Predicts with the shell model, and prints the answer.
 fn run_shell(args: &Args, actuator: &Actuator, angles: &[f64]) -> Result<(), Failure> {
     let question = format!("actuator {actuator:?} {angles:?}");
     args.shell.show(&question, args.verbosity, |watch| {

@@ -1,4 +1,4 @@
-//! One command for several specs: each has its answer or its faults, and one that is refused does not keep the others from theirs.
+//! Runs one command for several specs: each has its own answer or faults, and a refused spec does not stop the others.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::cli::failure::{Failure, say};
 use crate::cli::verbosity::{Verbosity, pretty};
 
-/// Does `one` for each of `specs`; of what programs are told, prints one object.
+/// Calls `one` for each of `specs`; prints their JSON answers as one object.
 pub(super) fn run(
     specs: &[PathBuf],
     verbosity: Verbosity,

@@ -1,4 +1,4 @@
-//! What `calibrate` is told of a V-actuator, a disc and a strip on the bench, and what they tell.
+//! Bench tests of `calibrate`: measurements of a V-actuator, a disc and a strip, and the stiffnesses that follow from them.
 
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -21,12 +21,12 @@ use inflatable::mechanics::hinge::ring::Ring;
 use inflatable::mechanics::hinge::{Hinge, HingeModel};
 use inflatable::mechanics::strength::ElasticSheet;
 
-/// Pressures of a bench, kPa: as those of a spec.
+/// Range of a bench's pressure, kPa; the same as in a spec.
 const PRESSURE: Allowed = Allowed::closed(1e-3, 1e6);
-/// By how much a measured angle may be off, deg, and a measured width, m: what is said beside the stiffnesses.
+/// Assumed errors of a measured angle, deg, and of a measured width, m: they give the ranges beside the stiffnesses.
 const OFF_ANGLE: f64 = 1.0;
 const OFF_WIDTH: f64 = 0.2e-3;
-/// The same of the bias strip's stiffness.
+/// Assumed relative error of the bias strip's stiffness.
 const OFF_BIAS: f64 = 0.05;
 
 /// Arguments about the bench.
@@ -63,8 +63,8 @@ pub(super) struct BenchArgs {
 }
 
 impl BenchArgs {
-    /// What was measured at the V-actuator and what is predicted: at its pressure by `section` for the fabric of the spec, else by the
-    /// exact ring; `None` if nothing was measured.
+    /// The measured angle of the V-actuator and its prediction: at its pressure by `section` for the fabric of the spec, else by the exact
+    /// ring; `None` without a measurement.
     pub(super) fn coiling(&self, spec: Option<&Loaded>) -> Result<Option<Coiling>, Failure> {
         let Some((flat, inflated)) = self.flat_angle.zip(self.inflated_angle) else { return Ok(None) };
         if inflated > flat {
@@ -92,7 +92,7 @@ impl BenchArgs {
         Ok(Some(Coiling { measured, predicted: state.lambda, model: "ring" }))
     }
 
-    /// The V-actuator of the spec's tips, measured `off` deg too wide; `None` without angles.
+    /// The V-actuator of the spec's tips, with a measured angle that is `off` deg too wide; `None` without angles.
     fn vee(&self, spec: &Spec, pressure: Pressure, off: f64) -> Option<VBench> {
         let ((flat, inflated), star) = (self.flat_angle.zip(self.inflated_angle)?, spec.stars.first()?);
         let (width, rest_angle) = (star.tube_width.metres(), flat.to_radians());
@@ -100,7 +100,7 @@ impl BenchArgs {
         Some(VBench { hinge, pressure: pressure.pascals(), inflated: (inflated + off).to_radians() })
     }
 
-    /// The stiffnesses that follow from the bench for the fabric of the spec, whose V-actuator it was.
+    /// The stiffnesses of the spec's fabric that follow from the bench tests.
     pub(super) fn stiffnesses(&self, loaded: &Loaded) -> Result<Stiffnesses, Failure> {
         let mut found = Stiffnesses::default();
         if self.angle_pressure.is_none() && self.disc_width.is_none() && self.bias_strip.is_none() {
@@ -134,7 +134,7 @@ impl BenchArgs {
         Ok(found)
     }
 
-    /// The shear modulus that follows from the bias strip for fabric of the stretch stiffness `stretch`, N per m.
+    /// The shear modulus from the bias strip, for fabric of the stretch stiffness `stretch`, N per m.
     fn shear(&self, loaded: &Loaded, stretch: f64, poisson: f64) -> Result<Option<MeasuredShear>, Failure> {
         let Some((path, length)) = self.bias_strip.as_ref().zip(self.bias_length) else { return Ok(None) };
         let test = read_test(&Source::new(path.display().to_string(), read_table(path)?))?;
@@ -151,13 +151,13 @@ impl BenchArgs {
     }
 }
 
-/// What is known of the spec's fabric.
+/// The elastic properties of the spec's fabric.
 fn known(loaded: &Loaded) -> Result<ElasticSheet, Failure> {
     let refused = |fault| Failure::Message(format!("{}: {fault}", shown(&loaded.source.name)));
     sheet(&loaded.reading.spec.fabric).map_err(refused)
 }
 
-/// What the V-actuator's angles tell.
+/// Measured and predicted coiling of the V-actuator.
 pub(super) struct Coiling {
     measured: f64,
     predicted: f64,
@@ -165,7 +165,7 @@ pub(super) struct Coiling {
 }
 
 impl Coiling {
-    /// As comments of a spec.
+    /// The text as comments of a spec.
     pub(super) fn text(&self) -> String {
         let Self { measured, predicted, model } = self;
         // Adding 0 makes +0 of -0.
@@ -175,27 +175,27 @@ impl Coiling {
         )
     }
 
-    /// For programs.
+    /// The JSON answer.
     pub(super) fn json(&self) -> Value {
         json!({ "measured": self.measured, "predicted": self.predicted, "model": self.model })
     }
 }
 
-/// One stiffness, SI units, with those of a measurement that is off a little to either side, where there are any.
+/// One stiffness, SI units, and its values at both ends of the measurement's error, where they exist.
 struct MeasuredStiffness {
     value: f64,
     ends: [Option<f64>; 2],
     at: Pressure,
 }
 
-/// The shear modulus, MPa, with those of a strip that is a little less or more stiff, and the stiffness of the strip, N/mm.
+/// The shear modulus, MPa, its values at both ends of the strip's error, and the strip's stiffness, N/mm.
 struct MeasuredShear {
     megapascals: f64,
     ends: [Option<f64>; 2],
     bias: f64,
 }
 
-/// Stiffnesses of a fabric, as far as the bench tells them.
+/// Stiffnesses of a fabric; those without a bench test are absent.
 #[derive(Default)]
 pub(super) struct Stiffnesses {
     stretch: Option<MeasuredStiffness>,
@@ -204,13 +204,13 @@ pub(super) struct Stiffnesses {
 }
 
 impl Stiffnesses {
-    /// All of `[fabric]`, for where no seal is chosen; empty if nothing was measured.
+    /// The whole `[fabric]` section, for an answer without a seal setting; empty without a measurement.
     pub(super) fn section(&self) -> String {
         let lines = self.toml();
         if lines.is_empty() { lines } else { format!("[fabric]\n{lines}") }
     }
 
-    /// Lines of `[fabric]`.
+    /// Lines of the `[fabric]` section.
     pub(super) fn toml(&self) -> String {
         let mut out = String::new();
         let mut line = |found: &Option<MeasuredStiffness>,
@@ -220,7 +220,7 @@ impl Stiffnesses {
                         text: &dyn Fn(f64) -> String| {
             let Some(MeasuredStiffness { value, ends, at }) = found else { return };
             let ends = ends.map(|end| end.map_or("unknown".to_owned(), text));
-            // A String takes everything.
+            // Writing to a String does not fail.
             let _ = writeln!(
                 out,
                 "# of the {source} at {at}; {off} less or more would make it {}, {}\n{key} = \"{}\"",
@@ -249,7 +249,7 @@ impl Stiffnesses {
         out
     }
 
-    /// For programs.
+    /// The JSON answer.
     pub(super) fn json(&self) -> Value {
         let known = |found: &Option<MeasuredStiffness>, unit: fn(f64) -> f64| {
             found.as_ref().map(|found| unit(found.value))

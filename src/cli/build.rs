@@ -56,18 +56,18 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     batch::run(&args.specs, args.verbosity, |spec| one(args, &targets, spec))
 }
 
-/// Builds each spec, and again whenever it is saved: the whole answer once, and one line for each build that follows.
+/// Builds each spec, and builds it again whenever it is saved. The first build prints the whole answer, each later one a line.
 fn watched(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
     let mut snapshots: BTreeMap<PathBuf, Snapshot> = BTreeMap::new();
     let mut is_first = true;
     watch::on_every_save(&args.specs, |saved| {
         let _ = batch::run(saved, args.verbosity, |spec| {
             let began = Instant::now();
-            // Until a spec has been built once, there is nothing to compare with.
+            // The first build of a spec has no earlier one to compare with.
             let before = snapshots.get(spec).cloned();
             let verbosity = Verbosity { quiet: args.verbosity.quiet || before.is_some(), ..args.verbosity };
             let made = made(args, targets, spec, verbosity).inspect_err(|_| {
-                // Faults of one save are told from those of the save before by their time.
+                // The time of day separates the faults of successive saves.
                 if !is_first {
                     tell(&format!("{} {} was not rebuilt:", time_of_day(), shown(spec)));
                 }
@@ -88,7 +88,7 @@ fn watched(args: &Args, targets: &BTreeMap<&Path, PathBuf>) -> ! {
     })
 }
 
-/// Says what a build has changed: when, how long it took, which values, and what that does.
+/// Prints what a build has changed: its time, its duration, the changed values, and their effect.
 fn rebuilt(
     verbosity: Verbosity,
     spec: &Path,
@@ -105,12 +105,12 @@ fn rebuilt(
     Ok(())
 }
 
-/// "13:02:11"
+/// The time of day: "13:02:11".
 fn time_of_day() -> String {
     Zoned::now().strftime("%H:%M:%S").to_string()
 }
 
-/// Where each spec's files go, where its path says so; two specs in one directory are one too many.
+/// The output directory of each spec whose path determines it; two specs may not share one.
 fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
     if args.output.is_some() && args.specs.len() > 1 {
         return Err(Failure::Usage(
@@ -135,7 +135,7 @@ fn targets(args: &Args) -> Result<BTreeMap<&Path, PathBuf>, Failure> {
     Ok(targets)
 }
 
-/// What was published, and what is said of it.
+/// A published build, with its precautions and sources.
 struct PublishedOutput {
     proven: Proven,
     target: PathBuf,
@@ -144,7 +144,7 @@ struct PublishedOutput {
     machine: String,
 }
 
-/// Builds, proves and publishes one spec, and answers; what programs are told, if they are.
+/// Builds, proves and publishes one spec, and prints the answer; returns it as JSON if that is requested.
 fn one(args: &Args, targets: &BTreeMap<&Path, PathBuf>, spec: &Path) -> Result<Option<Value>, Failure> {
     answered(args, &made(args, targets, spec, args.verbosity)?)
 }
@@ -165,13 +165,13 @@ fn made(
     let notes = forecast.precautions(&shown(spec));
     let proven = loaded.proven(forecast, &asked)?;
     args.kinds.tell_missing(&proven.built().manifest.files);
-    // What became of files that were there is told however quiet one is.
+    // The fate of earlier files is reported even with --quiet.
     tell(&publish(&target, &proven)?.to_string());
     let (source, machine) = (loaded.source.clone(), loaded.sources().machine.to_owned());
     Ok(PublishedOutput { proven, target, notes, source, machine })
 }
 
-/// Answers for one build, and opens its page if that is wanted.
+/// Prints the answer for one build, and opens its page with --open.
 fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failure> {
     let PublishedOutput { proven, target, notes, .. } = made;
     let (verbosity, forecast) = (args.verbosity, &proven.built().forecast);
@@ -192,7 +192,7 @@ fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failur
     }
     overview::show(&overview::head(forecast))?;
     overview::warn(notes);
-    // Without a program there is nothing to wait for.
+    // Without a program there is no sealing time.
     if proven.sealing_time().is_some() {
         overview::show(&overview::work(forecast, &Zoned::now()))?;
     }
@@ -205,8 +205,8 @@ fn answered(args: &Args, made: &PublishedOutput) -> Result<Option<Value>, Failur
     Ok(None)
 }
 
-/// What is built: what the options and the spec name, and where neither `--with` nor `--only` says otherwise, what the build that is
-/// replaced had. Says what was kept, and what is left out.
+/// The kinds to build: those of the options and the spec, and without `--with` and `--only` also those of the build that is replaced.
+/// Reports the kinds that are kept or left out.
 fn asked(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity) -> Asked {
     let mut asked = args.kinds.asked().of_spec(&forecast.spec);
     let before: Vec<Kind> = extras_of(target).into_iter().filter(|kind| !asked.takes(*kind)).collect();
@@ -228,7 +228,7 @@ fn asked(args: &Args, forecast: &Forecast, target: &Path, verbosity: Verbosity) 
     asked
 }
 
-/// `out/` and the spec's file name without its ending.
+/// The default output directory: `out/` and the spec's file name without its ending.
 fn default_output(spec: &Path) -> PathBuf {
     Path::new("out").join(spec.file_stem().unwrap_or(std::ffi::OsStr::new("design")))
 }

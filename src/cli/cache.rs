@@ -1,7 +1,7 @@
-//! Answers that took long, kept by what they depend on: the question, word for word, and the program that answers.
+//! A cache of slow answers. The key is a hash of the question's text and of the program that answers.
 //!
-//! The folder is `$XDG_CACHE_HOME/stargrip-cam`, or `~/.cache/stargrip-cam`, on Windows in `%LOCALAPPDATA%`. It may be deleted at any time and is never needed: what
-//! cannot be read, or is torn, counts as not there, and what cannot be written is not kept.
+//! The folder is `$XDG_CACHE_HOME/stargrip-cam`, or `~/.cache/stargrip-cam`, on Windows in `%LOCALAPPDATA%`. It may be deleted at any time.
+//! A file that cannot be read, or is damaged, counts as missing; an answer that cannot be written is not kept.
 
 use std::env;
 use std::fs;
@@ -12,13 +12,13 @@ use std::sync::OnceLock;
 
 use crate::digest::{of_parts, sha256};
 
-/// Where answers are kept; nowhere if there is no such place, or none is wanted.
+/// The cache; without a directory it stores nothing.
 pub(super) struct Cache {
     dir: Option<PathBuf>,
 }
 
 impl Cache {
-    /// The user's cache, or none.
+    /// The user's cache; without a directory if it is `unwanted` or the system names none.
     pub(super) fn new(unwanted: bool) -> Self {
         let absolute = |name: &str| env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
         let home =
@@ -27,7 +27,7 @@ impl Cache {
         Self { dir: base.filter(|_| !unwanted).map(|base| base.join(env!("CARGO_PKG_NAME"))) }
     }
 
-    /// The key of a question. Another version, and another build of the same version, has other keys.
+    /// The key of a question. It changes with the program's version and with its build.
     pub(super) fn key(&self, question: &[&str]) -> String {
         let known = self.dir.as_ref().and_then(|_| program().and_then(fs::read).ok());
         let program = known.unwrap_or_default();
@@ -35,7 +35,7 @@ impl Cache {
         of_parts(parts.into_iter().chain(question.iter().map(|part| part.as_bytes())))
     }
 
-    /// The parts of the answer that is kept, if it is whole.
+    /// The parts of a stored answer; `None` if there is none or it is damaged.
     pub(super) fn get(&self, key: &str) -> Option<Vec<String>> {
         let text = fs::read_to_string(self.dir.as_ref()?.join(key)).ok()?;
         let (sum, parts) = text.split_once('\n')?;
@@ -45,7 +45,7 @@ impl Cache {
         serde_json::from_str(parts).ok()
     }
 
-    /// Keeps an answer, whole or not at all.
+    /// Stores an answer atomically.
     pub(super) fn put(&self, key: &str, parts: &[&str]) {
         let Some(dir) = &self.dir else { return };
         let Ok(parts) = serde_json::to_string(parts) else { return };
@@ -60,11 +60,11 @@ impl Cache {
     }
 }
 
-/// Where the code of this program is, if it is not in the process's own file.
+/// The library with this program's code, if it is not in the process's own file.
 static ELSEWHERE: OnceLock<PathBuf> = OnceLock::new();
 
-/// Says that the code of this program is in `file`, a library that another program has loaded: answers are kept for it, not for
-/// that program. The first word holds.
+/// Sets the `file` with this program's code: a library that another program has loaded. Keys then depend on it, not on that program. Only
+/// the first call has an effect.
 pub(super) fn code_is_in(file: PathBuf) {
     let _ = ELSEWHERE.set(file);
 }

@@ -28,13 +28,13 @@ pub(super) struct Args {
     /// The filled-in table that `coupon` wrote: CSV with temperature_C, speed_mm_s, height_mm and peel_N.
     #[arg(required_unless_present_any = ["inflated_angle", "disc_width", "bias_strip"])]
     results: Option<PathBuf>,
-    /// What the seal has to hold, such as "1.2 N/mm".
+    /// Required strength of the seal, such as "1.2 N/mm".
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity::<LineForce>(Allowed::above(0.0, 1e4)), conflicts_with = "spec", requires = "results")]
     needed: Option<LineForce>,
-    /// The spec whose seal has to hold: the largest load of its stars at the pressure of its `load` section.
+    /// The spec whose seal must hold: the largest load of its stars at the pressure of its `load` section.
     #[arg(long)]
     spec: Option<PathBuf>,
-    /// How many times that the seal should hold, 1 to 100.
+    /// Required ratio of the seal's strength to its load, 1 to 100.
     #[arg(long, default_value_t = 1.5, allow_hyphen_values = true, value_parser = number(Allowed::closed(1.0, 100.0)))]
     margin: f64,
     #[command(flatten)]
@@ -43,7 +43,7 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
-/// Says what the spec should say.
+/// Prints the values that the spec should have.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let settings = match &args.results {
         Some(path) => settings(&read_rows(&Source::new(path.display().to_string(), read_table(path)?))?),
@@ -58,7 +58,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let Some(results) = &args.results else {
         return args.verbosity.report(&told.fabric.section(), &told.json(None, None));
     };
-    // What the V-actuator tells does not hang on the strips.
+    // The V-actuator's result does not depend on the strips.
     let chosen = told.choose(results);
     if chosen.is_err() {
         args.verbosity.remark(&told.fabric.section())?;
@@ -66,7 +66,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     chosen
 }
 
-/// What the bench and the strips told.
+/// Results of the bench tests and of the strips.
 struct BenchResult<'a> {
     args: &'a Args,
     spec: Option<Loaded>,
@@ -76,7 +76,7 @@ struct BenchResult<'a> {
 }
 
 impl BenchResult<'_> {
-    /// Chooses a setting of the table at `results`, and says it with what the bench told.
+    /// Chooses a setting of the table at `results`, and prints it with the bench results.
     fn choose(&self, results: &Path) -> Result<(), Failure> {
         let Self { args, settings, .. } = self;
         let refused = |fault| Failure::Message(format!("{}: {fault}", shown(results)));
@@ -96,14 +96,14 @@ impl BenchResult<'_> {
             return Err(Failure::Message(why));
         };
         let chosen = calibrate(settings, needed, args.margin).map_err(refused)?;
-        // One [fabric] in all, so that the lines can be copied as they are.
+        // One [fabric] section in all, so that the lines can be copied as they are.
         let fabric = format!("[fabric]\n{}", self.fabric.toml());
         let chosen_toml = chosen.toml().replacen("[fabric]\n", &fabric, 1);
         let all = if args.verbosity.verbose { listing(settings) } else { String::new() };
         args.verbosity.report(&format!("{all}{why}{chosen_toml}"), &self.json(Some(needed), Some(&chosen)))
     }
 
-    /// The answer for programs.
+    /// The JSON answer.
     fn json(&self, needed: Option<f64>, chosen: Option<&Calibration>) -> Value {
         json!({
             "needed_N_mm": needed,
@@ -116,7 +116,7 @@ impl BenchResult<'_> {
     }
 }
 
-/// A setting for programs.
+/// The JSON answer for one setting.
 fn setting(found: &Calibration) -> Value {
     let PeelRow { temperature, speed, height, .. } = found.setting;
     json!({
@@ -130,7 +130,7 @@ fn setting(found: &Calibration) -> Value {
     })
 }
 
-/// The largest load on a seal of the spec, N/mm, and a comment that says where it is.
+/// The largest load on a seal of the spec, N/mm, and a comment that names its place.
 fn need_of(loaded: &Loaded) -> Result<(f64, String), Failure> {
     let spec = &loaded.reading.spec;
     let refused = |why: &str| Failure::Message(format!("{}: {why}", shown(&loaded.source.name)));

@@ -1,4 +1,4 @@
-//! What a search found: candidates as a table for people and as JSON for programs.
+//! Results of a search: candidates as a table of text and as JSON.
 
 use std::fmt::Write;
 use std::io::stdout;
@@ -13,25 +13,25 @@ use crate::forecast::outcome::{Grip, Outcome};
 use crate::forecast::ranges::{mm, shown};
 use crate::units::Length;
 
-/// Rows of the front that are shown to people.
+/// Number of rows of the front in the printed table.
 const SHOWN: usize = 12;
 
 /// The winner.
 pub(super) struct Best {
     /// Its spec.
     pub(super) spec: String,
-    /// What the shell says of it, if it was asked.
+    /// The shell's result for it, with --confirm.
     pub(super) confirmed: Option<Confirmation>,
 }
 
-/// All that was found.
+/// All results of a search.
 pub(super) struct Said<'a> {
     pub(super) found: &'a SearchResult,
     pub(super) constraints: &'a Constraints,
 }
 
 impl Said<'_> {
-    /// For people; every line begins with "# ", so that with a spec below it the whole is a spec.
+    /// The printed text; every line begins with "# ", so that it can precede a spec in one file.
     pub(super) fn text(&self) -> String {
         let SearchResult { best, front, computed } = self.found;
         let mut out = format!(
@@ -40,7 +40,7 @@ impl Said<'_> {
         );
         out.push_str(&rows(best, self.constraints));
         if self.constraints.payload.is_some() || self.constraints.largest_force.is_some() {
-            // A String takes everything.
+            // Writing to a String does not fail.
             let _ = writeln!(
                 out,
                 "# a search finds where a model promises most: `short` counts on {SEARCHED} of a payload's lower end, and takes a \
@@ -48,7 +48,7 @@ impl Said<'_> {
             );
         }
         if !front.is_empty() {
-            // A String takes everything.
+            // Writing to a String does not fail.
             let _ = writeln!(
                 out,
                 "# trade-off between contraction, stiffness and fabric, {} designs, every so many shown:",
@@ -59,7 +59,7 @@ impl Said<'_> {
         out
     }
 
-    /// For programs.
+    /// The JSON answer.
     pub(super) fn json(&self, winner: Option<&Best>) -> Value {
         let all = |list: &[Evaluation]| list.iter().map(|one| row(one, self.constraints)).collect::<Vec<_>>();
         json!({
@@ -72,7 +72,7 @@ impl Said<'_> {
     }
 }
 
-/// A candidate for programs; null where nothing is known.
+/// A candidate as JSON; null where a value is unknown.
 fn row(candidate: &Evaluation, constraints: &Constraints) -> Value {
     let Evaluation { point, answer, .. } = candidate;
     let (star, own) = (&point.star, answer.outcome.as_ref());
@@ -116,7 +116,7 @@ fn burst_margin(candidate: &Evaluation) -> Option<f64> {
     answer.burst.zip(point.load.pressure).map(|(burst, pressure)| burst.0 / pressure.0)
 }
 
-/// Columns of the table: heading, width, and how soon it goes where there is little room.
+/// Columns of the table: heading, width, and the order in which they are dropped on a narrow terminal.
 const COLUMNS: [(&str, usize, u8); 18] = [
     ("n", 3, 0),
     ("stars", 5, 1),
@@ -138,7 +138,7 @@ const COLUMNS: [(&str, usize, u8); 18] = [
     ("short", 5, 0),
 ];
 
-/// Which columns have room in `width`; all where nobody looks at it.
+/// Which columns fit into `width`; all without a terminal.
 fn shown_columns(width: Option<usize>) -> [bool; COLUMNS.len()] {
     let is_shown = |most: u8| COLUMNS.map(|(_, _, rank)| rank <= most);
     let taken = |shown: &[bool]| {
@@ -159,7 +159,7 @@ fn rows(candidates: &[Evaluation], constraints: &Constraints) -> String {
             cells.iter().zip(COLUMNS).zip(columns).zip(0..).filter(|((_, shown), _)| *shown)
         {
             let gap = if i == 0 { " " } else { "  " };
-            // A String takes everything.
+            // Writing to a String does not fail.
             let _ = write!(line, "{gap}{cell:>width$}");
         }
         line.trim_end().to_owned() + "\n"
@@ -168,13 +168,13 @@ fn rows(candidates: &[Evaluation], constraints: &Constraints) -> String {
     candidates.iter().fold(head, |table, candidate| table + &line(cells(candidate, constraints)))
 }
 
-/// What stands in the columns.
+/// The cells of a row.
 fn cells(candidate: &Evaluation, constraints: &Constraints) -> [String; COLUMNS.len()] {
     let Evaluation { point, answer, .. } = candidate;
     let (star, own) = (&point.star, answer.outcome.as_ref());
     let ranged = |value: Option<f64>, range| match (value, range) {
         (Some(value), Some(range)) => shown::with(value, range, ""),
-        // A limit was asked for by name; of what works at a pressure no number stands alone.
+        // A value at a pressure is not shown without its range. A limit model shows it, because the user chose the model.
         (Some(_), None) if is_at_pressure(point.model) => "unknown".to_owned(),
         (Some(value), None) => format!("{value:.3}, range unknown"),
         (None, _) => "-".to_owned(),

@@ -35,7 +35,7 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
-/// Makes and proves the files as `build` does, in memory, and says what came out.
+/// Makes and proves the files as `build` does, in memory, and prints the result.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if args.picture.is_some() && args.specs.len() > 1 {
         return Err(Failure::Usage("--picture is for one spec: check them one by one".to_owned()));
@@ -43,7 +43,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     batch::run(&args.specs, args.verbosity, |spec| one(args, spec))
 }
 
-/// Draws what a drawing is refused for, if that is wanted.
+/// Draws the faults of a drawing, with --picture.
 fn pictured(args: &Args, loaded: &Loaded, failure: &Failure) -> Result<(), Failure> {
     let (Some(path), Failure::Faults(found)) = (&args.picture, failure) else { return Ok(()) };
     let spec = &loaded.reading.spec;

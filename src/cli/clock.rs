@@ -1,11 +1,11 @@
-//! The time of day at which a job that begins now would end: on the terminal only, never in a file.
+//! The end of a job that begins now, as time of day: printed on the terminal only, never written to a file.
 
 use jiff::{SignedDuration, Zoned};
 
-/// When a job of `seconds` that begins at `now` ends, in the zone of `now`: "Monday 23 November at 02:52 CET"; `None` if it
-/// has no end.
+/// The end of a job of `seconds` that begins at `now`, in the zone of `now`: "Monday 23 November at 02:52 CET"; `None` above about a
+/// thousand years.
 pub(super) fn finish(now: &Zoned, seconds: f64) -> Option<String> {
-    // A thousand years and more are no time to tell.
+    // More than a thousand years have no useful date.
     if !(0.0..3.2e10).contains(&seconds) {
         return None;
     }

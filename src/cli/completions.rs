@@ -11,12 +11,12 @@ use crate::cli::verbosity::Quiet;
 pub(super) struct Args {
     /// The shell.
     shell: Shell,
-    /// The answer is all that is printed, with or without it.
+    /// Has no effect: only the answer is printed.
     #[command(flatten)]
     _quiet: Quiet,
 }
 
-/// Prints what makes a shell complete the commands of `program`.
+/// Prints a script with which a shell completes the commands of `program`.
 pub(super) fn run(args: &Args, mut program: Command) -> Result<(), Failure> {
     let (name, mut text) = (program.get_name().to_owned(), Vec::new());
     generate(args.shell, &mut program, name, &mut text);

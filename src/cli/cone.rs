@@ -91,7 +91,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     reduced(first, Some(&overlay))
 }
 
-/// Prints the points; how they were reduced is told to who asks.
+/// Prints the points, and with --verbose the parameters of their reduction.
 fn show(args: &Args, ratio: f64, first: f64, points: &[ReducedPoint]) -> Result<(), Failure> {
     let first = Length::from_metres(first);
     if args.verbosity.json {

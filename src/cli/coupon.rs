@@ -21,7 +21,7 @@ use crate::units::{Length, Speed, Temperature};
 /// Arguments of `coupon`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The spec whose machine, fabric and tube are tried out.
+    /// The spec whose machine, fabric and tube are tested.
     spec: PathBuf,
     /// A new directory for the programs, drawings and the table.
     #[arg(short, long, value_name = "DIR", default_value = "coupons")]
@@ -91,7 +91,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.verbosity.report(&text(args, &proven, &programs, &drawings), &json)
 }
 
-/// The kinds of coupons that are wanted: all, if none was named.
+/// The requested kinds of coupons: all, if none is named.
 fn groups(args: &Args) -> Vec<CouponGroup> {
     let all = CouponGroup::NAMES.iter();
     all.filter(|(name, _)| args.only.is_empty() || args.only.iter().any(|only| only == name))
@@ -99,7 +99,7 @@ fn groups(args: &Args) -> Vec<CouponGroup> {
         .collect()
 }
 
-/// What is tried out.
+/// The grid of settings to test.
 fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
     let (seal, heights) = (&loaded.reading.spec.seal, &loaded.machine.process.heights);
     let speeds = [1.0, 2.0, 5.0].map(|factor| Speed(factor * seal.speed.0));
@@ -109,7 +109,7 @@ fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
         heights: or(&args.heights, &[heights.contact]),
         repeats: usize::from(args.repeats),
     };
-    // The spec's own speed may be too fast for five times of it.
+    // Five times the spec's speed may be out of range.
     if let Some(v) = grid.speeds.iter().find(|v| !(1e-3..=1e3).contains(&v.0)) {
         return Err(Failure::Message(format!("a speed of {v}; it must be from 0.001 to 1000 mm/s")));
     }
@@ -120,12 +120,12 @@ fn grid(args: &Args, loaded: &Loaded) -> Result<StripGrid, Failure> {
     grid.alike().map_or(Ok(grid), |why| Err(Failure::Message(why)))
 }
 
-/// What was given, else what is usual.
+/// The `given` values, or without any the `usual` ones.
 fn or<T: Clone>(given: &[T], usual: &[T]) -> Vec<T> {
     if given.is_empty() { usual.to_vec() } else { given.to_vec() }
 }
 
-/// What was written, and what to do with it.
+/// The written files, and the next steps.
 fn text(args: &Args, proven: &ProvenCoupons, programs: &[&String], drawings: &[&String]) -> String {
     let place = |name: &str| shown(args.output.join(name));
     let mut out = format!(
@@ -134,7 +134,7 @@ fn text(args: &Args, proven: &ProvenCoupons, programs: &[&String], drawings: &[&
         drawings.len(),
         shown(&args.output)
     );
-    // A String takes everything.
+    // Writing to a String does not fail.
     for (name, coupon) in programs.iter().zip(&proven.made().coupons) {
         let _ = writeln!(out, "  {name:32} {}", hours(coupon.program.time));
     }

@@ -1,4 +1,4 @@
-//! A person's own defaults for new specs: `$XDG_CONFIG_HOME/stargrip-cam/config.toml`.
+//! The user's defaults for new specs: `$XDG_CONFIG_HOME/stargrip-cam/config.toml`.
 
 use std::env;
 use std::path::PathBuf;
@@ -7,7 +7,7 @@ use crate::cli::failure::Failure;
 use crate::cli::load::read_source;
 use crate::spec;
 
-/// A new spec's text with one's own defaults written into it, where there are any.
+/// The text of a new spec with the user's defaults, if there are any.
 pub(super) fn written_into(text: String) -> Result<String, Failure> {
     match file().filter(|path| path.is_file()) {
         Some(path) => Ok(spec::with_defaults(&text, &read_source(&path)?)?),
@@ -15,12 +15,12 @@ pub(super) fn written_into(text: String) -> Result<String, Failure> {
     }
 }
 
-/// Where they stand: in the directory for settings that the system names.
+/// The file of defaults, in the system's directory for settings.
 fn file() -> Option<PathBuf> {
     let named = |name: &str| env::var_os(name).filter(|path| !path.is_empty()).map(PathBuf::from);
     let beside = |name: &str, below: &str| Some(named(name)?.join(below));
     let home = if cfg!(windows) { beside("APPDATA", "") } else { beside("HOME", ".config") };
-    // The standard takes no relative paths.
+    // The XDG standard ignores relative paths.
     let config = named("XDG_CONFIG_HOME").filter(|path| path.is_absolute()).or(home)?;
     Some(config.join("stargrip-cam").join("config.toml"))
 }

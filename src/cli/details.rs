@@ -1,4 +1,4 @@
-//! Everything there is to say about a gripper, for `-v`: what stands behind the first screen.
+//! All details of a gripper for `-v`, printed below the overview.
 
 use std::fmt::Write;
 
@@ -12,18 +12,18 @@ use crate::pipeline::{Forecast, Proven};
 use crate::spec::Spec;
 use crate::units::Readable;
 
-/// What a check found out.
+/// The details of a check.
 pub(super) fn checked(forecast: &Forecast) -> String {
     let seal = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
-    // What it warns of has been said above, as has what the prediction warns of.
+    // The overview has printed these warnings, and those of the prediction.
     let seal = airtight::SealReport { weaknesses: Vec::new(), ..seal };
     format!("\n{}{}{}", design(forecast), predicted(forecast), seal)
 }
 
-/// Notes on a drawing that are listed.
+/// Largest number of listed notes on a drawing.
 const MOST_NOTES: usize = 100;
 
-/// The design: geometry, seams, fabric, what the iron does to the corners. Of equal stars the first.
+/// The design: geometry, seams, fabric, and the realised radii of tips and corners. Of equal stars only the first is listed.
 fn design(forecast: &Forecast) -> String {
     let Forecast { spec, design, programs, .. } = forecast;
     let mut out = String::new();
@@ -76,7 +76,7 @@ fn paper(piece: &DrawnPiece) -> String {
     format!("separator: {pieces} of paper, {area:.0} cm2, for each copy\n")
 }
 
-/// A star's geometry, and what the iron does to its corners.
+/// A star's geometry, and the radii of tips and corners that the iron's band realises.
 fn of_star(spec: &Spec, index: usize, part: &StarDesign) -> String {
     let mut out = String::new();
     let _ = writeln!(out, "star {}: arms {:.2} mm long", index, part.star.l);
@@ -153,10 +153,10 @@ fn materials(spec: &Spec, design: &StarAssembly) -> String {
     out
 }
 
-/// A common bed of a 3-D printer, mm on both sides.
+/// Size of a common 3-D printer's bed, mm, on both sides.
 const COMMON_BED: f64 = 220.0;
 
-/// How a mask goes on a printer's bed.
+/// The layout of a mask on a printer's bed.
 fn printed(spec: &Spec, part: &StarDesign) -> String {
     let pieces = &part.pieces.list;
     let sizes: Vec<String> =
@@ -175,7 +175,7 @@ fn printed(spec: &Spec, part: &StarDesign) -> String {
     }
 }
 
-/// The design, and what was written of it.
+/// The design, and its written files.
 pub(super) fn built(proven: &Proven) -> String {
     let built = proven.built();
     let Forecast { machine, .. } = &built.forecast;
@@ -191,7 +191,7 @@ pub(super) fn built(proven: &Proven) -> String {
     out
 }
 
-/// How many pages a file for a printer has.
+/// The number of pages of a printable file.
 fn pages(output: &Output, design: &Design) -> Option<String> {
     match output.paper?.pages(&output.drawing(design)?, "").len() {
         1 => Some(", 1 page".to_owned()),
@@ -199,7 +199,7 @@ fn pages(output: &Output, design: &Design) -> Option<String> {
     }
 }
 
-/// What the gripper will do, where that was asked for.
+/// The prediction, for a spec with a load.
 fn predicted(forecast: &Forecast) -> String {
     if let Some(drawn) = &forecast.drawn {
         let mut prediction = drawn.prediction.clone();
@@ -210,7 +210,7 @@ fn predicted(forecast: &Forecast) -> String {
     let Some(mut prediction) = forecast.prediction.clone() else { return String::new() };
     prediction.stars.iter_mut().for_each(|star| star.evidence.warnings.clear());
     let text = report::text(&forecast.spec, &prediction);
-    // The name stands above already.
+    // The heading already contains the name.
     let body = text.split_once('\n').map_or("", |(_, body)| body);
     format!("predicted:\n{}", body.trim_start_matches('\n'))
 }

@@ -1,7 +1,7 @@
-//! The same face inside another program: what the Python package does as the command does it, but for the words.
+//! The commands' functions for a program that embeds this crate: the Python package computes as the command does, without its output.
 //!
-//! A spec is read with the machine profile it names, a build's directory is read no further than it claims to go, and a search
-//! takes the arguments of the command, so that files, limits and defaults have one home. Nothing is printed.
+//! A spec is read with its machine profile, a build's directory no further than its manifest states, and a search takes the arguments of
+//! the command. So files, limits and defaults are defined once. Nothing is printed.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -25,18 +25,18 @@ use inflatable::mechanics::hinge::Level;
 
 pub use crate::cli::failure::Failure;
 
-/// A spec with the machine it names, both read and valid.
+/// A valid spec with its valid machine profile.
 #[derive(Clone, Debug)]
 pub struct Given {
     /// The spec's text and its name.
     pub source: Source,
-    /// What it says.
+    /// The parsed spec.
     pub reading: Reading,
-    /// What it is made on.
+    /// The parsed machine profile.
     pub machine: Machine,
     /// The machine profile as resolved.
     pub machine_text: String,
-    /// The path that the machine profile's is relative to: the spec's own.
+    /// The spec's own path; the path of its machine profile is relative to it.
     pub path: PathBuf,
 }
 
@@ -44,17 +44,17 @@ impl Given {
     /// The spec of the file `path`; "-" is standard input.
     ///
     /// # Errors
-    /// If the file cannot be read, or all that is wrong with the spec or its machine profile.
+    /// If the file cannot be read, or if the spec or its machine profile is invalid; all faults are listed.
     pub fn from_file(path: &Path) -> Result<Self, Failure> {
         Self::from_source(read_source(path)?, path)
     }
 
-    /// The spec of a text that is at hand; a machine profile that it names by path is looked for beside `path`.
+    /// Reads a spec from a text; a path of its machine profile is relative to the directory of `path`.
     ///
     /// # Errors
     /// As for [`Given::from_file`].
     pub fn from_source(source: Source, path: &Path) -> Result<Self, Failure> {
-        // The limits of a file's text are those of every text.
+        // A text has the same limits as a file.
         let source = Source::from_bytes(source.name, source.text.as_bytes())?;
         let (reading, _) = with_drawing(path, &source, spec::read(&source)?)?;
         let (profile, _) = machine_source(path, &source, &reading)?;
@@ -62,7 +62,7 @@ impl Given {
         Ok(Self { source, reading, machine, machine_text: profile.text, path: path.to_owned() })
     }
 
-    /// Refusals of its design as faults at the keys they speak of.
+    /// Refusals of the design as faults at their keys.
     pub fn refused(&self, refusals: Refusals) -> Faults {
         at_keys(&self.source, &self.reading.raw, refusals)
     }
@@ -71,7 +71,7 @@ impl Given {
 /// Proves the build in the directory `dir`, as `verify` does.
 ///
 /// # Errors
-/// If it cannot be read, or nobody published there.
+/// If the directory cannot be read, or holds no build.
 pub fn prove(dir: &Path) -> Result<Proof, Failure> {
     verify::holds_a_build(dir)?;
     let (published, files): (PublishedBuild, OutputFiles<'_>) = verify::read_directory(dir)?;
@@ -83,24 +83,24 @@ pub fn proof_json(proof: &Proof) -> String {
     answer::proof::json(proof)
 }
 
-/// What a search has come to.
+/// Result of a search.
 #[derive(Clone, Debug)]
 pub struct Optimum {
-    /// All that was found.
+    /// All results of the search.
     pub found: SearchResult,
-    /// The spec's text with the best design that can be built; `None` if there is none.
+    /// The spec's text with the best design that can be built; `None` without such a design.
     pub best: Option<String>,
-    /// Of each of `found.best` the constraints that it misses, and by which part.
+    /// For each of `found.best` the constraints that it violates, and by which fraction.
     pub short: Vec<Vec<(&'static str, f64)>>,
 }
 
-/// Searches around `given` as `optimize` does; `options` are those of the command ("--points", "4..6"), without the spec. Whoever raises
-/// `cancel` gets no answer.
+/// Searches around `given` as `optimize` does; `options` are those of the command ("--points", "4..6"), without the spec. Raising `cancel`
+/// ends the search without a result.
 ///
 /// # Errors
-/// If an option is wrong, two do not go together, or it was told to stop.
+/// If an option is wrong, if two exclude each other, or if the search was cancelled.
 pub fn optimum(given: &Given, options: &[String], cancel: &AtomicBool) -> Result<Optimum, Failure> {
-    // No line about progress, and no ear for Ctrl-C: both are the other face's.
+    // The caller reports progress and handles Ctrl-C.
     let options: Vec<String> = options.iter().cloned().chain(["--quiet".to_owned()]).collect();
     let args: optimize::Args = parsed(&options, Some(Path::new("-")))?;
     let Given { source, reading, machine, machine_text, .. } = given.clone();
@@ -115,18 +115,18 @@ pub fn optimum(given: &Given, options: &[String], cancel: &AtomicBool) -> Result
     Ok(Optimum { short: short.collect(), best: best.map(|best| best.spec), found })
 }
 
-/// What is asked about stars beside their spec.
+/// Options of a prediction of stars.
 #[derive(Clone, Debug)]
 pub struct StarQuestion {
-    /// The model that is asked for; `None` for the spec's own.
+    /// The requested model; `None` for the spec's own.
     pub model: Option<ModelChoice>,
     /// Radii of round objects, m.
     pub radii: Vec<f64>,
-    /// How fine a shell's meshes are.
+    /// Fineness of the shell's mesh.
     pub detail: Detail,
 }
 
-/// The question that the options of `predict` put ("--model", "ring"), without the spec.
+/// The question that the options of `predict` describe ("--model", "ring"), without the spec.
 ///
 /// # Errors
 /// If an option is wrong.
@@ -135,25 +135,25 @@ pub fn star_question(options: &[String]) -> Result<StarQuestion, Failure> {
     Ok(StarQuestion { model: args.model(), radii: args.radii().to_vec(), detail: args.detail() })
 }
 
-/// The model of this name: "ring"; `None` if there is none.
+/// The model called `name`, such as "ring"; `None` if there is none.
 pub fn model(name: &str) -> Option<ModelChoice> {
     predict::Model::from_str(name, false).ok().map(predict::Model::choice)
 }
 
-/// What is asked about a V-actuator.
+/// A V-actuator and the options of its prediction.
 #[derive(Clone, Debug)]
 pub struct ActuatorQuestion {
     /// The actuator.
     pub actuator: Actuator,
-    /// The angles at which it is held, rad.
+    /// The angles at which its moment is computed, rad.
     pub angles: Vec<f64>,
-    /// The model of the hinge that answers; `None` for the shell.
+    /// The hinge model; `None` for the shell model.
     pub level: Option<Level>,
-    /// How fine a shell's meshes are.
+    /// Fineness of the shell's mesh.
     pub detail: Detail,
 }
 
-/// The question that the options of `actuator` put.
+/// The question that the options of `actuator` describe.
 ///
 /// # Errors
 /// If an option is wrong or missing.
@@ -167,17 +167,17 @@ pub fn actuator_question(options: &[String]) -> Result<ActuatorQuestion, Failure
     })
 }
 
-/// The options of a command as keywords of a function: "tube_width". Those about printing are left out.
+/// The options of a command as keywords of a function: "tube_width". Options about output are left out.
 #[derive(Clone, Debug)]
 pub struct Keywords(Vec<String>);
 
 impl Keywords {
-    /// Those of `optimize`.
+    /// The keywords of `optimize`.
     pub fn of_optimize() -> Self {
         Self::of::<optimize::Args>()
     }
 
-    /// Those of `actuator`.
+    /// The keywords of `actuator`.
     pub fn of_actuator() -> Self {
         Self::of::<actuator::Args>()
     }
@@ -189,18 +189,18 @@ impl Keywords {
         Self(asked.map(|option| option.replace('-', "_")).collect())
     }
 
-    /// All, in the order of the command's help.
+    /// All keywords, in the order of the command's help.
     pub fn names(&self) -> &[String] {
         &self.0
     }
 
-    /// The one that `name` was probably meant to be.
+    /// The keyword with the most similar spelling to `name`.
     pub fn nearest(&self, name: &str) -> Option<&str> {
         spec::nearest(name, self.0.iter().map(String::as_str))
     }
 }
 
-/// Options about how an answer is shown and kept, and one that asks a second model.
+/// Options about the output and the cache, and the option that runs a second model.
 const OF_THE_SCREEN: [&str; 6] = ["verbose", "quiet", "json", "vtu", "no-cache", "confirm"];
 
 /// The arguments of a command from its options and the spec's path, if it takes one.
@@ -211,8 +211,8 @@ fn parsed<A: clap::Args>(options: &[String], spec: Option<&Path>) -> Result<A, F
     A::from_arg_matches(&command.try_get_matches_from(arguments).map_err(usage)?).map_err(usage)
 }
 
-/// A fault of arguments as one who calls a function reads it: "invalid value '3' for tube_width: ...". What follows its first
-/// paragraph is advice for a command line.
+/// A fault of arguments in terms of a function's keywords: "invalid value '3' for tube_width: ...". Only the first paragraph is kept; the
+/// others are advice for a command line.
 fn without_dashes(fault: &clap::Error) -> String {
     let text = fault.to_string();
     let lines: Vec<&str> = text.lines().take_while(|line| !line.is_empty()).map(str::trim).collect();
@@ -226,7 +226,7 @@ fn without_dashes(fault: &clap::Error) -> String {
     line
 }
 
-/// Says that the program's code is in the library `file`: kept answers of shells are its, not the loading program's.
+/// Sets the library `file` that holds this program's code: the cache of shell answers depends on it, not on the loading program.
 pub fn code_is_in(file: PathBuf) {
     cache::code_is_in(file);
 }

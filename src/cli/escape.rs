@@ -1,24 +1,23 @@
-//! Text that is not ours, as it may go to a terminal.
+//! Escapes text from outside for output on a terminal.
 
 use std::borrow::Cow;
 use std::ffi::OsStr;
 
 use crate::spec;
 
-/// A path, or another text that is not ours, as it may stand in a line on a terminal: it cannot end the line.
+/// A path, or another text from outside, escaped for a line on a terminal: it cannot end the line.
 pub(super) fn shown(text: impl AsRef<OsStr>) -> String {
     spelt_out(&text.as_ref().to_string_lossy(), spec::misleads).into_owned()
 }
 
-/// `text` as it may go to a terminal: what would move its cursor, ring, or turn its text around is spelt out.
+/// `text` escaped for a terminal: characters that move the cursor, ring the bell or change the direction of text are spelt out.
 ///
-/// All text leaves through here, whatever it quotes. The spelling, `\u001b`, is JSON's, so that an object means the
-/// same afterwards.
+/// All output passes through this function. The spelling, `\u001b`, is that of JSON, so that a JSON object keeps its meaning.
 pub(super) fn escaped(text: &str) -> Cow<'_, str> {
     spelt_out(text, |c| spec::misleads(c) && !matches!(c, '\n' | '\t'))
 }
 
-/// `text` with the characters that `bad` names spelt out; none of them is beyond U+FFFF.
+/// `text` with the characters for which `bad` holds spelt out; all of them are at most U+FFFF.
 fn spelt_out(text: &str, bad: impl Fn(char) -> bool + Copy) -> Cow<'_, str> {
     if !text.contains(bad) {
         return text.into();

@@ -14,13 +14,13 @@ use crate::spec;
 /// Arguments of `explain`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The code, as it stands in a message: no-arm. Without it, all codes are listed.
+    /// The code in a message, such as no-arm. Without it, all codes are listed.
     code: Option<String>,
     #[command(flatten)]
     verbosity: Verbosity,
 }
 
-/// Prints what a code means and what to do about it.
+/// Prints the meaning of a code and its remedy.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let rows = meanings();
     let Some(code) = &args.code else {

@@ -1,4 +1,4 @@
-//! How a command fails, and what it prints then.
+//! Failures of commands, and their output.
 
 use std::io;
 use std::io::Write;
@@ -14,30 +14,30 @@ use crate::cli::{PublishFault, interrupt};
 use crate::pipeline::CommandCode;
 use crate::spec::{Code, Faults};
 
-/// Why a command did not do what it was asked for, or only a part of it.
+/// The reason why a command failed, or did only a part of its work.
 #[derive(Debug)]
 pub enum Failure {
     /// The spec, the profile or the design is refused.
     Faults(Faults),
-    /// Files that were just made do not say what the design says.
+    /// Files that were just made do not agree with the design.
     Unproven(Unproven),
-    /// Nothing could be published.
+    /// The build could not be published.
     Publish(PublishFault),
-    /// No gripper does what is asked: why, and what comes nearest.
+    /// No gripper meets the request: the reason, and the nearest request that can be met.
     Infeasible(String),
-    /// Anything else, in one sentence.
+    /// Any other failure, in one sentence.
     Message(String),
-    /// Arguments that do not go together.
+    /// Arguments that exclude each other.
     Usage(String),
     /// Ctrl-C.
     Interrupted,
-    /// Ctrl-C, or what a cluster sends before it kills, with what is left.
+    /// Ctrl-C or SIGTERM, with the state of the work.
     Stopped(String),
-    /// It has been said already, on standard output.
+    /// The failure has been printed already, on standard output.
     Said,
-    /// Another version wrote the directory, whose files are right as far as reading shows; said on standard output.
+    /// Another version wrote the directory, and its files agree with the design as far as they can be read; printed on standard output.
     NotCompared,
-    /// The reader of our standard output has gone; there is nobody left to tell.
+    /// The reader of standard output has closed it; no further output is possible.
     Pipe,
 }
 
@@ -47,8 +47,7 @@ impl Failure {
         Self::Message(format!("cannot {what} {}: {error}", shown(path)))
     }
 
-    /// The same for whoever reads JSON: one object on standard output if the answer is a refusal. Its exit code is that of
-    /// [`Failure::report`].
+    /// Prints the failure with --json: a refusal is one object on standard output. Returns the exit code of [`Failure::report`].
     pub(super) fn report_json(self) -> u8 {
         match self.refused() {
             Some(refused) => match say(&format!("{:#}\n", json!({ "refused": refused }))) {
@@ -59,7 +58,7 @@ impl Failure {
         }
     }
 
-    /// What is refused, one object each; `None` if this is not a refusal, or has been printed already.
+    /// The refusals, one object each; `None` if the failure is no refusal, or has been printed already.
     pub(super) fn refused(&self) -> Option<Vec<Value>> {
         let bare = |code: CommandCode, found: &str| vec![refusal(code.as_str(), found)];
         match self {
@@ -77,13 +76,13 @@ impl Failure {
         }
     }
 
-    /// A refusal for `text` beside an answer for programs, which is printed with it as one object.
+    /// Prints a JSON `answer` that contains the refusal `text`, as one object.
     pub(super) fn answered(mut answer: Value, text: &str) -> Self {
         answer["refused"] = json!([refusal(CommandCode::Failed.as_str(), text)]);
         say(&format!("{answer:#}\n")).err().unwrap_or(Self::Said)
     }
 
-    /// Prints it to standard error, and says with which code the process shall end.
+    /// Prints the failure to standard error, and returns the exit code.
     pub(super) fn report(self) -> u8 {
         let text = match self {
             Self::Faults(faults) => {
@@ -136,7 +135,7 @@ pub(super) fn warn(faults: &Faults) {
     }
 }
 
-/// Prints to standard output; a closed pipe ends the command quietly, as other filters do.
+/// Prints to standard output; a closed pipe ends the command silently, as in other filters.
 pub(super) fn say(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     let written = out.write_all(escaped(text).as_bytes()).and_then(|()| out.flush());
@@ -146,12 +145,12 @@ pub(super) fn say(text: &str) -> Result<(), Failure> {
     })
 }
 
-/// Prints to standard error, if there is anything to say.
+/// Prints to standard error; an empty text prints nothing.
 pub(super) fn tell(text: &str) {
     print(&escaped(text));
 }
 
-/// Prints to standard error under a heading that stands out where there are colours.
+/// Prints to standard error under a heading, which is coloured on a terminal with colours.
 pub(super) fn tell_under(heading: &str, text: &str) {
     let heading = if has_colours(&io::stderr()) {
         format!("\u{1b}[1;33m{heading}\u{1b}[0m")
@@ -161,17 +160,17 @@ pub(super) fn tell_under(heading: &str, text: &str) {
     print(&format!("{heading}\n{}", escaped(text)));
 }
 
-/// Prints faults to standard error, with colour where somebody sees it. What they quote is harmless already.
+/// Prints faults to standard error, with colours on a terminal. Quoted text is escaped already.
 fn tell_faults(faults: &Faults) {
     let stream = io::stderr();
     let text = faults.for_terminal(width(&stream), has_colours(&stream));
-    // Colours are commands to the terminal, and are ours.
+    // Colours are the program's own control sequences, so they are not escaped.
     if has_colours(&stream) { print(&text) } else { tell(&text) }
 }
 
 fn print(text: &str) {
     if !text.is_empty() {
-        // Nothing is left to do if standard error is gone as well.
+        // A closed standard error leaves no place for a message.
         let _ = writeln!(io::stderr(), "{}", text.trim_end());
     }
 }

@@ -31,7 +31,7 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
-/// Writes the program that shows at which speed the machine really goes.
+/// Writes the program that measures the machine's real speed.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?;
     let (spec, machine) = (&loaded.reading.spec, &loaded.machine);
@@ -84,7 +84,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.verbosity.report(&text, &json)
 }
 
-/// The manifest beside the feed check `program`, by which `verify` proves it.
+/// The manifest beside the feed check `program`, from which `verify` proves it.
 pub(super) fn manifest_of(program: &Path) -> PathBuf {
     let mut name = program.file_name().unwrap_or_default().to_owned();
     name.push(FEED_CHECK_MANIFEST);

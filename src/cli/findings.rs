@@ -1,11 +1,11 @@
-//! Findings for people: the first few of a kind, the rest only counted.
+//! Printed findings: the first few of a kind; the others are only counted.
 
 use std::collections::BTreeMap;
 
 use crate::cli::escape::shown;
 use crate::verify::Finding;
 
-/// Findings of one kind in one file that are shown: the first says what is wrong, a few more whether it is everywhere.
+/// Number of findings of one kind in one file that are printed: enough to see whether the fault is local.
 const SHOWN: usize = 3;
 
 /// "1 finding", "91 findings".
@@ -13,7 +13,7 @@ pub(super) fn counted(number: usize) -> String {
     format!("{number} finding{}", if number == 1 { "" } else { "s" })
 }
 
-/// One line a finding; of those that are alike (same file, same code) the first few, and how many more there are.
+/// One line a finding. Of findings with the same file and code only the first few are listed, and the others counted.
 pub(super) fn lines(findings: &[Finding]) -> Vec<String> {
     let mut alike: BTreeMap<(&str, &str), usize> = BTreeMap::new();
     for finding in findings {

@@ -1,5 +1,5 @@
-//! Ctrl-C, and what a cluster sends before it kills: the end of the program, unless somebody listens, who then ends in order; the
-//! second one is the end in any case.
+//! Ctrl-C (SIGINT) and SIGTERM: they end the program, unless a [`Listening`] exists. Then the first signal asks the work to stop, and the
+//! second one ends the program.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, LazyLock, Once};
@@ -7,23 +7,23 @@ use std::sync::{Arc, LazyLock, Once};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 
-/// Exit code of a program that Ctrl-C ended, as shells have it.
+/// Exit code after Ctrl-C, by the convention of shells.
 pub(super) const EXIT: u8 = 130;
 
-/// Raised by the first of them while somebody listens.
+/// Set by the first signal while a [`Listening`] exists.
 static HEARD: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
-/// Whether nobody listens.
+/// Whether a signal ends the program at once: no [`Listening`] exists.
 static FREE: LazyLock<Arc<AtomicBool>> = LazyLock::new(|| Arc::new(AtomicBool::new(true)));
 
-/// While it lives, the signals are heard and do not end the program. One at a time.
+/// While it exists, a first signal does not end the program. At most one may exist at a time.
 pub(super) struct Listening;
 
 impl Listening {
-    /// Begins to listen.
+    /// Starts to catch signals.
     pub(super) fn new() -> Self {
         static ONCE: Once = Once::new();
-        // In this order: the second signal finds the flag that the first one raised. Handlers are never taken back, for then
-        // Ctrl-C would do nothing at all. Where they cannot be set, a signal ends the program as ever.
+        // In this order: the second signal finds the flag that the first one set. Handlers are never removed, because Ctrl-C would then do
+        // nothing at all. Where they cannot be set, a signal ends the program as usual.
         ONCE.call_once(|| {
             for signal in [SIGINT, SIGTERM] {
                 let _ = flag::register_conditional_default(signal, Arc::clone(&FREE));
@@ -36,13 +36,13 @@ impl Listening {
         Self
     }
 
-    /// Whether there was a signal.
+    /// Whether a signal has arrived.
     #[expect(clippy::unused_self, reason = "only who listens may ask")]
     pub(super) fn has_heard(&self) -> bool {
         HEARD.load(Ordering::SeqCst)
     }
 
-    /// What is raised by it.
+    /// The flag that a signal sets.
     #[expect(clippy::unused_self, reason = "only who listens may ask")]
     pub(super) fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&HEARD)

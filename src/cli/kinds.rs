@@ -6,7 +6,7 @@ use crate::artifact::{Asked, Kind};
 use crate::cli::failure::tell;
 use crate::manifest::ManifestFile;
 
-/// Which kinds of files are made.
+/// The kinds of files to make.
 #[derive(clap::Args, Clone, Debug)]
 pub(super) struct Kinds {
     /// Make only these kinds; the spec, the machine profile and the manifest come always.
@@ -18,12 +18,12 @@ pub(super) struct Kinds {
 }
 
 impl Kinds {
-    /// The same for the rooms that make and read files.
+    /// The kinds as the request that `artifact` reads.
     pub(super) fn asked(&self) -> Asked {
         Asked { only: self.only.clone(), with: self.with.clone() }
     }
 
-    /// Tells which of the named kinds have no file among those that were made.
+    /// Reports the requested kinds that no file of `made` has.
     pub(super) fn tell_missing(&self, made: &[ManifestFile]) {
         let named = self.only.iter().chain(&self.with);
         let missing = named.filter(|kind| made.iter().all(|file| file.kind != **kind));
@@ -33,7 +33,7 @@ impl Kinds {
         }
     }
 
-    /// Whether no kind is named.
+    /// Whether neither `--only` nor `--with` names a kind.
     pub(super) fn is_default(&self) -> bool {
         self.only.is_empty() && self.with.is_empty()
     }

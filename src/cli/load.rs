@@ -1,4 +1,4 @@
-//! From a path to a spec, its machine and its design.
+//! Reads a spec and its machine profile from a path, and makes their design.
 
 use std::fs::File;
 use std::io::Read;
@@ -23,7 +23,7 @@ const MACHINE: &str = "machine.toml";
 /// The spec's name in a published directory.
 const SPEC: &str = "spec.toml";
 
-/// A spec with the machine it names, both read and valid.
+/// A valid spec with its valid machine profile.
 #[derive(Debug)]
 pub(super) struct Loaded {
     pub(super) reading: Reading,
@@ -34,7 +34,7 @@ pub(super) struct Loaded {
 }
 
 impl Loaded {
-    /// Reads the spec at `path` and the machine profile it names; prints warnings unless they are not wanted.
+    /// Reads the spec at `path` and its machine profile; prints warnings unless `verbosity` is quiet.
     pub(super) fn spoken(path: &Path, verbosity: Verbosity) -> Result<Self, Failure> {
         let source = read_source(path)?;
         let (reading, drawing_note) = with_drawing(path, &source, spec::read(&source)?)?;
@@ -48,13 +48,13 @@ impl Loaded {
         Ok(Self { reading, source, machine, machine_text: profile.text, verbosity })
     }
 
-    /// What was read elsewhere; nothing is printed.
+    /// The same from parts that were read elsewhere; nothing is printed.
     pub(super) fn quiet(source: Source, reading: Reading, machine: Machine, machine_text: String) -> Self {
         let verbosity = Verbosity { quiet: true, ..Verbosity::default() };
         Self { reading, source, machine, machine_text, verbosity }
     }
 
-    /// The same, if the spec has stars; `command` asks about nothing else.
+    /// Refuses a spec without stars; `command` is for stars only.
     ///
     /// # Errors
     /// If the spec has a drawing.
@@ -73,7 +73,7 @@ impl Loaded {
         Sources { spec: &self.source.text, machine: &self.machine_text }
     }
 
-    /// Prints what a person should know about a design, at the keys it speaks of.
+    /// Prints the design's warnings at their keys.
     pub(super) fn warn(&self, warnings: &[Warning]) {
         if self.verbosity.quiet {
             return;
@@ -85,7 +85,7 @@ impl Loaded {
         warn(&Faults::new(&self.source, faults.collect()));
     }
 
-    /// Everything that can be known of it without making its files; prints the design's warnings.
+    /// The forecast of the spec, without files; prints the design's warnings.
     pub(super) fn forecast(&self) -> Result<Forecast, Failure> {
         let (spec, machine) = (self.reading.spec.clone(), self.machine.clone());
         let forecast = progress::during(self.verbosity, "designing", |_| Forecast::of(spec, machine))
@@ -94,7 +94,7 @@ impl Loaded {
         Ok(forecast)
     }
 
-    /// Refuses a gripper that does not do what its own `[load]` asks of it, unless it is wanted `anyway`.
+    /// Refuses a gripper that does not meet its own `[load]`, unless `anyway` is set.
     pub(super) fn fit(&self, forecast: &Forecast, anyway: bool) -> Result<(), Failure> {
         let anyhow = |refusal: Refusal| Refusal {
             remedy: format!("{}; `--anyway` takes it as it is", refusal.remedy),
@@ -104,7 +104,7 @@ impl Loaded {
         if anyway { Ok(()) } else { unfit.or(()).map_err(|refusals| self.refused(refusals)) }
     }
 
-    /// Makes the files that are `asked` for and reads them back, in memory: what `check` and `build` have in common.
+    /// Makes the files that are `asked` for and reads them back, in memory, for `check` and `build`.
     pub(super) fn proven(&self, forecast: Forecast, asked: &Asked) -> Result<Proven, Failure> {
         progress::during(self.verbosity, "making the files", |progress| {
             let built = forecast.build(self.sources(), asked);
@@ -114,24 +114,24 @@ impl Loaded {
         .map_err(|findings| self.unproven(findings))
     }
 
-    /// What was found wrong with files that were just made.
+    /// The findings in files that were just made, as a failure.
     pub(super) fn unproven(&self, findings: Vec<Finding>) -> Failure {
         let (spec, profile) = (self.source.name.clone(), self.reading.spec.machine.profile.clone());
         Failure::Unproven(Unproven { findings, spec, profile })
     }
 
-    /// Refusals of the design as faults at the keys they speak of.
+    /// Refusals of the design as faults at their keys.
     pub(super) fn refused(&self, refusals: Refusals) -> Failure {
         Failure::Faults(at_keys(&self.source, &self.reading.raw, refusals))
     }
 }
 
-/// Whether `path` stands for standard input: "-".
+/// Whether `path` is "-", for standard input.
 pub(super) fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
 }
 
-/// Reads a text file, or standard input for "-", but not more of it than a spec may have.
+/// Reads a text file, or standard input for "-", up to the size limit of a spec.
 pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
     let limit = u64::try_from(SIZE_LIMIT).unwrap_or(u64::MAX).saturating_add(1);
     let mut bytes = Vec::new();
@@ -149,7 +149,7 @@ pub(super) fn read_source(path: &Path) -> Result<Source, Failure> {
     Ok(Source::from_bytes(path.display().to_string(), &bytes)?)
 }
 
-/// That `path` is a directory, and which spec in it may be meant.
+/// A message that `path` is a directory, with the spec in it that may be meant.
 fn is_directory(path: &Path) -> String {
     let (dir, spec) = (shown(path), path.join(SPEC));
     if spec.is_file() {
@@ -159,8 +159,8 @@ fn is_directory(path: &Path) -> String {
     }
 }
 
-/// The profile of the build whose directory holds the spec at `path`: the profile's own path led elsewhere when the
-/// spec was copied there. Only beside a manifest, so that no other file of this name is taken by chance.
+/// The machine profile of the build that holds the spec at `path`: a copied spec's own path of the profile no longer leads to it. A
+/// manifest must lie beside it, so that no unrelated file of this name is read.
 fn published_profile(path: &Path) -> Option<PathBuf> {
     let profile = path.with_file_name(MACHINE);
     (path.with_file_name(MANIFEST).is_file() && profile.is_file()).then_some(profile)
@@ -169,8 +169,8 @@ fn published_profile(path: &Path) -> Option<PathBuf> {
 /// Largest drawing that is read, bytes.
 const DRAWING_LIMIT: u64 = 64 << 20;
 
-/// `reading` of the spec at `path` with the drawing that it names, a file relative to the spec; and what is to be noted of where it was
-/// found.
+/// `reading` of the spec at `path` with its drawing, a file relative to the spec; and a note on the drawing's place, if it is not the named
+/// one.
 pub(super) fn with_drawing(
     path: &Path,
     source: &Source,
@@ -196,7 +196,7 @@ pub(super) fn with_drawing(
     Err(Faults::new(source, vec![fault]).into())
 }
 
-/// What the drawing `file` holds, or why it cannot be read.
+/// The content of the drawing `file`, or the reason why it cannot be read.
 fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     match File::open(file).and_then(|opened| opened.take(DRAWING_LIMIT + 1).read_to_end(&mut bytes)) {
@@ -206,13 +206,13 @@ fn drawing_bytes(file: &Path) -> Result<Vec<u8>, String> {
     }
 }
 
-/// What the drawing `file` holds.
+/// The content of the drawing `file`.
 pub(super) fn read_drawing(file: &Path) -> Result<Vec<u8>, Failure> {
     drawing_bytes(file).map_err(Failure::Message)
 }
 
-/// The machine profile that the spec at `path` names: a built-in one, or a file relative to the spec; and what is to be noted of
-/// where it was found.
+/// The machine profile of the spec at `path`: a built-in one, or a file relative to the spec; and a note on the profile's place, if it is
+/// not the named one.
 pub(super) fn machine_source(
     path: &Path,
     source: &Source,

@@ -50,16 +50,16 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     say(text)
 }
 
-/// The seal speed of the paper, mm/s: what a machine has to go at, and most cannot.
+/// The seal speed of the paper, mm/s; most machines cannot move this slowly.
 const SLOW: f64 = 0.1;
 
-/// Every profile that comes with the program.
+/// All built-in profiles.
 fn machines() -> Result<Vec<Machine>, Failure> {
     let read = |name| Machine::builtin(name).map_err(|fault| Failure::Message(fault.to_string()));
     spec::builtin_machines().map(read).collect()
 }
 
-/// A name a line, for scripts.
+/// One name a line, for scripts.
 fn names(machines: &[Machine]) -> String {
     machines.iter().flat_map(|machine| [machine.name.as_str(), "\n"]).collect()
 }
@@ -78,7 +78,7 @@ fn json(machines: &[Machine]) -> String {
     pretty(&json!({ "speed_mm_s": SLOW, "machines": machines.iter().map(one).collect::<Vec<_>>() }))
 }
 
-/// What a machine does when it is told to go at 0.1 mm/s.
+/// The behaviour of a machine at a commanded speed of 0.1 mm/s.
 fn ability(motion: &Motion) -> String {
     let need = motion.steps_needed(SLOW).map_or(String::new(), |(axis, diagonal)| {
         format!("; as it is from {:.0} steps/mm along an axis, {:.0} at 45 deg", axis.ceil(), diagonal.ceil())

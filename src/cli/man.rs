@@ -19,12 +19,12 @@ pub(super) struct Args {
     /// Write all pages into this directory instead.
     #[arg(long, value_name = "DIR", conflicts_with = "command")]
     dir: Option<PathBuf>,
-    /// The answer is all that is printed, with or without it.
+    /// Has no effect: only the answer is printed.
     #[command(flatten)]
     _quiet: Quiet,
 }
 
-/// Prints a page of the manual of `program`, for `man -l -`, or writes all of them.
+/// Prints one manual page of `program`, for `man -l -`, or writes all of them.
 pub(super) fn run(args: &Args, program: Command) -> Result<(), Failure> {
     let program_name = program.get_name().to_owned();
     let pages = pages(program);
@@ -42,10 +42,10 @@ pub(super) fn run(args: &Args, program: Command) -> Result<(), Failure> {
     }
 }
 
-/// Every page by its name.
+/// All manual pages, with their names.
 fn pages(program: Command) -> Vec<(String, String)> {
     let mut program = program.disable_help_subcommand(true);
-    // Gives the commands their whole names, and their options those that all commands have.
+    // `build` gives the commands their full names and the common options.
     program.build();
     let commands = program.get_subcommands().filter(|command| !command.is_hide_set());
     std::iter::once(&program).chain(commands).map(page).collect()

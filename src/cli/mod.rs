@@ -1,4 +1,4 @@
-//! The face: commands, files, terminal. Only this room touches files, arguments and the environment.
+//! The command line: commands, files, terminal. Only this module touches files, arguments and the environment.
 //!
 //! Exit codes: 0 done; 1 the spec, the design or the outputs are refused; 2 wrong usage. Results go to
 //! standard output, faults to standard error.
@@ -68,7 +68,7 @@ struct Cli {
     command: Command,
 }
 
-/// The commands as `--help` lists them; those that are in no group are old words for `study run`.
+/// The commands in the groups of `--help`; a command without a group is an old name of `study run`.
 const GROUPS: [(&str, &[&str]); 4] = [
     ("Design", &["new", "check", "build", "verify"]),
     ("Workshop", &["machines", "feedcheck", "coupon", "calibrate", "resume"]),
@@ -80,25 +80,25 @@ const GROUPS: [(&str, &[&str]); 4] = [
 enum Command {
     /// Write a commented starter spec, or with --object that of a gripper which holds the object.
     New(new::Args),
-    /// Read a spec and print what would be built, or everything that is wrong with it.
+    /// Read a spec and print what would be built, or all of its faults.
     Check(check::Args),
-    /// Build everything that a spec asks for, prove it, and publish it as one directory.
+    /// Build everything in a spec, prove it, and publish it as one directory.
     Build(build::Args),
     /// Prove a published directory: hashes, and every file against the exact geometry.
     Verify(verify::Args),
     /// List the built-in machine profiles, and what each can do at 0.1 mm/s.
     Machines(machines::Args),
-    /// Write a program that shows at which speed the machine really goes.
+    /// Write a program that measures the machine's real speed.
     Feedcheck(feedcheck::Args),
-    /// Write programs for seal strips and pouches that show what a machine and a fabric can do.
+    /// Write programs for seal strips and pouches that test a machine and a fabric.
     Coupon(coupon::Args),
     /// Turn tests on the bench (peeled strips, a V-actuator, a disc) into values for the spec.
     Calibrate(calibrate::Args),
     /// Write a program for the rest of a job that was interrupted.
     Resume(resume::Args),
-    /// Predict what the gripper of a spec does: closing, force, pressures, payload.
+    /// Predict the behaviour of the gripper of a spec: closing, force, pressures, payload.
     Predict(predict::Args),
-    /// Predict what one hinge between two arms does: angle, stiffness, moment against angle.
+    /// Predict the behaviour of one hinge between two arms: angle, stiffness, moment against angle.
     Actuator(actuator::Args),
     /// Search for the best star: points, tip angle, width and radii within bounds, under constraints.
     Optimize(optimize::Args),
@@ -110,9 +110,9 @@ enum Command {
     Cone(cone::Args),
     /// Print the JSON Schema of a spec, for editors.
     Schema(schema::Args),
-    /// Print what the code of a message means, and what to do.
+    /// Print the meaning of a message's code, and the remedy.
     Explain(explain::Args),
-    /// Print what makes a shell complete commands and options.
+    /// Print a script that completes commands and options in a shell.
     Completions(completions::Args),
     /// Print a page of the manual.
     Man(man::Args),
@@ -141,8 +141,8 @@ pub fn main() -> ExitCode {
     ExitCode::from(run(env::args_os().collect()))
 }
 
-/// Runs the program with `args`, of which the first is its name, and says with which code the process shall end. `build --watch`
-/// does not return: Ctrl-C ends it.
+/// Runs the program with `args`, of which the first is its name, and returns the exit code. `build --watch` does not return: Ctrl-C ends
+/// it.
 pub fn run(args: Vec<OsString>) -> u8 {
     let parsed = program().try_get_matches_from(&args);
     let parsed = parsed.and_then(|matches| Ok((Cli::from_arg_matches(&matches)?, wants_json(&matches))));
@@ -179,16 +179,16 @@ pub fn run(args: Vec<OsString>) -> u8 {
     }
 }
 
-/// Whether the command was given `--json`.
+/// Whether the arguments contain `--json`.
 fn wants_json(matches: &ArgMatches) -> bool {
     let flag = |command: &ArgMatches| command.try_get_one::<bool>("json").ok().flatten().copied();
     matches.subcommand().and_then(|(_, command)| flag(command)).unwrap_or(false)
 }
 
-/// Prints what `clap` has to say: help, or wrong usage. It quotes arguments, so it gets to see harmless ones.
+/// Prints a message of `clap`: help, or wrong usage. It quotes arguments, so they are escaped first.
 fn misused(args: Vec<OsString>, fault: clap::Error) -> u8 {
     let fault = program().try_get_matches_from(args.into_iter().map(shown)).err().unwrap_or(fault);
-    // Nobody is left to tell if it cannot be printed.
+    // A failed print leaves no place for a message.
     let _ = fault.print();
     u8::try_from(fault.exit_code()).unwrap_or(2)
 }
@@ -197,9 +197,9 @@ fn misused(args: Vec<OsString>, fault: clap::Error) -> u8 {
 mod tests {
     use super::*;
 
-    /// Commands that have no other answer than a document for other programs, whole and always the same.
+    /// Commands whose only answer is a document for other programs.
     const DOCUMENTS: [&str; 3] = ["schema", "completions", "man"];
-    /// Commands that compute for hours and whose answers are files, a row or a file for each.
+    /// Commands that may run for hours and whose answers are files.
     const FILES: [&str; 4] = ["run", "show", "join", "sweep"];
 
     #[test]
@@ -216,7 +216,7 @@ mod tests {
             assert!(has("quiet"), "{name}");
         }
         program.clone().debug_assert();
-        // Each command is in one group, or is an old word.
+        // Each command is in one group, or is an old name.
         let mut grouped: Vec<&str> = GROUPS.iter().flat_map(|(_, names)| names.iter().copied()).collect();
         let mut shown: Vec<&str> = program
             .get_subcommands()

@@ -18,7 +18,7 @@ use crate::spec::{self, LayerRole};
 /// Arguments of `new`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// What to call the design; the file is called like it.
+    /// Name of the design, and of its file.
     #[arg(default_value = "star")]
     name: String,
     /// Your own drawing, SVG or DXF: a spec that names all of its layers.
@@ -30,7 +30,7 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
-/// Writes a starter spec into the current directory; never over a file that is there.
+/// Writes a starter spec into the current directory; an existing file is never overwritten.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     if let Some(drawing) = &args.drawing {
         return by_drawing(args, drawing);
@@ -39,7 +39,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let starter = || spec::starter(name).map_err(|fault| Failure::Message(fault.to_string()));
     let found = progress::during(args.verbosity, "searching for a gripper", |_| chosen(name, &args.object))?;
     let text = match &found {
-        // The search has used the user's own defaults already.
+        // The search has applied the user's defaults already.
         Some(made) => format!("#:schema ./{}\n{}", spec::SCHEMA_FILE, made.text),
         None => defaults::written_into(starter()?)?,
     };
@@ -55,7 +55,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.verbosity.report(&format!("{said}{wrote}\nnext: edit it, then `stargrip-cam build {path}`\n"), &json)
 }
 
-/// Writes the spec of a drawing, with a proposal for the role of every layer.
+/// Writes the spec of a drawing, with a proposed role for every layer.
 fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     let stem = drawing.file_stem().unwrap_or_default().to_string_lossy();
     let own = args.name.strip_suffix(".toml").unwrap_or(&args.name);
@@ -94,9 +94,9 @@ fn by_drawing(args: &Args, drawing: &Path) -> Result<(), Failure> {
     args.verbosity.report(&said, &json)
 }
 
-/// The name as a file name anywhere: ASCII letters, digits, dashes, and points between them.
+/// The name as a portable file name: ASCII letters, digits, dashes, and points between them.
 pub(super) fn file_stem(name: &str) -> String {
-    // Who names the file means the design.
+    // A name that ends in .toml is that of the file.
     let name = name.strip_suffix(".toml").unwrap_or(name);
     let mut stem = String::new();
     for c in name.chars() {

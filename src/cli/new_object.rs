@@ -18,7 +18,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 pub(super) use crate::answer::object::NewGripper;
 
-/// What the gripper is wanted for.
+/// Arguments about the object.
 #[derive(clap::Args, Debug)]
 pub(super) struct ObjectArgs {
     /// How wide the object is across where it is gripped: "70 mm".
@@ -79,13 +79,13 @@ pub(super) fn chosen(name: &str, args: &ObjectArgs) -> Result<Option<NewGripper>
     })
 }
 
-/// `text` as a shell takes it for one word.
+/// `text` quoted as one word of a shell.
 fn argument(text: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
     if text.chars().all(is_plain) { text.to_owned() } else { format!("\"{}\"", shown(text)) }
 }
 
-/// What can be had in place of `requirements`, and the command that has it.
+/// The nearest request to `requirements` that can be met, and its command.
 fn in_words(
     name: &str,
     args: &ObjectArgs,
@@ -134,7 +134,7 @@ fn in_words(
     ))
 }
 
-/// Fabric, machine, sheet and radii of curvature: what the search does not change.
+/// The base of the search: fabric, machine, sheet and radii of curvature.
 fn base(args: &ObjectArgs) -> Result<Spec, Failure> {
     let text = spec::starter("base").map_err(|fault| Failure::Message(fault.to_string()))?;
     let mut base = object::base(defaults::written_into(text)?, args.machine.as_deref(), args.sheet)?;
@@ -162,7 +162,7 @@ fn machine(profile: &str) -> Result<Machine, Failure> {
 fn missed(reasons: &[String], nearest: Option<String>) -> Failure {
     let mut text = String::from("no gripper was found that does all of this:");
     for reason in reasons {
-        // A String takes everything.
+        // Writing to a String does not fail.
         let _ = write!(text, "\n  {reason}");
     }
     if let Some(nearest) = nearest {

@@ -1,4 +1,4 @@
-//! Opens a page in the program that the system has for it.
+//! Opens a page in the system's default program.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -17,17 +17,17 @@ const OPENER: &str = if cfg!(target_os = "macos") {
     "xdg-open"
 };
 
-/// How often, and how many times, it is looked whether the opener has given up. One that is still running shows the page itself.
+/// Interval and number of checks whether the opener has failed. An opener that still runs then shows the page itself.
 const LOOKS: (Duration, u32) = (Duration::from_millis(50), 20);
 
-/// Opens the file `page`. That it cannot be opened is a note: the files are there all the same.
+/// Opens the file `page`. A failure is only a note: the files exist in any case.
 pub(super) fn open(page: &Path) {
     if let Some(why) = failure(page) {
         tell(&format!("note: {} was not opened: {why}", shown(page)));
     }
 }
 
-/// Why the opener failed, as far as that shows at once.
+/// The reason of the opener's failure, if it fails at once.
 fn failure(page: &Path) -> Option<String> {
     let mut command = Command::new(OPENER);
     let command = command.arg(page).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
@@ -38,7 +38,7 @@ fn failure(page: &Path) -> Option<String> {
     let (pause, most) = LOOKS;
     for _ in 0..most {
         match child.try_wait() {
-            // The explorer ends with 1 whatever happens.
+            // Explorer exits with 1 even on success.
             Ok(Some(status)) if status.success() || cfg!(windows) => return None,
             Ok(Some(status)) => return Some(format!("{OPENER} ended with {status}")),
             Ok(None) => sleep(pause),

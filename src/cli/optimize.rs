@@ -29,9 +29,9 @@ use inflatable::mechanics::hinge::ring::RingTable;
 /// Arguments of `optimize`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// The spec to start from; what is not searched stays as it says.
+    /// The spec to start from; the values that are not searched stay unchanged.
     spec: PathBuf,
-    /// What is wanted most; default: to hold the object of `[load]` where there is one, else contraction.
+    /// Goal of the search; default: to hold the object of `[load]` if there is one, else contraction.
     #[arg(long, value_enum)]
     goal: Option<GoalArg>,
     /// Numbers of points, "3..8" or one.
@@ -67,10 +67,10 @@ pub(super) struct Args {
     /// Largest radial force of one star, such as "20 N"; default: the `[load]`'s largest_force.
     #[arg(long, value_name = "FORCE", allow_hyphen_values = true, value_parser = quantity_or_number::<Force>(Allowed::above(0.0, 1e6)))]
     largest_force: Option<f64>,
-    /// Least burst pressure over pressure; default: 1 where the seal's strength is known.
+    /// Least burst pressure over pressure; default: 1 if the seal's strength is given.
     #[arg(long, value_name = "RATIO", allow_hyphen_values = true, value_parser = number(Allowed::above(0.0, 1e3)))]
     burst_margin: Option<f64>,
-    /// Ask the shell about the winner: seconds to minutes.
+    /// Compute the best star with the shell, too: seconds to minutes.
     #[arg(long)]
     confirm: bool,
     #[command(flatten)]
@@ -108,7 +108,7 @@ fn whole(text: &str, what: &str, [least, most]: [u32; 2]) -> Result<(u32, u32), 
     if from >= least && to <= most && from <= to { Ok((from, to)) } else { Err(fault()) }
 }
 
-/// What is found around the spec that was `loaded`, and what must hold. Whoever raises `cancel` ends the search.
+/// The result of a search around the spec `loaded`, and its constraints. Raising `cancel` ends the search.
 pub(super) fn answer(
     args: &Args,
     loaded: &Loaded,
@@ -116,7 +116,7 @@ pub(super) fn answer(
 ) -> Result<(SearchResult, Constraints), Failure> {
     let read = &loaded.reading.spec;
     let base = Candidate::of(read).ok_or_else(|| message("the spec has no star"))?;
-    // Whether the text can take a star is known before the search.
+    // A text that cannot take a star is refused before the search.
     if let Some(star) = read.stars.first() {
         let _ = with_star(&loaded.source, &StarEdit::of(star))?;
     }
@@ -135,7 +135,7 @@ pub(super) fn answer(
     Ok((progress::during(args.verbosity, "searching", |_| search.run()), constraints))
 }
 
-/// Searches, and prints the candidates, the front, and the best one's spec.
+/// Searches, and prints the candidates, the front, and the best candidate's spec.
 pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let loaded = Loaded::spoken(&args.spec, args.verbosity)?.with_stars("optimize")?;
     let (found, constraints) = answer(args, &loaded, None)?;
@@ -158,7 +158,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
                 tell(&said.text());
             }
             let why = if found.front.is_empty() {
-                "no design meets all constraints; `short` says by how much each misses which"
+                "no design meets all constraints; `short` lists by how much each misses which"
             } else {
                 "none of the best designs can be sealed and cut as the spec asks for"
             };
@@ -167,7 +167,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
 }
 
-/// The best one that can be built; `None` if there is none.
+/// The best candidate that can be built; `None` if there is none.
 pub(super) fn best(
     args: &Args,
     loaded: &Loaded,
@@ -193,7 +193,7 @@ fn message(text: &str) -> Failure {
     Failure::Message(text.to_owned())
 }
 
-/// What is wanted most, and what must hold.
+/// The goal of the search and its constraints.
 fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Constraints), Failure> {
     let load = &base.load;
     let pressed = load.pressure.is_some() || args.pressure.is_some();
@@ -227,7 +227,7 @@ fn wanted(args: &Args, loaded: &Loaded, base: &Candidate) -> Result<(Goal, Const
     let side = [sheet.width, sheet.height].into_iter().flatten().map(|side| side.0).reduce(f64::min);
     let constraints = Constraints {
         grasp: args.grasp.map(|(from, to)| [Length(from.0 * (1.0 - ROUNDING)), to]),
-        // A hole that may be chosen leaves the object its room.
+        // A variable hole must leave room for the object.
         hole: load
             .object_radius
             .filter(|_| args.inner_radius.is_some())
@@ -291,8 +291,8 @@ fn edited(loaded: &Loaded, candidate: &Evaluation) -> Result<String, Failure> {
     recommented(loaded, &text)
 }
 
-/// `text`, which was made of the spec that is `loaded`, without comments that are about old values: a changed value says which it
-/// was, and what `new` had computed is left out, because all of it depends on all values.
+/// `text`, the edited spec `loaded`, without comments about old values. A changed value names its old one; comments that `new` had computed
+/// are removed, because they depend on all values.
 fn recommented(loaded: &Loaded, text: &str) -> Result<String, Failure> {
     let edited = Source::new("optimised", text);
     let (before, after) = (settings(&loaded.source), settings(&edited));
@@ -319,7 +319,7 @@ fn buildable(loaded: &Loaded, text: &str) -> Option<Design> {
     Design::new(&reading.spec, &loaded.machine).ok()
 }
 
-/// What the shell says of the winner.
+/// The shell's result for the best candidate.
 fn confirmed(
     verbosity: Verbosity,
     (text, design): (&str, &Design),

@@ -1,5 +1,5 @@
-//! The first screen of `check` and `build`: what it is, whether it meets its load, what to see to before sealing, when
-//! it would be done, and where to begin.
+//! The overview of `check` and `build`: the design, whether it meets its load, precautions before sealing, the end of the job, and the next
+//! steps.
 
 use std::fmt::Write;
 use std::io::{stderr, stdout};
@@ -26,10 +26,10 @@ pub(super) use crate::answer::overview_json as json;
 /// Columns of the labels.
 const LABEL: usize = 11;
 
-/// A label and what stands beside it; rows without one are sentences of their own.
+/// A label and its text; a row without a label is a sentence.
 type OverviewRow = (&'static str, String);
 
-/// What it is, and what it does.
+/// The design and its prediction.
 pub(super) fn head(forecast: &Forecast) -> Vec<OverviewRow> {
     let mut rows = vec![("", forecast.spec.name.clone())];
     rows.extend(pieces(forecast).into_iter().map(|text| ("", text)));
@@ -92,7 +92,7 @@ fn drawn_in_words(piece: &DrawnPiece) -> String {
     )
 }
 
-/// A star in the words of the spec.
+/// A star in the vocabulary of the spec.
 fn in_words(star: &StarSpec) -> String {
     let StarSpec { points, inner_radius, tube_width, tip_angle, tip_radius, corner_radius, .. } = star;
     let angle: &Angle = tip_angle;
@@ -100,14 +100,14 @@ fn in_words(star: &StarSpec) -> String {
         format!("{points} points, inner radius {inner_radius}, tube width {tube_width}, tip angle {angle}");
     for (what, radius) in [("tip radius", tip_radius), ("corner radius", corner_radius)] {
         if *radius != Length(0.0) {
-            // A String takes everything.
+            // Writing to a String does not fail.
             let _ = write!(text, ", {what} {radius}");
         }
     }
     text
 }
 
-/// How long sealing takes, and on what.
+/// The sealing time and the machine.
 pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
     let seconds = sealing_time(forecast);
     let end = clock::finish(now, seconds)
@@ -122,7 +122,7 @@ pub(super) fn work(forecast: &Forecast, now: &Zoned) -> Vec<OverviewRow> {
     vec![("sealing", seal), (if number == 1 { "sheet" } else { "sheets" }, sheets)]
 }
 
-/// What was written, what to look at, and what to run.
+/// The written files, the page to open, and the next command.
 pub(super) fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
     let mut rows =
@@ -135,14 +135,14 @@ pub(super) fn written(proven: &Proven, target: &Path) -> Vec<OverviewRow> {
         (Some(trace), Some(seal)) => {
             Some(format!("{trace} first, which seals nothing; then {seal}{}", more(&seals)))
         }
-        (None, Some(seal)) => Some(format!("{seal}{}; no trace was asked for", more(&seals))),
+        (None, Some(seal)) => Some(format!("{seal}{}; no trace was requested", more(&seals))),
         _ => None,
     };
     rows.extend(run.map(|run| ("run", run)));
     rows
 }
 
-/// What was proven in memory, and that there are kinds which were not made.
+/// The number of files proven in memory, and whether other kinds were left out.
 pub(super) fn proven(proven: &Proven) -> Vec<OverviewRow> {
     let number = proven.built().files().count();
     let more = match left_out(proven).len() {
@@ -152,19 +152,19 @@ pub(super) fn proven(proven: &Proven) -> Vec<OverviewRow> {
     vec![("proven", format!("{number} files, made in memory: {}{more}", scope(proven.proof())))]
 }
 
-/// The same for programs.
+/// The JSON of [`proven`].
 pub(super) fn proven_json(proven: &Proven) -> Value {
     let left_out: Vec<&str> = left_out(proven).iter().map(|kind| kind.name()).collect();
     json!({ "files": proven.built().files().count(), "kinds_left_out": left_out })
 }
 
-/// The kinds that nothing was made of because they were not asked for.
+/// The kinds that were not made because they were not requested.
 fn left_out(proven: &Proven) -> Vec<Kind> {
     let asked = proven.built().manifest.asked();
     Kind::ALL.iter().copied().filter(|kind| !asked.takes(*kind)).collect()
 }
 
-/// The page that shows most of the gripper, by its file's name.
+/// The file name of the page that shows most of the gripper.
 pub(super) fn to_look_at(proven: &Proven) -> Option<String> {
     [Kind::Report, Kind::PreviewPng, Kind::PreviewSvg]
         .into_iter()
@@ -195,7 +195,7 @@ pub(super) fn show(rows: &[OverviewRow]) -> Result<(), Failure> {
     say(&rows.iter().map(line).collect::<String>())
 }
 
-/// Prints what to see to before sealing, on standard error: who keeps the answer in a file must still see it.
+/// Prints precautions on standard error, so that they stay visible when the answer goes into a file.
 pub(super) fn warn(list: &[Precaution]) {
     warn_of(&list.iter().map(|one| one.text.clone()).collect::<Vec<_>>());
 }
@@ -210,7 +210,7 @@ pub(super) fn warn_of(list: &[String]) {
     tell_under("before you seal", &lines.collect::<Vec<_>>().join("\n"));
 }
 
-/// What [`written`] says, for programs.
+/// The JSON of [`written`].
 pub(super) fn written_json(proven: &Proven, target: &Path) -> Value {
     let files: Vec<Value> =
         proven.built().files().map(|(name, bytes)| json!({ "path": name, "bytes": bytes.len() })).collect();

@@ -19,7 +19,7 @@ use crate::spec::{ModelChoice, Spec};
 use crate::units::Length;
 use inflatable::shell::cases::InflatedShape;
 
-/// Most radii of one curve: each is opened to in steps.
+/// Largest number of radii of one curve: each is reached in steps.
 const MOST_RADII: u32 = 7;
 
 /// Arguments of `predict`.
@@ -39,7 +39,7 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
-/// The models, as words of the command line.
+/// The models, by their names on the command line.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 pub(super) enum Model {
     /// Published constants.
@@ -52,12 +52,12 @@ pub(super) enum Model {
     Section,
     /// The whole sheet in triangles, with arms and contact: seconds to minutes.
     Shell,
-    /// The cheapest that is accurate enough; never the shell.
+    /// The cheapest accurate model; never the shell.
     Auto,
 }
 
 impl Model {
-    /// The same in the words of a spec.
+    /// The model as a spec names it.
     pub(super) fn choice(self) -> ModelChoice {
         match self {
             Self::Fit => ModelChoice::Fit,
@@ -71,7 +71,7 @@ impl Model {
 }
 
 impl Args {
-    /// The model that is asked for.
+    /// The requested model.
     pub(super) fn model(&self) -> Option<ModelChoice> {
         self.model.map(Model::choice)
     }
@@ -81,7 +81,7 @@ impl Args {
         self.radii.as_ref().map_or(&[], |radii| &radii.0)
     }
 
-    /// How fine a shell's meshes are.
+    /// Fineness of the shell's mesh.
     pub(super) fn detail(&self) -> Detail {
         self.shell.detail()
     }
@@ -114,7 +114,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.verbosity.remark(&report::text(&spec, &prediction))
 }
 
-/// The same by the shell.
+/// Predicts with the shell model, and prints the answer.
 fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Result<(), Failure> {
     let radii = args.radii.as_ref().map_or(&[][..], |radii| &radii.0);
     let question = format!("predict {spec:?} {radii:?}");
@@ -130,7 +130,7 @@ fn run_shell(args: &Args, loaded: &Loaded, spec: &Spec, design: &Design) -> Resu
     })
 }
 
-/// The same of a drawn piece, which the shell alone knows.
+/// Predicts a drawn piece, for which only the shell is a model.
 fn run_drawn(args: &Args, loaded: &Loaded, spec: &Spec, piece: &DrawnPiece) -> Result<(), Failure> {
     if args.radii.is_some() {
         let text = "--radii is for stars: no model predicts the force of a drawn shape on an object";

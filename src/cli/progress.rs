@@ -1,7 +1,7 @@
-//! Long work on a terminal: one line on standard error that says what is done and how long it takes, and is gone in the end.
+//! Progress of long work on a terminal: one line on standard error with the current step and the elapsed time. It is removed at the end.
 //!
-//! It comes after half a second, where somebody sees it: not in a pipe, not on a terminal that cannot take a line back, not for
-//! who wants it quiet or is a program. Nothing else is printed while it is there. Ctrl-C takes it away before the program ends.
+//! It appears after half a second, and only on a terminal that can erase a line, without --quiet and --json. Nothing else is printed while
+//! it is visible. Ctrl-C removes it before the program ends.
 
 use std::io::stderr;
 use std::process;
@@ -16,34 +16,34 @@ use crate::cli::interrupt::{self, Listening};
 use crate::cli::terminal;
 use crate::cli::verbosity::Verbosity;
 
-/// Before it comes: what is over sooner needs no line.
+/// Delay before the line appears: shorter work needs none.
 const PATIENCE: Duration = Duration::from_millis(500);
-/// Between two looks at the clock and at Ctrl-C.
+/// Interval of checks of the clock and of Ctrl-C.
 const PAUSE: Duration = Duration::from_millis(100);
-/// Steps of the whole: finer than any terminal's bar.
+/// Number of steps of the whole bar: finer than any terminal's resolution.
 const WHOLE: u64 = 1000;
 
-/// The line, or none where nobody would see it.
+/// The line; invisible without a suitable terminal.
 pub(super) struct Progress {
     bar: ProgressBar,
     ticker: Option<(Sender<()>, JoinHandle<()>)>,
 }
 
-/// What Ctrl-C does while the line is there.
+/// The effect of Ctrl-C while the line is visible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum OnInterrupt {
-    /// It ends the program: the work does not listen, and has written nothing.
+    /// It ends the program: the work does not catch signals, and has written nothing.
     End,
-    /// The work listens.
+    /// The work catches signals itself.
     Leave,
 }
 
-/// Does `work`, which writes nothing, under a line that says `what`.
+/// Runs `work`, which writes nothing, with a line that shows `what`.
 pub(super) fn during<T>(verbosity: Verbosity, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
     work(&Progress::new(verbosity, what, OnInterrupt::End))
 }
 
-/// Does `work`, which hears Ctrl-C itself, under a line that says `what`.
+/// Runs `work`, which catches Ctrl-C itself, with a line that shows `what`.
 pub(super) fn listening<T>(verbosity: Verbosity, what: &str, work: impl FnOnce(&Progress) -> T) -> T {
     work(&Progress::new(verbosity, what, OnInterrupt::Leave))
 }
@@ -62,12 +62,12 @@ impl Progress {
         Self { bar, ticker: ticker.ok().map(|ticker| (stop, ticker)) }
     }
 
-    /// Says what is done now.
+    /// Shows `what` as the current step.
     pub(super) fn tell(&self, what: &str) {
         self.bar.set_message(what.to_owned());
     }
 
-    /// Says what is done now, and that `part` of the whole, 0 to 1, is over.
+    /// Shows `what` as the current step, and `part` of the whole, 0 to 1, as done.
     pub(super) fn tell_part(&self, part: f64, what: &str) {
         if self.ticker.is_none() || !(0.0..=1.0).contains(&part) {
             return;
@@ -99,11 +99,11 @@ impl Drop for Progress {
 
 fn style(template: &str) -> ProgressStyle {
     let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
-    // What every terminal's letters have.
+    // Characters that every terminal's font has.
     style.tick_chars("-\\|/ ").progress_chars("=> ")
 }
 
-/// Shows the line when it is time, and moves it until `stopped` hangs up.
+/// Shows the line after the delay, and animates it until the sender of `stopped` is dropped.
 fn tick(bar: &ProgressBar, stopped: &Receiver<()>, on_interrupt: OnInterrupt) {
     let listening = (on_interrupt == OnInterrupt::End).then(Listening::new);
     let began = Instant::now();

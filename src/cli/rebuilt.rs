@@ -1,4 +1,4 @@
-//! One line for a build that replaces another: which values changed, and what that does to the gripper.
+//! One line for a rebuilt spec: the changed values, and their effect on the gripper.
 
 use crate::answer::{hours, sealing_time};
 use crate::forecast::ranges::shown::rounded;
@@ -6,7 +6,7 @@ use crate::forecast::verdict::Verdict;
 use crate::pipeline::{Forecast, Precaution};
 use crate::spec::{Setting, Source, settings};
 
-/// What is compared between two builds of one spec.
+/// The values that two builds of one spec are compared by.
 #[derive(Clone, Debug)]
 pub(super) struct Snapshot {
     settings: Vec<Setting>,
@@ -16,7 +16,7 @@ pub(super) struct Snapshot {
     notes: Vec<String>,
 }
 
-/// A number as a person reads it: its name, the value, and the unit.
+/// A number in the line of changes: its name, the value, and the unit.
 #[derive(Clone, Debug, PartialEq)]
 struct Figure {
     name: &'static str,
@@ -24,11 +24,11 @@ struct Figure {
     unit: &'static str,
 }
 
-/// Most changed values that are named.
+/// Largest number of changed values in the line.
 const NAMED: usize = 4;
 
 impl Snapshot {
-    /// Of the spec in `source`, with the profile's text and what to see to before sealing.
+    /// The snapshot of the spec in `source`, with the profile's text and the precautions before sealing.
     pub(super) fn new(source: &Source, machine: &str, forecast: &Forecast, notes: &[Precaution]) -> Self {
         let verdict = forecast.verdict();
         let design = forecast.design.warnings.iter().map(|warning| warning.found.clone());
@@ -41,7 +41,7 @@ impl Snapshot {
         }
     }
 
-    /// What differs from `before`, in one line: "tube_width 13 mm -> 14 mm: force 27 -> 29 N".
+    /// The differences from `before`, in one line: "tube_width 13 mm -> 14 mm: force 27 -> 29 N".
     pub(super) fn changes(&self, before: &Self) -> String {
         let mut values: Vec<String> =
             self.settings.iter().filter_map(|setting| changed(setting, &before.settings)).collect();
@@ -70,12 +70,12 @@ impl Snapshot {
         }
     }
 
-    /// What is to be seen to now and was not `before`.
+    /// The precautions that are not in `before`.
     pub(super) fn new_notes(&self, before: &Self) -> Vec<String> {
         self.notes.iter().filter(|note| !before.notes.contains(note)).cloned().collect()
     }
 
-    /// The figures that are others.
+    /// The changed results.
     fn moved(&self, before: &Self) -> Vec<String> {
         let was = |figure: &Figure| before.figures.iter().find(|was| was.name == figure.name);
         let moved = self.figures.iter().filter(|figure| was(figure) != Some(figure));
@@ -88,7 +88,7 @@ impl Snapshot {
     }
 }
 
-/// "tube_width 13 mm -> 14 mm", if that differs from what it was.
+/// "tube_width 13 mm -> 14 mm", if the value differs from `before`.
 fn changed(setting: &Setting, before: &[Setting]) -> Option<String> {
     let was = before.iter().find(|was| was.is_same_key(setting));
     let (was, is) = (was.and_then(|was| was.value.as_deref()), setting.value.as_deref());
@@ -96,7 +96,7 @@ fn changed(setting: &Setting, before: &[Setting]) -> Option<String> {
     (was != is).then(|| format!("{} {} -> {}", setting.key, or_none(was), or_none(is)))
 }
 
-/// The figures that a person looks at while choosing values.
+/// The results that matter while values are chosen.
 fn figures(forecast: &Forecast, verdict: Option<&Verdict>) -> Vec<Figure> {
     let star = forecast.prediction.as_ref().map(|prediction| &prediction.first);
     let of = |name, value: Option<f64>, unit| value.map(|value| Figure { name, value: rounded(value), unit });

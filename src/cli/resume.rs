@@ -29,7 +29,7 @@ pub(super) struct Args {
     /// A point near which the iron stopped, from the sheet's lower left corner: "120.5 mm,80 mm".
     #[arg(long, group = "place", value_name = "X,Y", value_parser = point, allow_hyphen_values = true)]
     near: Option<Point>,
-    /// What to seal again before the stop, such as "5 mm"; default: as much as the closures overlap.
+    /// Length to seal again before the stop, such as "5 mm"; default: the overlap of the closures.
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, value_parser = length)]
     overlap: Option<f64>,
     /// The program to write; default: the job's name with -resume, beside a published directory, never in it. Never over
@@ -77,7 +77,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     let resumed = resume(&text, place, args.overlap)
         .map_err(|fault| Failure::Message(format!("{}: {fault}", shown(&args.job))))?;
     let manifest = args.job.with_file_name(MANIFEST);
-    // A pipe or a device of this name would be waited for, and is nobody's manifest.
+    // Reading a pipe or a device of this name would block, and it cannot be a manifest.
     let known = manifest.is_file();
     if known {
         is_published(&args.job, &manifest, &text)?;
@@ -110,10 +110,10 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     args.verbosity.report(&text, &json)
 }
 
-/// Where the program goes by default: beside the job, or where that is in a published directory, beside the directory.
+/// The default path of the program: beside the job, or for a job in a published directory, beside the directory.
 fn target(job: &Path, published: bool) -> PathBuf {
     let stem = job.file_stem().unwrap_or_default().to_string_lossy();
-    // What the host lists the old one by, it lists the new one by.
+    // Host software lists files by their ending, so the ending is kept.
     let ending = job.extension().map_or("gcode".into(), |ending| ending.to_string_lossy());
     let beside = job.with_file_name(format!("{stem}-resume.{ending}"));
     if !published {
@@ -133,7 +133,7 @@ fn target(job: &Path, published: bool) -> PathBuf {
     }
 }
 
-/// Whether the job is, byte by byte, the file that the manifest beside it names.
+/// Checks that the job equals, byte by byte, the file that the manifest beside it names.
 fn is_published(job: &Path, manifest: &Path, text: &str) -> Result<(), Failure> {
     let read: Manifest = serde_json::from_str(&read_text(manifest)?)
         .map_err(|fault| Failure::Message(format!("{} cannot be read: {fault}", shown(manifest))))?;

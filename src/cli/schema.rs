@@ -10,10 +10,10 @@ use crate::spec;
 /// Arguments of `schema`.
 #[derive(clap::Args, Debug)]
 pub(super) struct Args {
-    /// That of a machine profile instead.
+    /// Print the schema of a machine profile instead.
     #[arg(long)]
     machine: bool,
-    /// The answer is all that is printed, with or without it.
+    /// Has no effect: only the answer is printed.
     #[command(flatten)]
     _quiet: Quiet,
 }
@@ -23,7 +23,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     say(&if args.machine { spec::machine_schema() } else { spec::schema() })
 }
 
-/// Writes the schema beside the spec at `path`, whose first line names it, unless a file of its name is there; its path.
+/// Writes the schema beside the spec at `path`, whose first line names it; an existing file is kept. Returns its path.
 pub(super) fn write_beside(path: &Path) -> Result<PathBuf, Failure> {
     let file = path.with_file_name(spec::SCHEMA_FILE);
     if !file.exists() {

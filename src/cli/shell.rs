@@ -1,4 +1,4 @@
-//! What commands have in common that ask the shell: how fine, how far it is, how it is stopped, what is kept.
+//! Common options and functions of commands that run the shell model: fineness, progress, interruption, cache.
 
 use std::path::PathBuf;
 
@@ -11,26 +11,26 @@ use crate::cli::verbosity::Verbosity;
 use crate::forecast::shell::Detail;
 use inflatable::shell::cases::{ShellFault, Watch};
 
-/// Arguments that only the shell heeds.
+/// Arguments for the shell model only.
 #[derive(clap::Args, Debug)]
 pub(super) struct ShellArgs {
-    /// Of the shell: how fine its meshes are; medium for stars, coarse for drawings. Errors of the mesh are said beside every number.
+    /// For the shell: fineness of its meshes; default: medium for stars, coarse for drawings. Every number is printed with its mesh error.
     #[arg(long, value_name = "HOW")]
     fineness: Option<FinenessWord>,
-    /// Of the shell: write the inflated sheet as a VTU file, which ParaView reads.
+    /// For the shell: write the inflated sheet as a VTU file, which ParaView reads.
     #[arg(long, value_name = "FILE")]
     vtu: Option<PathBuf>,
-    /// Of the shell: compute anew, and keep no answer.
+    /// For the shell: compute the answer again, and do not keep it.
     #[arg(long)]
     no_cache: bool,
 }
 
-/// How fine meshes are, as words of the command line.
+/// Fineness of meshes, by its names on the command line.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum FinenessWord {
     /// A first look: seconds.
     Coarse,
-    /// For most ends.
+    /// For most purposes.
     Medium,
     /// Where mesh errors matter.
     Fine,
@@ -46,40 +46,39 @@ impl FinenessWord {
     }
 }
 
-/// An answer, ready to be shown.
+/// An answer, ready for output.
 pub(super) struct Shown {
-    /// For programs.
+    /// The JSON answer.
     pub(super) json: String,
-    /// For people.
+    /// The printed text.
     pub(super) text: String,
-    /// The sheet as a VTU file, if it was asked for.
+    /// The sheet as a VTU file, with --vtu.
     pub(super) vtu: Option<String>,
 }
 
 impl ShellArgs {
-    /// How fine meshes shall be.
+    /// Fineness of the mesh; medium by default.
     pub(super) fn detail(&self) -> Detail {
         self.fineness.map_or(Detail::Medium, FinenessWord::detail)
     }
 
-    /// The same for drawings, which have more of everything.
+    /// Fineness of the mesh for drawings, which are larger; coarse by default.
     pub(super) fn drawn_detail(&self) -> Detail {
         self.fineness.map_or(Detail::Coarse, FinenessWord::detail)
     }
 
-    /// Whether the sheet is asked for.
+    /// Whether --vtu is given.
     pub(super) fn wants_vtu(&self) -> bool {
         self.vtu.is_some()
     }
 
-    /// Refuses what only the shell gives.
+    /// Refuses options that only the shell model has.
     pub(super) fn not_by_others(&self) -> Result<(), Failure> {
         let text = "--vtu is the shell's: add --model shell, or leave it out";
         if self.wants_vtu() { Err(Failure::Usage(text.to_owned())) } else { Ok(()) }
     }
 
-    /// Shows the answer to `question`, in which everything stands that it depends on: the one that was kept, or what `compute`
-    /// gives.
+    /// Shows the answer to `question`, which must contain all inputs: from the cache, or computed by `compute`.
     pub(super) fn show(
         &self,
         question: &str,
@@ -117,7 +116,7 @@ impl Shown {
     }
 }
 
-/// What the shell's fault means to a person.
+/// The shell's fault as a failure of the command.
 pub(super) fn refused(fault: &ShellFault) -> Failure {
     match fault {
         ShellFault::Cancelled => Failure::Interrupted,
@@ -125,8 +124,8 @@ pub(super) fn refused(fault: &ShellFault) -> Failure {
     }
 }
 
-/// Computes while Ctrl-C is heard, the first time as a wish and the second time as an order; a terminal shows the progress unless
-/// `verbosity` is quiet.
+/// Computes while Ctrl-C is caught: the first one asks the computation to stop, the second one ends the program. A terminal shows the
+/// progress unless `verbosity` is quiet.
 pub(super) fn watched_by<T>(
     verbosity: Verbosity,
     compute: impl FnOnce(&Watch<'_>) -> Result<T, Failure>,

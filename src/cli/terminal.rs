@@ -1,13 +1,12 @@
-//! The terminal: how wide it is, whether it has colours, and where lines are broken.
+//! The terminal: its width, its colours, and line breaks.
 
 use std::env;
 use std::io::IsTerminal;
 
-/// Narrowest terminal for which lines are broken: below it every word would stand alone.
+/// Narrowest terminal for which lines are broken: below it every line would hold a single word.
 const NARROWEST: usize = 30;
 
-/// The width in columns at which lines for `stream` are broken; `None` if nobody looks at it: what reads a pipe or a file
-/// wants whole lines.
+/// The width in columns at which lines for `stream` are broken; `None` for a pipe or a file, whose reader needs unbroken lines.
 pub(super) fn width(stream: &impl IsTerminal) -> Option<usize> {
     if !stream.is_terminal() {
         return None;
@@ -17,19 +16,19 @@ pub(super) fn width(stream: &impl IsTerminal) -> Option<usize> {
     told.or_else(seen).filter(|columns| *columns > 0)
 }
 
-/// Whether what goes to `stream` may have colours.
+/// Whether output to `stream` may have colours.
 pub(super) fn has_colours(stream: &impl IsTerminal) -> bool {
     let unwanted = env::var_os("NO_COLOR").is_some_and(|wish| !wish.is_empty());
     takes_lines_back(stream) && !unwanted
 }
 
-/// Whether a line on `stream` can be written over: it is a terminal that knows more than paper does.
+/// Whether a line on `stream` can be erased: it is a terminal, and not a dumb one.
 pub(super) fn takes_lines_back(stream: &impl IsTerminal) -> bool {
     stream.is_terminal() && env::var_os("TERM").is_none_or(|term| term != "dumb")
 }
 
-/// `text` in lines of at most `width` columns; all but the first begin with `indent` blanks. Blanks between words are kept where
-/// no line ends. A word that is longer stays whole: it may be a path that somebody wants to copy.
+/// `text` in lines of at most `width` columns; all but the first begin with `indent` blanks. Blanks between words are kept except at line
+/// ends. A longer word is not broken: it may be a path to copy.
 pub(super) fn wrapped(text: &str, indent: usize, width: Option<usize>) -> String {
     let Some(width) = width.map(|width| width.max(NARROWEST)) else { return text.to_owned() };
     let (mut out, mut column, mut blanks) = (String::new(), 0, 0);
@@ -52,7 +51,7 @@ pub(super) fn wrapped(text: &str, indent: usize, width: Option<usize>) -> String
     out
 }
 
-/// Every line of `text` in lines of at most `width` columns; what goes on in the next one stands 2 columns further in.
+/// Every line of `text` in lines of at most `width` columns; continuation lines are indented by 2 more columns.
 pub(super) fn fitted(text: &str, width: Option<usize>) -> String {
     let indent = |line: &str| line.chars().take_while(|c| *c == ' ').count() + 2;
     let lines = text.split('\n').map(|line| wrapped(line, indent(line), width));

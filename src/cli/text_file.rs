@@ -1,4 +1,4 @@
-//! Programs, tables and specs as files of text: read within a limit, written where nothing is yet.
+//! Programs, tables and specs as text files: read up to a limit, and written only as new files or atomically.
 
 use std::fs::File;
 use std::io;
@@ -10,18 +10,18 @@ use crate::cli::failure::Failure;
 use crate::cli::load::is_standard_input;
 use crate::cli::whole_file::WholeFile;
 
-/// Most bytes of a program: many times what the largest design needs.
+/// Largest program, bytes: far more than the largest design needs.
 const PROGRAM: u64 = 1 << 28;
 
-/// Most bytes of a table: hours of a test at a thousand rows a minute, and few enough that all rows are held in memory at ease.
+/// Largest table, bytes: hours of a test at a thousand rows a minute, and small enough to be held in memory.
 const TABLE: u64 = 1 << 24;
 
-/// Reads a program that a command is given.
+/// Reads a program given to a command.
 pub(super) fn read_text(path: &Path) -> Result<String, Failure> {
     read_within(path, PROGRAM)
 }
 
-/// Reads a table that a command is given, or standard input for "-".
+/// Reads a table given to a command, or standard input for "-".
 pub(super) fn read_table(path: &Path) -> Result<String, Failure> {
     read_within(path, TABLE)
 }
@@ -45,7 +45,7 @@ fn read_within(path: &Path, most: u64) -> Result<String, Failure> {
     })
 }
 
-/// Writes a file that must not be there yet.
+/// Writes a new file; an existing one is an error.
 pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
     File::create_new(path).and_then(|mut file| file.write_all(text.as_bytes())).map_err(|error| {
         match error.kind() {
@@ -57,7 +57,7 @@ pub(super) fn write_new(path: &Path, text: &str) -> Result<(), Failure> {
     })
 }
 
-/// Writes a file, or another one in its place: whole, or not at all.
+/// Writes or replaces a file atomically.
 pub(super) fn replace(path: &Path, text: &str) -> Result<(), Failure> {
     let written = || -> io::Result<()> {
         let mut file = WholeFile::begin(path)?;

@@ -76,7 +76,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     )
 }
 
-/// A row for programs.
+/// A row as JSON.
 fn row(row: &TradeRow) -> Value {
     let [lambda, curvature, seal_load, radius, stiffness] = row.errors;
     json!({
@@ -92,7 +92,7 @@ fn row(row: &TradeRow) -> Value {
     })
 }
 
-/// A row against shells for programs; relative errors, one a star.
+/// A row of the comparison with shells as JSON; relative errors, one a star.
 fn shell_row(row: &ShellRow) -> Value {
     let of = |number: fn(&StarErrors) -> Option<f64>| row.stars.iter().map(number).collect::<Vec<_>>();
     json!({

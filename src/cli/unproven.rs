@@ -1,4 +1,4 @@
-//! Files that the program made and then found wrong: a fault of the program, unless a profile of the user's own is the reason.
+//! Findings in files that the program has just made: a fault of the program, or of the user's machine profile.
 
 use std::ffi::OsStr;
 use std::path::Path;
@@ -8,29 +8,29 @@ use crate::cli::findings;
 use crate::spec;
 use crate::verify::Finding;
 
-/// How the names of programs end, that of LinuxCNC's last.
+/// Endings of programs' names; the last is for LinuxCNC.
 const PROGRAMS: [&str; 2] = ["gcode", "ngc"];
 
-/// What was found, and what to send with a report.
+/// The findings, and the files to send with a report.
 #[derive(Clone, Debug)]
 pub struct Unproven {
-    /// Everything that is wrong with the files.
+    /// All findings in the files.
     pub findings: Vec<Finding>,
-    /// The spec's name as it was read.
+    /// The spec's name.
     pub(super) spec: String,
-    /// The machine profile that the spec names.
+    /// The name of the machine profile in the spec.
     pub(super) profile: String,
 }
 
 impl Unproven {
-    /// Whether the user's own profile may be the reason: all that is wrong is in programs.
+    /// Whether the user's own profile may be the cause: all findings are in programs.
     fn may_be_the_profile(&self) -> bool {
         let is_program = |ending: &OsStr| PROGRAMS.iter().any(|program| ending == *program);
         let in_program = |finding: &Finding| Path::new(&finding.file).extension().is_some_and(is_program);
         spec::builtin_machine(&self.profile).is_none() && self.findings.iter().all(in_program)
     }
 
-    /// Who is at fault, in a few words.
+    /// The probable cause, as a heading.
     pub(super) fn heading(&self) -> String {
         let counted = findings::counted(self.findings.len());
         if self.may_be_the_profile() {
@@ -40,7 +40,7 @@ impl Unproven {
         }
     }
 
-    /// What was found, and what to do about it.
+    /// The findings, and the remedy.
     pub(super) fn text(&self) -> String {
         let lines = findings::lines(&self.findings).join("\n");
         let (spec, profile, version) = (shown(&self.spec), shown(&self.profile), env!("CARGO_PKG_VERSION"));

@@ -30,30 +30,30 @@ pub(super) struct Quiet {
 }
 
 impl Quiet {
-    /// As loud as that.
+    /// The same as [`Verbosity`].
     pub(super) fn verbosity(self) -> Verbosity {
         Verbosity { quiet: self.quiet, ..Verbosity::default() }
     }
 }
 
 impl Verbosity {
-    /// Prints `text` to people, `json` to programs, or nothing.
+    /// Prints `text`, or `json` with --json; nothing with --quiet.
     pub(super) fn report(self, text: &str, json: &Value) -> Result<(), Failure> {
         if self.json { say(&pretty(json)) } else { self.remark(text) }
     }
 
-    /// Prints `text` to people alone, in lines as wide as their terminal.
+    /// Prints `text` unless --json or --quiet is given, in lines of the terminal's width.
     pub(super) fn remark(self, text: &str) -> Result<(), Failure> {
         if self.is_heard() { say(&fitted(text, width(&stdout()))) } else { Ok(()) }
     }
 
-    /// Whether a person wants to hear more than what stands in the way.
+    /// Whether more than errors and urgent warnings is printed as text.
     pub(super) fn is_heard(self) -> bool {
         !(self.json || self.quiet)
     }
 }
 
-/// One JSON object as it is printed.
+/// One JSON object as printed text.
 pub(super) fn pretty(json: &Value) -> String {
     format!("{json:#}\n")
 }

@@ -29,13 +29,13 @@ pub(super) struct Args {
     verbosity: Verbosity,
 }
 
-/// Largest file that is read back, bytes, whatever the manifest says: above what a build writes, below what hurts.
+/// Largest file that is read back, bytes, whatever the manifest states: above the size of a build's files, and small enough for memory.
 const FILE_LIMIT: u64 = 1 << 28;
 
-/// What says which files there must be.
+/// The files from which the list of expected files follows.
 const SOURCES: [&str; 5] = ["spec.toml", "machine.toml", MANIFEST, "drawing.svg", "drawing.dxf"];
 
-/// Largest of these that is read: none of a thousand stars comes near.
+/// Largest of these files that is read: far more than a thousand stars need.
 const SOURCE_LIMIT: u64 = 1 << 24;
 
 /// Most builds that are listed.
@@ -65,7 +65,7 @@ pub(super) fn run(args: &Args) -> Result<(), Failure> {
     }
 }
 
-/// Proves the program of a feed check by the manifest beside it.
+/// Proves the program of a feed check from the manifest beside it.
 fn feed_check(path: &Path) -> Result<Proof, Failure> {
     let beside = manifest_of(path);
     let manifest = read(&beside, SOURCE_LIMIT).map_err(|_| {
@@ -80,7 +80,7 @@ fn feed_check(path: &Path) -> Result<Proof, Failure> {
     Ok(prove_feed_check(&name, &read(path, FILE_LIMIT)?, &manifest))
 }
 
-/// Refuses a directory in which nobody published; names builds in it, since it may be the one above them.
+/// Refuses a directory without a build; names builds in it, since it may be their parent.
 pub(super) fn holds_a_build(dir: &Path) -> Result<(), Failure> {
     if SOURCES[..3].iter().any(|name| dir.join(name).exists()) {
         return Ok(());
@@ -124,14 +124,14 @@ fn text(dir: &Path, proof: &Proof) -> String {
     text + &faults(dir, proof)
 }
 
-/// The findings and the last line.
+/// The text of the findings, and the last line.
 fn faults(dir: &Path, proof: &Proof) -> String {
     let mut text: String = findings::lines(&proof.findings).into_iter().map(|line| line + "\n").collect();
     text.push_str(&verdict(dir, proof));
     text
 }
 
-/// The last line: whether the directory is proven, and what that means for one of another version.
+/// The last line: whether the directory is proven, and the meaning for one of another version.
 fn verdict(dir: &Path, proof: &Proof) -> String {
     let mut parts = Vec::new();
     if let Some(version) = &proof.written_by {
@@ -155,13 +155,13 @@ fn verdict(dir: &Path, proof: &Proof) -> String {
     format!("{}: {}\n", shown(dir), parts.join("; "))
 }
 
-/// The files of a directory, of which only those are read that its design asks for, and no more of them than their manifest
-/// says; of all others nothing but the name is known.
+/// The files of a directory. Only files that its design has are read, and no more bytes than their manifest states; of all others only the
+/// name is recorded.
 pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<'static>), Failure> {
     let mut names = Vec::new();
     for entry in fs::read_dir(dir).map_err(|error| Failure::file("read", dir, &error))? {
         let entry = entry.map_err(|error| Failure::file("read", dir, &error))?;
-        // What is no file (a link, a pipe, a device) is not opened: the proof will say that it is wrong.
+        // An entry that is not a regular file is not opened; the proof reports it.
         let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
         names.push((entry.file_name().to_string_lossy().into_owned(), is_file));
     }
@@ -191,11 +191,11 @@ pub(super) fn read_directory(dir: &Path) -> Result<(PublishedBuild, OutputFiles<
     Ok((published, files))
 }
 
-/// At most the first `most` bytes of a file.
+/// The first `most` bytes of a file.
 fn read(path: &Path, most: u64) -> Result<Vec<u8>, Failure> {
     let read = || {
         let file = fs::File::open(path)?;
-        // Room for all of it at once: what grows is copied.
+        // The buffer has its full size at once: growing would copy it.
         let length = file.metadata()?.len().min(most);
         let mut bytes = Vec::with_capacity(usize::try_from(length).unwrap_or(0));
         let _ = file.take(most).read_to_end(&mut bytes)?;

@@ -1,4 +1,4 @@
-//! Builds anew whenever a file is saved.
+//! Builds again whenever a file is saved.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -8,13 +8,13 @@ use std::time::{Duration, SystemTime};
 use crate::cli::load::read_source;
 use crate::spec;
 
-/// Between two looks: soon enough for a person, and no load.
+/// Interval of checks: fast enough for a user, and no load.
 const PAUSE: Duration = Duration::from_millis(250);
 
-/// Of every file when it was written and how long it is; `None` while it is not there.
+/// Time of writing and length of every file; `None` if it does not exist.
 type Stamps = BTreeMap<PathBuf, Option<(SystemTime, u64)>>;
 
-/// Calls `build` with all of `specs`, and again with those that were saved, or whose machine profile was; never ends.
+/// Calls `build` with all of `specs`, and again with those that were saved, or whose drawing or machine profile was; never ends.
 pub(super) fn on_every_save(specs: &[PathBuf], mut build: impl FnMut(&[PathBuf])) -> ! {
     let mut due = specs.to_vec();
     loop {
@@ -25,7 +25,7 @@ pub(super) fn on_every_save(specs: &[PathBuf], mut build: impl FnMut(&[PathBuf])
             let now = specs.iter().map(|spec| stamps(spec));
             let saved = specs.iter().zip(before.iter().zip(now)).filter(|(_, (before, now))| *before != now);
             let saved: Vec<(&PathBuf, Stamps)> = saved.map(|(spec, (_, now))| (spec, now)).collect();
-            // Editors take a file away for a moment when they save it.
+            // Editors remove a file for a moment while they save it.
             if !saved.is_empty()
                 && saved.iter().all(|(spec, now)| now.get(*spec).is_some_and(Option::is_some))
             {
@@ -41,7 +41,7 @@ fn stamps(spec: &Path) -> Stamps {
     files.map(|file| (file.clone(), stamp(&file))).collect()
 }
 
-/// The files that a spec names: its drawing, and a profile of one's own.
+/// The files that a spec names: its drawing, and a profile of the user's own.
 fn named(path: &Path) -> Vec<PathBuf> {
     let read = read_source(path).ok().and_then(|source| spec::read(&source).ok());
     let Some(reading) = read else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! A file that has its name only when it is whole: written under another, synced, renamed.
+//! A file that gets its name only when it is complete: it is written under another name, synced, and renamed.
 
 use std::fs;
 use std::fs::{File, TryLockError};
@@ -7,10 +7,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process;
 
-/// How the names of unfinished files end. They begin with a dot and the final name.
+/// Suffix of unfinished files. Their names begin with a dot and the final name.
 const UNFINISHED: &str = ".partial";
 
-/// A file on its way. Dropped before it is published, it leaves nothing.
+/// An unfinished file. It is removed if it is dropped before it is published.
 #[derive(Debug)]
 pub(super) struct WholeFile {
     file: File,
@@ -19,7 +19,7 @@ pub(super) struct WholeFile {
 }
 
 impl WholeFile {
-    /// Begins the file `target`; a link is followed, so that it stays one.
+    /// Begins the file `target`; a link is followed, so that it is kept.
     pub(super) fn begin(target: &Path) -> io::Result<Self> {
         let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
         let name = target.file_name().ok_or(io::ErrorKind::InvalidInput)?.to_string_lossy().into_owned();
@@ -28,7 +28,7 @@ impl WholeFile {
             let unfinished = target.with_file_name(own);
             match File::create_new(&unfinished) {
                 Ok(file) => {
-                    // Whoever removes leftovers asks for this lock. If he had it before us, the file is gone.
+                    // [`sweep_leftovers`] takes this lock before it removes a file. If it was faster, the file is gone.
                     let _ = file.try_lock();
                     if unfinished.exists() {
                         return Ok(Self { file, unfinished, target });
@@ -45,7 +45,7 @@ impl WholeFile {
     pub(super) fn publish(self) -> io::Result<()> {
         self.file.sync_all()?;
         fs::rename(&self.unfinished, &self.target)?;
-        // Some systems cannot sync a directory; they go without.
+        // Some systems cannot sync a directory.
         if let Some(dir) = self.target.parent() {
             let dir = if dir.as_os_str().is_empty() { Path::new(".") } else { dir };
             let _ = File::open(dir).and_then(|dir| dir.sync_all());
@@ -66,12 +66,12 @@ impl Write for WholeFile {
 
 impl Drop for WholeFile {
     fn drop(&mut self) {
-        // Published, it has this name no more.
+        // A published file no longer has this name.
         let _ = fs::remove_file(&self.unfinished);
     }
 }
 
-/// Removes what killed writers left of files in `dir` whose names `is_ours` knows. Who is still at work holds a lock.
+/// Removes unfinished files of killed writers from `dir`, if `is_ours` holds for the final name. A running writer holds a lock.
 pub(super) fn sweep_leftovers(dir: &Path, is_ours: impl Fn(&str) -> bool) {
     for entry in fs::read_dir(dir).into_iter().flatten().flatten() {
         let name = entry.file_name().to_string_lossy().into_owned();
@@ -85,7 +85,7 @@ pub(super) fn sweep_leftovers(dir: &Path, is_ours: impl Fn(&str) -> bool) {
             Ok(()) => {
                 let _ = fs::remove_file(entry.path());
             }
-            // At work; or a system without locks, where nothing can be known.
+            // The writer is running, or the system has no locks.
             Err(TryLockError::WouldBlock | TryLockError::Error(_)) => {}
         }
     }

@@ -1,4 +1,4 @@
-//! The bias strip: a strip of one sheet, cut at 45 deg to the warp and pulled, tells the shear modulus.
+//! The bias strip: a strip of one sheet, cut at 45 deg to the warp and pulled, gives the shear modulus.
 //!
 //! An orthotropic sheet that is as stiff along the warp as along the weft has at 45 deg to both
 //!
@@ -13,9 +13,9 @@ use std::fmt;
 
 use crate::coupon::cone::Press;
 
-/// Fewest points of a straight line with a check.
+/// Least number of points for a straight line with a check.
 const LEAST: usize = 3;
-/// Largest distance of a point from the line, by the range of loads: a curve has no one slope.
+/// Largest distance of a point from the fitted line, relative to the range of loads: a curve has no single slope.
 const STRAIGHT: f64 = 0.05;
 
 /// A strip between two clamps.
@@ -27,16 +27,16 @@ pub struct BiasStrip {
     pub length: f64,
 }
 
-/// Why a test tells no shear modulus.
+/// The reason why a test gives no shear modulus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BiasFault {
-    /// So few points.
+    /// Too few points; their number.
     Few(usize),
     /// All points have one travel, or load falls with travel.
     NoSlope,
-    /// A point lies so far from the line, by the range of loads.
+    /// A point is too far from the line; the distance relative to the range of loads.
     Curved(f64),
-    /// The strip is as stiff as no shear modulus makes it: its stiffness E_45 t, and that from which it is, N/mm.
+    /// No shear modulus gives such a stiff strip: its stiffness E_45 t, and the limit, N/mm.
     TooStiff(f64, f64),
 }
 
@@ -67,10 +67,10 @@ impl fmt::Display for BiasFault {
 impl std::error::Error for BiasFault {}
 
 impl BiasStrip {
-    /// E_45 t of the strip in `test`, N/mm: by the line of least squares.
+    /// E_45 t of the strip in `test`, N/mm, by least squares.
     ///
     /// # Errors
-    /// If the points make no straight, rising line.
+    /// If the points do not lie on a straight, rising line.
     pub fn stiffness(&self, test: &[Press]) -> Result<f64, BiasFault> {
         if test.len() < LEAST {
             return Err(BiasFault::Few(test.len()));
@@ -101,7 +101,7 @@ impl BiasStrip {
 /// `along_bias` E_45 t (N/mm).
 ///
 /// # Errors
-/// If no shear modulus makes a strip so stiff: E_45 t is below 2 Y / (1 - nu).
+/// If no shear modulus gives this stiffness: E_45 t must be below 2 Y / (1 - nu).
 pub fn shear_stiffness(along_bias: f64, stretch: f64, poisson: f64) -> Result<f64, BiasFault> {
     let most = 2.0 * stretch / (1.0 - poisson);
     if along_bias >= most {

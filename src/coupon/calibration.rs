@@ -1,9 +1,9 @@
-//! From the filled-in table of a peel test to what a spec should say.
+//! From the filled-in table of a peel test to the seal settings of a spec.
 //!
-//! A **setting** is what the iron was told: temperature, speed, height. It **holds** if the lower bound of its peel
-//! strength, mean less two standard deviations, is at least the margin times what is needed. Of the settings that hold the
-//! fastest is chosen, of equals the strongest. Fewer than three specimens of a setting, or a spread above a quarter, support
-//! no choice; nor does a table without what the seal has to hold, for then the weakest seal would be as good as any.
+//! A **setting** is a commanded temperature, speed and height. It **holds** if the lower bound of its peel strength, mean less two standard
+//! deviations, is at least the margin times the required strength. Of the settings that hold the fastest is chosen, of equals the
+//! strongest. Fewer than three specimens of a setting, or a spread above a quarter, support no choice. Without a required strength there is
+//! none either, because even the weakest seal would pass.
 
 use std::collections::HashMap;
 use std::fmt;
@@ -13,14 +13,14 @@ use crate::coupon::strips::WIDTH;
 use crate::coupon::table::{TableColumn, read_table};
 use crate::spec::{Allowed, Faults, Source};
 
-/// Fewest specimens of a setting.
+/// Least number of specimens of a setting.
 const LEAST: usize = 3;
-/// The least that a spec can say, N/mm: below it nothing holds.
+/// Smallest strength that a spec may state, N/mm.
 const WEAKEST: f64 = 1e-3;
 /// Largest standard deviation over the mean.
 const SPREAD: f64 = 0.25;
 
-/// The columns of the table that `coupon` writes, those with numbers that are needed.
+/// The columns of the table that `coupon` writes, with the required numbers.
 const COLUMNS: [TableColumn; 4] = [
     TableColumn { names: &["temperature"], unit: "C", allowed: Allowed::closed(0.0, 1e3), optional: false },
     TableColumn { names: &["speed"], unit: "mm_s", allowed: Allowed::closed(1e-3, 1e3), optional: false },
@@ -42,7 +42,7 @@ pub struct PeelRow {
     pub peel: f64,
 }
 
-/// The data do not support a choice: why.
+/// The data do not support a choice; the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct CalibrationFault(pub String);
 
@@ -54,7 +54,7 @@ impl fmt::Display for CalibrationFault {
 
 impl std::error::Error for CalibrationFault {}
 
-/// A setting with what its specimens say of it.
+/// A setting with the results of its specimens.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Calibration {
     /// The setting, with its mean peel force in place of a single one.
@@ -63,7 +63,7 @@ pub struct Calibration {
     pub mean: f64,
     /// Standard deviation of the peel strength, N/mm; not a number for a single specimen.
     pub deviation: f64,
-    /// Mean less two standard deviations, N/mm: what the spec should count on.
+    /// Mean less two standard deviations, N/mm: the strength to write into the spec.
     pub strength: f64,
     /// Number of specimens.
     pub count: usize,
@@ -124,7 +124,7 @@ pub fn calibrate(
     })
 }
 
-/// The settings that have specimens enough and little spread.
+/// The settings with enough specimens and a small spread.
 ///
 /// # Errors
 /// If there are none.
@@ -154,7 +154,7 @@ fn judge(setting: PeelRow, peels: &[f64]) -> Calibration {
 }
 
 impl Calibration {
-    /// Why the setting cannot be chosen, whatever is needed; `None` if it can.
+    /// The reason why the setting cannot be chosen, whatever strength is required; `None` if it can.
     fn unfit(&self) -> Option<&'static str> {
         if self.count < LEAST {
             Some("too few")
@@ -168,7 +168,7 @@ impl Calibration {
     /// The lines for the spec.
     pub fn toml(&self) -> String {
         let Self { setting, mean, deviation, strength, count } = self;
-        // A lower bound is rounded down; 1e-6 of the last digit is noise of the arithmetic.
+        // A lower bound is rounded down; 1e-6 of the last digit is rounding error.
         let strength = (strength * 1e3 + 1e-6).floor() / 1e3;
         format!(
             "# {count} specimens: {mean:.3} N/mm, standard deviation {deviation:.3}; mean less two of them:\n\
@@ -180,7 +180,7 @@ impl Calibration {
     }
 }
 
-/// The settings as a table for people, the fastest first; every line begins with "# ", as a comment of a spec.
+/// The settings as a printed table, the fastest first; every line begins with "# ", as a comment of a spec.
 pub fn listing(settings: &[Calibration]) -> String {
     let mut sorted: Vec<&Calibration> = settings.iter().collect();
     sorted.sort_by(|a, b| b.setting.speed.total_cmp(&a.setting.speed));
@@ -191,7 +191,7 @@ pub fn listing(settings: &[Calibration]) -> String {
         let PeelRow { temperature, speed, height, .. } = c.setting;
         let holds = c.unfit().map_or_else(|| format!("{:.3}", c.strength), str::to_owned);
         let deviation = if c.count > 1 { format!("{:.3}", c.deviation) } else { "-".to_owned() };
-        // A String takes everything.
+        // Writing to a String does not fail.
         let _ = writeln!(
             out,
             "# {speed:12}  {temperature:13}  {height:9}  {:9}  {:11.3}  {deviation:>9}  {holds:>12}",

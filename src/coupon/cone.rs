@@ -1,4 +1,4 @@
-//! The cone test: a cone pressed down into the star opens it; its vertical load tells the radial force.
+//! The cone test: a cone pressed down into the star opens it; its vertical load gives the radial force.
 //!
 //! At each corner the cone (half angle gamma, friction mu) pushes down with `P` and outwards with
 //! `P (1 - mu tan(gamma)) / (mu + tan(gamma))`; the plate below carries P, and its friction mu P points
@@ -28,7 +28,7 @@ const COLUMNS: [TableColumn; 2] = [
     TableColumn { names: &["load"], unit: "N", allowed: Allowed::closed(-1e6, 1e6), optional: false },
 ];
 
-/// Which balance of forces reduces the test.
+/// The balance of forces that reduces the test.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Balance {
     /// The plate's friction opposes the opening.
@@ -47,7 +47,7 @@ pub struct Cone {
     pub friction: f64,
 }
 
-/// Why there is no such cone.
+/// The reason why a cone is invalid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ConeFault {
     /// Half the angle, rad, is not above 0 and below pi/2.
@@ -139,7 +139,7 @@ pub fn read_test(source: &Source) -> Result<Vec<Press>, Faults> {
     Ok(presses)
 }
 
-/// A predicted radial force; `None` where the star cannot be, or nothing is known.
+/// A predicted radial force; `None` if the star cannot have this radius, or if the force is unknown.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Predicted {
     /// The force, N.
@@ -148,19 +148,19 @@ pub struct Predicted {
     pub range: Option<[f64; 2]>,
 }
 
-/// What a prediction says of a radius (m).
+/// The prediction at a radius (m).
 pub type Overlay<'a> = &'a dyn Fn(f64) -> Predicted;
 
 /// One point of a test, reduced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReducedPoint {
-    /// What was measured.
+    /// The measured point.
     pub press: Press,
     /// Radius at which the corners touch the cone, mm.
     pub radius: f64,
     /// Radial force of the star, N.
     pub force: f64,
-    /// The radial force that a prediction has there, if one is laid over.
+    /// The predicted radial force at this radius, with a prediction.
     pub predicted: Option<Predicted>,
 }
 
@@ -187,13 +187,13 @@ pub fn reduce(
     test.iter().map(reduced).collect()
 }
 
-/// A reduced test as CSV. The columns of predicted forces are there if there is a prediction.
+/// A reduced test as CSV, with columns of predicted forces if there is a prediction.
 pub fn csv(points: &[ReducedPoint]) -> String {
     let mut out = String::from("travel_mm,load_N,radius_mm,force_N");
     let is_laid_over = points.iter().any(|point| point.predicted.is_some());
     out.push_str(if is_laid_over { ",predicted_N,predicted_lo_N,predicted_hi_N\n" } else { "\n" });
     for ReducedPoint { press: Press { travel, load }, radius, force, predicted } in points {
-        // A String takes everything.
+        // Writing to a String does not fail.
         let _ = write!(out, "{travel},{load},{radius:.6},{force:.6}");
         let forces = predicted.iter().flat_map(|Predicted { force, range }| {
             let [low, high] = range.map_or([None; 2], |ends| ends.map(Some));
@@ -231,7 +231,7 @@ mod tests {
             Some("travel_mm,load_N,radius_mm,force_N,predicted_N,predicted_lo_N,predicted_hi_N")
         );
         assert_eq!(laid.lines().nth(1), Some("0,0,15.000000,0.000000,1.500000,,"));
-        // What was reduced can be reduced again, with another friction for instance.
+        // The output can be read and reduced again, for instance with another friction.
         assert_eq!(read_test(&Source::new("again", laid)).expect("columns by name"), test);
     }
 

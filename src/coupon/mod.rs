@@ -1,10 +1,9 @@
-//! Coupons: small pieces that tell, on the user's own machine and fabric, what to write into a spec.
+//! Coupons: small test pieces; their results on the user's own machine and fabric become values of a spec.
 //!
-//! A **strip** is a straight seal across which legs are pulled apart (T-peel); a **pouch** is a closed seam with a mouth
-//! for a hose: a **disc** (inflated width and thickness), a **V** (two arms and one hinge, the bench test for lambda), and
-//! **burst** discs at the corners and in the middle of the bed. Three bench tests are reduced: the **calibration**
-//! reads the filled-in table of a peel test, the **bias strip** tells the shear modulus, the **cone** test the radial force. All read
-//! their **table** with one reader.
+//! A **strip** is a straight seal across which legs are pulled apart (T-peel); a **pouch** is a closed seam with a mouth for a hose: a
+//! **disc** (inflated width and thickness), a **V** (two arms and one hinge, the bench test for lambda), and **burst** discs at the corners
+//! and in the middle of the bed. Three bench tests are reduced: the **calibration** reads the filled-in table of a peel test, the **bias
+//! strip** gives the shear modulus, the **cone** test the radial force. All use the same reader of **tables**.
 
 pub mod bias;
 mod calibration;
@@ -30,7 +29,7 @@ pub use shapes::{disc, hose, vee};
 pub use strips::{StripGrid, TestStrip, overview, table};
 pub use table::{TableColumn, read_table};
 
-/// A kind of coupons, which can be made alone.
+/// A kind of coupons, which can be made on its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CouponGroup {
     /// Seal strips for the T-peel test.
@@ -39,7 +38,7 @@ pub enum CouponGroup {
     Disc,
     /// A V-actuator.
     VActuator,
-    /// Discs that are burst.
+    /// Discs to burst.
     Burst,
 }
 
@@ -53,7 +52,7 @@ impl CouponGroup {
     ];
 }
 
-/// One program of a coupon set, with all that it is judged by.
+/// One program of a coupon set, with the spec and the machine that it is checked against.
 #[derive(Clone, Debug)]
 pub struct Coupon {
     /// File name without its ending.
@@ -70,24 +69,24 @@ pub struct Coupon {
     pub svg: String,
 }
 
-/// One piece of a coupon, where it lies.
+/// One piece of a coupon, with its place.
 #[derive(Clone, Debug)]
 pub struct CouponPiece {
-    /// Its name: "strip-7", or that of the coupon where there is one piece.
+    /// Its name: "strip-7", or that of the coupon if it is the only piece.
     pub name: PieceName,
-    /// What is sealed and cut; a strip has no cut, its specimen is cut out of the middle.
+    /// Its seams and cuts; a strip has no cut, its specimen is cut out of the middle.
     pub shape: SealedShape,
-    /// Its number on the drawing, and the lower left corner of it, if it has one.
+    /// Its number on the drawing, and the number's lower left corner, if it has one.
     label: Option<(usize, Point)>,
 }
 
 /// Flat diameter of the disc between its bands, mm.
 pub const DISC: f64 = 100.0;
-/// Flat diameter of the discs that are burst, mm.
+/// Flat diameter of the discs to burst, mm.
 const BURST_DISC: f64 = 40.0;
 /// Height of a number, mm.
 const LABEL: f64 = 5.0;
-/// A bed of unknown size is taken to be so large along X and Y, mm.
+/// Assumed size of an unknown bed along X and Y, mm.
 const USUAL_BED: f64 = 300.0;
 
 impl Coupon {
@@ -96,7 +95,7 @@ impl Coupon {
         emit::gcode(&self.spec, &self.machine, &self.program)
     }
 
-    /// Where the iron may go: from the origin to the farthest end of a seam.
+    /// The area of the iron: from the origin to the farthest end of a seam.
     pub fn area(&self) -> Bounds {
         let seams = self.seams();
         let paths = seams.iter().flat_map(LaidSeam::paths);
@@ -109,7 +108,7 @@ impl Coupon {
         seams_of(&self.pieces, self.machine.process.ramp.0)
     }
 
-    /// Whether its pieces are strips, which no hose goes into.
+    /// Whether its pieces are strips, which have no port.
     pub fn is_strips(&self) -> bool {
         self.pieces.iter().all(|piece| piece.shape.ports.is_empty())
     }
@@ -118,7 +117,7 @@ impl Coupon {
 /// The coupons of `groups`, in order: every program of the set but no table.
 ///
 /// # Errors
-/// If the machine cannot go at one of the speeds, or does not reach a seam, or the hose does not fit a pouch.
+/// If the machine cannot move at one of the speeds, or does not reach a seam, or the hose does not fit a pouch.
 pub fn coupons(
     spec: &Spec,
     machine: &Machine,
@@ -167,7 +166,7 @@ pub fn coupons(
     }
     if let Some(star) = spec.stars.first().filter(|_| has(CouponGroup::VActuator)) {
         let pouch = vee(star, hose, &spec.seal)?;
-        // There is one of it, and a number might fall onto its band.
+        // It is the only piece, and a number might lie on its band.
         let piece = CouponPiece { label: None, ..place(only("v-actuator"), 1, &pouch, 0.0, 0.0) };
         out.push(coupon(spec, machine, "v-actuator", vec![piece])?);
     }
@@ -178,7 +177,7 @@ pub fn coupons(
         let (w, h) = (bounds.width() + 2.0 * edge, bounds.height() + 2.0 * edge);
         let (right, top) = ((x - w).max(w), (y - h).max(h));
         let mut places = vec![(0.0, 0.0), (right, 0.0), (right, top), (0.0, top)];
-        // On a small bed the corners leave no room in the middle.
+        // On a small bed the corners leave no space in the middle.
         if right >= 2.0 * w || top >= 2.0 * h {
             places.push((0.5 * right, 0.5 * top));
         }
@@ -193,7 +192,7 @@ fn named(kind: &str, number: usize) -> PieceName {
     PieceName::Named(format!("{kind}-{number}"))
 }
 
-/// The seams of `pieces` in the order of sealing, with ways down and up of `ramp` mm; a coupon is drawn where it lies.
+/// The seams of `pieces` in the order of sealing, with ramps of `ramp` mm.
 fn seams_of(pieces: &[CouponPiece], ramp: f64) -> Vec<LaidSeam> {
     let pieces: Vec<PlacedPiece<'_>> = pieces
         .iter()

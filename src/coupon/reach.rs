@@ -1,4 +1,4 @@
-//! What the machine reaches: every seam of a coupon, with its ways down and up, inside the work area.
+//! The reach of the machine: every seam of a coupon, with its ramps down and up, must lie inside the work area.
 
 use crate::design::{Refusal, RefusalCode};
 use crate::plan::{Program, Step};
@@ -8,7 +8,7 @@ use inflatable::geom::{Bounds, Path, Point};
 /// Slack, mm: rounding.
 const SLACK: f64 = 1e-6;
 
-/// Why `machine` does not reach all of the coupon `name`; `None` if it does, or if its work area is unknown.
+/// The refusal of a coupon `name` that `machine` cannot reach; `None` if it can, or if its work area is unknown.
 pub(super) fn beyond(machine: &Machine, name: &str, program: &Program) -> Option<Refusal> {
     let (x, y) = machine.bench.work_area?;
     let reached = program

@@ -11,7 +11,7 @@ use inflatable::geom::{Arc, Line, Path, Point, Segment, Vec2};
 /// The hose of a spec without an inlet.
 const USUAL_HOSE: Inlet = Inlet { tube_diameter: Length(4.0), length: Length(20.0), fillet: Length(1.0) };
 
-/// The hose that the pouches are for.
+/// The hose for the pouches.
 pub fn hose(inlet: Option<&Inlet>) -> &Inlet {
     inlet.unwrap_or(&USUAL_HOSE)
 }
@@ -43,7 +43,7 @@ pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Re
     }
     let (half, flap) = (seal.band.0 / 2.0, seal.band.0 + seal.allowance.0);
     outside_the_flap(hose, flap)?;
-    // Between the arms there is less room for a flap: it may take half of an arm.
+    // A flap between the arms has less space: it may take half of an arm.
     let notch = 2.0 * star.tube_width.0 * libm::tan(star.tip_angle.rad() / 2.0) + star.tip_radius.0;
     let arm = Arm { star, half_mouth, mouth: hose.length.0 };
     let seam = arm.vee(half, half, MOUTH_OVERRUN);
@@ -51,7 +51,7 @@ pub fn vee(star: &StarSpec, hose: &Inlet, seal: &Seal) -> Result<SealedShape, Re
     Ok(pouch(seal, seam, cut, 2.0 * half_mouth))
 }
 
-/// A pouch in a frame of its own: one band around a tube, from one side of the mouth of `width` mm to the other.
+/// A pouch in its own coordinates: one band around a tube, from one side of the mouth of `width` mm to the other.
 fn pouch(seal: &Seal, band: Path, cut: Path, width: f64) -> SealedShape {
     let at = band.start().zip(band.end()).map(|(start, end)| start.midpoint(end));
     let seam = Seam { role: Role::Boundary, ..Seam::weld(band) };
@@ -59,7 +59,7 @@ fn pouch(seal: &Seal, band: Path, cut: Path, width: f64) -> SealedShape {
     SealedShape { seams: vec![seam], band: seal.band.0, cut: Some(cut), ports }
 }
 
-/// Whether the mouth lies outside of a flap of this width with its band.
+/// Checks that the mouth lies outside of a flap of this width with its band.
 fn outside_the_flap(hose: &Inlet, flap: f64) -> Result<(), Refusal> {
     if hose.length.0 > flap {
         return Ok(());
@@ -86,7 +86,8 @@ struct Arm<'a> {
 }
 
 impl Arm<'_> {
-    /// The line `delta` outside of the tube, `between` on the side where the arms face each other, its ends `beyond` the mouth.
+    /// The line at the distance `delta` outside of the tube, `between` on the side where the arms face each other; its ends are `beyond`
+    /// the mouth.
     fn vee(&self, delta: f64, between: f64, beyond: f64) -> Path {
         let (w, r, half) = (self.star.tube_width.0, self.star.tip_radius.0, self.star.tip_angle.rad() / 2.0);
         let arm = 4.0 * w + delta;
@@ -101,7 +102,7 @@ impl Arm<'_> {
         // A sharp inner hinge is a vertex that eats into the arms.
         let eaten = (-inner).max(0.0) / libm::tan(half);
         let mut segments = Vec::new();
-        // Where the channel's flap is as wide as the arm's, the end has no shoulder.
+        // If the channel's flap is as wide as the arm's, the end has no shoulder.
         let (low, high) = ((middle - h).max(inner), (middle + h).min(outer));
         segments.extend(lines(&[
             at(1.0, end, high),
@@ -129,7 +130,7 @@ impl Arm<'_> {
     }
 }
 
-/// The lines between neighbours, without those of no length.
+/// The lines between neighbouring points, without lines of zero length.
 fn lines(points: &[Point]) -> Vec<Segment> {
     let apart = |pair: &&[Point]| pair[0].distance(pair[1]) > 1e-9;
     points.windows(2).filter(apart).map(|pair| Line::new(pair[0], pair[1]).into()).collect()
@@ -205,12 +206,12 @@ mod tests {
                 "{radius}: {}",
                 seam.largest_gap()
             );
-            // Half way along an arm the two bands are a tube's width and a band apart.
+            // Half way along an arm the two bands are apart by a tube's width and a band.
             let out = Vec2::new(15_f64.to_radians().sin(), 15_f64.to_radians().cos());
             let middle = Point::ORIGIN + Vec2::new(-out.y, out.x) * 60.0 + out * (radius + 15.0);
             assert!((seam.distance(middle) - 16.0).abs() < 1e-9, "{radius}");
             assert!((width(seam) - 2.0 - 4.0 * PI).abs() < 1e-9, "{radius}");
-            // The cut leaves the band whole all around, but at the mouth.
+            // The cut keeps a distance from the band, except at the mouth.
             let least = seam.segments[1..seam.segments.len() - 1]
                 .iter()
                 .map(|s| cut.distance(s.start()))

@@ -1,4 +1,4 @@
-//! The grid of seal strips: temperature by speed by height, each as often as asked, and its table.
+//! The grid of seal strips: temperature by speed by height, each repeated, and its table.
 
 use std::fmt::Write;
 
@@ -12,14 +12,14 @@ use inflatable::geom::{Bounds, Line, Path, Point, Vec2};
 pub(super) const WIDTH: f64 = 25.0;
 /// Length of its legs, mm.
 pub(super) const LEGS: f64 = 75.0;
-/// What the seal is longer than the specimen at both ends, mm: cut off, for there the iron came down and went up.
+/// Excess length of the seal over the specimen at both ends, mm; it is cut off, because the iron came down and went up there.
 const WASTE: f64 = 5.0;
-/// Most strips in a row.
+/// Largest number of strips in a row.
 const ROW: f64 = 6.0;
-/// Between the edge of the sheet and a ramp.
+/// Distance between the edge of the sheet and a ramp, mm.
 const EDGE: f64 = 10.0;
 
-/// What is varied.
+/// The settings to vary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StripGrid {
     /// Temperatures of the iron.
@@ -28,7 +28,7 @@ pub struct StripGrid {
     pub speeds: Vec<Speed>,
     /// Heights of the tip in contact.
     pub heights: Vec<Length>,
-    /// How often each setting is sealed; at least three for a spread.
+    /// Number of seals with each setting; at least three for a spread.
     pub repeats: usize,
 }
 
@@ -43,18 +43,18 @@ pub struct TestStrip {
     pub speed: Speed,
     /// Height of the tip.
     pub height: Length,
-    /// Where it begins.
+    /// Its start.
     pub start: Point,
 }
 
 impl StripGrid {
-    /// Every temperature, speed and height together: one program each.
+    /// All combinations of temperature, speed and height: one program each.
     pub fn settings(&self) -> impl Iterator<Item = (Temperature, Speed, Length)> {
         let pairs = self.temperatures.iter().flat_map(|t| self.speeds.iter().map(move |v| (*t, *v)));
         pairs.flat_map(|(t, v)| self.heights.iter().map(move |h| (t, v, *h)))
     }
 
-    /// Two settings that would have the same file name, said with what is needed; `None` if there are none.
+    /// Two settings with the same file name, as text with the required difference; `None` if all names differ.
     pub fn alike(&self) -> Option<String> {
         let names: Vec<String> = self.settings().map(|(t, v, h)| program_name(self, t, v, h)).collect();
         let settings: Vec<_> = self.settings().collect();
@@ -72,7 +72,7 @@ impl StripGrid {
         ))
     }
 
-    /// Every strip, in rows from the lower left, as many in a row as `machine` reaches.
+    /// All strips, in rows from the lower left; the rows are as long as the work area of `machine` allows.
     pub fn strips(&self, machine: &Machine) -> Vec<TestStrip> {
         let ramp = machine.process.ramp.0.max(WASTE);
         let (edge, pitch) = (EDGE + ramp, WIDTH + 2.0 * WASTE + 2.0 * ramp);
@@ -93,19 +93,19 @@ impl StripGrid {
 }
 
 impl TestStrip {
-    /// What the iron travels in contact.
+    /// The path of the iron in contact.
     pub fn seam(&self) -> Path {
         let end = Point::new(self.start.x + WIDTH + 2.0 * WASTE, self.start.y);
         Path::open(vec![Line::new(self.start, end).into()])
     }
 
-    /// Where its number is written: on the specimen, above the band.
+    /// Position of its number: on the specimen, above the band.
     pub(super) fn label(&self, band: f64) -> Point {
         Point::new(self.start.x + WASTE + 2.0, self.start.y + band / 2.0 + 3.0)
     }
 }
 
-/// All strips on one page, each with its setting and the specimen that is cut out of it.
+/// All strips on one page, each with its setting and its specimen.
 pub fn overview(spec: &Spec, grid: &StripGrid, strips: &[TestStrip]) -> String {
     let cells: Vec<GridCell> = strips
         .iter()
@@ -124,7 +124,7 @@ pub fn overview(spec: &Spec, grid: &StripGrid, strips: &[TestStrip]) -> String {
     emit::cells(&format!("seal strips: {}", spec.name), &cells, spec.seal.band.0)
 }
 
-/// Name of the program of a setting of `grid`, without its ending; the height is in it where there are several.
+/// Name of the program of a setting of `grid`, without its ending; it contains the height if the grid has several.
 pub(super) fn program_name(
     grid: &StripGrid,
     temperature: Temperature,

@@ -1,10 +1,9 @@
-//! Tables of bench tests: CSV as a person or a spreadsheet saves it, read whole or refused with all of its faults.
+//! Tables of bench tests: CSV as an editor or a spreadsheet saves it. A faulty table is refused with all of its faults.
 //!
-//! A **column** is found by the name and the unit in its header, wherever it stands; columns of other names are ignored.
-//! The unit follows the name as `coupon` writes it, or in brackets: `speed_mm_s`, `speed (mm/s)`, `speed [mm/s]`.
-//! Cells are separated by comma, semicolon or tab, whichever the header uses. Empty lines and lines that begin with `#` are
-//! passed over; every other line has as many cells as the header. Decimals have a point: a comma there is a fault, because
-//! `10,5` is two cells in one table and one in another.
+//! A **column** is found by the name and the unit in its header, at any position; columns of other names are ignored. The unit follows the
+//! name as `coupon` writes it, or in brackets: `speed_mm_s`, `speed (mm/s)`, `speed [mm/s]`. Cells are separated by comma, semicolon or
+//! tab, whichever the header uses. Empty lines and lines that begin with `#` are skipped; every other line has as many cells as the header.
+//! Decimals have a point: a comma there is a fault, because `10,5` is two cells in one table and one in another.
 
 use std::ops::Range;
 
@@ -12,23 +11,23 @@ use csv::{ReaderBuilder, StringRecord, Trim};
 
 use crate::spec::{Allowed, Fault, FaultCode, Faults, Source};
 
-/// Most faults collected: a wrong file has one a line.
+/// Largest number of collected faults: a wrong file has one a line.
 const FAULTS: usize = 100;
-/// Longest line, bytes: above any row of numbers. A file without lines is no table, and would be held in memory many times.
+/// Longest line, bytes: above any row of numbers. A file without lines is no table, and would need a multiple of its size in memory.
 const LONGEST_LINE: usize = 1 << 16;
-/// What a spreadsheet puts before UTF-8.
+/// The byte order mark that spreadsheets write before UTF-8.
 const MARK: char = '\u{feff}';
 
 /// A column of numbers that a table must have.
 #[derive(Clone, Copy, Debug)]
 pub struct TableColumn {
-    /// What it is called, in lower case; the first is the name that `coupon` writes, the others are as good.
+    /// Its names, in lower case; `coupon` writes the first, the others are synonyms.
     pub names: &'static [&'static str],
     /// Its unit: `mm_s` for mm/s.
     pub unit: &'static str,
-    /// What a number in it may be.
+    /// The range of its numbers.
     pub allowed: Allowed,
-    /// Whether a cell may be empty.
+    /// Whether its cells may be empty.
     pub optional: bool,
 }
 
@@ -38,7 +37,7 @@ impl TableColumn {
         format!("{}_{}", self.names[0], self.unit)
     }
 
-    /// The unit in a `header` that names this column, empty if it says none; `None` if it names another.
+    /// The unit in a `header` that names this column, empty without a unit; `None` if it names another column.
     fn unit_in(&self, header: &str) -> Option<String> {
         let (name, unit) = match header.split_once(['(', '[']) {
             Some((name, unit)) => (name, unit.strip_suffix([')', ']']).unwrap_or_default()),
@@ -54,8 +53,8 @@ impl TableColumn {
 /// The work is linear in the length of the text.
 ///
 /// # Errors
-/// All faults (at most 100) with their places: no header, a column that is missing, there twice or in another unit, a row with more or
-/// fewer cells than the header, a cell that is not a number in its range.
+/// All faults (at most 100) with their places: no header; a column that is missing, duplicate or in another unit; a row with more or fewer
+/// cells than the header; a cell that is not a number in its range.
 pub fn read_table<const N: usize>(
     source: &Source,
     columns: &[TableColumn; N],
@@ -65,7 +64,7 @@ pub fn read_table<const N: usize>(
     if table.faults.is_empty() { Ok(rows) } else { Err(Faults::new(source, table.faults)) }
 }
 
-/// A text on its way through the reader.
+/// The state of the reader.
 struct Table<'a> {
     text: &'a str,
     delimiter: u8,
@@ -82,11 +81,11 @@ impl<'a> Table<'a> {
     }
 
     fn read<const N: usize>(&mut self, columns: &[TableColumn; N]) -> Vec<[Option<f64>; N]> {
-        // A comment would swallow all that follows it, were a lone CR the end of a line.
+        // If a lone CR ended lines, a comment would hide the rest of the file.
         let bytes = self.text.as_bytes();
         if let Some(at) = (0..bytes.len()).find(|i| bytes[*i] == b'\r' && bytes.get(i + 1) != Some(&b'\n')) {
             let fault = Fault::error(FaultCode::LineEnd, at..at + 1, "a line ends with CR alone");
-            self.faults.push(fault.label("must be LF or CRLF").help("save the table as CSV once more"));
+            self.faults.push(fault.label("must be LF or CRLF").help("save the table as CSV again"));
             return Vec::new();
         }
         if let Some((at, length)) = self.long_line() {
@@ -104,7 +103,7 @@ impl<'a> Table<'a> {
             .trim(Trim::All)
             .from_reader(&bytes[start..]);
         let (mut record, mut header, mut rows) = (StringRecord::new(), None, Vec::new());
-        // Neither the bytes, which are in memory, nor the text, which is UTF-8, can fail to be read.
+        // Reading cannot fail: the bytes are in memory, and the text is UTF-8.
         while self.faults.len() < FAULTS && reader.read_record(&mut record).unwrap_or(false) {
             let at = record.position().and_then(|place| usize::try_from(place.byte()).ok()).unwrap_or(0);
             let line = self.line(start + at);
@@ -126,7 +125,7 @@ impl<'a> Table<'a> {
         rows
     }
 
-    /// Where the first line begins that no table has, and its length.
+    /// The start and the length of the first line that is too long for a table.
     fn long_line(&self) -> Option<(usize, usize)> {
         let mut end = 0;
         let mut lines = self.text.split_inclusive('\n').map(|line| {
@@ -149,7 +148,7 @@ impl<'a> Table<'a> {
         }
     }
 
-    /// Where each of `columns` stands; `None` with faults if not all of them do.
+    /// The index of each of `columns`; `None` with faults if one is missing.
     fn header<const N: usize>(
         &mut self,
         record: &StringRecord,
@@ -177,7 +176,7 @@ impl<'a> Table<'a> {
                     continue;
                 }
                 [(i, unit)] => {
-                    let is = if unit.is_empty() { "says no unit" } else { "is in another unit" };
+                    let is = if unit.is_empty() { "has no unit" } else { "is in another unit" };
                     Fault::error(
                         FaultCode::Unit,
                         self.cell(line, *i),
@@ -243,7 +242,7 @@ impl<'a> Table<'a> {
         (self.faults.len() == before).then_some(row)
     }
 
-    /// Place of cell `index` in `line`; the whole line where quotes hide it.
+    /// Place of cell `index` in `line`; the whole line if quotes hide the cell.
     fn cell(&self, line: &Range<usize>, index: usize) -> Range<usize> {
         let text = &self.text[line.clone()];
         let delimiter = char::from(self.delimiter);
@@ -274,7 +273,7 @@ fn bad_number(column: &TableColumn, cell: &str, place: Range<usize>) -> Fault {
     Fault::error(FaultCode::Cell, place, format!("`{name}` is {found}")).label(label)
 }
 
-/// As much of a cell as a message bears.
+/// The first 40 characters of a cell, for a message.
 fn shortened(cell: &str) -> String {
     cell.chars().take(40).flat_map(char::escape_debug).collect()
 }

@@ -1,4 +1,4 @@
-//! The bill of materials: what has to be bought, cut and filled beside the sealing.
+//! The bill of materials: parts to buy, to cut and to fill.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,16 +10,16 @@ use crate::spec::Spec;
 pub struct ManifestPosts {
     /// Length of a post.
     pub length_mm: f64,
-    /// How many of them.
+    /// Number of equal parts.
     pub count: usize,
 }
 
-/// Plates of the frame that are alike.
+/// Equal plates of the frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ManifestPlates {
-    /// Which plates of the stack they are, 1 = bottom.
+    /// Their positions in the stack, 1 = bottom.
     pub plates: Vec<usize>,
-    /// Height of the middle of each above the bottom of the lowest plate.
+    /// Height of the middle of each plate above the bottom of the lowest one.
     pub heights_mm: Vec<f64>,
     /// Radius of the opening.
     pub opening_mm: f64,
@@ -34,11 +34,11 @@ pub struct ManifestPlates {
 /// The mask of one distinct star.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ManifestMask {
-    /// The first star of the stack that it is for.
+    /// The first star of the stack that uses it.
     pub star: usize,
-    /// All stars that it is for.
+    /// All stars that use it.
     pub stars: Vec<usize>,
-    /// How far a window reaches along the gripping edge from a corner's apex.
+    /// Length of a window along the gripping edge, from the apex of a corner.
     pub extent_mm: f64,
     /// Area of one window.
     pub window_mm2: f64,
@@ -48,9 +48,9 @@ pub struct ManifestMask {
     pub volume_mm3: f64,
     /// Estimated thickness of the drained coating, from thin to thick.
     pub coating_um: [f64; 2],
-    /// What the estimate assumes.
+    /// The assumptions of the estimate.
     pub coating_assumes: String,
-    /// How it is printed on the bed that the spec names; absent if it names none.
+    /// Its pieces on the printer's bed in the spec; absent without a bed.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub pieces: Vec<ManifestPiece>,
 }
@@ -63,9 +63,9 @@ pub struct ManifestPiece {
     /// The tip that was cut off; absent for the middle and for a mask in one piece.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tip: Option<u32>,
-    /// How far it is turned about the star's axis, counterclockwise; in a mirrored mask clockwise.
+    /// Its rotation about the star's axis, counterclockwise; in a mirrored mask clockwise.
     pub turn_deg: f64,
-    /// What it takes of the bed, along X and Y.
+    /// Its size on the bed, along X and Y.
     pub size_mm: [f64; 2],
 }
 
@@ -75,7 +75,7 @@ pub(super) fn posts(design: &StarAssembly) -> Vec<ManifestPosts> {
     vec![ManifestPosts { length_mm: thousandths(length), count }]
 }
 
-/// The plates of the frame, like by like.
+/// The plates of the frame, equal ones together.
 pub(super) fn plates(design: &StarAssembly) -> Vec<ManifestPlates> {
     let (frame, stack) = (&design.frame, &design.stack);
     let alike = frame.plates.iter().map(|plate| ManifestPlates {
@@ -120,7 +120,7 @@ fn pieces(pieces: &Pieces) -> Vec<ManifestPiece> {
     numbered.collect()
 }
 
-/// A figure for people, to a thousandth: the last bits of a sum are not worth a changed file.
+/// A number rounded to a thousandth: rounding errors of a sum must not change a file.
 pub(super) fn thousandths(x: f64) -> f64 {
     (x * 1000.0).round() / 1000.0
 }

@@ -11,15 +11,15 @@ pub struct CouponManifest {
     pub tool: Tool,
     /// Name of the spec.
     pub name: String,
-    /// Settings and kinds of coupons: spec, profile and these give every file.
+    /// Settings and kinds of coupons: with spec and profile they determine all files.
     pub coupons: CouponChoice,
-    /// Every file beside the manifest and the table that a person fills in.
+    /// All files beside the manifest and the table to fill in.
     pub files: Vec<ManifestFile>,
     /// Every program with its seams.
     pub pieces: Vec<SealedPiece>,
 }
 
-/// The settings of the strips, and which coupons there are.
+/// The settings of the strips, and the groups of coupons.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CouponChoice {
     /// Temperatures of the iron.
@@ -31,7 +31,7 @@ pub struct CouponChoice {
     /// Heights of the tip in contact.
     #[serde(rename = "heights_mm")]
     pub heights: Vec<f64>,
-    /// How often each setting is sealed.
+    /// Number of seals with each setting.
     pub repeats: usize,
     /// Kinds of coupons: "strips", "disc", "v-actuator", "burst".
     pub only: Vec<String>,

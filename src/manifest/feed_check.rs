@@ -1,10 +1,10 @@
-//! The manifest of a feed check, which is a single file: it carries spec and profile itself.
+//! The manifest of a feed check, which is a single file: the manifest contains the spec and the profile.
 
 use serde::{Deserialize, Serialize};
 
 use crate::manifest::{ManifestFile, Tool};
 
-/// What stands behind the program's name in that of its manifest.
+/// The suffix that turns the program's name into that of its manifest.
 pub const FEED_CHECK_MANIFEST: &str = ".manifest.json";
 
 /// Content of `feedcheck.gcode.manifest.json`.

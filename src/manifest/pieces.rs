@@ -1,4 +1,4 @@
-//! Pieces and their seams, whatever the product: stars and coupons.
+//! Pieces and their seams, for all products: stars, drawn pieces and coupons.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +13,7 @@ pub struct SealedPiece {
     pub name: String,
     /// The product: "star", "piece" of a drawing, or "coupon".
     pub kind: String,
-    /// Time of its program without heating and pauses, s, where it has one of its own.
+    /// Time of its program without heating and pauses, s; absent without a program of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub time_s: Option<f64>,
     /// Its seams, in the order of sealing.
@@ -23,7 +23,7 @@ pub struct SealedPiece {
 /// A seam of a piece.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SealedSeam {
-    /// Its name: "inner"; of a coupon that of the piece it is sealed on, "strip-7".
+    /// Its name: "inner"; for a coupon the name of its piece, "strip-7".
     pub name: String,
     /// Path in contact, overlap included, mm.
     pub length_mm: f64,
@@ -39,7 +39,7 @@ impl SealedSeam {
 }
 
 impl SealedPiece {
-    /// The coupon `name` that `program` makes.
+    /// The piece of the coupon `name`, sealed by `program`.
     pub fn coupon(name: &str, program: &Program) -> Self {
         let seam = |seam: &SeamReport| SealedSeam::new(seam.name.piece.word(), seam);
         Self {
@@ -50,7 +50,7 @@ impl SealedPiece {
         }
     }
 
-    /// The pieces that `programs` make, in their order.
+    /// The pieces that `programs` seal, in their order.
     pub(super) fn all(programs: &[Program]) -> Vec<Self> {
         let of_program = |program: &Program| {
             let of_piece = |piece: &PieceName| {

@@ -1,17 +1,17 @@
-//! What is predicted of a gripper, in short: the figures of `predict --json` that a bill of its files should not be without.
+//! The prediction of a gripper in short: the values of `predict --json` that belong to a bill of its files.
 
 use serde::{Deserialize, Serialize};
 
 use crate::forecast::prediction::{Prediction, StarPrediction};
 use crate::forecast::ranges::Interval;
 
-/// The gripper at the pressure of `[load]`. The same numbers as in `prediction.json`, none of them rounded; null where nothing is known.
+/// The gripper at the pressure of `[load]`. The values equal those in `prediction.json`, without rounding; null if unknown.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[allow(non_snake_case, reason = "the keys carry their units as people write them")]
 pub struct ManifestPrediction {
-    /// Whether it holds the object; null where it may or may not, or without an object.
+    /// Whether it holds the object; null if uncertain, or without an object.
     pub holds: Option<bool>,
-    /// Mass that friction holds, of the whole stack.
+    /// Mass that friction holds, for the whole stack.
     pub payload_kg: Option<f64>,
     /// Its range.
     pub payload_range_kg: Option<Interval>,
@@ -29,7 +29,7 @@ pub struct ManifestStarPrediction {
     pub final_radius_mm: Option<f64>,
     /// Its range.
     pub final_radius_range_mm: Option<Interval>,
-    /// Radii that it can hold; the second is its largest opening.
+    /// Range of radii that it can hold; the second is its largest opening.
     pub graspable_radius_mm: Option<Interval>,
     /// Radial stiffness at rest.
     pub radial_stiffness_N_per_m: Option<f64>,
@@ -48,7 +48,7 @@ pub struct ManifestStarPrediction {
 }
 
 impl ManifestPrediction {
-    /// The short of `prediction`.
+    /// The summary of `prediction`.
     pub fn of(prediction: &Prediction) -> Self {
         Self {
             holds: prediction.verdict.as_ref().and_then(|verdict| verdict.holds.known()),

@@ -1,14 +1,13 @@
-//! The codes of what a person should see to before sealing, and of commands that fail for no fault of a spec
-//! or a design.
+//! The codes of precautions before sealing, and of commands that fail without a fault of a spec or a design.
 
 use crate::spec::codes;
 
 codes! {
-    /// What a precaution is about.
+    /// The subject of a precaution.
     PrecautionCode {
         ChoppedSeal "chopped-seal" "The seal's speed is made of strokes and dwells; time what `feedcheck` writes.",
         FastSeal "fast-seal" "The seal is much faster than the paper's; peel a coupon before you trust it.",
-        GenericMachine "generic-machine" "The profile has no data of the machine; name yours, or time what `feedcheck` writes.",
+        GenericMachine "generic-machine" "The profile has no data on the machine; name yours, or time what `feedcheck` writes.",
         LeavesPlane "leaves-plane" "A drawn shape may bend or twist out of its plane; the prediction is of the one that does not.",
         MachineRequires "machine-requires" "The profile requires this of the machine; make sure of it.",
         MayNotHold "may-not-hold" "The object may not be held; see the numbers, and what would do.",
@@ -22,7 +21,7 @@ codes! {
 }
 
 codes! {
-    /// Why a command fails where neither a spec nor a design is refused.
+    /// The reason why a command fails although neither a spec nor a design is refused.
     CommandCode {
         Failed "failed" "The command cannot do this; the message says why.",
         Infeasible "infeasible" "No gripper meets the request; the message names a request near it that can be met.",

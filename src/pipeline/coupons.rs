@@ -1,4 +1,4 @@
-//! Coupons on the spine: planned, read back, and only then published.
+//! Coupons in the pipeline: planned, read back, and only then published.
 
 use std::borrow::Cow;
 
@@ -17,10 +17,10 @@ use inflatable::geom::Path;
 
 /// Every strip with its setting and its cut.
 pub const OVERVIEW: &str = "strips.svg";
-/// The table that a person fills in; it is no part of the proof.
+/// The table to fill in; it is not part of the proof.
 pub const TABLE: &str = "results.csv";
 
-/// Most strips of a set whose manifest is believed.
+/// Largest number of strips that a manifest may state.
 const MOST_STRIPS: usize = 10_000;
 
 /// Coupons with their files, in memory, not read back yet.
@@ -30,13 +30,13 @@ pub struct MadeCoupons {
     pub coupons: Vec<Coupon>,
     /// Name, kind and content of every file but the manifest and the table.
     pub files: Vec<(String, Kind, Vec<u8>)>,
-    /// The table to fill in, if there are strips.
+    /// The table to fill in; `None` without strips.
     pub table: Option<String>,
     /// The manifest of the files.
     pub manifest: CouponManifest,
 }
 
-/// Coupons whose files have been read back: the only ones that can be published.
+/// Coupons whose files have been read back; only they can be published.
 #[derive(Clone, Debug)]
 pub struct ProvenCoupons(MadeCoupons);
 
@@ -44,7 +44,7 @@ impl MadeCoupons {
     /// The coupons of `groups` with the strips of `grid`.
     ///
     /// # Errors
-    /// If the machine cannot seal one of them, the hose fits none, or air would leave a pouch.
+    /// If the machine cannot seal one of them, if the hose fits none, or if a pouch would leak.
     pub fn new(
         spec: &Spec,
         machine: &Machine,
@@ -82,16 +82,16 @@ impl MadeCoupons {
         Ok(Self { coupons, files, table: has_strips.then(|| table(&strips)), manifest })
     }
 
-    /// The same coupons, fit to be published.
+    /// The same coupons, ready to be published.
     ///
     /// # Errors
-    /// Everything that is not as it should be; each is a fault of this program.
+    /// All findings; each is a fault of this program.
     pub fn prove(self) -> Result<ProvenCoupons, Vec<Finding>> {
         let findings = self.proof(&self.manifest, &self.output_files()).findings;
         if findings.is_empty() { Ok(ProvenCoupons(self)) } else { Err(findings) }
     }
 
-    /// The files and the manifest as the verifier sees them.
+    /// The files and the manifest for the verifier.
     fn output_files(&self) -> OutputFiles<'_> {
         let mut files: Vec<(Cow<'_, str>, Cow<'_, [u8]>)> =
             vec![(MANIFEST.into(), self.manifest.to_json().into())];
@@ -101,7 +101,7 @@ impl MadeCoupons {
         OutputFiles { files }
     }
 
-    /// Reads every program among `files`, of which `written` is the manifest, and compares all files with these.
+    /// Reads every program among `files`, whose manifest is `written`, and compares all files with these.
     fn proof(&self, written: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
         let mut proof = Proof::default();
         if written.tool != Tool::this() {
@@ -130,7 +130,7 @@ impl MadeCoupons {
         proof
     }
 
-    /// Compares one file with what was `found`, and reads it if it is a program.
+    /// Compares one file with `found`, and reads it if it is a program.
     fn judge(
         &self,
         (name, kind, bytes): (&str, Kind, &[u8]),
@@ -157,7 +157,7 @@ impl MadeCoupons {
             proof.unproven.push(name.to_owned());
         }
         let by = match (equal, coupon) {
-            // Nothing makes spec and profile anew.
+            // Spec and profile are inputs: they are not made again.
             _ if matches!(kind, Kind::Spec | Kind::Machine) => Method::Hash,
             (true, _) => Method::Bytes,
             (false, Some(_)) => Method::Reading,
@@ -179,7 +179,7 @@ impl ProvenCoupons {
         &self.0
     }
 
-    /// All files with their names, the table and the manifest last.
+    /// All files with their names; the table and the manifest are last.
     pub fn files(&self) -> Vec<(&str, Vec<u8>)> {
         let MadeCoupons { files, table, manifest, .. } = &self.0;
         let table = table.iter().map(|table| (TABLE, table.clone().into_bytes()));
@@ -188,8 +188,7 @@ impl ProvenCoupons {
     }
 }
 
-/// Proves a directory of coupons from its files alone: they are made anew from its spec, its profile and what its manifest says
-/// was wanted.
+/// Proves a directory of coupons from its files alone: they are made again from its spec, its profile and the settings in its manifest.
 pub(super) fn prove_coupons(written: &CouponManifest, files: &OutputFiles<'_>) -> Proof {
     let failed = |findings: Vec<Finding>| Proof { findings, ..Proof::default() };
     let (reading, machine) = match sources_of(files) {
@@ -235,7 +234,7 @@ fn wanted(choice: &CouponChoice, machine: &Machine) -> Option<(StripGrid, Vec<Co
     (right && grid.alike().is_none()).then_some((grid, groups))
 }
 
-/// What the program of a coupon should do.
+/// The task that the program of a coupon must perform.
 fn coupon_task(coupon: &Coupon) -> ProgramTask<'_> {
     let Coupon { name, spec, machine, .. } = coupon;
     ProgramTask {

@@ -1,11 +1,11 @@
-//! What a published directory says of itself: its own spec and profile.
+//! Reads the spec and the machine profile of a published directory.
 
 use crate::design::Refusal;
 use crate::spec;
 use crate::spec::{DrawingSpec, Faults, Machine, Reading, Source};
 use crate::verify::{Finding, FindingCode, OutputFiles};
 
-/// The directory's own spec and profile.
+/// The directory's own spec and machine profile.
 pub(super) fn sources_of(files: &OutputFiles<'_>) -> (Result<Reading, Finding>, Result<Machine, Finding>) {
     let read_spec = |source: &Source| {
         let reading = spec::read(source)?;
@@ -34,7 +34,7 @@ fn source_of<T>(
     })
 }
 
-/// A refusal of what the directory asks for.
+/// A refusal of the directory's design, as a finding.
 pub(super) fn refused(refusal: Refusal) -> Finding {
     Finding::new(refusal.code, refusal.found, refusal.remedy).in_file("spec.toml")
 }

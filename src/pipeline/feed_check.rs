@@ -1,4 +1,4 @@
-//! The feed check on the spine: planned, read back, and only then written.
+//! The feed check in the pipeline: planned, read back, and only then written.
 
 use crate::artifact::{Kind, Output};
 use crate::design::Refusals;
@@ -13,28 +13,28 @@ use crate::verify;
 use crate::verify::{FeedCheckTask, FileProof, Finding, FindingCode, Findings, Method, Proof};
 use inflatable::geom::Path;
 
-/// A feed check that was read back: the only one that can be written.
+/// A feed check that was read back; only it can be written.
 #[derive(Clone, Debug)]
 pub struct ProvenFeedCheck {
     /// The program.
     pub text: String,
-    /// The manifest of the file that it is written to.
+    /// The manifest of its file.
     pub manifest: FeedCheckManifest,
 }
 
-/// Why there is no feed check.
+/// The reason why there is no feed check.
 #[derive(Clone, Debug)]
 pub enum FeedCheckFault {
     /// The profile contradicts the seal.
     Refused(Refusals),
-    /// What is not as it should be in the program; each is a fault of this program.
+    /// Findings in the program; each is a fault of this program.
     Wrong(Vec<Finding>),
 }
 
 /// The feed check of `spec` for `machine`, to be written to a file called `name`.
 ///
 /// # Errors
-/// If the profile sets limits that the check cannot keep, or the program is wrong.
+/// If the profile sets limits that the check cannot keep, or if the program has findings.
 pub fn feed_check(
     spec: &Spec,
     machine: &Machine,
@@ -59,7 +59,7 @@ pub fn feed_check(
     Ok(ProvenFeedCheck { text, manifest })
 }
 
-/// Proves the feed check `found` in the file `name` by its manifest.
+/// Proves the feed check `found` in the file `name` from its manifest.
 pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) -> Proof {
     let mut findings = Findings::default();
     let sources = spec::read(&Source::new("spec", manifest.spec.as_str())).and_then(|reading| {
@@ -92,7 +92,7 @@ pub fn prove_feed_check(name: &str, found: &[u8], manifest: &FeedCheckManifest) 
     Proof { findings, files: vec![file], written_by: other, unproven: Vec::new() }
 }
 
-/// The program, and the largest deviation of `found`, or of the program itself, mm, or what is wrong with it.
+/// The program, and the largest deviation, mm, of `found`, or else of the program itself; or the findings.
 fn made(spec: &Spec, machine: &Machine, found: Option<&str>) -> (String, Result<f64, Vec<Finding>>) {
     let checks = plan::feed_checks(spec, machine);
     let text = emit::feed_check(spec, machine, &checks);

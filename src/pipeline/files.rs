@@ -1,4 +1,4 @@
-//! From what is known of a gripper to its files: one arm for every subject and format.
+//! Makes the files of a forecast gripper: one match arm for every subject and format.
 
 use crate::artifact::{Artifact, Asked, Format, Output, Subject, outputs};
 use crate::design::{Star, engraved_depth};
@@ -10,13 +10,13 @@ use crate::pipeline::{Built, Forecast, Sources};
 use crate::plan::Program;
 use crate::spec::Code;
 
-/// How commands in a report name the spec: it lies beside the page.
+/// The spec's name in the commands of a report, which lies beside it.
 const SPEC: &str = "spec.toml";
 
 impl Forecast {
-    /// The files that are `asked` for.
+    /// Makes the requested files.
     ///
-    /// Those that the spec's `[build]` names are among them, unless only some kinds are.
+    /// The kinds in the spec's `[build]` are included, unless `asked` names the only kinds.
     pub fn build(self, sources: Sources<'_>, asked: &Asked) -> Built {
         let asked = asked.clone().of_spec(&self.spec);
         let mut artifacts = Vec::new();
@@ -25,7 +25,7 @@ impl Forecast {
         Built { manifest: self.manifest(entries, &asked), forecast: self, artifacts }
     }
 
-    /// Hands each of the files that are `asked` for to `take`, one after the other, as soon as it is made.
+    /// Makes the requested files one after the other, and passes each to `take` at once.
     pub(super) fn make(&self, sources: Sources<'_>, asked: &Asked, mut take: impl FnMut(Artifact)) {
         for output in outputs(&self.spec, self.machine.controller.dialect, &self.design, asked) {
             if let Some(bytes) = content(self, sources, &output) {
@@ -34,14 +34,14 @@ impl Forecast {
         }
     }
 
-    /// The manifest that names `files`, those that were `asked` for.
+    /// The manifest of `files`, which were requested by `asked`.
     pub(super) fn manifest(&self, files: Vec<ManifestFile>, asked: &Asked) -> Manifest {
         let bill = Manifest::new(&self.spec, &self.design, &self.programs);
         bill.with_prediction(self.prediction.as_ref()).with_files(files, asked)
     }
 }
 
-/// The content of one file; `None` for what this gripper does not have.
+/// The content of one file; `None` if the gripper has none of this kind.
 fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option<Vec<u8>> {
     let text = match output.kind.subject() {
         Subject::Spec => sources.spec.to_owned(),
@@ -70,7 +70,7 @@ fn content(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
     Some(text.into_bytes())
 }
 
-/// All of it in three dimensions.
+/// The gripper in three dimensions, as a GLB file.
 fn scene(forecast: &Forecast) -> Option<Vec<u8>> {
     let Forecast { spec, design, drawn, .. } = forecast;
     match design.drawn() {
@@ -82,7 +82,7 @@ fn scene(forecast: &Forecast) -> Option<Vec<u8>> {
     }
 }
 
-/// The stars inflated, bottom to top; none where it is not known how far they close.
+/// The inflated stars, bottom to top; empty if their contraction is unknown.
 fn inflated(forecast: &Forecast) -> Vec<Star> {
     pose::inflated(&forecast.spec, &forecast.design, forecast.prediction.as_ref())
 }
@@ -99,7 +99,7 @@ fn preview(forecast: &Forecast, sources: Sources<'_>, output: &Output) -> Option
     }
 }
 
-/// All that is known of the gripper, on one page.
+/// The report of the gripper: all results on one page.
 fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     let Forecast { spec, machine, design, programs, prediction, drawn, .. } = forecast;
     let charts = charts(spec, design);
@@ -124,7 +124,7 @@ fn report(forecast: &Forecast, sources: Sources<'_>) -> Option<String> {
     }))
 }
 
-/// The one of `programs` that is for the output's piece, or its sheet.
+/// The program of `programs` for the output's piece, or for its sheet.
 fn program(forecast: &Forecast, programs: &[Program], output: &Output) -> Option<String> {
     let is_for = |program: &&Program| match output.star.or(output.copy) {
         Some(number) => program.numbers() == [number],

@@ -1,27 +1,27 @@
-//! Whether a gripper does what its own `[load]` asks of it: the verdict that `check` and `build` begin with.
+//! The verdict of `check` and `build`: whether a gripper meets its own `[load]`.
 //!
-//! A gripper is **unfit** if it certainly does not: it bursts, no star of it can hold the object, it carries too little, presses too hard, or
-//! no model covers it. There is such a gripper, and a machine can make it, so [`Forecast`] lets it pass: it is `check` and `build` that
-//! refuse it unless told otherwise.
+//! A gripper is **unfit** if it certainly does not: it bursts, none of its stars can hold the object, it carries too little, it presses too
+//! hard, or no model covers it. Such a gripper exists and can be made, so [`Forecast`] accepts it. `check` and `build` refuse it, except
+//! with `--anyway`.
 
 use crate::design::Refusals;
 use crate::forecast::verdict::{Holds, Verdict, refusals, verdict};
 use crate::pipeline::Forecast;
 
 impl Forecast {
-    /// What becomes of the object; `None` where the spec does not ask.
+    /// The verdict on the object; `None` without an object in the spec.
     pub fn verdict(&self) -> Option<Verdict> {
         verdict(&self.spec, &self.prediction.as_ref()?.stars)
     }
 
-    /// Why the gripper is unfit, star by star; empty if it is fit, if nothing is asked, or if that is not certain.
+    /// The reasons why the gripper is unfit, star by star; empty if it is fit, if it has no requirement, or if the result is uncertain.
     pub fn unfit(&self) -> Refusals {
         let stars = self.prediction.as_ref().map_or(&[][..], |prediction| &prediction.stars);
         let drawn = self.drawn.as_ref().and_then(|drawn| drawn.prediction.bursts());
         refusals(&self.spec, stars).into_iter().chain(drawn).collect()
     }
 
-    /// That it may not hold the object, with the reasons; `None` if it does, or certainly does not.
+    /// A warning that it may not hold the object, with the reasons; `None` if the result is certain.
     pub fn uncertain(&self) -> Option<String> {
         let verdict = self.verdict().filter(|verdict| verdict.holds == Holds::Unknown)?;
         Some(format!("{}: {}", verdict.line(), verdict.reasons.join("; ")))
@@ -74,7 +74,7 @@ mod tests {
     fn what_no_table_knows_is_no_verdict() {
         let soft = forecast("[load]\npressure = \"0.1 kPa\"\nobject_radius = \"30 mm\"\n");
         assert_eq!((holds(&soft), codes(&soft)), (Some(Holds::Unknown), vec!["outside-models".to_owned()]));
-        // Without an object a star that no pressure is known of is still made.
+        // Without an object, a star outside all models is still made.
         let text = starter("x").expect("a name").replace("tube_width = \"30 mm\"", "tube_width = \"45 mm\"");
         let with = |more: &str| {
             let text = format!("{text}\n[load]\npressure = \"37 kPa\"\n{more}");
@@ -125,7 +125,7 @@ mod tests {
         let first = |forecast: &Forecast| forecast.prediction.as_ref().expect("asked").first.clone();
         assert_eq!((first(&free).hole_radius_mm, first(&free).object_gap_mm), (47.0, Some(7.0)));
         assert!(first(&wide).object_gap_mm < Some(0.0));
-        // What is proposed lets it in, with room.
+        // The proposed radius makes room for the object.
         let remedy = wide.unfit()[0].remedy.clone();
         let radius: f64 =
             remedy.split(' ').filter_map(|word| word.parse().ok()).next_back().expect("a number");

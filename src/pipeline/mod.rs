@@ -1,4 +1,4 @@
-//! The spine: the states that a gripper goes through on its way from a spec to files that may be published.
+//! The pipeline: the states of a gripper from its spec to files that may be published.
 //!
 //! ```text
 //! Spec, Machine -> Designed -> Planned -> Forecast -> Built -> Proven
@@ -6,8 +6,8 @@
 //!                 geometry    programs   prediction   files    read back
 //! ```
 //!
-//! Each step refuses what it finds wrong, and there is no way around it: `check` and `build` go as far as [`Proven`], which is all
-//! that can be published, and `build` publishes it; `verify` takes the same steps from the files of a directory.
+//! Each step refuses invalid input, and no step can be skipped: `check` and `build` go as far as [`Proven`], the only state that can be
+//! published, and `build` publishes it. `verify` takes the same steps from the files of a directory.
 
 mod code;
 mod coupons;
@@ -36,12 +36,12 @@ pub use feed_check::{FeedCheckFault, ProvenFeedCheck, feed_check, prove_feed_che
 pub use precautions::Precaution;
 pub use proven::{Proven, PublishedBuild, prove_files, read_back};
 
-/// A gripper whose geometry exists, without a way for air but the inlet.
+/// A gripper with its geometry, in which the inlet is the only opening for air.
 #[derive(Clone, Debug)]
 pub struct Designed {
-    /// What was asked for.
+    /// The parsed spec.
     pub spec: Spec,
-    /// What it is made on.
+    /// The machine profile.
     pub machine: Machine,
     /// The exact geometry.
     pub design: Design,
@@ -50,9 +50,9 @@ pub struct Designed {
 /// A gripper that the machine can seal.
 #[derive(Clone, Debug)]
 pub struct Planned {
-    /// What was asked for.
+    /// The parsed spec.
     pub spec: Spec,
-    /// What it is made on.
+    /// The machine profile.
     pub machine: Machine,
     /// The exact geometry.
     pub design: Design,
@@ -62,12 +62,12 @@ pub struct Planned {
     pub traces: Vec<Program>,
 }
 
-/// A gripper of which is known what it will do.
+/// A gripper with the prediction of its behaviour.
 #[derive(Clone, Debug)]
 pub struct Forecast {
-    /// What was asked for.
+    /// The parsed spec.
     pub spec: Spec,
-    /// What it is made on.
+    /// The machine profile.
     pub machine: Machine,
     /// The exact geometry.
     pub design: Design,
@@ -75,16 +75,16 @@ pub struct Forecast {
     pub programs: Vec<Program>,
     /// The trace programs.
     pub traces: Vec<Program>,
-    /// What its stars will do; `None` if the spec has no load.
+    /// The prediction of its stars; `None` if the spec has no load.
     pub prediction: Option<Prediction>,
-    /// What a drawn piece will do; `None` if the spec has no load.
+    /// The prediction of a drawn piece; `None` if the spec has no load.
     pub drawn: Option<InflatedDrawing>,
 }
 
-/// A gripper with its files, in memory. Nobody has read them back yet.
+/// A gripper with its files, in memory. They have not been read back yet.
 #[derive(Clone, Debug)]
 pub struct Built {
-    /// The gripper, its programs and what it will do.
+    /// The gripper, its programs and its prediction.
     pub forecast: Forecast,
     /// The files, without the manifest.
     pub artifacts: Vec<Artifact>,
@@ -92,12 +92,12 @@ pub struct Built {
     pub manifest: Manifest,
 }
 
-/// The texts that a build is made from; they are published with it, so that it can be proven from its directory alone.
+/// The source texts of a build; they are published with it, so that it can be proven from its directory alone.
 #[derive(Clone, Copy, Debug)]
 pub struct Sources<'a> {
-    /// The spec as read.
+    /// The spec, unchanged.
     pub spec: &'a str,
-    /// The machine profile as resolved.
+    /// The resolved machine profile.
     pub machine: &'a str,
 }
 
@@ -105,20 +105,20 @@ impl Designed {
     /// The geometry of `spec` for `machine`.
     ///
     /// # Errors
-    /// Every reason for which it cannot be made, or would leak.
+    /// All reasons why it cannot be made, or would leak.
     pub fn new(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         let design = Design::new(&spec, &machine)?;
         airtight::leaks(&spec, &machine, &design).or(())?;
         Ok(Self { spec, machine, design })
     }
 
-    /// The programs that make it.
+    /// The programs for the machine.
     ///
     /// # Errors
-    /// Every reason for which the machine cannot run them.
+    /// All reasons why the machine cannot run them.
     pub fn plan(self) -> Result<Planned, Refusals> {
         let Self { spec, machine, design } = self;
-        // Before they are made: they may be more than there is memory for.
+        // The size is checked before the programs are made: they may exceed the memory.
         let too_many: Refusals = plan::too_many_moves(&spec, &machine, &design).into_iter().collect();
         too_many.or(())?;
         let programs = plan::seal_programs(&spec, &machine, &design);
@@ -129,18 +129,18 @@ impl Designed {
 }
 
 impl Planned {
-    /// What it will do, where the spec has a load.
+    /// Predicts the behaviour, if the spec has a load.
     ///
     /// # Errors
-    /// If the model that the spec asks for has no answer.
+    /// If the model that the spec requests has no answer.
     pub fn forecast(self) -> Result<Forecast, Refusals> {
         self.watched_forecast(&Watch::default())
     }
 
-    /// The same; `watch` hears how far the shell of a drawn piece is.
+    /// The same; `watch` receives the progress of the shell computation of a drawn piece.
     ///
     /// # Errors
-    /// If the model that the spec asks for has no answer, or the shell was told to stop.
+    /// If the model that the spec requests has no answer, or if the shell computation was cancelled.
     pub fn watched_forecast(self, watch: &Watch<'_>) -> Result<Forecast, Refusals> {
         let asked = self.design.assembly().filter(|_| self.spec.load.is_some());
         let prediction = asked.map(|_| predict(&self.spec, &self.design)).transpose();
@@ -154,10 +154,10 @@ impl Planned {
 }
 
 impl Forecast {
-    /// All steps up to here: everything that a spec can be refused for.
+    /// All steps up to here: a spec that passes them is not refused later.
     ///
     /// # Errors
-    /// What the first step that refuses has to say.
+    /// The refusals of the first step that fails.
     pub fn of(spec: Spec, machine: Machine) -> Result<Self, Refusals> {
         Designed::new(spec, machine)?.plan()?.forecast()
     }
@@ -166,12 +166,12 @@ impl Forecast {
 /// All steps up to [`Built`].
 ///
 /// # Errors
-/// What the first step that refuses has to say.
+/// The refusals of the first step that fails.
 pub fn build(spec: &Spec, machine: &Machine, sources: Sources<'_>, asked: &Asked) -> Result<Built, Refusals> {
     Ok(Forecast::of(spec.clone(), machine.clone())?.build(sources, asked))
 }
 
-/// A prediction that cannot be made, as a refusal at the key that stands in its way.
+/// A failed prediction, as a refusal at the key that causes it.
 pub fn no_prediction(fault: &PredictFault) -> Refusal {
     let key = fault.star.map_or(fault.key, |star| fault.key.of_star(star));
     Refusal::new(key, RefusalCode::NoPrediction, fault.what.clone(), "needed for a prediction".to_owned())

@@ -1,4 +1,4 @@
-//! Before you seal: what a person has to see to, or should know, before hours of work begin.
+//! Precautions before sealing: tasks and warnings for the user before hours of work begin.
 
 use crate::airtight;
 use crate::design::SheetLayout;
@@ -10,22 +10,22 @@ use crate::plan::Pace;
 use crate::spec::Machine;
 use crate::units::{Readable, Speed};
 
-/// Below this the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
-/// or more, which makes some 5 mm/s.
+/// Below this speed the lowest step rate of a controller matters: firmwares step at 30 to 120 steps/s at least, and a belt has 25 steps/mm
+/// or more, which gives about 5 mm/s.
 const SLOW: Speed = Speed(5.0);
 
-/// Above this a seal is sealed ten times as fast as those of the paper, 0.1 mm/s.
+/// Ten times the seal speed of the paper, 0.1 mm/s; a faster seal gets a warning.
 const FAST: Speed = Speed(1.0);
 
 /// The profile for an unknown machine.
 const UNKNOWN: &str = "generic";
 
-/// One thing to see to.
+/// One task or warning before sealing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Precaution {
-    /// What it is about.
+    /// Its subject.
     pub code: PrecautionCode,
-    /// What to see to, in a sentence without its full stop. Commands are in backticks.
+    /// The task or warning: a sentence without its full stop. Commands are in backticks.
     pub text: String,
 }
 
@@ -36,7 +36,7 @@ impl Precaution {
 }
 
 impl Forecast {
-    /// Everything to see to, the most pressing first; `spec` is how the commands in it name the spec's file.
+    /// All precautions, the most urgent first; `spec` is the path of the spec in their commands.
     pub fn precautions(&self, spec: &str) -> Vec<Precaution> {
         let unfit = self.unfit();
         let is_fit = unfit.is_empty();
@@ -67,13 +67,13 @@ impl Forecast {
         unique(list)
     }
 
-    /// That it may not hold its object, unless it is refused for that: what is printed however quiet one is.
+    /// The warning that it may not hold its object, unless it is refused for that; printed even with --quiet.
     pub fn doubt(&self) -> Option<Precaution> {
         let text = self.uncertain().filter(|_| self.unfit().is_empty())?;
         Some(Precaution::new(PrecautionCode::MayNotHold, text))
     }
 
-    /// The sheets' sizes in words, mm.
+    /// The sheets' sizes as text, mm.
     pub fn sheet_sizes(&self) -> String {
         let size = |sheet: &SheetLayout| format!("{} x {} mm", rounded(sheet.width), rounded(sheet.height));
         let mut sizes: Vec<String> = self.design.sheets.iter().map(size).collect();
@@ -82,7 +82,7 @@ impl Forecast {
     }
 }
 
-/// `list` with each text once.
+/// `list` without duplicate texts.
 fn unique(list: Vec<Precaution>) -> Vec<Precaution> {
     let mut once: Vec<Precaution> = Vec::new();
     for one in list {
@@ -93,12 +93,12 @@ fn unique(list: Vec<Precaution>) -> Vec<Precaution> {
     once
 }
 
-/// Whether the profile is the one that knows neither how slowly its machine goes nor how far it reaches.
+/// Whether the profile is the generic one, which has neither a speed range nor a work area.
 fn is_unknown(machine: &Machine) -> bool {
     machine.name == UNKNOWN && machine.motion.speed_range().is_none() && machine.bench.work_area.is_none()
 }
 
-/// What is not checked of a machine that is not known.
+/// The list of missing checks on an unknown machine.
 fn generic(forecast: &Forecast, path: &str) -> Precaution {
     let text = format!(
         "{} profile: speed, pause and reach are not checked; name your machine with `profile` in [machine], or time what \
@@ -112,7 +112,7 @@ fn pace(forecast: &Forecast) -> Option<Pace> {
     forecast.programs.first().map(|program| program.pace)
 }
 
-/// Places of the seal that may fail; how near it is to bursting only where that is not among what makes the gripper unfit.
+/// Weak places of the seal; for an unfit gripper without seals that certainly burst, which its refusal reports.
 fn weak_seal(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     let report = airtight::report(&forecast.spec, &forecast.machine, &forecast.design);
     let mut list = Vec::new();
@@ -127,8 +127,8 @@ fn weak_seal(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     list
 }
 
-/// What the prediction warns of; not what makes the gripper unfit, nor how near the seal is to bursting,
-/// which is said already.
+/// Warnings of the prediction, without the reasons that make the gripper unfit, and without the distance to bursting, which is reported
+/// already.
 fn predicted(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     let mut list = Vec::new();
     for star in forecast.prediction.iter().flat_map(|prediction| &prediction.stars) {
@@ -144,7 +144,7 @@ fn predicted(forecast: &Forecast, is_fit: bool) -> Vec<Precaution> {
     list
 }
 
-/// What the prediction of a drawn piece warns of.
+/// Warnings of the prediction of a drawn piece.
 fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
     let Some(drawn) = &forecast.drawn else { return Vec::new() };
     let leaving = drawn.prediction.leaving();
@@ -157,7 +157,7 @@ fn of_drawing(forecast: &Forecast) -> Vec<Precaution> {
     warnings.map(|text| Precaution::new(code(text), text.clone())).collect()
 }
 
-/// Whether it is known what the seal holds.
+/// The warning that the strength of the seal is unknown.
 fn strength(forecast: &Forecast) -> Option<Precaution> {
     let _ = forecast.spec.load.as_ref()?.pressure?;
     if forecast.spec.fabric.seal_strength.is_some() {
@@ -175,7 +175,7 @@ fn strength(forecast: &Forecast) -> Option<Precaution> {
     Some(Precaution::new(PrecautionCode::UnknownStrength, text))
 }
 
-/// Whether the machine goes as slowly as the program says, and whether a fast seal is one.
+/// Whether the machine can move as slowly as the program requires, and whether a fast seal is tested.
 fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
     let Forecast { spec, machine, .. } = forecast;
     let (speed, command) = (spec.seal.speed, |name: &str| format!("`stargrip-cam {name} {path}`"));
@@ -203,7 +203,7 @@ fn speed(forecast: &Forecast, path: &str) -> Vec<Precaution> {
     list.chain(fast(forecast, path)).collect()
 }
 
-/// Whether what is sealed so fast is a seal.
+/// The warning that such a fast seal is untested.
 fn fast(forecast: &Forecast, path: &str) -> Option<Precaution> {
     let speed = forecast.spec.seal.speed;
     let text = format!(

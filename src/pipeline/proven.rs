@@ -1,4 +1,4 @@
-//! The last step: files are read back, and only what is found right may be published.
+//! The last step: files are read back, and only correct ones may be published.
 
 use std::borrow::Cow;
 
@@ -12,7 +12,7 @@ use crate::spec::Machine;
 use crate::verify;
 use crate::verify::{Expected, Finding, FindingCode, Method, OutputFiles, Proof};
 
-/// A gripper whose files have been read back and say what the design says: the only thing that can be published.
+/// A gripper whose files have been read back and agree with the design; only it can be published.
 #[derive(Clone, Debug)]
 pub struct Proven {
     built: Built,
@@ -26,7 +26,7 @@ impl Built {
         artifacts.chain(std::iter::once((MANIFEST, self.manifest.to_json().into())))
     }
 
-    /// The files as the verifier sees them.
+    /// The files for the verifier.
     pub fn output_files(&self) -> OutputFiles<'_> {
         OutputFiles { files: self.files().map(|(name, bytes)| (name.into(), bytes)).collect() }
     }
@@ -36,10 +36,10 @@ impl Built {
         prove_against(&self.forecast, &self.output_files())
     }
 
-    /// The same gripper, fit to be published.
+    /// The same gripper, ready to be published.
     ///
     /// # Errors
-    /// Everything that is not as it should be; each is a fault of this program.
+    /// All findings; each is a fault of this program.
     pub fn prove(self) -> Result<Proven, Vec<Finding>> {
         let proof = self.proof();
         if proof.findings.is_empty() { Ok(Proven { built: self, proof }) } else { Err(proof.findings) }
@@ -58,13 +58,13 @@ impl Proven {
         written.then(|| self.built.forecast.programs.iter().map(|program| program.time).sum())
     }
 
-    /// What was read back, and how near to the design it is.
+    /// The result of reading back: the compared files and their deviations from the design.
     pub fn proof(&self) -> &Proof {
         &self.proof
     }
 }
 
-/// What a directory's own spec, profile and manifest ask for: what its files are held to.
+/// The reference for a directory's files, from its own spec, profile and manifest.
 #[derive(Clone, Debug)]
 pub struct PublishedBuild {
     forecast: Result<Forecast, Vec<Finding>>,
@@ -85,7 +85,7 @@ impl PublishedBuild {
         Self { forecast: forecast_of(files), written, coupons: None }
     }
 
-    /// The names of all files that the directory must have; none where what was asked for is refused.
+    /// The names of all files that the directory must have; empty if its request is refused.
     pub fn wanted(&self) -> Vec<String> {
         if let Some(coupons) = &self.coupons {
             return coupons.files.iter().map(|entry| entry.path.clone()).collect();
@@ -97,7 +97,7 @@ impl PublishedBuild {
         self.forecast.iter().flat_map(outputs).map(|output| output.name()).collect()
     }
 
-    /// How long each file is, bytes, as the manifest says.
+    /// The length of each file, bytes, as stated in the manifest.
     pub fn stated_sizes(&self) -> impl Iterator<Item = (&str, usize)> {
         let files = self.written.iter().flat_map(|manifest| &manifest.files);
         files
@@ -105,11 +105,11 @@ impl PublishedBuild {
             .map(|entry| (entry.path.as_str(), entry.bytes))
     }
 
-    /// Proves `files` by the same steps as `build`: all of them are made again, and every one that differs by a byte is named;
-    /// and every one is read back and compared with the design, equal or not.
+    /// Proves `files` by the same steps as `build`: all of them are made again, and each one that differs by a byte is a finding. Each one
+    /// is also read back and compared with the design, whether it is equal or not.
     ///
-    /// A directory of another version is judged by reading alone. It is compared all the same: equal files are proven by
-    /// that, and what neither reading nor comparing proves is named.
+    /// A directory of another version is judged by reading alone. It is also compared: equal files are proven by that, and a file that
+    /// neither reading nor comparison proves is listed.
     pub fn prove(self, files: &OutputFiles<'_>) -> Proof {
         if let Some(coupons) = &self.coupons {
             return prove_coupons(coupons, files);
@@ -136,8 +136,8 @@ impl PublishedBuild {
         proof
     }
 
-    /// The findings where the manifest cannot be read: that, and the files that no build makes. Without its lengths no other file was
-    /// read, and each would seem empty.
+    /// The findings for an unreadable manifest: the fault itself, and the files that no build makes. Without the manifest's lengths no
+    /// other file was read, so each would seem empty.
     fn without_manifest(&self, files: &OutputFiles<'_>) -> Proof {
         let what = "it is damaged, or another program wrote it";
         let finding =
@@ -164,7 +164,7 @@ impl PublishedBuild {
     }
 }
 
-/// Makes every file anew and compares it with the one of `files`, one after the other, so that no two are in memory.
+/// Makes every file again and compares it with that of `files`, one after the other, so that no two are in memory.
 fn compare_anew(
     forecast: &Forecast,
     sources: Sources<'_>,
@@ -174,7 +174,7 @@ fn compare_anew(
 ) {
     let mut entries = Vec::new();
     forecast.make(sources, asked, |made| {
-        // The hash of the one is that of the other, and has been taken.
+        // Equal bytes have equal hashes, and one has been computed already.
         let known = verify::compare_bytes(&made.name, &made.bytes, files, proof);
         entries.push(ManifestFile::with_hash(&made, known.unwrap_or_else(|| sha256(&made.bytes))));
     });
@@ -182,11 +182,11 @@ fn compare_anew(
     let _ = verify::compare_bytes(MANIFEST, &manifest, files, proof);
 }
 
-/// Longest version that is shown, in characters.
+/// Longest version that is printed, in characters.
 const VERSION_LENGTH: usize = 40;
 
-/// Makes every file anew and compares it with the one of `files` that another version wrote. A difference is no finding there;
-/// it leaves unproven what no reader judges as a whole.
+/// Makes every file again and compares it with the file of another version in `files`. A difference is no finding; the part that no reader
+/// judges completely is unproven.
 fn compare_with_other(
     forecast: &Forecast,
     sources: Sources<'_>,
@@ -224,7 +224,7 @@ pub fn read_back(files: &OutputFiles<'_>) -> Proof {
     PublishedBuild::of(files).read_back(files)
 }
 
-/// Proves `files` of a directory, whose profile also has to be what the spec calls it.
+/// Proves `files` of a directory, whose profile must also agree with its name in the spec.
 fn prove_claimed(forecast: &Forecast, written: Option<&Manifest>, files: &OutputFiles<'_>) -> Proof {
     let mut proof = prove_against(forecast, files);
     if written.is_some_and(|written| written.tool == Tool::this()) {
@@ -233,8 +233,8 @@ fn prove_claimed(forecast: &Forecast, written: Option<&Manifest>, files: &Output
     proof
 }
 
-/// The first difference from the profile that this version has under the name in the spec, if the directory's means something
-/// else. A profile of the user's own has no name here, and nothing to be compared with.
+/// The first difference from this version's profile of the name in the spec, if the directory's profile differs in meaning. A profile of
+/// the user's own has no name here, and is not compared.
 fn other_profile(forecast: &Forecast, files: &OutputFiles<'_>) -> Option<Finding> {
     let name = &forecast.spec.machine.profile;
     let (own, text) = (Machine::builtin(name).ok()?, spec::builtin_machine(name)?);
@@ -251,7 +251,7 @@ fn prove_against(forecast: &Forecast, files: &OutputFiles<'_>) -> Proof {
     verify::prove(&expected, files)
 }
 
-/// What the directory's own spec and profile ask for.
+/// The forecast of the directory's own spec and profile.
 fn forecast_of(files: &OutputFiles<'_>) -> Result<Forecast, Vec<Finding>> {
     let (reading, machine) = match sources_of(files) {
         (Ok(spec), Ok(machine)) => (spec, machine),

@@ -1,4 +1,4 @@
-//! Why there is no program to go on with.
+//! Reasons why a program cannot be resumed.
 
 use std::fmt;
 
@@ -6,24 +6,24 @@ use crate::spec::TOXIC;
 use crate::units::Temperature;
 use crate::verify::Finding;
 
-/// Why a program cannot be resumed.
+/// The reason why a program cannot be resumed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ResumeFault {
-    /// It does not say what a sealing program of this tool says: the comment that is missing or wrong.
+    /// A comment of a sealing program of this tool is missing or wrong.
     NotOurs(&'static str),
-    /// It is damaged.
+    /// The program is damaged.
     Damaged(Finding),
-    /// What it does is not what it says of itself, or what it says is nothing to seal with.
+    /// Its moves do not agree with its comments, or its comments state no valid seal.
     Disagrees(Finding),
-    /// It would seal this hot, which no spec may ask for.
+    /// It would seal at this temperature, which no spec may request.
     TooHot(Temperature),
     /// The new program would break the rules of the old one.
     Unproven(Finding),
-    /// The line is not in the file, which has this many.
+    /// The line does not exist; the number of lines in the file.
     NoSuchLine(usize, usize),
-    /// No seam is within reach of the point: the nearest is this far away, mm.
+    /// No seam is within reach of the point; the distance of the nearest one, mm.
     Nowhere(f64),
-    /// Everything had been sealed already.
+    /// The job is complete.
     NothingLeft,
 }
 

@@ -1,4 +1,4 @@
-//! Figures of the rest: what a new program says of its own length and time.
+//! Figures of the rest: length and time of a new program, for its comments.
 
 use std::ops::ControlFlow;
 
@@ -7,24 +7,24 @@ use crate::resume::record::Record;
 use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
 use crate::verify::gcode::Comment;
 
-/// Lengths and times of a new program, of which the first seam may be a part of the old one.
+/// Lengths and times of a new program, whose first seam may be a part of one of the old program.
 pub(super) struct Figures {
-    /// Number of its first seam, as the old program counts.
+    /// Number of its first seam, as numbered in the old program.
     seam: f64,
-    /// Way in contact of that seam, mm, and the time of it with its ramps, s.
+    /// Path in contact of that seam, mm, and its time with ramps, s.
     first: (f64, f64),
-    /// Way in contact of all seams, mm.
+    /// Path in contact of all seams, mm.
     length: f64,
-    /// Whether the old program goes on with another one itself.
+    /// Whether the old program itself resumes another one.
     is_again: bool,
     /// Time of all of it, without heating and pauses, s.
     pub(super) seconds: f64,
 }
 
 impl Figures {
-    /// The figures of `new`, of a program that goes on with `old`.
+    /// The figures of `new`, a program that resumes `old`.
     ///
-    /// Travels cost what the old program says beyond its contacts: acceleration is not known here.
+    /// The time of travels is the old program's total less its contacts, because its acceleration is not read.
     pub(super) fn new(old: &Toolpath<'_>, new: &Toolpath<'_>) -> Self {
         let (mut title, mut seam, mut first, mut length) = (None, 0.0, (0.0, 0.0), 0.0);
         new.walk(|step: &TimedMove| {
@@ -49,7 +49,7 @@ impl Figures {
         Self { seam, first, length, is_again, seconds: (told - old.seconds + new.seconds).max(0.0) }
     }
 
-    /// The lines that take the place of a line of the old program; none where the new one has nothing of the kind.
+    /// The lines that replace a line of the old program; empty if the new program has no such line.
     pub(super) fn line(&self, record: &Record, line: &str) -> Vec<String> {
         let Some(comment) = comment(record, line) else { return vec![line.to_owned()] };
         let (mm, s) = self.first;
@@ -61,7 +61,7 @@ impl Figures {
                     ("time_s", format!("{:.0}", self.seconds)),
                 ];
                 let mut lines = vec![restated(&words)];
-                // Of a program that is resumed again the job is that of the first one.
+                // A program resumed twice keeps the job of the first one.
                 if !self.is_again {
                     lines.push(record.comment(&comment.text.replacen("total:", "job:", 1)));
                 }
@@ -83,7 +83,7 @@ impl Figures {
     }
 }
 
-/// The comment that a line is, if it is nothing else.
+/// The comment in a line that contains nothing else.
 fn comment(record: &Record, line: &str) -> Option<Comment> {
     let text = match line.strip_prefix(';') {
         Some(text) => text,
@@ -101,7 +101,7 @@ fn number(record: &Record, line: &str, word: &str) -> Option<f64> {
     comment(record, line)?.number(word)
 }
 
-/// The text of a comment with other values for these words.
+/// The text of a comment with new values for these words.
 fn restated(comment: &Comment, words: &[(&str, String)]) -> String {
     let word = |text: &str| match text.split_once('=') {
         Some((name, _)) => match words.iter().find(|(other, _)| *other == name) {

@@ -1,4 +1,4 @@
-//! The judge: what the programs do against what the old one's comments say, by the verifier's own rules.
+//! The judge: compares the moves of programs with the comments of the old one, by the verifier's own rules.
 
 use crate::resume::ResumeFault;
 use crate::resume::record::Record;
@@ -6,18 +6,18 @@ use crate::spec::Heating;
 use crate::verify::{Finding, judge_iron};
 use inflatable::geom::Bounds;
 
-/// Whether the old program, which goes no farther than `reach`, does what its comments say.
+/// Checks that the old program, which stays within `reach`, moves as its comments state.
 ///
 /// # Errors
-/// The first thing that it does otherwise.
+/// The first disagreement.
 pub(super) fn agrees(record: &Record, text: &str, reach: &Bounds) -> Result<(), ResumeFault> {
     first_fault(record, text, reach).map_or(Ok(()), |finding| Err(ResumeFault::Disagrees(finding)))
 }
 
-/// Whether the new program is without fault, keeps the old one's rules, and stays within its `reach`.
+/// Checks that the new program has no finding, keeps the old one's rules, and stays within its `reach`.
 ///
 /// # Errors
-/// The first thing that is wrong.
+/// The first finding.
 pub(super) fn proves(record: &Record, new: &str, reach: &Bounds) -> Result<(), ResumeFault> {
     let reach = reach.grown(record.path.0);
     first_fault(record, new, &reach).map_or(Ok(()), |finding| Err(ResumeFault::Unproven(finding)))

@@ -1,4 +1,4 @@
-//! Settings in a program's head: they must let the iron move as the comments say.
+//! Limits set in a program's header: they must allow the motion that the comments state.
 
 use crate::plan::Pace;
 use crate::resume::record::Record;
@@ -6,14 +6,14 @@ use crate::spec::{Limits, limits_set_by};
 use crate::units::Speed;
 use crate::verify::{Finding, FindingCode};
 
-/// Slack of numbers that a file rounds, as a fraction.
+/// Tolerance of rounded numbers in a file, as a fraction.
 const SLACK: f64 = 1e-6;
-/// A longer time without a move than any job has, s: a day.
+/// Longest time without a move in any job, s: a day.
 const DAY: f64 = 86400.0;
 
-/// The first line before the first move that sets what the seal, the travels or the `seconds` of the program contradict.
+/// The first line before the first move whose limits contradict the seal, the travels or the `seconds` of the program.
 pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option<Finding> {
-    // Settings after the first move are no matter of a profile: the judge of programs refuses them all.
+    // Settings after the first move do not come from a profile; the judge of programs refuses them all.
     let mut head = text.lines().zip(1..).take_while(|(line, _)| !line.starts_with("G0"));
     head.find_map(|(line, number)| {
         let allowed = wrong(record, limits_set_by(line, &record.controller)?, seconds)?;
@@ -21,7 +21,7 @@ pub(super) fn contradiction(record: &Record, text: &str, seconds: f64) -> Option
     })
 }
 
-/// What would be right instead of `set`, if that contradicts the program.
+/// The required value instead of `set`, if `set` contradicts the program.
 fn wrong(record: &Record, set: Limits, seconds: f64) -> Option<String> {
     let (contact, acceleration) = match record.pace {
         Pace::Steady => (record.seal.speed.0, None),

@@ -1,9 +1,10 @@
-//! Going on after an interruption: from a program's file alone to a new program for the rest of the job.
+//! Resumes an interrupted job: reads a program's file alone, and writes a new program for the rest of the job.
 //!
-//! The **record** is what the file says of its machine and its seal (structured comments); the **toolpath** is its moves
-//! with what the iron does in each; a **stop** is a place on it, a **window** what of its seam lies before that. The new program is the old one's beginning up to the
-//! heating, a way down along the seam that ends an overlap before the stop, and then the old lines as they were, the
-//! first with its feed. Its **figures** are its own: length and time of what is in it. Both programs are judged by what the old one says of itself: a comment alone is believed nothing.
+//! The **record** is the machine and the seal as the file's structured comments state them; the **toolpath** is its moves with the iron's
+//! state in each. A **stop** is a place on it, and a **window** is the part of its seam before the stop. The new program consists of the
+//! old one's beginning up to the heating, a ramp down along the seam that ends an overlap before the stop, and the unchanged old lines, the
+//! first with its feed. Its **figures** are its own length and time. Both programs are checked against the old one's comments; no comment
+//! is trusted without a check.
 
 mod fault;
 mod figures;
@@ -32,20 +33,19 @@ pub struct Resumed {
     pub text: String,
     /// Line of the old program in which the iron comes into contact again, from 1.
     pub line: usize,
-    /// What is sealed twice, mm.
+    /// Length that is sealed twice, mm.
     pub overlap: f64,
-    /// Part of the job's time that was done at the stop, 0 to 1.
+    /// Fraction of the job's time that was over at the stop, 0 to 1.
     pub done: f64,
     /// Time of the new program, without heating and pauses, s.
     pub seconds: f64,
 }
 
-/// The program that goes on from `place` in the sealing program `text`, sealing `overlap` mm again (`None`: as much as
-/// its closures overlap).
+/// The program that resumes the sealing program `text` at `place`, and seals `overlap` mm again (`None`: the overlap of its closures).
 ///
 /// # Errors
-/// If the file is damaged, not one of ours or not what its comments say, if nothing is left to do, or if the new program
-/// would not keep the rules of the old one.
+/// If the file is damaged, is not one of ours or disagrees with its comments, if the job is complete, or if the new program would break the
+/// rules of the old one.
 pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resumed, ResumeFault> {
     let record = Record::read(text)?;
     let toolpath = Toolpath::read(text, &record)?;
@@ -55,7 +55,7 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
     judge::agrees(&record, text, &toolpath.reach)?;
     let stop = place.find(&toolpath)?;
     let wanted = overlap.unwrap_or(record.seal.overlap.0);
-    // Where the seam is taken up at a stop, that may be a stroke farther back.
+    // At a stop of the machine the seam may continue one stroke farther back.
     let spare = if record.joins_moves() { record.seal.band.0 } else { 0.0 };
     let back = wanted + record.process.ramp.0 + spare;
     let (mut way, mut overlap) = (String::new(), 0.0);
@@ -65,13 +65,13 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
             overlap = window.done - from;
             line
         }
-        // Away from the fabric: the next seam is begun as it was meant to be.
+        // Away from the fabric the next seam begins as planned.
         Next::Travel(line) => line,
     };
     let done = stop.done;
     let note = format!("resume: from_line={} overlap_mm={overlap:.3} percent={:.1}", line + 1, 100.0 * done);
     let note = record.comment(&note);
-    // Once with the old figures, to see what the new ones are.
+    // A draft with the old figures gives the new ones.
     let draft = assembled(&toolpath, &note, &way, line, None);
     let figures = Figures::new(&toolpath, &Toolpath::read(&draft, &record)?);
     let text = assembled(&toolpath, &note, &way, line, Some(&figures));
@@ -79,8 +79,8 @@ pub fn resume(text: &str, place: ResumeAt, overlap: Option<f64>) -> Result<Resum
     Ok(Resumed { text, line: line + 1, overlap, done, seconds: figures.seconds })
 }
 
-/// Writes the way back to `from` (mm along the seam's run) into `out`, and the rest of the move in which that lies; where the
-/// seam is taken up, and the index of the old line that comes next.
+/// Writes the path back to `from` (mm along the seam's run) into `out`, and the rest of the move that contains it. Returns the place where
+/// the seam continues, and the index of the next old line.
 fn approach(
     toolpath: &Toolpath<'_>,
     window: &Window,
@@ -89,7 +89,7 @@ fn approach(
 ) -> Result<(f64, usize), ResumeFault> {
     let record = toolpath.record;
     let Process { heights, ramp, .. } = &record.process;
-    // The way down of the seam itself lies before its run: there is always room for a ramp.
+    // The seam's own ramp lies before its run, so there is always space for a ramp.
     let (from, pieces, rest, last) = if record.joins_moves() {
         let (from, last) = window.stop_before(from).ok_or(ResumeFault::NothingLeft)?;
         (from, window.way_down(from, ramp.0), Vec::new(), last)
@@ -110,14 +110,14 @@ fn approach(
     }
     let _ = emit::write_steps(out, record.facts(), &steps, record.pace, start)
         .map_err(|_| ResumeFault::NothingLeft)?;
-    // The dwells of the old move belong to it, and have been written anew with its rest.
+    // The dwells of the old move belong to it, and have been written again with its rest.
     Ok((from, toolpath.after(last)))
 }
 
-/// The shortest way after which a chopped program stops, whatever it owes; 0 of a steady one, mm.
+/// The shortest path, mm, after which a chopped program stops in any case; 0 for a steady one.
 ///
-/// What is shorter has no time for a dwell, so the controller would run on into the first old stroke, which is counted from a
-/// stop: the iron would be early by what a stop takes (65 ms on GRBL).
+/// A shorter path leaves no time for a dwell. The controller would run on into the first old stroke, whose timing assumes a stop: the iron
+/// would be early by the time of a stop (65 ms on GRBL).
 fn least_rest(record: &Record) -> f64 {
     match record.pace {
         Pace::Chopped(chop) => 2.0 * chop.least_stroke(record.seal.speed.0),
@@ -125,8 +125,8 @@ fn least_rest(record: &Record) -> f64 {
     }
 }
 
-/// The new file: what comes before the heat with a note, the way back, the rest from the line of index `from`, the first
-/// move of it with its feed, and a last line that counts; with `figures`, what it says of its length and time is its own.
+/// The new file: the lines before the heating with a note, the path back, the rest from the line of index `from`, its first move with its
+/// feed, and a last line with counts. With `figures` it states its own length and time.
 fn assembled(
     toolpath: &Toolpath<'_>,
     note: &str,
@@ -147,7 +147,7 @@ fn assembled(
         None => add(line),
     };
     for (line, i) in text.lines().take(toolpath.hot).zip(0..) {
-        // After the title and the name.
+        // The place after the title and the name.
         if i == 2.min(toolpath.hot - 1) {
             restate(note);
         }

@@ -1,4 +1,4 @@
-//! The record: what a program's structured comments say of its machine and its seal.
+//! The record: the machine and the seal as stated in a program's structured comments.
 
 use crate::emit::Facts;
 use crate::plan::{Chop, Pace, Precision, Stepper};
@@ -10,7 +10,7 @@ use crate::verify::IronRules;
 use crate::verify::gcode;
 use crate::verify::gcode::Comment;
 
-/// What a file says of itself.
+/// The statements of a file's header.
 #[derive(Clone, Debug)]
 pub(super) struct Record {
     pub(super) controller: Controller,
@@ -18,11 +18,11 @@ pub(super) struct Record {
     pub(super) seal: Seal,
     pub(super) path: Length,
     pub(super) pace: Pace,
-    /// Whether the file says all that its strokes are timed by, as older ones do not.
+    /// Whether the file has all values that its strokes' timing depends on; older files do not.
     is_timed: bool,
 }
 
-/// Most lines looked at for the header.
+/// Largest number of lines searched for the header.
 const HEADER: usize = 1000;
 
 impl Record {
@@ -48,12 +48,12 @@ impl Record {
         Ok(Self { controller: header.controller(comments, pace)?, process, seal, path, pace, is_timed })
     }
 
-    /// The dialect by which the file is read.
+    /// The dialect of the file.
     pub(super) fn dialect(&self) -> gcode::Dialect {
         gcode::Dialect::for_controller(&self.controller)
     }
 
-    /// What the file says of the motors: what its strokes are timed by.
+    /// The motor values in the file, on which the timing of its strokes depends.
     pub(super) fn motion(&self) -> Motion {
         let Pace::Chopped(chop) = self.pace else { return Motion::UNKNOWN };
         Motion {
@@ -70,25 +70,25 @@ impl Record {
         }
     }
 
-    /// The rules that the file says it keeps, with what it says of the motors.
+    /// The rules that the file states, with its motor values.
     pub(super) fn rules<'a>(&'a self, motion: &'a Motion) -> IronRules<'a> {
         let Self { seal, process, controller, pace, .. } = self;
         let chops = matches!(pace, Pace::Chopped(_));
         IronRules { seal, process, motion, dwell_step: controller.dwell.step.0, chops, timed: self.is_timed }
     }
 
-    /// Whether the controller joins short moves to the next one, so that a seam can be taken up only where it stands still.
+    /// Whether the controller joins short moves to the next one, so that a seam can continue only at a stop.
     pub(super) fn joins_moves(&self) -> bool {
         matches!(self.pace, Pace::Chopped(chop) if chop.least > 0.0)
     }
 
-    /// What the writing of further steps needs to know.
+    /// The values for writing further steps.
     pub(super) fn facts(&self) -> Facts<'_> {
         let Self { controller, process, seal, path, .. } = self;
         Facts { name: "", seal, path: *path, controller, process }
     }
 
-    /// A comment as this file marks it.
+    /// A comment in the file's syntax.
     pub(super) fn comment(&self, text: &str) -> String {
         match self.controller.comments {
             Comments::Semicolon => format!("; {text}"),
@@ -113,7 +113,7 @@ impl Header {
         self.all(key).next().ok_or(ResumeFault::NotOurs(key))
     }
 
-    /// The value of a word: what a line has no room for goes on in the next one, under the same key.
+    /// The value of a word; a line without space for it continues in the next one under the same key.
     fn word(&self, key: &'static str, word: &str) -> Option<&str> {
         self.all(key).find_map(|comment| comment.word(word))
     }
@@ -130,14 +130,13 @@ impl Header {
         self.number(key, word).map(Length)
     }
 
-    /// A number that a chopped program may say: nothing that we write is smaller or larger, and strokes without length
-    /// would never end.
+    /// A number of a chopped program, within the range that the program writes; strokes of zero length would never end.
     fn within(&self, key: &'static str, word: &str) -> Result<f64, ResumeFault> {
         let x = self.number(key, word)?;
         if (1e-4..=1e7).contains(&x) { Ok(x) } else { Err(ResumeFault::NotOurs(key)) }
     }
 
-    /// The tick: 0, or a time that a timer may have.
+    /// The timer's tick: 0, or a period that a timer may have.
     fn tick(&self) -> Result<f64, ResumeFault> {
         let tick = self.number("chop-ticks", "tick_s")?;
         let fits = tick == 0.0 || (1e-4..=1.0).contains(&tick);
@@ -185,7 +184,7 @@ impl Header {
             heights,
             ramp: self.length("heights", "ramp_mm")?,
             travel_speed,
-            // Nothing is traced in a sealing program.
+            // A sealing program has no tracing.
             trace_speed: travel_speed,
         })
     }
@@ -221,7 +220,7 @@ impl Header {
             step: self.number("chop-rest", "step_s")?,
             rest: (self.within("seal", "band_mm")? / 10.0).max(2.0 * least)
                 / self.within("seal", "speed_mm_s")?,
-            // Older programs do not say it.
+            // Older programs do not contain it.
             start_delay: self.number("chop-start", "delay_s").map_or(0.0, |delay| delay.clamp(0.0, 1.0)),
             stepper,
         }))
@@ -237,7 +236,7 @@ impl Header {
             rate: self.within("chop-ticks", "rate_Hz")?,
             tick: self.tick()?,
             wraps: self.word("machine", "dialect") == Some("fluidnc"),
-            // Older programs do not say them.
+            // Older programs do not contain them.
             first_rate: self.number("chop-moves", "first_Hz").ok().filter(|rate| (1e-3..=1e5).contains(rate)),
             least_steps: self
                 .number("chop-moves", "least_steps")

@@ -1,4 +1,4 @@
-//! Places at which a job can have stopped.
+//! The place where a job has stopped.
 
 use std::ops::ControlFlow;
 
@@ -6,17 +6,17 @@ use crate::resume::ResumeFault;
 use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
 use inflatable::geom::Point;
 
-/// Farthest from a seam that a point may be told, mm: as well as one reads a position off a display or a ruler.
+/// Largest distance of a given point from a seam, mm: the accuracy of a position read from a display or a ruler.
 const REACH: f64 = 10.0;
 
-/// Where the job stopped.
+/// The place where the job stopped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ResumeAt {
-    /// Before this line was done, counted from 1.
+    /// Before the execution of this line, counted from 1.
     Line(usize),
-    /// When this part of the job's time was over, 0 to 1.
+    /// At this fraction of the job's time, 0 to 1.
     Share(f64),
-    /// Near this point of the sheet. Of two passes over it the first counts: rather seal twice than not at all.
+    /// Near this point of the sheet. Of two passes over it the first counts: sealing twice is safer than a gap.
     Near(Point),
 }
 
@@ -25,16 +25,16 @@ pub enum ResumeAt {
 pub(super) struct StopPoint {
     /// Line of the move.
     pub(super) line: usize,
-    /// What the iron did in it.
+    /// The iron's state in it.
     pub(super) phase: JobPhase,
-    /// Way in contact since the seam's run began, mm.
+    /// Path in contact since the start of the seam's run, mm.
     pub(super) along: f64,
-    /// Part of the job's time before it, 0 to 1.
+    /// Fraction of the job's time before it, 0 to 1.
     pub(super) done: f64,
 }
 
 impl StopPoint {
-    /// The place at this part of a move, 0 to 1, of a job of `total` seconds.
+    /// The place at this fraction of a move, 0 to 1, of a job of `total` seconds.
     fn new(at: &TimedMove, fraction: f64, total: f64) -> Self {
         let length = if at.phase == JobPhase::Contact { at.step.length() } else { 0.0 };
         let done = (at.begins + fraction * at.seconds) / total;
@@ -62,7 +62,7 @@ impl ResumeAt {
     }
 }
 
-/// The first move of which `at` knows a part at which the job stopped.
+/// The first move for which `at` returns a fraction; the job stopped there.
 fn first(toolpath: &Toolpath<'_>, at: impl Fn(&TimedMove) -> Option<f64>) -> Result<StopPoint, ResumeFault> {
     let mut stop = None;
     toolpath.walk(|step| {

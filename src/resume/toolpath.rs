@@ -1,6 +1,6 @@
-//! The toolpath: a program's moves, with what the iron does in each and how long it takes.
+//! The toolpath: a program's moves, with the iron's state and the time of each.
 //!
-//! It is walked along as often as something of it is asked for, and never held: a chopped job has a million moves.
+//! It is read again for every use, and never stored: a chopped job has a million moves.
 
 use std::ops::ControlFlow;
 
@@ -9,19 +9,19 @@ use crate::resume::record::Record;
 use crate::verify::gcode::{Event, Interpreter, Move};
 use inflatable::geom::Bounds;
 
-/// Slack on heights, mm.
+/// Tolerance of heights, mm.
 const HEIGHT: f64 = 1e-6;
 
-/// What the iron is doing, told from its heights.
+/// The state of the iron, from its heights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum JobPhase {
     /// Away from the fabric.
     Clear,
-    /// On the way down.
+    /// Moving down.
     Down,
     /// In contact.
     Contact,
-    /// On the way up.
+    /// Moving up.
     Up,
 }
 
@@ -30,13 +30,13 @@ pub(super) enum JobPhase {
 pub(super) struct TimedMove {
     pub(super) step: Move,
     pub(super) phase: JobPhase,
-    /// Way in contact since the seam's run began, mm, at the start of the move.
+    /// Path in contact since the start of the seam's run, mm, at the start of the move.
     pub(super) along: f64,
     /// Time before it, s.
     pub(super) begins: f64,
-    /// Its time, s: in contact what the seal's speed makes of its length, for strokes and dwells keep that schedule.
+    /// Its time, s: in contact its length over the seal's speed, because strokes and dwells keep that schedule.
     pub(super) seconds: f64,
-    /// Whether a dwell follows.
+    /// Whether a dwell follows it.
     pub(super) rests: bool,
     /// Index of the line that is the title of its seam.
     pub(super) title: Option<usize>,
@@ -49,7 +49,7 @@ impl TimedMove {
     }
 }
 
-/// A program that is without fault.
+/// A program without findings.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Toolpath<'a> {
     pub(super) text: &'a str,
@@ -60,12 +60,12 @@ pub(super) struct Toolpath<'a> {
     pub(super) hot: usize,
     /// Time for all of it, s.
     pub(super) seconds: f64,
-    /// Where it goes.
+    /// Bounds of its moves.
     pub(super) reach: Bounds,
 }
 
 impl<'a> Toolpath<'a> {
-    /// Reads a whole program; it must be without fault.
+    /// Reads a whole program; a finding is an error.
     pub(super) fn read(text: &'a str, record: &'a Record) -> Result<Self, ResumeFault> {
         let (mut hot, mut heat) = (0, false);
         let mut interpreter = Interpreter::new(record.dialect());
@@ -106,11 +106,11 @@ impl<'a> Toolpath<'a> {
         Ok(toolpath)
     }
 
-    /// Shows `see` one move after the other, until it has seen enough.
+    /// Calls `see` with one move after the other, until it breaks.
     pub(super) fn walk(&self, mut see: impl FnMut(&TimedMove) -> ControlFlow<()>) {
         let mut interpreter = Interpreter::new(self.record.dialect());
         let (mut events, mut title) = (Vec::new(), None);
-        // A move is shown when its dwells are known.
+        // A move is passed on after its dwells.
         let mut last: Option<TimedMove> = None;
         for (i, line) in self.text.split_inclusive('\n').enumerate() {
             interpreter.feed(line, &mut events);
@@ -165,7 +165,7 @@ impl<'a> Toolpath<'a> {
         self.text.lines().nth(index)
     }
 
-    /// Index of the first line after `line` (from 1) that is no dwell.
+    /// Index of the first line after `line` (from 1) that is not a dwell.
     pub(super) fn after(&self, line: usize) -> usize {
         let dwells = self.text.lines().skip(line).take_while(|text| text.starts_with("G4"));
         line + dwells.count()

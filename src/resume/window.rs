@@ -1,4 +1,4 @@
-//! The window: what of a seam lies around the place where the new program takes it up.
+//! The window: the part of a seam around the place where the new program continues it.
 
 use std::collections::VecDeque;
 use std::ops::ControlFlow;
@@ -9,7 +9,7 @@ use crate::resume::toolpath::{JobPhase, TimedMove, Toolpath};
 use crate::verify::gcode::MoveKind;
 use inflatable::geom::{Path, Segment};
 
-/// How the job goes on.
+/// The continuation of the job.
 pub(super) enum Next {
     /// In the seam that was interrupted.
     Within(Window),
@@ -17,19 +17,19 @@ pub(super) enum Next {
     Travel(usize),
 }
 
-/// The moves of one seam, on the way down and in contact, from as far before the stop as was asked for.
+/// The moves of one seam, on the way down and in contact, from the requested distance before the stop.
 pub(super) struct Window {
     steps: VecDeque<TimedMove>,
     /// Length of them all, seen from above, mm.
     length: f64,
-    /// The way in contact that was done at the stop, mm.
+    /// Path in contact completed at the stop, mm.
     pub(super) done: f64,
     /// The comment that begins the seam.
     pub(super) title: Option<String>,
 }
 
 impl Window {
-    /// What lies around `stop`, as far as `back` mm before it; `None` if nothing is left.
+    /// The moves around `stop`, from `back` mm before it; `None` if nothing is left.
     pub(super) fn around(toolpath: &Toolpath<'_>, stop: &StopPoint, back: f64) -> Option<Next> {
         let in_contact = matches!(stop.phase, JobPhase::Contact | JobPhase::Up);
         let mut window = Self { steps: VecDeque::new(), length: 0.0, done: stop.along, title: None };
@@ -47,7 +47,7 @@ impl Window {
                 if past {
                     return ControlFlow::Break(());
                 }
-                // One more: of the move that is interrupted nothing may be left.
+                // One more move is kept, because nothing of the interrupted one may be left.
                 window.forget(back);
                 past = step.step.line >= stop.line;
                 if past {
@@ -57,7 +57,7 @@ impl Window {
                         .map(|line| line.trim_end().to_owned());
                 }
             } else if step.step.line >= stop.line && step.phase == JobPhase::Down {
-                // On the way down the seam is this one.
+                // During the ramp down, the next seam is the one that begins here.
                 next = Some(travel.max(toolpath.hot));
                 return ControlFlow::Break(());
             }
@@ -66,7 +66,7 @@ impl Window {
         if in_contact { Some(Next::Within(window)) } else { next.map(Next::Travel) }
     }
 
-    /// The next move: a seam begins with its way down.
+    /// Adds the next move; a ramp down begins a new seam.
     fn add(&mut self, step: TimedMove) {
         let is_new = step.phase == JobPhase::Down
             && self.steps.back().is_some_and(|last| last.phase != JobPhase::Down);
@@ -81,7 +81,7 @@ impl Window {
         self.steps.push_back(step);
     }
 
-    /// Forgets what lies farther than `back` mm before the last move.
+    /// Drops the moves farther than `back` mm before the last one.
     fn forget(&mut self, back: f64) {
         let last = self.steps.back().map_or(0.0, TimedMove::flat);
         while let Some(first) = self.steps.front()
@@ -92,7 +92,7 @@ impl Window {
         }
     }
 
-    /// The way in contact at which the window begins, mm: less than 0 on the way down.
+    /// Position of the window's start along the path in contact, mm: negative on the way down.
     fn begins(&self) -> f64 {
         let down: f64 = self.down().map(TimedMove::flat).sum();
         self.contact().next().map_or(0.0, |first| first.along) - down
@@ -106,7 +106,7 @@ impl Window {
         self.steps.iter().filter(|step| step.phase == JobPhase::Contact)
     }
 
-    /// The last place at or before `from`, mm along the run, at which the iron stands still: where the run begins, or a dwell is.
+    /// The last place at or before `from`, mm along the run, at which the iron stops: the start of the run, or a dwell.
     pub(super) fn stop_before(&self, from: f64) -> Option<(f64, usize)> {
         let begins = self.down().last().map(|step| (0.0, step.step.line));
         let stops = self.contact().filter(|step| step.rests);
@@ -114,7 +114,7 @@ impl Window {
         begins.into_iter().chain(ends).take_while(|(end, _)| *end <= from + 1e-6).last()
     }
 
-    /// The way down along the seam, as long as the ramp, that ends at `from`.
+    /// The ramp down along the seam that ends at `from`; `ramp` is its length.
     pub(super) fn way_down(&self, from: f64, ramp: f64) -> Vec<Segment> {
         let begins = self.begins();
         self.track().part((from - ramp - begins).max(0.0), from - begins).segments
@@ -124,8 +124,8 @@ impl Window {
         Path::open(self.steps.iter().filter_map(|step| step.step.path).collect())
     }
 
-    /// The way down along the seam, as long as the ramp, that ends at `from`; then the rest of the move in which that lies, and the
-    /// line of that move. The rest is at least as long as `least`, if need be with the next move: the old lines begin from a stop.
+    /// The ramp down along the seam that ends at `from`, then the rest of the move that contains `from`, and the line of that move. The
+    /// rest is at least `least` long, if necessary with the next move, because the old lines begin at a stop.
     pub(super) fn way_to(
         &self,
         from: f64,
@@ -134,7 +134,7 @@ impl Window {
     ) -> Option<(Vec<Segment>, Vec<Segment>, usize)> {
         let (track, begins) = (self.track(), self.begins());
         let down = self.way_down(from, ramp);
-        // A sliver left of a move is rounding: the next move is as good a beginning.
+        // A remainder of a move within rounding is ignored; the next move is used instead.
         let beyond = |far: f64| self.contact().find(|step| step.along + step.flat() > far);
         let within = beyond(from + least.max(1e-6)).or_else(|| beyond(from + 1e-6));
         let last = within.or_else(|| self.contact().last())?;
@@ -144,8 +144,8 @@ impl Window {
     }
 }
 
-/// The first feed move at or after the line of index `from`, with the feed that is in force there: its index and text;
-/// `None` if it states its own.
+/// The first feed move at or after the line of index `from`, with the feed in force there: its index and text; `None` if it has its own
+/// feed.
 pub(super) fn with_feed(toolpath: &Toolpath<'_>, from: usize) -> Option<(usize, String)> {
     let mut found = None;
     toolpath.walk(|step| {

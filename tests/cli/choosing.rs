@@ -1,4 +1,4 @@
-//! From an object to a gripper: whatever is wished for, a spec that builds and holds it, or a refusal with what comes nearest.
+//! From an object to a gripper: every request gives a spec that builds and holds it, or a refusal with the nearest possible request.
 
 use crate::support::dice::Dice;
 use serde_json::Value;
@@ -18,7 +18,7 @@ fn folder() -> tempfile::TempDir {
     tempfile::tempdir().expect("a folder")
 }
 
-/// Whether the gripper of `spec.toml` in `dir` can be made and holds `mass` kg for sure, `width` mm across.
+/// Asserts that the gripper of `wish.toml` in `dir` can be made and certainly holds `mass` kg, `width` mm across.
 fn holds(dir: &Path, mass: f64, width: f64, asked: &str) {
     let check = run(dir, &["check", "wish.toml"]);
     assert_eq!(check.status.code(), Some(0), "{asked}: {}", text(&check.stderr));
@@ -32,7 +32,7 @@ fn holds(dir: &Path, mass: f64, width: f64, asked: &str) {
     assert!(closes[1].as_f64() < Some(0.5 * width), "{asked}: {closes}");
 }
 
-/// The words of a command line, of which some are in double quotes.
+/// The words of a command line with double quotes.
 fn words(line: &str) -> Vec<String> {
     let parts = line.split('"').enumerate();
     parts
@@ -43,7 +43,7 @@ fn words(line: &str) -> Vec<String> {
         .collect()
 }
 
-/// Whether the nearest that `said` names can be had by the command that it names.
+/// Asserts that the command for the nearest request in `said` gives a gripper.
 fn can_be_had(dir: &Path, said: &str, asked: &str) {
     assert!(said.contains("a request near it that can be met: "), "{asked}: {said}");
     let command = said.lines().find_map(|line| line.trim().strip_prefix("stargrip-cam "));
@@ -55,7 +55,7 @@ fn can_be_had(dir: &Path, said: &str, asked: &str) {
     assert_eq!(check.status.code(), Some(0), "{asked}: {said}: {}", text(&check.stderr));
 }
 
-/// Throws `count` objects 30 to 300 mm across, of 10 g to 100 kg, and asks for a gripper for each; how many got one.
+/// Requests grippers for `count` random objects, 30 to 300 mm across, 10 g to 100 kg; returns the number of grippers.
 fn wished(seed: u64, count: usize) -> usize {
     let mut dice = Dice(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
     let mut part = || f64::from(u32::try_from(dice.below(10_000)).expect("small")) / 1e4;
@@ -96,7 +96,7 @@ fn wished(seed: u64, count: usize) -> usize {
 #[test]
 fn a_wish_is_granted_or_refused_with_what_comes_nearest() {
     let held = wished(1, 40);
-    // The dice are the same on every machine: one more or less is another answer.
+    // The random numbers are the same on every machine, so another count is a changed result.
     assert_eq!(held, 25);
 }
 
@@ -136,7 +136,7 @@ fn what_is_said_is_kept() {
     ] {
         assert!(spec.lines().any(|found| found.starts_with(line)), "{line}: {spec}");
     }
-    // GRBL cannot go so slowly: the spec says what to do about it, and why.
+    // GRBL cannot move so slowly: the spec has the remedy, and the reason.
     assert!(
         spec.contains("feed_floor = \"chop\"")
             && spec
@@ -146,7 +146,7 @@ fn what_is_said_is_kept() {
         "{spec}"
     );
     holds(dir.path(), 0.3, 70.0, "what is said");
-    // Never over a file that is there.
+    // An existing file is never overwritten.
     assert_eq!(run(dir.path(), &wish).status.code(), Some(1));
 }
 
@@ -182,7 +182,7 @@ fn a_wish_that_cannot_be_is_told_by_its_reason() {
     }
 }
 
-/// What the object bears stays in the proposal, and its mass where coated corners hold it.
+/// The proposal keeps the object's largest force, and its mass if coated corners hold it.
 #[test]
 fn the_closest_request_keeps_what_was_asked() {
     for (args, kept) in [
@@ -201,7 +201,7 @@ fn the_closest_request_keeps_what_was_asked() {
     }
 }
 
-/// Friction that nobody gave is named as an assumption; the spec is one that `check` does not warn of; the schema is named.
+/// A default friction is named as an assumption; `check` accepts the spec without warnings; the schema is named.
 #[test]
 fn the_answer_says_what_was_chosen_and_what_was_assumed() {
     let dir = folder();
@@ -266,7 +266,7 @@ fn what_has_another_unit_in_mind_is_asked() {
     }
 }
 
-/// A search keeps the user's comments; those that give what was computed of other values are renewed or gone.
+/// A search keeps the user's comments; comments with computed values are renewed or removed.
 #[test]
 fn no_comment_is_about_values_that_were_replaced() {
     let dir = folder();
@@ -290,7 +290,7 @@ fn no_comment_is_about_values_that_were_replaced() {
     }
 }
 
-/// Objects that people described: across, mass, and what more was said; the height is the object's, where it matters.
+/// Requests of real users: width, mass, and other options; the height is the object's, where it matters.
 const WISHES: [(f64, &str, &[&str]); 18] = [
     (75.0, "1.2 kg", &["--height", "300 mm", "--shape", "cylinder"]),
     (44.0, "60 g", &["--height", "57 mm", "--fragile", "5 N"]),
@@ -312,7 +312,8 @@ const WISHES: [(f64, &str, &[&str]); 18] = [
     (60.0, "200 g", &["--pressure", "30 kPa"]),
 ];
 
-/// Every hole lets its object in with the room that is meant, no stack is taller than its object, and forces are those at each star's height.
+/// Every hole admits its object with the intended clearance, no stack is taller than its object, and forces are those at each star's
+/// height.
 #[test]
 fn holes_admit_what_they_are_for_and_stacks_are_no_taller() {
     let (mut granted, mut stacks) = (0, 0);

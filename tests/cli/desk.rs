@@ -1,4 +1,4 @@
-//! What a person, or a program in their place, is told at the desk when something is wrong.
+//! Messages about wrong use of the commands.
 
 use std::fs;
 use std::path::Path;
@@ -17,7 +17,7 @@ fn command(dir: &Path, args: &[&str]) -> Command {
     command
 }
 
-/// A folder with a spec that is right, one that is wrong, and a build.
+/// A folder with a valid spec, a faulty one, and a build.
 fn folder() -> tempfile::TempDir {
     let dir = tempfile::tempdir().expect("a folder");
     fs::write(dir.path().join("star.toml"), STAR).expect("written");
@@ -141,7 +141,7 @@ fn a_machine_by_its_trade_name_is_told_its_profile() {
     assert!(heard.contains("it usually has Marlin: write profile = \"marlin\""), "{heard}");
 }
 
-/// Rows and documents alone, wherever they go.
+/// With --quiet only rows and documents are printed.
 #[test]
 fn every_command_can_be_quiet() {
     let dir = folder();
@@ -166,7 +166,7 @@ fn every_command_can_be_quiet() {
     }
 }
 
-/// The guide says to run it: the second time it says how.
+/// The guide's command for a second run works.
 #[test]
 fn feedcheck_runs_a_second_time_if_it_is_told_to() {
     let dir = folder();

@@ -1,4 +1,4 @@
-//! What the program says about a spec that is wrong or remarkable, and where it points.
+//! Diagnostics of wrong or unusual specs, and their places.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::support;
 use crate::support::program::{run, stderr, stdout};
 
-/// Line and text at the caret of the first diagnostic with `code` that `check` prints for `spec`, and all it says.
+/// Line and text at the caret of the first diagnostic with `code` that `check` prints for `spec`, and the whole output.
 #[track_caller]
 fn pointed_at(dir: &Path, spec: &str, code: &str, exit: i32) -> (String, String) {
     fs::write(dir.join("spec.toml"), spec).expect("written");
@@ -113,7 +113,7 @@ fn a_default_window_that_is_cut_says_so() {
     let built = run(dir.path(), &["build", "spec.toml"]);
     assert_eq!(built.status.code(), Some(0), "{}", stderr(&built));
     assert!(stderr(&built).contains("warning[short-window]"), "{}", stderr(&built));
-    // What the remedy names is accepted, without a word.
+    // The value in the remedy is accepted without a message.
     let extent =
         said.split("write extent = \"").nth(1).and_then(|rest| rest.split('"').next()).expect("a value");
     let accepted = many + &format!("extent = \"{extent}\"\n");
@@ -152,14 +152,14 @@ fn a_published_directory_is_built_again_with_its_own_profile() {
             ["first", "second"].map(|dir| fs::read(away.path().join(dir).join(&name)).expect("a file"));
         assert!(first == second, "{name:?}");
     }
-    // Without a manifest it is no published directory, and some machine.toml is not taken for the profile.
+    // Without a manifest it is not a published directory, and an unrelated machine.toml is not taken for the profile.
     fs::remove_file(target.join("manifest.json")).expect("removed");
     let alone = run(away.path(), &["check", "first/spec.toml"]);
     assert_eq!(alone.status.code(), Some(1));
     assert!(stderr(&alone).contains("unknown-machine"), "{}", stderr(&alone));
 }
 
-/// What the program says about `spec`, which it refuses.
+/// The output of the program for `spec`, which it refuses.
 #[track_caller]
 fn refused(spec: &str) -> String {
     let dir = tempfile::tempdir().expect("a directory");
@@ -200,7 +200,7 @@ fn a_typo_is_told_once() {
         assert_eq!(said.matches("error[").count(), 1, "{said}");
         assert!(said.contains("did you mean"), "{said}");
     }
-    // What is missing as well is still told.
+    // Missing keys are reported as well.
     let two = plain.replace("tube_width", "tube_widht").replace("points = 5\n", "");
     let said = refused(&two);
     assert!(said.matches("error[").count() == 2 && said.contains("does not say `points`\n"), "{said}");
@@ -227,7 +227,7 @@ fn a_file_of_another_kind_is_named_in_one_message() {
     }
     let said = refused(&support::PAPER.replace('\n', "\r"));
     assert!(said.contains("error[line-end]") && said.matches("error[").count() == 1, "{said}");
-    // The directory above a build names what is in it.
+    // For the directory above a build the message names the build.
     let above = run(dir.path(), &["verify", "out"]);
     assert!(
         stderr(&above).contains("stargrip-cam verify out/star\n") && stdout(&above).is_empty(),
@@ -248,7 +248,7 @@ fn a_hose_that_is_thicker_than_its_tube_is_warned_of() {
     assert!(!stderr(&run(dir.path(), &["check", "spec.toml"])).contains("thick-hose"));
 }
 
-/// Some words are for the slow seal of the paper alone, others for one that is much faster.
+/// Some messages are only for the slow seal of the paper, others only for a much faster one.
 #[test]
 fn a_fast_seal_is_told_what_matters_to_it() {
     let dir = tempfile::tempdir().expect("a directory");

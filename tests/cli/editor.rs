@@ -1,5 +1,5 @@
-//! What editors and shells are given: the schema, explanations, completions, pages of the manual; specs from a pipe, several at once,
-//! built again when they are saved; and one's own defaults in a new spec.
+//! Output for editors and shells: the schema, explanations, completions, manual pages; specs from a pipe, several at once, rebuilt when
+//! saved; and the user's defaults in a new spec.
 
 use std::fs;
 use std::io::Write;
@@ -44,7 +44,7 @@ fn a_new_spec_names_the_schema_that_lies_beside_it() {
     let schema = fs::read_to_string(dir.path().join(named)).expect("beside it");
     assert_eq!(schema, done(dir.path(), &["schema"]));
     assert!(spec.contains("name = \"wine-bottle\""), "{spec}");
-    // One that is there already stays.
+    // An existing schema is kept.
     fs::write(dir.path().join(named), "{}").expect("written");
     let _ = done(dir.path(), &["new", "egg"]);
     assert_eq!(fs::read_to_string(dir.path().join(named)).expect("kept"), "{}");
@@ -177,7 +177,7 @@ fn a_watched_spec_is_built_again_when_it_is_saved() {
         }
     };
     wait_for("\"50 mm\"");
-    // A faulty save keeps what was built, and does not end it.
+    // After a faulty save the build is kept, and the watch continues.
     fs::write(dir.path().join("star.toml"), "points =").expect("saved");
     std::thread::sleep(Duration::from_millis(600));
     fs::write(dir.path().join("star.toml"), support::PAPER.replace("\"50 mm\"", "\"55.5 mm\""))
@@ -189,7 +189,7 @@ fn a_watched_spec_is_built_again_when_it_is_saved() {
     assert_eq!(run(dir.path(), &["build", "-", "--watch"]).status.code(), Some(2));
 }
 
-/// The first build has the whole screen; what a save changes is one line.
+/// The first build prints the whole overview; each later one prints one line of changes.
 #[test]
 fn a_rebuild_says_what_changed_in_one_line() {
     let dir = workshop();
@@ -228,7 +228,7 @@ fn a_rebuild_says_what_changed_in_one_line() {
     );
 }
 
-/// Faults of a later save begin with its time, and a note about what is kept is printed once.
+/// Faults of a later save begin with its time, and a note about kept kinds is printed once.
 #[test]
 fn a_save_has_its_time_and_no_note_twice() {
     let dir = workshop();
@@ -265,7 +265,7 @@ fn a_save_has_its_time_and_no_note_twice() {
     assert!(line.as_bytes()[2] == b':' && line.as_bytes()[5] == b':', "{line}");
 }
 
-/// What is opened is the page that shows most; that it cannot be opened is no failure of the build.
+/// The most detailed page is opened; a failure to open it is no failure of the build.
 #[cfg(all(unix, not(target_os = "macos")))]
 #[test]
 fn a_build_opens_its_page() {
@@ -306,7 +306,7 @@ fn defaults_of_ones_own_are_in_a_new_spec_and_nowhere_else() {
     assert_eq!(told(&["new", "mine"]).status.code(), Some(0));
     let spec = fs::read_to_string(dir.path().join("mine.toml")).expect("written");
     assert!(spec.contains("\nprofile = \"grbl\" ") && spec.contains("\nwidth = \"400 mm\" "), "{spec}");
-    // Without the settings it means the same.
+    // Without the defaults it has the same meaning.
     let json: serde_json::Value =
         serde_json::from_str(&done(dir.path(), &["check", "mine.toml", "--json"])).expect("JSON");
     assert_eq!(
@@ -326,7 +326,7 @@ fn defaults_of_ones_own_are_in_a_new_spec_and_nowhere_else() {
     );
 }
 
-/// What `make install` and `make dist` lay out: everything but the program comes from the program.
+/// The files of `make install` and `make dist`: the program writes all of them except itself.
 #[cfg(unix)]
 #[test]
 fn an_installation_is_whole() {
@@ -360,7 +360,7 @@ fn an_installation_is_whole() {
     for example in fs::read_dir(examples).expect("examples") {
         let _ = installed(&["check", "-q", example.expect("a spec").path().to_str().expect("a path")]);
     }
-    // A shell takes the completions.
+    // A shell accepts the completions.
     let script = dir.path().join("share/bash-completion/completions/stargrip-cam");
     let shell = Command::new("bash")
         .args(["-c", "source \"$0\" && complete -p stargrip-cam"])

@@ -17,7 +17,7 @@ fn built() -> TempDir {
     dir
 }
 
-/// A workshop whose machine reaches `x` by `y` mm.
+/// A workshop whose machine has a work area of `x` by `y` mm.
 fn workshop_of(x: u32, y: u32) -> TempDir {
     let dir = workshop();
     let profile = support::generic().replacen("x = \"unknown\"", &format!("x = \"{x} mm\""), 1).replacen(
@@ -43,7 +43,7 @@ fn names(dir: &Path) -> Vec<String> {
     names
 }
 
-/// Runs what must succeed without a word on standard error; what it says.
+/// Runs a command that must succeed with empty standard error; returns its standard output.
 #[track_caller]
 fn done(dir: &Path, args: &[&str]) -> String {
     let output = run(dir, args);
@@ -56,7 +56,7 @@ fn json_of(text: &str) -> Value {
     serde_json::from_str(text).expect("one object")
 }
 
-/// Runs what must fail with `code`, say nothing on standard output and all of `words` on standard error.
+/// Runs a command that must fail with `code`, empty standard output and all of `words` on standard error.
 #[track_caller]
 fn fails(dir: &Path, args: &[&str], code: i32, words: &[&str]) -> Output {
     let output = run(dir, args);
@@ -71,7 +71,7 @@ fn fails(dir: &Path, args: &[&str], code: i32, words: &[&str]) -> Output {
     output
 }
 
-/// No command writes a program with a line that the profile must not put there.
+/// No command writes a program with a dangerous line of the profile.
 #[test]
 fn every_command_refuses_a_dangerous_line_of_the_profile() {
     for (from, to) in [
@@ -133,7 +133,7 @@ fn feedcheck_writes_a_cold_program_and_never_over_a_file() {
     let _ = fails(dir.path(), &["feedcheck"], 2, &["Usage"]);
 }
 
-/// A heater that is off before the job is done, whichever program it is.
+/// A heater that is switched off before the end of the job, in either program.
 #[test]
 fn every_command_refuses_an_idle_timeout_below_its_program() {
     let dir = workshop();
@@ -169,7 +169,7 @@ fn a_feed_check_is_proven_as_builds_are() {
             let output = run(dir.path(), &["verify", &name, "--json"]);
             assert_eq!(output.status.code(), Some(1), "{profile} {from}: {}", stdout(&output));
             let findings = json_of(&stdout(&output))["findings"].as_array().expect("a list").len();
-            // It is found by reading, and not only by its bytes and hash.
+            // Reading finds the change as well, not only bytes and hash.
             assert!(findings > 2, "{profile} {from}: {}", stdout(&output));
         }
     }
@@ -192,10 +192,10 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     let resumed = read(dir.path(), target);
     assert!(resumed.contains("resume: from_line=") && resumed.contains("end of program, "), "{resumed}");
     assert_eq!(read(dir.path(), job), before, "the job itself stays as it is");
-    // Neither the proof nor the next build trips over it.
+    // Neither the proof nor the next build is disturbed by it.
     let _ = done(dir.path(), &["verify", "out/star"]);
 
-    // Neither the default nor a name of one's own is written over.
+    // Neither the default path nor a given one is overwritten.
     let _ = fails(dir.path(), &["resume", job, "--at", "50"], 1, &["resume.gcode exists already"]);
     let _ = fails(dir.path(), &["resume", job, "--at", "50", "-o", job], 1, &["exists already"]);
     assert_eq!(read(dir.path(), target), resumed);
@@ -211,13 +211,13 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
     let place = format!("{},{}", number('X'), number('Y'));
     let said = done(dir.path(), &["resume", job, "--near", &place, "-o", "near.gcode"]);
     assert!(said.contains("wrote near.gcode"), "{said}");
-    // A resumed program can be resumed; of it no manifest says anything.
+    // A resumed program can be resumed, although no manifest names it.
     let said = done(dir.path(), &["resume", "at.gcode", "--at", "50"]);
     assert!(
         dir.path().join("at-resume.gcode").exists() && said.contains("no manifest.json beside"),
         "{said}"
     );
-    // A pipe is no manifest, and is not waited for.
+    // A pipe is no manifest, and reading it must not block.
     #[cfg(unix)]
     {
         let made = std::process::Command::new("mkfifo").arg(dir.path().join("manifest.json")).status();
@@ -225,7 +225,7 @@ fn resume_goes_on_by_line_by_time_and_by_place() {
         let said = done(dir.path(), &["resume", "at.gcode", "--at", "60", "-o", "piped.gcode"]);
         assert!(said.contains("no manifest.json beside"), "{said}");
     }
-    // A job that is not what the manifest beside it says is not resumed.
+    // A job that differs from the manifest beside it is not resumed.
     fs::write(dir.path().join(job), before.replacen("G1 X", "G1  X", 1)).expect("written");
     let _ = fails(
         dir.path(),
@@ -270,7 +270,7 @@ fn resume_tells_wrong_usage_from_places_that_are_not_there() {
 fn resume_refuses_what_is_not_ours_or_is_damaged() {
     let dir = built();
     let job = read(dir.path(), "out/star/star-1-seal.gcode");
-    // Strokes without length would never end.
+    // Strokes of zero length would never end.
     let strokes = "; chop: feed_mm_min=60 longest_mm=0\n; chop-rest: acceleration_mm_s2=1 step_s=1\n; seal:";
     let forged = job.replacen("; seal:", strokes, 1);
     assert!(forged != job);
@@ -341,7 +341,7 @@ fn coupon_writes_programs_numbered_drawings_and_a_table() {
         assert_eq!(count("seal-outer"), seams, "{name}");
         assert!(count("label") >= seams, "{name}");
     }
-    // Its directory is a new one, always.
+    // The directory must always be a new one.
     let before = names(&dir.path().join("coupons"));
     let _ = fails(dir.path(), &args, 1, &["coupons exists already; choose another name"]);
     assert_eq!(names(&dir.path().join("coupons")), before);
@@ -372,11 +372,11 @@ fn coupons_are_proven_as_builds_are() {
         stdout(&output)
     };
     assert!(verify(0).contains("proven, no findings"));
-    // The table is the person's.
+    // The user may edit the table.
     let table = dir.path().join("coupons/results.csv");
     fs::write(&table, fs::read_to_string(&table).expect("it").replace(",,", ",82,")).expect("written");
     let _ = verify(0);
-    // A change of a program is found in its line, and one of a drawing or the profile's lines in its file.
+    // A change of a program is found at its line, and one of a drawing or of the profile's lines in its file.
     for (name, from, to, word) in [
         ("disc.gcode", " F6\n", " F600\n", "wrong-feed"),
         ("disc.gcode", "; set the iron to 200 C", "; set the iron to 400 C", "other-comment"),
@@ -517,7 +517,7 @@ fn calibrate_chooses_the_fastest_that_holds() {
     assert!(said.contains("speed = \"0.1 mm/s\""), "{said}");
 }
 
-/// Of a seal that is needed for nothing the weakest would do: nothing is chosen before somebody says what it has to hold.
+/// Without a required strength even the weakest seal would pass, so nothing is chosen without one.
 #[test]
 fn calibrate_takes_the_need_from_the_spec_or_asks() {
     let dir = calibration(&table(&[(0.1, &[149.0, 150.0, 151.0]), (0.5, &[50.0, 51.0, 49.0])]));
@@ -568,7 +568,7 @@ fn calibrate_says_what_data_do_not_support() {
         let args = ["calibrate", "results.csv", "--needed", "50 N/mm"];
         let _ = fails(dir.path(), &args, 1, &["results.csv: the data do not support a choice", words]);
     }
-    // A seal that never held is none, whatever is needed.
+    // A seal without strength is refused, whatever strength is required.
     let dir = calibration(&table(&[(0.1, &[0.0, 0.0, 0.0])]));
     let args = ["calibrate", "results.csv", "--needed", "0.0001 N/mm"];
     let _ = fails(dir.path(), &args, 1, &["the strongest setting holds 0.000 N/mm"]);
@@ -639,7 +639,7 @@ fn calibrate_names_the_line_it_cannot_read() {
     }
 }
 
-/// The tip of the paper's star, whose V-actuator has W 30 mm: what `actuator` says of a fabric is what `calibrate` makes of it.
+/// The tip of the paper's star, whose V-actuator has W 30 mm: `calibrate` recovers the fabric from the predictions of `actuator`.
 #[test]
 fn calibrate_finds_the_fabric_that_the_bench_shows() {
     let dir = calibration(&table(&[(0.1, &[74.0, 75.0, 76.0])]));
@@ -658,7 +658,7 @@ fn calibrate_finds_the_fabric_that_the_bench_shows() {
         "{said}"
     );
     assert_eq!(said.matches("[fabric]").count(), 1, "{said}");
-    // At its pressure lambda is that of section, for the fabric as it is.
+    // At its pressure lambda is that of `section`, for the unchanged fabric.
     assert!(
         said.contains("# lambda predicted (section): ") && said.contains("; measured is +0.0 %\n"),
         "{said}"
@@ -675,7 +675,7 @@ fn calibrate_finds_the_fabric_that_the_bench_shows() {
     let both = json_of(&done(dir.path(), &[&call[..], &disc].concat()));
     let stretch = both["fabric"]["stretch_stiffness_N_mm"].as_f64().expect("a number");
     assert!((5.0..100.0).contains(&stretch), "{both}");
-    // What the bench tells does not hang on the strips.
+    // The bench results do not depend on the strips.
     fs::write(dir.path().join("results.csv"), HEAD).expect("written");
     let thin = run(dir.path(), &call);
     assert_eq!(thin.status.code(), Some(1));
@@ -725,7 +725,7 @@ fn calibrate_compares_lambda_with_the_prediction() {
     let said = done(dir.path(), &angles);
     assert!(said.starts_with("# lambda measured: 1.280\n# lambda predicted (ring): 1.2"), "{said}");
     assert!(said.contains("seal_strength"), "{said}");
-    // What the V tells does not hang on the strips.
+    // The results of the V-actuator do not depend on the strips.
     fs::write(dir.path().join("results.csv"), HEAD).expect("written");
     let thin = run(dir.path(), &angles);
     assert_eq!(thin.status.code(), Some(1));

@@ -82,7 +82,7 @@ fn optimize_ends_in_a_spec_that_keeps_its_promise() {
     assert_eq!(run(dir.path(), &["check", "best.toml"]).status.code(), Some(0));
     let predicted = run(dir.path(), &["predict", "best.toml", "--json"]);
     let value: serde_json::Value = serde_json::from_slice(&predicted.stdout).expect("JSON");
-    // All of it at the bad end of the ranges.
+    // All constraints are met at the bad end of the ranges.
     let payload = value["ranges"]["payload_kg"][0].as_f64();
     assert!(payload >= Some(0.3) && value["ranges"]["final_radius_mm"][1].as_f64() <= Some(24.0), "{value}");
     assert!(value["graspable_radius_mm"][1].as_f64() >= Some(40.0), "{value}");
@@ -107,7 +107,7 @@ fn a_cone_test_is_laid_over_the_prediction() {
     assert_eq!(run(dir.path(), &["cone", "test.csv"]).status.code(), Some(2));
 }
 
-/// A table is read right or refused with its faults: never another number, never a row less.
+/// A table is read correctly or refused with its faults: no number changes, and no row is lost.
 #[test]
 fn cone_reads_a_table_right_or_not_at_all() {
     let dir = folder();
@@ -202,7 +202,7 @@ fn numbers_without_sense_are_wrong_usage() {
     assert!(text(&locked.stderr).contains("below 0.57735, where the cone locks"), "{}", text(&locked.stderr));
 }
 
-/// Every layout that `check` accepts, `optimize` can write into; what it cannot is said before the search.
+/// `optimize` can write into every layout that `check` accepts; other layouts are refused before the search.
 #[test]
 fn optimize_writes_into_every_layout() {
     let dir = folder();
@@ -253,7 +253,7 @@ fn optimize_writes_into_every_layout() {
     assert!(!said.contains("designs computed"), "{said}");
 }
 
-/// A spec of the same star, for `sweep` and for `check`: fabric is that of both sheets, as it is cut.
+/// A spec of the same star, for `sweep` and for `check`: the fabric is that of both sheets, as cut.
 #[test]
 fn a_sweep_has_the_fabric_that_check_has() {
     let dir = folder();
@@ -313,7 +313,7 @@ fn an_actuator_is_answered_by_every_model_of_its_hinge() {
         );
         assert!((number("coiling") - (180.0 - number("angle_deg")) / 120.0).abs() < 1e-12);
         assert!(json["volume_mm3"].is_null() && json["ranges"]["moment"].is_null());
-        // Limits have no ranges. The shell finds 36.35 deg and 0.0783 N m here (docs/models.md).
+        // Limit models have no ranges. The shell gives 36.35 deg and 0.0783 N m here (docs/models.md).
         let range = |key: &str| {
             serde_json::from_value::<Option<[f64; 2]>>(json["ranges"][key].clone()).expect("two ends")
         };
@@ -324,15 +324,14 @@ fn an_actuator_is_answered_by_every_model_of_its_hinge() {
         }
         let moments: Vec<[f64; 2]> = serde_json::from_value(json["moment"].clone()).expect("pairs");
         assert!(moments.len() == 3 && (moments[2][0] - 60.0).abs() < 1e-9, "{moments:?}");
-        // Opened beyond its rest, it is held by a moment that opens. That of the membrane is nearly constant below the
-        // onset, that of the section grows.
+        // Beyond its rest angle an opening moment holds it. The membrane's moment is nearly constant below the onset, the section's grows.
         assert!(moments[0][0] > number("angle_deg") && moments[0][1] > 0.0, "{moments:?}");
         let growth = if model == "section" { 1.5 } else { 0.99 };
         assert!(moments.is_sorted_by(|a, b| b[1] > growth * a[1]), "{moments:?}");
-        // The limits take a hinge at 14 kPa for softer than the section does.
+        // At 14 kPa the limit models give softer hinges than `section`.
         assert!(number("stiffness_Nm") < 0.7 * before, "{json}");
         before = if model == "section" { number("stiffness_Nm") } else { before };
-        // The section knows arms here, and the limits are limits.
+        // `section` models arms here; the limit models warn.
         let warnings = json["evidence"]["warnings"].as_array().expect("a list");
         assert_eq!(warnings.is_empty(), model == "section", "{warnings:?}");
     }
@@ -367,7 +366,7 @@ fn predict_takes_the_section_only_with_a_pressure() {
     assert!(lambda > 1.1 && lambda < 1.3 && json["lambda_c"]["tip"].is_null(), "{json}");
     let warnings = json["evidence"]["warnings"].to_string();
     assert!(!warnings.contains("without arms") && !warnings.contains("membrane's own"), "{warnings}");
-    // 150 deg of arc coil by lambda, and by what the arms add: a few degrees.
+    // 150 deg of arc coil by lambda, and the arms add a few degrees.
     let added = 180.0 - json["tip_target_angle_deg"].as_f64().expect("a number") - 150.0 * lambda;
     assert!((2.0..14.0).contains(&added), "{added}");
     let thin = GRIPPER.replace("[fabric]", "[fabric]\nthickness = \"0.1 mm\"").replace("37 kPa", "3 kPa");

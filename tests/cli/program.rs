@@ -1,4 +1,4 @@
-//! The program as a user runs it: exit codes, streams, files; and what it does with bad input.
+//! The program as a user runs it: exit codes, streams, files; and its behaviour on bad input.
 
 use std::fs;
 use std::path::Path;
@@ -96,7 +96,7 @@ fn edit_manifest(dir: &Path, change: impl Fn(&mut serde_json::Value)) {
     fs::write(&path, serde_json::to_vec_pretty(&manifest).expect("JSON")).expect("written");
 }
 
-/// The version in the manifest is covered by no hash, and must not switch the comparison off in silence.
+/// No hash covers the version in the manifest, so it must not disable the comparison silently.
 #[test]
 fn a_directory_of_another_version_is_read_back_and_named() {
     let dir = workshop();
@@ -121,7 +121,7 @@ fn a_directory_of_another_version_is_read_back_and_named() {
     let quiet = verify(&["-q"]);
     assert_code(&quiet, 3);
     assert!(stdout(&quiet).contains("written by 9.8.7"), "{}", stdout(&quiet));
-    // What is equal to the byte is told all the same.
+    // Files equal to the byte are reported all the same.
     let found = json();
     assert_eq!(found["written_by"], "9.8.7");
     assert_eq!(found["unproven"], serde_json::json!([]));
@@ -131,7 +131,7 @@ fn a_directory_of_another_version_is_read_back_and_named() {
     };
     assert_eq!((by("report.html"), by("star-1-seal.gcode")), ("bytes".into(), "bytes".into()));
 
-    // Nothing judges all that a report says: it is named as soon as it differs.
+    // No reader judges all of a report: a report that differs is listed as unproven.
     let report = dir.path().join("out/star/report.html");
     let text = fs::read_to_string(&report).expect("it").replace("200 C", "450 C");
     fs::write(&report, &text).expect("written");
@@ -142,7 +142,7 @@ fn a_directory_of_another_version_is_read_back_and_named() {
     });
     assert_eq!(json()["unproven"][0], "report.html");
     assert!(stdout(&verify(&[])).contains("not proven:"));
-    // A finding is one whatever is accepted.
+    // A finding remains one with every option.
     fs::write(&report, text.replace("450 C", "4500 C")).expect("written");
     assert_code(&verify(&["--read-back"]), 1);
 }
@@ -181,7 +181,7 @@ fn only_some_kinds() {
         ["machine.toml", "manifest.json", "sheet-1-preview.svg", "sheet-1-seal.dxf", "spec.toml"]
     );
     assert_code(&run(dir.path(), &["verify", "out/star"]), 0);
-    // A whole mask has no pieces.
+    // An undivided mask has no pieces.
     let without = run(dir.path(), &["build", "star.toml", "-q", "--only", "seal-dxf,pieces-svg"]);
     assert_code(&without, 0);
     assert_eq!(stderr(&without), "note: this design has no pieces-svg\n");
@@ -277,7 +277,7 @@ fn an_output_that_shrinks_leaves_nothing_behind() {
     assert_eq!(fs::read_dir(dir.path().join("out")).expect("out/").count(), 1, "a hidden directory is left");
 }
 
-/// What a kill between two renames leaves on systems that cannot exchange names.
+/// The state after a kill between two renames, on systems that cannot exchange names.
 #[test]
 fn an_output_set_aside_is_put_back() {
     let dir = workshop();
@@ -285,7 +285,7 @@ fn an_output_set_aside_is_put_back() {
     let (target, aside) = (dir.path().join("out/star"), dir.path().join("out/.star.stargrip-old"));
     fs::rename(&target, &aside).expect("renamed");
     fs::write(aside.join("notes.txt"), "mine").expect("written");
-    // The output comes back before it is looked at; with a foreign file in it, it is then left alone.
+    // The output is restored before it is checked; with a foreign file in it, it is then left unchanged.
     assert_code(&run(dir.path(), &["build", "star.toml"]), 1);
     assert!(target.join("notes.txt").exists() && !aside.exists());
 }
@@ -411,7 +411,7 @@ fn a_hostile_name_is_a_harmless_literal() {
                 continue;
             }
             if ending == "pdf" {
-                // The title is the only place for a name; no bracket in it can end its string.
+                // The title is the only place for a name; a bracket in it must not end its string.
                 let text = String::from_utf8_lossy(&bytes).into_owned();
                 let title = text.lines().find(|line| line.contains("/Title")).expect("a title");
                 assert!(title.matches(['(', ')', '<', '>', '\\']).count() == 2, "{file}: {title}");

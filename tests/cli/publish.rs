@@ -1,4 +1,4 @@
-//! Publishing as a user meets it: what is kept, what is refused, what a kill leaves. docs/reliability.md has the figures.
+//! Publishing as a user runs it: kept files, refusals, and the state after a kill. docs/reliability.md has the figures.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ fn assert_code(output: &Output, code: i32) {
     assert_eq!(output.status.code(), Some(code), "{}\n{}", stdout(output), stderr(output));
 }
 
-/// Builds with few files: the programs and what is always there.
+/// Builds with few files: the programs and the files that are always made.
 #[track_caller]
 fn build(dir: &Path, spec: &str, target: &str) -> Output {
     let output = run(dir, &["build", spec, "-o", target, "-q", "--only", "seal-gcode,trace-gcode"]);
@@ -91,7 +91,7 @@ fn a_build_into_the_directory_one_stands_in_stays_under_ones_feet() {
         let (before, now) = (stands.metadata().expect("open"), fs::metadata(&target).expect("there"));
         assert_eq!(before.ino(), now.ino(), "another directory has its name");
     }
-    // What was edited is kept as ever, and what is not ours is refused as ever.
+    // Edited files are kept as usual, and foreign ones are refused as usual.
     fs::write(target.join("machine.toml"), "mine").expect("written");
     let kept = build(&target, "../../other.toml", ".");
     assert!(stderr(&kept).contains("star.kept-1/machine.toml"), "{}", stderr(&kept));
@@ -125,7 +125,7 @@ fn modes_are_carried_over_and_read_only_is_respected() {
     assert_eq!(names(&dir.path().join("out")), ["star"]);
 }
 
-/// What killed builds left, the next build of any name removes; what it cannot prove to be a build's, it shows.
+/// The next build of any name removes the rest of killed builds; a directory that is not provably a build's becomes visible.
 #[test]
 fn leftovers_of_any_build_are_swept() {
     let (dir, target) = built();
@@ -172,7 +172,7 @@ fn a_manifest_that_is_a_pipe_is_not_waited_for() {
     assert!(stderr(&refused).contains("piped/manifest.json is not named"), "{}", stderr(&refused));
 }
 
-/// A directory in memory, mounted in a name space of its own, which not every system allows.
+/// A directory in memory, mounted in its own name space, which some systems do not allow.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_mount_point_can_be_published_into() {
@@ -195,7 +195,7 @@ fn a_mount_point_can_be_published_into() {
     assert!(!said.contains(".stargrip"), "{said}");
 }
 
-/// Kills builds at random moments, over and over: beside the target, and in it. `ROUNDS` says how often.
+/// Kills builds at random moments: beside the target, and in it. `ROUNDS` gives the number of rounds.
 #[test]
 fn a_build_killed_at_any_moment_can_be_taken_up() {
     let rounds = std::env::var("ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(40_u64);
@@ -206,7 +206,7 @@ fn a_build_killed_at_any_moment_can_be_taken_up() {
     let first = content(&target);
     let _ = build(dir.path(), "other.toml", "out/star");
     let second = content(&target);
-    // How long a build takes when nobody disturbs it, so that most kills meet one at work.
+    // The duration of an undisturbed build, so that most kills happen during the work.
     let lasts = (0..5).map(|_| {
         let began = std::time::Instant::now();
         let _ = build(dir.path(), "star.toml", "out/star");
@@ -232,7 +232,7 @@ fn a_build_killed_at_any_moment_can_be_taken_up() {
         killed += usize::from(!child.wait().expect("it ends").success());
         let now = content(&target);
         left += usize::from(names(&dir.path().join("out")).len() > 1 || names(&target) != FILES);
-        // File by file it may be between the two; then the next build makes it whole.
+        // File by file it may be between the two; then the next build completes it.
         assert!(standing || now == first || now == second, "round {round}: {:?}", names(&target));
         if standing || round.is_multiple_of(8) {
             let next = build(dir.path(), spec, "out/star");

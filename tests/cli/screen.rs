@@ -1,4 +1,4 @@
-//! The first screen of `check` and `build`: what it says, on which stream, how much of it, and what it refuses.
+//! The overview of `check` and `build`: its content, its streams, its verbosity, and its refusals.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,7 @@ use crate::support::program::{run, stderr, stdout};
 
 const GRIPPER: &str = include_str!("../../designs/paper-gripper.toml");
 
-/// A folder with the paper's gripper, of which some text is replaced.
+/// A folder with the paper's gripper, in which some text is replaced.
 fn folder(changes: &[(&str, &str)]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let spec = changes.iter().fold(GRIPPER.to_owned(), |spec, (old, new)| {
@@ -44,7 +44,7 @@ fn the_answer_comes_first_and_fits_a_screen() {
             lines[1],
             "3 equal stars: 5 points, inner radius 50 mm, tube width 30 mm, tip angle 30 deg"
         );
-        // Shells were opened as far as 40 mm.
+        // The computed shells were opened to at most 40 mm.
         let (verdict, end) =
             ("holds the object with ", ", 80 mm across, at 37 kPa; with a friction of 0.3 it carries ");
         assert!(lines[2].starts_with(verdict) && lines[2].contains(end), "{said}");
@@ -142,7 +142,7 @@ fn the_same_for_programs() {
     }
 }
 
-/// What clocks say is in the zone where the job is run, with its weekday, and in no file.
+/// Times of day are in the local zone, with the weekday, and in no file.
 #[test]
 fn the_end_is_told_in_local_time() {
     let folder = folder(&[]);
@@ -159,7 +159,7 @@ fn the_end_is_told_in_local_time() {
     }
 }
 
-/// Found, allowed and remedy, and nothing written; what is accepted `--anyway` is proven as everything else.
+/// A message has found, allowed and remedy, and nothing is written; a gripper accepted with `--anyway` is proven like every other.
 #[test]
 fn a_gripper_that_cannot_do_what_it_is_for_is_refused() {
     let object = |mm: &str| format!("object_diameter = \"{mm}\"");
@@ -223,7 +223,7 @@ fn bench() -> tempfile::TempDir {
     folder
 }
 
-/// Runs what must succeed, with nothing to say on standard error; what it says.
+/// Runs a command that must succeed with empty standard error; returns its standard output.
 #[track_caller]
 fn done(folder: &Path, args: &[&str]) -> String {
     let output = run(folder, args);
@@ -295,7 +295,7 @@ fn what_was_measured_and_what_was_written_is_for_programs_too() {
     let asked_json: serde_json::Value = serde_json::from_slice(&asked.stdout).expect("one object");
     assert_eq!((asked.status.code(), &asked_json["chosen"]), (Some(1), &serde_json::Value::Null));
     assert_eq!(asked_json["settings"].as_array().map(Vec::len), Some(1));
-    // A table that is the answer is printed however quiet one is.
+    // A table that is the answer is printed even with --quiet.
     let cone = ["cone", "cone.csv", "--contact-radius", "15 mm"];
     assert_eq!(done(here, &[&cone[..], &["-q"]].concat()), done(here, &cone));
     let points = json(here, &cone);

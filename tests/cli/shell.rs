@@ -1,4 +1,4 @@
-//! The shell as a user asks it, on coarse meshes: keys, refusals, what is kept, and what an interruption leaves.
+//! The shell model as a user runs it, on coarse meshes: keys, refusals, the cache, and the state after an interruption.
 
 use std::fs;
 use std::path::Path;
@@ -26,7 +26,7 @@ object_radius = "36 mm"
 friction = 0.5
 "#;
 
-/// How the shell is asked about it in seconds.
+/// Options for an answer in seconds.
 const COARSE: [&str; 4] = ["--model", "shell", "--fineness", "coarse"];
 
 fn command(dir: &Path) -> Command {
@@ -54,7 +54,7 @@ fn folder() -> tempfile::TempDir {
     dir
 }
 
-/// Files in the folder of kept answers.
+/// Files in the cache.
 fn kept(dir: &Path) -> Vec<std::path::PathBuf> {
     let entries = fs::read_dir(dir.join("cache/stargrip-cam"));
     entries.map_or(Vec::new(), |entries| entries.map(|entry| entry.expect("an entry").path()).collect())
@@ -72,7 +72,7 @@ fn an_actuator_is_a_shell_with_its_mesh_errors() {
     let error = |key: &str| {
         found["evidence"]["mesh_errors"][key].as_f64().unwrap_or_else(|| panic!("{key}: {found}"))
     };
-    // The finest meshes that were ever tried, with what they leave open, and CalculiX (docs/models.md).
+    // Results of the finest meshes so far, with their errors, and of CalculiX (docs/models.md).
     for (key, known, open) in
         [("angle_deg", 36.3, 0.3), ("volume_mm3", 21_730.0, 20.0), ("stiffness_Nm", 0.078, 0.002)]
     {
@@ -82,7 +82,7 @@ fn an_actuator_is_a_shell_with_its_mesh_errors() {
         );
     }
     assert!((number("coiling") - (180.0 - number("angle_deg")) / 120.0).abs() < 1e-12);
-    // Held open, it pulls back as its stiffness says, and harder further out.
+    // Held open, its moment follows its stiffness, and grows faster at larger opening.
     let moments: Vec<[f64; 2]> = serde_json::from_value(found["moment"].clone()).expect("pairs");
     for [angle, moment] in &moments {
         let linear = number("stiffness_Nm") * (angle - number("angle_deg")).to_radians();
@@ -91,7 +91,7 @@ fn an_actuator_is_a_shell_with_its_mesh_errors() {
     assert_eq!(found["evidence"]["mesh_errors"]["moment_Nm"].as_array().map(Vec::len), Some(2));
     assert_eq!(found["evidence"]["unknowns"].as_array().map(Vec::len), Some(3));
 
-    // It is kept, and what is kept is the answer; what is torn is computed again.
+    // The answer is stored, and the stored answer is printed; a damaged one is computed again.
     let [file] = &kept(dir.path())[..] else { panic!("{:?}", kept(dir.path())) };
     let whole = fs::read(file).expect("kept");
     fs::write(file, &whole[..whole.len() / 2]).expect("torn");

@@ -1,11 +1,11 @@
-//! The spine as a user meets it: `check` and `build` refuse the same things, in the same words, before any file is made.
+//! The pipeline as a user runs it: `check` and `build` refuse the same specs, in the same words, before any file is made.
 
 use crate::support::program::{run, stderr, stdout};
 use std::fs;
 
 const PAPER: &str = include_str!("../../designs/paper-five-points.toml");
 
-/// A folder with the paper's star on a machine that reaches this far.
+/// A folder with the paper's star on a machine with this work area.
 fn folder(area: (f64, f64), more: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let generic = stargrip_cam::spec::builtin_machine("generic").expect("built in");
@@ -32,7 +32,7 @@ fn a_star_beyond_the_machines_reach_is_one_refusal_with_sizes_and_remedy() {
     }
 }
 
-/// A sheet may be larger than the machine: the parts then stay where the iron can go.
+/// A sheet may be larger than the work area: the parts then stay within the area.
 #[test]
 fn parts_stay_within_reach_on_a_larger_sheet() {
     let stack = "[stack]\ncount = 3\n[sheet]\nwidth = \"900 mm\"\nheight = \"900 mm\"\n";
@@ -55,7 +55,7 @@ fn a_sheet_without_a_size_is_no_larger_than_the_machine() {
     );
 }
 
-/// What does not come by default comes where it is named, is proven with the rest, and is missed when it is gone.
+/// A kind that is not made by default is made on request, is proven with the others, and is reported when it is missing.
 #[test]
 fn an_extra_kind_is_built_recorded_and_demanded() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -111,7 +111,7 @@ fn a_partial_build_says_what_was_compared_and_ends_at_no_time() {
     assert!(proven.contains(&serde_json::json!({ "path": "spec.toml", "by": "hash" })), "{proven:?}");
 }
 
-/// A build makes what its spec names, and again what the build had that it replaces; what goes is told.
+/// A build makes the kinds that its spec names, and those of the build that it replaces; removed kinds are reported.
 #[test]
 fn kinds_that_were_asked_for_once_come_again() {
     let folder = folder((600.0, 600.0), "");

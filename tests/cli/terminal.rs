@@ -1,6 +1,6 @@
-//! What a person sees on a terminal and a pipe does not get: colours, broken lines, and how far a long work is.
+//! Output on a terminal that a pipe does not get: colours, broken lines, and the progress of long work.
 //!
-//! The terminal is that of `script`, which every Linux has.
+//! The terminal is that of `script`, which is part of every Linux.
 #![cfg(target_os = "linux")]
 
 use std::fs;
@@ -24,7 +24,7 @@ fn on_terminal(dir: &Path, columns: u16, args: &str, variables: &[(&str, &str)])
     command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().expect("script")
 }
 
-/// All that the terminal is sent.
+/// The whole output on the terminal.
 fn sent(dir: &Path, columns: u16, args: &str, variables: &[(&str, &str)]) -> String {
     let mut child = on_terminal(dir, columns, args, variables);
     let mut text = String::new();
@@ -47,7 +47,7 @@ fn colours_are_for_terminals_that_have_them() {
             assert!(!seen.contains('\u{1b}') && seen.len() > 100, "{unwanted:?}: {seen:?}");
         }
     }
-    // A pipe gets none, whatever the terminal is called.
+    // A pipe gets none, whatever TERM is.
     let piped = Command::new(env!("CARGO_BIN_EXE_stargrip-cam"))
         .current_dir(dir.path())
         .env("TERM", "xterm")
@@ -70,7 +70,7 @@ fn lines_are_as_wide_as_the_terminal() {
     assert!(seen.lines().all(|line| line.chars().count() <= 50), "{seen}");
 }
 
-/// Back to the line's begin, and what is there taken away.
+/// Return to the start of the line, and erase it.
 const TAKEN_BACK: &str = "\r\u{1b}[2K";
 
 #[test]
@@ -90,14 +90,14 @@ fn long_work_is_seen_on_a_terminal_and_leaves_nothing_there() {
     }
 }
 
-/// Seconds of work, and minutes where it is fine.
+/// Seconds of work, and minutes if it is fine.
 const SHELL: &str = "actuator --tube-width '20 mm' --radius '2 mm' --arm-length '80 mm' --angle '60 deg' \
                      --pressure '14 kPa' --model shell --no-cache";
 
 #[test]
 fn ctrl_c_takes_the_line_away_and_ends_the_program() {
     let dir = workshop();
-    // One that hears it, and one that does not.
+    // One command that catches Ctrl-C, and one that does not.
     for (args, line) in [("trade", "measuring"), (&*format!("{SHELL} --fineness fine"), "left")] {
         let mut child = on_terminal(dir.path(), 80, args, &[]);
         let (mut seen, mut out) = (String::new(), child.stdout.take().expect("piped"));

@@ -1,4 +1,4 @@
-//! The report on the seal: tight by construction, and seen to leak where it does.
+//! The report on the seal: correct designs are tight, and each seeded leak is found.
 
 use stargrip_cam::airtight::report;
 use stargrip_cam::design::{Design, Product, StarAssembly};
@@ -69,7 +69,7 @@ fn every_seeded_leak_is_seen() {
         cross.iter().any(|leak| leak.code == "seams-cross" && leak.found.contains("cross or touch")),
         "{cross:?}"
     );
-    // A tube without an inlet that is open all the same.
+    // A tube that is open although it has no inlet.
     let lost = leaks(&|d| d.distinct[0].shape.ports.clear());
     assert!(
         lost.iter().any(|leak| leak.code == "wrong-opening"

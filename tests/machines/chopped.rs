@@ -1,4 +1,4 @@
-//! Chopped programs: what is written is what is judged, however coarse the file and the steps.
+//! Chopped programs: the verifier agrees with the plan at every precision of the file and of the steps.
 
 use stargrip_cam::pipeline::read_back;
 
@@ -11,8 +11,8 @@ fn with_path(path: &str) -> String {
     spec_text(&format!("{CHOP}[accuracy]\npath = \"{path}\"\n"))
 }
 
-/// Positions of the file are rounded, the steps to them with them: at 0.01 mm a stroke may have a step more or less than its
-/// exact ends have, which on GRBL takes 33 ms.
+/// Positions in the file are rounded, and the steps to them as well: at 0.01 mm a stroke may have a step more or less than its exact ends
+/// give, which on GRBL takes 33 ms.
 #[test]
 fn coarse_files_are_proven_on_every_chopping_profile() {
     for name in crate::WITH_FLOOR {
@@ -81,7 +81,7 @@ fn marlin_dwells_only_after_moves_that_it_makes() {
     }
 }
 
-/// Only `verify` found a `chop_feed` of one's own that the controller cannot go at: the remedy's value is one that it can.
+/// A custom `chop_feed` below the controller's lowest feed is refused in planning; the remedy's value is accepted.
 #[test]
 fn a_chop_feed_below_the_floor_is_refused() {
     let own = |feed: &str| {

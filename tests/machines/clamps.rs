@@ -1,4 +1,4 @@
-//! Clamps: how near the iron may come to them, over which it may pass, and that plan and verifier agree on it.
+//! Clamps: distances that the iron must keep, clamps that it may cross, and the agreement of plan and verifier.
 
 use stargrip_cam::design::{Design, RefusalCode};
 use stargrip_cam::geom::{Bounds, Path, Point, Segment};
@@ -21,7 +21,7 @@ fn programs() -> [Vec<Program>; 2] {
     [seal_programs(&spec, &machine, &design), trace_programs(&spec, &machine, &design)]
 }
 
-/// All that the iron follows on or above the fabric, travels left out.
+/// Bounds of all paths on or above the fabric, without travels.
 fn followed(programs: &[Program]) -> Bounds {
     let steps = programs.iter().flat_map(|program| &program.steps);
     let pieces: Vec<Segment> = steps
@@ -47,7 +47,7 @@ fn clamped(place: Bounds, height: Option<f64>) -> String {
     )
 }
 
-/// Clamps 6 mm wide along each side of `inner`, `off` from it.
+/// Clamps 6 mm wide along each side of `inner`, at the distance `off`.
 fn beside(inner: Bounds, off: f64) -> [Bounds; 4] {
     let (a, c, wide) = (inner.min, inner.max, 6.0);
     let clamp =
@@ -60,7 +60,7 @@ fn beside(inner: Bounds, off: f64) -> [Bounds; 4] {
     ]
 }
 
-/// What the plan says of a clamp; empty if it builds.
+/// The plan's refusal of a clamp; empty if the gripper builds.
 fn refused(place: Bounds, height: Option<f64>) -> String {
     match try_built(&sheet(), &clamped(place, height)) {
         Ok(_) => String::new(),
@@ -74,7 +74,7 @@ fn refused(place: Bounds, height: Option<f64>) -> String {
     }
 }
 
-/// What the verifier finds where the profile of a finished build gets a clamp.
+/// The findings when the profile of a finished build gets a clamp.
 fn found(place: Bounds, height: Option<f64>) -> Vec<Finding> {
     let build = built(&sheet(), profile("generic"));
     let mut files = build.output_files();
@@ -97,7 +97,7 @@ fn a_low_clamp_keeps_half_a_band_off_the_seal_on_every_side() {
         assert_eq!(refused(near, low), "the seal of star 1 meets the clamp \"vice\"");
         assert_eq!(refused(far, low), "");
     }
-    // The verifier allows for what a file rounds.
+    // The verifier allows for the rounding of a file.
     for (near, far) in
         beside(followed(&seals), REACH - 0.01).into_iter().zip(beside(followed(&seals), REACH + 0.01))
     {
@@ -113,7 +113,7 @@ fn the_iron_passes_above_a_clamp_that_is_lower_than_it_travels() {
     // The trace follows the cut, well outside of the seal.
     let (seal, trace) = (followed(&seals), followed(&traces));
     assert!(trace.min.x < seal.min.x - 2.0 * REACH);
-    // On some sides a way to a seam is met first.
+    // On some sides the path to a seam is met first.
     let said = "the trace of star 1 meets the clamp \"vice\"";
     let sides = beside(trace, -1e-6).into_iter().zip(beside(trace, 1e-6));
     let sides: Vec<_> = sides.filter(|(touching, _)| refused(*touching, None) == said).collect();
@@ -156,7 +156,7 @@ fn the_way_between_two_seams_counts_too() {
     assert_eq!(found(speck, Some(travel - 0.01)), []);
 }
 
-/// A clamp under the whole star has no side near the seal: it is what lies inside that meets it.
+/// A clamp under the whole star has no side near the seal: the paths inside meet it.
 #[test]
 fn a_clamp_around_everything_is_met() {
     let [seals, _] = programs();

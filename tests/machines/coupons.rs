@@ -1,4 +1,4 @@
-//! Coupons: every program is one that its controller reads, hot, at its own speed and height.
+//! Coupons: every program is readable by its controller, heats, and has its own speed and height.
 
 use stargrip_cam::coupon::{Coupon, CouponGroup, StripGrid, read_rows, table};
 use stargrip_cam::pipeline::{MadeCoupons, Sources};
@@ -8,7 +8,7 @@ use stargrip_cam::verify::gcode::{Dialect, read_program};
 
 use crate::{PROFILES, machine, profile, spec, spec_text};
 
-/// All coupons, read back as every program is.
+/// All coupons, read back like every program.
 fn proven(spec: &Spec, machine: &Machine, grid: &StripGrid) -> Vec<Coupon> {
     let groups = CouponGroup::NAMES.map(|(_, group)| group);
     let sources = Sources { spec: "", machine: "" };
@@ -53,12 +53,12 @@ fn every_coupon_is_sound_in_every_dialect() {
         }
         let strips = grid.strips(&machine);
         assert_eq!(strips.len(), 24);
-        // Nothing was filled in yet.
+        // The table is not filled in yet.
         assert_eq!(read_rows(&Source::new("results.csv", table(&strips))), Ok(Vec::new()));
     }
 }
 
-/// Along X a controller may well hold what it does not hold at 45 degrees: a strip there needs no strokes.
+/// Along X a controller may hold a speed that it cannot hold at 45 degrees: a strip there needs no strokes.
 #[test]
 fn strips_that_the_controller_holds_go_steadily() {
     let (spec, machine) = (spec(&spec_text("[machine]\nfeed_floor = \"chop\"\n")), machine(profile("grbl")));
@@ -72,7 +72,7 @@ fn strips_that_the_controller_holds_go_steadily() {
     let code = |name: &str| set.iter().find(|coupon| coupon.name == name).expect(name).gcode();
     let (slow, fast) = (code("strips-200C-200um-s"), code("strips-200C-500um-s"));
     assert!(slow.contains("\nG4 P") && !fast.contains("\nG4 P") && fast.contains(" F30\n"));
-    // Strokes and dwells of one strip at the speed that they should have, to 0.2 %.
+    // Strokes and dwells of one strip give the required speed, to 0.2 %.
     let program = read_program(&slow, Dialect::for_controller(&machine.controller));
     let contact = |z: f64| (z + 0.3).abs() < 1e-9;
     let run: Vec<_> = program.moves.iter().filter(|m| contact(m.from.z) && contact(m.to.z)).collect();
@@ -85,14 +85,14 @@ fn strips_that_the_controller_holds_go_steadily() {
             m.feed.expect("F") / 60.0,
         )
     });
-    // Those after a move of the run; the way down ends with one of its own.
+    // Dwells after a move of the run; the ramp down ends with one of its own.
     let waits = program.dwells.iter().filter(|d| run.iter().any(|m| m.line + 1 == d.line));
     let seconds = moving.sum::<f64>() + waits.map(|d| d.seconds).sum::<f64>();
     let length: f64 = run.iter().map(|m| m.length()).sum();
     assert!((seconds * 0.2 / length - 1.0).abs() < 0.002, "{} mm/s", length / seconds);
 }
 
-/// A coupon is called by its own name, and says so wherever a star would say its number and its loop.
+/// A coupon's program has the coupon's name wherever a star's has its number and its loop.
 #[test]
 fn coupons_do_not_pass_for_stars() {
     let grid = StripGrid {

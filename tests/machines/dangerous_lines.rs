@@ -1,4 +1,4 @@
-//! Lines that a profile must not put into any program: none is read, whatever the dialect and wherever it stands.
+//! Dangerous lines in a profile: each is refused, in every dialect and at every place.
 
 use stargrip_cam::spec::{Source, builtin_machine, read_machine};
 
@@ -109,7 +109,7 @@ const REMARKS: [&str; 14] = [
     "; end of program, 3 lines",
 ];
 
-/// The profile `name` with `line` as one more of `part`, or as its pause.
+/// The profile `name` with `line` added to `part`, or as its pause.
 fn with(name: &str, part: &str, line: &str) -> String {
     let quoted = line.replace('\\', "\\\\").replace('"', "\\\"");
     let (from, to) = match part {
@@ -128,7 +128,7 @@ fn no_dangerous_line_is_read_in_any_dialect() {
     for name in PROFILES {
         for part in ["start", "pause", "end"] {
             for line in LINES.into_iter().chain(REMARKS) {
-                // The pause of these controllers is no danger where it is the pause.
+                // The pause command of these controllers is not dangerous in the place of the pause.
                 if line == "M0" && part == "pause" && own_pause(name) {
                     continue;
                 }
@@ -140,7 +140,7 @@ fn no_dangerous_line_is_read_in_any_dialect() {
                     codes.iter().all(|code| ["program-line", "conflict"].contains(code)),
                     "{name} {part} {line}: {codes:?}"
                 );
-                // It is named where it stands.
+                // The fault is at its line.
                 let number = 1 + text
                     .lines()
                     .position(|text| text.starts_with(&format!("{part} = ")))
@@ -158,7 +158,7 @@ fn no_dangerous_line_is_read_in_any_dialect() {
     }
 }
 
-/// A setting is compared with what the profile says elsewhere.
+/// A setting is compared with other values of the profile.
 #[test]
 fn settings_agree_with_the_profile() {
     let read = |name: &str, from: &str, to: &str| {
@@ -179,7 +179,7 @@ fn settings_agree_with_the_profile() {
     assert_eq!(read("klipper", "acceleration = \"unknown\"", "acceleration = \"500 mm/s^2\""), Ok(()));
 }
 
-/// A setting is compared with the seal's speed and the job's time, which the profile does not know.
+/// A setting is compared with the seal's speed and the job's time, which the profile does not contain.
 #[test]
 fn settings_agree_with_the_seal() {
     let codes = |rest: &str, from: &str, to: &str| {

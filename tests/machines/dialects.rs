@@ -37,7 +37,7 @@ fn the_plain_subset_has_no_arcs_and_nothing_that_may_be_read_as_relative() {
     let line = code.lines().position(|line| line == "G90").expect("absolute") + 1;
     let found = crate::findings_with(&build, "star-1-seal.gcode", &code.replacen("G90\n", "G91.1\n", 1));
     assert!(found.iter().any(|f| (f.code, f.line) == ("unknown-word", Some(line))), "{found:?}");
-    // A profile of the user's own may say that its controller draws arcs.
+    // A profile of the user's own may state that its controller draws arcs.
     let arcs =
         profile("generic").replace("arcs = false", "arcs = true").replace("\"G90\"", "\"G91.1\", \"G90\"");
     let own = built(&spec_text(""), &arcs);
@@ -71,7 +71,7 @@ fn a_reversed_arc_is_found_at_its_line() {
     assert!(found.iter().any(|f| (f.code, f.line) == ("deviation", Some(line))), "{found:?}");
 }
 
-/// What a printer does not say itself: unhomed, or with Z 0 as its lowest, it stops or presses nothing after heating.
+/// Conditions that a printer does not report itself: unhomed, or with Z 0 as its lowest, it stops or presses nothing after heating.
 #[test]
 fn printers_say_what_has_to_be_true() {
     for (name, pause) in
@@ -92,8 +92,8 @@ fn printers_say_what_has_to_be_true() {
     }
 }
 
-/// Klipper, Marlin and RepRapFirmware run G0 at the feed in force: without an F a travel would crawl at the seal's. Who reads
-/// a generic program, nobody knows.
+/// Klipper, Marlin and RepRapFirmware run G0 at the feed in force: without an F a travel would run at the seal's speed. The controller of a
+/// generic program is unknown.
 #[test]
 fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
     for name in PROFILES {
@@ -110,7 +110,7 @@ fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
                 after_travel = travel;
             }
         }
-        // One travel without its F is seen, at its line.
+        // One travel without its F is found at its line.
         let code = text(&build, "star-1-seal.gcode");
         let (line, crawl) =
             code.lines().enumerate().filter(|(_, l)| l.starts_with("G0 X")).nth(1).expect("two");
@@ -118,7 +118,7 @@ fn travels_of_printers_carry_their_feed_and_seals_their_own_after_it() {
         let found = crate::findings_with(&build, "star-1-seal.gcode", &slow);
         let expected = printer.then_some(("travel-feed", Some(line + 1)));
         assert_eq!(found.first().map(|f| (f.code, f.line)), expected, "{name}: {found:?}");
-        // So is another speed of the first ones, which begin at a place that no line names.
+        // Another speed of the first travels is found as well; no earlier line sets their start.
         for (line, first) in code.lines().enumerate().filter(|(_, l)| l.starts_with("G0")).take(2) {
             let fast = code.replacen(first, &first.replace(" F1200", " F12000"), 1);
             let found = crate::findings_with(&build, "star-1-seal.gcode", &fast);
@@ -139,14 +139,14 @@ fn below_the_lowest_feed_the_numbers_are_told() {
     assert_eq!(refusal.code, "feed-floor");
     assert_eq!(refusal.found, "at 80 steps/mm GRBL runs this at 0.38 to 0.54 mm/s instead of 0.1");
     assert!(refusal.remedy.contains("feed_floor = \"chop\"") && refusal.remedy.contains("432 steps/mm"));
-    // A machine with enough steps does it as it is.
+    // A machine with enough steps needs no strokes.
     let fine = profile("grbl").replace("y_steps_per_mm = 80", "y_steps_per_mm = 440");
     let fine = fine.replace("x_steps_per_mm = 80", "x_steps_per_mm = 440");
     assert!(!text(&built(&spec_text(CHOP), &fine), "star-1-seal.gcode").contains("G4"));
     assert!(try_built(&spec_text("[seal]\nspeed = \"0.6 mm/s\"\n"), profile("grbl")).is_ok());
 }
 
-/// Where the controller is so nearly slow enough that a stroke has hardly time left for a dwell.
+/// The controller's lowest speed is so near the seal's that a stroke leaves hardly any time for a dwell.
 #[test]
 fn strokes_just_below_the_floor_keep_their_mean_speed() {
     for (name, speed) in [("grbl", 0.5), ("grbl", 0.2), ("fluidnc", 0.6), ("marlin", 0.5), ("grblhal", 0.15)]
@@ -155,7 +155,7 @@ fn strokes_just_below_the_floor_keep_their_mean_speed() {
         let build = built(&spec_text(&rest), profile(name));
         assert_eq!(read_back(&build.output_files()).findings, [], "{name}");
         let code = text(&build, "star-1-seal.gcode");
-        // One dwell longer than told.
+        // One dwell is longer than programmed.
         let from = code.find("; seam:").expect("a seam");
         let (at, dwell) = code[from..].match_indices("\nG4 ").nth(40).expect("dwells");
         let line = code[..from + at].lines().count() + 1;
@@ -165,7 +165,7 @@ fn strokes_just_below_the_floor_keep_their_mean_speed() {
         let found = crate::findings_with(&build, "star-1-seal.gcode", &slow);
         assert!(found.iter().any(|f| f.code == "wrong-feed" || f.code == "iron-at-rest"), "{name} {line}");
     }
-    // Speeds at which no stroke of half a band has time for one are refused with the number.
+    // A speed at which a stroke of half a band leaves no time for a dwell is refused with the number.
     let chop_feed = "acceleration = \"10 mm/s^2\"\nchop_feed = \"36 mm/min\"";
     let own = profile("grbl").replace("acceleration = \"10 mm/s^2\"", chop_feed);
     let fast = spec_text(&format!("[seal]\nspeed = \"0.5 mm/s\"\nband = \"0.6 mm\"\n{CHOP}"));
@@ -177,7 +177,7 @@ fn strokes_just_below_the_floor_keep_their_mean_speed() {
     assert_eq!(read_back(&built(&fine, &own).output_files()).findings, []);
 }
 
-/// Marlin lets a move wait that meets an empty queue, and after a dwell each does.
+/// In Marlin a move that meets an empty queue waits, and so does every move after a dwell.
 #[test]
 fn the_wait_of_a_start_is_taken_off_the_dwell() {
     let with = text(&built(&spec_text(CHOP), profile("marlin")), "star-1-seal.gcode");
@@ -282,7 +282,7 @@ fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
             interpreter.feed(line, &mut events);
         }
         interpreter.finish(&mut events);
-        // Between the pauses: what the watch shows.
+        // The time between the pauses, as on a watch.
         let (mut watch, mut pauses) = (Vec::new(), 0);
         for event in events {
             match event {
@@ -306,7 +306,7 @@ fn the_feed_check_takes_as_long_as_it_says_in_every_dialect() {
                 _ => {}
             }
         }
-        // Three lines, and where the machine draws arcs one in either direction.
+        // Three lines, and with arcs one in either direction.
         assert_eq!(pauses, if machine.controller.arcs { 10 } else { 6 }, "{name}");
         for code_of in ["G2 ", "G3 "] {
             assert_eq!(code.lines().any(|line| line.starts_with(code_of)), machine.controller.arcs, "{name}");

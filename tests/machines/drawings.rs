@@ -1,4 +1,4 @@
-//! A drawn shape on every machine: all that a star can be made to be, a drawing can.
+//! A drawn shape on every machine: a drawing has the same options as a star.
 
 use std::fs;
 
@@ -12,7 +12,7 @@ use stargrip_cam::verify::gcode::{Dialect, read_program};
 
 use crate::{PROFILES, findings_with, machine, profile, text as text_of};
 
-/// The shipped pillow, more of it in `rest`, four times, as paper for a press, too.
+/// The shipped pillow with `rest` added to its spec: four copies, with a separator.
 fn pillow(rest: &str) -> (String, Spec) {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/designs/drawings/");
     let text = fs::read_to_string(format!("{folder}pillow.toml")).expect("a design");
@@ -51,7 +51,7 @@ fn a_drawing_is_made_on_every_machine() {
         let mask = text_of(&built, "piece-1-mask.svg");
         let moved = mask.replacen(" L", " L1", 1);
         assert!(moved != mask && !findings_with(&built, "piece-1-mask.svg", &moved).is_empty(), "{name}");
-        // Half of the first program is done: the rest of it is sealed, and read as every program is.
+        // Half of the first program is done: the rest of it is sealed, and read like every program.
         let seal =
             built.artifacts.iter().find(|artifact| artifact.output.kind == Kind::SealGcode).expect("it");
         let job = String::from_utf8(seal.bytes.clone()).expect("text");
@@ -79,7 +79,7 @@ fn sealed(file: &str, bytes: &str, name: &str) -> Built {
     made(&text, &reading.with_drawing(bytes.as_bytes()).spec, &machine(profile(name)), name)
 }
 
-/// Curves of other programs have segments of a micrometre and less. No seam begins there, and the iron does not go straight down there: on
+/// Curves of other programs have segments of a micrometre and less. No seam begins on one, and the iron does not go straight down there: on
 /// a round island between its halves, and at the corners of one whose sides are hardly longer than a ramp.
 #[test]
 fn crumbs_under_a_ramp_do_no_harm() {
@@ -108,7 +108,7 @@ fn crumbs_under_a_ramp_do_no_harm() {
     }
 }
 
-/// Lines, corners and arcs of no length in a DXF: the shape is sealed as without them.
+/// Lines, corners and arcs of zero length in a DXF: the seams equal those without them.
 #[test]
 fn elements_of_no_length_are_nothing() {
     let entity = |kind: &str, pairs: &str| format!("0|{kind}|8|air|{pairs}|");
@@ -133,7 +133,7 @@ fn elements_of_no_length_are_nothing() {
     assert_eq!(program(&(rim(corners, 7) + &nothing.concat())), program(&plain));
 }
 
-/// One strip, as the spec seals.
+/// One strip, sealed with the spec's settings.
 fn grid(spec: &Spec) -> StripGrid {
     let heights = vec![machine(profile("generic")).process.heights.contact];
     StripGrid {

@@ -1,4 +1,4 @@
-//! Seeded faults: each is found by its name and in its place, wherever it is put, in every dialect.
+//! Seeded faults: each is found by its code and at its place, for every place and dialect.
 
 use proptest::prelude::*;
 use stargrip_cam::pipeline::Built;
@@ -7,7 +7,7 @@ use stargrip_cam::verify::Finding;
 use crate::{PROFILES, built, findings_with, profile, spec_text, text};
 
 const FILE: &str = "star-1-seal.gcode";
-/// How programs without a word for heat tell the operator.
+/// The operator's heating instruction in programs without a heating command.
 const HEAT: &str = "; heat: temperature_C=200";
 
 fn build(name: &str) -> Built {
@@ -16,7 +16,7 @@ fn build(name: &str) -> Built {
     built(&spec_text(rest), profile(name))
 }
 
-/// The program with its last line counting right again.
+/// The program with the correct number of lines in its last line.
 fn counted(lines: &[String]) -> String {
     let mut text = String::new();
     for line in &lines[..lines.len() - 1] {
@@ -32,7 +32,7 @@ fn contact(lines: &[String]) -> Vec<usize> {
     (0..lines.len()).filter(|i| is_cut(&lines[*i]) && !lines[*i].contains('Z')).collect()
 }
 
-/// A program with a fault in it, and what has to be found: the code, and the line, from 1.
+/// A program with a fault in it, and the expected finding: the code, and the line, from 1.
 struct Seeded {
     text: String,
     code: &'static str,
@@ -51,7 +51,7 @@ fn pick(n: usize, at: f64) -> usize {
     i.min(n - 1)
 }
 
-/// One fault at a place from 0 to 1; `None` if this program has no such thing.
+/// Inserts one fault at a place from 0 to 1; `None` if this program has no place for it.
 fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
     let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
     let count = lines.len();
@@ -60,7 +60,7 @@ fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
     let starting = |code: &str| (0..count).filter(|i| lines[*i].starts_with(code)).collect::<Vec<_>>();
     let dwells = starting("G4 P");
     let heat = starting("M109").first().copied().or_else(|| lines.iter().position(|line| line == HEAT))?;
-    // The end of the first contact: its last cut, and the way up.
+    // The end of the first contact: its last cut, and the move up.
     let up = (cuts[0]..count).find(|i| lines[*i].contains('Z'))?;
     let before_up = |n: usize| cuts.iter().copied().filter(|i| *i < up).rev().nth(n);
     let dialect = text.split("dialect=").nth(1)?.split(' ').next()?;
@@ -80,14 +80,14 @@ fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
             lines[arc].replace_range(..2, turned);
             ("deviation", arc + 1)
         }
-        // A loop left open: moves before the first lift are gone, so that its last move comes too early.
+        // A loop left open: moves before the first lift are missing, so that its last move comes too early.
         2 => {
             let gone = 60.min(cuts.len() / 4);
             let (from, last) = (before_up(gone)?, before_up(gone + 1)?);
             drop(lines.drain(from..up));
             ("open-loop", last + 1)
         }
-        // The overlap cut short: the last move in contact of the first seam is gone.
+        // The overlap cut short: the last move in contact of the first seam is missing.
         3 => {
             let (from, last) = (before_up(0)?, before_up(1)?);
             drop(lines.drain(from..up));
@@ -116,7 +116,7 @@ fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
             lines[cut] += " ; note) G0 Z0";
             ("bad-character", cut + 1)
         }
-        // A move to where nothing is, and back.
+        // A move outside of the work, and back.
         8 => {
             lines.insert(cut, "G1 X1 Y1".to_owned());
             ("deviation", cut + 1)
@@ -136,12 +136,12 @@ fn seeded(kind: usize, at: f64, text: &str) -> Option<Seeded> {
                 _ => ("iron-at-rest", cut + 1),
             }
         }
-        // A word that no controller knows.
+        // A word that no controller has.
         11 => {
             lines.insert(cut, "M7".to_owned());
             ("unknown-word", cut + 1)
         }
-        // Cooled on the way.
+        // Cooled during the job.
         12 => {
             lines.insert(cut, "M104 S0".to_owned());
             (if text.contains("M109") { "stray-heat" } else { "unknown-word" }, cut + 1)
@@ -160,7 +160,7 @@ fn is_named(fault: &Seeded, findings: &[Finding]) -> bool {
     })
 }
 
-/// Each finding's code and line, so that a failure can be read.
+/// The code and the line of each finding, so that a failure can be read.
 fn told(findings: &[Finding]) -> Vec<(&str, Option<usize>)> {
     findings.iter().take(8).map(|finding| (finding.code, finding.line)).collect()
 }

@@ -1,4 +1,4 @@
-//! Jobs that nobody means are refused in words, before anything large is made.
+//! Jobs of absurd size are refused with a message, before anything large is made.
 
 use stargrip_cam::design::{Refusal, RefusalCode};
 use stargrip_cam::pipeline::Designed;

@@ -1,4 +1,4 @@
-//! The lowest feed along a move: that of its worst direction, wherever in an arc it lies.
+//! The lowest feed along a move: that of its worst direction, at any place in an arc.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -11,7 +11,7 @@ use stargrip_cam::units::Speed;
 
 use crate::{profile, spec_text, try_built};
 
-/// Directions at which the brute force looks.
+/// Number of directions in the brute-force search.
 const SAMPLES: u32 = 8_000;
 /// GRBL's lowest step rate, steps/s.
 const RATE: f64 = 30.52;
@@ -20,8 +20,8 @@ fn motion(steps: [f64; 3]) -> Motion {
     Motion { steps_per_mm: Some(steps), step_rate: StepRate::AtLeast(RATE), ..Motion::UNKNOWN }
 }
 
-/// The greatest of the lowest speeds of `SAMPLES` directions on the way, from the formula alone: the step rate
-/// over the steps per mm of the axis that has most of them.
+/// The greatest of the lowest speeds of `SAMPLES` directions on the path, from the formula alone: the step rate over the steps per mm of
+/// the axis with the most steps.
 fn brute_force(steps: [f64; 3], piece: &Segment, rise: f64) -> f64 {
     let length = piece.length();
     let along = |t: f64| {
@@ -69,7 +69,7 @@ proptest! {
     }
 }
 
-/// In each quadrant a short arc, at whose ends the controller goes more slowly than in between.
+/// A short arc in each quadrant, at whose ends the controller can move more slowly than between them.
 #[test]
 fn the_worst_direction_within_a_short_arc_counts_in_every_quadrant() {
     let m = motion([80.0, 200.0, 400.0]);
@@ -104,13 +104,13 @@ fn a_line_has_one_direction_and_what_is_unknown_stays_unknown() {
     let arc = Arc::new(Point::ORIGIN, 10.0, 0.0, 3.0).into();
     for piece in [line, arc] {
         assert_eq!(lowest_speed(&Motion::UNKNOWN, &piece, 0.0), None);
-        // A lowest feed of its own is one for every direction.
+        // A lowest feed in the profile holds for every direction.
         let own = Motion { step_rate: StepRate::NoLimit, min_feed: Speed(0.25), ..Motion::UNKNOWN };
         assert_eq!(lowest_speed(&own, &piece, 1.0), Some(0.25));
     }
 }
 
-/// What a machine that goes no slower than `feed` in any direction says to a seal at 0.1 mm/s.
+/// The refusal of a seal at 0.1 mm/s by a machine with the lowest feed `feed` in every direction.
 fn refused_at(feed: &str) -> Option<Refusal> {
     let slow =
         profile("reprapfirmware").replace("min_feed = \"5 mm/min\"", &format!("min_feed = \"{feed}\""));
@@ -141,7 +141,7 @@ fn grbl_says(rest: &str, from: &str, to: &str) -> Option<Refusal> {
     try_built(&spec_text(rest), &changed).map(|_| ()).err().map(|refusals| refusals[0].clone())
 }
 
-/// With a coarse Z a ramp has its XY motor step more rarely than any move in the plane.
+/// With few steps on Z, the XY motor steps more rarely in a ramp than in any move in the plane.
 #[test]
 fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
     let few = |rest: &str| grbl_says(rest, "z_steps_per_mm = 400", "z_steps_per_mm = 20");
@@ -158,8 +158,8 @@ fn the_speed_that_is_advised_is_one_that_ramps_hold_too() {
     assert_eq!(at(speed - 0.01).map(|refusal| refusal.code), Some(RefusalCode::FeedFloor));
 }
 
-/// Strokes grow up to half a band to leave time for their dwells: 1 mm at 2 mm/s^2 takes 1.9 s from rest to rest, which is
-/// time enough at 0.1 mm/s and too long at 0.53. At 0.1 mm/s^2 strokes have to be so long that the rest after each leaves a scar.
+/// Strokes grow up to half a band to leave time for their dwells: 1 mm at 2 mm/s^2 takes 1.9 s from rest to rest, which is short enough at
+/// 0.1 mm/s and too long at 0.53. At 0.1 mm/s^2 strokes must be so long that the rest after each leaves a scar.
 #[test]
 fn a_stroke_that_takes_too_long_is_refused_with_the_speed_that_works() {
     let at = |acceleration: f64, speed: f64| {

@@ -1,4 +1,4 @@
-//! The machine really does what the design says: every dialect, every fault, every way of going on.
+//! Programs move as the design requires: every dialect, every fault, every way to resume.
 
 mod airtight;
 mod chopped;
@@ -26,11 +26,11 @@ use stargrip_cam::pipeline::{Built, Sources, build};
 use stargrip_cam::spec::{Machine, Source, Spec, builtin_machine, builtin_machines, read, read_machine};
 use stargrip_cam::verify::{Finding, OutputFiles};
 
-/// Every profile that comes with the program.
+/// All built-in profiles.
 const PROFILES: [&str; 8] =
     ["generic", "linuxcnc", "grbl", "grblhal", "fluidnc", "marlin", "klipper", "reprapfirmware"];
 
-/// Those of controllers with a lowest step rate, so that programs for them may have to be chopped.
+/// Controllers with a lowest step rate: programs for them may have to be chopped.
 const WITH_FLOOR: [&str; 4] = ["grbl", "grblhal", "fluidnc", "marlin"];
 
 /// Whether the controller of profile `name` has a lowest step rate.
@@ -43,7 +43,7 @@ fn every_profile_is_tried() {
     assert!(builtin_machines().eq(PROFILES), "PROFILES are not those that come with the program");
 }
 
-/// A spec of a small star, with more of it in `rest`.
+/// A spec of a small star, with `rest` added.
 fn spec_text(rest: &str) -> String {
     format!(
         "schema = 1\nname = \"small\"\n[star]\npoints = 4\ninner_radius = \"20 mm\"\ntube_width = \"10 mm\"\n\
@@ -63,7 +63,7 @@ fn profile(name: &str) -> &'static str {
     builtin_machine(name).expect("built in")
 }
 
-/// A build for any machine, of a spec that calls its profile a file of the user's own.
+/// A build for any machine, from a spec whose profile is a file of the user's own.
 fn try_built(spec_text: &str, machine_text: &str) -> Result<Built, Refusals> {
     let own = "[machine]\nprofile = \"own.toml\"\n";
     let spec_text = match spec_text.split_once("[machine]\n") {
@@ -78,7 +78,7 @@ fn built(spec_text: &str, machine_text: &str) -> Built {
     try_built(spec_text, machine_text).unwrap_or_else(|refusals| panic!("{refusals:?}"))
 }
 
-/// The name of a file of a build, of which programs for LinuxCNC end otherwise.
+/// The name of a build's file; programs for LinuxCNC have another ending.
 fn known(build: &Built, name: &str) -> String {
     let ngc = name.replace(".gcode", ".ngc");
     let names = [name.to_owned(), ngc];
@@ -92,7 +92,7 @@ fn text(build: &Built, name: &str) -> String {
     String::from_utf8(artifact.bytes.clone()).expect("text")
 }
 
-/// The findings about a build in which the file `name` is `text` instead, its hash and size put right.
+/// The findings in a build with `text` in the file `name`; its hash and size are corrected.
 fn findings_with(build: &Built, name: &str, text: &str) -> Vec<Finding> {
     let mut manifest = build.manifest.clone();
     let name = known(build, name);

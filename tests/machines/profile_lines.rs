@@ -1,4 +1,4 @@
-//! The profile's own lines and the first words: what stands in them is proven as every other line is.
+//! The profile's own lines and the header: their content is proven like every other line.
 
 use stargrip_cam::artifact::Asked;
 use stargrip_cam::pipeline::{Sources, build};
@@ -9,12 +9,12 @@ use crate::{PROFILES, built, findings_with, profile, spec_text, text};
 const SEAL: &str = "star-1-seal.gcode";
 const TRACE: &str = "star-1-trace.gcode";
 
-/// Where a line is put or changed.
+/// The place where a line is inserted or changed.
 #[derive(Clone, Copy, Debug)]
 enum At {
     /// Before the first motion.
     Head,
-    /// Before the first line that begins so, in contact.
+    /// Before the first line in contact that begins with this text.
     Contact,
     /// Before the last line of code.
     Tail,
@@ -33,7 +33,7 @@ fn place(lines: &[String], at: At) -> usize {
     .expect("such a line")
 }
 
-/// The program with its last line counting right.
+/// The program with the correct number of lines in its last line.
 fn counted(lines: &[String]) -> String {
     let body = lines[..lines.len() - 1].join("\n");
     format!("{body}\n; end of program, {} lines\n", lines.len())
@@ -60,7 +60,7 @@ fn assert_found(name: &str, findings: &[Finding], code: &str, line: usize) {
     assert!(found, "{name}: no {code} in line {line}: {:#?}", &findings[..findings.len().min(6)]);
 }
 
-/// A line put in is found in its own line.
+/// An inserted line gives a finding at that line.
 #[track_caller]
 fn assert_inserted(names: &[&str], file: &str, at: At, inserted: &str, code: &str) {
     for name in names {
@@ -87,7 +87,7 @@ fn the_first_motion_goes_up_in_every_dialect() {
         let raised = std::cell::Cell::new(0);
         let findings = after(name, SEAL, |lines| {
             raised.set(place(lines, At::Head) + 1);
-            // Before X and Y are known: down, and far away.
+            // Before X and Y are defined: down, and far away.
             lines.insert(raised.get(), "G0 Z-1".to_owned());
             lines.insert(raised.get() + 1, "G0 Z30".to_owned());
             lines.insert(raised.get() + 2, "G0 X99999".to_owned());
@@ -95,7 +95,7 @@ fn the_first_motion_goes_up_in_every_dialect() {
         assert_found(name, &findings, "blind-move", raised.get() + 1);
         assert_found(name, &findings, "blind-move", raised.get() + 3);
     }
-    // Later, no motion goes above the park height.
+    // After the start no motion goes above the park height.
     assert_inserted(&["generic", "marlin"], SEAL, At::Tail, "G0 Z400", "outside-work-area");
 }
 
@@ -116,7 +116,7 @@ fn settings_stand_where_the_profile_puts_them() {
     assert_inserted(&PROFILES, SEAL, At::Contact, "G90", "profile-line");
     assert_inserted(&PROFILES, SEAL, At::Head, "G90", "profile-line");
     assert_inserted(&["klipper"], SEAL, At::Head, "SET_IDLE_TIMEOUT TIMEOUT=1", "profile-line");
-    // A line of the start or the end that is gone is missed where the next one stands.
+    // A missing line of the start or the end is reported at the next line.
     for (name, gone) in [
         ("reprapfirmware", "M203 I5"),
         ("marlin", "M205 S0 T0"),
@@ -162,7 +162,7 @@ fn heaters_are_told_once_and_turned_off() {
             assert_inserted(&[name], file, At::Tail, "M104 S200", "stray-heat");
             assert_inserted(&[name], file, At::Head, "M104 S450", "stray-heat");
         }
-        // Hotter first, then as it should be.
+        // Hotter at first, then correct.
         let hot = std::cell::Cell::new(0);
         let findings = after(name, SEAL, |lines| {
             hot.set(lines.iter().position(|line| line.starts_with("M109")).expect("a heating"));
@@ -185,7 +185,7 @@ fn waits_in_one_place_are_added_up() {
             }
         });
         assert_found(name, &findings, "iron-at-rest", at.get() + 2);
-        // Between slivers of a move as well.
+        // Also between short remainders of a move.
         let findings = after(name, SEAL, |lines| {
             at.set(place(lines, At::Contact));
             lines.insert(at.get(), wait.to_owned());
@@ -225,7 +225,7 @@ fn comments_are_facts() {
             assert_found(name, &findings, "other-comment", at.get() + 1);
         }
     }
-    // What the operator is told, who has no other source.
+    // Instructions to the operator, who has no other source.
     let at = std::cell::Cell::new(0);
     let findings = after("generic", SEAL, |lines| {
         at.set(lines.iter().position(|line| line.contains("set the iron to 200 C")).expect("a word"));
@@ -249,7 +249,7 @@ fn a_trace_goes_at_its_speed() {
     }
 }
 
-/// What the spec calls by a name that comes with the program is that profile, whatever of it the files depend on.
+/// A built-in name in the spec requires the profile of that name, in every value that the files depend on.
 #[test]
 fn a_profile_is_the_one_that_the_spec_names() {
     let name =

@@ -1,4 +1,4 @@
-//! Resume at every move of a job: the rest of it, an overlap, and nothing else.
+//! Resumes at every move of a job: the new program seals the rest and an overlap, and nothing else.
 
 use std::env;
 
@@ -24,7 +24,7 @@ fn moves(name: &str, text: &str) -> Vec<Move> {
     program.moves
 }
 
-/// The contacts in order: the way down and the run of each.
+/// The contacts in order: the ramp down and the run of each.
 fn contacts(moves: &[Move]) -> Vec<(Vec<Move>, Vec<Move>)> {
     let mut out: Vec<(Vec<Move>, Vec<Move>)> = Vec::new();
     let mut clear = true;
@@ -56,10 +56,10 @@ fn length(steps: &[Move]) -> f64 {
     steps.iter().map(Move::length).sum()
 }
 
-/// Resumes at `line` and compares what is sealed with what was left to seal.
+/// Resumes at `line` and compares the sealed path with the remaining one.
 fn check(name: &str, job: &str, original: &[Move], line: usize) {
     let whole = contacts(original);
-    // What of the contacts had been done when `line` began, of the one that was interrupted.
+    // The completed parts of the contacts before `line`, of the interrupted one only a part.
     let done = |run: &[Move]| run.iter().filter(|step| step.line < line).map(Move::length).sum::<f64>();
     let resumed = match resume(job, ResumeAt::Line(line), None) {
         Ok(resumed) => resumed,
@@ -69,7 +69,7 @@ fn check(name: &str, job: &str, original: &[Move], line: usize) {
         }
         Err(fault) => panic!("{name} line {line}: {fault}"),
     };
-    // Marlin joins short moves: there a seam is taken up where it stands still, up to a stroke farther back.
+    // Marlin joins short moves: there a seam continues at a stop, up to a stroke farther back.
     let overlap = if name == "marlin" { resumed.overlap.max(5.0) } else { 5.0 };
     assert!(overlap < 5.2, "{name} line {line}: {overlap}");
     let rest_moves = moves(name, &resumed.text);
@@ -95,7 +95,7 @@ fn check(name: &str, job: &str, original: &[Move], line: usize) {
             walked.jump.is_none_or(|(gap, _)| gap < 1e-6)
                 && walked.backwards.is_none_or(|(by, _)| by < 0.001)
         );
-        // The way down follows the seam, or its own way down.
+        // The ramp down follows the seam, or its own ramp.
         let track = Path::open(segments(old_down).into_iter().chain(whole_run.segments.clone()).collect());
         let track = track.part(start, start + 3.0);
         let ramp = follow(&segments(down), &track);
@@ -116,7 +116,7 @@ fn at_every_move_of_a_job() {
     }
 }
 
-/// Any line, comments and waits too: `RESUMES=500` tries so many of every dialect's job, `DIALECTS=grbl,marlin` those of some
+/// Any line, comments and waits too: `RESUMES=500` sets their number for every dialect's job, `DIALECTS=grbl,marlin` selects dialects
 /// (docs/resume.md).
 #[test]
 fn at_many_lines_of_chopped_jobs_and_in_every_dialect() {
@@ -139,8 +139,8 @@ fn at_many_lines_of_chopped_jobs_and_in_every_dialect() {
     }
 }
 
-/// The way back may end a hair before the end of a stroke: the controller would run on from there into the first old
-/// stroke, which is timed from a stop.
+/// The path back may end just before the end of a stroke: the controller would run on from there into the first old stroke, which is timed
+/// from a stop.
 #[test]
 fn a_sliver_of_a_stroke_is_taken_up_with_the_next() {
     for name in ["grbl", "marlin"] {
@@ -170,13 +170,13 @@ fn the_way_back_carries_its_feeds_where_g0_has_none_of_its_own() {
     }
 }
 
-/// A program says how its strokes are timed, so that the way back is chopped as the rest is.
+/// A program states the timing of its strokes, so that the path back is chopped like the rest.
 #[test]
 fn the_way_back_is_timed_as_the_rest() {
     for name in ["grbl", "marlin"] {
         let job = job(name);
         let resumed = resume(&job, ResumeAt::Share(0.5), None).expect("resumed").text;
-        // In contact: on the way down the strokes are cut anew.
+        // In contact: on the ramp down the strokes are cut again.
         let again: Vec<&str> =
             resumed.lines().skip_while(|line| !line.starts_with("; seam:")).take(400).collect();
         let contact = again.windows(2).filter(|two| !two[0].contains('Z') && two[1].starts_with("G4 P"));
@@ -184,7 +184,7 @@ fn the_way_back_is_timed_as_the_rest() {
         let (count, others) = contact
             .fold((0, 0), |(count, others), two| (count + 1, others + i32::from(!known.contains(two[1]))));
         assert!(count > 50 && others < 5, "{name}: {others} of {count}");
-        // An older program does not say how its controller steps: it is resumed all the same.
+        // An older program does not state its controller's steps: it is resumed all the same.
         let old: Vec<&str> = job.lines().filter(|line| !line.starts_with("; chop-st")).collect();
         let (last, rest) = old.split_last().expect("lines");
         let count = format!("; end of program, {} lines", rest.len() + 1);
@@ -193,14 +193,14 @@ fn the_way_back_is_timed_as_the_rest() {
     }
 }
 
-/// Word of the first comment with this key.
+/// The value of `word` in the first comment with this key.
 fn word(text: &str, key: &str, word: &str) -> f64 {
     let line = text.lines().find(|line| line.starts_with(&format!("; {key}: "))).expect(key);
     let value = line.split(' ').find_map(|one| one.strip_prefix(&format!("{word}=")));
     value.and_then(|value| value.parse().ok()).expect(word)
 }
 
-/// The rest states its own length and time, and what the whole job has; hosts read the time of the rest.
+/// The rest states its own length and time, and those of the whole job; hosts read the time of the rest.
 #[test]
 fn the_rest_tells_its_own_time() {
     for name in ["generic", "klipper", "grbl", "marlin"] {
@@ -210,7 +210,7 @@ fn the_rest_tells_its_own_time() {
             let rest = resume(&job, ResumeAt::Share(share), Some(0.0)).expect("resumed");
             let told = word(&rest.text, "total", "time_s");
             assert!((told - rest.seconds).abs() <= 0.5, "{name}: {told}");
-            // A way down and travels more, which take a minute and a few seconds of speeding up.
+            // A ramp and travels are added, which take a minute and a few seconds of acceleration.
             let more = told - (1.0 - share) * time;
             assert!((53.0..77.0).contains(&more), "{name} {share}: {told}, {more} more than the share");
             assert_eq!(word(&rest.text, "job", "time_s"), time, "{name}");
@@ -266,7 +266,7 @@ fn a_resumed_job_can_be_resumed_and_a_damaged_one_cannot() {
     assert!(matches!(resume(&trace, ResumeAt::Line(1), None), Err(ResumeFault::NotOurs(_))));
 }
 
-/// The job with one text of it replaced, everywhere.
+/// The job with every occurrence of a text replaced.
 fn lied(name: &str, from: &str, to: &str) -> String {
     let job = job(name);
     assert!(job.contains(from), "{name}: {from}");
@@ -299,7 +299,7 @@ fn what_a_comment_says_is_not_believed() {
     }
 }
 
-/// A job with a line put in before the first that begins with `before`, its last line counting right.
+/// A job with a line inserted before the first one that begins with `before`, and the correct number of lines in its last line.
 fn with_line(name: &str, before: &str, line: &str) -> (String, usize) {
     let job = job(name);
     let mut lines: Vec<&str> = job.lines().collect();
@@ -335,7 +335,7 @@ fn a_job_that_plunges_or_changes_settings_is_not_resumed() {
     }
 }
 
-/// Comments longer than a line lost their last digits, and with them `resume` its seal.
+/// Comments longer than a line lost their last digits, so that `resume` lost the seal's settings.
 #[test]
 fn a_comment_that_is_longer_than_a_line_keeps_its_digits() {
     let seal = "[seal]\nspeed = \"2.608620702277 mm/s\"\nband = \"1.6123456789 mm\"\noverlap = \"6.8117535114 mm\"\n";
@@ -350,7 +350,7 @@ fn a_comment_that_is_longer_than_a_line_keeps_its_digits() {
     }
     let rest = resume(&job, ResumeAt::Share(0.4), None).expect("resumed");
     assert!((rest.overlap - 6.811_753_511).abs() < 1e-9, "{}", rest.overlap);
-    // Digits that are missing, or others, are found.
+    // Missing or wrong digits are found.
     for (from, to) in
         [("overlap_mm=6.811753511", "overlap_mm=6.8117"), ("; seal: overlap", "; path: overlap")]
     {
@@ -359,7 +359,7 @@ fn a_comment_that_is_longer_than_a_line_keeps_its_digits() {
     }
 }
 
-/// Whoever cuts the way back off has the seal's feed all the same.
+/// Without the path back, the first old line still has the seal's feed.
 #[test]
 fn the_first_old_line_states_its_feed() {
     for name in PROFILES {
@@ -370,7 +370,7 @@ fn the_first_old_line_states_its_feed() {
         let old_feed =
             |line: &str| line.starts_with('G') && !line.starts_with("G0") && !line.starts_with("G4");
         assert!(old_feed(old) || old.starts_with(';') || old.starts_with('M'), "{name}: {old}");
-        // Counted from the end, both programs have the same lines, but for the whole job's time.
+        // Counted from the end, both programs have the same lines, except the whole job's time.
         let whole = job.lines().filter(|line| line.starts_with("; estimated printing time")).count();
         let back = job.lines().count() - whole - resumed.line;
         let from = text.len() - 1 - back;

@@ -1,10 +1,10 @@
-//! The speed that a file asks for, against the spec's: a thousandth may be lost in rounding, no more.
+//! The speed in a file against the spec's: rounding may change it by at most a thousandth.
 
 use crate::{built, findings_with, profile, spec_text, text};
 
 const SEAL: &str = "star-1-seal.gcode";
 
-/// The lines that are found too fast or too slow where the first touch-down asks for `feed` instead of F60.
+/// The lines that are found too fast or too slow if the first touch-down has `feed` instead of F60.
 fn wrong(feed: &str) -> Vec<usize> {
     let build = built(&spec_text("[seal]\nspeed = \"1 mm/s\"\n"), profile("generic"));
     let text = text(&build, SEAL).replacen(" F60\n", &format!(" {feed}\n"), 1);

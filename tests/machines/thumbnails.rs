@@ -1,4 +1,4 @@
-//! Pictures in the head of programs: there where the profile asks for them, whole, and nowhere else.
+//! Pictures in the header of programs: complete, and only where the profile requests them.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -16,7 +16,7 @@ fn with_pictures(name: &str) -> String {
     text.replace("thumbnails = false", "thumbnails = true")
 }
 
-/// The sizes that are told, with the characters in between.
+/// The stated sizes, with the characters between them.
 fn pictures(program: &str) -> Vec<(String, String)> {
     let mut out = Vec::new();
     let mut lines = program.lines();

@@ -1,10 +1,10 @@
-//! What a program tells and where it travels: each word in its place, in every dialect, steady and chopped.
+//! Comments and travels of a program: each word in its place, in every dialect, steady and chopped.
 
 use crate::{PROFILES, built, findings_with, profile, spec_text, text};
 
 const FILE: &str = "star-1-seal.gcode";
 
-/// What is found by reading after `change` of the lines of a sealing program: codes and lines, but for those of the last line.
+/// The findings of reading after `change` of the lines of a sealing program: codes and lines, without those of the last line.
 fn found(name: &str, change: impl Fn(&mut Vec<String>)) -> Vec<(&'static str, Option<usize>)> {
     let chop = crate::has_floor(name);
     let rest = if chop { "[machine]\nfeed_floor = \"chop\"\n" } else { "" };
@@ -23,7 +23,7 @@ fn found(name: &str, change: impl Fn(&mut Vec<String>)) -> Vec<(&'static str, Op
     findings.iter().map(|finding| (finding.code, finding.line)).collect()
 }
 
-/// Index of the `n`-th line that holds `what`.
+/// Index of the `n`-th line that contains `what`.
 fn nth(lines: &[String], what: &str, n: usize) -> usize {
     (0..lines.len()).filter(|i| lines[*i].contains(what)).nth(n).expect(what)
 }
@@ -50,7 +50,7 @@ fn a_comment_in_another_place_is_found() {
 fn a_travel_to_another_place_is_found() {
     for name in PROFILES {
         let feed = if ["marlin", "klipper", "reprapfirmware"].contains(&name) { " F1200" } else { "" };
-        // Home by a detour, and not home.
+        // The return to the start by a detour, and no return at all.
         let at = std::cell::Cell::new(0);
         let detour = found(name, |lines| {
             at.set(nth(lines, "G0 X0 Y0", 0));

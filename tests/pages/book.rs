@@ -1,4 +1,4 @@
-//! The book's list names every page once, links lead somewhere, pictures are there and small.
+//! The book's list names every page once, links lead to a page, pictures exist and are small.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -6,7 +6,7 @@ use std::fs;
 use crate::home;
 use crate::page::{Page, Piece, ends_in};
 
-/// What a picture may weigh, in bytes.
+/// Largest size of a picture, bytes.
 const LARGEST: u64 = 100_000;
 
 #[test]

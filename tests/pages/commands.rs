@@ -1,12 +1,12 @@
-//! Every fenced block of commands is run, in one directory a page, and the blocks below it are what it says:
+//! Every fenced block of commands is run, in one directory a page, and the blocks below it must show its results:
 //!
-//! - `sh`: run by a shell. `<!-- not run: why -->` above it keeps it from that; these are listed below, so that none is added unseen.
-//! - `text`, in the same section: all that the commands printed. A line `...` stands for any number of lines, ` ...` at the end of one
-//!   for the rest of it. Where it shows an error, the last command fails.
-//! - `toml` that begins with `# name.toml`: stands in the file of that name.
-//! - `csv` that begins with `# name.csv`: what the reader of the page fills in; it is written.
+//! - `sh`: run by a shell. `<!-- not run: why -->` above it prevents that; these are listed below, so that a new one is noticed.
+//! - `text`, in the same section: the whole output of the commands. A line `...` stands for any number of lines, ` ...` at its end for
+//!   the rest of a line. If it shows an error, the last command fails.
+//! - `toml` that begins with `# name.toml`: the content of the file of that name.
+//! - `csv` that begins with `# name.csv`: a file that the reader of the page fills in; it is written.
 //!
-//! The directory holds designs/ and nothing else.
+//! The directory contains only designs/.
 
 use std::fs;
 use std::path::Path;
@@ -93,7 +93,7 @@ fn what_is_not_run_is_known() {
     assert_eq!(found, known);
 }
 
-/// Runs the commands of `page`, and says what is otherwise than it says.
+/// Runs the commands of `page`; returns the differences from the page.
 fn run(page: &Page) -> Vec<String> {
     let pieces = page.pieces();
     let dir = tempfile::tempdir().expect("a directory");
@@ -107,7 +107,7 @@ fn run(page: &Page) -> Vec<String> {
         }
     }
     let mut faults = Vec::new();
-    // What the block above said, if it was run.
+    // The output of the block above, if it was run.
     let mut said: Option<Said> = None;
     for piece in &pieces {
         let Piece::Block(block) = piece else {
@@ -162,9 +162,9 @@ fn run(page: &Page) -> Vec<String> {
     faults
 }
 
-/// What is otherwise in the picture `file` of `page` than in the file `from` in `dir`.
+/// The difference of the picture `file` of `page` from the file `from` in `dir`.
 fn compare(page: &Page, file: &str, from: Option<&str>, dir: &Path) -> Option<String> {
-    // Those of commands that are not run: `tests/pages/trade.rs` and `main.rs`.
+    // Pictures of commands that are not run: `tests/pages/trade.rs` and `main.rs`.
     if ["trade.svg", "trade-shells.svg"].contains(&file) || page.name == "docs/paper.md" {
         return None;
     }

@@ -1,7 +1,7 @@
-//! README and docs/ against the program: commands run and print what is shown below
-//! them, pictures are what the commands draw, references are what the reader takes, and links lead somewhere.
+//! README and docs/ against the program: commands run and print the shown output, pictures equal the commands' files, references list the
+//! reader's keys, and links lead to a page.
 //!
-//! `INSTA_UPDATE=always cargo test --test pages` writes references and pictures anew.
+//! `INSTA_UPDATE=always cargo test --test pages` renews references and pictures.
 
 mod book;
 mod codes;
@@ -15,12 +15,12 @@ mod trade;
 
 use std::path::{Path, PathBuf};
 
-/// Where the sources are.
+/// The directory of the sources.
 fn home() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).to_owned()
 }
 
-/// Whether what is generated is to be written anew.
+/// Whether generated files are renewed.
 fn renews() -> bool {
     std::env::var("INSTA_UPDATE").is_ok_and(|word| word == "always")
 }

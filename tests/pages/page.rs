@@ -14,24 +14,24 @@ pub(crate) fn ends_in(name: &str, ending: &str) -> bool {
 pub(crate) struct Page {
     /// Its path below the sources: "docs/making.md".
     pub(crate) name: String,
-    /// What it holds.
+    /// The text of the page.
     pub(crate) text: String,
 }
 
-/// A part of a page that is looked at.
+/// A part of a page that is tested.
 #[derive(Debug)]
 pub(crate) enum Piece {
     /// Its text.
     Heading(String),
     /// A fenced block.
     Block(Block),
-    /// Its file, as the page names it, and which file of a command it is (`<!-- from out/star/x.svg -->` above it).
+    /// Its path in the page, and the command's file that it shows (`<!-- from out/star/x.svg -->` above it).
     Picture {
-        /// As the page names it.
+        /// The path in the page.
         file: String,
-        /// What the reader sees who cannot see it.
+        /// The alternative text.
         words: String,
-        /// Below the directory in which the page's commands run.
+        /// A path below the directory in which the page's commands run.
         from: Option<String>,
     },
 }
@@ -39,13 +39,13 @@ pub(crate) enum Piece {
 /// A fenced block.
 #[derive(Debug)]
 pub(crate) struct Block {
-    /// The word behind the fence: "sh".
+    /// The word after the fence: "sh".
     pub(crate) kind: String,
-    /// What stands in it, line ends included.
+    /// Its content, line ends included.
     pub(crate) body: String,
     /// The line of its fence, from 1.
     pub(crate) line: usize,
-    /// Why it is not run (`<!-- not run: minutes -->` above it).
+    /// The reason why it is not run (`<!-- not run: minutes -->` above it).
     pub(crate) not_run: Option<String>,
 }
 
@@ -56,7 +56,7 @@ impl Page {
         Self { name: name.to_owned(), text }
     }
 
-    /// README.md and every page in docs/ but the book's list, sorted.
+    /// README.md and all pages in docs/ except the book's list, sorted.
     pub(crate) fn all() -> Vec<Self> {
         let files = fs::read_dir(home().join("docs")).expect("a directory");
         let mut names: Vec<String> = files
@@ -102,7 +102,7 @@ impl Page {
         out
     }
 
-    /// Every place that a link leads to, pictures too, as the page names it.
+    /// All targets of links, pictures included, as the page spells them.
     pub(crate) fn links(&self) -> Vec<String> {
         let mut prose = String::new();
         let mut is_code = false;
@@ -110,7 +110,7 @@ impl Page {
             if line.starts_with("```") {
                 is_code = !is_code;
             } else if !is_code {
-                // A span of code is none of a link.
+                // Text in a code span is not a link.
                 prose.extend(line.split('`').step_by(2).flat_map(|part| [part, "`"]));
                 prose.push('\n');
             }
@@ -119,7 +119,7 @@ impl Page {
         ends.filter_map(|rest| rest.split_once(')')).map(|(link, _)| link.to_owned()).collect()
     }
 
-    /// The places that a link can lead to on this page, as GitHub and mdBook call them.
+    /// The anchors of this page, as GitHub and mdBook name them.
     pub(crate) fn anchors(&self) -> Vec<String> {
         let pieces = self.pieces();
         let headings = pieces.iter().filter_map(|piece| match piece {

@@ -86,12 +86,12 @@ fn is_section(property: &Value) -> bool {
     property["type"] == "object" || property["items"]["type"] == "object"
 }
 
-/// Where `key` of `section`, or the section itself, stands in `template`: a line's number; what is not there comes last.
+/// The line number of `key` of `section`, or of the section itself, in `template`; a missing key comes last.
 fn place(template: &str, section: &str, key: &str) -> usize {
     let mut here = "";
     let mut found = usize::MAX;
     for (line, number) in template.lines().zip(1..) {
-        // What is indented is an example inside of a sentence.
+        // An indented line is an example inside of a sentence.
         let bare = line.trim_start_matches('#');
         let bare = bare.strip_prefix(' ').unwrap_or(bare);
         if let Some((name, _)) =
@@ -140,7 +140,7 @@ fn table(
     out
 }
 
-/// What a property is, and what it takes.
+/// The meaning of a property, and its values.
 fn told(property: &Value, units: &mut BTreeMap<String, String>) -> (String, String) {
     let text = property["description"].as_str().unwrap_or_default();
     let begin = [
@@ -155,7 +155,7 @@ fn told(property: &Value, units: &mut BTreeMap<String, String>) -> (String, Stri
     .iter()
     .filter_map(|words| text.find(words))
     .min()
-    // "A length with its unit": the sentence begins before.
+    // "A length with its unit" is the beginning of this sentence.
     .map(|at| {
         text[..at].rfind(". ").map_or(if text[at..].starts_with(' ') { 0 } else { at }, |stop| stop + 2)
     });
@@ -185,14 +185,14 @@ fn told(property: &Value, units: &mut BTreeMap<String, String>) -> (String, Stri
     )
 }
 
-/// A range in fewer words.
+/// A range in short form.
 fn short(range: &str) -> String {
     let range = range
         .replace("must be ", "")
         .replace(" and at most ", " to ")
         .replace(" and less than ", " to below ");
     let range = range.replace("at least ", "").replace("more than ", "above ").replace(". Or ", ", or ");
-    // The unit once, behind both ends.
+    // The unit is given once, after both ends.
     let Some((low, high)) = range.split_once(" to ") else { return range };
     let unit = low
         .rsplit_once(' ')
@@ -202,7 +202,7 @@ fn short(range: &str) -> String {
     format!("{low} to {high}")
 }
 
-/// `text` as it goes on behind a key: small, unless its first word is a name.
+/// `text` with a lower-case first letter, for use behind a key, unless its first word is a name.
 fn small(text: &str) -> String {
     let mut letters = text.chars();
     let rest: String = letters.clone().skip(1).collect();

@@ -1,21 +1,21 @@
-//! What a block of commands says, and whether a page shows just that.
+//! Output of a block of commands, and its comparison with a page.
 
 use std::path::Path;
 use std::process::Command;
 
 use crate::page::{Block, Page};
 
-/// What a block of commands printed.
+/// The output of a block of commands.
 pub(crate) struct Said {
-    /// Both streams, as they came.
+    /// Both streams in their order.
     pub(crate) text: String,
-    /// Whether the last command ended well.
+    /// Whether the last command succeeded.
     pub(crate) is_done: bool,
     line: usize,
 }
 
 impl Said {
-    /// Runs `block` in `dir`, at home there, as where there is no terminal.
+    /// Runs `block` in `dir`, which is also its home, without a terminal.
     pub(crate) fn of(block: &Block, dir: &Path) -> Self {
         let program = Path::new(env!("CARGO_BIN_EXE_stargrip-cam")).parent().expect("a directory");
         let mut path = program.as_os_str().to_owned();
@@ -35,14 +35,14 @@ impl Said {
         Self { text, is_done: output.status.success(), line: block.line }
     }
 
-    /// A fault that the page does not show.
+    /// A failure that the page does not show.
     pub(crate) fn unexpected(self, page: &Page) -> Option<String> {
         let Self { text, is_done, line } = self;
         (!is_done).then(|| format!("{}:{line}: fails, and the page does not say so\n{text}", page.name))
     }
 }
 
-/// Whether `said` is what `pattern` shows.
+/// Whether `said` matches `pattern`.
 pub(crate) fn matches(pattern: &str, said: &str) -> bool {
     let pattern: Vec<&str> = pattern.lines().collect();
     let said: Vec<&str> = said.lines().collect();

@@ -1,12 +1,12 @@
-//! The pictures of speed against accuracy show the numbers of the tables beside them: times differ from run to run, so both have to
-//! come from one.
+//! The pictures of speed against accuracy show the numbers of the tables beside them: times differ from run to run, so both must come from
+//! one run.
 
-/// Where a value lies on a logarithmic axis: pixels at 1, and a decade.
+/// Position of a value on a logarithmic axis: pixels at 1, and a decade.
 fn at(value: f64, (one, decade): (f64, f64)) -> f64 {
     one + decade * value.log10()
 }
 
-/// The middles of the circles of `picture`, but for those of its legend.
+/// The centres of the circles of `picture`, without those of its legend.
 fn circles(picture: &str) -> Vec<(f64, f64)> {
     let numbers = |line: &str, name: &str| -> Option<f64> {
         line.split_once(&format!(" {name}=\"")).and_then(|(_, rest)| rest.split('"').next()?.parse().ok())
@@ -65,11 +65,11 @@ fn the_picture_of_shells_is_that_of_its_tables() {
         let Ok(time) = words[0].parse::<f64>() else { continue };
         let time = if words[1] == "us" { 1e-6 * time } else { time };
         for (row, left) in [(closing, 70.0), (force, 520.0)] {
-            // 45 pixels a decade of time from 100 ns, 90 one of error from 1000 % down.
+            // 45 pixels for a decade of time from 100 ns, 90 for one of error from 1000 % down.
             let x = at(time.max(1e-7), (left + 315.0, 45.0));
             let error = last(row);
             let y = at((0.01 * error).max(1e-3), (130.0, -90.0));
-            // The table rounds to a tenth of a percent, which is much of a small number.
+            // The table rounds to a tenth of a percent, which is much for a small number.
             let rounded = 1.0 + 90.0 * (1.0 - 0.05 / error.max(0.1)).log10().abs();
             assert!(is_shown(&circles, (x, y), (6.0, rounded.max(6.0))), "{row}: not at {x:.1}, {y:.1}");
             compared += 1;

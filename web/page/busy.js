@@ -1,9 +1,9 @@
-// The line at the lower edge while the program works for longer: what it does, how far it is, and a button that stops it.
+// The line at the lower edge during long work: the current step, the progress, and a button that stops it.
 
 const shown = (id) => document.getElementById(id);
-/** Work that is over sooner gets no line, ms. */
+/** Shorter work gets no line, ms. */
 const LONG_WORK = 700;
-/** Between two looks at the program, ms. */
+/** Interval of checks of the program, ms. */
 const BETWEEN = 100;
 
 /** Watches `program`. */

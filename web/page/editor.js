@@ -16,7 +16,7 @@ export class Editor {
     #typed;
     #explain;
 
-    /** `typed` is called after every change by a person; `explain(code)` gives the meaning of a code. */
+    /** `typed` is called after every change by the user; `explain(code)` gives the meaning of a code. */
     constructor(typed, explain) {
         this.#typed = typed;
         this.#explain = explain;
@@ -30,7 +30,7 @@ export class Editor {
         return this.#area.value;
     }
 
-    /** Another text, not typed here; the caret stays where it can. */
+    /** Sets another text, which was not typed here; the caret stays where possible. */
     set text(text) {
         if (text === this.#area.value) return;
         const { selectionStart, selectionEnd } = this.#area;
@@ -40,7 +40,7 @@ export class Editor {
         this.#draw();
     }
 
-    /** Shows faults of the text as it stands. */
+    /** Shows the faults of the present text. */
     show(faults) {
         const shown = JSON.stringify(faults);
         if (shown === this.#shown && this.#faults.length === faults.length) return;
@@ -60,7 +60,7 @@ export class Editor {
         this.#typed();
     }
 
-    /** The copy of the text, a line each, with its marks. */
+    /** The copy of the text, one element a line, with its marks. */
     #draw() {
         const text = this.#area.value;
         let at = 0;
@@ -98,7 +98,7 @@ export class Editor {
         this.#callouts.append(box);
     }
 
-    /** A fault as an entry of the list: place, what was found, what is allowed, what to do. */
+    /** A fault as an entry of the list: place, found, allowed, remedy. */
     #told(fault) {
         const { code, found, allowed, remedy, line, column, place, warning, file } = fault;
         const where = place ? element("button", { type: "button", className: "plain", onclick: () => this.#go(place) }, `line ${line}, column ${column}`) : file ?? "";
@@ -122,7 +122,7 @@ export class Editor {
         document.getElementById("editor").scrollTop = this.#area.value.slice(0, start).split("\n").length * LINE_HEIGHT - 100;
     }
 
-    /** Puts `word` where the fault is; what stands in quotes stays there. */
+    /** Writes `word` in the place of the fault; quotes around it are kept. */
     #mend([start, end], word) {
         const old = this.#area.value.slice(start, end), quote = /^["']/.exec(old)?.[0] ?? "";
         this.#area.setRangeText(quote + word + quote, start, end, "end");

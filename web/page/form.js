@@ -1,6 +1,6 @@
 // The form: a field for every key of the schema. It shows the values of the spec; a changed field changes the text.
 
-/** The sections in the order in which they matter; those that the schema has besides follow. */
+/** The sections by importance; other sections of the schema follow. */
 const ORDER = ["", "star", "stack", "load", "fabric", "machine", "inlet", "seal", "sheet", "mask", "frame", "cut", "build"];
 const OPEN = ["star", "load"];
 /** Sections of the form for stars only, and for drawings only. */
@@ -18,13 +18,13 @@ export function element(name, properties = {}, ...children) {
     return made;
 }
 
-/** Number and unit of "30 mm"; null of what is none. */
+/** Number and unit of "30 mm"; null if the text has neither. */
 function quantity(text) {
     const found = QUANTITY.exec(text ?? "");
     return found && Number.isFinite(Number(found[1])) ? { number: Number(found[1]), unit: found[2] } : null;
 }
 
-/** Ends and step of a slider around `number`: what one tries, not what is allowed, which the reader says. */
+/** Ends and step of a slider around `number`: values to try; the reader of the spec checks the allowed range. */
 function around(number, unit) {
     const size = Math.abs(number);
     const most = size === 0 ? (unit === "deg" ? 90 : 10) : Number((size * 2.5).toPrecision(1));
@@ -32,10 +32,10 @@ function around(number, unit) {
     return { min: number < 0 ? -most : 0, max: most, step };
 }
 
-/** What a key means, without the sentences about its kind and range: a message tells those when they are needed. */
+/** The meaning of a key, without the sentences about its kind and range, which a message states when necessary. */
 const short = (description) => description.replace(/(^|[.;] )(An? [^.;]*?(with its unit|whole number|plain number)|(One|Some) of |Two lengths )[^]*$/, "$1").replace(/[;. ]+$/, ".") || description;
 
-/** A number as people write it, without the noise of steps. */
+/** A number as text, with six significant digits: no rounding errors of steps. */
 const plain = (number) => String(Number(number.toPrecision(6)));
 
 export class Form {
@@ -43,7 +43,7 @@ export class Form {
     #sections = new Map();
     #change;
 
-    /** Fields of `schema` in `root`; `machines` are the profiles; `change(key, value)` is told what shall stand in the text: TOML, or null. */
+    /** Fields of `schema` in `root`; `machines` are the profiles; `change(key, value)` receives the new value for the text: TOML, or null. */
     constructor(root, schema, machines, change) {
         this.#change = change;
         const { properties } = schema;
@@ -123,7 +123,7 @@ export class Form {
         slider.setAttribute("aria-valuetext", input.value);
     }
 
-    /** Shows what the spec says: settings [{ section, key, value, given }], for a star or for a drawing. A field in use is left alone. */
+    /** Shows the values of the spec: settings [{ section, key, value, given }], for a star or for a drawing. A field in use is left alone. */
     show(settings, isDrawn) {
         for (const [name, section] of this.#sections) section.hidden = (isDrawn ? OF_STARS : OF_DRAWINGS).includes(name);
         for (const { section, key, value, given } of settings) {
@@ -151,7 +151,7 @@ export class Form {
         }
     }
 
-    /** Marks the fields that faults are about. */
+    /** Marks the fields with faults. */
     mark(faults) {
         const keys = new Set(faults.filter(({ warning }) => !warning).map(({ key }) => key));
         for (const [path, { input }] of this.#fields) {

@@ -1,10 +1,10 @@
-// What a browser keeps of the last spec for the next visit, if it lets a page keep anything.
+// Stores the last spec in the browser for the next visit, if the browser lets a page store anything.
 
 const KEPT = "stargrip-cam.spec";
-/** Largest drawing that is kept, bytes: browsers give a page a few MB. */
+/** Largest drawing that is stored, bytes: browsers give a page a few MB. */
 const MOST_KEPT = 1 << 20;
 
-/** Keeps { text, machine, drawing }. */
+/** Stores { text, machine, drawing }. */
 export function keep({ text, machine, drawing }) {
     const own = drawing && drawing.bytes.length <= MOST_KEPT ? { name: drawing.name, letters: btoa(Array.from(drawing.bytes, (byte) => String.fromCharCode(byte)).join("")) } : undefined;
     try {
@@ -24,7 +24,7 @@ export function kept() {
     }
 }
 
-/** Keeps nothing. */
+/** Deletes the stored spec. */
 export function forget() {
     try {
         localStorage.removeItem(KEPT);

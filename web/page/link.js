@@ -1,4 +1,4 @@
-// A spec in a link: everything behind the #, which no server is told. The program writes it (src/link/mod.rs); here it is read.
+// Reads a spec from the fragment of a link, which is not sent to a server. The program writes it (src/link/mod.rs).
 import { drained } from "./zip.js";
 
 /** Largest text in a link, bytes: that of a file. */
@@ -9,7 +9,7 @@ function bytesOf(letters) {
     return drained(new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate-raw")), MOST);
 }
 
-/** What `fragment` holds, { text, machine, drawing }; null if it is none of a spec. Fails if the link is damaged. */
+/** The content of `fragment`, { text, machine, drawing }; null if it holds no spec. Fails if the link is damaged. */
 export async function heldBy(fragment) {
     if (!fragment.startsWith("#spec=")) return null;
     return read(fragment).catch(() => Promise.reject(new Error("the link is damaged, or holds more than a spec may")));

@@ -1,4 +1,4 @@
-// The page: a text, what the program says of it, and ways to change it.
+// The page: a text, the program's answers about it, and controls that change it.
 import { Program, Dropped } from "./program.js";
 import { Form, element } from "./form.js";
 import { Editor } from "./editor.js";
@@ -20,13 +20,13 @@ const designs = JSON.parse(by("designs-data").textContent);
 let machine, drawing;
 let program, form, editor, result, timer;
 
-/** Says one line; `isBad` if something went wrong. */
+/** Shows one line; `isBad` marks an error. */
 function say(text, isBad = false) {
     by("note").textContent = text;
     by("note").className = isBad ? "bad" : "";
 }
 
-/** Runs a piece of work of the page: what breaks is told, and the text stays. */
+/** Runs a part of the page's work: an exception is shown, and the text stays. */
 async function safely(work) {
     try {
         return await work();
@@ -37,14 +37,14 @@ async function safely(work) {
     }
 }
 
-/** The compiled program: from the page itself, or from the file beside it. It is compiled while it comes. */
+/** The compiled program: from the page itself, or from the file beside it. It is compiled while it loads. */
 async function compiled() {
     const streamed = (body) => WebAssembly.compileStreaming(new Response(body, { headers: { "Content-Type": "application/wasm" } }));
     const own = by("program-data");
     if (!own) {
         const beside = await fetch("stargrip-cam.wasm");
         if (!beside.ok) throw new Error(`the program could not be loaded (${beside.status}); load the page again`);
-        navigator.serviceWorker?.register("offline.js").catch(() => {}); // without it the page wants its network
+        navigator.serviceWorker?.register("offline.js").catch(() => {}); // without it the page needs its network
         return streamed(beside.body);
     }
     const packed = Uint8Array.fromBase64?.(own.textContent) ?? Uint8Array.from(atob(own.textContent), (letter) => letter.charCodeAt(0));
@@ -52,7 +52,7 @@ async function compiled() {
     return streamed(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
-/** A quick look at the text as it stands, for which it waits, then all of its files. */
+/** A quick check of the present text, which is awaited, then all of its files. */
 function refresh() {
     const spec = editor.text;
     keep({ text: spec, machine, drawing });
@@ -106,16 +106,16 @@ function show(answer) {
     result.show(answer);
 }
 
-/** Whether the spec is of a drawing; else it is of stars. */
+/** Whether the spec is of a drawing; otherwise it is of stars. */
 const isDrawn = () => /^\s*\[drawing\]/m.test(editor.text);
 
 /** The dropped drawing as files of a question. */
 const drawings = () => (drawing ? [drawing] : []);
 
-/** Asks for a link or a code of the spec as it stands: a built-in profile is in every page, and a star has no drawing. */
+/** Requests a link or a code of the current spec. It holds no built-in profile, which every page has, and no drawing of a star. */
 const linked = (question) => program.aside({ ...question, spec: editor.text, machine: by("machine").value ? undefined : machine }, isDrawn() ? drawings() : []);
 
-/** Another spec, with the profile and the drawing that came with it. */
+/** Sets another spec, with its profile and its drawing. */
 function take(text, own = {}) {
     ({ machine, drawing } = own);
     by("anyway").checked = false;
@@ -123,7 +123,7 @@ function take(text, own = {}) {
     refresh();
 }
 
-/** Changes of fields, one after the other: each starts from the text that the one before has left. */
+/** Changes of fields, one after the other: each starts from the text after the one before. */
 const changes = new Map();
 async function change(key, value) {
     changes.set(key, value);
@@ -158,13 +158,13 @@ async function opened(list) {
     return say(`Proven, no findings: ${proven.length} files${other}.`);
 }
 
-/** A machine profile alone: for the spec as it stands. */
+/** A machine profile alone: for the present spec. */
 function profiled({ name, machine: profile }) {
     take(editor.text, { machine: profile, drawing });
     say(`The machine profile ${name} is used if \`profile\` in [machine] names a file.`);
 }
 
-/** A drawing alone: that of the spec as it stands, if this one names it; else a spec is proposed. */
+/** A drawing alone: that of the present spec, if the spec names it; else a spec is proposed. */
 async function drawn(drawing) {
     if (isDrawn() && editor.text.includes(JSON.stringify(drawing.name))) {
         take(editor.text, { machine, drawing });
@@ -176,7 +176,7 @@ async function drawn(drawing) {
     return say(`A spec of ${drawing.name}: ${layers.length} layers, each with a proposed role. Look at the roles in it.`);
 }
 
-/** The spec of the link, or of local storage, or a shipped one. */
+/** The first spec: from the link, from local storage, or a shipped one. */
 async function first() {
     const own = await safely(() => heldBy(location.hash));
     if (own === undefined) say("The link is damaged: it holds no spec.", true);

@@ -1,4 +1,4 @@
-// What passes between the page and the program: JSON, and files as bytes (web/src/message.rs has the same).
+// Messages between the page and the program: JSON, and files as bytes (web/src/message.rs has the same).
 
 /** The bytes of a question: an object, and files [{ name, bytes }]. */
 export function packed(question, files = []) {
@@ -28,14 +28,14 @@ export function unpacked(all) {
     return answer;
 }
 
-/** An instance of the compiled `module`. `told(part, what)` hears how far long work is: 0 to 1, and what is being done. */
+/** An instance of the compiled `module`. `told(part, what)` receives the progress of long work: 0 to 1, and the current step. */
 export async function instance(module, told = () => {}) {
     const progress = (part, place, length) => told(part, new TextDecoder().decode(new Uint8Array(program.memory.buffer, place, length)));
     const { exports: program } = await WebAssembly.instantiate(module, { page: { progress } });
     return program;
 }
 
-/** Asks the instance with the exports `program`; what a panic said becomes the message of the error. */
+/** Asks the instance with the exports `program`; the message of a panic becomes that of the error. */
 export function asked(program, question, files) {
     const bytes = packed(question, files);
     try {

@@ -1,4 +1,4 @@
-// The service worker of the page on a server: keeps the page for visits without a network. Page and program come from one version.
+// The service worker of the page on a server: stores the page for visits without a network. Page and program have the same version.
 const OURS = "stargrip-cam-";
 const CACHE = OURS + "{{VERSION}}";
 const FILES = ["./", "stargrip-cam.wasm", "stargrip-cam.webmanifest", "icon.svg"];

@@ -1,14 +1,14 @@
-// Files that a person drops or opens: what each of them is.
+// Files that a user drops or opens, and their kinds.
 import { unzipped } from "./zip.js";
 
 /** Largest drawing that is read, bytes: as for the command. */
 const MOST_DRAWING = 64 << 20;
 
-/** Whether a TOML file is a profile of a machine: only that says this. */
+/** Whether a TOML file is a machine profile, which alone has this key. */
 const isProfile = ({ name, bytes }) => name.endsWith(".toml") && /^\s*dialect\s*=/m.test(new TextDecoder().decode(bytes));
 const isDrawing = ({ name }) => /\.(svg|dxf)$/i.test(name);
 
-/** What `list`, files of the browser, holds: the texts `spec` and `machine`, a `drawing`, and all files of a `build`, each if there is one. */
+/** The content of `list`, files of the browser: the texts `spec` and `machine`, a `drawing`, and all files of a `build`, each if present. */
 export async function sorted(list) {
     let all = await Promise.all(Array.from(list, async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })));
     const archive = all.find(({ name }) => name.toLowerCase().endsWith(".zip"));

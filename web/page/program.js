@@ -1,10 +1,10 @@
-// The program as the page sees it: questions in, promises out. It runs in a worker, so the page never waits. A question of a lane replaces
-// the one before it in that lane; long work is stopped by ending its worker. A worker that breaks is replaced.
+// The program as the page uses it: questions in, promises out. It runs in a worker, so the page never waits. A question of a lane replaces
+// the earlier one in that lane; long work is stopped by ending its worker. A worker that fails is replaced.
 
-/** How long a question that is not long may keep the next one waiting, ms. */
+/** Longest time for which a short question may delay the next one, ms. */
 const PATIENCE = 300;
 
-/** What is told to those whose question was replaced or stopped. */
+/** The error of a question that was replaced or stopped. */
 export class Dropped extends Error {}
 
 export class Program {
@@ -24,7 +24,7 @@ export class Program {
         this.#spare = this.#made();
     }
 
-    /** Asks. `lane` names what a later question replaces. A question stops what `isLong`, unless that `isKept` or the new one `isPatient`. */
+    /** Asks. A later question of the same `lane` replaces this one. A question stops one with `isLong`, unless that `isKept` or the new one `isPatient`. */
     ask(question, { files = [], lane = question.ask, isLong = false, isKept = false, isPatient = false } = {}) {
         return new Promise((resolve, reject) => {
             this.#waiting = this.#waiting.filter((other) => other.lane !== lane || other.reject(new Dropped()));
@@ -35,7 +35,7 @@ export class Program {
         });
     }
 
-    /** The answer to a question that takes no time, from a worker of its own: it waits for nothing and stops nothing. */
+    /** Answers a short question in a worker of its own: it neither waits for the running question nor stops it. */
     aside(question, files = []) {
         return new Promise((resolve, reject) => {
             const worker = this.#newWorker();
@@ -49,7 +49,7 @@ export class Program {
         });
     }
 
-    /** Ends what is running. */
+    /** Ends the running question. */
     stop() {
         const stopped = this.#running;
         if (!stopped) return;
@@ -58,7 +58,7 @@ export class Program {
         this.#next();
     }
 
-    /** The question that is being answered: since when (ms), the `part` of it that is done (0 to 1) and `what` is being done, if that is known. */
+    /** The running question: its start (ms), the `part` of it that is done (0 to 1), and the step `what`, if they are known. */
     get running() {
         return this.#running;
     }

@@ -3,7 +3,7 @@ import { save } from "./result.js";
 
 const qrPart = (id) => document.getElementById(`qr${id}`);
 
-/** Least width of a code, mm, and the width of a module of a large one: what phones read from paper. */
+/** Least width of a code, mm, and the width of a module of a large one, so that phones read it from paper. */
 const WIDTH = 40, MODULE = 0.5;
 
 /** A code as an SVG of its own; its text is the link. */
@@ -12,7 +12,7 @@ function svgOf({ side, path }) {
     return `<svg xmlns="http://www.w3.org/2000/svg" width="${width}mm" height="${width}mm" viewBox="0 0 ${side} ${side}" shape-rendering="crispEdges"><path fill="#fff" d="M0 0h${side}v${side}H0z"/><path d="${path}"/></svg>\n`;
 }
 
-/** Shows no code of another spec. */
+/** Removes the code of the previous spec. */
 export function hideCode() {
     qrPart("").hidden = true;
 }

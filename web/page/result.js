@@ -1,24 +1,24 @@
-// What the program says of the spec as it stands: verdict, picture, numbers; and the files of a proven build.
+// The program's answer about the present spec: verdict, picture, numbers; and the files of a proven build.
 import { element } from "./form.js";
 import { zipped } from "./zip.js";
 
 const byId = (id) => document.getElementById(id);
-/** How long a saved or printed file can be fetched from the page, ms. */
+/** Time for which a saved or printed file stays available, ms. */
 const LIFETIME = 60_000;
 
-/** An address of `bytes`, for a while. */
+/** A temporary address of `bytes`. */
 function address(bytes, type) {
     const url = URL.createObjectURL(new Blob([bytes], { type }));
     setTimeout(() => URL.revokeObjectURL(url), LIFETIME);
     return url;
 }
 
-/** Has the browser save a file. */
+/** Makes the browser save a file. */
 export function save(name, bytes) {
     element("a", { href: address(bytes, "application/octet-stream"), download: name }).click();
 }
 
-/** A name as a file name anywhere. */
+/** A name as a portable file name. */
 const stem = (name) => name.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-+|-+$/g, "") || "star";
 
 const size = ({ length }) => (length < 1000 ? `${length} B` : `${(length / 1000).toPrecision(3)} kB`);
@@ -27,7 +27,7 @@ export class Result {
     #files = [];
     /** The preview that is shown. */
     #svg = "";
-    /** When the spec changed last, ms. */
+    /** Time of the last change of the spec, ms. */
     #began = 0;
 
     constructor() {
@@ -37,7 +37,7 @@ export class Result {
         });
     }
 
-    /** Nothing can be downloaded until the text as it stands is proven. */
+    /** Disables downloads until the present text is proven. */
     withdraw() {
         this.#files = [];
         this.#began = performance.now();
@@ -91,7 +91,7 @@ export class Result {
         byId("preview-note").textContent = "Sheet 1 as it will be sealed and cut, seen from the iron's side.";
     }
 
-    /** Offers the files of a proven build; `isWanted`: also those of a spec that its own load refuses. */
+    /** Offers the files of a proven build; `isWanted`: also those of a spec that fails its own load. */
     offer({ files, kinds, proven, unfit, name }, isWanted) {
         if (!proven) {
             byId("files").classList.add("none");
@@ -107,7 +107,7 @@ export class Result {
         byId("files").inert = false;
     }
 
-    /** A file of the list. PDFs say themselves that they are printed at their own size. */
+    /** A file of the list. PDFs contain the instruction to print them at their own size. */
     #entry({ name, bytes }, title) {
         const entry = element("li", {}, element("button", { type: "button", className: "plain", title, onclick: () => save(name, bytes) }, name, element("small", {}, size(bytes))));
         if (name.endsWith(".pdf")) {

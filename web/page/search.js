@@ -4,7 +4,7 @@ import { element } from "./form.js";
 const objectForm = () => document.getElementById("object-form");
 const field = (name) => objectForm().elements.namedItem(name);
 
-/** Asks for a gripper, by `ask(question)`; `take(spec)` gets what was found. */
+/** Requests a gripper with `ask(question)`; `take(spec)` receives the result. */
 export async function find(ask, take) {
     const entries = [...objectForm().elements].filter(({ name }) => name);
     for (const { name } of entries) field(name).removeAttribute("aria-invalid");
@@ -19,7 +19,7 @@ export async function find(ask, take) {
     if (answer.spec) take(answer.spec);
 }
 
-/** What the search has found, as elements. */
+/** The result of the search, as elements. */
 function told({ fields, reasons, nearest, in_words, wrong }) {
     if (wrong) return [element("p", { className: "why" }, wrong)];
     if (fields) {

@@ -1,14 +1,14 @@
-// The inflated sheet, computed in triangles: seconds of work, so only if it is asked for.
+// The inflated sheet, computed in triangles: it takes seconds, so it is computed on request only.
 
 const part = (id) => document.getElementById(`shell-${id}`);
 
-/** Shows no answer of another spec. */
+/** Removes the answer about the previous spec. */
 export function clear() {
     part("answer").hidden = true;
     part("note").textContent = "";
 }
 
-/** Computes it, by `ask(question)`, which gives undefined if it is stopped. */
+/** Computes it with `ask(question)`, which returns undefined if it is stopped. */
 export async function compute(ask) {
     clear();
     part("start").disabled = true;

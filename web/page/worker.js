@@ -4,9 +4,9 @@ import { asked, instance } from "./message.js";
 /** Least time between two reports of progress, ms. */
 const PAUSE = 100;
 
-/** The exports of the instance, when there is one: a question may come before it. */
+/** The exports of the instance, once it exists: a question may come before it. */
 let program = null;
-/** The question that is being answered, and when its progress was last reported. */
+/** The running question, and the time of the last report of its progress. */
 let running, reported = 0;
 
 function report(part, what) {

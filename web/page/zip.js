@@ -1,9 +1,9 @@
-// ZIP archives: written without compression, which every reader takes; read with or without it, within bounds.
+// ZIP archives: written without compression, which all readers support; read with or without it, within limits.
 
 /** The time of every entry: 1980-01-01, so that the same files make the same archive. */
 const TIME = 0x00210000;
 const FILE = 0x04034b50, ENTRY = 0x02014b50, END = 0x06054b50;
-/** Most files and bytes that are read: what a build of many stars has. */
+/** Largest number of files and bytes that are read: enough for a build of many stars. */
 const MOST_FILES = 2000, MOST_BYTES = 1 << 28;
 
 let table = null;
@@ -19,7 +19,7 @@ function crc32(bytes) {
     return (rest ^ 0xffffffff) >>> 0;
 }
 
-/** Numbers as bytes, the lowest first; sizes in bytes beside each. */
+/** Numbers as little-endian bytes; the number of bytes is beside each. */
 function fields(list) {
     const bytes = new Uint8Array(list.reduce((sum, [, size]) => sum + size, 0));
     let at = 0;
@@ -47,7 +47,7 @@ export function zipped(folder, files) {
     return new Blob([...parts, ...entries, end], { type: "application/zip" });
 }
 
-/** What `stream` gives, but an error instead of more than `most` bytes. */
+/** The content of `stream`, or an error if it has more than `most` bytes. */
 export async function drained(stream, most) {
     const reader = stream.getReader(), parts = [];
     let size = 0;

@@ -1,5 +1,5 @@
-//! What JavaScript calls: five functions, two of them for panics; and the one that it lends, which hears the progress of long work. All of it
-//! is safe code. Only names are called unsafe, since two libraries might have the same: this one is linked with no other.
+//! The interface with JavaScript: five exported functions, two of them for panics, and one imported function for the progress of long work.
+//! All of it is safe code. Only the exported names are unsafe, since two libraries might have the same; this one is linked with no other.
 #![allow(unsafe_code, reason = "the attributes of exported and imported names; there is no unsafe block")]
 
 use std::cell::RefCell;
@@ -9,7 +9,7 @@ use std::sync::Once;
 use crate::commands::answer;
 use crate::message::Message;
 
-/// What passes between the page and the instance.
+/// The buffers between the page and the instance.
 #[derive(Default)]
 struct Mailbox {
     question: Vec<u8>,
@@ -20,11 +20,11 @@ struct Mailbox {
 #[cfg(target_arch = "wasm32")]
 #[link(wasm_import_module = "page")]
 unsafe extern "C" {
-    /// Hears the part that is done, 0 to 1, and in `length` bytes at `text` what is being done.
+    /// Receives the part that is done, 0 to 1, and the current step in `length` bytes at `text`.
     safe fn progress(part: f64, text: *const u8, length: usize);
 }
 
-/// Tells the page that `part` of the work is done, 0 to 1, and what is being done. Outside of a page no one hears it.
+/// Reports to the page the `part` of the work that is done, 0 to 1, and the current step. Outside of a page it has no effect.
 pub(crate) fn tell(part: f64, what: &str) {
     #[cfg(target_arch = "wasm32")]
     progress(part, what.as_ptr(), what.len());
@@ -39,7 +39,7 @@ thread_local! {
 
 static HEARS_PANICS: Once = Once::new();
 
-/// Makes room for a question of `length` bytes, and says where to write it.
+/// Allocates a question of `length` bytes; returns its address.
 #[unsafe(no_mangle)]
 pub extern "C" fn question(length: usize) -> *const u8 {
     MAILBOX.with_borrow_mut(|mailbox| {
@@ -48,7 +48,7 @@ pub extern "C" fn question(length: usize) -> *const u8 {
     })
 }
 
-/// Answers the question; says how many bytes the answer has.
+/// Answers the question; returns the length of the answer, bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn ask() -> usize {
     HEARS_PANICS.call_once(|| panic::set_hook(Box::new(|info| keep(&info.to_string()))));
@@ -60,25 +60,25 @@ pub extern "C" fn ask() -> usize {
     })
 }
 
-/// Where the answer stands, until the next question.
+/// The address of the answer, valid until the next question.
 #[unsafe(no_mangle)]
 pub extern "C" fn answered() -> *const u8 {
     MAILBOX.with_borrow(|mailbox| mailbox.answer.as_ptr())
 }
 
-/// Length of what the panic said that ended this instance, bytes.
+/// Length of the message of the panic that ended this instance, bytes.
 #[unsafe(no_mangle)]
 pub extern "C" fn panic_length() -> usize {
     MAILBOX.with_borrow(|mailbox| mailbox.panic.len())
 }
 
-/// Where that stands.
+/// The address of that message.
 #[unsafe(no_mangle)]
 pub extern "C" fn panicked() -> *const u8 {
     MAILBOX.with_borrow(|mailbox| mailbox.panic.as_ptr())
 }
 
-/// Keeps what a panic says, unless it happens while the mailbox is in use.
+/// Stores the message of a panic, unless it happens while the mailbox is in use.
 fn keep(text: &str) {
     MAILBOX.with(|mailbox| {
         if let Ok(mut mailbox) = mailbox.try_borrow_mut() {

@@ -1,4 +1,4 @@
-//! What passes between the page and the program: JSON, and files as bytes.
+//! Messages between the page and the program: JSON, and files as bytes.
 //!
 //! As bytes: the length of the JSON (four bytes, the lowest first), the JSON, then the files one after the other. `files` in the JSON
 //! has the `name` and the number of `bytes` of each.
@@ -23,7 +23,7 @@ impl Message {
     /// Reads a message.
     ///
     /// # Errors
-    /// What is wrong with it: the page wrote it, so it is a fault of the page.
+    /// The message is malformed. The page wrote it, so it is a fault of the page.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, String> {
         let short = || "the question ends early".to_owned();
         let (head, rest) = bytes.split_first_chunk::<4>().ok_or_else(short)?;

@@ -1,8 +1,8 @@
 """Fabrication CAM for fabric star soft grippers: design, predict, build and prove them.
 
-A specification is TOML text, read into a `Spec`. From a spec come its exact geometry (`design`), what it does (`predict`), the
-files that make it (`build`), and other specs (`Spec.replace`, `optimize`); `sweep` computes many at once. Quantities that you
-give are strings with a unit, "50 mm"; numbers that you get carry their unit in their name: lengths mm, angles deg, forces N.
+A specification is TOML text, read into a `Spec`. From a spec follow its exact geometry (`design`), its prediction (`predict`), its
+files (`build`), and other specs (`Spec.replace`, `optimize`); `sweep` computes many at once. Quantities as arguments are
+strings with a unit, "50 mm"; numbers in results have their unit in their name: lengths mm, angles deg, forces N.
 
     >>> import stargrip_cam as sg
     >>> spec = sg.Spec.starter("my star").replace({"load.pressure": "37 kPa"})

@@ -10,6 +10,6 @@ from stargrip_cam import _native
 
 def main() -> int:
     """Runs the command with this process's arguments and returns its exit code."""
-    # Python would only note a Ctrl-C and go on: the command's own way is to end, or to hear it where an answer takes long.
+    # Python would only record a Ctrl-C and continue. The command itself ends, or catches it during a long computation.
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     return _native.run(["stargrip-cam", *sys.argv[1:]], _native.__file__ or "")

@@ -27,13 +27,13 @@ def sweep_to_parquet(
     threads: int | None = None,
     progress: bool | Callable[[float, str], object] | None = None,
 ) -> None:
-    """Computes what `sweep` computes for `spec`, and writes it to `path` as Parquet. Needs pyarrow. `vary`, `study`, `outputs`, `part`,
+    """Computes the sweep of `spec`, and writes it to `path` as Parquet. Needs pyarrow. `vary`, `study`, `outputs`, `part`,
     `threads` and `progress` are those of `sweep`.
 
     A number that is unknown is null. The file's metadata has under `stargrip-cam.columns` the unit and the meaning of each column, and
-    under `stargrip-cam.study` the fingerprint of the study. The file appears when it is whole; memory does not grow with the sweep.
+    under `stargrip-cam.study` the fingerprint of the study. The file appears when it is complete; memory does not grow with the sweep.
 
-    Raises ImportError without pyarrow, and what `sweep` raises.
+    Raises ImportError without pyarrow, and the exceptions of `sweep`.
     """
     try:
         import pyarrow  # type: ignore[import-untyped]
@@ -58,7 +58,7 @@ def sweep_to_parquet(
             arrays = {name: pyarrow.array(values, kinds[name], from_pandas=True) for name, values in found.items()}
             table = pyarrow.table(arrays).replace_schema_metadata(notes)
             if writer is None:
-                # Answers are seldom equal: a dictionary of them only costs time. Axes and words have one.
+                # Results are seldom equal: a dictionary of them only costs time. Axes and texts have one.
                 repeated = [name for name, kind in kinds.items() if kind is not None or "." in name]
                 writer = parquet.ParquetWriter(partial, table.schema, use_dictionary=repeated)
             writer.write_table(table, row_group_size=GROUP)

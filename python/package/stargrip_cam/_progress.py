@@ -1,4 +1,4 @@
-"""What `progress=True` shows: one line that tells how far a call is."""
+"""The line of `progress=True`, which shows the progress of a call."""
 
 from __future__ import annotations
 

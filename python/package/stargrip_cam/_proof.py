@@ -12,18 +12,18 @@ from stargrip_cam.errors import Fault
 
 @dataclass(frozen=True)
 class Proof:
-    """What reading a directory back has come to.
+    """Result of reading a directory back.
 
-    It is true if nothing was found wrong and this version wrote the directory. One of another version is read back, not compared
-    with what that version makes, so it proves less: `not proof.findings` accepts it, as `verify --read-back` does.
+    It is true if there is no finding and this version wrote the directory. A directory of another version is read back, but not
+    compared with that version's output, so the proof is weaker: `not proof.findings` accepts it, as `verify --read-back` does.
     """
 
     findings: tuple[Fault, ...]
-    """Everything that is not as the directory's own spec asks for, with file and line."""
+    """All differences from the directory's own spec, with file and line."""
     deviation_mm: dict[str, float | None]
-    """Of every file how far it is from the exact design at most, mm; None where nothing was measured."""
+    """Largest deviation of each file from the exact design, mm; None if it was not measured."""
     proven: dict[str, str]
-    """Of every file by what it was proven: "bytes", "reading" or "hash"."""
+    """Method of proof of each file: "bytes", "reading" or "hash"."""
     written_by: str | None = None
     """The version that wrote the directory, if it is not this one; else None."""
     unproven: tuple[str, ...] = ()
@@ -36,9 +36,9 @@ class Proof:
 def verify(path: str | os.PathLike[str], *, progress: bool | Callable[[float, str], object] | None = None) -> Proof:
     """Proves the build in the directory `path` from its own spec and machine profile, as the command `verify` does.
 
-    Raises OSError if there is no such directory, Error if it cannot be read. What is wrong in it is a finding, not an exception.
+    Raises OSError if there is no such directory, Error if it cannot be read. A fault in it is a finding, not an exception.
     """
-    # Python's own exception, as for a spec's file that does not exist.
+    # Python's own exception, as for a missing spec file.
     os.stat(path)
     said: dict[str, Any] = _native.prove(os.fspath(path), progress)
     return Proof(

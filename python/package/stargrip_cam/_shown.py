@@ -1,4 +1,4 @@
-"""How answers look in a notebook: small tables, and the preview of a build."""
+"""Answers in a notebook: small tables, and the preview of a build."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def _range(value: Any) -> str:
 
 
 def prediction(of: Prediction | ActuatorPrediction) -> str:
-    """Whether it holds its object, every plain number with its range where it has one, then what a person should know."""
+    """The verdict, every plain number with its range, if any, then reasons and warnings."""
     said = of.to_dict()
     ranges = said.get("ranges", {})
     rows = [

@@ -1,4 +1,4 @@
-"""What this package raises. Every exception is an `Error` and says code, key, line, what was found and what is allowed."""
+"""Exceptions of this package. Each is an `Error` with code, key, line, the found value and the allowed values."""
 
 from __future__ import annotations
 
@@ -11,29 +11,29 @@ __all__ = ["DesignError", "Error", "Fault", "PredictionError", "ProofError", "Pu
 
 @dataclass(frozen=True)
 class Fault:
-    """One thing that is wrong, at one place."""
+    """One fault at one place."""
 
     code: str
-    """A word for scripts, such as "out-of-range"; `stargrip-cam explain CODE` says more."""
+    """A word for scripts, such as "out-of-range"; `stargrip-cam explain CODE` prints its meaning."""
     found: str
-    """What was found."""
+    """The found value, as a sentence."""
     key: str | None = None
-    """The key that is best changed, "star.points"; its section where a key is missing; None if it is about none."""
+    """The key to change, "star.points"; the section of a missing key; None without a key."""
     line: int | None = None
-    """Line of the text or the file, from 1; None if it is about none."""
+    """Line of the text or the file, from 1; None without a line."""
     file: str | None = None
     """The file, or the name of the text."""
     allowed: str | None = None
-    """What would be right."""
+    """The allowed values."""
     help: str | None = None
-    """What to do about it."""
+    """The remedy."""
 
 
 class Error(Exception):
-    """Anything this package refuses. Its own attributes are those of the first of its `faults`; its text says all of them."""
+    """A refusal by this package. Its own attributes are those of the first of its `faults`; its text contains all of them."""
 
     faults: tuple[Fault, ...]
-    """Everything that is wrong, in the order of the text."""
+    """All faults, in the order of the text."""
 
     def __init__(self, text: str, faults: Sequence[Mapping[str, Any]] = ()) -> None:
         super().__init__(text)
@@ -48,7 +48,7 @@ class Error(Exception):
 
     @property
     def code(self) -> str | None:
-        """Word of the first fault for scripts."""
+        """Code of the first fault, for scripts."""
         return self._first.code if self._first else None
 
     @property
@@ -63,21 +63,21 @@ class Error(Exception):
 
     @property
     def found(self) -> str | None:
-        """What was found first."""
+        """The found value of the first fault."""
         return self._first.found if self._first else None
 
     @property
     def allowed(self) -> str | None:
-        """What would be right there."""
+        """The allowed values of the first fault."""
         return self._first.allowed if self._first else None
 
 
 class SpecError(Error):
-    """A spec or a machine profile that is refused: all of its faults at once."""
+    """An invalid spec or machine profile: all of its faults at once."""
 
 
 class DesignError(Error):
-    """A valid spec of which there is no gripper, or one that does not do what its own `[load]` asks."""
+    """A valid spec without a possible gripper, or a gripper that does not meet its own `[load]`."""
 
 
 class PredictionError(Error):
@@ -85,12 +85,12 @@ class PredictionError(Error):
 
 
 class ProofError(Error):
-    """Files that do not say what the design says. Its faults are findings, with file and line."""
+    """Files that disagree with the design. The faults are findings, with file and line."""
 
 
 class PublishError(Error):
-    """A directory that could not be written as a whole; it is as it was."""
+    """A directory that could not be written; it is unchanged."""
 
 
 class UsageError(Error, ValueError):
-    """Arguments that are wrong, or do not go together."""
+    """Wrong arguments, or arguments that exclude each other."""

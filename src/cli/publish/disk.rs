@@ -1,7 +1,7 @@
-//! The few operations on files that publishing is made of.
+//! The file operations that publishing consists of.
 //!
-//! Nothing else in this room changes a file. So a test can make any single one of them fail, or be the
-//! last one that a killed process does, and try them all (`faults.rs`).
+//! No other file of this module changes the disk. So a test can make each operation fail, or be the last one of a killed process
+//! (`faults.rs`).
 
 use std::fs::{File, Permissions};
 use std::io::Write;
@@ -11,14 +11,14 @@ use std::{fs, io};
 #[cfg(test)]
 use crate::cli::publish::faults::step;
 
-/// Where a test interferes.
+/// Called before each operation; a test injects its fault here.
 #[cfg(not(test))]
 #[expect(clippy::unnecessary_wraps, reason = "in tests it fails")]
 fn step(_: DiskStep, _: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// What is about to be done.
+/// The kind of the next operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum DiskStep {
     Create,
@@ -36,7 +36,7 @@ pub(super) fn create_dir(path: &Path) -> io::Result<()> {
     fs::create_dir(path)
 }
 
-/// Writes a file that is not there yet, synced: after a power cut no name stands for an empty file.
+/// Writes a new file and syncs it, so that a power cut leaves no empty file under this name.
 pub(super) fn write_new(path: &Path, bytes: &[u8], permissions: Option<Permissions>) -> io::Result<()> {
     step(DiskStep::Write, path)?;
     let mut file = File::create_new(path)?;
@@ -66,7 +66,7 @@ pub(super) fn remove_dir(path: &Path) -> io::Result<()> {
     fs::remove_dir(path)
 }
 
-/// Removes a directory of half-written files, if there is one.
+/// Removes a directory of partly written files, if it exists.
 pub(super) fn remove_tree(path: &Path) -> io::Result<()> {
     step(DiskStep::Remove, path)?;
     #[cfg(unix)]
@@ -85,7 +85,7 @@ pub(super) fn set_permissions(path: &Path, permissions: Permissions) -> io::Resu
     fs::set_permissions(path, permissions)
 }
 
-/// What a directory holds, in order.
+/// The entries of a directory, sorted.
 pub(super) fn entries(directory: &Path) -> io::Result<Vec<PathBuf>> {
     step(DiskStep::List, directory)?;
     let mut paths = Vec::new();
@@ -96,7 +96,7 @@ pub(super) fn entries(directory: &Path) -> io::Result<Vec<PathBuf>> {
     Ok(paths)
 }
 
-/// Makes the names in a directory outlive a power cut, where the system can.
+/// Syncs the names in a directory, so that they survive a power cut, where the system can.
 pub(super) fn sync_dir(path: &Path) -> io::Result<()> {
     step(DiskStep::Sync, path)?;
     if !cfg!(unix) {
@@ -114,7 +114,7 @@ pub(super) fn sync_dir(path: &Path) -> io::Result<()> {
 /// Exchanges two names in one step.
 ///
 /// # Errors
-/// Also where the system cannot.
+/// If the system refuses, or cannot exchange names.
 #[cfg(any(target_os = "linux", target_os = "android"))]
 pub(super) fn exchange(a: &Path, b: &Path) -> io::Result<()> {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
@@ -127,12 +127,12 @@ pub(super) fn exchange(_: &Path, _: &Path) -> io::Result<()> {
     Err(io::ErrorKind::Unsupported.into())
 }
 
-/// Whether something has this name, be it a link to nothing.
+/// Whether an entry of this name exists; a dangling link counts.
 pub(super) fn exists(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok()
 }
 
-/// Whether this name stands for a file: no link, pipe, device or directory.
+/// Whether this name is a regular file: no link, pipe, device or directory.
 pub(super) fn is_plain(path: &Path) -> bool {
     fs::symlink_metadata(path).is_ok_and(|found| found.is_file())
 }

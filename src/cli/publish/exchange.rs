@@ -1,7 +1,7 @@
-//! Publishing in one step: a directory that is whole takes the target's name.
+//! Publishes in one step: a complete directory takes the target's name.
 //!
-//! Where the system cannot exchange two names it takes two renames. A kill between the two leaves the
-//! old output under its hidden name, and the next publication puts it back.
+//! A system that cannot exchange two names needs two renames. A kill between them leaves the old output under its hidden name, and the next
+//! publication restores it.
 
 use std::path::PathBuf;
 
@@ -10,10 +10,10 @@ use crate::cli::publish::fault::PublishFault;
 use crate::cli::publish::place::{PlaceRole, TargetPlace};
 use crate::cli::publish::stage::{StagedFile, Staging};
 
-/// Puts `files` in the target's place. Returns where the old build is now, if there was one.
+/// Replaces the target by `files`. Returns the present place of the old build, if there was one.
 ///
 /// # Errors
-/// The target is then as it was.
+/// If the system refuses; the target is then unchanged.
 pub(super) fn publish(
     place: &TargetPlace,
     files: &[StagedFile<'_>],
@@ -34,7 +34,7 @@ pub(super) fn publish(
         Some(old)
     };
     staging.keep();
-    // It is published; a system that cannot sync its name may at most show the old build after a power cut.
+    // The build is published. Without a synced name a power cut may at most restore the old build.
     let _ = disk::sync_dir(&place.parent);
     Ok(left)
 }

@@ -1,22 +1,22 @@
-//! Why nothing was published.
+//! Reasons why a build was not published.
 
 use std::path::{Path, PathBuf};
 use std::{fmt, io};
 
 use crate::cli::escape::shown;
 
-/// Why nothing was published; the target is as it was.
+/// The reason why a build was not published; the target is unchanged.
 #[derive(Debug)]
 pub enum PublishFault {
     /// The target exists and is not a directory.
     NotADirectory(PathBuf),
-    /// The target holds this entry, which no build of ours has written there.
+    /// The target holds this entry, which the program did not write.
     Foreign(PathBuf),
-    /// The target, or a file in it, is protected from being written.
+    /// The target, or a file in it, is write-protected.
     ReadOnly(PathBuf),
-    /// The target has no name of its own, such as `/`.
+    /// The target has no name, such as `/`.
     NoName(PathBuf),
-    /// The target's name has this many bytes, too many for what stands beside it for a moment.
+    /// The target's name has this many bytes; the temporary names beside it would be too long.
     LongName(usize),
     /// The system refused.
     Io(&'static str, PathBuf, io::Error),
@@ -26,13 +26,13 @@ pub enum PublishFault {
 pub(super) const NAME_BYTES: usize = 235;
 
 impl PublishFault {
-    /// The fault of an operation, `what`, on `path`.
+    /// The fault of the operation `what` on `path`.
     pub(super) fn io(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
         let path = path.to_owned();
         move |error| Self::Io(what, path, error)
     }
 
-    /// Whether it comes from where the target stands: it cannot be given another name, or nothing can be put beside it.
+    /// Whether the target's place is the cause: it cannot be renamed, or nothing can be created beside it.
     pub(super) fn bound(&self) -> bool {
         use io::ErrorKind::{CrossesDevices, PermissionDenied, ReadOnlyFilesystem, ResourceBusy};
         let kinds = [CrossesDevices, PermissionDenied, ReadOnlyFilesystem, ResourceBusy];

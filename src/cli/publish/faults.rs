@@ -1,7 +1,6 @@
-//! Publishing under faults: every single operation fails, or is the last one, or a guest walks in before it.
+//! Publishing under injected faults: each operation fails, is the last one, or is preceded by another process's change.
 //!
-//! The disk is a real one; [`step`] stands before each operation on it. A killed process is one whose
-//! operations all fail from there on, those that clean up as well.
+//! The disk is real; [`step`] runs before each operation. After a simulated kill all operations fail, clean-up included.
 
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -17,20 +16,20 @@ use crate::cli::publish::stage::StagedFile;
 use crate::cli::publish::{PublishFault, Published, journal, put, retire};
 use crate::manifest::{MANIFEST, sha256};
 
-/// What the system can do.
+/// The abilities of the system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum System {
     /// Exchange two names in one step.
     Exchange,
     /// Only rename.
     Rename,
-    /// Not even that, since the target is a mount point.
+    /// Neither: the target is a mount point.
     Mount,
 }
 
 const SYSTEMS: [System; 3] = [System::Exchange, System::Rename, System::Mount];
 
-/// What happens at one operation.
+/// The event at one operation.
 #[derive(Clone, Copy, Debug)]
 enum Event {
     Fails(io::ErrorKind),
@@ -51,10 +50,10 @@ const EVENTS: [Event; 7] = [
     Event::Edited,
 ];
 
-/// At operation 0, which there is none.
+/// No event: operation 0 does not exist.
 const NOTHING: Event = Event::Fails(io::ErrorKind::Other);
 
-/// One publication's fate.
+/// The fault injected into one publication.
 #[derive(Debug)]
 struct Fate {
     version: u8,
@@ -63,7 +62,7 @@ struct Fate {
     at: usize,
     event: Event,
     steps: usize,
-    /// What the guest wrote.
+    /// The text that the other process wrote.
     written: Option<String>,
 }
 
@@ -104,7 +103,7 @@ pub(super) fn step(step: DiskStep, path: &Path) -> io::Result<()> {
     })
 }
 
-/// The files of version `version` of a build: one changes, one stays, one comes and goes.
+/// The files of version `version` of a build: one changes, one stays, one exists in every second version.
 fn build(version: u8) -> Vec<StagedFile<'static>> {
     let passing = if version.is_multiple_of(2) { "sheet-1.svg" } else { "sheet-2.svg" };
     let mut files: Vec<StagedFile<'static>> = vec![
@@ -119,7 +118,7 @@ fn build(version: u8) -> Vec<StagedFile<'static>> {
     files
 }
 
-/// Publishes `version` and tells how many operations it took, and what a guest wrote meanwhile.
+/// Publishes `version`; returns the number of operations, and the text that another process wrote meanwhile.
 fn run(
     target: &Path,
     version: u8,
@@ -134,7 +133,7 @@ fn run(
     (result, fate.steps, fate.written)
 }
 
-/// Everything in `directory`, but for what is hidden in it.
+/// All entries of `directory` that are not hidden.
 fn visible(directory: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = fs::read_dir(directory).into_iter().flatten().map(|entry| entry.unwrap());
     let named = entries.map(|entry| (entry.file_name().into_string().unwrap(), entry.path()));
@@ -155,7 +154,7 @@ fn leftovers(target: &Path) -> Vec<PathBuf> {
     paths.filter(|path| path.file_name().unwrap().to_string_lossy().starts_with('.')).collect()
 }
 
-/// Whether a file that everybody sees holds `text`.
+/// Whether a visible file contains `text`.
 fn found(directory: &Path, text: &str) -> bool {
     fs::read_dir(directory).unwrap().map(|entry| entry.unwrap()).any(|entry| {
         let path = entry.path();
@@ -165,7 +164,7 @@ fn found(directory: &Path, text: &str) -> bool {
     })
 }
 
-/// Does what a person does who reads that a file is in the way, and what the next publication does.
+/// Moves the file in the way elsewhere, as the message advises, and publishes again.
 fn again(root: &Path, target: &Path, version: u8, system: System) {
     for _ in 0..10 {
         match run(target, version, system, 0, NOTHING).0 {
@@ -181,7 +180,7 @@ fn again(root: &Path, target: &Path, version: u8, system: System) {
 }
 
 fn workshop(before: Option<u8>) -> (TempDir, PathBuf) {
-    // In memory, where that is: a disk takes milliseconds for each sync, and a round has dozens.
+    // In memory, if possible: a disk takes milliseconds for each sync, and a round has dozens.
     let root = tempfile::tempdir_in("/dev/shm").or_else(|_| tempfile::tempdir()).unwrap();
     let target = fs::canonicalize(root.path()).unwrap().join("out/star");
     fs::create_dir(root.path().join("out")).unwrap();
@@ -191,7 +190,7 @@ fn workshop(before: Option<u8>) -> (TempDir, PathBuf) {
     (root, target)
 }
 
-/// The rounds to do: `ROUNDS` of the environment, or a few.
+/// The number of rounds: `ROUNDS` of the environment, or a few.
 fn rounds() -> usize {
     env::var("ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(300)
 }
@@ -249,7 +248,7 @@ fn a_first_publication_leaves_all_or_nothing() {
                 assert!(!target.exists() || whole(&target, 1), "{case}");
                 assert!(result.is_err() || target.exists(), "{case}");
                 if !matches!(event, Event::Killed) && result.is_err() {
-                    // What was being removed when removing failed is the one thing that may stay.
+                    // A failed removal may leave the directory that it was removing, and nothing else.
                     assert!(leftovers(&target).len() <= usize::from(at == steps), "{case}");
                 }
                 again(root.path(), &target, 2, system);
@@ -259,7 +258,7 @@ fn a_first_publication_leaves_all_or_nothing() {
     }
 }
 
-/// Long lives: publications one after the other, each with a fate of its own, recovery from the last included.
+/// Long sequences: successive publications, each with its own fault, including faults in the recovery.
 #[test]
 fn many_faults_lose_nothing() {
     let mut seed = 0x9e37_79b9_7f4a_7c15_u64;

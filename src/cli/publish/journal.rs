@@ -1,11 +1,10 @@
-//! Publishing file by file, where the target cannot be given another name: a mount point, or the
-//! directory that somebody stands in.
+//! Publishes file by file, where the target cannot be renamed: a mount point, or the current directory of the process.
 //!
 //! The hidden directories are in the target. The new build is written there first, and **ready** once it
-//! is whole. Then the old files move to **old** and the new ones to the target, their manifest last: this
-//! is the moment in which it is published. Before it a fault or a kill is undone, by moving
-//! everything back; after it there is only the old build to remove. The two directories are the
-//! journal: what is in them tells how far it went, after a kill as well.
+//! The hidden directories are in the target. The new build is written there first, and is **ready** when it is complete. Then the old files
+//! move to **old** and the new ones to the target, their manifest last: this step publishes the build. A fault or a kill before it is
+//! undone by moving everything back. After it only the old build is left to remove. The two directories are the journal: their contents
+//! show the progress, also after a kill.
 
 use std::path::{Path, PathBuf};
 
@@ -17,10 +16,10 @@ use crate::cli::publish::retire::retire;
 use crate::cli::publish::stage::{StagedFile, Staging};
 use crate::manifest::MANIFEST;
 
-/// Puts `files` into the target in place of the build that `before` records. Returns where the old build is now.
+/// Replaces the build that `before` records by `files` in the target. Returns the present place of the old build.
 ///
 /// # Errors
-/// The target is then as it was; if not even that could be done, the next publication into it does it.
+/// If the system refuses. The target is then unchanged; if that failed as well, the next publication restores it.
 pub(super) fn publish(
     place: &TargetPlace,
     files: &[StagedFile<'_>],
@@ -29,7 +28,7 @@ pub(super) fn publish(
     let ready = place.inside(PlaceRole::Ready);
     Staging::write(&place.inside(PlaceRole::New), &ready, files, &place.target)?.keep();
     if let Err(fault) = commit(place, files, before) {
-        // The first fault is the one to tell; the next publication tries again.
+        // The first fault is reported; the next publication tries again.
         let _ = undo(place);
         return Err(fault);
     }
@@ -62,7 +61,7 @@ fn commit(
     Ok(())
 }
 
-/// Moves `entry` into `directory`, but not onto anything.
+/// Moves `entry` into `directory`, but never over an existing entry.
 fn move_to(entry: &Path, directory: &Path) -> Result<(), PublishFault> {
     let to = directory.join(entry.file_name().unwrap_or_default());
     if disk::exists(&to) {
@@ -71,12 +70,12 @@ fn move_to(entry: &Path, directory: &Path) -> Result<(), PublishFault> {
     disk::rename(entry, &to).map_err(PublishFault::io("move", entry))
 }
 
-/// Puts the target back as it was before a publication into it that was cut short. It may be cut short itself.
+/// Restores the target after an interrupted publication into it. The restoration may be interrupted itself.
 fn undo(place: &TargetPlace) -> Result<Vec<PathBuf>, PublishFault> {
     let (target, ready, old) = (&place.target, place.inside(PlaceRole::Ready), place.inside(PlaceRole::Old));
     for file in PublishRecord::read(&ready).into_iter().flat_map(|record| record.files) {
         let (staged, published) = (ready.join(&file.path), target.join(&file.path));
-        // What is not ready any more has been moved, so what the target has is the new one.
+        // A file that is no longer in ready has been moved, so the target's file is the new one.
         if !disk::exists(&staged) && disk::exists(&published) {
             move_to(&published, &ready)?;
         }
@@ -84,7 +83,7 @@ fn undo(place: &TargetPlace) -> Result<Vec<PathBuf>, PublishFault> {
     let mut kept = Vec::new();
     if disk::exists(&old) {
         for entry in disk::entries(&old).map_err(PublishFault::io("read", &old))? {
-            // What came in under the same name meanwhile stays, and the old file is kept beside.
+            // A file that appeared under the same name meanwhile stays, and the old file is kept beside it.
             match move_to(&entry, target) {
                 Ok(()) | Err(PublishFault::Foreign(_)) => {}
                 Err(fault) => return Err(fault),
@@ -98,7 +97,7 @@ fn undo(place: &TargetPlace) -> Result<Vec<PathBuf>, PublishFault> {
     Ok(kept)
 }
 
-/// Undoes or finishes what a killed publication has left in the target. Returns what had to be kept.
+/// Undoes or finishes a killed publication in the target. Returns the kept directories.
 ///
 /// # Errors
 /// If the system refuses.

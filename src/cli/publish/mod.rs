@@ -1,10 +1,9 @@
-//! Publishing: an output directory appears whole or not at all, and nothing of anybody's is lost.
+//! Publishing: an output directory appears complete or not at all, and no file of the user is lost.
 //!
-//! The files are written into a hidden directory beside the target, which then takes the target's
-//! place in one step ([`exchange`]), or file by file where that cannot be ([`journal`]). A target that holds
-//! a file its manifest does not name is not touched. The old build is looked at once more before it goes
-//! ([`retire`]). What a killed publication leaves behind, the next one in the same parent removes; two
-//! at a time wait for each other. docs/reliability.md has the guarantees, and how they are measured.
+//! The files are written into a hidden directory beside the target, which then takes the target's place in one step ([`exchange`]), or file
+//! by file where that is impossible ([`journal`]). A target with a file that its manifest does not name is not touched. The old build is
+//! checked again before it is removed ([`retire`]). The next publication in the same parent removes the rest of a killed one; concurrent
+//! publications wait for each other. docs/reliability.md has the guarantees, and their measurements.
 
 mod disk;
 mod exchange;
@@ -30,14 +29,14 @@ use crate::pipeline::Proven;
 
 pub use fault::PublishFault;
 
-/// What a person should know of a publication; it prints as one line for each, with nothing if all is as usual.
+/// Notes on a publication; each prints as one line, and without notes nothing is printed.
 #[derive(Debug, Default)]
 pub struct Published {
-    /// What the spec of the replaced build called its design, if it is another than the new one's.
+    /// The design's name in the spec of the replaced build, if it differs from the new one.
     pub replaced: Option<String>,
-    /// Files that were put into the target, or changed by hand, since it was built: where they are now.
+    /// Files that were added to the target, or edited, since it was built: their present places.
     pub kept: Vec<PathBuf>,
-    /// Why the old build could not be removed; it stays under a hidden name.
+    /// The reason why the old build could not be removed; it keeps a hidden name.
     pub left: Option<PublishFault>,
 }
 
@@ -56,32 +55,32 @@ impl fmt::Display for Published {
     }
 }
 
-/// The kinds that the build in `target` has beside those that come by default; none where there is no build.
+/// The extra kinds that the build in `target` has; empty without a build.
 pub(super) fn extras_of(target: &Path) -> Vec<Kind> {
     let with = PublishRecord::read(target).map_or_else(Vec::new, |record| record.with);
     with.iter().filter_map(|name| Kind::from_name(name)).filter(|kind| kind.is_extra()).collect()
 }
 
-/// Puts the files of `proven` into the directory `target`, replacing what an earlier publication put there.
+/// Publishes the files of `proven` in the directory `target`, and replaces an earlier build there.
 ///
 /// # Errors
-/// See [`PublishFault`]; the target is then as it was before.
+/// See [`PublishFault`]; the target is then unchanged.
 pub fn publish(target: &Path, proven: &Proven) -> Result<Published, PublishFault> {
     let files: Vec<StagedFile<'_>> = proven.built().files().collect();
     put(target, &files)
 }
 
-/// Puts proven `files` that are no build's, the manifest last, into the directory `target`.
+/// Publishes proven `files` that are not a build's in the directory `target`, the manifest last.
 ///
 /// # Errors
-/// See [`PublishFault`]; the target is then as it was before.
+/// See [`PublishFault`]; the target is then unchanged.
 pub(super) fn publish_files(target: &Path, files: &[(&str, Vec<u8>)]) -> Result<Published, PublishFault> {
     let files: Vec<StagedFile<'_>> =
         files.iter().map(|(name, bytes)| (*name, bytes.as_slice().into())).collect();
     put(target, &files)
 }
 
-/// Puts `files` (name, content) into the directory `target`.
+/// Publishes `files` (name, content) in the directory `target`.
 fn put(target: &Path, files: &[StagedFile<'_>]) -> Result<Published, PublishFault> {
     let place = TargetPlace::new(target)?;
     let locks = place.lock();

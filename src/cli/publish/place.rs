@@ -1,4 +1,4 @@
-//! Where something is published: the target, its neighbours with hidden names, the locks.
+//! The place of a publication: the target, its hidden neighbours, the locks.
 
 use std::ffi::{OsStr, OsString};
 use std::fs::File;
@@ -8,12 +8,12 @@ use std::{env, fs};
 use crate::cli::publish::disk;
 use crate::cli::publish::fault::{NAME_BYTES, PublishFault};
 
-/// What a hidden directory is for.
+/// The purpose of a hidden directory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum PlaceRole {
-    /// Being written: nothing in it is of use to anybody.
+    /// Incomplete: it can be removed at any time.
     New,
-    /// A whole build that waits to take the target's place, or an old one that it has exchanged places with.
+    /// A complete build before it takes the target's place, or an old one after the exchange.
     Ready,
     /// An old build, set aside.
     Old,
@@ -31,7 +31,7 @@ impl PlaceRole {
     }
 }
 
-/// A target, with nothing about it left to guess.
+/// A resolved target.
 #[derive(Debug)]
 pub(super) struct TargetPlace {
     /// The output directory; links in its path are resolved.
@@ -75,26 +75,26 @@ impl TargetPlace {
         self.target.join(role.suffix())
     }
 
-    /// The names, but for their number, that may be given to the hidden directory `path` to keep what is in it: one
-    /// beside the target, and for what is in the target one there too, since it may not get out of a mount point.
+    /// The names, without their number, under which the content of the hidden directory `path` may be kept: one beside the target. For a
+    /// directory in the target also one inside, because a rename may not leave a mount point.
     pub(super) fn kept(&self, path: &Path) -> Vec<PathBuf> {
         let inside = path.starts_with(&self.target).then(|| self.target.join("kept"));
         [kept_beside(&self.parent, &self.name)].into_iter().chain(inside).collect()
     }
 
-    /// Whether somebody stands in the target: giving its name to another directory would take it from under his feet.
+    /// Whether the process's current directory is in the target; renaming the target would remove it from its place.
     pub(super) fn underfoot(&self) -> bool {
         let here = env::current_dir().and_then(fs::canonicalize);
         here.is_ok_and(|here| here.starts_with(&self.target))
     }
 
-    /// Keeps other publications in the same parent, or into the same target from elsewhere, waiting.
-    /// Systems that cannot lock directories go without.
+    /// Blocks other publications in the same parent, and into the same target from elsewhere. Systems that cannot lock directories have no
+    /// lock.
     pub(super) fn lock(&self) -> Locks {
         Locks { parent: lock(&self.parent), _target: lock(&self.target) }
     }
 
-    /// Every hidden directory beside the target, of whatever target: its path, the target's name, its role.
+    /// All hidden directories beside the target, of any target: path, target's name, role.
     pub(super) fn hidden(&self) -> Vec<(PathBuf, OsString, PlaceRole)> {
         let entries = disk::entries(&self.parent).unwrap_or_default();
         let known = entries.into_iter().filter_map(|path| {
@@ -115,14 +115,14 @@ fn hidden(name: &OsStr, role: PlaceRole) -> OsString {
     hidden
 }
 
-/// The name, but for its number, under which something of the target `name` in `parent` is kept.
+/// The name, without its number, under which a part of the target `name` in `parent` is kept.
 pub(super) fn kept_beside(parent: &Path, name: &OsStr) -> PathBuf {
     let mut kept = name.to_owned();
     kept.push(".kept");
     parent.join(kept)
 }
 
-/// Held while something is published.
+/// Locks for the time of a publication.
 #[derive(Debug)]
 pub(super) struct Locks {
     parent: Option<File>,
@@ -130,7 +130,7 @@ pub(super) struct Locks {
 }
 
 impl Locks {
-    /// Whether nobody else publishes beside the target.
+    /// Whether no other publication runs beside the target.
     pub(super) fn alone(&self) -> bool {
         self.parent.is_some()
     }
@@ -142,7 +142,7 @@ fn lock(directory: &Path) -> Option<File> {
     Some(file)
 }
 
-/// Directories that were made for a publication, deepest first. The empty ones go with it.
+/// Parent directories made for a publication, deepest first. The empty ones are removed with it.
 #[derive(Debug)]
 struct Parents(Vec<PathBuf>);
 

@@ -1,4 +1,4 @@
-//! What a directory's manifest says about it, and whether that is still true.
+//! The manifest of a directory, and whether it still describes the directory.
 
 use std::fs;
 use std::fs::File;
@@ -11,20 +11,20 @@ use crate::cli::publish::disk;
 use crate::cli::publish::fault::PublishFault;
 use crate::manifest::{MANIFEST, sha256};
 
-/// Largest manifest that is read, bytes; one of sixty-four stars has a tenth of it.
+/// Largest manifest that is read, bytes: ten times that of sixty-four stars.
 const LARGEST: u64 = 1 << 24;
 
-/// Largest file that can be one of ours, bytes: `verify` reads no more of any.
+/// Largest file of a build, bytes: `verify` reads no larger one.
 const LARGEST_FILE: u64 = 1 << 28;
 
-/// The part of a manifest that publishing needs. Every version of the program has written it alike.
+/// The part of a manifest that publishing needs. All versions of the program write it alike.
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct PublishRecord {
-    /// What the spec calls the design.
+    /// The design's name in the spec.
     pub(super) name: String,
-    /// Every file beside the manifest.
+    /// All files beside the manifest.
     pub(super) files: Vec<Recorded>,
-    /// The names of the kinds that were asked for beside those that come by default.
+    /// The names of the extra kinds that were requested.
     #[serde(default)]
     pub(super) with: Vec<String>,
 }
@@ -32,14 +32,14 @@ pub(super) struct PublishRecord {
 /// One file.
 #[derive(Clone, Debug, Deserialize)]
 pub(super) struct Recorded {
-    /// Its name: no path.
+    /// Its name, without a path.
     pub(super) path: String,
     bytes: u64,
     sha256: String,
 }
 
 impl PublishRecord {
-    /// The record in `directory`, if there is one.
+    /// The record in `directory`, if it exists.
     pub(super) fn read(directory: &Path) -> Option<Self> {
         let path = directory.join(MANIFEST);
         let size = fs::symlink_metadata(&path).ok().filter(fs::Metadata::is_file)?.len();
@@ -50,7 +50,7 @@ impl PublishRecord {
     /// The record in the bytes of a manifest.
     pub(super) fn parse(bytes: &[u8]) -> Option<Self> {
         let mut record: Self = serde_json::from_slice(bytes).ok()?;
-        // A name that leads out of the directory is no file of it, whoever wrote the manifest.
+        // A path that leads out of the directory is ignored, whatever program wrote the manifest.
         record.files.retain(|file| Path::new(&file.path).file_name().is_some_and(|name| *name == *file.path));
         Some(record)
     }
@@ -68,7 +68,7 @@ impl PublishRecord {
     /// Whether `entry` is a file that the record names and still has the recorded bytes.
     pub(super) fn holds(&self, entry: &Path) -> bool {
         let Some(file) = self.find(entry).filter(|_| disk::is_plain(entry)) else { return false };
-        // The length first, so that nothing is read which cannot be ours, whatever length the manifest says.
+        // The length is compared first, so that no foreign file is read, whatever length the manifest states.
         let is_as_long = fs::metadata(entry).is_ok_and(|found| found.len() == file.bytes);
         if !is_as_long || file.bytes > LARGEST_FILE {
             return false;
@@ -83,10 +83,10 @@ pub(super) fn is_manifest(entry: &Path) -> bool {
     entry.file_name().is_some_and(|name| name == MANIFEST)
 }
 
-/// The record of the build that `target` holds; `None` if there is no target or it is empty.
+/// The record of the build in `target`; `None` if there is no target or it is empty.
 ///
 /// # Errors
-/// If something in it is named by no record, or protected from being written.
+/// If no record names one of its entries, or if the directory is write-protected.
 pub(super) fn ours(target: &Path) -> Result<Option<PublishRecord>, PublishFault> {
     if !disk::exists(target) {
         return Ok(None);
@@ -110,7 +110,7 @@ pub(super) fn ours(target: &Path) -> Result<Option<PublishRecord>, PublishFault>
     Ok(record)
 }
 
-/// Whether the directory may be written to. Who has taken away the last right to write means it, even for root.
+/// Whether the directory may be written to. A directory without any write permission is protected, even for root.
 fn writable(directory: &Path) -> bool {
     #[cfg(any(target_os = "linux", target_os = "android"))]
     if rustix::fs::access(directory, rustix::fs::Access::WRITE_OK).is_err() {

@@ -1,9 +1,8 @@
-//! Removing an old build, and nothing else.
+//! Removes an old build, and nothing else.
 //!
-//! Only a file that a manifest names and that still has the recorded hash is removed. Whatever else is in
-//! the directory came in, or was changed, since it was built: somebody wants it. The directory then gets
-//! a visible name and keeps just that. It is never removed with its content, so that a file which comes
-//! in at the last moment is kept as well.
+//! Only a file that a manifest names and that still has the recorded hash is removed. All other entries were added or edited since the
+//! build, so they are kept: the directory gets a visible name and keeps only them. It is never removed with its content, so that a file
+//! that appears at the last moment is kept as well.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -13,15 +12,14 @@ use crate::cli::publish::fault::PublishFault;
 use crate::cli::publish::place::{PlaceRole, TargetPlace, kept_beside};
 use crate::cli::publish::record::{PublishRecord, is_manifest};
 
-/// Names that are tried for what is kept, per place.
+/// Number of names tried for a kept directory, per place.
 const NAMES: usize = 10_000;
 
-/// Removes the build in `directory`; what has to be kept takes one of the free names `kept`-1, `kept`-2, ...
-/// `successor` is the build that stands in its place: what is equal to a file of it is not lost.
-/// Returns what was kept.
+/// Removes the build in `directory`; what must be kept takes one of the free names `kept`-1, `kept`-2, ... `successor` is the build in its
+/// place: a file that equals one of its files is not kept. Returns the kept directories.
 ///
 /// # Errors
-/// If the system refuses; then what was not removed is still there.
+/// If the system refuses; then the rest is still there.
 pub(super) fn retire(
     directory: &Path,
     successor: Option<&PublishRecord>,
@@ -33,7 +31,7 @@ pub(super) fn retire(
     let clean = |entry: &PathBuf| {
         [record.as_ref(), successor].into_iter().flatten().any(|record| record.holds(entry))
     };
-    // The manifest goes last: after a kill it still says which files are ours.
+    // The manifest is removed last: after a kill it still names the program's files.
     let manifest = manifest.into_iter().filter(|_| record.is_some());
     for entry in files.into_iter().filter(clean).chain(manifest) {
         disk::remove_file(&entry).map_err(PublishFault::io("remove", &entry))?;
@@ -45,7 +43,7 @@ pub(super) fn retire(
     }
 }
 
-/// Gives `directory` the first free name, and says what is in it.
+/// Gives `directory` the first free name, and returns its kept entries.
 fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault> {
     let refused = |error| PublishFault::Io("give a visible name to", directory.to_owned(), error);
     let mut fault = refused(io::ErrorKind::AlreadyExists.into());
@@ -59,7 +57,7 @@ fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault
             }
             match disk::rename(directory, &name) {
                 Ok(()) => return disk::entries(&name).map_err(PublishFault::io("read", &name)),
-                // Taken in this moment: no directory replaces one that is not empty.
+                // The name was taken at this moment: a rename replaces no directory with content.
                 Err(error) if error.kind() == io::ErrorKind::DirectoryNotEmpty => {}
                 Err(error) => {
                     fault = refused(error);
@@ -67,7 +65,7 @@ fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault
                 }
             }
         }
-        // Only what cannot get to the one place is put into the other.
+        // The second place is only for an entry that cannot be moved to the first.
         if !fault.bound() {
             break;
         }
@@ -75,11 +73,11 @@ fn keep(directory: &Path, kept: &[PathBuf]) -> Result<Vec<PathBuf>, PublishFault
     Err(fault)
 }
 
-/// Removes what killed publications have left beside the target, whatever their targets were, and puts
-/// back an output that one of them had set aside. Returns what had to be kept.
+/// Removes the rest of killed publications beside the target, whatever their targets were, and restores an output that one of them had set
+/// aside. Returns the kept directories.
 ///
 /// # Errors
-/// If something of this very target stays in the way; leftovers of others harm nobody.
+/// If an entry of this target stays in the way; the rest of other targets is ignored.
 pub(super) fn sweep(place: &TargetPlace, alone: bool) -> Result<Vec<PathBuf>, PublishFault> {
     let mut kept = Vec::new();
     for role in PlaceRole::ALL {
@@ -94,7 +92,7 @@ pub(super) fn sweep(place: &TargetPlace, alone: bool) -> Result<Vec<PathBuf>, Pu
     Ok(kept)
 }
 
-/// Clears away the hidden directory `path` of `target`.
+/// Removes or restores the hidden directory `path` of `target`.
 fn clear(
     path: &Path,
     role: PlaceRole,

@@ -1,4 +1,4 @@
-//! Writing a build where nobody sees it.
+//! Writes a build into a hidden staging directory.
 
 use std::borrow::Cow;
 use std::fs;
@@ -10,7 +10,7 @@ use crate::cli::publish::fault::PublishFault;
 /// A file to publish: its name and content.
 pub(super) type StagedFile<'a> = (&'a str, Cow<'a, [u8]>);
 
-/// A whole build in a hidden directory, synced. It goes when it is dropped.
+/// A complete, synced build in a hidden directory. Dropping it removes the directory.
 #[derive(Debug)]
 pub(super) struct Staging {
     new: PathBuf,
@@ -19,8 +19,8 @@ pub(super) struct Staging {
 }
 
 impl Staging {
-    /// Writes `files` into the new directory `path`, and then gives it the name `ready`. The directory and
-    /// its files get the modes of `model` and of the files there, if there is one.
+    /// Writes `files` into the new directory `path`, and then renames it to `ready`. The directory and its files get the modes of `model`
+    /// and of the files in it, if it exists.
     pub(super) fn write(
         path: &Path,
         ready: &Path,
@@ -30,7 +30,7 @@ impl Staging {
         disk::create_dir(path).map_err(PublishFault::io("create", path))?;
         let mut staging = Self { new: path.to_owned(), path: path.to_owned(), armed: true };
         let mode = |path: &Path| Some(fs::symlink_metadata(path).ok()?.permissions());
-        // Before the files: what nobody else may see is not seen while it is written.
+        // The mode is set before the files are written, so that private files are never readable by others.
         if let Some(mode) = mode(model) {
             disk::set_permissions(path, mode).map_err(PublishFault::io("set the mode of", path))?;
         }
@@ -46,12 +46,12 @@ impl Staging {
         Ok(staging)
     }
 
-    /// Where it is.
+    /// The path of the staging directory.
     pub(super) fn path(&self) -> &Path {
         &self.path
     }
 
-    /// Lets it stay.
+    /// Keeps the directory when it is dropped.
     pub(super) fn keep(mut self) {
         self.armed = false;
     }
@@ -59,9 +59,9 @@ impl Staging {
 
 impl Drop for Staging {
     fn drop(&mut self) {
-        // What is ready gets its first name again: under that one, no part of it is of use to anybody.
+        // A ready directory gets its first name again, which marks it as incomplete.
         if self.armed && (self.path == self.new || disk::rename(&self.path, &self.new).is_ok()) {
-            // Failing to remove it harms nothing: the next publication does.
+            // A failed removal is harmless: the next publication removes it.
             let _ = disk::remove_tree(&self.new);
         }
     }

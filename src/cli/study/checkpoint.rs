@@ -1,8 +1,8 @@
-//! Rows of a slow study that are done, kept in a file beside the one that they are for until that is whole: after a kill only the rows
-//! that were being computed are computed again.
+//! Finished rows of a slow study, stored in a file beside the output until that is complete. After a kill only the unfinished rows are
+//! computed again.
 //!
-//! Its first line names the study, and every other is a row: the hash of the rest, a space, and the row's cells as JSON. A line that a
-//! killed process has torn is cut off.
+//! Its first line identifies the study. Every other line is a row: the hash of the rest, a space, and the row's cells as JSON. An
+//! incomplete line of a killed process is cut off.
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, TryLockError};
@@ -13,20 +13,20 @@ use crate::cli::escape::shown;
 use crate::digest::sha256;
 use crate::forecast::study::{RowBatch, Study, checkpoint};
 
-/// The rows that are kept, and the file that keeps them, which nobody else writes meanwhile.
+/// The stored rows, and their file, which is locked against other processes.
 pub(super) struct Checkpoint {
     file: File,
     rows: BTreeMap<usize, RowBatch>,
 }
 
-/// The file that keeps the rows of `path`: "study.rows" of "study.csv".
+/// The file with the stored rows of `path`: "study.rows" for "study.csv".
 pub(super) fn beside(path: &Path) -> PathBuf {
     path.with_extension("rows")
 }
 
-/// Removes the file that kept the rows of `path`, which is whole.
+/// Removes the file with the stored rows of `path`, which is complete.
 pub(super) fn drop_beside(path: &Path) {
-    // Where it stays, the next run finds a file of its own study, and has nothing left to compute.
+    // If it remains, the next run finds its own study in it, and has nothing left to compute.
     let _ = fs::remove_file(beside(path));
 }
 
@@ -67,15 +67,15 @@ impl Checkpoint {
         Ok(Self { file, rows })
     }
 
-    /// Whether row `row` is kept.
+    /// Whether row `row` is stored.
     pub(super) fn has(&self, row: usize) -> bool {
         self.rows.contains_key(&row)
     }
 
-    /// Keeps a batch of one row, whatever happens next.
+    /// Stores a batch of one row on disk.
     ///
     /// # Errors
-    /// If it cannot be written.
+    /// If the file cannot be written.
     pub(super) fn keep(&mut self, batch: RowBatch) -> io::Result<()> {
         let cells = serde_json::to_string(&checkpoint::cells(&batch))?;
         self.file.write_all(format!("{} {cells}\n", sha256(&cells)).as_bytes())?;
@@ -84,13 +84,13 @@ impl Checkpoint {
         Ok(())
     }
 
-    /// Takes row `row` out of what is kept here; the file still has it.
+    /// Takes row `row` out of memory; the file keeps it.
     pub(super) fn take(&mut self, row: usize) -> Option<RowBatch> {
         self.rows.remove(&row)
     }
 }
 
-/// The row of a line; `None` if it is torn.
+/// The row in a line; `None` if the line is damaged.
 fn row(line: &[u8], study: &Study) -> Option<RowBatch> {
     let line = std::str::from_utf8(line).ok()?.strip_suffix('\n')?;
     let (hash, cells) = line.split_once(' ')?;

@@ -1,4 +1,4 @@
-//! `stargrip-cam study run`, and `sweep`, its old word.
+//! `stargrip-cam study run`, and `sweep`, its old name.
 
 use std::path::PathBuf;
 
@@ -17,7 +17,7 @@ pub(in crate::cli) struct Args {
     /// A study file; or, with --vary, the spec around which values are varied.
     #[arg(value_name = "STUDY")]
     spec: PathBuf,
-    /// What is varied: KEY=A,B,C or KEY=FROM..TO/COUNT; may be given several times, the last runs fastest.
+    /// Values to vary: KEY=A,B,C or KEY=FROM..TO/COUNT; may be given several times, the last runs fastest.
     #[arg(long, value_name = "KEY=VALUES")]
     vary: Vec<String>,
     #[command(flatten)]

@@ -1,4 +1,4 @@
-//! Parts to one file, whose bytes are those of a run that was never cut.
+//! Joins parts into one file, whose bytes equal those of an undivided run.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -56,7 +56,7 @@ fn is_part(path: &Path) -> bool {
     name.starts_with("part-") && path.extension().is_some_and(|ending| ending == "csv")
 }
 
-/// All parts of one study in order, or what is missing or foreign.
+/// All parts of one study in order, or a list of missing and foreign parts.
 fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<JoinedPart>, Failure> {
     let mut faults = Vec::new();
     let mut found: BTreeMap<usize, JoinedPart> = BTreeMap::new();
@@ -95,7 +95,7 @@ fn whole(dir: &Path, files: &[PathBuf]) -> Result<Vec<JoinedPart>, Failure> {
     }
 }
 
-/// Whether the file has the name of its part.
+/// Whether the file's name is that of its part.
 fn is_named(path: &Path, job: &PartJob) -> bool {
     path.file_name().is_some_and(|own| *own == *name(job.part, job.parts))
 }

@@ -1,4 +1,4 @@
-//! `stargrip-cam study`: its rows, its parts, and how they become files.
+//! `stargrip-cam study`: its rows, its parts, and their files.
 
 mod checkpoint;
 pub(super) mod compute;
@@ -27,7 +27,7 @@ pub(super) struct Args {
 enum StudyCommand {
     /// Compute the rows of a study file, or of every combination of the values of --vary.
     Run(compute::Args),
-    /// Print what a study file asks for: rows, and every column with its unit and meaning.
+    /// Print the rows of a study file, and every column with its unit and meaning.
     Show {
         /// The study file.
         study: PathBuf,
@@ -39,7 +39,7 @@ enum StudyCommand {
     Join {
         /// The directory that `study run STUDY --part k/N -o DIR` or `--parts N -o DIR` has filled.
         dir: PathBuf,
-        /// The file; it appears when it is whole.
+        /// The file; it appears when it is complete.
         #[arg(short, long, value_name = "FILE")]
         output: PathBuf,
         #[command(flatten)]
@@ -65,7 +65,7 @@ fn shown(study: &Study) -> String {
             (ColumnKind::Whole, None) => "whole",
             (ColumnKind::Text, None) => "text",
         };
-        // A String takes everything.
+        // Writing to a String does not fail.
         let _ = writeln!(text, "{:32} {:8} {}", column.name, kind, column.about);
     }
     text

@@ -1,8 +1,8 @@
-//! Parts of a study in a directory: each a file that stands alone, with a **job** beside it, a line of JSON
-//! that says which part of which study it is, how long it is, and its hash.
+//! Parts of a study in a directory: each is a file of its own, with a **job** beside it, a line of JSON with the study, the number, the
+//! length and the hash of the part.
 //!
-//! A job is written before its part, and both appear whole. So a part with the right job is done, and is not
-//! computed again; a part without a job, or with another, is not ours, and is not written over.
+//! A job is written before its part, and both appear complete. So a part with the right job is done, and is not computed again. A part
+//! without a job, or with another one, is foreign, and is not overwritten.
 
 use std::fs;
 use std::fs::{File, Metadata};
@@ -19,14 +19,14 @@ use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 use crate::digest::Running;
 use crate::forecast::study::Study;
 
-/// What is known of a part.
+/// Description of a part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct PartJob {
     /// Fingerprint of the study.
     pub(super) study: String,
-    /// Which part, from 1.
+    /// Number of the part, from 1.
     pub(super) part: usize,
-    /// Of how many.
+    /// Number of all parts.
     pub(super) parts: usize,
     /// Its first row, and the one after its last.
     pub(super) rows: [usize; 2],
@@ -42,12 +42,12 @@ pub(super) struct PartJob {
 pub(in crate::cli) struct Parts<'a> {
     pub(in crate::cli) dir: &'a Path,
     pub(in crate::cli) study: &'a Study,
-    /// How many there are.
+    /// Number of parts.
     pub(in crate::cli) of: usize,
     pub(in crate::cli) units: bool,
 }
 
-/// What there is of a part.
+/// State of a part on disk.
 enum PartState {
     Done,
     Nothing,
@@ -55,7 +55,7 @@ enum PartState {
 }
 
 impl Parts<'_> {
-    /// Computes the parts `from` to `to` that are not there yet; returns how many were.
+    /// Computes the missing parts from `from` to `to`; returns how many existed already.
     pub(in crate::cli) fn compute(
         &self,
         [from, to]: [usize; 2],
@@ -70,7 +70,7 @@ impl Parts<'_> {
             match self.found(part, &fingerprint) {
                 PartState::Done => {
                     there += 1;
-                    // One who was killed at the very end may have left them.
+                    // A run killed at the very end may have left them.
                     self.rows(part, &self.path(part)).forget();
                 }
                 PartState::Nothing => self.write(part, &fingerprint, ear)?,
@@ -143,17 +143,16 @@ impl Parts<'_> {
     }
 }
 
-/// The name of a part: names in the order of the alphabet are parts in order.
+/// The name of a part; the alphabetical order of names is that of the parts.
 pub(super) fn name(part: usize, parts: usize) -> String {
     let width = parts.to_string().len();
     format!("part-{part:0width$}-of-{parts}.csv")
 }
 
-/// Longest job that is read, bytes: many times what one has.
+/// Longest job that is read, bytes: far more than one has.
 const TICKET: u64 = 1 << 16;
 
-/// The job of the part at `path`; `None` also where it, or the part, is no file of its own: a link or a pipe
-/// may have no end.
+/// The job of the part at `path`; `None` also where it, or the part, is not a regular file: a link or a pipe may have no end.
 pub(super) fn job(path: &Path) -> Option<PartJob> {
     let beside = path.with_extension("json");
     let length = |path: &Path| fs::symlink_metadata(path).ok().filter(Metadata::is_file).map(|own| own.len());
@@ -174,7 +173,7 @@ pub(super) fn is_sound(path: &Path, job: &PartJob) -> io::Result<bool> {
     Ok(bytes == job.bytes && hash.finish() == job.sha256)
 }
 
-/// A writer that knows the hash of what went through it.
+/// A writer that hashes and counts the bytes written through it.
 struct Hashed<W> {
     out: W,
     hash: Running,

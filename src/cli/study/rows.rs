@@ -1,4 +1,4 @@
-//! Rows of a study as CSV, computed, and kept where each takes long.
+//! Rows of a study as CSV; slow rows are also stored in a checkpoint.
 
 use std::io;
 use std::io::Write;
@@ -10,27 +10,27 @@ use crate::cli::progress::Progress;
 use crate::cli::study::checkpoint::{Checkpoint, beside, drop_beside};
 use crate::forecast::study::{RowBatch, Study, csv};
 
-/// Some rows of a study, as they are to be written.
+/// Some rows of a study, and the form of their file.
 pub(in crate::cli) struct StudyRows<'a> {
     pub(in crate::cli) study: &'a Study,
-    /// Which.
+    /// The range of rows.
     pub(in crate::cli) range: Range<usize>,
     /// Whether the text begins with the names of the columns.
     pub(in crate::cli) header: bool,
-    /// Whether a comment under the header says the units.
+    /// Whether a comment under the header gives the units.
     pub(in crate::cli) units: bool,
-    /// The file that they are for; where one takes long, each is kept beside it until it is whole.
+    /// The output file; slow rows are stored beside it until it is complete.
     pub(in crate::cli) target: Option<&'a Path>,
 }
 
-/// Who is told how far it is, and says when it shall stop.
+/// The progress line to report to, and the signals that stop the work.
 pub(in crate::cli) struct StudyMonitor<'a> {
     pub(in crate::cli) progress: &'a Progress,
     pub(in crate::cli) listening: &'a Listening,
 }
 
 impl StudyRows<'_> {
-    /// Computes the rows and writes them to `out`, which is handed back. An error of the kind `Interrupted` is a signal's.
+    /// Computes the rows and writes them to `out`, which it returns. A signal gives an error of the kind `Interrupted`.
     pub(in crate::cli) fn write<W: Write + Send>(&self, mut out: W, ear: &StudyMonitor<'_>) -> io::Result<W> {
         if self.header {
             out.write_all(csv::header(self.study.columns(), self.units).as_bytes())?;
@@ -40,7 +40,7 @@ impl StudyRows<'_> {
         Ok(out)
     }
 
-    /// Drops what was kept for the file, which is whole.
+    /// Removes the checkpoint of the file, which is complete.
     pub(in crate::cli) fn forget(&self) {
         if let Some(target) = self.target.filter(|_| self.study.is_slow()) {
             drop_beside(target);
@@ -69,7 +69,7 @@ impl StudyRows<'_> {
         if done < self.range.len() { Err(io::ErrorKind::Interrupted.into()) } else { Ok(()) }
     }
 
-    /// All rows, those that were kept beside `target` and those that are computed now, and kept.
+    /// All rows: those stored beside `target`, and the missing ones, which are computed and stored.
     fn kept(&self, target: &Path, ear: &StudyMonitor<'_>) -> io::Result<Checkpoint> {
         let mut kept = Checkpoint::open(&beside(target), self.study)?;
         let missing: Vec<usize> = self.range.clone().filter(|row| !kept.has(*row)).collect();

@@ -1,4 +1,4 @@
-//! Rows of a study to standard output, a file, or parts in a directory: where `study run` writes.
+//! Rows of a study to standard output, a file, or parts in a directory: the destinations of `study run`.
 
 use std::fs::File;
 use std::io::{self, BufWriter, IsTerminal, Read, Write, stdout};
@@ -14,7 +14,7 @@ use crate::cli::verbosity::{Quiet, Verbosity};
 use crate::cli::whole_file::{WholeFile, sweep_leftovers};
 use crate::forecast::study::Study;
 
-/// Which rows are computed, and where they go.
+/// The rows to compute, and their destination.
 #[derive(clap::Args, Debug)]
 pub(in crate::cli) struct Destination {
     /// Compute only part k of N, or parts A..B of N. On standard output only part 1 has the header, so that parts can be
@@ -30,7 +30,7 @@ pub(in crate::cli) struct Destination {
     /// The form: `csv`. Parquet is written by the Python package.
     #[arg(long, value_name = "FORM", hide = true)]
     format: Option<Form>,
-    /// Add a line to the header that begins with # and says the unit of each column.
+    /// Add a line to the header that begins with # and gives the unit of each column.
     #[arg(long)]
     units: bool,
     /// Threads; default: all.
@@ -59,7 +59,7 @@ pub(super) fn refuse_parquet(path: &Path) -> Result<(), Failure> {
     Err(Failure::Message(text.to_owned()))
 }
 
-/// Refuses to replace a file that is no table of a study: every table begins with the column `row`.
+/// Refuses to replace a file that is not a table of a study: every table begins with the column `row`.
 pub(super) fn refuse_foreign(path: &Path) -> Result<(), Failure> {
     if !path.is_file() {
         return Ok(());
@@ -115,7 +115,7 @@ impl Destination {
         if self.output.is_none() && self.parts.is_some() {
             return Err(Failure::Usage("--parts needs a directory: add -o DIR".to_owned()));
         }
-        // Rows on a terminal show by themselves how far they are.
+        // Rows on a terminal show the progress themselves.
         let quiet = self.quiet.quiet || (self.output.is_none() && stdout().is_terminal());
         let listening = Listening::new();
         let there =
@@ -133,7 +133,7 @@ impl Destination {
         Ok(())
     }
 
-    /// Whether `path` is one of parts.
+    /// Whether `path` is a directory of parts.
     fn is_directory(&self, path: &Path) -> bool {
         let ends_so = path.as_os_str().to_string_lossy().ends_with(std::path::is_separator);
         self.parts.is_some()
@@ -149,7 +149,7 @@ impl Destination {
 
     fn to_stdout(&self, study: &Study, span: Span, ear: &StudyMonitor<'_>) -> Result<(), Failure> {
         let rows = StudyRows { header: span.from == 1, ..self.rows(study, span) };
-        // Whole chunks are written at a time; a buffer of lines would only slow them down.
+        // The writer receives large chunks; a line buffer would only slow it down.
         rows.write(stdout(), ear).map(drop).map_err(|error| match error.kind() {
             io::ErrorKind::BrokenPipe => Failure::Pipe,
             io::ErrorKind::Interrupted if ear.listening.has_heard() => Failure::Stopped("stopped".to_owned()),
@@ -157,7 +157,7 @@ impl Destination {
         })
     }
 
-    /// Returns how many parts were there already.
+    /// Returns the number of parts that existed already.
     fn to_parts(
         &self,
         dir: &Path,

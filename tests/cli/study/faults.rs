@@ -1,4 +1,4 @@
-//! What is said of a study file that asks for what there is not.
+//! Messages about study files with unknown keys and values.
 
 use stargrip_cam::forecast::study::Study;
 use stargrip_cam::spec::Source;
@@ -6,7 +6,7 @@ use stargrip_cam::spec::study::read_study;
 
 use super::{SPEC, folder, refused};
 
-/// Code and words of every fault of a study.
+/// Code and text of every fault of a study.
 fn faults(text: &str) -> Vec<(String, String)> {
     let source = Source::new("study.toml", text);
     let found = read_study(&source).and_then(|file| Study::new(&file, &Source::new("spec.toml", SPEC)));
@@ -23,7 +23,7 @@ fn with(rest: &str) -> String {
     format!("schema = 1\nspec = \"spec.toml\"\n{rest}")
 }
 
-/// Asserts that each study is refused with this code, in these words.
+/// Asserts that each study is refused with this code and this text.
 fn refuses(cases: &[(String, &str, &str)]) {
     for (text, code, words) in cases {
         let found = faults(text);

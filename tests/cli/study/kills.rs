@@ -1,4 +1,4 @@
-//! Workers that are killed at random moments, and go on. docs/reliability.md has the figures.
+//! Workers that are killed at random moments, and started again. docs/reliability.md has the figures.
 
 use std::fs;
 use std::path::Path;
@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::{command, done, folder, names};
 
-/// So many rows that a part takes longer than a process needs to begin.
+/// Enough rows that a part takes longer than the start of a process.
 const STUDY: &str = "schema = 1\nspec = \"spec.toml\"\n[vary]\nstar.points = [3, 4, 5, 6]\n\
                      star.tube_width = \"10 mm..40 mm/40\"\nstar.tip_angle = \"15 deg..60 deg/40\"\n";
 
@@ -41,7 +41,7 @@ fn workers_that_are_killed_go_on_where_they_stopped() {
     while kills < wanted || studies == 0 {
         let mut workers = WORKERS.map(|part| work(at, part));
         for worker in &mut workers {
-            // After half the time that all takes at most, so that a study is killed a few times.
+            // The kills happen within half the time of the whole, so that a study is killed a few times.
             if kills < wanted {
                 std::thread::sleep(random(took / 2));
                 if worker.try_wait().expect("a child").is_none() {

@@ -1,4 +1,4 @@
-//! Studies as a user runs them: what a study file may say, parts, joins, and what kills and full disks leave.
+//! Studies as a user runs them: study files, parts, joins, and the state after kills and on full disks.
 
 mod faults;
 mod kills;
@@ -13,7 +13,7 @@ use std::process::{Command, Output};
 use crate::support::asked::GRIPPER as SPEC;
 use tempfile::TempDir;
 
-/// Refusals, words, whole numbers and unknown values among its 216 rows.
+/// Its 216 rows include refusals, words, whole numbers and unknown values.
 const STUDY: &str = r#"schema = 1
 spec = "spec.toml"
 [rows]
@@ -53,7 +53,7 @@ fn done(dir: &Path, args: &[&str]) -> String {
     text(&output.stdout)
 }
 
-/// What is said on standard error by a command that ends with `code`.
+/// The standard error of a command that ends with `code`.
 #[track_caller]
 fn refused(dir: &Path, args: &[&str], code: i32) -> String {
     let output = run(dir, args);

@@ -1,4 +1,4 @@
-//! The example of docs/studies.md is what the program makes of it.
+//! The example in docs/studies.md equals the program's output.
 
 use std::fs;
 use std::path::Path;

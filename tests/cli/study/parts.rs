@@ -1,4 +1,4 @@
-//! Parts stand alone, go on where they stopped, and join to the whole.
+//! Parts are complete files, continue after an interruption, and join into the whole.
 
 use std::fs;
 
@@ -145,7 +145,7 @@ fn a_study_says_what_it_asks_for() {
     assert!(line("bendability").contains("1/eps") && line("refused_code").contains("text"));
 }
 
-/// What a file system says when nothing more fits: here, that files may have no more than 4 KiB.
+/// The error of a full file system: here, files may have no more than 4 KiB.
 #[cfg(unix)]
 #[test]
 fn a_disk_that_is_full_is_said_and_nothing_is_left() {
@@ -165,7 +165,7 @@ fn a_disk_that_is_full_is_said_and_nothing_is_left() {
     assert!(said.contains("part-1-of-2.csv"), "{said}");
     assert_eq!(names(&at.join("parts")), Vec::<String>::new());
     assert_eq!(names(at), ["parts", "spec.toml", "study.toml"]);
-    // What was there before is there still.
+    // The earlier file is unchanged.
     fs::write(at.join("out.csv"), "before").expect("written");
     let _ = full("sweep study.toml -o out.csv");
     assert_eq!(fs::read_to_string(at.join("out.csv")).expect("there"), "before");

@@ -1,4 +1,4 @@
-//! Studies by models that take long: their rows say what a single prediction says, and each is kept as soon as it is there.
+//! Studies by slow models: their rows equal single predictions, and each row is stored when it is finished.
 
 use std::fs;
 use std::path::Path;
@@ -15,7 +15,7 @@ fn rows(csv: &str) -> (Vec<&str>, Vec<Vec<&str>>) {
     (lines.next().expect("a header"), lines.collect())
 }
 
-/// A number that JSON has under `path`, "evidence.mesh_errors.volume_mm3"; `None` if it has null.
+/// The number in JSON under `path`, "evidence.mesh_errors.volume_mm3"; `None` for null.
 fn number(json: &serde_json::Value, path: &str) -> Option<f64> {
     path.split('.').fold(json, |value, key| &value[key]).as_f64()
 }
@@ -27,7 +27,7 @@ fn agree(csv: &str, row: usize, json: &serde_json::Value, pairs: &[(&str, &str)]
             names.iter().position(|name| name == column).unwrap_or_else(|| panic!("{column}: {names:?}"));
         let found: Option<f64> = rows[row][at].parse().ok();
         let said = number(json, path);
-        // Nine digits stand in a table.
+        // A table has nine digits.
         let close = found.zip(said).map_or(found == said, |(a, b)| (a - b).abs() <= 1e-8 * b.abs());
         assert!(close, "{column}: {found:?}, {path}: {said:?}");
     }
@@ -46,7 +46,7 @@ fn a_row_by_bvp_says_what_a_prediction_says() {
     agree(&csv, 0, &json, &same);
 }
 
-/// Waits until a row is kept in `path`.
+/// Waits until a row is stored in `path`.
 fn await_row(path: &Path) {
     let began = Instant::now();
     while fs::read_to_string(path).map_or(0, |text| text.lines().count()) < 2 {
@@ -70,14 +70,14 @@ fn rows_that_are_kept_are_not_computed_again() {
         child.kill().expect("killed");
         let _ = child.wait().expect("a child");
         assert!(!at.join(ready).exists(), "it was killed in the middle");
-        // What another study keeps there is not taken, and not lost.
+        // The stored rows of another study are neither used nor lost.
         let text = fs::read_to_string(at.join(kept)).expect("kept");
         fs::write(at.join("other.toml"), BVP.replace("40 deg", "41 deg")).expect("written");
         let other = [&["sweep", "other.toml"], out].concat();
         let said = refused(at, &other, 1);
         assert!(said.contains("is not of this study: delete it, or choose another place"), "{said}");
         assert_eq!(fs::read_to_string(at.join(kept)).expect("kept"), text);
-        // A row that says what none would: so it was taken from where it was kept. And one that is torn.
+        // A row with an impossible value shows that it comes from the stored file. Another one is damaged.
         let (head, rest) = text.split_once('\n').expect("a head");
         let line = rest.lines().next().expect("a row");
         let (_, cells) = line.split_once(' ').expect("a hash");
@@ -135,7 +135,7 @@ fn a_row_by_the_shell_says_what_a_prediction_says() {
     let (names, found) = rows(&csv);
     let of = |row: usize, name: &str| found[row][names.iter().position(|own| *own == name).expect(name)];
     assert_eq!((of(0, "accuracy.model"), of(1, "accuracy.model")), ("section", "shell"));
-    // Each says what it knows.
+    // Each row has the values of its model.
     for name in ["final_radius_mesh_error_mm", "volume_mm3", "payload_mesh_error_kg"] {
         assert!(of(0, name).is_empty() && !of(1, name).is_empty(), "{name}: {csv}");
     }
@@ -178,7 +178,7 @@ fn a_row_by_the_shell_says_what_a_prediction_says() {
             ("arm_contact_mesh_error_mm2", "evidence.mesh_errors.arm_contact_mm2"),
         ],
     );
-    // mu F / g of two stars, g as the standard has it.
+    // mu F / g of two stars, with standard gravity.
     let force: f64 = of(1, "object_force_mesh_error_N").parse().expect("a number");
     let payload: f64 = of(1, "payload_mesh_error_kg").parse().expect("a number");
     assert!((payload - 2.0 * 0.5 * force / 9.80665).abs() < 1e-6 * payload, "{payload} {force}");

@@ -1,4 +1,4 @@
-//! Every dialect with the controller that runs it: which words it reads how, and which clock times it.
+//! Every dialect with its controller: how it reads words, and which clock times it.
 
 use super::grbl::Grbl;
 use super::legs::{Reading, Task, tasks};
@@ -8,20 +8,20 @@ use super::text::Text;
 use super::timer::Timer;
 use super::track::Track;
 
-/// Speed of travels, mm/s: that of the profiles.
+/// Speed of travels in the profiles, mm/s.
 const TRAVEL: f64 = 20.0;
 
-/// The machine that a profile is of.
+/// The motors in a profile.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Motors {
-    /// Of X, Y and Z, mm/s^2.
+    /// Acceleration of X, Y and Z, mm/s^2.
     pub(crate) acceleration: f64,
-    /// Of X and Y; Z has as many, or 400.
+    /// Steps per mm of X and Y; Z has as many, or 400.
     pub(crate) steps_per_mm: f64,
 }
 
 impl Motors {
-    /// The part of a window's time that one stop takes: every controller may stop at a corner.
+    /// The fraction of a window's time that one stop takes: every controller may stop at a corner.
     pub(crate) fn stop(self, speed: f64) -> f64 {
         speed * speed / self.acceleration
     }
@@ -31,7 +31,7 @@ impl Motors {
     }
 }
 
-/// What the controller of `dialect` makes of a program.
+/// The track of a program on the controller of `dialect`.
 pub(crate) fn run(dialect: &str, text: &Text, motors: Motors) -> Track {
     let (reading, mut track) = (reading(dialect), Track::default());
     let tasks = tasks(text, &reading);
@@ -45,14 +45,14 @@ pub(crate) fn run(dialect: &str, text: &Text, motors: Motors) -> Track {
     track
 }
 
-/// A board of Marlin's: a timer of 8 bits has a floor of 32 steps/s, one of 32 bits has none.
+/// A board for Marlin: a timer of 8 bits has a floor of 32 steps/s, one of 32 bits has none.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Board {
     pub(crate) bits: u32,
     pub(crate) version: Version,
 }
 
-/// Every board of Marlin's.
+/// All boards for Marlin.
 pub(crate) const BOARDS: [Board; 4] = [
     Board { bits: 8, version: Version::Two },
     Board { bits: 8, version: Version::Newest },
@@ -60,7 +60,7 @@ pub(crate) const BOARDS: [Board; 4] = [
     Board { bits: 32, version: Version::Newest },
 ];
 
-/// What a board of Marlin's makes of a program.
+/// The track of a program on a board with Marlin.
 pub(crate) fn run_marlin(text: &Text, motors: Motors, board: Board) -> Track {
     let mut track = Track::default();
     let tasks: Vec<Task> = tasks(text, &reading("marlin"));
@@ -86,13 +86,13 @@ fn grbl_chords(radius: f64, angle: f64, _: f64) -> f64 {
     (0.5 * angle.abs() * radius / (0.002 * (2.0 * radius - 0.002)).sqrt()).floor()
 }
 
-/// GCodes.cpp, DoArcMove; Config/Configuration.h, MaxArcDeviation and what follows it.
+/// GCodes.cpp, DoArcMove; Config/Configuration.h, MaxArcDeviation and the following constants.
 fn duet_chords(radius: f64, angle: f64, feed: f64) -> f64 {
     let chord = (8.0 * radius * 0.005).sqrt().min(feed / 60.0 / 200.0).clamp(0.02, 1.0);
     (radius * angle.abs() / chord + 0.8).floor()
 }
 
-/// LinuxCNC follows an arc: chords so long that none leaves it by 1e-5 mm.
+/// LinuxCNC follows an arc exactly: the chords deviate by at most 1e-5 mm.
 fn fine_chords(radius: f64, angle: f64, _: f64) -> f64 {
     (angle.abs() / (8e-5 / radius).sqrt()).ceil()
 }
@@ -114,7 +114,7 @@ fn sweep(dialect: &str, motors: Motors) -> Sweep {
         "klipper" => (Corner::Square(5.0), 1e-3),
         // Config/Configuration.h: M566 of X and Y, and of Z.
         "reprapfirmware" => (Corner::Jerk([15.0, 15.0, 10.0]), 1e-3),
-        // No one knows; it passes bends as GRBL does.
+        // Unknown; its corners are those of GRBL.
         "generic" => (Corner::Deviation(0.01), 1.0),
         _ => (Corner::Stop, 1.0),
     };

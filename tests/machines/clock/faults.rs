@@ -1,4 +1,4 @@
-//! The clock notices what it is there for: one fault each, in a program that was right.
+//! The clock detects each kind of fault: one fault each, in a correct program.
 
 use super::controller::{Motors, run};
 use super::judge::deviations;
@@ -6,7 +6,7 @@ use super::programs::{feed_check, machine, seals, spec};
 use super::text::Text;
 use super::{FIVE, own};
 
-/// What is complained of in the program of `dialect` with `from` replaced by `to` everywhere.
+/// The complaints about the program of `dialect` with `edit` applied.
 fn complaints(dialect: &str, edit: impl Fn(&str) -> String) -> Vec<String> {
     let (spec, machine) = (spec(dialect, FIVE), machine(dialect, own(dialect)));
     let (_, right) = &seals(&spec, &machine).0[0];
@@ -16,7 +16,7 @@ fn complaints(dialect: &str, edit: impl Fn(&str) -> String) -> Vec<String> {
     deviations(&text, &run(dialect, &text, own(dialect)), spec.seal.speed.0, 0.0).1
 }
 
-/// Every line through `edit`.
+/// The text with every line replaced by `edit`.
 fn lines(code: &str, edit: impl Fn(&str) -> String) -> String {
     code.lines().map(|line| edit(line) + "\n").collect()
 }
@@ -60,7 +60,7 @@ fn the_lowest_speed_of_reprapfirmware_is_seen() {
     assert!(found.iter().any(|complaint| complaint.contains("mean speed +400")), "{found:?}");
 }
 
-/// Below the lowest step rate GRBL goes on at it: 0.38 mm/s along X and Y, 0.54 at 45 degrees, at 80 steps/mm.
+/// Below the lowest step rate GRBL continues at it: 0.38 mm/s along X and Y, 0.54 at 45 degrees, at 80 steps/mm.
 #[test]
 fn the_floor_of_grbl_is_seen() {
     let motors = Motors { acceleration: 500.0, steps_per_mm: 80.0 };
@@ -77,7 +77,7 @@ fn the_floor_of_grbl_is_seen() {
     assert!(speeds(fine).iter().all(|speed| (speed / 0.1 - 1.0).abs() < 0.002));
 }
 
-/// What waits 100 ms before each stroke, and was not told to, is seen.
+/// A wait of 100 ms before each stroke that the program does not contain is detected.
 #[test]
 fn the_wait_of_marlin_is_seen() {
     let found = complaints("marlin", |code| {

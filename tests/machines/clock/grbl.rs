@@ -1,8 +1,8 @@
-//! GRBL and its family: the planner, the preparation of segments, and the timer, in 32-bit floats and in minutes, as the
-//! firmware reckons (gnea/grbl: planner.c, stepper.c, motion_control.c, nuts_bolts.c; grblHAL/core: the same names;
-//! bdring/FluidNC: Planner.cpp, Stepper.cpp, NutsBolts.cpp).
+//! GRBL and its family: the planner, the preparation of segments, and the timer, in 32-bit floats and in minutes, like the firmware
+//! (gnea/grbl: planner.c, stepper.c, motion_control.c, nuts_bolts.c; grblHAL/core: the same names; bdring/FluidNC: Planner.cpp,
+//! Stepper.cpp, NutsBolts.cpp).
 //!
-//! The buffer is kept full, as when a host counts characters or the file lies on a card.
+//! The buffer is kept full, as by a host that counts characters, or for a file on a card.
 
 use std::collections::VecDeque;
 
@@ -16,7 +16,7 @@ const AHEAD: usize = 15;
 const JUNCTION_DEVIATION: f32 = 0.01;
 /// config.h, MINIMUM_FEED_RATE, mm/min.
 const LOWEST_FEED: f32 = 1.0;
-/// A junction that is no bend has no limit of its own.
+/// A straight junction has no limit of its own.
 const NO_LIMIT: f32 = 1e38;
 /// stepper.c, DT_SEGMENT, min.
 const TICK: f32 = 1.0 / (100.0 * 60.0);
@@ -33,7 +33,7 @@ pub(crate) struct Grbl {
     pub(crate) timer: Timer,
 }
 
-/// plan_block_t: a way in whole steps.
+/// plan_block_t: a path in whole steps.
 struct Block {
     leg: Leg,
     steps: f32,
@@ -150,10 +150,10 @@ impl Planner<'_> {
         within(self.grbl.acceleration, bend) * JUNCTION_DEVIATION * sin_half / (1.0 - sin_half)
     }
 
-    /// planner_recalculate: the last block stops, none enters faster than it can brake or be reached.
+    /// planner_recalculate: the last block stops; no block enters faster than it can brake from or be accelerated to.
     fn recalculate(&mut self) {
         let mut exit = 0.0;
-        // The first is under way, or begins at rest.
+        // The first one is running, or begins at rest.
         for block in self.queue.iter_mut().skip(1).rev() {
             block.entry_sqr = block.max_entry_sqr.min(exit + 2.0 * block.acceleration * block.length);
             exit = block.entry_sqr;
@@ -235,7 +235,7 @@ impl Profile {
         profile
     }
 
-    /// Hands over the part that is done after each segment, minutes a step, and its steps.
+    /// Calls back with the completed part of each segment, the minutes a step, and its steps.
     fn segments(mut self, block: &Block, mut each: impl FnMut(f32, f32, f32)) {
         let steps_per_mm = block.steps / block.length;
         let at_least = STEPS_AT_LEAST / steps_per_mm;
@@ -251,7 +251,7 @@ impl Profile {
         }
     }
 
-    /// Goes on for a tick, or as many as it takes to get to `least` from the end; the time, min.
+    /// Advances by a tick, or by as many as it takes to get to `least` from the end; returns the time, min.
     fn segment(&mut self, least: f32) -> f32 {
         let (mut most, mut time, mut part) = (TICK, 0.0_f32, TICK);
         let begun = self.remaining;
@@ -275,7 +275,7 @@ impl Profile {
         time
     }
 
-    /// One ramp of a segment: the way that is left, and the time that it took. `begun` is where the segment began.
+    /// One ramp of a segment: returns the remaining path, and the elapsed time. `begun` is the start of the segment.
     fn part(&mut self, begun: f32, left: f32, time: f32) -> (f32, f32) {
         let change = self.acceleration * time;
         match self.ramp {

@@ -28,10 +28,10 @@ const DESIGNS: [(&str, &str); 10] = [
     ("round-hinges", include_str!("../../../designs/round-hinges.toml")),
 ];
 
-/// A controller: a dialect, and which board of Marlin's.
+/// A controller: a dialect, and the board if it is Marlin.
 type Controller = (&'static str, Option<Board>);
 
-/// What runs the programs of a dialect, each with its profile on these motors.
+/// The controllers for the programs of a dialect, each with its profile on these motors.
 fn boards(dialect: &'static str, motors: Motors) -> Vec<(Controller, Machine)> {
     if dialect == "marlin" {
         let own = |board| (("marlin", Some(board)), machine_of_marlin(motors, board));
@@ -50,7 +50,7 @@ fn name((dialect, board): Controller) -> String {
     }
 }
 
-/// The motors of a dialect: one number of steps stands for all where they do not count.
+/// The motors of a dialect: a single number of steps where it has no effect.
 fn motors(dialect: &str) -> impl Iterator<Item = Motors> {
     let steps = if has_floor(dialect) { &STEPS[..] } else { &STEPS[..1] };
     ACCELERATIONS.into_iter().flat_map(move |acceleration| {
@@ -105,13 +105,13 @@ fn the_feed_check_is_right_on_every_machine_of_the_grid() {
     assert!(worst.complaints.is_empty(), "{:#?}", worst.complaints);
 }
 
-/// Those whose names stand in the variable, or all.
+/// The names in the variable, or all.
 fn chosen(variable: &str) -> impl Fn(&str) -> bool {
     let names = std::env::var(variable).ok();
     move |name| names.as_ref().is_none_or(|names| names.split(',').any(|one| one == name))
 }
 
-/// Every program of every design and dialect, or of those in the variables `CLOCK_DESIGNS` and `CLOCK_DIALECTS`: minutes.
+/// All programs of all designs and dialects, or of those in the variables `CLOCK_DESIGNS` and `CLOCK_DIALECTS`: minutes.
 /// `cargo test --release --locked --test machines clock:: -- --ignored --nocapture`
 #[test]
 #[ignore = "takes minutes; its table is in docs/machines.md"]
@@ -131,7 +131,7 @@ fn every_program_on_every_machine_of_the_grid() {
                     worst.take(*controller, motors, spec.seal.speed.0, program);
                 };
                 seals(&spec, machine).0.iter().for_each(|program| take("seal", program));
-                // These do not depend on the design.
+                // These programs do not depend on the design.
                 if *design_name == "paper-five-points" {
                     take("feedcheck", &feed_check(&spec, machine));
                     for program in &coupon_programs(&spec, machine) {

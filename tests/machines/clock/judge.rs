@@ -1,22 +1,22 @@
-//! What is asked of a program, and what it does.
+//! Tolerances of a program's speed and time, and the comparison with its track.
 
 use super::text::{Command, Text};
 use super::track::Track;
 
-/// How far the mean speed of a stretch may be off.
+/// Tolerance of the mean speed of a stretch, relative.
 pub(crate) const MEAN: f64 = 0.002;
-/// How far the mean speed may be off on a version of a controller that the profile does not state.
+/// Tolerance of the mean speed on a version of a controller that the profile does not state, relative.
 pub(crate) const OTHER_VERSION: f64 = 0.005;
-/// How far the total time may be off.
+/// Tolerance of the total time, relative.
 pub(crate) const TOTAL: f64 = 0.005;
-/// How far the speed within a window may be off, steady and chopped: six strokes have six rests, or one more or less.
+/// Tolerances of the speed within a window, steady and chopped: six strokes have six rests, or one more or less.
 const STEADY: f64 = 0.01;
 const CHOPPED: f64 = 0.15;
-/// A window, mm; and how many strokes it has at least, where a fast seal needs long ones.
+/// Length of a window, mm; and its least number of strokes, for a fast seal with long ones.
 const WINDOW: f64 = 1.0;
 const STROKES: f64 = 6.0;
 
-/// The largest deviations of a program, as parts of what is asked.
+/// The largest deviations of a program, relative to the required values.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Deviations {
     pub(crate) mean: f64,
@@ -24,8 +24,8 @@ pub(crate) struct Deviations {
     pub(crate) total: f64,
 }
 
-/// Deviations of `track`, which was made of `text`, from `speed` mm/s, and every one that is more than is allowed. `stop`
-/// is the part of a window's time that one stop may take where it goes steadily.
+/// Deviations of `track`, the run of `text`, from `speed` mm/s, and a complaint for each beyond its tolerance. `stop` is the fraction of a
+/// window's time that one stop may take where it moves steadily.
 pub(crate) fn deviations(text: &Text, track: &Track, speed: f64, stop: f64) -> (Deviations, Vec<String>) {
     deviations_within(MEAN, text, track, speed, stop)
 }
@@ -67,7 +67,7 @@ pub(crate) fn deviations_within(
     (most, complaints)
 }
 
-/// Every progress that is not what the controller has done by then: a per cent, or half of one and a piece of 5 mm more.
+/// Every progress report that differs from the completed part: tolerance a per cent, or half of one and a piece of 5 mm.
 fn progress(text: &Text, track: &Track) -> Vec<String> {
     let total = track.now;
     let wrong = text.progress.iter().filter_map(|(line, percent, remaining)| {

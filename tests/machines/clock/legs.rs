@@ -1,23 +1,23 @@
-//! Legs: the straight ways that a controller plans, made from its moves by its own rules for modal words and arcs.
+//! Legs: the straight paths that a controller plans, made from its moves by its own rules for modal words and arcs.
 
 use std::f64::consts::TAU;
 
 use super::text::{Command, Text, Words};
 
-/// A straight way.
+/// A straight path.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Leg {
-    /// The line of the move that it is of.
+    /// The line of its move.
     pub(crate) line: usize,
     pub(crate) from: [f64; 3],
     pub(crate) to: [f64; 3],
-    /// mm/min; `None` as fast as the axes may.
+    /// mm/min; `None` for the highest speed of the axes.
     pub(crate) feed: Option<f64>,
-    /// Whether it was told as G1, G2 or G3: in contact, but for traces and feed checks.
+    /// Whether it was programmed as G1, G2 or G3: in contact, except in traces and feed checks.
     pub(crate) cut: bool,
 }
 
-/// What the controller has to do, in order.
+/// The controller's tasks, in order.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Task {
     Leg(Leg),
@@ -26,12 +26,12 @@ pub(crate) enum Task {
     Halt,
 }
 
-/// How a controller reads moves.
+/// The controller's rules for reading moves.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Reading {
     /// Whether G0 runs at the feed in force, as G1 does.
     pub(crate) modal_travel: bool,
-    /// The lowest feed until M203 I says another, mm/min.
+    /// The lowest feed until M203 I sets another, mm/min.
     pub(crate) lowest_feed: f64,
     /// Number of chords for an arc of this radius (mm), angle (rad) and feed (mm/min).
     pub(crate) chords: fn(f64, f64, f64) -> f64,
@@ -51,7 +51,7 @@ pub(crate) fn length(way: [f64; 3]) -> f64 {
     way.iter().map(|d| d * d).sum::<f64>().sqrt()
 }
 
-/// The tasks of a program whose iron stands at X0 Y0 at the first height that is told: where every program leaves it.
+/// The tasks of a program whose iron starts at X0 Y0 at the first programmed height, where every program leaves it.
 pub(crate) fn tasks(text: &Text, reading: &Reading) -> Vec<Task> {
     let mut out = Vec::new();
     let height = text.commands.iter().find_map(|(_, command)| match command {

@@ -1,14 +1,13 @@
-//! Marlin: whole steps a second, ramps from a lowest rate, the wait of a block that meets an empty queue, and moves of a few
-//! steps that are joined to the next (MarlinFirmware/Marlin, module/planner.cpp: `_populate_block`,
-//! `calculate_trapezoid_for_block`, `get_current_block`; module/stepper.cpp: `block_phase_isr`, `calc_timer_interval`), as 2.0.9.7
-//! and the newest sources have them.
+//! Marlin: whole steps a second, ramps from a lowest rate, the wait of a block that meets an empty queue, and moves of a few steps that are
+//! joined to the next (MarlinFirmware/Marlin, module/planner.cpp: `_populate_block`, `calculate_trapezoid_for_block`, `get_current_block`;
+//! module/stepper.cpp: `block_phase_isr`, `calc_timer_interval`), as in 2.0.9.7 and in the newest sources.
 
 use super::legs::{Leg, Task};
 use super::track::Track;
 
-/// planner.cpp, BLOCK_DELAY_FOR_1ST_MOVE: so many polls of an idle stepper, a millisecond each.
+/// planner.cpp, BLOCK_DELAY_FOR_1ST_MOVE: number of polls of an idle stepper, a millisecond each.
 const FIRST_MOVE: f64 = 0.1;
-/// Blocks with which the wait ends before its time.
+/// Number of blocks that end the wait early.
 const NO_WAIT: usize = 3;
 /// Configuration.h, JUNCTION_DEVIATION_MM.
 const JUNCTION_DEVIATION: f64 = 0.013;
@@ -20,7 +19,7 @@ const LEAST_SPEED: f64 = 0.05;
 /// Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`: a block of fewer steps is dropped, and the next one begins where it would have.
 const FEWEST: f64 = 6.0;
 
-/// Which sources a board is built from.
+/// The version of a board's firmware.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Version {
     /// 2.0.x, and 1.1 before it.
@@ -33,9 +32,9 @@ pub(crate) enum Version {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Marlin {
     pub(crate) steps_per_mm: [f64; 3],
-    /// Along the way, mm/s^2.
+    /// Acceleration along the path, mm/s^2.
     pub(crate) acceleration: f64,
-    /// Of each axis, mm/s.
+    /// Largest speed of each axis, mm/s.
     pub(crate) speed: [f64; 3],
     /// The lowest step rate, steps/s: 1 with 32 bits, 32 on an AVR.
     pub(crate) lowest_rate: f64,
@@ -111,7 +110,7 @@ impl Marlin {
             nominal_rate = (nominal_rate * factor).floor();
         }
         let nominal = told * factor;
-        // M204, along the way; LIMIT_ACCEL, what no axis exceeds, is no less where M201 says as much.
+        // M204 is along the path; LIMIT_ACCEL, which no axis exceeds, is no less if M201 has the same value.
         let acceleration = (self.acceleration * steps_per_mm).ceil() / steps_per_mm;
         let least = match self.version {
             Version::Two => LEAST_SPEED * LEAST_SPEED,
@@ -202,21 +201,21 @@ impl Marlin {
                 }
                 (now, peak) = (nominal, nominal);
             }
-            // calc_timer_interval, but for the rounding of its table.
+            // calc_timer_interval, without the rounding of its table.
             let seconds = 1.0 / now.max(self.lowest_rate);
             made += 1.0;
             track.moved(made / block.steps, seconds);
         }
     }
 
-    /// The same of 2.0.x: blocks begin and end at 120 steps/s, and the rate after a step is that of the time before it.
+    /// The same for 2.0.x: blocks begin and end at 120 steps/s, and the rate after a step is that of the time before it.
     fn step_of_two(&self, block: &Block, exit: f64, track: &mut Track) {
         let nominal = block.nominal_rate.max(self.lowest_rate);
         let rate = |speed: f64| (nominal * speed / block.nominal).ceil().max(FIRST_RATE);
         let (initial, last) = (rate(block.entry.sqrt()), rate(exit));
         let a = block.acceleration * block.steps_per_mm;
         let ramp = |from: f64| (nominal * nominal - from * from) * 0.5 / a;
-        // uint32_t of what is negative: none on an ARM, more than there are on other boards, with the same effect.
+        // uint32_t of a negative number: 0 on an ARM, a huge number on other boards, with the same effect.
         let (mut up, down) = (ramp(initial).ceil().max(0.0), ramp(last).floor().max(0.0));
         let mut decelerate_after = block.steps - down;
         if up + down > block.steps {

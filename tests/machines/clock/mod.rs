@@ -1,9 +1,9 @@
-//! A second clock: it reads the text of the programs and runs the rules of each firmware, as its source states them. It
-//! shares no code with the plan, whose pacer it holds to account, nor with `verify`.
+//! A second clock: it reads the text of the programs and applies the rules of each firmware, as its source states them. It shares no code
+//! with the plan, whose pacing it checks, nor with `verify`.
 //!
-//! GRBL on an AVR, grblHAL on an ESP32, FluidNC, Marlin on both kinds of boards, Klipper, RepRapFirmware, LinuxCNC; `generic`
-//! is run as something that looks ahead as Klipper does. What the rules leave out: the time that lines take to arrive and to be read (but for 1.1 ms a stroke
-//! on the AVR), and how exact the controller's own oscillator is.
+//! GRBL on an AVR, grblHAL on an ESP32, FluidNC, Marlin on both kinds of boards, Klipper, RepRapFirmware, LinuxCNC; `generic` is run by a
+//! controller that looks ahead as Klipper does. The rules omit the time for transferring and reading lines (except 1.1 ms a stroke on the
+//! AVR), and the accuracy of the controller's own oscillator.
 #![allow(
     clippy::cast_possible_truncation,
     clippy::cast_precision_loss,
@@ -33,7 +33,7 @@ const FIVE: &str = include_str!("../../../designs/paper-five-points.toml");
 const ROUND: &str = include_str!("../../../designs/round-hinges.toml");
 const CONICAL: &str = include_str!("../../../designs/conical-stack.toml");
 
-/// The motors that the profile of a dialect is of.
+/// The motors in the profile of a dialect.
 fn own(dialect: &str) -> Motors {
     let acceleration = match dialect {
         "fluidnc" => 25.0,
@@ -43,7 +43,7 @@ fn own(dialect: &str) -> Motors {
     Motors { acceleration, steps_per_mm: 80.0 }
 }
 
-/// Mean speed, windows and total time of everything that is sealed, in every dialect.
+/// Mean speed, windows and total time of all seals, in every dialect.
 #[test]
 fn every_program_runs_as_its_controller_was_told() {
     for dialect in DIALECTS {
@@ -61,7 +61,7 @@ fn every_program_runs_as_its_controller_was_told() {
     }
 }
 
-/// A trace has no total to hold it to: no way of it crawls.
+/// A trace states no total to compare with; none of its paths is slow.
 #[test]
 fn traces_travel_and_do_not_crawl() {
     for dialect in DIALECTS {
@@ -77,7 +77,7 @@ fn traces_travel_and_do_not_crawl() {
     }
 }
 
-/// One program does on every board, whose versions differ in the rate of a first step, at tips and corners as well.
+/// One program is valid for every board, although versions differ in the rate of a first step; tips and corners included.
 #[test]
 fn every_marlin_keeps_the_speed_of_one_program() {
     for design in [FIVE, ROUND, CONICAL] {

@@ -1,4 +1,4 @@
-//! The programs that are judged: those of a spec for a machine, as text.
+//! The programs to judge: those of a spec for a machine, as text.
 
 use stargrip_cam::coupon::{CouponGroup, StripGrid, coupons};
 use stargrip_cam::emit;
@@ -21,7 +21,7 @@ pub(crate) fn machine(dialect: &str, motors: Motors) -> Machine {
     adapted(builtin_machine(dialect).expect("built in"), has_floor(dialect), motors)
 }
 
-/// That of Marlin as its comments say it should be for a board.
+/// The profile of Marlin, adapted to a board as its comments advise.
 pub(crate) fn machine_of_marlin(motors: Motors, board: Board) -> Machine {
     let mut text = builtin_machine("marlin").expect("built in").to_owned();
     let mut replace = |from: &str, to: &str| {

@@ -1,11 +1,11 @@
-//! Controllers that look ahead over all that is queued and take every ramp as it is told: Klipper (klippy/toolhead.py, Move
-//! and LookAheadQueue; kinematics/cartesian.py), RepRapFirmware (Movement/DDA.cpp, InitStandardMove) and LinuxCNC in exact
-//! path mode, of which it is assumed that it stops at every bend: it is never slower.
+//! Controllers that look ahead over the whole queue and follow every ramp exactly: Klipper (klippy/toolhead.py, Move and LookAheadQueue;
+//! kinematics/cartesian.py), RepRapFirmware (Movement/DDA.cpp, InitStandardMove) and LinuxCNC in exact path mode, which is assumed to stop
+//! at every bend: it is never slower.
 
 use super::legs::{Leg, Task};
 use super::track::Track;
 
-/// What bounds the speed where two legs meet.
+/// The limit of speed at the junction of two legs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Corner {
     /// A stop at every bend.
@@ -21,12 +21,12 @@ pub(crate) enum Corner {
 /// Settings of such a controller.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sweep {
-    /// Of each axis for RepRapFirmware and LinuxCNC, of the way for Klipper, mm/s^2.
+    /// Acceleration: of each axis for RepRapFirmware and LinuxCNC, along the path for Klipper, mm/s^2.
     pub(crate) acceleration: f64,
-    /// Of each axis, mm/s.
+    /// Largest speed of each axis, mm/s.
     pub(crate) speed: [f64; 3],
     pub(crate) corner: Corner,
-    /// Seconds that a dwell's P word of 1 means.
+    /// Seconds for a dwell's P word of 1.
     pub(crate) dwell: f64,
 }
 
@@ -89,7 +89,7 @@ impl Sweep {
     /// The highest speed squared where two legs meet.
     fn corner(&self, before: &Plan, plan: &Plan) -> f64 {
         match self.corner {
-            // Exact path mode may stop "in order to change direction" (linuxcnc.org/docs, G61); an arc's chords are ours.
+            // Exact path mode may stop "in order to change direction" (linuxcnc.org/docs, G61); an arc's chords exist only in this model.
             Corner::Stop => {
                 let cos: f64 = (0..3).map(|i| plan.unit[i] * before.unit[i]).sum();
                 let goes_on = cos > 0.999_999 || plan.leg.line == before.leg.line;

@@ -1,16 +1,16 @@
-//! The text of a program as a controller takes it in: lines of words, each a letter and a number. It shares no code with
-//! the writers, nor with the reader of `verify`.
+//! The text of a program as a controller reads it: lines of words, each a letter and a number. It shares no code with the writers, nor with
+//! the reader of `verify`.
 
 use std::collections::BTreeMap;
 
-/// What one line asks for.
+/// The command in a line.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Command {
     /// G0 to G3.
     Move(Words),
-    /// G4, with its P word as it stands.
+    /// G4, with its unscaled P word.
     Dwell(f64),
-    /// A pause, a heater that is waited for, the end: all motion before it comes to rest.
+    /// A pause, a wait for a heater, or the end: all earlier motion stops first.
     Halt,
     /// M203 I: the lowest feed, mm/min (RepRapFirmware).
     LowestFeed(f64),
@@ -21,7 +21,7 @@ pub(crate) enum Command {
 pub(crate) struct Words {
     /// 0 to 3.
     pub(crate) code: u8,
-    /// X, Y and Z, where they are said.
+    /// X, Y and Z, if present.
     pub(crate) to: [Option<f64>; 3],
     /// I and J.
     pub(crate) center: [f64; 2],
@@ -32,7 +32,7 @@ pub(crate) struct Words {
 /// A program: its commands with their lines, and the figures that its comments state.
 pub(crate) struct Text {
     pub(crate) commands: Vec<(usize, Command)>,
-    /// `total.time_s` for the figure of `; total: ... time_s=20302`.
+    /// `total.time_s` for the value in `; total: ... time_s=20302`.
     pub(crate) facts: BTreeMap<String, f64>,
     /// Line, per cent and seconds to go of every `; progress:`.
     pub(crate) progress: Vec<(usize, f64, f64)>,
@@ -54,7 +54,7 @@ impl Text {
         text
     }
 
-    /// A figure that the comments state.
+    /// A figure in the comments.
     pub(crate) fn fact(&self, name: &str) -> Option<f64> {
         self.facts.get(name).copied()
     }

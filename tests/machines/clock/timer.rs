@@ -1,4 +1,4 @@
-//! The timers of GRBL's family: how long the steps of a segment really take, and the dwells.
+//! The timers of GRBL's family: the real time of a segment's steps, and of dwells.
 
 /// A controller's timer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -11,16 +11,16 @@ pub(crate) enum Timer {
     FluidNc,
 }
 
-/// A timer at work.
+/// The state of a running timer.
 pub(crate) struct Running {
     pub(crate) kind: Timer,
-    /// Cycles of the timer since it last matched, where it runs on while nothing moves; `None` while it steps.
+    /// Cycles of the timer since its last match, if it runs on while nothing moves; `None` while it steps.
     idle: Option<f64>,
     /// The period in force, cycles.
     period: f64,
 }
 
-/// What the interpreter of GRBL on an AVR needs for the two lines of a stroke, s: 1.1 ms, measured once on the AVR binary.
+/// Time of the interpreter of GRBL on an AVR for the two lines of a stroke, s: 1.1 ms, measured once on the AVR binary.
 const LINES: f64 = 1.1e-3;
 
 impl Timer {
@@ -34,7 +34,7 @@ impl Timer {
 }
 
 impl Running {
-    /// Time for the steps of a segment, s, at so many minutes a step.
+    /// Time for the steps of a segment, s, at `minutes` a step.
     pub(crate) fn run(&mut self, minutes: f32, steps: f32) -> f64 {
         let cycles = (self.kind.frequency() * 60.0 * minutes).ceil() as u32;
         let (period, smoothing) = match self.kind {
@@ -48,12 +48,12 @@ impl Running {
         (ticks * period + first) / f64::from(self.kind.frequency())
     }
 
-    /// What the first tick after a rest takes more than the others, cycles.
+    /// Extra cycles of the first tick after a rest.
     fn start(&self, since: f64, period: f64) -> f64 {
         match self.kind {
-            // TIMER1 is never stopped, and its flag has been up since it matched: the interrupt comes at once, and the
-            // next when the counter, which is not reset, gets to the new period (stepper.c, st_wake_up; the
-            // ATmega328P's data sheet, TIFR1). Past it already, it first runs over.
+            // TIMER1 is never stopped, and its flag is set since its last match. So the first interrupt comes at once. The next one comes
+            // when the counter, which is not reset, reaches the new period (stepper.c, st_wake_up; the ATmega328P's data sheet, TIFR1); if
+            // it is past that already, it overflows first.
             Timer::Avr => {
                 let count = since % self.period;
                 if count < period { -count } else { 65_536.0 - count }
@@ -65,12 +65,12 @@ impl Running {
         }
     }
 
-    /// Nothing is left to step.
+    /// The stepping ends.
     pub(crate) fn idle(&mut self) {
         let _ = self.idle.get_or_insert(0.0);
     }
 
-    /// The time of a dwell whose P word is `told`, s.
+    /// The time of a dwell with the P word `told`, s.
     pub(crate) fn dwell(&mut self, told: f64) -> f64 {
         let told = told as f32;
         let seconds = match self.kind {
@@ -87,7 +87,7 @@ impl Running {
     }
 }
 
-/// stepper.c, AMASS_LEVEL1 to 3: the period and the level of smoothing. CTC counts a cycle more than it is told.
+/// stepper.c, AMASS_LEVEL1 to 3: the period and the level of smoothing. CTC counts one cycle more than its setting.
 fn avr(cycles: u32) -> (f64, u32) {
     let level = u32::from(cycles >= 2_000) + u32::from(cycles >= 4_000) + u32::from(cycles >= 8_000);
     (f64::from((cycles >> level).min(0xffff)) + 1.0, level)
@@ -99,7 +99,7 @@ fn esp32(cycles: u32) -> (f64, u32) {
     (f64::from((cycles >> level).min((1 << 18) - 1)), level)
 }
 
-/// Stepper.cpp: the product of 32 bits wraps around where a step takes some multiple of 26.8 ms.
+/// Stepper.cpp: the 32-bit product overflows if a step takes a multiple of 26.8 ms.
 fn fluidnc(cycles: u32) -> (f64, u32) {
     let (mut ticks, mut level) = (cycles, 0);
     while level < 3 && ticks.wrapping_mul(8_000) >= 20_000_000 {

@@ -1,10 +1,10 @@
-//! What the iron did: the mean speed of every stretch in contact, its windows, and the time of all of it.
+//! The track of the iron: the mean speed of every stretch in contact, its windows, and the total time.
 
 use super::legs::Leg;
 
-/// Way between two marks, mm.
+/// Path between two marks, mm.
 const MARK: f64 = 0.25;
-/// Nearer than this to a mark is on it, mm.
+/// Tolerance of a mark, mm.
 const ON_MARK: f64 = 1e-3;
 
 /// A stretch of cuts between two travels.
@@ -12,11 +12,11 @@ const ON_MARK: f64 = 1e-3;
 pub(crate) struct Stretch {
     /// Its first line.
     pub(crate) line: usize,
-    /// As the program tells it, mm.
+    /// Length in the program, mm.
     pub(crate) length: f64,
     /// From the start of its first cut to the end of the wait after its last, s.
     pub(crate) seconds: f64,
-    /// When it had come so far: a mark every quarter of a millimetre.
+    /// The time at each mark, a quarter of a millimetre apart.
     marks: Vec<f64>,
     begun: f64,
 }
@@ -27,9 +27,9 @@ pub(crate) struct Track {
     /// Now, s.
     pub(crate) now: f64,
     pub(crate) stretches: Vec<Stretch>,
-    /// When the first leg of a line began.
+    /// The start time of each line's first leg.
     pub(crate) lines: Vec<(usize, f64)>,
-    /// The stretch that goes on.
+    /// The current stretch.
     open: Option<Stretch>,
     leg: f64,
     done: f64,
@@ -51,7 +51,7 @@ impl Stretch {
 }
 
 impl Track {
-    /// A leg begins, now.
+    /// A leg begins now.
     pub(crate) fn begin(&mut self, leg: &Leg) {
         (self.leg, self.done) = (leg.length(), 0.0);
         self.lines.push((leg.line, self.now));
@@ -63,7 +63,7 @@ impl Track {
         }
     }
 
-    /// The part `done` of the leg is reached after `seconds` more, evenly.
+    /// The part `done` of the leg is reached after `seconds` more, at constant speed.
     pub(crate) fn moved(&mut self, done: f64, seconds: f64) {
         let (begun, way) = (self.now, (done - self.done) * self.leg);
         self.now += seconds;
@@ -81,13 +81,13 @@ impl Track {
         open.seconds = self.now - open.begun;
     }
 
-    /// Nothing moves for so long: a dwell, which belongs to the stretch.
+    /// Nothing moves for this time: a dwell, which belongs to the stretch.
     pub(crate) fn rest(&mut self, seconds: f64) {
         self.now += seconds;
         if let Some(open) = &mut self.open {
             let here = MARK * (open.marks.len() as f64 - 1.0);
             if let Some(mark) = open.marks.last_mut().filter(|_| (open.length - here).abs() < ON_MARK) {
-                // It came to the mark before the rest and leaves it after: half of each.
+                // The mark is reached before the rest and left after it: half of the rest counts for each side.
                 *mark += 0.5 * seconds;
             }
             open.seconds = self.now - open.begun;

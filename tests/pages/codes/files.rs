@@ -1,4 +1,4 @@
-//! Files that are wrong in one way, and what `verify` finds.
+//! Files with one fault each, and the findings of `verify`.
 
 use std::borrow::Cow;
 
@@ -10,7 +10,7 @@ use stargrip_cam::verify::OutputFiles;
 
 use super::specs::Message;
 
-/// A build, one of whose files is changed.
+/// A build with one changed file.
 #[derive(Clone, Copy)]
 struct Edit {
     code: &'static str,
@@ -20,7 +20,7 @@ struct Edit {
     new: &'static str,
 }
 
-/// What is built.
+/// The build to change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Base {
     Plain,
@@ -151,7 +151,7 @@ fn built(base: Base) -> Built {
     build(&read, &machine, sources, &Asked::default()).unwrap_or_else(|refusals| panic!("{refusals}"))
 }
 
-/// What is found about a build with a changed file, without one, and with one too many.
+/// The findings in a build with a changed file, with a missing file, and with an extra one.
 pub(crate) fn messages() -> Vec<Message> {
     let bases = [Base::Plain, Base::Hotend, Base::Arcs, Base::Chopped, Base::Predicted];
     let builds: Vec<(Base, Built)> = bases.into_iter().map(|base| (base, built(base))).collect();
@@ -193,7 +193,7 @@ fn found(
     Some((code.to_owned(), finding.to_string().replacen(&format!("{code}: "), "", 1)))
 }
 
-/// `bytes` with the first `old` in them replaced; if there is none, no finding follows.
+/// `bytes` with the first `old` in them replaced; unchanged if there is none, so that no finding follows.
 fn replaced(bytes: &[u8], old: &[u8], new: &[u8]) -> Vec<u8> {
     match bytes.windows(old.len()).position(|part| part == old) {
         Some(at) => [&bytes[..at], new, &bytes[at + old.len()..]].concat(),

@@ -1,4 +1,4 @@
-//! docs/codes.md lists every code of the program with its meaning, and none else.
+//! docs/codes.md lists all codes of the program with their meanings, and no others.
 
 mod files;
 mod specs;
@@ -12,7 +12,7 @@ use stargrip_cam::verify::FindingCode;
 
 use specs::Message;
 
-/// Codes for which no wrong input is known, or none that is short: the program has them all the same.
+/// Codes without a wrong input, or without a short one, as example.
 const WITHOUT: &[&str] = &[
     "edit",
     "open-quote",
@@ -45,13 +45,13 @@ const WITHOUT: &[&str] = &[
     "wrong-volume",
 ];
 
-/// The lines of one room's table; `messages` of it are examples.
+/// The lines of one module's table; `messages` are its examples.
 fn table<C: Code>(codes: &[C], messages: &[Message]) -> String {
     let head = "| code | what it means, what to do | example |\n|---|---|---|\n".to_owned();
     codes.iter().fold(head, |mut text, code| {
         let example = messages.iter().find(|(own, _)| own == code.as_str()).map(|(_, message)| cell(message));
         let example = example.unwrap_or_default();
-        // A String takes everything.
+        // Writing to a String does not fail.
         let _ = writeln!(text, "| `{}` | {} | {example} |", code.as_str(), code.meaning());
         text
     })

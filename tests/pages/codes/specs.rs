@@ -1,4 +1,4 @@
-//! Specs, profiles and tables that are wrong in one way, and what the program prints about them.
+//! Specs, profiles and tables with one fault each, and the program's messages.
 
 use stargrip_cam::coupon::cone::read_test;
 use stargrip_cam::design::Refusals;
@@ -14,7 +14,7 @@ const STAR: &str = "schema = 1\nname = \"x\"\n[star]\npoints = 5\ninner_radius =
 /// The paper's object and pressure.
 const LOAD: &str = "[load]\npressure = \"37 kPa\"\nobject_radius = \"30 mm\"\nfriction = 0.3\n";
 
-/// Of a code what is added to the star, or replaces a part of it.
+/// A code, the part of the star that is replaced, and the text that is added.
 const EDITS: &[(&str, &str, &str)] = &[
     ("conflict", "", "[inlet]\nnone = true\ntip = 1\n"),
     ("duplicate-index", "", "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\n[[stack.star]]\nindex = 2\n"),
@@ -45,7 +45,7 @@ const EDITS: &[(&str, &str, &str)] = &[
     ("inlet-meets-arm", "", "[inlet]\ntube_diameter = \"45 mm\"\n"),
 ];
 
-/// The same for designs, of which each adds to the star.
+/// The same for designs; each adds text to the star.
 const DESIGNS: &[(&str, &str)] = &[
     ("arms-fall-through", "[stack]\ncount = 2\n[[stack.star]]\nindex = 2\ninner_radius = \"160 mm\"\n"),
     ("band-eats-arm", "[seal]\nband = \"45 mm\"\n"),
@@ -76,7 +76,7 @@ const DESIGNS: &[(&str, &str)] = &[
     ("unknown-reach", "[machine]\nprofile = \"linuxcnc\"\n"),
 ];
 
-/// The same with [`LOAD`], a part of which is replaced, or to which is added.
+/// The same with [`LOAD`], in which a part is replaced, or to which text is added.
 const LOADS: &[(&str, &str, &str)] = &[
     (
         "object-too-short",
@@ -109,11 +109,11 @@ const TABLES: &[(&str, &str)] = &[
     ("unit", "travel_mm,load_kg\n0,0\n"),
 ];
 
-/// Bytes that are no spec.
+/// Bytes that are not a spec.
 const BYTES: [&[u8]; 4] =
     [b"G21\nG90\nG0 Z30\n", b"\xff\xfe\x00", b"schema = 1\rname = \"x\"\r", &[b'#'; (1 << 20) + 1]];
 
-/// Of a code a built-in profile, a part of it that is replaced, and what is added to the star.
+/// A code, a built-in profile, a part of it that is replaced, its new text, and the text added to the star.
 const PROFILES: &[(&str, &str, &str, &str, &str)] = &[
     (
         "clamp-in-the-way",
@@ -127,7 +127,7 @@ const PROFILES: &[(&str, &str, &str, &str, &str)] = &[
     ("unknown-feed", "generic", "name = \"generic\"", "name = \"shop\"", ""),
 ];
 
-/// Every message about specs, profiles and tables: faults, refusals and precautions, each a list.
+/// All messages about specs, profiles and tables: faults, refusals and precautions, each as a list.
 pub(crate) fn messages() -> [Vec<Message>; 3] {
     let mut all = [Vec::new(), Vec::new(), Vec::new()];
     let changed = |text: &str, old: &str, new: &str| match old {
@@ -170,7 +170,7 @@ pub(crate) fn messages() -> [Vec<Message>; 3] {
     all
 }
 
-/// Drawings that are wrong in one way: roles, and what stands in the file.
+/// Drawings with one fault each: code, roles, and the content of the file.
 const DRAWINGS: &[(&str, &str, &str)] = &[
     ("layer-without-role", "port = [\"p\"]", ROOM),
     ("unknown-layer", "air = [\"a\", \"b\"]\nport = [\"p\"]", ROOM),
@@ -283,7 +283,7 @@ fn generic() -> &'static str {
 /// A spec of a drawing.
 const DRAWING: &str = "schema = 1\nname = \"x\"\n[drawing]\nfile = \"a.svg\"\nlayers = { air = [\"a\"] }\n";
 
-/// Everything that is printed about a spec of a drawing.
+/// All messages about a spec of a drawing.
 fn of_drawing(text: &str, bytes: &[u8], [_, refusals, _]: &mut [Vec<Message>; 3]) {
     let reading = spec::read(&Source::new("spec.toml", text)).expect("a spec").with_drawing(bytes);
     let machine = Machine::builtin("generic").expect("built in");
@@ -297,7 +297,7 @@ fn of_drawing(text: &str, bytes: &[u8], [_, refusals, _]: &mut [Vec<Message>; 3]
     }
 }
 
-/// Everything that is printed about a spec on a profile, in its three lists.
+/// All messages about a spec on a profile, in three lists.
 fn of_spec(text: &str, own: Option<&str>, [faults, refusals, precautions]: &mut [Vec<Message>; 3]) {
     let reading = match spec::read(&Source::new("spec.toml", text)) {
         Ok(reading) => reading,

@@ -15,8 +15,8 @@ use crate::commands::faults::{listed, of_design, of_findings, of_warnings};
 use crate::commands::spec::Given;
 use crate::message::Message;
 
-/// Makes the files that are asked for. They are proven unless `prove` is false, which is for a quick look: then there is no manifest.
-/// What the spec's own load refuses is shown, but not handed out, unless it is wanted `anyway`.
+/// Makes the requested files. They are proven unless `prove` is false, for a quick preview: then there is no manifest. A gripper that fails
+/// its own load is shown, but its files are not returned, except with `anyway`.
 pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
     let given = match Given::of(question, files) {
         Ok(given) => given,
@@ -51,7 +51,7 @@ pub(super) fn build(question: &Value, files: &[(String, Vec<u8>)]) -> Message {
     Message { json: answer, files }
 }
 
-/// What the gripper does; if `is_quick`, without a shell, which a drawing may ask for.
+/// The forecast of the gripper; if `is_quick`, without a shell model, which the spec may request.
 fn forecast(given: &Given, is_quick: bool) -> Result<Forecast, Refusals> {
     let mut spec = given.reading.spec.clone();
     if is_quick && spec.accuracy.model == ModelChoice::Shell {
@@ -61,7 +61,7 @@ fn forecast(given: &Given, is_quick: bool) -> Result<Forecast, Refusals> {
     Designed::new(spec, given.machine.clone())?.plan()?.watched_forecast(&watch)
 }
 
-/// The files, if they say what the design says; if not, that is a fault of this program.
+/// The files, if they agree with the design; if not, that is a fault of this program.
 fn proven(built: Built, faults: &mut Vec<Value>, answer: &mut Value) -> Vec<(String, Vec<u8>)> {
     match built.prove() {
         Ok(proven) => {

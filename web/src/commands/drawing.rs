@@ -1,13 +1,14 @@
-//! `drawing`: from a drawing of a person's own to a spec that names its layers.
+//! `drawing`: from a user's drawing to a spec that names its layers.
 
 use serde_json::{Value, json};
 use stargrip_cam::design::{LayerProposal, propose_layers};
 use stargrip_cam::spec::{drawing_starter, quoted};
 
-/// What a drawing is called whose file has a name that no spec may have.
+/// The name of a drawing whose file has a name that a spec may not contain.
 const NAMELESS: &str = "drawing";
 
-/// What `new --drawing` writes of the one file: the spec, and the role of each layer with its reason; or why it cannot be read.
+/// The answer of `new --drawing` for the one file: the spec, and the role of each layer with its reason; or the reason why it cannot be
+/// read.
 ///
 /// # Errors
 /// If the question has no drawing.

@@ -1,4 +1,4 @@
-//! `edit`: a new value in a person's text, whatever its layout.
+//! `edit`: a new value in a user's text, whose layout is kept.
 
 use serde_json::{Value, json};
 use stargrip_cam::spec::{edit as text_edit, key};
@@ -7,7 +7,7 @@ use crate::commands::faults::listed;
 use crate::commands::spec::source;
 use crate::commands::text;
 
-/// The spec with `value`, TOML of its own, at `key`. The result is not judged here: a slider may pass a value that is refused.
+/// The spec with `value`, a TOML value, at `key`. The result is not validated here: a slider may pass an invalid value.
 ///
 /// # Errors
 /// If there is no such key.

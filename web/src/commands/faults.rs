@@ -1,4 +1,4 @@
-//! Faults for the page: those of `--json`, with warnings, and with the place for an editor.
+//! Faults for the page: as with `--json`, but with warnings, and with the place for an editor.
 
 use serde_json::{Value, json};
 use stargrip_cam::answer::refused::{at_keys, fault_json, finding_json};
@@ -8,9 +8,9 @@ use stargrip_cam::verify::Finding;
 
 use crate::commands::spec::Given;
 
-/// All of `faults`: what `--json` says of each, whether it is a warning, its column, and where it begins and ends in the text.
+/// All of `faults`: the values of `--json`, whether each is a warning, its column, and its start and end in the text.
 ///
-/// Columns (from 1) and places are counted as JavaScript counts: in units of UTF-16.
+/// Columns (from 1) and places are counted as in JavaScript: in units of UTF-16.
 pub(super) fn listed(faults: &Faults) -> Vec<Value> {
     let text = &faults.source().text;
     let units = |end: usize| text[..end].encode_utf16().count();
@@ -25,12 +25,12 @@ pub(super) fn listed(faults: &Faults) -> Vec<Value> {
     faults.list().iter().map(one).collect()
 }
 
-/// What a design is refused for.
+/// The refusals of a design.
 pub(super) fn of_design(given: &Given, refusals: Refusals) -> Vec<Value> {
     listed(&at_keys(&given.source, &given.reading.raw, refusals))
 }
 
-/// What a person should know about a design.
+/// The warnings of a design.
 pub(super) fn of_warnings(given: &Given, warnings: &[Warning]) -> Vec<Value> {
     let fault = |warning: &Warning| {
         Fault::warning(warning.code, given.reading.raw.span_of(warning.key), warning.found.clone())
@@ -39,7 +39,7 @@ pub(super) fn of_warnings(given: &Given, warnings: &[Warning]) -> Vec<Value> {
     listed(&Faults::new(&given.source, warnings.iter().map(fault).collect()))
 }
 
-/// What is wrong with files that were just made: faults of this program.
+/// The findings in files that were just made: faults of this program.
 pub(super) fn of_findings(findings: &[Finding]) -> Vec<Value> {
     findings.iter().map(finding_json).collect()
 }

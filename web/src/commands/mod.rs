@@ -1,19 +1,19 @@
-//! The questions of the page, by the word in `ask`, and their answers. Each is answered from itself alone; nothing is kept.
+//! The questions of the page, by the word in `ask`, and their answers. Each answer depends on its question alone; no state is kept.
 //!
 //! | ask | takes | answers |
 //! |---|---|---|
 //! | `start` | | the schema, the starter, the machine profiles, the kinds of file |
 //! | `build` | `spec`, `machine`, the drawing, `only`, `with`, `anyway`, `prove`, `quick` | faults, settings, the overview, the proof, files |
-//! | `verify` | files | what `verify --json` prints |
-//! | `drawing` | a drawing | a spec that names its layers, or why it cannot be read |
-//! | `new` | `name`, `object`, `mass` and what else `new` takes | a spec and its verdict, or why there is none |
+//! | `verify` | files | the proof, as with `verify --json` |
+//! | `drawing` | a drawing | a spec that names its layers, or the reason why it cannot be read |
+//! | `new` | `name`, `object`, `mass` and the other options of `new` | a spec and its verdict, or the reason why there is none |
 //! | `edit` | `spec`, `key`, `value` | the spec with that value; without one, without the key |
 //! | `predict` | `spec`, `machine`, the drawing, `model` | the prediction, in words and as JSON; shells are coarse |
 //! | `link` | `spec`, `machine`, the drawing | the part of a link that holds them |
 //! | `qr` | the same, `address` | the QR code of the link to the page there, as a path of an SVG |
 //! | `explain` | `code` | what the code means |
 //!
-//! `faults` are errors and warnings with their places; `wrong` says what is wrong with the question itself.
+//! `faults` are errors and warnings with their places; `wrong` is a fault of the question itself.
 
 mod build;
 mod drawing;
@@ -29,7 +29,7 @@ use serde_json::{Value, json};
 
 use crate::message::Message;
 
-/// Answers a question that was read, or says why it was not.
+/// Answers a question, or reports why it could not be read.
 pub fn answer(question: Result<Message, String>) -> Message {
     match question.and_then(answered) {
         Ok(answer) => answer,
@@ -39,7 +39,7 @@ pub fn answer(question: Result<Message, String>) -> Message {
 
 fn answered(question: Message) -> Result<Message, String> {
     let Message { json: question, files } = question;
-    let asked = text(&question, "ask").ok_or("the question does not say what is asked")?;
+    let asked = text(&question, "ask").ok_or("the question has no `ask`")?;
     let answer = match asked {
         "start" => start::start(),
         "explain" => start::explain(&question),
@@ -51,7 +51,7 @@ fn answered(question: Message) -> Result<Message, String> {
         "drawing" => drawing::drawing(&files)?,
         "new" => object::new(&question)?,
         "edit" => edit::edit(&question)?,
-        _ => return Err(format!("nothing answers {asked:?}")),
+        _ => return Err(format!("unknown question {asked:?}")),
     };
     Ok(Message::of(answer))
 }

@@ -10,7 +10,7 @@ use stargrip_cam::units::{Length, Quantity};
 
 use crate::commands::text;
 
-/// A spec with its verdict; or what is wrong with which field, or why there is no gripper, and what comes near.
+/// A spec with its verdict; or the faults of the fields; or the reason why there is no gripper, with the nearest possible request.
 ///
 /// # Errors
 /// If the program's own texts are refused.
@@ -38,12 +38,12 @@ pub(super) fn new(question: &Value) -> Result<Value, String> {
     })
 }
 
-/// What was typed into a field; `None` if nothing was.
+/// The text of a field; `None` if it is empty.
 fn field<'q>(question: &'q Value, name: &str) -> Option<&'q str> {
     text(question, name).map(str::trim).filter(|text| !text.is_empty())
 }
 
-/// All fields at once, so that all faults are told at once.
+/// Reads all fields, so that all faults are reported at once.
 fn request(question: &Value) -> Result<Request, Vec<Value>> {
     let mut wrong = Vec::new();
     let object = taken(question, "object", SIZE, &mut wrong);
@@ -76,7 +76,7 @@ fn request(question: &Value) -> Result<Request, Vec<Value>> {
     request.filter(|_| wrong.is_empty()).ok_or(wrong)
 }
 
-/// The quantity in a field; what is wrong with it goes to `wrong`.
+/// The quantity in a field; its fault is added to `wrong`.
 fn taken<Q: Quantity>(question: &Value, name: &str, allowed: Allowed, wrong: &mut Vec<Value>) -> Option<Q> {
     match quantity::<Q>(allowed)(field(question, name)?) {
         Ok(found) => Some(found),

@@ -1,4 +1,4 @@
-//! `predict`: what the gripper does, by any model, the shell included.
+//! `predict`: the prediction of a gripper, by any model, the shell included.
 
 use serde_json::{Value, json};
 use stargrip_cam::design::Design;
@@ -44,7 +44,7 @@ pub(super) fn predict(question: &Value, files: &[(String, Vec<u8>)]) -> Value {
     }
 }
 
-/// The prediction in words and as JSON.
+/// The prediction as text and as JSON.
 fn answer(spec: &Spec, design: &Design) -> Result<(String, Value), ShellRefusal> {
     let watch = Watch { progress: Some(&tell), ..Watch::default() };
     if let Some(piece) = design.drawn() {

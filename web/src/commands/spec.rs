@@ -8,16 +8,16 @@ use stargrip_cam::spec::{Fault, FaultCode, Faults, Machine, Reading, Source, key
 use crate::commands::faults::listed;
 use crate::commands::text;
 
-/// How faults name the spec: as it is called in the ZIP.
+/// The name of the spec in faults, equal to that in the ZIP.
 const NAME: &str = "spec.toml";
 
-/// A spec with the machine it names, both read and valid.
+/// A valid spec with its valid machine profile.
 pub(super) struct Given {
     /// The spec's text.
     pub(super) source: Source,
-    /// What it says.
+    /// The parsed spec.
     pub(super) reading: Reading,
-    /// What it is made on.
+    /// The parsed machine profile.
     pub(super) machine: Machine,
     /// The profile's text.
     pub(super) machine_text: String,
@@ -30,11 +30,11 @@ pub(super) fn source(question: &Value) -> Result<Source, Vec<Value>> {
 }
 
 impl Given {
-    /// The spec of a question, with its drawing if that is one of the `files`. A profile that is not built in is its `machine`: a page opens
-    /// no files.
+    /// The spec of a question, with its drawing if that is one of the `files`. A profile that is not built in is the `machine` of the
+    /// question: a page opens no files.
     ///
     /// # Errors
-    /// All that is wrong with either.
+    /// All faults of either.
     pub(super) fn of(question: &Value, files: &[(String, Vec<u8>)]) -> Result<Self, Vec<Value>> {
         let source = source(question)?;
         let reading = spec::read(&source).and_then(|reading| with_drawing(&source, reading, files));
@@ -51,7 +51,7 @@ impl Given {
     }
 }
 
-/// The reading with its drawing, under the name of the spec or that of a published directory.
+/// The reading with its drawing, under the name in the spec or that of a published directory.
 fn with_drawing(source: &Source, reading: Reading, files: &[(String, Vec<u8>)]) -> Result<Reading, Faults> {
     let Some(drawing) = &reading.spec.drawing else { return Ok(reading) };
     let own = drawing.file_name();
@@ -70,7 +70,7 @@ fn with_drawing(source: &Source, reading: Reading, files: &[(String, Vec<u8>)]) 
     Err(Faults::new(source, vec![fault]))
 }
 
-/// A profile that is not built in, and was not given.
+/// The fault of a profile that is neither built in nor given.
 fn unknown(reading: &Reading) -> Fault {
     let name = &reading.spec.machine.profile;
     let known: Vec<&str> = spec::builtin_machines().collect();

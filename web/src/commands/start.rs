@@ -1,4 +1,4 @@
-//! What a page needs before a person does anything: `start`; and the meaning of a code: `explain`.
+//! The initial data of a page: `start`; and the meaning of a code: `explain`.
 
 use serde_json::{Value, json};
 use stargrip_cam::answer::codes::{CodeMeaning, meanings, word_of};
@@ -25,7 +25,7 @@ pub(super) fn start() -> Value {
     })
 }
 
-/// What a code means and what to do about it; null if there is none.
+/// The meaning of a code, with its remedy; null if there is no such code.
 pub(super) fn explain(question: &Value) -> Value {
     let word = word_of(text(question, "code").unwrap_or_default());
     meanings().iter().find(|meaning| meaning.code == word).map_or(Value::Null, CodeMeaning::json)
