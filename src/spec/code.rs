@@ -8,7 +8,7 @@ pub trait Code: Copy {
     /// The word for scripts: "no-arm".
     fn as_str(self) -> &'static str;
 
-    /// What it means and what to do, in one sentence.
+    /// Its meaning and the remedy, in one sentence.
     fn meaning(self) -> &'static str;
 }
 
@@ -56,7 +56,7 @@ macro_rules! codes {
 pub(crate) use codes;
 
 codes! {
-    /// What the readers of specs and machine profiles find.
+    /// Faults of specs and machine profiles.
     FaultCode {
         Cell "cell" "A cell of a table is no number in its range; write one, with a decimal point.",
         CellCount "cell-count" "A row of a table has more or fewer cells than its header; mend the row.",

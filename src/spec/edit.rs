@@ -13,7 +13,7 @@ use crate::spec::source::Source;
 use crate::spec::{FaultCode, key};
 use crate::units::{Angle, Length};
 
-/// What a search may change of a star: the keys of `[star]` with their values.
+/// The values of `[star]` that a search may change.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StarEdit {
     /// Number of points, 3 to 64.
@@ -127,7 +127,7 @@ pub fn with_values(source: &Source, values: &[(KeyPath, String)]) -> Result<Stri
     edited(source, values.iter().map(|(key, value)| (*key, Some(value.as_str()))), |_| 0..0)
 }
 
-/// The text of `source` with `values`, each TOML of its own; `None` takes a key away. `place` says where a key stands.
+/// The text of `source` with `values`, each TOML of its own; `None` takes a key away. `place` returns the span of a key.
 fn edited<'v>(
     source: &Source,
     values: impl Iterator<Item = (KeyPath, Option<&'v str>)>,
@@ -139,7 +139,7 @@ fn edited<'v>(
     };
     let mut document: DocumentMut = source.text.parse().map_err(syntax)?;
     let values: Vec<(KeyPath, Option<&str>)> = values.collect();
-    // A size that is set takes the place of the other key's, unless both are asked for.
+    // One of the two size keys replaces the other, unless both are set here.
     let replaced = |key: KeyPath| {
         let other = match key {
             key::load::OBJECT_DIAMETER => key::load::OBJECT_RADIUS,
@@ -179,8 +179,8 @@ fn edited<'v>(
     Ok(document.to_string())
 }
 
-/// The text of `source` with other comments behind values: `renewed` is given section, key and comment, and says what stands there
-/// afterwards, `None` for nothing. Comments on lines of their own, and those within inline tables, stay.
+/// The text of `source` with other comments behind values. `renewed` takes section, key and comment and returns the new comment,
+/// `None` for none. Comments on lines of their own, and those within inline tables, stay.
 ///
 /// # Errors
 /// If `source` is not TOML.

@@ -12,7 +12,7 @@ use crate::spec::Code;
 pub enum Severity {
     /// It does.
     Error,
-    /// It does not, but a person should know.
+    /// The text passes; the person should read the warning.
     Warning,
 }
 
@@ -21,7 +21,7 @@ pub enum Severity {
 pub struct DrawnPlace {
     /// The elements, by their ids.
     pub elements: Vec<String>,
-    /// A point, mm, if it is known.
+    /// A point, mm; `None` if unknown.
     pub at: Option<[f64; 2]>,
 }
 
@@ -32,20 +32,20 @@ pub struct Fault {
     pub code: &'static str,
     /// Whether it refuses the text.
     pub level: Severity,
-    /// What was found.
+    /// The fault found.
     pub message: String,
-    /// What is allowed; stands at the caret.
+    /// The allowed values; shown at the caret.
     pub label: String,
-    /// Where, in bytes of the text.
+    /// The place, in bytes of the text.
     pub span: Range<usize>,
-    /// What to do about it.
+    /// The remedy.
     pub help: Option<String>,
-    /// Where in the drawing that the text names.
+    /// The place in the drawing that the text names.
     pub drawn: Option<Box<DrawnPlace>>,
 }
 
 impl Fault {
-    /// A fault that refuses the text; `message` says what was found.
+    /// A fault that refuses the text; `message` states the finding.
     pub fn error(code: impl Code, span: Range<usize>, message: impl Into<String>) -> Self {
         Self {
             code: code.as_str(),
@@ -58,7 +58,7 @@ impl Fault {
         }
     }
 
-    /// A fault that lets the text pass; `message` says what was found.
+    /// A fault that lets the text pass; `message` states the finding.
     pub fn warning(code: impl Code, span: Range<usize>, message: impl Into<String>) -> Self {
         Self { level: Severity::Warning, ..Self::error(code, span, message) }
     }
@@ -79,7 +79,7 @@ impl Fault {
     }
 }
 
-/// `text` as it may stand in a message: between backticks, on one line, at most 60 characters of it.
+/// `text` made fit for a message: between backticks, on one line, cut at 60 characters.
 pub(super) fn quoted(text: &str) -> String {
     const LONGEST: usize = 60;
     let mut shown: String = text.chars().take(LONGEST).flat_map(char::escape_debug).collect();

@@ -38,7 +38,7 @@ const SYNONYMS: [(&str, &str); 8] = [
 /// Names of a unit that specs do not have, because it is no multiple of theirs.
 const FAHRENHEIT: [&str; 3] = ["F", "degF", "\u{b0}F"];
 
-/// Whether what follows a whole number is the rest of one with a decimal comma.
+/// Whether the text behind a whole number is the rest of a decimal with a comma.
 fn is_decimal_comma(rest: &str) -> bool {
     rest.strip_prefix(',')
         .is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()) && !rest.contains(','))
@@ -87,7 +87,7 @@ pub(super) fn malformed<Q: Quantity>(
     }
 }
 
-/// The whole quantity in the unit that is meant by `unit`, with which `text` ends.
+/// The whole quantity in the unit that `unit` abbreviates; `text` ends with `unit`.
 fn meant<Q: Quantity>(text: &str, unit: &str) -> Option<String> {
     let number = text.trim().strip_suffix(unit)?.trim();
     if Q::KIND == Temperature::KIND && FAHRENHEIT.contains(&unit) {

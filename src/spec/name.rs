@@ -1,4 +1,4 @@
-//! Free words of a spec: names and descriptions, which later stand in file headers and title blocks.
+//! Free words of a spec: names and descriptions, which are later written to file headers and title blocks.
 
 use std::fmt;
 
@@ -75,7 +75,7 @@ pub fn check_name(text: &str) -> Result<(), NameFault> {
     }
 }
 
-/// Whether nothing is seen of `c`: a space, or one of Unicode's fillers, joiners and selectors, which have no shape.
+/// Whether `c` is invisible: a space, or one of Unicode's fillers, joiners and selectors, which have no shape.
 fn is_blank(c: char) -> bool {
     let is_filler = matches!(
         c,
@@ -86,13 +86,13 @@ fn is_blank(c: char) -> bool {
     c.is_whitespace() || is_filler
 }
 
-/// Whether `c` makes a line of text show something else than it says: a control character, one of Unicode's two line
-/// breaks, which Rust does not count as such, a mark that turns the direction of text, or no character at all.
+/// Whether `c` makes a line of text show something else than it contains: a control character, one of Unicode's two line breaks
+/// that Rust does not count as such, a mark that turns the direction of text, or a code point that is not a character.
 pub fn misleads(c: char) -> bool {
     c.is_control() || matches!(c, '\u{2028}' | '\u{2029}') || turns(c) || is_no_character(c)
 }
 
-/// Whether `c` is one of the two code points that are no characters and that XML 1.0 forbids (2.2, production Char).
+/// Whether `c` is one of the two code points that are not characters and that XML 1.0 forbids (2.2, production Char).
 fn is_no_character(c: char) -> bool {
     matches!(c, '\u{fffe}' | '\u{ffff}')
 }

@@ -1,4 +1,4 @@
-//! What is wrong with a text that is no TOML, in a person's words.
+//! Messages for syntax errors of TOML, in plain words.
 
 use std::ops::Range;
 
@@ -9,7 +9,7 @@ use crate::spec::value::{RawKind, RawTable, RawValue};
 /// Syntax errors from which a text is no spec with slips, but something else.
 pub(super) const FLOOD: usize = 13;
 
-/// Errors that are reported of a flood: the first says what is wrong.
+/// Errors that are reported of a flood: the first names the cause.
 const REPORTED: usize = 3;
 
 /// Quotes of typographers, and the plain ones that TOML has.
@@ -37,7 +37,7 @@ pub(super) fn faults(errors: &[toml::de::Error], text: &str, root: &RawTable) ->
     faults
 }
 
-/// The parser says "found, expected allowed".
+/// The parser's messages have the form "found, expected allowed".
 fn fault(error: &toml::de::Error, text: &str, root: &RawTable) -> Fault {
     let span = error.span().unwrap_or(0..0);
     let line = line_of(text, span.start);

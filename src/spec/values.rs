@@ -1,4 +1,4 @@
-//! Every value of a spec as a person wrote it, or what it is by default: for reports.
+//! Every value of a spec as a person wrote it, or its default: for reports.
 //!
 //! Keys, defaults and their meaning are those of the starter, which a test holds to the reader.
 
@@ -20,7 +20,7 @@ pub struct Setting {
     pub value: Option<String>,
     /// Whether it was written.
     pub given: bool,
-    /// What it means, in a few words; often empty.
+    /// Its meaning, in a few words; often empty.
     pub meaning: String,
 }
 
@@ -59,7 +59,7 @@ pub fn settings(source: &Source) -> Vec<Setting> {
     out
 }
 
-/// What a `[[stack.star]]` says.
+/// The settings of a `[[stack.star]]`.
 fn of_star(star: &RawTable) -> impl Iterator<Item = Setting> {
     let section = format!("star {}", star.get("index").map(shown).unwrap_or_default());
     let others = star.0.iter().filter(|entry| entry.key != "index");
@@ -149,7 +149,7 @@ mod tests {
         assert!(of(MARKED, "seal", "band").meaning.contains("width of the sealed strip"));
     }
 
-    /// A default that is written down changes nothing: the settings say what the reader takes.
+    /// A default that is written explicitly changes nothing: the settings show the reader's values.
     #[test]
     fn the_defaults_are_the_readers() {
         let bare = starter("x").expect("a name");

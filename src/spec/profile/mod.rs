@@ -1,7 +1,7 @@
 //! From a machine profile's text to the [`Machine`], a file a subject.
 //!
-//! A new key is added in three steps: a field in [`Machine`]'s part, a line in the file that reads this part (which
-//! makes the key known and gives its range), and a commented line in each profile that needs it.
+//! A new key is added in three steps: a field in [`Machine`]'s part, a line in the file that reads this part (which registers the
+//! key and gives its range), and a commented line in each profile that needs it.
 
 mod bench;
 mod builtin;

@@ -1,4 +1,4 @@
-//! What is known of the motors.
+//! Reads the properties of the motors.
 
 use crate::spec::FaultCode;
 use crate::spec::allowed::Allowed;
@@ -14,7 +14,7 @@ const STEPS: Allowed = Allowed::closed(1e-3, 1e6);
 /// Lowest step rates, steps/s: from a step a quarter of an hour to what only a broken timer would have.
 const RATE: Allowed = Allowed::closed(1e-3, 1e5);
 
-/// Fewest steps of a move: more than a broken build would ask for.
+/// Fewest steps of a move: more than a misconfigured firmware requires.
 const MOVE: Allowed = Allowed::closed(0.0, 100.0);
 /// planner.cpp, `MINIMAL_STEP_RATE`, steps/s, and Configuration_adv.h, `MIN_STEPS_PER_SEGMENT`: what most boards with Marlin have.
 const MARLIN: (f64, f64) = (120.0, 6.0);

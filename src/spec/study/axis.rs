@@ -11,7 +11,7 @@ pub const MOST_VALUES: u32 = 1_000_000;
 /// A field with its values.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
-    /// What is set.
+    /// The field that is set.
     pub field: Field,
     values: Values,
 }
@@ -43,7 +43,7 @@ impl Axis {
     /// Reads `KEY=A,B,C` or `KEY=FROM..TO/COUNT`: `star.points=3,4,5`, `star.tube_width=10 mm..40 mm/31`.
     ///
     /// # Errors
-    /// One sentence that says what is wrong.
+    /// One sentence that states the fault.
     pub fn parse(text: &str) -> Result<Self, String> {
         let (name, values) = text.split_once('=').ok_or(format!("`{text}` is not KEY=VALUES"))?;
         let field = Field::of(name.trim()).ok_or_else(|| unknown(name.trim()))?;
@@ -54,7 +54,7 @@ impl Axis {
         Ok(Self::listed(field, values))
     }
 
-    /// How many values there are.
+    /// Number of values.
     pub fn len(&self) -> usize {
         match &self.values {
             Values::Listed(values) => values.len(),
@@ -78,7 +78,7 @@ impl Axis {
     }
 }
 
-/// What to say of a key that no study can set.
+/// The message for a key that no study can set.
 fn unknown(name: &str) -> String {
     let known = || Field::names().collect::<Vec<_>>().join(", ");
     let hint = Field::near(name)
@@ -132,7 +132,7 @@ impl Block {
         &self.axes
     }
 
-    /// How many values each has; at least 1.
+    /// Number of values of each axis; at least 1.
     pub fn len(&self) -> usize {
         self.len
     }

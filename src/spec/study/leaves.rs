@@ -12,9 +12,9 @@ use crate::spec::value::{RawEntry, RawTable, RawValue};
 pub(super) struct Leaf<'r> {
     /// The key of the spec.
     pub(super) field: Field,
-    /// Where its name is.
+    /// The span of its name.
     pub(super) place: Range<usize>,
-    /// What it is set to.
+    /// Its value.
     pub(super) value: &'r RawValue,
 }
 

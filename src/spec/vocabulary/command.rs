@@ -1,6 +1,6 @@
 //! Commands: what the words of a controller do, whatever they are called.
 
-/// What a G or M code does.
+/// The effect of a G or M code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
     /// Travel as fast as possible.
