@@ -1,9 +1,9 @@
-//! The codes of refusals and warnings: of the design, and of what later rooms say in its words.
+//! The codes of refusals and warnings: of the design, and of later rooms that report in the same form.
 
 use crate::spec::codes;
 
 codes! {
-    /// Why a valid spec cannot be made, or what a person should know before making it.
+    /// The reasons why a valid spec cannot be made, and the warnings before it is made.
     RefusalCode {
         ArmsFallThrough "arms-fall-through" "Arms would slip through a plate's opening; make clearance smaller or the stars more alike.",
         BandEatsArm "band-eats-arm" "The band takes more of an arm at its end than there is; make it narrower, or the hinge rounder.",

@@ -1,7 +1,7 @@
 //! Cut lines: where the middle of a tool travels that takes away a **kerf**, so that parts come out as they are drawn.
 //!
-//! A cut takes half of its width from either side. What is cut out of a part (holes, windows) would come out larger, what
-//! is cut around (outlines, plates) smaller; so the tool travels half a kerf inside the former and outside the latter.
+//! A cut takes half of its width from either side. Cut-outs (holes, windows) would come out larger, and cut edges (outlines,
+//! plates) smaller; so the tool travels half a kerf inside the former and outside the latter.
 
 use crate::design::offset::offset;
 use crate::design::{MaskPlate, Outline, Refusal, RefusalCode, Star};

@@ -11,17 +11,17 @@ use inflatable::geom::{Arc, Bounds, Isometry, Line, Path, Point};
 /// Exact geometry on a page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawing {
-    /// Where the geometry's own origin lies.
+    /// The origin of the drawing's frame.
     pub origin: Origin,
     /// Extent along X.
     pub width: f64,
     /// Extent along Y.
     pub height: f64,
-    /// What is drawn, in order: (layer, shapes).
+    /// The content, in order: (layer, shapes).
     pub layers: Vec<(Layer, Vec<Shape>)>,
 }
 
-/// Where a drawing has its origin.
+/// The place of a drawing's origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Origin {
     /// At the page's lower left corner.
@@ -30,7 +30,7 @@ pub enum Origin {
     Axis(Point),
 }
 
-/// What a shape is for. Names are part of every file.
+/// The purpose of a shape. Names are part of every file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layer {
     /// Centre lines of all seams of a piece that is no star.
@@ -45,13 +45,13 @@ pub enum Layer {
     CutHole,
     /// Registration holes.
     Registration,
-    /// What stands on a part, to be written and not cut.
+    /// Text on a part, which is written and not cut.
     Label,
-    /// Where a mask leaves the fabric free.
+    /// The openings of a mask.
     MaskWindow,
     /// The edge of a mask.
     MaskPlate,
-    /// Where two pieces of a printed mask meet.
+    /// The joint of two pieces of a printed mask.
     MaskJoint,
     /// The holes for the frame's posts.
     PostHole,
@@ -107,7 +107,7 @@ impl Shape {
         (!paths.is_empty()).then_some(Self::Figure(paths))
     }
 
-    /// What is drawn, pen down to pen up; a circle is one whole turn.
+    /// The paths of the shape, pen down to pen up; a circle is one whole turn.
     pub fn paths(&self) -> Cow<'_, [Path]> {
         match self {
             Self::Path(path) => std::slice::from_ref(path).into(),
@@ -214,7 +214,7 @@ impl Drawing {
         ]))
     }
 
-    /// The separator of a drawn piece, in the drawing's own frame; `None` if the spec asks for none.
+    /// The separator of a drawn piece, in the drawing's own frame; `None` if the spec has none.
     pub fn separator(piece: &DrawnPiece, edge: CutEdge) -> Option<Self> {
         let separator = piece.separator.as_ref()?;
         let paths = if edge == CutEdge::Tool { &separator.tool } else { &separator.part };

@@ -1,4 +1,4 @@
-//! Labels: what stands on a part, as strokes on a layer of their own.
+//! Labels: the text on a part, as strokes on a layer of their own.
 //!
 //! The text runs around a tip, tops outwards, where no inlet and no registration hole is in the way.
 

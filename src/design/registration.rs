@@ -13,7 +13,7 @@ use inflatable::geom::{Arc, Point, Segment, Vec2};
 /// Turn of the second hole, rad: 40 degrees, well inside the 150-degree arcs of the paper's tips and far from a mirror image.
 const TURN: f64 = 40.0 * std::f64::consts::PI / 180.0;
 
-/// Where one hole is, in polar coordinates around its tip's centre T.
+/// The place of one hole, in polar coordinates around its tip's centre T.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Site {
     /// The tip.
@@ -32,7 +32,7 @@ impl Site {
     }
 }
 
-/// Where an ear leaves the tip's arc.
+/// The point where an ear leaves the tip's arc.
 struct Root {
     /// Half the angle that the ear takes of the arc, seen from T.
     beta: f64,

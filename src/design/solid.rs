@@ -80,7 +80,7 @@ impl Drawing {
     }
 }
 
-/// Where there is room for a text on a piece, in the star's frame.
+/// The free room for a text on a piece, in the star's frame.
 fn spot(part: &StarDesign, piece: &Piece) -> Spot {
     piece.spot(&part.star, &part.outline, &part.mask)
 }
@@ -90,7 +90,7 @@ fn moved(spot: &Spot, motion: &Isometry) -> Spot {
     Spot { middle, up: motion.point(spot.middle + spot.up) - middle, ..*spot }
 }
 
-/// What may stand on a piece of a mask, from the most that can be said to the least.
+/// The texts that a piece of a mask may carry, from the longest to the shortest.
 fn mask_texts(star: usize, mirrored: bool, piece: Option<usize>) -> Vec<Vec<String>> {
     let side: [&str; 2] = if mirrored { ["OTHER", "SIDE"] } else { ["THIS", "SIDE UP"] };
     let lines = |side: &[String]| {

@@ -67,7 +67,7 @@ fn triangle(places: &[Point], least: f64) -> Option<[Point; 3]> {
     third.filter(|_| most >= least).map(|c| [a, c, b])
 }
 
-/// What to know where there is no room for registration holes of this diameter.
+/// The warning where there is no room for registration holes of this diameter.
 pub(super) fn no_room(diameter: f64) -> Warning {
     Warning {
         key: key::sheet::HOLE_DIAMETER,
