@@ -97,7 +97,8 @@ pub(super) fn feed_floor(spec: &Spec, machine: &Machine, programs: &[Program]) -
     ))
 }
 
-/// At which speed a controller runs what is told to go at `speed`, mm/s; `range` holds the lowest it has in any direction.
+/// The actual speed of a controller for the programmed `speed`, mm/s, in words; `range` holds its lowest speeds over all
+/// directions.
 fn runs(motion: &Motion, speed: f64, range: (f64, f64)) -> String {
     if let Some(part) = rounded_up(motion, speed) {
         let percent = (1000.0 * part - 1e-9).ceil() / 10.0;
@@ -241,7 +242,7 @@ pub(super) fn lowest_along(motion: &Motion, mut way: impl Iterator<Item = (Segme
     way.try_fold(0.0_f64, |most, (piece, rise)| Some(most.max(lowest_speed(motion, &piece, rise)?)))
 }
 
-/// What is travelled below travel height: each piece with the change of height along it.
+/// The pieces travelled below travel height, each with the change of height along it.
 pub(super) fn contact(steps: &[Step]) -> impl Iterator<Item = (&Segment, f64)> {
     steps.iter().flat_map(|step| {
         let (pieces, rise): (&[Segment], f64) = match step {

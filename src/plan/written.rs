@@ -1,6 +1,6 @@
-//! What a file states of a piece: its ends as they are rounded, and a straight move where an arc is as good.
+//! A piece as a file states it: its ends as they are rounded, and a straight move where an arc is as good.
 //!
-//! A controller steps to the positions of the file, so whoever counts its steps has to begin with these.
+//! A controller steps to the positions of the file, so a count of its steps must begin with these.
 
 use crate::units::Length;
 use inflatable::geom::{Grid, Segment};
@@ -17,7 +17,7 @@ pub fn is_straight(piece: &Segment, path: Length) -> bool {
     at_most <= within || arc.radius * (1.0 - libm::cos(arc.sweep / 2.0)) <= within
 }
 
-/// How a file states moves.
+/// The precision of moves in a file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Precision {
     /// Tolerance of the file, mm, by which positions are rounded.
@@ -29,9 +29,9 @@ pub struct Precision {
 /// A move as a file states it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Written {
-    /// Where it begins, mm.
+    /// Its start, mm.
     pub(super) from: [f64; 3],
-    /// Where it ends, mm.
+    /// Its end, mm.
     pub(super) to: [f64; 3],
     /// Its length, mm.
     pub(super) length: f64,
