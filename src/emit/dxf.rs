@@ -1,6 +1,6 @@
 //! DXF drawings (AC1015, millimetres): a polyline with bulges for every path, a layer for every purpose.
 //!
-//! What never changes of a drawing stands in `templates/drawing.dxf`; this room fills in layers and entities.
+//! The constant parts of a drawing are in `templates/drawing.dxf`; this room fills in layers and entities.
 
 use crate::design::{Drawing, Layer, Shape};
 use crate::emit::number::Decimals;

@@ -18,12 +18,12 @@ impl Decimals {
         Self(Grid::new(n))
     }
 
-    /// The nearest number that the file can say.
+    /// The nearest number that the file can express.
     pub fn round(self, x: f64) -> f64 {
         self.0.round(x)
     }
 
-    /// The nearest point that the file can say.
+    /// The nearest point that the file can express.
     pub fn round_point(self, p: Point) -> Point {
         self.0.round_point(p)
     }
@@ -44,7 +44,7 @@ impl Decimals {
             digits.take(&mut rest, decimals);
             digits.push(b'.');
         }
-        // At least one digit stands before the point.
+        // At least one digit comes before the point.
         digits.take(&mut rest, 1);
         while rest > 0 {
             let count = if rest < 10 { 1 } else { 2 };

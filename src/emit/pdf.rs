@@ -1,7 +1,7 @@
 //! PDF at 1:1 for printers: pages of lines and curves, content streams uncompressed so that they can be read back.
 //!
 //! One user unit of the content is a millimetre. Every layer is a marked-content sequence under the layer's name. PDF
-//! knows no arcs: each becomes Bézier curves of at most 30 degrees, which leave the circle by less than 4e-7 of the radius.
+//! has no arcs: each becomes Bézier curves of at most 30 degrees, which leave the circle by less than 4e-7 of the radius.
 
 use std::f64::consts::FRAC_PI_6;
 
@@ -50,7 +50,7 @@ pub fn pdf(title: &str, pages: &[PaperPage]) -> Vec<u8> {
         dict.finish();
         pdf.stream(content, &stream(page, POINTS / unit)).finish();
     }
-    // The document's identity must not change from build to build; the title stands for it.
+    // The document's identity must not change from build to build; it is made of the title.
     pdf.set_file_id((inert(title, 120).into_bytes(), inert(title, 120).into_bytes()));
     pdf.finish()
 }

@@ -21,7 +21,7 @@ const LINE: usize = 64;
 const LEAST: f64 = 1.6;
 /// Blank around, as a part of the way's extent.
 const BLANK: f64 = 0.06;
-/// What is sealed, and what is only shown.
+/// Colours of sealed lines and of traced ones.
 const SEAM: Colour = Colour(0xe8, 0xa3, 0x3d);
 const TRACED: Colour = Colour(0x5b, 0x8d, 0xb8);
 

@@ -31,10 +31,10 @@ impl Picture {
     }
 }
 
-/// What is drawn on. Coordinates become pixels before they become singles, so that no large one loses its fraction.
+/// The pixels that are drawn on. Coordinates become pixels before they become singles, so that no large one loses its fraction.
 struct Canvas<'a> {
     pixels: PixmapMut<'a>,
-    /// What is at the upper left.
+    /// The point at the upper left.
     origin: Point,
     /// Pixels a mm.
     scale: f64,

@@ -1,4 +1,4 @@
-//! Pictures as SVG: real text, so that it can be searched; as large as what it shows, and in a browser no larger than the window.
+//! Pictures as SVG: real text, so that it can be searched; in their true size, and in a browser no larger than the window.
 
 use svg::Node;
 use svg::node::element::Element;

@@ -9,11 +9,11 @@ use inflatable::geom::{Bounds, Path, Point, Vec2};
 /// Characters a line of the legend.
 const LINE: usize = 110;
 
-/// A fault: what it is, and where if that is known.
+/// A fault, with its place if that is known.
 pub struct FaultMark {
     /// In the frame of the drawing, mm.
     pub at: Option<Point>,
-    /// What is wrong, and what to do.
+    /// The fault and the remedy.
     pub text: String,
 }
 

@@ -18,7 +18,7 @@ const BAND: usize = 2;
 const CUT: usize = 3;
 
 /// `piece` of `design`, its chambers `inflated` to these surfaces, or flat if there are none, and the sheets; `None` where lyon has no
-/// triangles for it. An inflated piece is shown without its flaps and bands, which the shell does not know.
+/// triangles for it. An inflated piece is shown without its flaps and bands, which the shell does not model.
 pub fn drawn_scene(
     spec: &Spec,
     design: &Design,

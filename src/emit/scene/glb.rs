@@ -12,7 +12,7 @@ use crate::emit::scene::mesh::Mesh;
 const DECIMALS: [u32; 2] = [3, 9];
 /// When the animation begins, is at full pressure, and ends, s.
 const TIMES: [f32; 3] = [0.0, 2.0, 3.0];
-/// How far it has come at these times.
+/// Share of the inflation at these times.
 const WEIGHTS: [f32; 3] = [0.0, 1.0, 1.0];
 
 // glTF's own numbers: types of components, and what a view is for.
@@ -25,15 +25,15 @@ const INDICES: u32 = 34963;
 #[derive(Clone, Debug)]
 pub(super) struct Node {
     pub(super) name: String,
-    /// Which of the meshes.
+    /// Index of the mesh.
     pub(super) mesh: usize,
-    /// Where its origin lies, mm.
+    /// The place of its origin, mm.
     pub(super) at: [f64; 3],
-    /// How far it is turned about +Z, rad.
+    /// Its rotation about +Z, rad.
     pub(super) turn: f64,
 }
 
-/// What will be one file.
+/// The content of one file.
 #[derive(Debug, Default)]
 pub(super) struct Glb {
     numbers: Vec<u8>,
