@@ -24,7 +24,7 @@ pub(super) struct Line {
     pub joined: [bool; 2],
 }
 
-/// What a centre line is for.
+/// The purpose of a centre line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum LineUse {
     /// An open weld that ends in the air.
@@ -48,7 +48,7 @@ pub(super) struct Layout {
     pub air: AirSide,
 }
 
-/// The centre lines of the bands around the drawn air. Nothing where the drawing has faults.
+/// The centre lines of the bands around the drawn air. Empty where the drawing has faults.
 pub(super) fn around_air(
     sketch: &Sketch,
     rules: &Rules,

@@ -14,7 +14,7 @@ const ONE: f64 = 1e-7;
 
 /// Widths that differ by less are alike, mm.
 const ALIKE: f64 = 1e-6;
-/// Of bottlenecks of the same curves nearer to each other than this one is told, mm.
+/// Of bottlenecks of the same curves nearer to each other than this, one is reported, mm.
 const APART: f64 = 50.0;
 
 /// The nearest points of two stretches.
@@ -99,7 +99,7 @@ pub(super) fn bottlenecks(curves: &[GapCurve<'_>], limit: f64) -> Vec<Bottleneck
     }
     found.sort_by(|a, b| {
         let (p, q) = (a.points[0], b.points[0]);
-        // Of equal widths those inside segments first: they are in the middle of the narrow part.
+        // Of equal widths, those inside segments come first: they are in the middle of the narrow part.
         let width = (a.width / ALIKE).round().total_cmp(&(b.width / ALIKE).round());
         let place = || p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y));
         width.then(a.at_corner.cmp(&b.at_corner)).then(a.curves.cmp(&b.curves)).then_with(place)
@@ -158,7 +158,7 @@ fn add_parts(parts: &mut Vec<CurvePart>, curve: usize, GapCurve { path, joined }
     }
 }
 
-/// Whether a line shorter than `limit` that is normal to both can exist: never wrongly no.
+/// Whether a line shorter than `limit` that is normal to both can exist; may be wrongly true, never wrongly false.
 fn may_face(a: &CurvePart, b: &CurvePart, limit: f64) -> bool {
     let way = b.middle - a.middle;
     let (length, reach) = (way.length(), a.half + b.half);

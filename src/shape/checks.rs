@@ -1,4 +1,4 @@
-//! What bands and tubes must have, with numbers and places.
+//! Requirements of bands and tubes, with numbers and places.
 
 use std::collections::BTreeMap;
 
@@ -65,7 +65,7 @@ pub(super) fn checked(lines: &Layout, rules: &Rules, notes: &mut SealingNotes) {
     }
 }
 
-/// Whether a narrow place is the channel of a port, which is as wide as its hose needs.
+/// Whether a narrow place is the channel of a port, whose width is that of its hose.
 fn is_mouth(lines: &Layout, neck: &Bottleneck, tube: f64) -> bool {
     lines.mouths.iter().any(|mouth| {
         let from = neck.middle() - mouth.at;

@@ -6,7 +6,7 @@ use inflatable::geom::{BoxIndex, Path, Point, Segment};
 
 /// Segments shorter than this, and gaps narrower than this, are rounding, mm.
 pub(super) const NOTHING: f64 = 1e-9;
-/// Segments shorter than this come from the rounding of a file's numbers: none of its own could be said in an output, mm.
+/// Segments shorter than this come from the rounding of a file's numbers, and are too short for the decimals of an output, mm.
 const CRUMB: f64 = 1e-5;
 /// Coordinates beyond this are an error of a drawing, mm.
 const FAR: f64 = 1e6;
@@ -127,7 +127,7 @@ struct QuarterPart {
     to: f64,
 }
 
-/// What was drawn twice: the curve that was kept, the one that gave way, and a place.
+/// A curve drawn twice: the curve that was kept, the one that was removed, and a place.
 pub(super) type Doubled = ([usize; 2], Point);
 
 /// The pieces without what runs within `join` of an earlier piece, or of an earlier part of its own.
@@ -143,7 +143,8 @@ pub(super) fn without_doubles(pieces: Vec<Piece>, join: f64) -> (Vec<Piece>, Vec
     let mut removed: Vec<(usize, usize, f64, f64)> = Vec::new();
     let mut doubled: Vec<Doubled> = Vec::new();
     for (i, part) in parts.iter().enumerate() {
-        // What lies along one earlier curve in full need not be compared with more: a curve may be drawn thousands of times.
+        // A part that lies along one earlier curve in full need not be compared with more: a curve may be drawn thousands of
+        // times.
         let _ = index.any(&part.segment.bounds().grown(join), |j| {
             if j >= i {
                 return false;
@@ -200,7 +201,7 @@ fn shared(s: &Segment, t: &Segment, join: f64) -> Option<(f64, f64)> {
     along.then_some((a, b))
 }
 
-/// What is left of a piece without the stretches `cuts` of its segments (sorted), but for crumbs of at most `crumb` mm.
+/// The remainder of a piece without the stretches `cuts` of its segments (sorted), and without crumbs of at most `crumb` mm.
 fn rest(piece: &Piece, cuts: &[(usize, usize, f64, f64)], crumb: f64) -> Vec<Piece> {
     let mut runs: Vec<Vec<Segment>> = vec![Vec::new()];
     let mut cut_at_start = false;

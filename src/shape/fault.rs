@@ -9,7 +9,7 @@ use inflatable::geom::Point;
 pub struct Repair {
     /// The curves.
     pub names: Vec<String>,
-    /// Where.
+    /// The place.
     pub place: Point,
     /// The error, and what was done.
     pub what: String,
@@ -54,26 +54,26 @@ pub enum ShapeCode {
     CutInBand,
     /// A way for air that is no port.
     Leak,
-    /// Nothing is drawn.
+    /// The drawing is empty.
     Empty,
 }
 
-/// Something to be said of a shape: what is wrong where, how much is allowed, and the remedy.
+/// A fault or warning about a shape: the finding, its place, the limit, and the remedy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ShapeFault {
     /// Its kind.
     pub code: ShapeCode,
     /// The curves.
     pub names: Vec<String>,
-    /// Where.
+    /// The place.
     pub place: Point,
     /// The value found, mm or a count; NaN where there is none.
     pub found: f64,
     /// The value allowed, in the same unit; NaN where there is none.
     pub allowed: f64,
-    /// What is wrong.
+    /// The finding.
     pub what: String,
-    /// What to do.
+    /// The remedy.
     pub remedy: String,
 }
 

@@ -117,7 +117,7 @@ impl Groups {
         Self { of, members }
     }
 
-    /// Where each group is: the middle of its first two ends.
+    /// The place of each group: the middle of its first two ends.
     fn places(&self, ends: &[PieceEnd]) -> Vec<Point> {
         let place = |group: &Vec<usize>| match group.as_slice() {
             [a, b, ..] if ends[*a].at.distance(ends[*b].at) > NOTHING => ends[*a].at.midpoint(ends[*b].at),

@@ -21,7 +21,7 @@ pub enum Leak {
 }
 
 impl Leak {
-    /// Where it is.
+    /// Its place; `None` if `shape` does not have it.
     pub fn place(&self, shape: &SealedShape) -> Option<Point> {
         match self {
             Self::Gap(seam, gap) => {

@@ -1,4 +1,4 @@
-//! What a drawing leaves loose: ends in the open, and curves that cross.
+//! Loose ends of a drawing, and curves that cross.
 
 use crate::shape::fault::{ShapeCode, quoted};
 use crate::shape::join::Network;

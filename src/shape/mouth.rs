@@ -15,9 +15,9 @@ pub(super) struct Mouth {
     pub out: Vec2,
     /// Half the width between the air's edges, mm.
     pub half: f64,
-    /// How far the closed edge runs past the mouth, mm.
+    /// Distance of the closed edge past the mouth, mm.
     pub beyond: f64,
-    /// How far behind the mouth the channel begins at most, mm.
+    /// Largest distance of the channel's start behind the mouth, mm.
     pub depth: f64,
 }
 
@@ -107,7 +107,7 @@ pub(super) fn channel(
     Ok((opened, Mouth { port, at: far(0.0, length), out, half, beyond, depth: length + width }))
 }
 
-/// Where the port is on the path: the arc length, the point, and the way out.
+/// The place of the port on the path: the arc length, the point, and the way out.
 fn foot(path: &Path, place: &PortPlace, width: f64) -> Result<(f64, Point, Vec2), NoChannel> {
     let nearest = path.nearest(place.middle()).ok_or(NoChannel::Far(f64::INFINITY))?;
     if let PortPlace::Across([a, b]) = place {

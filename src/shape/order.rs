@@ -36,7 +36,7 @@ pub(super) fn ordered(mut lines: Vec<Line>) -> Vec<Line> {
     ordered
 }
 
-/// Where a line begins, and where it ends if it may be sealed from there.
+/// The start of a line, and its end if it may be sealed from there.
 struct Ends {
     number: usize,
     ends: [Option<Point>; 2],

@@ -22,7 +22,7 @@ pub struct Sealing {
     pub inner: Vec<Path>,
     /// Closed paths that are cut inside the outline: holes, and drawn cuts inside it.
     pub holes: Vec<Path>,
-    /// What was mended in the drawing.
+    /// The repairs of the drawing.
     pub repairs: Vec<Repair>,
     /// Places that may fail or differ from the drawing.
     pub warnings: Vec<ShapeWarning>,
