@@ -3,7 +3,7 @@
 use crate::spec::codes;
 
 codes! {
-    /// What the verifier finds in files. A spec in the directory that has no design is reported by the refusal's code.
+    /// Findings of the verifier in files. A spec in the directory that has no design is reported by the refusal's code.
     FindingCode {
         AfterEnd "after-end" "A program goes on after its end.",
         Backwards "backwards" "The iron goes back along its seam.",

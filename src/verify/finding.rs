@@ -1,4 +1,4 @@
-//! What the verifier has to say about a file.
+//! A finding of the verifier in a file.
 
 use std::fmt;
 
@@ -25,14 +25,14 @@ pub struct Finding {
     pub line: Option<usize>,
     /// The word of its [`FindingCode`] for scripts; of a design that is refused, of the refusal's code.
     pub code: &'static str,
-    /// What stands in the file.
+    /// The content of the file.
     pub found: String,
-    /// What would have been right.
+    /// The right content.
     pub allowed: String,
 }
 
 impl Finding {
-    /// A finding about a file that is not known yet.
+    /// A finding whose file is set later.
     pub fn new(
         code: impl Code,
         line: impl Into<Option<usize>>,
@@ -103,12 +103,12 @@ impl Findings {
         self.dropped += other.dropped;
     }
 
-    /// Whether nothing was found.
+    /// Whether there are no findings.
     pub fn is_empty(&self) -> bool {
         self.kept.is_empty()
     }
 
-    /// Whether whatever comes is only counted.
+    /// Whether further findings are only counted.
     pub(super) fn is_full(&self) -> bool {
         self.kept.len() >= LIMIT
     }
@@ -123,7 +123,8 @@ impl Findings {
     }
 }
 
-/// `text` on one line of bounded length, with what would command a terminal spelt out: not every reader quotes what it names.
+/// `text` on one line of bounded length, with control characters of a terminal spelt out: not every reader quotes the content of
+/// a file.
 fn fit(text: String) -> String {
     let long = text.len() > LONGEST && text.chars().count() > LONGEST;
     if !long && !text.contains(misleads) {

@@ -99,7 +99,7 @@ fn says(found: &str, wanted: &str) -> bool {
 fn is_same(found: &str, wanted: &str) -> bool {
     let ((word, found), (other, wanted)) = match (found.split_once('='), wanted.split_once('=')) {
         (Some(found), Some(wanted)) => (found, wanted),
-        // The operator's temperature stands alone.
+        // The operator's temperature is alone in its comment.
         (None, None) => (("", found), ("", wanted)),
         _ => return false,
     };

@@ -98,8 +98,8 @@ impl Judge for Area {
     }
 }
 
-/// Every line says what it does: Klipper and Marlin do not go on moving by the word of the line before. The first that
-/// does not is reported.
+/// Checks that every line names its command: Klipper and Marlin do not apply the command of the line before. The first line
+/// without one is reported.
 #[derive(Default)]
 struct FirstWords(Findings);
 

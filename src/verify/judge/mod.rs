@@ -1,4 +1,4 @@
-//! Judges: what was read against what the design says; whatever differs becomes a finding.
+//! Judges: they compare the files with the design; every difference becomes a finding.
 
 mod clamp;
 mod comments;
@@ -24,14 +24,14 @@ use crate::verify::read::gcode::{Dialect, Event, Line, each_line};
 
 /// A judge of programs: it is shown one line after the other, and remembers no more of them than it needs.
 pub(in crate::verify) trait Judge {
-    /// The next line, and what it does.
+    /// The next line, with its events.
     fn see(&mut self, line: &Line<'_>);
 
     /// After the last line: everything that is wrong.
     fn end(&mut self) -> Findings;
 }
 
-/// What all of `judges` find in a program, one after the other, and then the reader.
+/// The findings of all `judges` in a program, one after the other, and then those of the reader.
 fn judged<'a>(
     lines: impl IntoIterator<Item = &'a str>,
     dialect: Dialect,

@@ -6,7 +6,7 @@ use crate::verify::read::drawing::JOIN;
 use crate::verify::read::number;
 use inflatable::geom::{Arc, Line, Path, Point, Segment};
 
-/// What is wrong: code, found, allowed.
+/// A fault: code, found, allowed.
 pub(in crate::verify) type PathFault = (FindingCode, String, String);
 
 /// The subpaths of `d`; a fault gives up what follows it.
@@ -25,7 +25,7 @@ fn draw(scan: &mut PathScan<'_>, pen: &mut SvgPen) -> Result<(), PathFault> {
             continue;
         }
         let mut first = true;
-        // A command letter stands for as many sets of numbers as follow it.
+        // A command letter applies to all sets of numbers that follow it.
         while first || scan.has_number() {
             match command {
                 'M' if first => pen.begin(Point::new(scan.number()?, scan.number()?)),

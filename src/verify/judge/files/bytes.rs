@@ -12,7 +12,7 @@ use crate::verify::{Finding, FindingCode, OutputFiles};
 /// Names the first difference of the file `name` of `found` from what is `right`, made anew; if it is equal, it is proven by that,
 /// and its hash is returned if it was taken.
 pub fn compare_bytes(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut Proof) -> Option<String> {
-    // What is missing is a finding of its own.
+    // A missing file is a finding of its own.
     let bytes = found.get(name)?;
     if bytes == right {
         return mark_equal(name, right, found, proof);
@@ -36,12 +36,12 @@ pub fn mark_equal(name: &str, right: &[u8], found: &OutputFiles<'_>, proof: &mut
     Some(file.sha256.clone())
 }
 
-/// Where `found` first differs from what is `right`.
+/// The first difference of `found` from `right`.
 pub fn first_difference(found: &[u8], right: &[u8]) -> Finding {
     let at = found.iter().zip(right).take_while(|(a, b)| a == b).count();
     let line_of = |bytes: &[u8]| {
         let start = bytes[..at].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
-        // Of a long line the part where it differs.
+        // A long line is cut to the part where it differs.
         let start = start.max(at.saturating_sub(30));
         let rest = &bytes[start..];
         let end = rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len());

@@ -14,7 +14,7 @@ use crate::verify::judge::files::{drawings, figures, names, paper, solid};
 use crate::verify::judge::task::ProgramTask;
 use crate::verify::{Finding, FindingCode, Findings, OutputFiles};
 
-/// What the verifier has to say about a directory.
+/// The verifier's result for a directory.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Proof {
     /// Everything that is wrong.
@@ -35,21 +35,21 @@ impl Proof {
     }
 }
 
-/// What several files say of one thing.
+/// Data of several files that must agree.
 #[derive(Default)]
 struct CrossChecks {
     seals: drawings::Seals,
     pieces: Assemblies,
 }
 
-/// What was looked at in one file.
+/// The result for one file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FileProof {
     /// Its name in the directory.
     pub path: String,
-    /// What it is.
+    /// Its kind.
     pub output: Output,
-    /// How it was looked at.
+    /// The method by which it was checked.
     pub by: Method,
     /// SHA-256 of its content, lower-case hexadecimal.
     pub sha256: String,
@@ -57,7 +57,7 @@ pub struct FileProof {
     pub deviation: Option<f64>,
 }
 
-/// How a file was looked at.
+/// The method by which a file was checked.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Method {
@@ -65,7 +65,7 @@ pub enum Method {
     Bytes,
     /// Read back and compared with the design.
     Reading,
-    /// Nothing but its hash in the manifest.
+    /// By its hash in the manifest only.
     Hash,
 }
 
@@ -136,7 +136,7 @@ fn file(
             cross.pieces.add(output, facets);
             return (Method::Reading, Some(deviation));
         }
-        // What is only looked at is proven by its bytes: see `pipeline`.
+        // Pictures and scenes are proven by their bytes: see `pipeline`.
         Format::Png | Format::Glb => return (Method::Hash, None),
         _ => {}
     }
@@ -164,7 +164,7 @@ fn file(
             let task = ProgramTask::of_pieces(parts, hot, sheet, output.star.or(output.copy));
             (Method::Reading, task.map(|task| task.check(text, findings)))
         }
-        // Every subject is named: a new one must say how it is proven.
+        // Every subject is named, so that a new one must be given its method of proof.
         (
             subject @ (Subject::Seal
             | Subject::Trace

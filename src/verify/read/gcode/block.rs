@@ -69,12 +69,12 @@ impl Block {
         (self.given & bit(letter) != 0).then(|| self.values[usize::from(letter - b'A')])
     }
 
-    /// Whether any of the words is there.
+    /// Whether the line has any of these words.
     pub(super) fn has_any(&self, letters: &[u8]) -> bool {
         letters.iter().any(|letter| self.given & bit(*letter) != 0)
     }
 
-    /// Whether the command is there.
+    /// Whether the line has the command.
     pub(super) fn has(&self, command: Command) -> bool {
         self.commands.contains(&command)
     }

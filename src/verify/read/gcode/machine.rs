@@ -8,7 +8,7 @@ use crate::verify::read::gcode::{BlindMove, Dialect, Dwell, Event, Heat, Move, M
 use crate::verify::{Finding, FindingCode};
 use inflatable::geom::{Line, Point, Segment};
 
-/// A line that is executed, and where what it does is told.
+/// A line that is executed, and the list of its events.
 pub(super) struct Here<'a> {
     pub(super) block: &'a Block,
     pub(super) line: usize,
@@ -43,7 +43,7 @@ impl Machine {
         machine
     }
 
-    /// Where the tip is, once all three axes were told.
+    /// The place of the tip, once all three axes were set.
     pub(super) fn at(&self) -> Option<Point3> {
         match self.position {
             [Some(x), Some(y), Some(z)] => Some(Point3::new(x, y, z)),
@@ -129,7 +129,7 @@ impl Machine {
         here.out.push(Event::Move(step));
     }
 
-    /// The position after the block; `None` if it cannot be known.
+    /// The position after the block; `None` if it is unknown.
     fn target(&self, here: &mut Here<'_>) -> Option<[Option<f64>; 3]> {
         let mut to = self.position;
         for (axis, letter) in to.iter_mut().zip(*b"XYZ") {

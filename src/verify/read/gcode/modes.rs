@@ -5,7 +5,7 @@ use crate::spec::Command;
 /// Millimetres per inch.
 const INCH: f64 = 25.4;
 
-/// The modal state. `None`: the program has not said, so the controller's own default would decide.
+/// The modal state. `None`: the program has not set it, so the controller's own default would decide.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Modes {
     pub(super) motion: Option<Command>,
