@@ -186,8 +186,8 @@ fn arc_from(start: Point, end: Point, tangent: Vec2, straight: f64) -> Option<Ar
     let chord = end - start;
     let (across, along) = (tangent.cross(chord), tangent.dot(chord));
     let half = libm::atan2(across, along);
-    // Of a longer chord the arc may be flatter still: its ends err by 2e-16 of a radius of chord^2 / (8 sagitta), which is
-    // kept below 1e-6 mm as far as the tolerance allows.
+    // For a longer chord the arc may be flatter still: its ends err by 2e-16 of a radius of chord^2 / (8 sagitta), which is kept
+    // below 1e-6 mm as far as the tolerance allows.
     let straight = straight.max((2.5e-11 * chord.dot(chord)).min(300.0 * straight));
     if chord.length() * half.abs() < 4.0 * straight {
         return None;

@@ -18,7 +18,7 @@ pub(super) struct Geometry {
     pub(super) heights: [f64; 2],
     /// Whether x is mirrored, by an extrusion along -z.
     pub(super) mirrored: bool,
-    /// What was resolved, for a note.
+    /// The detail that was resolved, for a note.
     pub(super) remark: Option<&'static str>,
 }
 
@@ -29,7 +29,7 @@ pub(super) enum Shape {
     Chain(Chain),
 }
 
-/// What reading an entity gives.
+/// The result of reading an entity.
 #[derive(Debug)]
 pub(super) enum Reading {
     Geometry(Geometry),

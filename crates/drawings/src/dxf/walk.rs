@@ -12,7 +12,7 @@ use crate::{Place, Weight};
 /// Entities that show nothing of their own.
 const INVISIBLE: [&str; 4] = ["SEQEND", "VIEWPORT", "ATTDEF", "VERTEX"];
 
-/// Where an entity stands: in the drawing, or in an inserted block.
+/// The context of an entity: the drawing, or an inserted block.
 #[derive(Clone)]
 struct Context {
     map: Affine,
@@ -215,7 +215,7 @@ impl<'s, 'a, 'g, 'c, 'o> Walk<'s, 'a, 'g, 'c, 'o> {
     }
 }
 
-/// Where an INSERT puts its block.
+/// The placement of a block by an INSERT.
 struct Placement {
     mirror: Affine,
     turn: Affine,

@@ -1,6 +1,6 @@
 //! SVG files: SVG 1.1 and the static parts of SVG 2.
 //!
-//! [`guard`] bounds what the parser is asked, [`viewport`] finds the page in mm, [`walk`] goes through the tree with its transforms,
+//! [`guard`] limits the parser's work, [`viewport`] finds the page in mm, [`walk`] goes through the tree with its transforms,
 //! styles and references, and [`shapes`] and [`path_data`] give the pieces.
 
 mod guard;
@@ -42,7 +42,7 @@ pub fn read_svg(bytes: &[u8], options: &Options) -> Result<Drawing, Vec<Fault>> 
     out.finish()
 }
 
-/// What is known of a file beside its tree.
+/// Facts about a file that its tree does not hold.
 struct Source {
     /// Offsets at which lines start.
     lines: Vec<usize>,

@@ -51,7 +51,7 @@ const GEOMETRY: [&str; 17] = [
     "transform-origin",
 ];
 
-/// What an element has from those around it.
+/// The state that an element inherits.
 #[derive(Clone)]
 struct Context<'a> {
     map: Affine,
@@ -374,7 +374,7 @@ impl<'s, 'a: 's, 'd: 's, 'c, 'o> Walk<'s, 'a, 'd, 'c, 'o> {
     }
 }
 
-/// The names by which a user knows an element, the label of its program before the id.
+/// The names that a user gave an element, the label of its program before the id.
 fn names<'a>(node: Node<'a, '_>) -> impl Iterator<Item = &'a str> {
     // Inkscape writes inkscape:label, Illustrator data-name, Affinity serif:id.
     let label = |name: &str, namespace: Option<&str>| match (name, namespace) {
